@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <tl/expected.hpp>
+
+namespace orispline {
+
+/// What kind of thing went wrong; each face maps it to its own habit (exit code, exception type).
+enum class ErrorCode {
+  bad_data,      ///< the keyframes or the content of a file
+  bad_argument,  ///< a method name, parameter, end rule or option
+  bad_access,    ///< a file that cannot be opened, read, written or renamed
+};
+
+/// Where it went wrong. Every member may be absent.
+struct Where {
+  std::string file{};                   ///< path, or `-` for standard input
+  std::optional<std::size_t> line{};    ///< 1-based, the header counted
+  std::optional<std::size_t> column{};  ///< 1-based column of the table
+  std::optional<std::size_t> key{};     ///< 0-based keyframe index
+};
+
+/// One failure: the kind, one sentence that says what was found and what was wanted, and the place.
+struct Error {
+  ErrorCode code = ErrorCode::bad_data;
+  std::string message{};
+  Where where{};
+};
+
+/// A value or the reason why there is none.
+template <class T>
+using Expected = tl::expected<T, Error>;
+
+/// Shorthand for returning a failure.
+[[nodiscard]] inline tl::unexpected<Error> failure(ErrorCode code, std::string message, Where where = {}) {
+  return tl::unexpected<Error>(Error{code, std::move(message), std::move(where)});
+}
+
+/// `keys.csv:7:3: key 2: message`, with the absent parts left out: one line for people.
+[[nodiscard]] std::string describe(const Error& error);
+
+}  // namespace orispline

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+
+#include <orispline/curve/cumulative_curve.hpp>
+#include <orispline/curve/cumulative_path.hpp>
+#include <orispline/curve/family.hpp>
+#include <orispline/curve/keyframe.hpp>
+
+namespace orispline {
+
+/// End rules of the local four-key families; the first is the default.
+inline constexpr std::array four_key_ends_repeat{EndRule::repeat, EndRule::natural, EndRule::quadratic,
+                                                 EndRule::cubic,  EndRule::clamped, EndRule::rest};
+inline constexpr std::array four_key_ends_natural{EndRule::natural, EndRule::repeat,  EndRule::quadratic,
+                                                  EndRule::cubic,   EndRule::clamped, EndRule::rest};
+
+/// How the increments before and after a knot make up its rate: ω = before · a + after · b [1/s].
+struct RateWeights {
+  double before, after;
+};
+
+/// The neighbourhood of an end key, looked at inwards from it: the same for orientations and positions, start and end.
+struct EndNeighbourhood {
+  std::function<double(std::size_t)> distance;               ///< time from the end key to the j-th inward key [s], > 0
+  std::function<Eigen::Vector3d(std::size_t)> displacement;  ///< increment from the end key to the j-th inward key
+};
+
+/// The increment a from the ghost key to the end key, so that ghost · exp(a) = end key; the ghost's distance in time
+/// mirrors that of the first inward key.
+///
+/// `inward_rate` is the prescribed rate for clamped and rest ends. Errors (bad_argument): a clamped end whose tension
+/// is zero, for then no ghost can give it a rate. Source: EXTENSIONS (c), restated in docs/conventions.md.
+[[nodiscard]] Expected<Eigen::Vector3d> ghost_increment(EndRule rule, const Eigen::Vector3d& inward_rate,
+                                                        RateWeights weights, const EndNeighbourhood& end);
+
+/// Orientations with one ghost before the first key and one increment beyond the last: n keys give n+1 points and n+1
+/// increments.
+[[nodiscard]] Expected<ControlPolygon> ghosted_polygon(const Keyframes& keys, const FamilySettings& settings,
+                                                       RateWeights at_start, RateWeights at_end);
+
+/// The same for positions. A clamped end, whose given rate is angular, continues naturally.
+[[nodiscard]] Expected<PathPolygon> ghosted_path(const Keyframes& keys, const FamilySettings& settings,
+                                                 RateWeights at_start, RateWeights at_end);
+
+/// Weights of the first knot's rate in a four-key basis, read off the basis itself.
+template <CumulativeBasis B>
+[[nodiscard]] RateWeights start_weights(const B& basis, const Knots& knots) noexcept {
+  const auto b = basis(knots.span(0), Jet<double, 1>::variable(knots.front()));
+  return {.before = b[0].c[1], .after = b[1].c[1]};
+}
+
+/// Weights of the last knot's rate in a four-key basis.
+template <CumulativeBasis B>
+[[nodiscard]] RateWeights end_weights(const B& basis, const Knots& knots) noexcept {
+  const auto b = basis(knots.span(knots.segments() - 1), Jet<double, 1>::variable(knots.back()));
+  return {.before = b[1].c[1], .after = b[2].c[1]};
+}
+
+/// A local interpolating curve whose segment i blends keys i-1 … i+2: the shape of the papers' splines and of ours in
+/// time.
+template <CumulativeBasis B>
+[[nodiscard]] Expected<CumulativeCurve<B>> four_key_curve(const Keyframes& keys, const FamilySettings& settings,
+                                                          B basis) {
+  Knots knots({keys.times().begin(), keys.times().end()});
+  auto polygon = ghosted_polygon(keys, settings, start_weights(basis, knots), end_weights(basis, knots));
+  if (!polygon) return tl::unexpected(std::move(polygon.error()));
+  return CumulativeCurve<B>(std::move(knots), std::move(basis), std::move(*polygon));
+}
+
+/// Its Euclidean analogue through the keys' positions.
+template <CumulativeBasis B>
+[[nodiscard]] Expected<CumulativePath<B>> four_key_path(const Keyframes& keys, const FamilySettings& settings,
+                                                        B basis) {
+  Knots knots({keys.times().begin(), keys.times().end()});
+  auto polygon = ghosted_path(keys, settings, start_weights(basis, knots), end_weights(basis, knots));
+  if (!polygon) return tl::unexpected(std::move(polygon.error()));
+  return CumulativePath<B>(std::move(knots), std::move(basis), std::move(*polygon));
+}
+
+}  // namespace orispline

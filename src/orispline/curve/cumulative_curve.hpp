@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include <orispline/curve/cumulative_basis.hpp>
+#include <orispline/curve/motion.hpp>
+
+namespace orispline {
+
+/// Control orientations of a cumulative curve with the increments between them.
+///
+/// Point k times exp(increments[k]) is point k+1. Increments are kept, not recomputed: those of ghost points may be
+/// longer than π.
+struct ControlPolygon {
+  std::vector<Eigen::Quaterniond> points;
+  std::vector<Eigen::Vector3d> increments;  ///< rotation vectors [rad], one fewer than points or as many
+};
+
+/// THE evaluator: any cumulative basis over control orientations becomes orientation, ω, α and jerk.
+///
+/// q(t) = q₀ ∏ exp(β̃_k(t) φ_k). Each factor carries the rates of the product before it into its own frame and adds its
+/// own: ω ← Rᵀω + β̃'φ, α ← Rᵀα + β̃'(ω×φ) + β̃''φ, jerk likewise.
+/// Source: Kim, Kim & Shin 1995 (the form); Sommer et al. 2020 (the recurrence), here with the jerk, derived in
+/// docs/conventions.md.
+template <CumulativeBasis B>
+class CumulativeCurve {
+ public:
+  CumulativeCurve(Knots knots, B basis, ControlPolygon polygon)
+      : knots_(std::move(knots)), basis_(std::move(basis)), polygon_(std::move(polygon)) {
+    ORISPLINE_EXPECT(polygon_.increments.size() >= (knots_.segments() - 1) * B::stride + B::increments);
+  }
+
+  [[nodiscard]] const Knots& knots() const noexcept { return knots_; }
+  [[nodiscard]] const B& basis() const noexcept { return basis_; }
+  [[nodiscard]] const ControlPolygon& polygon() const noexcept { return polygon_; }
+
+  /// Orientation over any Number; with jets in t this is the whole-quaternion oracle of the recurrence.
+  template <Number T>
+  [[nodiscard]] Quaternion<T> orientation(const T& t, std::size_t segment) const noexcept {
+    const std::array<T, B::increments> b = basis_(knots_.span(segment), t);
+    const std::size_t first = segment * B::stride;
+    Quaternion<T> q = constant<T>(polygon_.points[first]);
+    for (std::size_t k = 0; k < B::increments; ++k) q = q * exp<T>(constant<T>(polygon_.increments[first + k]) * b[k]);
+    return q;
+  }
+
+  /// Orientation and body rates at t [s] of the given segment.
+  [[nodiscard]] Motion motion(double t, std::size_t segment) const noexcept {
+    using Vector = Eigen::Vector3d;
+    const auto b = basis_(knots_.span(segment), Jet<double, 3>::variable(t));
+    const std::size_t first = segment * B::stride;
+    Motion m{.orientation = polygon_.points[first]};
+    for (std::size_t k = 0; k < B::increments; ++k) {
+      const Vector& phi = polygon_.increments[first + k];
+      const double b1 = b[k].derivative(1), b2 = b[k].derivative(2), b3 = b[k].derivative(3);
+      const Eigen::Quaterniond factor = exp<double>(b[k].c[0] * phi);
+      m.orientation = m.orientation * factor;
+      m.angular_velocity = to_body<double>(factor, m.angular_velocity) + b1 * phi;
+      const Vector turn = m.angular_velocity.cross(phi);
+      m.angular_acceleration = to_body<double>(factor, m.angular_acceleration) + b1 * turn + b2 * phi;
+      m.angular_jerk = to_body<double>(factor, m.angular_jerk) + b2 * turn +
+                       2.0 * b1 * m.angular_acceleration.cross(phi) - b1 * b1 * turn.cross(phi) + b3 * phi;
+    }
+    return m;
+  }
+
+ private:
+  Knots knots_;
+  [[no_unique_address]] B basis_;
+  ControlPolygon polygon_;
+};
+
+}  // namespace orispline

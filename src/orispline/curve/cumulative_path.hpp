@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include <orispline/curve/cumulative_basis.hpp>
+#include <orispline/math/eigen.hpp>
+
+namespace orispline {
+
+/// Control points of a cumulative curve in space [m].
+using PathPolygon = std::vector<Eigen::Vector3d>;
+
+/// The Euclidean curve of the same blending functions: p(t) = p₀ + Σ β̃_k(t) (p_k - p_{k-1}).
+///
+/// Source: the papers' curves in R^d (Tan 2018, (3.1); 003 §3.1.1), written cumulatively.
+template <CumulativeBasis B>
+class CumulativePath {
+ public:
+  CumulativePath(Knots knots, B basis, PathPolygon points)
+      : knots_(std::move(knots)), basis_(std::move(basis)), points_(std::move(points)) {
+    ORISPLINE_EXPECT(points_.size() > (knots_.segments() - 1) * B::stride + B::increments);
+  }
+
+  [[nodiscard]] const Knots& knots() const noexcept { return knots_; }
+
+  template <Number T>
+  [[nodiscard]] Vector3<T> position(const T& t, std::size_t segment) const noexcept {
+    const std::array<T, B::increments> b = basis_(knots_.span(segment), t);
+    const std::size_t first = segment * B::stride;
+    Vector3<T> p = constant<T>(points_[first]);
+    for (std::size_t k = 0; k < B::increments; ++k)
+      p += constant<T>(Eigen::Vector3d(points_[first + k + 1] - points_[first + k])) * b[k];
+    return p;
+  }
+
+ private:
+  Knots knots_;
+  [[no_unique_address]] B basis_;
+  PathPolygon points_;
+};
+
+}  // namespace orispline

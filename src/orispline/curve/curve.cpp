@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/curve/curve.hpp>
+
+#include <fmt/format.h>
+
+namespace orispline {
+
+Expected<Motion> AnyCurve::checked_motion(double t) const {
+  const Domain d = domain();
+  if (!d.contains(t))
+    return failure(ErrorCode::bad_argument,
+                   fmt::format("time {} is outside the curve, wanted {} to {}", t, d.start, d.end));
+  return motion(t);
+}
+
+}  // namespace orispline

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/curve/family.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace orispline {
+namespace {
+
+constexpr std::array<std::string_view, 10> end_rule_names{"none",    "repeat", "natural", "quadratic", "cubic",
+                                                          "clamped", "rest",   "key",     "phantom",   "reflect"};
+
+Error argument_error(std::string message, std::optional<std::size_t> key = {}) {
+  return {ErrorCode::bad_argument, std::move(message), {.key = key}};
+}
+
+std::size_t keys_needed(EndRule rule) noexcept {
+  return rule == EndRule::quadratic ? 3 : rule == EndRule::cubic ? 4 : 2;
+}
+
+std::string list_of_ends(const FamilyInfo& family) {
+  std::vector<std::string_view> names;
+  for (EndRule rule : family.ends) names.push_back(name_of(rule));
+  return names.empty() ? "none: this method has no end rules" : fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::optional<Error> check_values(const FamilyInfo& family, const Parameter& parameter,
+                                  const std::vector<double>& values, std::size_t keys) {
+  const bool right_count = values.size() == 1 || (parameter.per_key && values.size() == keys);
+  if (!right_count)
+    return argument_error(fmt::format("{}: found {} values of {}, wanted {}", family.name, values.size(),
+                                      parameter.name,
+                                      parameter.per_key ? fmt::format("1 or one per key ({})", keys) : "1"));
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (!(parameter.lowest <= values[i] && values[i] <= parameter.highest))
+      return argument_error(fmt::format("{}: {} is {}, wanted {} to {}", family.name, parameter.name, values[i],
+                                        parameter.lowest, parameter.highest),
+                            values.size() == 1 ? std::nullopt : std::optional(i));
+  return std::nullopt;
+}
+
+Expected<End> settle_end(const FamilyInfo& family, End end, std::size_t keys) {
+  if (family.ends.empty() && end.rule == EndRule::none) return end;
+  if (end.rule == EndRule::none) end.rule = family.ends.front();
+  if (std::ranges::find(family.ends, end.rule) == family.ends.end())
+    return tl::unexpected(argument_error(
+        fmt::format("{}: no end rule '{}', wanted one of {}", family.name, name_of(end.rule), list_of_ends(family))));
+  if (keys < keys_needed(end.rule))
+    return failure(ErrorCode::bad_data, fmt::format("{}: ends '{}' need {} keys, found {}", family.name,
+                                                    name_of(end.rule), keys_needed(end.rule), keys));
+  if (!end.angular_velocity.allFinite())
+    return tl::unexpected(argument_error(fmt::format("{}: an end rate is not finite", family.name)));
+  if (end.rule == EndRule::rest) end.angular_velocity.setZero();
+  return end;
+}
+
+}  // namespace
+
+std::string_view name_of(EndRule rule) noexcept { return end_rule_names[static_cast<std::size_t>(rule)]; }
+
+Expected<EndRule> end_rule_by_name(const FamilyInfo& family, std::string_view name) {
+  for (EndRule rule : family.ends)
+    if (name_of(rule) == name) return rule;
+  return tl::unexpected(
+      argument_error(fmt::format("{}: no end rule '{}', wanted one of {}", family.name, name, list_of_ends(family))));
+}
+
+Expected<FamilySettings> settle(const FamilyInfo& family, const CurveOptions& options, std::size_t keys) {
+  FamilySettings settings;
+  for (const auto& [name, values] : options.parameters)
+    if (std::ranges::find(family.parameters, name, &Parameter::name) == family.parameters.end()) {
+      std::vector<std::string_view> names;
+      for (const Parameter& p : family.parameters) names.push_back(p.name);
+      return tl::unexpected(argument_error(fmt::format(
+          "{}: no parameter '{}', wanted {}", family.name, name,
+          names.empty() ? "none: this method has no parameters" : fmt::format("one of {}", fmt::join(names, ", ")))));
+    }
+  for (const Parameter& parameter : family.parameters) {
+    const auto given = options.parameters.find(parameter.name);
+    auto& values = settings.parameters[std::string(parameter.name)];
+    values = given != options.parameters.end() ? given->second : std::vector{parameter.initial};
+    if (auto error = check_values(family, parameter, values, keys)) return tl::unexpected(std::move(*error));
+  }
+  if (keys > 1 && keys < static_cast<std::size_t>(family.min_keys))
+    return failure(ErrorCode::bad_data, fmt::format("{} needs {} keys, found {}", family.name, family.min_keys, keys));
+  if (keys == 1) return settings;
+  auto start = settle_end(family, options.start, keys);
+  if (!start) return tl::unexpected(std::move(start.error()));
+  auto end = settle_end(family, options.end, keys);
+  if (!end) return tl::unexpected(std::move(end.error()));
+  settings.start = *start;
+  settings.end = *end;
+  return settings;
+}
+
+}  // namespace orispline

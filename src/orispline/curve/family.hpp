@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <orispline/base/expect.hpp>
+#include <orispline/base/expected.hpp>
+#include <orispline/math/eigen.hpp>
+
+namespace orispline {
+
+/// A number that shapes a family's curves.
+struct Parameter {
+  std::string_view name;
+  double initial;          ///< used when the caller says nothing
+  double lowest, highest;  ///< allowed range, inclusive
+  bool per_key = true;     ///< one value for all keys or one per key; else one value only
+};
+
+/// How a curve begins or ends, where its formula asks for a key beyond the last one.
+enum class EndRule {
+  none,       ///< the family needs no rule
+  repeat,     ///< the end key once more (Tan 2018, Definition 1)
+  natural,    ///< the last increment continued: no angular acceleration at the end
+  quadratic,  ///< extrapolated through 3 keys
+  cubic,      ///< extrapolated through 4 keys
+  clamped,    ///< the given end rate
+  rest,       ///< clamped at zero rate
+  key,        ///< squad: the end's inner quaternion is the key itself
+  phantom,    ///< squad: the end key repeated in the formula of the inner quaternion
+  reflect,    ///< the last increment continued at the mirrored time
+};
+
+[[nodiscard]] std::string_view name_of(EndRule rule) noexcept;
+
+/// What a family says about itself. Continuity is the order in **time** for non-zero tensions.
+struct FamilyInfo {
+  std::string_view name;  ///< for --method and make_curve
+  std::string_view title;
+  std::string_view source;                   ///< paper and equation, or the section of our own derivation
+  bool interpolates = true;                  ///< passes through every key
+  int continuity_uniform = 0;                ///< on evenly spaced key times
+  int continuity_uneven = 0;                 ///< on any key times
+  bool keeps_constant_rate_uniform = false;  ///< equal increments on even times give constant ω, at the defaults
+  bool keeps_constant_rate_uneven = false;   ///< a constant rate on uneven times stays constant, at the defaults
+  int support_keys = 2;                      ///< keys that one segment depends on
+  int min_keys = 2;                          ///< fewer are an error (one key is always a constant curve)
+  std::span<const Parameter> parameters{};
+  std::span<const EndRule> ends{};  ///< the first is the default; empty: no choice
+};
+
+/// One end of a curve.
+struct End {
+  EndRule rule = EndRule::none;                                ///< none: the family's default
+  Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< for clamped [rad/s], body frame
+};
+
+/// What the caller may say to any family.
+struct CurveOptions {
+  /// Values by parameter name: one for all keys, or exactly one per key. Absent: the family's default.
+  std::map<std::string, std::vector<double>, std::less<>> parameters{};
+  End start{};
+  End end{};
+};
+
+/// A parameter's values, one for all keys or one per key.
+class PerKey {
+ public:
+  explicit PerKey(std::vector<double> values) : values_(std::move(values)) {}
+  [[nodiscard]] double operator[](std::size_t key) const noexcept { return values_[values_.size() == 1 ? 0 : key]; }
+
+ private:
+  std::vector<double> values_;
+};
+
+/// Options completed and checked against a family: every parameter present, the ends chosen.
+struct FamilySettings {
+  std::map<std::string, std::vector<double>, std::less<>> parameters{};  ///< one value, or one per key
+  End start{};
+  End end{};
+
+  /// The values of one of the family's own parameters.
+  [[nodiscard]] PerKey per_key(std::string_view name) const {
+    const auto found = parameters.find(name);
+    ORISPLINE_EXPECT(found != parameters.end());
+    return PerKey(found->second);
+  }
+};
+
+/// Checks the options against what the family accepts and fills in its defaults.
+///
+/// Errors: bad_argument (with the key index where one value is at fault) for an unknown parameter, a wrong number of
+/// values, a value out of range or not finite, an unknown end rule; bad_data for too few keys for the family or the
+/// rule.
+[[nodiscard]] Expected<FamilySettings> settle(const FamilyInfo& family, const CurveOptions& options, std::size_t keys);
+
+/// The end rule of that name, or an error that lists those of the family.
+[[nodiscard]] Expected<EndRule> end_rule_by_name(const FamilyInfo& family, std::string_view name);
+
+}  // namespace orispline

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/curve/keyframe.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace orispline {
+namespace {
+
+Error key_error(std::size_t key, std::string message) {
+  return {ErrorCode::bad_data, std::move(message), {.key = key}};
+}
+
+std::optional<Error> check_lengths(const KeyframeData& data) {
+  const std::size_t n = data.times.size();
+  const auto differs = [n](const char* what, std::size_t size) -> std::optional<Error> {
+    return Error{ErrorCode::bad_data, fmt::format("found {} {} for {} times, wanted one per key", size, what, n), {}};
+  };
+  if (data.orientations.size() != n) return differs("orientations", data.orientations.size());
+  if (!data.positions.empty() && data.positions.size() != n) return differs("positions", data.positions.size());
+  if (!data.angular_velocities.empty() && data.angular_velocities.size() != n)
+    return differs("angular velocities", data.angular_velocities.size());
+  if (n == 0) return Error{ErrorCode::bad_data, "empty: no keys", {}};
+  return std::nullopt;
+}
+
+std::optional<Error> check_key(const KeyframeData& data, std::size_t i) {
+  const double t = data.times[i];
+  if (!std::isfinite(t)) return key_error(i, fmt::format("time is {}, wanted a finite number", t));
+  if (i > 0 && t == data.times[i - 1])
+    return key_error(i, fmt::format("duplicate time {}, wanted strictly increasing times", t));
+  if (i > 0 && t < data.times[i - 1])
+    return key_error(i, fmt::format("time {} comes after {}, wanted strictly increasing times", t, data.times[i - 1]));
+  if (!data.orientations[i].coeffs().allFinite())
+    return key_error(i, "the quaternion has a component that is not finite, wanted a unit quaternion");
+  if (!data.positions.empty() && !data.positions[i].allFinite())
+    return key_error(i, "the position has a component that is not finite");
+  if (!data.angular_velocities.empty() && !data.angular_velocities[i].allFinite())
+    return key_error(i, "the angular velocity has a component that is not finite");
+  return std::nullopt;
+}
+
+}  // namespace
+
+Expected<Keyframes> Keyframes::make(KeyframeData data, Signs signs) {
+  if (auto error = check_lengths(data)) return tl::unexpected(std::move(*error));
+  Keyframes keys;
+  for (std::size_t i = 0; i < data.times.size(); ++i) {
+    if (auto error = check_key(data, i)) return tl::unexpected(std::move(*error));
+    Eigen::Quaterniond& q = data.orientations[i];
+    const double norm = q.coeffs().stableNorm();
+    const double norm_error = std::abs(norm - 1.0);
+    if (!(norm_error <= norm_error_limit))
+      return tl::unexpected(
+          key_error(i, fmt::format("the quaternion has norm {:.6g}, wanted 1 within {:g}", norm, norm_error_limit)));
+    keys.report_.largest_norm_error = std::max(keys.report_.largest_norm_error, norm_error);
+    if (norm_error > unit_norm_tolerance) ++keys.report_.non_unit_keys;
+    q.coeffs() /= norm;
+    if (signs == Signs::shortest && i > 0 && q.dot(data.orientations[i - 1]) < 0.0) {
+      q.coeffs() = -q.coeffs();
+      ++keys.report_.sign_flips;
+    }
+  }
+  keys.data_ = std::move(data);
+  return keys;
+}
+
+}  // namespace orispline

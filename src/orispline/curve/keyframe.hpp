@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include <orispline/base/expected.hpp>
+#include <orispline/math/eigen.hpp>
+
+namespace orispline {
+
+/// How the signs of the key quaternions are chosen; q and -q are the same orientation.
+enum class Signs {
+  shortest,  ///< key i is negated when its dot product with key i-1 (after its own flip) is negative
+  as_given,  ///< the signs say which way round the motion goes, up to 2π per step
+};
+
+/// What the caller holds: one entry per key in every vector that is not empty.
+struct KeyframeData {
+  std::vector<double> times{};                        ///< [s], finite, strictly increasing
+  std::vector<Eigen::Quaterniond> orientations{};     ///< body to world, norm within 1e-3 of 1
+  std::vector<Eigen::Vector3d> positions{};           ///< [m], optional
+  std::vector<Eigen::Vector3d> angular_velocities{};  ///< [rad/s], body frame, optional
+};
+
+/// What validation changed or noticed.
+struct KeyframeReport {
+  std::size_t sign_flips = 0;       ///< keys negated to follow the shortest way
+  std::size_t non_unit_keys = 0;    ///< keys whose norm was off by more than `unit_norm_tolerance`
+  double largest_norm_error = 0.0;  ///< largest |‖q‖ - 1|
+};
+
+/// Norms this near to 1 pass as unit: the rounding of float32 files.
+inline constexpr double unit_norm_tolerance = 1e-6;
+/// Norms farther than this from 1 are an error, not rounding.
+inline constexpr double norm_error_limit = 1e-3;
+
+/// Orientations at times, validated at the door: every curve is built from these.
+///
+/// Times are finite and strictly increasing, orientations are unit quaternions with the signs that the curve will
+/// follow.
+class Keyframes {
+ public:
+  /// Validates, normalises, aligns the signs.
+  ///
+  /// Errors (bad_data, with the key index): no keys, vectors of different length, a time that is not finite or does not
+  /// increase, a component that is not finite, a norm farther than `norm_error_limit` from 1.
+  [[nodiscard]] static Expected<Keyframes> make(KeyframeData data, Signs signs = Signs::shortest);
+
+  [[nodiscard]] std::size_t size() const noexcept { return data_.times.size(); }
+  [[nodiscard]] std::span<const double> times() const noexcept { return data_.times; }
+  [[nodiscard]] std::span<const Eigen::Quaterniond> orientations() const noexcept { return data_.orientations; }
+  /// Empty when the keys carry no positions.
+  [[nodiscard]] std::span<const Eigen::Vector3d> positions() const noexcept { return data_.positions; }
+  /// Empty when the keys carry no angular velocities. [rad/s], body frame.
+  [[nodiscard]] std::span<const Eigen::Vector3d> angular_velocities() const noexcept {
+    return data_.angular_velocities;
+  }
+  [[nodiscard]] const KeyframeReport& report() const noexcept { return report_; }
+
+ private:
+  KeyframeData data_;
+  KeyframeReport report_;
+};
+
+}  // namespace orispline

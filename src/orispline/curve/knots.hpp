@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <orispline/base/expect.hpp>
+#include <orispline/math/number.hpp>
+
+namespace orispline {
+
+/// At a knot two segments meet: which of them is meant.
+enum class Side { right, left };
+
+/// One interval between knots: t[i] ≤ time ≤ t[i+1].
+struct KnotSpan {
+  std::span<const double> t;
+  std::size_t i;
+
+  [[nodiscard]] double start() const noexcept { return t[i]; }
+  /// h of this interval [s].
+  [[nodiscard]] double step() const noexcept { return t[i + 1] - t[i]; }
+  /// h of the interval before; at the first one its own: the ghost key stands at the mirrored distance.
+  [[nodiscard]] double previous_step() const noexcept { return i > 0 ? t[i] - t[i - 1] : step(); }
+  /// h of the interval after; at the last one its own.
+  [[nodiscard]] double next_step() const noexcept { return i + 2 < t.size() ? t[i + 2] - t[i + 1] : step(); }
+
+  /// The local parameter u in [0, 1]; exactly 0 and 1 at the two knots.
+  template <Number T>
+  [[nodiscard]] T normalised(const T& time) const noexcept {
+    return (time - T(start())) / step();
+  }
+};
+
+/// Strictly increasing times [s] that cut a curve into segments.
+class Knots {
+ public:
+  /// At least one time; finite, strictly increasing.
+  explicit Knots(std::vector<double> t) : t_(std::move(t)) { ORISPLINE_EXPECT(!t_.empty()); }
+
+  [[nodiscard]] std::span<const double> times() const noexcept { return t_; }
+  [[nodiscard]] std::size_t segments() const noexcept { return t_.size() - 1; }
+  [[nodiscard]] double front() const noexcept { return t_.front(); }
+  [[nodiscard]] double back() const noexcept { return t_.back(); }
+  [[nodiscard]] KnotSpan span(std::size_t i) const noexcept { return {t_, i}; }
+
+  /// Index of the segment that holds `time`: at an interior knot the right-hand one or, on request, the left-hand one.
+  /// Outside the domain the first or the last.
+  [[nodiscard]] std::size_t segment_at(double time, Side side = Side::right) const noexcept {
+    if (t_.size() < 3) return 0;
+    const auto inner_begin = t_.begin() + 1;
+    const auto inner_end = t_.end() - 1;
+    const auto next = side == Side::right ? std::upper_bound(inner_begin, inner_end, time)
+                                          : std::lower_bound(inner_begin, inner_end, time);
+    return static_cast<std::size_t>(next - inner_begin);
+  }
+
+ private:
+  std::vector<double> t_;
+};
+
+}  // namespace orispline

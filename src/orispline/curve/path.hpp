@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <concepts>
+#include <memory>
+
+#include <orispline/curve/knots.hpp>
+#include <orispline/math/eigen.hpp>
+
+namespace orispline {
+
+/// Position with its rates at one time, in the world frame.
+struct Travel {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();      ///< [m]
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();      ///< [m/s]
+  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();  ///< [m/s²]
+};
+
+/// A curve of positions over knots, evaluated segment by segment over any Number.
+template <class P>
+concept Path = std::copyable<P> && requires(const P& p, double t, Jet<double, 2> jet, std::size_t segment) {
+  { p.knots() } -> std::convertible_to<const Knots&>;
+  { p.position(t, segment) } -> std::convertible_to<Eigen::Vector3d>;
+  { p.position(jet, segment) } -> std::convertible_to<Vector3<Jet<double, 2>>>;
+};
+
+/// Any path by value: immutable, cheap to copy, evaluation allocates nothing. Outside its knots the end position is
+/// held at rest.
+class AnyPath {
+ public:
+  template <Path P>
+  AnyPath(P path) : model_(std::make_shared<Model<P>>(std::move(path))) {}  // NOLINT: a path is an AnyPath
+
+  /// Position with velocity and acceleration at time t [s]; at an interior knot of the chosen side.
+  [[nodiscard]] Travel travel(double t, Side side = Side::right) const noexcept {
+    const Knots& knots = model_->knots();
+    if (t < knots.front()) return {.position = model_->travel(knots.front(), 0).position};
+    if (t > knots.back()) return {.position = model_->travel(knots.back(), knots.segment_at(t)).position};
+    return model_->travel(t, knots.segment_at(t, side));
+  }
+
+ private:
+  struct Interface {
+    virtual ~Interface() = default;
+    [[nodiscard]] virtual const Knots& knots() const noexcept = 0;
+    [[nodiscard]] virtual Travel travel(double t, std::size_t segment) const noexcept = 0;
+  };
+  template <Path P>
+  struct Model final : Interface {
+    explicit Model(P p) : path(std::move(p)) {}
+    [[nodiscard]] const Knots& knots() const noexcept override { return path.knots(); }
+    [[nodiscard]] Travel travel(double t, std::size_t segment) const noexcept override {
+      const Vector3<Jet<double, 2>> p = path.position(Jet<double, 2>::variable(t), segment);
+      const auto order = [&p](std::size_t k) {
+        return Eigen::Vector3d(p.x().derivative(k), p.y().derivative(k), p.z().derivative(k));
+      };
+      return {.position = order(0), .velocity = order(1), .acceleration = order(2)};
+    }
+    P path;
+  };
+
+  std::shared_ptr<const Interface> model_;
+};
+
+/// One position for ever: what every path becomes when there is a single keyframe.
+class ConstantPath {
+ public:
+  ConstantPath(double time, const Eigen::Vector3d& position) : knots_({time}), position_(position) {}
+  [[nodiscard]] const Knots& knots() const noexcept { return knots_; }
+  template <Number T>
+  [[nodiscard]] Vector3<T> position(const T&, std::size_t) const noexcept {
+    return constant<T>(position_);
+  }
+
+ private:
+  Knots knots_;
+  Eigen::Vector3d position_;
+};
+
+}  // namespace orispline

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include <orispline/curve/curve.hpp>
+#include <orispline/curve/path.hpp>
+
+namespace orispline {
+
+/// A moving body: its orientation curve and, when the keys carry positions, the path of the same kind.
+struct PoseCurve {
+  AnyCurve orientation;
+  std::optional<AnyPath> position{};
+};
+
+}  // namespace orispline

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <tuple>
+
+#include <orispline/families/quintic.hpp>
+#include <orispline/families/sextic.hpp>
+#include <orispline/families/slerp.hpp>
+#include <orispline/families/squad.hpp>
+#include <orispline/families/timed.hpp>
+
+namespace orispline {
+
+/// THE list of families: the registry, the command line, the docs table and the contract tests all read it.
+using Families = std::tuple<families::Slerp, families::Squad, families::SquadTimed, families::Quintic, families::Sextic,
+                            families::TimedC1, families::TimedC2, families::TimedC3, families::TimedSextic>;
+
+}  // namespace orispline

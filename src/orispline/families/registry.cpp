@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/families/registry.hpp>
+
+#include <array>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <orispline/families/families.hpp>
+
+namespace orispline {
+namespace {
+
+/// A family states either a four-key basis, and is built by the common rule, or its own curve and path.
+template <class F>
+concept FourKeyFamily = requires(const FamilySettings& settings) {
+  F::basis(settings);
+};
+
+template <class F>
+Expected<AnyCurve> build_curve(const Keyframes& keys, const FamilySettings& settings) {
+  const auto as_any = [](auto&& curve) { return AnyCurve(std::move(curve)); };
+  if constexpr (FourKeyFamily<F>) return four_key_curve(keys, settings, F::basis(settings)).map(as_any);
+  else return F::curve(keys, settings).map(as_any);
+}
+
+template <class F>
+Expected<AnyPath> build_path(const Keyframes& keys, const FamilySettings& settings) {
+  const auto as_any = [](auto&& path) { return AnyPath(std::move(path)); };
+  if constexpr (FourKeyFamily<F>) return four_key_path(keys, settings, F::basis(settings)).map(as_any);
+  else return F::path(keys, settings).map(as_any);
+}
+
+struct Entry {
+  Expected<AnyCurve> (*curve)(const Keyframes&, const FamilySettings&);
+  Expected<AnyPath> (*path)(const Keyframes&, const FamilySettings&);
+};
+
+constexpr auto infos = []<class... F>(std::tuple<F...>*) {
+  return std::array{F::info...};
+}(static_cast<Families*>(nullptr));
+constexpr auto entries = []<class... F>(std::tuple<F...>*) {
+  return std::array{Entry{build_curve<F>, build_path<F>}...};
+}(static_cast<Families*>(nullptr));
+
+Expected<std::size_t> index_of(std::string_view name) {
+  std::vector<std::string_view> names;
+  for (std::size_t i = 0; i < infos.size(); ++i) {
+    if (infos[i].name == name) return i;
+    names.push_back(infos[i].name);
+  }
+  return failure(ErrorCode::bad_argument,
+                 fmt::format("no method '{}', wanted one of {}", name, fmt::join(names, ", ")));
+}
+
+/// A family's place in the list with the options settled for these keys.
+struct Choice {
+  std::size_t index;
+  FamilySettings settings;
+};
+
+Expected<Choice> choose(std::string_view family, const Keyframes& keys, const CurveOptions& options) {
+  return index_of(family).and_then([&](std::size_t index) {
+    return settle(infos[index], options, keys.size()).map([index](FamilySettings settings) {
+      return Choice{index, std::move(settings)};
+    });
+  });
+}
+
+Expected<AnyCurve> curve_of(const Choice& choice, const Keyframes& keys) {
+  if (keys.size() == 1) return AnyCurve(ConstantCurve(keys.times()[0], keys.orientations()[0]));
+  return entries[choice.index].curve(keys, choice.settings);
+}
+
+Expected<AnyPath> path_of(const Choice& choice, const Keyframes& keys) {
+  if (keys.size() == 1) return AnyPath(ConstantPath(keys.times()[0], keys.positions()[0]));
+  return entries[choice.index].path(keys, choice.settings);
+}
+
+}  // namespace
+
+std::span<const FamilyInfo> families_info() noexcept { return infos; }
+
+Expected<const FamilyInfo*> find_family(std::string_view name) {
+  return index_of(name).map([](std::size_t i) { return &infos[i]; });
+}
+
+Expected<AnyCurve> make_curve(std::string_view family, const Keyframes& keys, const CurveOptions& options) {
+  return choose(family, keys, options).and_then([&](const Choice& choice) { return curve_of(choice, keys); });
+}
+
+Expected<PoseCurve> make_pose_curve(std::string_view family, const Keyframes& keys, const CurveOptions& options) {
+  return choose(family, keys, options).and_then([&](const Choice& choice) -> Expected<PoseCurve> {
+    auto curve = curve_of(choice, keys);
+    if (!curve) return tl::unexpected(std::move(curve.error()));
+    if (keys.positions().empty()) return PoseCurve{std::move(*curve)};
+    auto path = path_of(choice, keys);
+    if (!path) return tl::unexpected(std::move(path.error()));
+    return PoseCurve{std::move(*curve), std::move(*path)};
+  });
+}
+
+}  // namespace orispline

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include <orispline/curve/curve.hpp>
+#include <orispline/curve/family.hpp>
+#include <orispline/curve/keyframe.hpp>
+#include <orispline/curve/pose_curve.hpp>
+
+namespace orispline {
+
+/// Every family's description, in the order of the list.
+[[nodiscard]] std::span<const FamilyInfo> families_info() noexcept;
+
+/// The family of that name; an unknown name is an error (bad_argument) that lists the known ones.
+[[nodiscard]] Expected<const FamilyInfo*> find_family(std::string_view name);
+
+/// Builds the curve of a family, chosen by name, through (or near) the keys.
+///
+/// One key gives a constant curve. Errors: bad_argument for an unknown name or options that the family does not accept;
+/// bad_data for too few keys.
+[[nodiscard]] Expected<AnyCurve> make_curve(std::string_view family, const Keyframes& keys,
+                                            const CurveOptions& options = {});
+
+/// The same with the path of the same kind through the keys' positions, if they have any.
+[[nodiscard]] Expected<PoseCurve> make_pose_curve(std::string_view family, const Keyframes& keys,
+                                                  const CurveOptions& options = {});
+
+}  // namespace orispline

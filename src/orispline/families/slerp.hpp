@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <orispline/curve/cumulative_curve.hpp>
+#include <orispline/curve/cumulative_path.hpp>
+#include <orispline/curve/family.hpp>
+#include <orispline/curve/keyframe.hpp>
+
+namespace orispline::families {
+
+/// Piecewise slerp: the geodesic between neighbouring keys at constant rate. C0.
+struct Slerp {
+  static constexpr FamilyInfo info{.name = "slerp",
+                                   .title = "Spherical linear interpolation",
+                                   .source = "Eberly, (16); Shoemake 1985",
+                                   .continuity_uniform = 0,
+                                   .continuity_uneven = 0,
+                                   .keeps_constant_rate_uniform = true,
+                                   .keeps_constant_rate_uneven = true,
+                                   .support_keys = 2};
+
+  struct Basis {
+    static constexpr std::size_t increments = 1, stride = 1;
+    static constexpr int degree = 1;
+    template <Number T>
+    [[nodiscard]] std::array<T, 1> operator()(KnotSpan span, const T& t) const noexcept {
+      return {span.normalised(t)};
+    }
+  };
+
+  [[nodiscard]] static Expected<CumulativeCurve<Basis>> curve(const Keyframes& keys, const FamilySettings&) {
+    const auto q = keys.orientations();
+    ControlPolygon polygon{.points = {q.begin(), q.end()}, .increments = {}};
+    polygon.increments.reserve(q.size() - 1);
+    for (std::size_t i = 0; i + 1 < q.size(); ++i) polygon.increments.push_back(increment<double>(q[i], q[i + 1]));
+    return CumulativeCurve(Knots({keys.times().begin(), keys.times().end()}), Basis{}, std::move(polygon));
+  }
+
+  [[nodiscard]] static Expected<CumulativePath<Basis>> path(const Keyframes& keys, const FamilySettings&) {
+    return CumulativePath(Knots({keys.times().begin(), keys.times().end()}), Basis{},
+                          PathPolygon(keys.positions().begin(), keys.positions().end()));
+  }
+};
+
+}  // namespace orispline::families

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <orispline/curve/catmull_rom_path.hpp>
+#include <orispline/curve/family.hpp>
+#include <orispline/curve/keyframe.hpp>
+#include <orispline/math/slerp.hpp>
+
+namespace orispline::families {
+
+/// A chain of spherical quadrangles: segment i is squad(Q_i, A_i, B_{i+1}, Q_{i+1}; u).
+///
+/// The inner quaternions A (leaving a key) and B (arriving at it) are what the two families below differ in. Not
+/// cumulative: its rates come from jets through the whole quaternion.
+class SquadCurve {
+ public:
+  /// One leaving and one arriving inner quaternion per key.
+  SquadCurve(const Keyframes& keys, const std::vector<Eigen::Quaterniond>& leaving,
+             const std::vector<Eigen::Quaterniond>& arriving);
+
+  [[nodiscard]] const Knots& knots() const noexcept { return knots_; }
+
+  template <Number T>
+  [[nodiscard]] Quaternion<T> orientation(const T& t, std::size_t segment) const noexcept {
+    const T u = knots_.span(segment).normalised(t);
+    const Piece& piece = pieces_[segment];
+    const Quaternion<T> outer = constant<T>(piece.key) * exp<T>(constant<T>(piece.key_increment) * u);
+    const Quaternion<T> inner = constant<T>(piece.inner) * exp<T>(constant<T>(piece.inner_increment) * u);
+    return slerp<T>(outer, inner, T(2.0) * u * (T(1.0) - u));
+  }
+
+ private:
+  struct Piece {  // the two great arcs of a segment, their increments formed once
+    Eigen::Quaterniond key, inner;
+    Eigen::Vector3d key_increment, inner_increment;
+  };
+  Knots knots_;
+  std::vector<Piece> pieces_;
+};
+
+/// Eberly's spline of squads in the normalised parameter: C1 on uniform knots.
+struct Squad {
+  static constexpr std::array ends{EndRule::key, EndRule::phantom};
+  static constexpr FamilyInfo info{.name = "squad",
+                                   .title = "Spherical quadrangle interpolation",
+                                   .source = "Eberly, (18) and (22); Shoemake 1987",
+                                   .continuity_uniform = 1,
+                                   .continuity_uneven = 0,
+                                   .keeps_constant_rate_uniform = true,
+                                   .keeps_constant_rate_uneven = false,
+                                   .support_keys = 4,
+                                   .ends = ends};
+  [[nodiscard]] static Expected<SquadCurve> curve(const Keyframes& keys, const FamilySettings& settings);
+  [[nodiscard]] static Expected<CatmullRomPath> path(const Keyframes& keys, const FamilySettings&) {
+    return CatmullRomPath(keys);
+  }
+};
+
+/// Squad with inner quaternions that know the key times: C1 in time on any knots.
+struct SquadTimed {
+  static constexpr std::array ends{EndRule::reflect, EndRule::repeat};
+  static constexpr FamilyInfo info{.name = "squad-timed",
+                                   .title = "Squad made C1 for uneven key times",
+                                   .source = "Geier's variant for uneven times, docs/families/squad.md",
+                                   .continuity_uniform = 1,
+                                   .continuity_uneven = 1,
+                                   .keeps_constant_rate_uniform = true,
+                                   .keeps_constant_rate_uneven = true,
+                                   .support_keys = 4,
+                                   .ends = ends};
+  [[nodiscard]] static Expected<SquadCurve> curve(const Keyframes& keys, const FamilySettings& settings);
+  [[nodiscard]] static Expected<CatmullRomPath> path(const Keyframes& keys, const FamilySettings&) {
+    return CatmullRomPath(keys);
+  }
+};
+
+}  // namespace orispline::families

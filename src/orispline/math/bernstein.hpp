@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include <orispline/math/number.hpp>
+
+namespace orispline {
+
+/// The Bernstein polynomials of degree N at u: B_i(u) = C(N,i) uⁱ (1-u)^(N-i), i = 0…N.
+template <std::size_t N, Number T>
+[[nodiscard]] std::array<T, N + 1> bernstein_basis(const T& u) noexcept {
+  const T v = T(1.0) - u;
+  std::array<T, N + 1> basis, powers_of_v;
+  powers_of_v[0] = T(1.0);
+  for (std::size_t i = 1; i <= N; ++i) powers_of_v[i] = powers_of_v[i - 1] * v;
+  T power_of_u(1.0);
+  double binomial = 1.0;
+  for (std::size_t i = 0; i <= N; ++i) {
+    basis[i] = power_of_u * powers_of_v[N - i] * T(binomial);
+    power_of_u = power_of_u * u;
+    binomial = binomial * static_cast<double>(N - i) / static_cast<double>(i + 1);
+  }
+  return basis;
+}
+
+/// Polynomials in Bernstein form over one shared basis: row k of `coefficients` gives the k-th value.
+template <std::size_t K, std::size_t M, Number T>
+[[nodiscard]] std::array<T, K> bernstein_sums(const std::array<std::array<double, M>, K>& coefficients,
+                                              const T& u) noexcept {
+  const auto basis = bernstein_basis<M - 1>(u);
+  std::array<T, K> sums{};
+  for (std::size_t k = 0; k < K; ++k)
+    for (std::size_t i = 0; i < M; ++i) sums[k] += basis[i] * T(coefficients[k][i]);
+  return sums;
+}
+
+}  // namespace orispline

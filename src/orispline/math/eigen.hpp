@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <orispline/math/jet.hpp>
+
+namespace Eigen {
+
+template <class T, int N>
+struct NumTraits<orispline::Jet<T, N>> : NumTraits<T> {
+  using Real = orispline::Jet<T, N>;
+  using NonInteger = orispline::Jet<T, N>;
+  using Nested = orispline::Jet<T, N>;
+  enum {
+    IsComplex = 0,
+    IsInteger = 0,
+    IsSigned = 1,
+    RequireInitialization = 1,
+    ReadCost = N + 1,
+    AddCost = N + 1,
+    MulCost = (N + 1) * (N + 2)
+  };
+};
+
+}  // namespace Eigen
+
+namespace orispline {
+
+template <Number T>
+using Vector3 = Eigen::Matrix<T, 3, 1>;
+template <Number T>
+using Matrix3 = Eigen::Matrix<T, 3, 3>;
+template <Number T>
+using Quaternion = Eigen::Quaternion<T>;
+
+/// Quaternion from scalar-first components (the order of this project's CSV columns `qw,qx,qy,qz`, of PX4, SPICE,
+/// EuRoC).
+template <Number T>
+[[nodiscard]] Quaternion<T> quaternion_wxyz(T w, T x, T y, T z) {
+  return Quaternion<T>(w, x, y, z);
+}
+
+/// Quaternion from scalar-last components (the order of TUM, ROS, glTF, SciPy).
+template <Number T>
+[[nodiscard]] Quaternion<T> quaternion_xyzw(T x, T y, T z, T w) {
+  return Quaternion<T>(w, x, y, z);
+}
+
+/// The same constant over another number type: every derivative is zero.
+template <Number T>
+[[nodiscard]] Quaternion<T> constant(const Quaternion<double>& q) {
+  if constexpr (std::is_same_v<T, double>) return q;
+  else return Quaternion<T>(T(q.w()), T(q.x()), T(q.y()), T(q.z()));
+}
+template <Number T>
+[[nodiscard]] Vector3<T> constant(const Vector3<double>& v) {
+  if constexpr (std::is_same_v<T, double>) return v;
+  else return Vector3<T>(T(v.x()), T(v.y()), T(v.z()));
+}
+
+}  // namespace orispline

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <concepts>
+
+namespace orispline {
+
+template <class T, int N>
+struct Jet;
+
+/// True for the number types that formulas may be written over: floating point and truncated Taylor numbers.
+template <class T>
+inline constexpr bool is_number = std::floating_point<T>;
+template <class T, int N>
+inline constexpr bool is_number<Jet<T, N>> = is_number<T>;
+
+template <class T>
+concept Number = is_number<T>;
+
+// The hooks of a number type. They stand here, before any formula, so that two-phase lookup finds them for every type.
+
+template <std::floating_point T>
+[[nodiscard]] T sqrt_of(T x) noexcept {
+  return std::sqrt(x);
+}
+
+template <std::floating_point T>
+void sin_cos(T x, T& sine, T& cosine) noexcept {
+  sine = std::sin(x);
+  cosine = std::cos(x);
+}
+
+template <std::floating_point T>
+[[nodiscard]] T atan2_of(T y, T x) noexcept {
+  return std::atan2(y, x);
+}
+
+/// The plain number inside: the value without its derivatives. Branches are decided on it.
+template <std::floating_point T>
+[[nodiscard]] constexpr T value_of(T x) noexcept {
+  return x;
+}
+
+}  // namespace orispline

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <numbers>
+
+#include <orispline/math/eigen.hpp>
+#include <orispline/math/series.hpp>
+
+namespace orispline {
+
+/// Unit quaternion of a rotation vector φ [rad, full angle]: cos(‖φ‖/2) + sin(‖φ‖/2) φ/‖φ‖.
+///
+/// Source: Eberly, (10), there with half-angle vectors.
+template <Number T>
+[[nodiscard]] Quaternion<T> exp(const Vector3<T>& phi) noexcept {
+  const Vector3<T> half = phi * T(0.5);
+  T s, c;
+  if constexpr (std::floating_point<T>) {
+    const T angle = half.stableNorm();
+    sin_cos(angle, s, c);
+    s = angle > T(0) ? s / angle : T(1);
+  } else {
+    const T x = half.squaredNorm();
+    s = series::sinc_sqrt(x);
+    c = series::cos_sqrt(x);
+  }
+  return Quaternion<T>(c, s * half.x(), s * half.y(), s * half.z());
+}
+
+/// Rotation vector of a unit quaternion [rad, full angle]: the inverse of exp, ‖φ‖ in [0, 2π] as the sign of q says.
+///
+/// Never flips a sign: q with a negative scalar part has ‖φ‖ > π. At q = -1 the axis is arbitrary: x.
+/// Relative error at most 4e-16 in double, near 0, near π and beyond.
+/// Source: Eberly, (12); the range is the convention of this project.
+template <Number T>
+[[nodiscard]] Vector3<T> log(const Quaternion<T>& q) noexcept {
+  const Vector3<T> v = q.vec();
+  if constexpr (std::floating_point<T>) {
+    const T sine = v.stableNorm();
+    if (sine == T(0)) return q.w() < T(0) ? Vector3<T>(2 * std::numbers::pi_v<T>, T(0), T(0)) : Vector3<T>(v * T(2));
+    return (2 * atan2_of(sine, q.w()) / sine) * v;
+  } else {
+    // θ/sin θ as a series in y = 1 - cos θ (c_k = c_{k-1} k/(2k+1)), smooth through θ = 0; its terms fall like (y/2)^k.
+    if (const T y = T(1.0) - q.w(); value_of(y) < 0.25) {
+      T sum(1.0);
+      for (int k = 19; k >= 1; --k) sum = T(1.0) + sum * y * T(k / (2.0 * k + 1.0));
+      return v * (sum * T(2.0));
+    }
+    const T sine = sqrt_of(T(v.squaredNorm()));
+    return v * (atan2_of(sine, q.w()) * T(2.0) / sine);
+  }
+}
+
+/// q^s = exp(s log q), the point at fraction s of the geodesic from 1 to q.
+template <Number T>
+[[nodiscard]] Quaternion<T> pow(const Quaternion<T>& q, const T& s) noexcept {
+  return exp<T>(log(q) * s);
+}
+
+/// Increment from one orientation to the next: φ with `from · exp(φ) = to` as quaternions, ‖φ‖ ≤ 2π [rad], body frame.
+///
+/// Never flips a sign: keyframes that were aligned give ‖φ‖ ≤ π.
+template <Number T>
+[[nodiscard]] Vector3<T> increment(const Quaternion<T>& from, const Quaternion<T>& to) noexcept {
+  return log<T>(from.conjugate() * to);
+}
+
+/// Geodesic distance of two orientations [rad], in [0, π]; q and -q are the same orientation.
+[[nodiscard]] inline double angular_distance(const Quaternion<double>& a, const Quaternion<double>& b) noexcept {
+  const Quaternion<double> d = a.conjugate() * b;
+  return 2.0 * std::atan2(d.vec().norm(), std::abs(d.w()));
+}
+
+/// The vector v of the world frame in the body frame of q: R(q)ᵀ v.
+template <Number T>
+[[nodiscard]] Vector3<T> to_body(const Quaternion<T>& q, const Vector3<T>& v) noexcept {
+  const Vector3<T> t = v.cross(q.vec()) * T(2.0);
+  return v + t * q.w() + t.cross(q.vec());
+}
+
+/// The vector v of the body frame of q in the world frame: R(q) v.
+template <Number T>
+[[nodiscard]] Vector3<T> to_world(const Quaternion<T>& q, const Vector3<T>& v) noexcept {
+  return to_body<T>(q.conjugate(), v);
+}
+
+/// Cross-product matrix: skew(a) b = a × b.
+template <Number T>
+[[nodiscard]] Matrix3<T> skew(const Vector3<T>& a) noexcept {
+  Matrix3<T> m;
+  m << T(0), -a.z(), a.y(), a.z(), T(0), -a.x(), -a.y(), a.x(), T(0);
+  return m;
+}
+
+namespace jacobian {
+
+/// I + a [φ]× + b [φ]×²
+template <Number T>
+[[nodiscard]] Matrix3<T> rodrigues(const Vector3<T>& phi, const T& a, const T& b) noexcept {
+  const Matrix3<T> k = skew(phi);
+  return Matrix3<T>::Identity() + k * a + (k * k) * b;
+}
+
+}  // namespace jacobian
+
+/// Right Jacobian of SO(3): body rate ω = J_r(φ) φ̇ of exp(φ(t)). Accurate for every φ.
+///
+/// The closed form is I - (1-cos θ)/θ² [φ]× + (θ - sin θ)/θ³ [φ]×².
+template <Number T>
+[[nodiscard]] Matrix3<T> right_jacobian(const Vector3<T>& phi) noexcept {
+  const T x = phi.squaredNorm();
+  return jacobian::rodrigues<T>(phi, -series::versine_ratio(x), series::sine_defect_ratio(x));
+}
+
+/// Left Jacobian of SO(3): world rate ω_world = J_l(φ) φ̇ of exp(φ(t)); the transpose of the right one.
+template <Number T>
+[[nodiscard]] Matrix3<T> left_jacobian(const Vector3<T>& phi) noexcept {
+  return right_jacobian<T>(-phi);
+}
+
+/// Inverse of the right Jacobian, ‖φ‖ < 2π: φ̇ = J_r⁻¹(φ) ω.
+template <Number T>
+[[nodiscard]] Matrix3<T> right_jacobian_inverse(const Vector3<T>& phi) noexcept {
+  return jacobian::rodrigues<T>(phi, T(0.5), series::cotangent_defect_ratio(T(phi.squaredNorm())));
+}
+
+/// Inverse of the left Jacobian, ‖φ‖ < 2π.
+template <Number T>
+[[nodiscard]] Matrix3<T> left_jacobian_inverse(const Vector3<T>& phi) noexcept {
+  return right_jacobian_inverse<T>(-phi);
+}
+
+}  // namespace orispline

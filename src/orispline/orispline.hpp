@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// The face of the library: keyframes in, curves with exact rates out.
+
+#include <orispline/curve/keyframe.hpp>
+#include <orispline/families/registry.hpp>
+#include <orispline/math/slerp.hpp>
