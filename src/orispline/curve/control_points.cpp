@@ -77,10 +77,10 @@ Expected<ControlPolygon> ghosted_polygon(const Keyframes& keys, const FamilySett
   if (!after) return tl::unexpected(after.error());
   const auto q = keys.orientations();
   ControlPolygon polygon;
-  polygon.points.reserve(q.size() + 1);
+  polygon.bases.reserve(q.size() - 1);
   polygon.increments.reserve(q.size() + 1);
-  polygon.points.push_back(q.front() * exp<double>(-*before));
-  polygon.points.insert(polygon.points.end(), q.begin(), q.end());
+  polygon.bases.push_back(q.front() * exp<double>(-*before));
+  polygon.bases.insert(polygon.bases.end(), q.begin(), q.end() - 2);
   polygon.increments.push_back(*before);
   for (std::size_t i = 0; i + 1 < q.size(); ++i) polygon.increments.push_back(increment<double>(q[i], q[i + 1]));
   polygon.increments.push_back(-*after);

@@ -35,8 +35,7 @@ struct EndNeighbourhood {
 [[nodiscard]] Expected<Eigen::Vector3d> ghost_increment(EndRule rule, const Eigen::Vector3d& inward_rate,
                                                         RateWeights weights, const EndNeighbourhood& end);
 
-/// Orientations with one ghost before the first key and one increment beyond the last: n keys give n+1 points and n+1
-/// increments.
+/// The four-key polygon with a ghost beyond either end: segment i starts from key i-1, n keys give n+1 increments.
 [[nodiscard]] Expected<ControlPolygon> ghosted_polygon(const Keyframes& keys, const FamilySettings& settings,
                                                        RateWeights at_start, RateWeights at_end);
 

@@ -8,13 +8,12 @@
 
 namespace orispline {
 
-/// Control orientations of a cumulative curve with the increments between them.
+/// What a cumulative curve multiplies together: segment i is bases[i] ∏ exp(β̃_k increments[i·stride + k - 1]).
 ///
-/// Point k times exp(increments[k]) is point k+1. Increments are kept, not recomputed: those of ghost points may be
-/// longer than π.
+/// Increments are kept, not recomputed from control orientations: those of ghost keys may be longer than 2π.
 struct ControlPolygon {
-  std::vector<Eigen::Quaterniond> points;
-  std::vector<Eigen::Vector3d> increments;  ///< rotation vectors [rad], one fewer than points or as many
+  std::vector<Eigen::Quaterniond> bases;    ///< one per segment
+  std::vector<Eigen::Vector3d> increments;  ///< rotation vectors [rad] from each control orientation to the next
 };
 
 /// THE evaluator: any cumulative basis over control orientations becomes orientation, ω, α and jerk.
@@ -28,6 +27,7 @@ class CumulativeCurve {
  public:
   CumulativeCurve(Knots knots, B basis, ControlPolygon polygon)
       : knots_(std::move(knots)), basis_(std::move(basis)), polygon_(std::move(polygon)) {
+    ORISPLINE_EXPECT(polygon_.bases.size() >= knots_.segments());
     ORISPLINE_EXPECT(polygon_.increments.size() >= (knots_.segments() - 1) * B::stride + B::increments);
   }
 
@@ -40,7 +40,7 @@ class CumulativeCurve {
   [[nodiscard]] Quaternion<T> orientation(const T& t, std::size_t segment) const noexcept {
     const std::array<T, B::increments> b = basis_(knots_.span(segment), t);
     const std::size_t first = segment * B::stride;
-    Quaternion<T> q = constant<T>(polygon_.points[first]);
+    Quaternion<T> q = constant<T>(polygon_.bases[segment]);
     for (std::size_t k = 0; k < B::increments; ++k) q = q * exp<T>(constant<T>(polygon_.increments[first + k]) * b[k]);
     return q;
   }
@@ -50,7 +50,7 @@ class CumulativeCurve {
     using Vector = Eigen::Vector3d;
     const auto b = basis_(knots_.span(segment), Jet<double, 3>::variable(t));
     const std::size_t first = segment * B::stride;
-    Motion m{.orientation = polygon_.points[first]};
+    Motion m{.orientation = polygon_.bases[segment]};
     for (std::size_t k = 0; k < B::increments; ++k) {
       const Vector& phi = polygon_.increments[first + k];
       const double b1 = b[k].derivative(1), b2 = b[k].derivative(2), b3 = b[k].derivative(3);

@@ -30,7 +30,7 @@ struct Slerp {
 
   [[nodiscard]] static Expected<CumulativeCurve<Basis>> curve(const Keyframes& keys, const FamilySettings&) {
     const auto q = keys.orientations();
-    ControlPolygon polygon{.points = {q.begin(), q.end()}, .increments = {}};
+    ControlPolygon polygon{.bases = {q.begin(), q.end() - 1}, .increments = {}};
     polygon.increments.reserve(q.size() - 1);
     for (std::size_t i = 0; i + 1 < q.size(); ++i) polygon.increments.push_back(increment<double>(q[i], q[i + 1]));
     return CumulativeCurve(Knots({keys.times().begin(), keys.times().end()}), Basis{}, std::move(polygon));
