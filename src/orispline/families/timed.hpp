@@ -9,7 +9,7 @@
 // Near a key both neighbouring segments equal Q exp(a f) exp(b g) with the increments a before and b after it, and
 // f = 1 + φ₁τ + φ₂τ²/2 + …, g = ψ₁τ + …: the derivatives φ, ψ belong to the key, not to a segment, so the curve is C^k
 // in time whatever they are. Their values below make the parabola through three keys (φ₁, ψ₁, φ₂, ψ₂ with tensions ½,
-// 1). Source: EXTENSIONS (b), restated in docs/families/timed.md.
+// 1). Derivation: docs/families/timed.md.
 
 namespace orispline::families {
 
