@@ -47,21 +47,24 @@ std::optional<Error> check_key(const KeyframeData& data, std::size_t i) {
 Expected<Keyframes> Keyframes::make(KeyframeData data, Signs signs) {
   if (auto error = check_lengths(data)) return tl::unexpected(std::move(*error));
   Keyframes keys;
+  bool negated = false;  // whether the key before was
   for (std::size_t i = 0; i < data.times.size(); ++i) {
     if (auto error = check_key(data, i)) return tl::unexpected(std::move(*error));
     Eigen::Quaterniond& q = data.orientations[i];
     const double norm = q.coeffs().stableNorm();
     const double norm_error = std::abs(norm - 1.0);
-    if (!(norm_error <= norm_error_limit))
+    if (!(norm_error <= norm_error_limit + 1e-12))  // 0.999 and 1.001 themselves pass
       return tl::unexpected(
           key_error(i, fmt::format("the quaternion has norm {:.6g}, wanted 1 within {:g}", norm, norm_error_limit)));
     keys.report_.largest_norm_error = std::max(keys.report_.largest_norm_error, norm_error);
     if (norm_error > unit_norm_tolerance) ++keys.report_.non_unit_keys;
     q.coeffs() /= norm;
-    if (signs == Signs::shortest && i > 0 && q.dot(data.orientations[i - 1]) < 0.0) {
-      q.coeffs() = -q.coeffs();
-      ++keys.report_.sign_flips;
-    }
+    if (i == 0) continue;
+    const bool against_previous = q.dot(data.orientations[i - 1]) < 0.0;  // which is aligned already
+    if (against_previous != negated) ++keys.report_.sign_flips;
+    if (signs == Signs::as_given) continue;
+    negated = against_previous;
+    if (negated) q.coeffs() = -q.coeffs();
   }
   keys.data_ = std::move(data);
   return keys;

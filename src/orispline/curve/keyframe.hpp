@@ -26,7 +26,7 @@ struct KeyframeData {
 
 /// What validation changed or noticed.
 struct KeyframeReport {
-  std::size_t sign_flips = 0;       ///< keys negated to follow the shortest way
+  std::size_t sign_flips = 0;       ///< steps whose two quaternions, as given, have a negative dot product
   std::size_t non_unit_keys = 0;    ///< keys whose norm was off by more than `unit_norm_tolerance`
   double largest_norm_error = 0.0;  ///< largest |‖q‖ - 1|
 };
