@@ -162,7 +162,7 @@ Expected<void> sample(const SampleOptions& options) {
   if (!held) return tl::unexpected(held.error());
   report.held_samples = *held;
   if (options.json) return print_document(json_of(report));
-  if (!options.quiet) fmt::print(stderr, "{}", text_of(report));
+  if (!options.quiet) tell(text_of(report));
   return {};
 }
 

@@ -59,6 +59,7 @@ class SampleTimes {
     std::variant<Rate, Count> spacing;
     io::Decimal start;  // since the epoch of the keys
     double end, span;
+    std::optional<std::size_t> index_of_end{};  // of the sample that stands at the end, if one does
     [[nodiscard]] double offset(std::size_t k, std::size_t size) const;
   };
   struct List {

@@ -33,6 +33,9 @@ std::optional<Error> check_key(const KeyframeData& data, std::size_t i) {
     return key_error(i, fmt::format("duplicate time {}, wanted strictly increasing times", t));
   if (i > 0 && t < data.times[i - 1])
     return key_error(i, fmt::format("time {} comes after {}, wanted strictly increasing times", t, data.times[i - 1]));
+  if (i > 0 && !(shortest_step <= t - data.times[i - 1] && t - data.times[i - 1] <= longest_step))
+    return key_error(i, fmt::format("the step from time {} to {} is {:g} s, wanted {:g} to {:g}", data.times[i - 1], t,
+                                    t - data.times[i - 1], shortest_step, longest_step));
   if (!data.orientations[i].coeffs().allFinite())
     return key_error(i, "the quaternion has a component that is not finite, wanted a unit quaternion");
   if (!data.positions.empty() && !data.positions[i].allFinite())
@@ -53,7 +56,7 @@ Expected<Keyframes> Keyframes::make(KeyframeData data, Signs signs) {
     Eigen::Quaterniond& q = data.orientations[i];
     const double norm = q.coeffs().stableNorm();
     const double norm_error = std::abs(norm - 1.0);
-    if (!(norm_error <= norm_error_limit + 1e-12))  // 0.999 and 1.001 themselves pass
+    if (!(norm_error <= norm_error_limit))
       return tl::unexpected(
           key_error(i, fmt::format("the quaternion has norm {:.6g}, wanted 1 within {:g}", norm, norm_error_limit)));
     keys.report_.largest_norm_error = std::max(keys.report_.largest_norm_error, norm_error);

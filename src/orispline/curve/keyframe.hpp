@@ -34,7 +34,10 @@ struct KeyframeReport {
 /// Norms this near to 1 pass as unit: the rounding of float32 files.
 inline constexpr double unit_norm_tolerance = 1e-6;
 /// Norms farther than this from 1 are an error, not rounding.
-inline constexpr double norm_error_limit = 1e-3;
+inline constexpr double norm_error_limit = 1e-3 + 1e-12;  // 0.999 and 1.001 themselves pass
+
+/// Steps between key times [s] outside this range would overflow in rates of the third order.
+inline constexpr double shortest_step = 1e-90, longest_step = 1e90;
 
 /// Orientations at times, validated at the door: every curve is built from these.
 ///
@@ -45,7 +48,7 @@ class Keyframes {
   /// Validates, normalises, aligns the signs.
   ///
   /// Errors (bad_data, with the key index): no keys, vectors of different length, a time that is not finite or does not
-  /// increase, a component that is not finite, a norm farther than `norm_error_limit` from 1.
+  /// increase or steps out of range, a component that is not finite, a norm farther than `norm_error_limit` from 1.
   [[nodiscard]] static Expected<Keyframes> make(KeyframeData data, Signs signs = Signs::shortest);
 
   [[nodiscard]] std::size_t size() const noexcept { return data_.times.size(); }
