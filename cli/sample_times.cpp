@@ -52,9 +52,9 @@ Expected<TimeRequest> time_request(const TimeOptions& options) {
 Expected<SampleTimes> SampleTimes::make(const TimeRequest& request, const io::KeyFile& keys) {
   const auto* const file = std::get_if<TimesFile>(&request.spacing);
   if (!file) return grid(request, keys);
-  return io::read_times(file->path, keys.epoch).map([&](std::vector<double> times) {
-    const std::size_t size = times.size();
-    return SampleTimes(keys.epoch, keys.epoch, size, List{file->path, std::move(times)});
+  return io::read_times(file->path, keys.epoch).map([&](io::TimesList list) {
+    const std::size_t size = list.times.size();
+    return SampleTimes(keys.epoch, keys.epoch, size, List{file->path, std::move(list)});
   });
 }
 
@@ -99,7 +99,7 @@ double SampleTimes::Grid::offset(std::size_t k, std::size_t size) const {
 }
 
 Instant SampleTimes::operator[](std::size_t k) const {
-  if (const auto* const list = std::get_if<List>(&times_)) return {list->times[k], list->times[k]};
+  if (const auto* const list = std::get_if<List>(&times_)) return {list->list.times[k], list->list.times[k]};
   const Grid& grid = std::get<Grid>(times_);
   const double offset = grid.offset(k, size_);
   if (offset == grid.span) return {grid.end, offset};
@@ -108,17 +108,19 @@ Instant SampleTimes::operator[](std::size_t k) const {
 }
 
 std::optional<Error> SampleTimes::outside(const Domain& domain) const {
-  const auto error = [&](double t, ErrorCode code, std::string file) {
+  const auto error = [&](double t, ErrorCode code, Where where) {
     const auto own_time = [&](double time) { return (key_epoch_ + io::Decimal::from_double(time)).to_string(); };
     return Error{code,
                  fmt::format("time {} is outside the keys, wanted {} to {}", own_time(t), own_time(domain.start),
                              own_time(domain.end)),
-                 {.file = std::move(file)}};
+                 std::move(where)};
   };
   if (const auto* const list = std::get_if<List>(&times_)) {
-    const auto stray = std::ranges::find_if_not(list->times, [&](double t) { return domain.contains(t); });
-    if (stray == list->times.end()) return std::nullopt;
-    return error(*stray, ErrorCode::bad_data, list->path);
+    const auto& [times, lines] = list->list;
+    const auto stray = std::ranges::find_if_not(times, [&](double t) { return domain.contains(t); });
+    if (stray == times.end()) return std::nullopt;
+    return error(*stray, ErrorCode::bad_data,
+                 {.file = list->path, .line = lines[static_cast<std::size_t>(stray - times.begin())]});
   }
   for (const double t : {(*this)[0].t, (*this)[size_ - 1].t})
     if (!domain.contains(t)) return error(t, ErrorCode::bad_argument, {});

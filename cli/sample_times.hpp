@@ -8,6 +8,7 @@
 
 #include <orispline/curve/curve.hpp>
 #include <orispline/io/key_file.hpp>
+#include <orispline/io/times_file.hpp>
 
 namespace orispline::cli {
 
@@ -64,7 +65,7 @@ class SampleTimes {
   };
   struct List {
     std::string path;
-    std::vector<double> times;
+    io::TimesList list;
   };
 
   SampleTimes(const io::Decimal& key_epoch, const io::Decimal& epoch, std::size_t size, std::variant<Grid, List> times)
