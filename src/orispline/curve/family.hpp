@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -51,6 +52,7 @@ struct FamilyInfo {
   int min_keys = 2;                          ///< fewer are an error (one key is always a constant curve)
   std::span<const Parameter> parameters{};
   std::span<const EndRule> ends{};  ///< the first is the default; empty: no choice
+  bool closes = false;              ///< can be a loop
 };
 
 /// One end of a curve.
@@ -59,12 +61,19 @@ struct End {
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< for clamped [rad/s], body frame
 };
 
+/// A loop: after the last key the curve returns to the first one.
+struct Loop {
+  /// Time from the first key to its return [s]. Absent: the last key must be the first one again and closes the loop.
+  std::optional<double> period{};
+};
+
 /// What the caller may say to any family.
 struct CurveOptions {
   /// Values by parameter name: one for all keys, or exactly one per key. Absent: the family's default.
   std::map<std::string, std::vector<double>, std::less<>> parameters{};
   End start{};
   End end{};
+  std::optional<Loop> loop{};  ///< absent: an open curve with two ends
 };
 
 /// A parameter's values, one for all keys or one per key.
@@ -77,11 +86,18 @@ class PerKey {
   std::vector<double> values_;
 };
 
+/// How a loop closes: the curve after one period is `sign` times the curve, +1 or -1.
+struct Closure {
+  double period;  ///< [s]
+  double sign;
+};
+
 /// Options completed and checked against a family: every parameter present, the ends chosen.
 struct FamilySettings {
   std::map<std::string, std::vector<double>, std::less<>> parameters{};  ///< one value, or one per key
   End start{};
   End end{};
+  std::optional<Closure> closure{};  ///< of a loop
 
   /// The values of one of the family's own parameters.
   [[nodiscard]] PerKey per_key(std::string_view name) const {
@@ -89,6 +105,9 @@ struct FamilySettings {
     ORISPLINE_EXPECT(found != parameters.end());
     return PerKey(found->second);
   }
+
+  /// A parameter that must be a whole number, such as a degree or an order; else bad_argument.
+  [[nodiscard]] Expected<int> whole(std::string_view name) const;
 };
 
 /// Checks the options against what the family accepts and fills in its defaults.
