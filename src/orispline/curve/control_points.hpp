@@ -31,7 +31,7 @@ struct EndNeighbourhood {
 /// mirrors that of the first inward key.
 ///
 /// `inward_rate` is the prescribed rate for clamped and rest ends. Errors (bad_argument): a clamped end whose tension
-/// is zero, for then no ghost can give it a rate. Source: EXTENSIONS (c), restated in docs/conventions.md.
+/// is zero, for then no ghost can give it a rate. Source: docs/conventions.md.
 [[nodiscard]] Expected<Eigen::Vector3d> ghost_increment(EndRule rule, const Eigen::Vector3d& inward_rate,
                                                         RateWeights weights, const EndNeighbourhood& end);
 

@@ -56,8 +56,9 @@ class ConstantCurve {
 /// orientation is held at rest (ω = 0); `checked_motion` makes that an error instead. A NaN time gives NaN.
 class AnyCurve {
  public:
-  template <Curve C>
-  AnyCurve(C curve) : model_(std::make_shared<Model<C>>(std::move(curve))) {}  // NOLINT: a curve is an AnyCurve
+  template <class C>
+  requires(!std::same_as<C, AnyCurve> && Curve<C>) AnyCurve(C curve)
+      : model_(std::make_shared<Model<C>>(std::move(curve))) {}  // NOLINT: a curve is an AnyCurve
 
   /// Orientation at time t [s].
   [[nodiscard]] Eigen::Quaterniond operator()(double t) const noexcept {

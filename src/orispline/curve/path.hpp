@@ -28,8 +28,9 @@ concept Path = std::copyable<P> && requires(const P& p, double t, Jet<double, 2>
 /// held at rest.
 class AnyPath {
  public:
-  template <Path P>
-  AnyPath(P path) : model_(std::make_shared<Model<P>>(std::move(path))) {}  // NOLINT: a path is an AnyPath
+  template <class P>
+  requires(!std::same_as<P, AnyPath> && Path<P>) AnyPath(P path)
+      : model_(std::make_shared<Model<P>>(std::move(path))) {}  // NOLINT: a path is an AnyPath
 
   /// Position with velocity and acceleration at time t [s]; at an interior knot of the chosen side.
   [[nodiscard]] Travel travel(double t, Side side = Side::right) const noexcept {

@@ -18,7 +18,7 @@ template <std::size_t N, Number T>
   T power_of_u(1.0);
   double binomial = 1.0;
   for (std::size_t i = 0; i <= N; ++i) {
-    basis[i] = power_of_u * powers_of_v[N - i] * T(binomial);
+    basis[i] = power_of_u * powers_of_v[N - i] * Plain<T>(binomial);
     power_of_u = power_of_u * u;
     binomial = binomial * static_cast<double>(N - i) / static_cast<double>(i + 1);
   }
@@ -32,7 +32,7 @@ template <std::size_t K, std::size_t M, Number T>
   const auto basis = bernstein_basis<M - 1>(u);
   std::array<T, K> sums{};
   for (std::size_t k = 0; k < K; ++k)
-    for (std::size_t i = 0; i < M; ++i) sums[k] += basis[i] * T(coefficients[k][i]);
+    for (std::size_t i = 0; i < M; ++i) sums[k] += basis[i] * Plain<T>(coefficients[k][i]);
   return sums;
 }
 

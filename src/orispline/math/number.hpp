@@ -18,6 +18,16 @@ inline constexpr bool is_number<Jet<T, N>> = is_number<T>;
 template <class T>
 concept Number = is_number<T>;
 
+template <class T>
+struct PlainOf {
+  using type = T;
+};
+template <class T, int N>
+struct PlainOf<Jet<T, N>> : PlainOf<T> {};
+/// The floating-point type inside a number type: constants of this type scale a jet without a product of series.
+template <Number T>
+using Plain = typename PlainOf<T>::type;
+
 // The hooks of a number type. They stand here, before any formula, so that two-phase lookup finds them for every type.
 
 template <std::floating_point T>

@@ -6,15 +6,16 @@
 
 #include <orispline/math/number.hpp>
 
-// Entire functions of the squared angle, smooth through zero: what exp, log and the Jacobians are made of.
-// Each takes x = θ². Below its threshold a Taylor polynomial in x is used, above it the closed form; the thresholds are
-// where the closed form has lost less than four bits and the polynomial still has all of them.
+// Entire functions of the squared angle, smooth through zero: what exp and the Jacobians are made of.
+// Each takes x = θ². Below its threshold a Taylor polynomial in x is used, above it the closed form. The polynomials
+// are long enough for three derivatives in x, which jets take; the closed forms have lost less than four bits at the
+// threshold.
 
 namespace orispline::series {
 
 template <Number T, std::size_t N>
 [[nodiscard]] T horner(const std::array<double, N>& coefficients, const T& x) noexcept {
-  T sum(coefficients[N - 1]);
+  T sum = T(coefficients[N - 1]);
   for (std::size_t k = N - 1; k-- > 0;) sum = sum * x + T(coefficients[k]);
   return sum;
 }
@@ -23,7 +24,7 @@ template <Number T, std::size_t N>
 template <std::size_t N>
 [[nodiscard]] consteval std::array<double, N> alternating_factorials(int offset) {
   std::array<double, N> c{};
-  double factorial = 1.0;  // exact: at most 22! is formed below 2^70, rounded once per product beyond 18!
+  double factorial = 1.0;  // exact to 22!, the first that a coefficient of any weight needs
   int n = 0;
   for (std::size_t k = 0; k < N; ++k) {
     for (; n < 2 * static_cast<int>(k) + offset; ++n) factorial *= n + 1;
@@ -35,7 +36,7 @@ template <std::size_t N>
 /// cos θ as a function of x = θ².
 template <Number T>
 [[nodiscard]] T cos_sqrt(const T& x) noexcept {
-  if (value_of(x) < 1.0) return horner(alternating_factorials<10>(0), x);
+  if (value_of(x) < 4) return horner(alternating_factorials<16>(0), x);
   T sine, cosine;
   sin_cos(sqrt_of(x), sine, cosine);
   return cosine;
@@ -44,7 +45,7 @@ template <Number T>
 /// sin θ / θ as a function of x = θ².
 template <Number T>
 [[nodiscard]] T sinc_sqrt(const T& x) noexcept {
-  if (value_of(x) < 1.0) return horner(alternating_factorials<10>(1), x);
+  if (value_of(x) < 4) return horner(alternating_factorials<16>(1), x);
   const T theta = sqrt_of(x);
   T sine, cosine;
   sin_cos(theta, sine, cosine);
@@ -61,26 +62,20 @@ template <Number T>
 /// (θ - sin θ)/θ³ as a function of x = θ².
 template <Number T>
 [[nodiscard]] T sine_defect_ratio(const T& x) noexcept {
-  if (value_of(x) < 1.0) return horner(alternating_factorials<9>(3), x);
+  if (value_of(x) < 4) return horner(alternating_factorials<16>(3), x);
   return (T(1.0) - sinc_sqrt<T>(x)) / x;
 }
 
 /// (1 - (θ/2) cot(θ/2))/θ² as a function of x = θ² < (2π)²; infinite at θ = 2π.
 template <Number T>
 [[nodiscard]] T cotangent_defect_ratio(const T& x) noexcept {
-  // |B_{2k+2}|/(2k+2)!, the Taylor coefficients in x.
-  constexpr std::array<double, 11> c{1.0 / 12,
-                                     1.0 / 720,
-                                     1.0 / 30240,
-                                     1.0 / 1209600,
-                                     1.0 / 47900160,
-                                     691.0 / 1307674368000.0,
-                                     1.0 / 74724249600.0,
-                                     3617.0 / 10670622842880000.0,
-                                     43867.0 / 5109094217170944000.0,
-                                     174611.0 / 802857662698291200000.0,
-                                     77683.0 / 14101100039391805440000.0};
-  if (value_of(x) < 1.0) return horner(c, x);
+  // |B_{2k+2}|/(2k+2)!, the Taylor coefficients in x; they fall like (2π)^-2k.
+  constexpr std::array<double, 15> c{0.083333333333333333333,   0.0013888888888888888889,  0.000033068783068783068783,
+                                     8.2671957671957671958e-7,  2.0876756987868098979e-8,  5.2841901386874931848e-10,
+                                     1.3382536530684678833e-11, 3.3896802963225828668e-13, 8.5860620562778445641e-15,
+                                     2.174868698558061873e-16,  5.5090028283602295152e-18, 1.3954464685812523341e-19,
+                                     3.5347070396294674717e-21, 8.9535174270375468504e-23, 2.2679524523376830603e-24};
+  if (value_of(x) < 1) return horner(c, x);
   const T half = sqrt_of(x) * T(0.5);
   T sine, cosine;
   sin_cos(half, sine, cosine);

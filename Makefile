@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: Apache-2.0
+# Every target does the set-up that it needs.
+JOBS ?= $(shell nproc 2>/dev/null || echo 2)
+
+.PHONY: run build test check clang asan ubsan coverage docs format tidy clean
+.NOTPARALLEL:
+
+define build_and_test
+	cmake --preset $(1)
+	cmake --build --preset $(1) -j $(JOBS)
+	ctest --preset $(1) -j $(JOBS)
+endef
+
+run: build
+	tools/demo.sh build/release/orispline build/run
+
+build:
+	tools/setup.sh build
+	cmake --preset release
+	cmake --build --preset release -j $(JOBS)
+
+test:
+	tools/setup.sh build test
+	$(call build_and_test,dev)
+
+check: test clang asan ubsan coverage
+
+clang asan ubsan:
+	tools/setup.sh build test check
+	$(call build_and_test,$@)
+
+# Fails when the tests run less than 95 % of the lines of src/.
+coverage:
+	tools/setup.sh build test check
+	rm -rf build/coverage
+	$(call build_and_test,coverage)
+	gcovr --root . --filter src/ --txt build/coverage/lines.txt --print-summary --fail-under-line 95 build/coverage
+
+docs:
+	tools/setup.sh docs
+	mkdir -p build/docs
+	doxygen docs/Doxyfile
+
+format:
+	tools/setup.sh test
+	tools/format.sh
+
+tidy:
+	tools/setup.sh build test tidy
+	cmake --preset clang
+	run-clang-tidy -quiet -j $(JOBS) -p build/clang '/(src|cli|tests)/.*\.cpp$$'
+
+clean:
+	rm -rf build

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "exit_code.hpp"
+
+#include <fmt/format.h>
+
+namespace orispline::cli {
+
+ExitCode report(const Error& error) {
+  fmt::print(stderr, "orispline: {}\n", describe(error));
+  switch (error.code) {
+    case ErrorCode::bad_argument:
+      fmt::print(stderr, "Run 'orispline --help', or '--help' after a command, for what is accepted.\n");
+      return ExitCode::bad_usage;
+    case ErrorCode::bad_access:
+      return ExitCode::bad_access;
+    case ErrorCode::bad_data:
+      break;
+  }
+  return ExitCode::bad_data;
+}
+
+}  // namespace orispline::cli

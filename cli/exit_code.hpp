@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <orispline/base/expected.hpp>
+
+namespace orispline::cli {
+
+enum class ExitCode : int {
+  success = 0,
+  bad_data = 1,    ///< the content of a file
+  bad_usage = 2,   ///< the command line
+  bad_access = 3,  ///< input that is missing or unreadable, output that cannot be written
+};
+
+/// Says on standard error what is wrong, in one line and for a bad command line where to read on. THE place where
+/// errors become exit codes.
+[[nodiscard]] ExitCode report(const Error& error);
+
+}  // namespace orispline::cli

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <orispline/io/key_file.hpp>
+
+#include "option_text.hpp"
+
+namespace orispline::cli {
+
+inline constexpr std::array format_choices{Choice<io::FileFormat>{"csv", io::FileFormat::csv},
+                                           Choice<io::FileFormat>{"tum", io::FileFormat::tum}};
+inline constexpr std::array order_choices{Choice<io::QuaternionOrder>{"wxyz", io::QuaternionOrder::wxyz},
+                                          Choice<io::QuaternionOrder>{"xyzw", io::QuaternionOrder::xyzw}};
+inline constexpr std::array sign_choices{Choice<Signs>{"shortest", Signs::shortest},
+                                         Choice<Signs>{"as-given", Signs::as_given}};
+
+/// How the user wants a file of keyframes to be read, as typed.
+struct InputOptions {
+  std::string path;
+  std::optional<std::string> format, order, time_scale, signs;
+  std::vector<std::string> columns;
+  bool conjugate = false, drop_duplicates = false, drop_invalid = false, sort = false;
+};
+
+/// The same, understood.
+struct InputRequest {
+  std::string path;
+  io::ReadOptions read;
+  Signs signs = Signs::shortest;
+};
+
+[[nodiscard]] Expected<InputRequest> input_request(const InputOptions& options);
+
+}  // namespace orispline::cli

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "json.hpp"
+
+#include <numbers>
+
+#include <nlohmann/json.hpp>
+
+namespace orispline::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;  // members stay in the order in which they are documented
+
+constexpr double degrees = 180.0 / std::numbers::pi;
+
+/// Text that is not UTF-8, as file names may be, is shown with replacement characters.
+std::string document(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
+Json parameters_of(const FamilyInfo& family) {
+  Json parameters = Json::array();
+  for (const Parameter& p : family.parameters)
+    parameters.push_back(
+        {{"name", p.name}, {"default", p.initial}, {"min", p.lowest}, {"max", p.highest}, {"per_key", p.per_key}});
+  return parameters;
+}
+
+Json ends_of(const FamilyInfo& family) {
+  Json ends = Json::array();
+  for (const EndRule rule : family.ends) ends.push_back(name_of(rule));
+  return ends;
+}
+
+Json method(const FamilyInfo& family) {
+  return {{"name", family.name},
+          {"title", family.title},
+          {"source", family.source},
+          {"interpolates", family.interpolates},
+          {"continuity_uniform", family.continuity_uniform},
+          {"continuity_uneven", family.continuity_uneven},
+          {"keeps_constant_rate_uniform", family.keeps_constant_rate_uniform},
+          {"keeps_constant_rate_uneven", family.keeps_constant_rate_uneven},
+          {"support_keys", family.support_keys},
+          {"min_keys", family.min_keys},
+          {"parameters", parameters_of(family)},
+          {"ends", ends_of(family)}};
+}
+
+std::string_view name_of_format(io::FileFormat format) { return format == io::FileFormat::tum ? "tum" : "csv"; }
+
+/// Three members for a key: its index, its line in the file, its exact time.
+void add_place(Json& json, const std::string& name, const InspectReport& report, std::size_t key) {
+  json[name + "_key"] = key;
+  json[name + "_line"] = report.file.lines[key];
+  json[name + "_time_s"] = report.time_of(key).to_string();
+}
+
+void add_statistics(Json& json, const InspectReport& report) {
+  json["span_s"] = report.statistics.span;
+  if (const auto& spacing = report.statistics.spacing) {
+    json["spacing_min_s"] = spacing->smallest;
+    json["spacing_median_s"] = spacing->median;
+    json["spacing_max_s"] = spacing->largest;
+    add_place(json, "spacing_max_after", report, spacing->largest_at);
+  }
+  if (const auto& step = report.statistics.step) {
+    json["step_median_deg"] = step->median * degrees;
+    json["step_max_deg"] = step->largest * degrees;
+    add_place(json, "step_max_after", report, step->largest_at);
+  }
+  json["near_180_steps"] = report.statistics.near_half_turns.size();
+  json["near_180_after_keys"] = report.statistics.near_half_turns;
+}
+
+void add_jump(Json& json, const std::string& name, const std::string& unit, const RateJump& jump) {
+  json[name + "_jump_max_" + unit] = jump.largest;
+  json[name + "_jump_max_relative"] = jump.relative;
+  json[name + "_jump_max_key"] = jump.key;
+  json[name + "_max_" + unit] = jump.magnitude;
+}
+
+Json methods(const InspectReport& report) {
+  Json methods = Json::array();
+  for (const auto& [name, continuity] : report.methods) {
+    Json method{{"method", name}, {"continuity_order", continuity.order()}};
+    add_jump(method, "angular_velocity", "rad_s", continuity.angular_velocity);
+    add_jump(method, "angular_acceleration", "rad_s2", continuity.angular_acceleration);
+    add_jump(method, "angular_jerk", "rad_s3", continuity.angular_jerk);
+    methods.push_back(std::move(method));
+  }
+  return methods;
+}
+
+Json truth(const TruthReport& truth) {
+  const DistanceStatistics& d = truth.distance;
+  return {{"file", truth.path},
+          {"compared", d.count},
+          {"distance_rms_deg", d.rms * degrees},
+          {"distance_mean_deg", d.mean * degrees},
+          {"distance_max_deg", d.largest * degrees},
+          {"distance_max_time_s", truth.largest_time.to_string()}};
+}
+
+}  // namespace
+
+std::string json_of(std::span<const FamilyInfo> families) {
+  Json list = Json::array();
+  for (const FamilyInfo& family : families) list.push_back(method(family));
+  return document(list);
+}
+
+std::string json_of(const InspectReport& report) {
+  const std::size_t last = report.times.size() - 1;
+  Json json{{"file", report.file.path},
+            {"format", name_of_format(report.file.format)},
+            {"keys", report.times.size()},
+            {"start_s", report.time_of(0).to_string()},
+            {"end_s", report.time_of(last).to_string()}};
+  add_statistics(json, report);
+  json["sign_flips"] = report.keyframes.sign_flips;
+  json["non_unit_keys"] = report.keyframes.non_unit_keys;
+  json["wrong_norm_keys"] = report.wrong_norms;
+  json["norm_error_max"] = report.keyframes.largest_norm_error;
+  json["duplicate_times"] = report.file.repairs.duplicates_dropped;
+  json["out_of_order_rows"] = report.file.repairs.rows_moved;
+  json["invalid_rows"] = report.file.repairs.invalid_dropped;
+  json["defect"] = report.defect ? Json(*report.defect) : Json(nullptr);
+  json["methods"] = methods(report);
+  return document(json);
+}
+
+std::string json_of(const SampleReport& report) {
+  Json json{{"input", report.input},
+            {"output", report.output},
+            {"output_format", name_of_format(report.columns.format)},
+            {"method", report.method},
+            {"keys", report.keys},
+            {"start_s", report.start.to_string()},
+            {"end_s", report.end.to_string()},
+            {"samples", report.samples},
+            {"held_samples", report.held_samples},
+            {"derivatives", report.columns.derivatives},
+            {"frame", report.columns.frame == io::Frame::world ? "world" : "body"},
+            {"sign_flips", report.keyframes.sign_flips},
+            {"non_unit_keys", report.keyframes.non_unit_keys},
+            {"duplicates_dropped", report.repairs.duplicates_dropped},
+            {"invalid_dropped", report.repairs.invalid_dropped},
+            {"rows_moved", report.repairs.rows_moved}};
+  json["truth"] = report.truth ? truth(*report.truth) : Json(nullptr);
+  return document(json);
+}
+
+}  // namespace orispline::cli

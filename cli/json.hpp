@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+
+#include <orispline/curve/family.hpp>
+
+#include "inspect_report.hpp"
+#include "sample_report.hpp"
+
+// The JSON documents that the commands print, described in docs/inspect-json.md.
+
+namespace orispline::cli {
+
+[[nodiscard]] std::string json_of(std::span<const FamilyInfo> families);
+[[nodiscard]] std::string json_of(const InspectReport& report);
+[[nodiscard]] std::string json_of(const SampleReport& report);
+
+}  // namespace orispline::cli

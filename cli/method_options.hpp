@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <orispline/curve/pose_curve.hpp>
+#include <orispline/families/registry.hpp>
+#include <orispline/io/key_file.hpp>
+
+namespace orispline::cli {
+
+inline constexpr std::string_view default_method = "timed-c2";
+
+/// How the user wants a method to be shaped, as typed.
+struct MethodOptions {
+  std::vector<std::string> settings;  ///< NAME=X[,X…]
+  std::optional<std::string> tension, ends, start_rate, end_rate;
+};
+
+/// A method with what the command line says to it.
+struct MethodRequest {
+  const FamilyInfo* family = nullptr;
+  CurveOptions options;
+};
+
+[[nodiscard]] Expected<MethodRequest> method_request(const std::string& method, const MethodOptions& options);
+
+/// Parameters of the method that the command line leaves to the columns of the key file.
+[[nodiscard]] std::vector<std::string> open_parameters(const MethodRequest& request);
+
+/// The curve through the keys, shaped by the command line and, where that is silent, by the columns of the file.
+///
+/// A value that the file is to blame for is bad_data and names its line.
+[[nodiscard]] Expected<PoseCurve> shaped_curve(const MethodRequest& request, const Keyframes& keys,
+                                               const io::KeyFile& file);
+
+}  // namespace orispline::cli

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <orispline/io/sample_writer.hpp>
+
+#include "input_options.hpp"
+#include "method_options.hpp"
+#include "sample_times.hpp"
+
+namespace orispline::cli {
+
+enum class Extrapolation { hold, error };
+
+inline constexpr std::array frame_choices{Choice<io::Frame>{"body", io::Frame::body},
+                                          Choice<io::Frame>{"world", io::Frame::world}};
+inline constexpr std::array extrapolation_choices{Choice<Extrapolation>{"hold", Extrapolation::hold},
+                                                  Choice<Extrapolation>{"error", Extrapolation::error}};
+
+/// `orispline sample`, as typed.
+struct SampleOptions {
+  InputOptions input;
+  std::string method{default_method};
+  MethodOptions shape;
+  TimeOptions times;
+  std::string output{io::standard_stream};
+  std::optional<std::string> output_format, derivatives, frame, extrapolate, truth;
+  bool json = false, quiet = false;
+};
+
+/// Keyframes in, samples of the curve through them out.
+[[nodiscard]] Expected<void> sample(const SampleOptions& options);
+
+}  // namespace orispline::cli

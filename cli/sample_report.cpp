@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sample_report.hpp"
+
+#include <numbers>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace orispline::cli {
+namespace {
+
+constexpr double degrees = 180.0 / std::numbers::pi;
+
+std::string counted(std::size_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+std::string keys_line(const SampleReport& report) {
+  std::string line = fmt::format("{} from {}, {} to {} s", counted(report.keys, "key"), report.input,
+                                 report.start.to_string(), report.end.to_string());
+  const KeyframeReport& keyframes = report.keyframes;
+  if (keyframes.sign_flips > 0) line += fmt::format("; {} negated for the shortest way", keyframes.sign_flips);
+  if (keyframes.non_unit_keys > 0) line += fmt::format("; {} normalised", keyframes.non_unit_keys);
+  return line + "\n";
+}
+
+std::string truth_line(const TruthReport& truth) {
+  const DistanceStatistics& d = truth.distance;
+  if (d.count == 0) return fmt::format("distance to {}: none of its times lies between the keys\n", truth.path);
+  return fmt::format("distance to {}: RMS {:.4g}°, mean {:.4g}°, largest {:.4g}° at {} s; {} compared\n", truth.path,
+                     d.rms * degrees, d.mean * degrees, d.largest * degrees, truth.largest_time.to_string(),
+                     counted(d.count, "orientation"));
+}
+
+}  // namespace
+
+std::string text_of(const io::RepairReport& repairs) {
+  std::vector<std::string> clauses;
+  if (repairs.duplicates_dropped > 0)
+    clauses.push_back(fmt::format("dropped {} of duplicate time", counted(repairs.duplicates_dropped, "row")));
+  if (repairs.invalid_dropped > 0)
+    clauses.push_back(fmt::format("dropped {} without valid numbers", counted(repairs.invalid_dropped, "row")));
+  if (repairs.rows_moved > 0) clauses.push_back(fmt::format("sorted {}", counted(repairs.rows_moved, "row")));
+  return fmt::format("{}", fmt::join(clauses, "; "));
+}
+
+std::string text_of(const SampleReport& report) {
+  std::string text = keys_line(report);
+  if (const std::string repairs = text_of(report.repairs); !repairs.empty()) text += repairs + "\n";
+  text += fmt::format("{} with {} written to {}\n", counted(report.samples, "sample"), report.method,
+                      report.output == io::standard_stream ? "standard output" : report.output);
+  if (report.held_samples > 0)
+    text += fmt::format("{} outside the keys hold the end orientation\n", counted(report.held_samples, "sample"));
+  if (report.truth) text += truth_line(*report.truth);
+  return text;
+}
+
+}  // namespace orispline::cli

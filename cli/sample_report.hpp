@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <orispline/analysis/distance.hpp>
+#include <orispline/io/key_file.hpp>
+#include <orispline/io/sample_writer.hpp>
+
+namespace orispline::cli {
+
+/// The distance of the curve to a file of reference orientations.
+struct TruthReport {
+  std::string path;
+  DistanceStatistics distance;
+  io::Decimal largest_time;  ///< in the file's own time [s]
+};
+
+/// What `orispline sample` did.
+struct SampleReport {
+  std::string input{}, output{}, method{};
+  std::size_t keys = 0;
+  io::RepairReport repairs{};
+  KeyframeReport keyframes{};
+  io::SampleColumns columns{};
+  std::size_t samples = 0, held_samples = 0;
+  io::Decimal start{}, end{};  ///< of the keys, in the file's own time [s]
+  std::optional<TruthReport> truth{};
+};
+
+/// A few lines for people.
+[[nodiscard]] std::string text_of(const SampleReport& report);
+
+/// What reading touched, one clause each: `dropped 2 rows of duplicate times`; empty when nothing.
+[[nodiscard]] std::string text_of(const io::RepairReport& repairs);
+
+}  // namespace orispline::cli

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sample_times.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <orispline/io/times_file.hpp>
+
+#include "option_text.hpp"
+
+namespace orispline::cli {
+namespace {
+
+/// A sample this near to the end, in sample intervals, is the one at the end.
+constexpr double end_tolerance = 1e-9;
+/// More samples than that cannot be told apart by a double.
+constexpr double most_samples = 9e15;
+
+using Spacing = std::variant<Rate, Count, TimesFile>;
+
+Expected<Spacing> spacing_in(const TimeOptions& options) {
+  const int given = options.rate.has_value() + options.count.has_value() + options.list.has_value();
+  if (given != 1)
+    return usage_failure(fmt::format("found {} of --rate, --count and --times, wanted one of them",
+                                     given == 0 ? "none" : std::to_string(given)));
+  if (options.list) return Spacing(TimesFile{*options.list});
+  if (options.count)
+    return count_in({"--count", *options.count}, 1).map([](std::size_t n) { return Spacing(Count{n}); });
+  const OptionText rate{"--rate", *options.rate};
+  const auto hertz = number_in(rate);
+  if (!hertz || *hertz <= 0.0) return wanted(rate, "a number of samples per second greater than 0");
+  return Spacing(Rate{*hertz});
+}
+
+}  // namespace
+
+Expected<TimeRequest> time_request(const TimeOptions& options) {
+  FirstError checked;
+  TimeRequest request{.spacing = checked(spacing_in(options)),
+                      .from = checked(if_given("--from", options.from, decimal_in)),
+                      .to = checked(if_given("--to", options.to, decimal_in))};
+  auto read = std::move(checked).or_else(std::move(request));
+  if (read && options.list && (options.from || options.to))
+    return usage_failure("--times: the file says which times, wanted neither --from nor --to");
+  if (read && read->from && read->to && *read->from > *read->to)
+    return usage_failure(fmt::format("--from {} is after --to {}", *options.from, *options.to));
+  return read;
+}
+
+Expected<SampleTimes> SampleTimes::make(const TimeRequest& request, const io::KeyFile& keys) {
+  const auto* const file = std::get_if<TimesFile>(&request.spacing);
+  if (!file) return grid(request, keys);
+  return io::read_times(file->path, keys.epoch).map([&](std::vector<double> times) {
+    const std::size_t size = times.size();
+    return SampleTimes(keys.epoch, keys.epoch, size, List{file->path, std::move(times)});
+  });
+}
+
+Expected<SampleTimes> SampleTimes::grid(const TimeRequest& request, const io::KeyFile& keys) {
+  const io::Decimal last_key = io::Decimal::from_double(keys.data.times.back());
+  const io::Decimal start = request.from ? *request.from - keys.epoch : io::Decimal();
+  const io::Decimal end = request.to ? *request.to - keys.epoch : last_key;
+  if (start > end && request.from)
+    return usage_failure(fmt::format("--from {} is after the last key at {}, wanted --to as well",
+                                     request.from->to_string(), (keys.epoch + last_key).to_string()));
+  if (start > end)
+    return usage_failure(fmt::format("--to {} is before the first key at {}, wanted --from as well",
+                                     request.to->to_string(), keys.epoch.to_string()));
+  const io::Decimal epoch = keys.epoch + start;
+  Grid grid{.spacing = Count{1}, .start = start, .end = end.to_double(), .span = (end - start).to_double()};
+  if (const auto* const count = std::get_if<Count>(&request.spacing)) {
+    if (count->samples > 1 && grid.span == 0.0)
+      return usage_failure(fmt::format("--count {}: the range is the single time {}, wanted --count 1", count->samples,
+                                       epoch.to_string()));
+    grid.spacing = *count;
+    return SampleTimes(keys.epoch, epoch, count->samples, grid);
+  }
+  const Rate rate = std::get<Rate>(request.spacing);
+  const double intervals = std::floor(grid.span * rate.hertz + end_tolerance);
+  if (!(intervals < most_samples))
+    return usage_failure(fmt::format("--rate {} makes {:.3g} samples over {} s, wanted fewer than {:.0e}", rate.hertz,
+                                     intervals, grid.span, most_samples));
+  grid.spacing = rate;
+  return SampleTimes(keys.epoch, epoch, static_cast<std::size_t>(intervals) + 1, grid);
+}
+
+double SampleTimes::Grid::offset(std::size_t k, std::size_t size) const {
+  const auto steps = static_cast<double>(k);
+  if (const auto* const rate = std::get_if<Rate>(&spacing))
+    return std::abs(steps - span * rate->hertz) <= end_tolerance ? span : steps / rate->hertz;
+  return k == 0 ? 0.0 : k + 1 == size ? span : span * steps / static_cast<double>(size - 1);
+}
+
+Instant SampleTimes::operator[](std::size_t k) const {
+  if (const auto* const list = std::get_if<List>(&times_)) return {list->times[k], list->times[k]};
+  const Grid& grid = std::get<Grid>(times_);
+  const double offset = grid.offset(k, size_);
+  if (offset == grid.span) return {grid.end, offset};
+  if (grid.start == io::Decimal()) return {offset, offset};
+  return {(grid.start + io::Decimal::from_double(offset)).to_double(), offset};
+}
+
+std::optional<Error> SampleTimes::outside(const Domain& domain) const {
+  const auto error = [&](double t, ErrorCode code, std::string file) {
+    const auto own_time = [&](double time) { return (key_epoch_ + io::Decimal::from_double(time)).to_string(); };
+    return Error{code,
+                 fmt::format("time {} is outside the keys, wanted {} to {}", own_time(t), own_time(domain.start),
+                             own_time(domain.end)),
+                 {.file = std::move(file)}};
+  };
+  if (const auto* const list = std::get_if<List>(&times_)) {
+    const auto stray = std::ranges::find_if_not(list->times, [&](double t) { return domain.contains(t); });
+    if (stray == list->times.end()) return std::nullopt;
+    return error(*stray, ErrorCode::bad_data, list->path);
+  }
+  for (const double t : {(*this)[0].t, (*this)[size_ - 1].t})
+    if (!domain.contains(t)) return error(t, ErrorCode::bad_argument, {});
+  return std::nullopt;
+}
+
+}  // namespace orispline::cli

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <orispline/curve/curve.hpp>
+#include <orispline/io/key_file.hpp>
+
+namespace orispline::cli {
+
+/// Which times the user wants, as typed.
+struct TimeOptions {
+  std::optional<std::string> rate, count, list, from, to;
+};
+
+struct Rate {
+  double hertz = 0.0;
+};
+struct Count {
+  std::size_t samples = 0;
+};
+struct TimesFile {
+  std::string path;
+};
+
+/// The same, understood. `from` and `to` are in the file's own time.
+struct TimeRequest {
+  std::variant<Rate, Count, TimesFile> spacing;
+  std::optional<io::Decimal> from, to;
+};
+
+[[nodiscard]] Expected<TimeRequest> time_request(const TimeOptions& options);
+
+/// One time of a row of samples.
+struct Instant {
+  double t;       ///< on the curve: since the epoch of the keys [s]
+  double offset;  ///< as written: since the epoch of the samples [s]
+};
+
+/// The times of the samples, computed one by one: a grid takes no memory.
+class SampleTimes {
+ public:
+  /// Errors: bad_argument for a grid that ends before it starts or never ends; those of a times file.
+  [[nodiscard]] static Expected<SampleTimes> make(const TimeRequest& request, const io::KeyFile& keys);
+
+  [[nodiscard]] std::size_t size() const noexcept { return size_; }
+  /// What offsets are relative to, exact.
+  [[nodiscard]] const io::Decimal& epoch() const noexcept { return epoch_; }
+  [[nodiscard]] Instant operator[](std::size_t k) const;
+
+  /// The error for the first time that the keys do not cover.
+  [[nodiscard]] std::optional<Error> outside(const Domain& domain) const;
+
+ private:
+  struct Grid {
+    std::variant<Rate, Count> spacing;
+    io::Decimal start;  // since the epoch of the keys
+    double end, span;
+    [[nodiscard]] double offset(std::size_t k, std::size_t size) const;
+  };
+  struct List {
+    std::string path;
+    std::vector<double> times;
+  };
+
+  SampleTimes(const io::Decimal& key_epoch, const io::Decimal& epoch, std::size_t size, std::variant<Grid, List> times)
+      : key_epoch_(key_epoch), epoch_(epoch), size_(size), times_(std::move(times)) {}
+  [[nodiscard]] static Expected<SampleTimes> grid(const TimeRequest& request, const io::KeyFile& keys);
+
+  io::Decimal key_epoch_, epoch_;
+  std::size_t size_;
+  std::variant<Grid, List> times_;
+};
+
+}  // namespace orispline::cli

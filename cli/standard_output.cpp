@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "standard_output.hpp"
+
+#include <orispline/io/file_format.hpp>
+#include <orispline/io/output_file.hpp>
+
+namespace orispline::cli {
+
+Expected<void> print_document(std::string_view text) {
+  auto output = io::OutputFile::open(std::string(io::standard_stream));
+  if (!output) return tl::unexpected(output.error());
+  return output->write(text).and_then([&] { return output->finish(); });
+}
+
+}  // namespace orispline::cli

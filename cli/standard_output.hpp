@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+
+#include <orispline/base/expected.hpp>
+
+namespace orispline::cli {
+
+/// Writes a whole document to standard output. Error: bad_access.
+[[nodiscard]] Expected<void> print_document(std::string_view text);
+
+}  // namespace orispline::cli

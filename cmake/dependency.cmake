@@ -1,0 +1,15 @@
+# orispline_dependency(PACKAGE [VERSION] [OPTION option]): find_package that says how to get what is missing, and how to
+# do without it.
+function(orispline_dependency package)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "OPTION" "")
+  find_package(${package} ${arg_UNPARSED_ARGUMENTS} QUIET CONFIG GLOBAL)
+  if(${package}_FOUND)
+    return()
+  endif()
+  string(JOIN " " wanted ${package} ${arg_UNPARSED_ARGUMENTS})
+  set(remedy "Run tools/setup.sh, or set CMAKE_PREFIX_PATH to where it is installed")
+  if(arg_OPTION)
+    string(APPEND remedy ", or switch off ${arg_OPTION}")
+  endif()
+  message(FATAL_ERROR "orispline needs the package ${wanted}. ${remedy}.")
+endfunction()

@@ -1,0 +1,25 @@
+# Installs the library, its headers, its CMake package, its pkg-config file and the command.
+include(CMakePackageConfigHelpers)
+
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/orispline)
+install(TARGETS orispline EXPORT orisplineTargets FILE_SET HEADERS)
+install(EXPORT orisplineTargets NAMESPACE orispline:: DESTINATION ${package_dir})
+
+get_target_property(orispline_type orispline TYPE)
+configure_package_config_file(
+  cmake/orisplineConfig.cmake.in ${PROJECT_BINARY_DIR}/orisplineConfig.cmake INSTALL_DESTINATION ${package_dir}
+  NO_SET_AND_CHECK_MACRO)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/orisplineConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/orisplineConfig.cmake ${PROJECT_BINARY_DIR}/orisplineConfigVersion.cmake
+        DESTINATION ${package_dir})
+
+# The prefix is found from the place of the .pc file, so that the installed tree can be moved.
+file(RELATIVE_PATH prefix_from_pc /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+configure_file(cmake/orispline.pc.in ${PROJECT_BINARY_DIR}/orispline.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/orispline.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+if(TARGET orispline-cli)
+  file(RELATIVE_PATH libraries_from_bin /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_LIBDIR})
+  set_target_properties(orispline-cli PROPERTIES INSTALL_RPATH "$ORIGIN/${libraries_from_bin}")
+  install(TARGETS orispline-cli)
+endif()

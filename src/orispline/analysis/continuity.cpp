@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/analysis/continuity.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace orispline {
+namespace {
+
+using Rate = Eigen::Vector3d Motion::*;
+constexpr std::array<Rate, 3> rates{&Motion::angular_velocity, &Motion::angular_acceleration, &Motion::angular_jerk};
+using Jumps = std::array<RateJump, 3>;
+
+/// Rates of order k are sums of terms of the size of an increment, at most 2π, over h^k.
+constexpr double rounding_of_increments = 256.0 * std::numeric_limits<double>::epsilon();
+
+void widen_magnitudes(Jumps& jumps, const Motion& motion) {
+  for (std::size_t k = 0; k < rates.size(); ++k)
+    jumps[k].magnitude = std::max(jumps[k].magnitude, (motion.*rates[k]).norm());
+}
+
+/// Largest jumps, and of those that are not rounding the largest as `relative`, still in the unit of the rate.
+void compare_sides(Jumps& jumps, const AnyCurve& curve, std::size_t key) {
+  const auto times = curve.knots().times();
+  const double t = times[key], spacing = std::min(t - times[key - 1], times[key + 1] - t);
+  const Motion left = curve.motion(t, Side::left), right = curve.motion(t, Side::right);
+  widen_magnitudes(jumps, left);
+  widen_magnitudes(jumps, right);
+  double rounding = rounding_of_increments;
+  for (std::size_t k = 0; k < rates.size(); ++k) {
+    rounding /= spacing;
+    const double jump = (right.*rates[k] - left.*rates[k]).norm();
+    if (jump > jumps[k].largest) {
+      jumps[k].largest = jump;
+      jumps[k].key = key;
+    }
+    if (jump > rounding) jumps[k].relative = std::max(jumps[k].relative, jump);
+  }
+}
+
+}  // namespace
+
+int Continuity::order() const noexcept {
+  if (angular_velocity.relative > continuity_tolerance) return 0;
+  if (angular_acceleration.relative > continuity_tolerance) return 1;
+  return angular_jerk.relative > continuity_tolerance ? 2 : 3;
+}
+
+Continuity continuity_at_keys(const AnyCurve& curve) {
+  Jumps jumps{};
+  const auto t = curve.knots().times();
+  widen_magnitudes(jumps, curve.motion(t.front()));
+  widen_magnitudes(jumps, curve.motion(t.back()));
+  for (std::size_t i = 0; i + 1 < t.size(); ++i) {
+    for (const double u : {0.25, 0.5, 0.75}) widen_magnitudes(jumps, curve.motion(std::lerp(t[i], t[i + 1], u)));
+    if (i > 0) compare_sides(jumps, curve, i);
+  }
+  for (RateJump& jump : jumps)
+    if (jump.relative > 0.0) jump.relative /= jump.magnitude;
+  return {jumps[0], jumps[1], jumps[2]};
+}
+
+}  // namespace orispline

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include <orispline/analysis/spread.hpp>
+#include <orispline/curve/keyframe.hpp>
+
+namespace orispline {
+
+/// What the keys are like, before any curve is drawn through them.
+struct KeyStatistics {
+  double span = 0.0;                           ///< last time minus first [s]
+  std::optional<Spread> spacing{};             ///< times between neighbouring keys [s]; absent for one key
+  std::optional<Spread> step{};                ///< angles between neighbouring keys [rad]; index i: from key i to i+1
+  std::vector<std::size_t> near_half_turns{};  ///< i where the step from key i to i+1 is ambiguous
+};
+
+/// Steps this near to 180° [rad] may as well go the other way round.
+inline constexpr double half_turn_margin = std::numbers::pi / 180.0;
+
+[[nodiscard]] KeyStatistics key_statistics(const Keyframes& keys);
+
+}  // namespace orispline

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/io/decimal.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <optional>
+
+#include <fast_float/fast_float.h>
+#include <fmt/format.h>
+
+#include <orispline/base/expect.hpp>
+#include <orispline/io/quoted.hpp>
+
+namespace orispline::io {
+namespace {
+
+__extension__ typedef __int128 Integer;
+
+constexpr auto powers_of_ten = [] {
+  std::array<Integer, Decimal::max_digits + 1> powers{1};
+  for (std::size_t i = 1; i < powers.size(); ++i) powers[i] = powers[i - 1] * 10;
+  return powers;
+}();
+
+Integer integer_power_of_ten(int exponent) { return powers_of_ten[static_cast<std::size_t>(exponent)]; }
+
+Integer magnitude(Integer value) { return value < 0 ? -value : value; }
+
+/// Number of decimal digits; 0 for 0.
+int digits_of(Integer value) {
+  return static_cast<int>(std::upper_bound(powers_of_ten.begin(), powers_of_ten.end(), magnitude(value)) -
+                          powers_of_ten.begin());
+}
+
+/// The value without its last digits, cut toward zero.
+Integer cut(Integer value, int digits) {
+  return digits > Decimal::max_digits ? Integer{0} : value / integer_power_of_ten(digits);
+}
+
+bool is_digit(char c) { return '0' <= c && c <= '9'; }
+
+/// Reads the parts of a decimal number from the front of a text.
+class Scanner {
+ public:
+  explicit Scanner(std::string_view text) : rest_(text) {}
+
+  [[nodiscard]] bool done() const { return rest_.empty(); }
+  bool take(char c) {
+    if (!rest_.starts_with(c)) return false;
+    rest_.remove_prefix(1);
+    return true;
+  }
+  /// -1 after a minus sign, else 1.
+  int sign() {
+    if (take('-')) return -1;
+    take('+');
+    return 1;
+  }
+  /// Calls `use` with each digit; gives their number.
+  template <class Use>
+  int digits(Use use) {
+    std::size_t count = 0;
+    for (; count < rest_.size() && is_digit(rest_[count]); ++count) use(rest_[count] - '0');
+    rest_.remove_prefix(count);
+    return static_cast<int>(count);
+  }
+
+ private:
+  std::string_view rest_;
+};
+
+constexpr std::int64_t exponent_cap = 1'000'000'000;  // farther is as far out of range
+
+/// Significant digits gathered one by one; zeros count once a digit follows them.
+struct Significand {
+  Integer value = 0;
+  int digits = 0;
+  int pending_zeros = 0;
+
+  void append(int digit) {
+    if (digit == 0) {
+      if (digits > 0) ++pending_zeros;
+      return;
+    }
+    digits += pending_zeros + 1;
+    if (digits <= Decimal::max_digits) value = value * integer_power_of_ten(pending_zeros + 1) + digit;
+    pending_zeros = 0;
+  }
+};
+
+/// A number as written: significand · 10^exponent.
+struct Written {
+  Significand significand;
+  int sign = 1;
+  std::int64_t exponent = 0;
+};
+
+/// Nothing for a text that is no decimal number.
+std::optional<Written> scan(std::string_view text) {
+  Written written;
+  Scanner scanner(text);
+  const auto append = [&written](int digit) { written.significand.append(digit); };
+  written.sign = scanner.sign();
+  int digits = scanner.digits(append);
+  if (scanner.take('.')) {
+    const int decimals = scanner.digits(append);
+    digits += decimals;
+    written.exponent = -decimals;
+  }
+  if (digits == 0) return std::nullopt;
+  if (scanner.take('e') || scanner.take('E')) {
+    const int sign = scanner.sign();
+    std::int64_t exponent = 0;
+    const auto grow = [&exponent](int digit) { exponent = std::min(exponent * 10 + digit, exponent_cap); };
+    if (scanner.digits(grow) == 0) return std::nullopt;
+    written.exponent += sign * exponent;
+  }
+  if (!scanner.done()) return std::nullopt;
+  written.exponent += written.significand.pending_zeros;
+  return written;
+}
+
+}  // namespace
+
+Decimal::Decimal(Integer coefficient, int exponent) noexcept : coefficient_(coefficient), exponent_(exponent) {
+  if (coefficient_ == 0) exponent_ = 0;
+  if (const int excess = digits_of(coefficient_) - max_digits; excess > 0) {
+    coefficient_ = cut(coefficient_, excess);
+    exponent_ += excess;
+  }
+  for (; coefficient_ != 0 && coefficient_ % 10 == 0; ++exponent_) coefficient_ /= 10;
+}
+
+Expected<Decimal> Decimal::parse(std::string_view text) {
+  const auto found = [text](std::string_view wanted) {
+    return failure(ErrorCode::bad_data, fmt::format("found {}, wanted {}", quoted(text), wanted));
+  };
+  const std::optional<Written> written = scan(text);
+  if (!written) return found("a number such as -1.5e-3");
+  const Significand& significand = written->significand;
+  if (significand.digits == 0) return Decimal();
+  if (significand.digits > max_digits) return found(fmt::format("at most {} significant digits", max_digits));
+  const std::int64_t size = written->exponent + significand.digits;
+  if (size > parsed_exponent_limit || size <= -parsed_exponent_limit)
+    return found(fmt::format("a number between 1e-{0} and 1e{0} in size", parsed_exponent_limit));
+  Decimal number;
+  number.coefficient_ = written->sign * significand.value;
+  number.exponent_ = static_cast<int>(written->exponent);
+  return number;
+}
+
+Decimal Decimal::from_double(double value) {
+  ORISPLINE_EXPECT(std::isfinite(value));
+  const Written written = scan(fmt::format("{}", value)).value_or(Written{});
+  return Decimal(written.sign * written.significand.value, static_cast<int>(written.exponent));
+}
+
+double Decimal::to_double() const {
+  constexpr Integer largest_exact = Integer{1} << 53;
+  constexpr int largest_exact_power = 22;  // 10^22 is a double
+  if (magnitude(coefficient_) <= largest_exact && std::abs(exponent_) <= largest_exact_power) {
+    const auto coefficient = static_cast<double>(coefficient_);
+    const auto power = static_cast<double>(integer_power_of_ten(std::abs(exponent_)));
+    return exponent_ < 0 ? coefficient / power : coefficient * power;  // one rounding
+  }
+  const std::string text = fmt::format("{}e{}", coefficient_, exponent_);
+  double value = 0.0;
+  fast_float::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
+std::string Decimal::to_string() const {
+  std::string text = fmt::format("{}", magnitude(coefficient_));
+  if (exponent_ > 0) {
+    text.append(static_cast<std::size_t>(exponent_), '0');
+  } else if (exponent_ < 0) {
+    const auto decimals = static_cast<std::size_t>(-exponent_);
+    if (text.size() <= decimals) text.insert(0, decimals + 1 - text.size(), '0');
+    text.insert(text.size() - decimals, 1, '.');
+  }
+  return coefficient_ < 0 ? "-" + text : text;
+}
+
+Decimal Decimal::operator+(const Decimal& other) const noexcept {
+  if (coefficient_ == 0) return other;
+  if (other.coefficient_ == 0) return *this;
+  const Decimal& high = exponent_ >= other.exponent_ ? *this : other;
+  const Decimal& low = exponent_ >= other.exponent_ ? other : *this;
+  const int distance = high.exponent_ - low.exponent_;
+  const int shift = std::min(distance, max_digits - digits_of(high.coefficient_));
+  return Decimal(high.coefficient_ * integer_power_of_ten(shift) + cut(low.coefficient_, distance - shift),
+                 high.exponent_ - shift);
+}
+
+Decimal Decimal::operator*(const Decimal& other) const noexcept {
+  Integer a = coefficient_, b = other.coefficient_;
+  int exponent = exponent_ + other.exponent_;
+  for (int a_digits = digits_of(a), b_digits = digits_of(b); a_digits + b_digits > max_digits; ++exponent) {
+    if (a_digits > b_digits) a /= 10, --a_digits;
+    else b /= 10, --b_digits;
+  }
+  return Decimal(a * b, exponent);
+}
+
+std::strong_ordering Decimal::operator<=>(const Decimal& other) const noexcept {
+  const Integer difference = (*this - other).coefficient_;
+  return difference <=> Integer{0};
+}
+
+}  // namespace orispline::io

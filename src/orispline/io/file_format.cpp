@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/io/file_format.hpp>
+
+#include <algorithm>
+
+namespace orispline::io {
+namespace {
+
+char lower(char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+bool ends_in(std::string_view path, std::string_view extension) {
+  return path.size() > extension.size() &&
+         std::equal(extension.rbegin(), extension.rend(), path.rbegin(), [](char a, char b) { return a == lower(b); });
+}
+
+}  // namespace
+
+std::optional<FileFormat> format_of_extension(std::string_view path) noexcept {
+  if (ends_in(path, ".csv")) return FileFormat::csv;
+  if (ends_in(path, ".tum")) return FileFormat::tum;
+  return std::nullopt;
+}
+
+}  // namespace orispline::io

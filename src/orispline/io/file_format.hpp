@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace orispline::io {
+
+/// The text formats of keyframes and samples.
+enum class FileFormat {
+  csv,  ///< named columns, separated by commas, semicolons, tabs or blanks
+  tum,  ///< `t tx ty tz qx qy qz qw`, separated by blanks
+};
+
+/// The path that means standard input or standard output.
+inline constexpr std::string_view standard_stream = "-";
+
+/// `.csv` or `.tum` at the end of the path, in any case of letters; anything else says nothing.
+[[nodiscard]] std::optional<FileFormat> format_of_extension(std::string_view path) noexcept;
+
+}  // namespace orispline::io

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <orispline/curve/keyframe.hpp>
+#include <orispline/io/file_format.hpp>
+#include <orispline/io/key_columns.hpp>
+
+namespace orispline::io {
+
+/// How a file of keyframes is to be read.
+struct ReadOptions {
+  /// Absent: by extension, else by content (8 numbers separated by blanks are TUM).
+  std::optional<FileFormat> format{};
+  /// Canonical name to name in the header. A name here is believed: `wx` is taken as a body rate.
+  std::map<std::string, std::string, std::less<>> columns{};
+  /// For CSV without a header: t, the quaternion in this order, then px, py, pz where the rows have 8 cells.
+  std::optional<QuaternionOrder> order{};
+  /// Seconds per unit of the time column, greater than 0. Absent: by the suffix of its name, else 1.
+  std::optional<Decimal> time_scale{};
+  /// The file holds world to body (SPICE, CCSDS): quaternions are conjugated. Positions are not touched. The angular
+  /// velocities of such files are often in the base frame, so `wx` and `wx_rad_s` are ignored; `wx_body…` are read.
+  bool conjugate = false;
+  bool drop_duplicates = false;  ///< of equal times keep the first
+  bool drop_invalid = false;     ///< drop rows where a cell that is needed is empty, NaN or infinite
+  bool sort = false;             ///< by time; rows of equal time keep their order
+  /// Parameters that are read where a column has their name.
+  std::vector<std::string> parameters{};
+};
+
+/// Rows that the repairs touched.
+struct RepairReport {
+  std::size_t duplicates_dropped = 0;
+  std::size_t invalid_dropped = 0;
+  std::size_t rows_moved = 0;
+};
+
+/// What a file of keyframes holds.
+struct KeyFile {
+  std::string path{};
+  FileFormat format = FileFormat::csv;
+  Decimal epoch{};                                                       ///< time of the first key [s], exact
+  KeyframeData data{};                                                   ///< times are relative to `epoch` [s]
+  std::vector<std::uint32_t> lines{};                                    ///< 1-based line of each key
+  std::map<std::string, std::vector<double>, std::less<>> parameters{};  ///< one value per key
+  RepairReport repairs{};
+};
+
+/// Reads keyframes from a file, or from standard input for `-`.
+///
+/// Times are strictly increasing and all numbers finite; norms and signs are left to `Keyframes::make`.
+/// Errors name the file, the line and the column or the key: bad_access, bad_data, and bad_argument for options that
+/// contradict the file.
+[[nodiscard]] Expected<KeyFile> read_keys(const std::string& path, const ReadOptions& options = {});
+
+/// The error with the file and, where it names a key, the line.
+[[nodiscard]] Error located(const KeyFile& file, Error error);
+
+}  // namespace orispline::io

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/io/key_rows.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <orispline/io/quoted.hpp>
+
+namespace orispline::io {
+namespace {
+
+/// One key as a row states it.
+struct Key {
+  Decimal time;  // in the unit of the file
+  Eigen::Quaterniond orientation;
+  Eigen::Vector3d position{}, angular_velocity{};
+  std::vector<double> parameters{};
+};
+
+/// Reads the cells of one row; remembers the first that is no number and the first that is not finite.
+class RowReader {
+ public:
+  explicit RowReader(const TextTable& table) : table_(table) {}
+
+  [[nodiscard]] Key key(const KeyColumns& columns) {
+    Key key{.time = time(columns.time), .orientation = orientation(columns.quaternion)};
+    if (columns.position) key.position = vector(*columns.position);
+    if (columns.angular_velocity) key.angular_velocity = vector(*columns.angular_velocity);
+    for (const ParameterColumn& column : columns.parameters) key.parameters.push_back(number({column.index}));
+    return key;
+  }
+
+  /// A cell that is no number: an error in any case.
+  [[nodiscard]] const std::optional<Error>& refused() const { return refused_; }
+
+  /// A cell that is empty or not finite: an error unless such rows are dropped.
+  [[nodiscard]] std::optional<Error> not_finite() const {
+    if (!not_finite_) return std::nullopt;
+    const std::string_view cell = table_.cells()[*not_finite_];
+    return Error{ErrorCode::bad_data,
+                 fmt::format("found {}, wanted a finite number (--drop-invalid drops such rows)",
+                             cell.empty() ? "an empty cell" : quoted(cell)),
+                 table_.here(not_finite_)};
+  }
+
+ private:
+  [[nodiscard]] Decimal time(std::size_t index) {
+    auto time = decimal_of(table_.cells()[index]);
+    if (!time) return refuse(index, std::move(time.error())), Decimal();
+    if (!*time) note_not_finite(index);
+    return time->value_or(Decimal());
+  }
+  [[nodiscard]] double number(const NumberColumn& column) {
+    auto number = number_of(table_.cells()[column.index]);
+    if (!number) return refuse(column.index, std::move(number.error())), 0.0;
+    const double value = *number * column.numerator / column.denominator;
+    if (!std::isfinite(value)) note_not_finite(column.index);
+    return value;
+  }
+  [[nodiscard]] Eigen::Vector3d vector(const std::array<NumberColumn, 3>& columns) {
+    const double x = number(columns[0]), y = number(columns[1]), z = number(columns[2]);
+    return {x, y, z};
+  }
+  [[nodiscard]] Eigen::Quaterniond orientation(const std::array<std::size_t, 4>& columns) {
+    const double w = number({columns[0]}), x = number({columns[1]}), y = number({columns[2]}), z = number({columns[3]});
+    return quaternion_wxyz(w, x, y, z);
+  }
+  void refuse(std::size_t index, Error error) {
+    if (refused_) return;
+    error.where = table_.here(index);
+    refused_ = std::move(error);
+  }
+  void note_not_finite(std::size_t index) {
+    if (!not_finite_) not_finite_ = index;
+  }
+
+  const TextTable& table_;
+  std::optional<Error> refused_;
+  std::optional<std::size_t> not_finite_;
+};
+
+Expected<void> check_width(const TextTable& table, std::size_t width) {
+  const auto cells = table.cells();
+  const auto is_empty = [](std::string_view cell) { return cell.empty(); };
+  if (cells.size() >= width && std::all_of(cells.begin() + static_cast<std::ptrdiff_t>(width), cells.end(), is_empty))
+    return {};
+  return failure(ErrorCode::bad_data,
+                 fmt::format("found {} cell{}, wanted {}", cells.size(), cells.size() == 1 ? "" : "s", width),
+                 table.here());
+}
+
+/// The values at the places, in their order.
+template <class T>
+std::vector<T> gathered(const std::vector<T>& values, const std::vector<std::uint32_t>& places) {
+  std::vector<T> result;
+  if (values.empty()) return result;
+  result.reserve(places.size());
+  for (const std::uint32_t place : places) result.push_back(values[place]);
+  return result;
+}
+
+/// Rows that stand after a row of later time.
+std::size_t late_rows(const std::vector<Decimal>& times) {
+  std::size_t late = 0;
+  const Decimal* latest = &times.front();
+  for (const Decimal& time : times) {
+    if (time < *latest) ++late;
+    else latest = &time;
+  }
+  return late;
+}
+
+}  // namespace
+
+KeyRows::KeyRows(std::string path, FileFormat format, KeyColumns columns, const ReadOptions& options)
+    : columns_(std::move(columns)), options_(options) {
+  file_.path = std::move(path);
+  file_.format = format;
+}
+
+Expected<void> KeyRows::add(const TextTable& table) {
+  if (auto checked = check_width(table, columns_.width); !checked) return checked;
+  RowReader row(table);
+  const Key key = row.key(columns_);
+  if (row.refused()) return tl::unexpected(*row.refused());
+  if (auto error = row.not_finite()) {
+    if (!options_.drop_invalid) return tl::unexpected(std::move(*error));
+    ++file_.repairs.invalid_dropped;
+    return {};
+  }
+  if (options_.sort) {
+    times_.push_back(key.time);
+  } else {
+    const auto appended = append_time(key.time, table.cells()[columns_.time], table.line());
+    if (!appended) return tl::unexpected(appended.error());
+    if (!*appended) return {};
+  }
+  file_.lines.push_back(static_cast<std::uint32_t>(table.line()));
+  file_.data.orientations.push_back(options_.conjugate ? key.orientation.conjugate() : key.orientation);
+  if (columns_.position) file_.data.positions.push_back(key.position);
+  if (columns_.angular_velocity) file_.data.angular_velocities.push_back(key.angular_velocity);
+  for (std::size_t i = 0; i < key.parameters.size(); ++i)
+    file_.parameters[columns_.parameters[i].name].push_back(key.parameters[i]);
+  return {};
+}
+
+/// Appends the time of the next key; false for a duplicate that is dropped. `text`: the time in the file, if at hand.
+Expected<bool> KeyRows::append_time(const Decimal& time, std::string_view text, std::size_t line) {
+  std::vector<double>& times = file_.data.times;
+  const auto refused = [&](std::string_view form) {
+    return failure(
+        ErrorCode::bad_data,
+        fmt::format(fmt::runtime(form), fmt::arg("time", text.empty() ? time.to_string() : std::string(text)),
+                    fmt::arg("latest", latest_.to_string()), fmt::arg("line", latest_line_)),
+        {.file = file_.path, .line = line, .key = times.size()});
+  };
+  if (times.empty()) first_ = time;
+  else if (time == latest_ && !options_.drop_duplicates)
+    return refused(
+        "duplicate time {time}, as in line {line}, wanted increasing times (--drop-duplicates keeps the first)");
+  else if (time == latest_) return ++file_.repairs.duplicates_dropped, false;
+  else if (time < latest_)
+    return refused("time {time} comes after {latest}, wanted increasing times (--sort orders the rows)");
+
+  const double seconds = ((time - first_) * columns_.time_unit).to_double();
+  if (!times.empty() && seconds <= times.back())
+    return refused("time {time} is too near to {latest} to be told apart in double precision");
+  times.push_back(seconds);
+  latest_ = time;
+  latest_line_ = line;
+  return true;
+}
+
+/// Brings the gathered rows into the order of their times.
+Expected<void> KeyRows::sort() {
+  std::vector<std::uint32_t> places(times_.size());
+  std::iota(places.begin(), places.end(), std::uint32_t{0});
+  std::stable_sort(places.begin(), places.end(), [this](auto a, auto b) { return times_[a] < times_[b]; });
+  file_.repairs.rows_moved = late_rows(times_);
+
+  std::vector<std::uint32_t> kept;
+  kept.reserve(places.size());
+  for (const std::uint32_t place : places) {
+    const auto appended = append_time(times_[place], {}, file_.lines[place]);
+    if (!appended) return tl::unexpected(appended.error());
+    if (*appended) kept.push_back(place);
+  }
+  file_.lines = gathered(file_.lines, kept);
+  file_.data.orientations = gathered(file_.data.orientations, kept);
+  file_.data.positions = gathered(file_.data.positions, kept);
+  file_.data.angular_velocities = gathered(file_.data.angular_velocities, kept);
+  for (auto& [name, values] : file_.parameters) values = gathered(values, kept);
+  return {};
+}
+
+Expected<KeyFile> KeyRows::finish() && {
+  if (file_.lines.empty()) {
+    const std::size_t dropped = file_.repairs.invalid_dropped;
+    const std::string reason = dropped > 0 ? fmt::format(" (all {} rows were dropped as invalid)", dropped) : "";
+    return failure(ErrorCode::bad_data, "empty: no keys" + reason, {.file = file_.path});
+  }
+  if (options_.sort)
+    if (auto sorted = sort(); !sorted) return tl::unexpected(std::move(sorted.error()));
+  file_.epoch = first_ * columns_.time_unit;
+  return std::move(file_);
+}
+
+}  // namespace orispline::io

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/io/line_reader.hpp>
+
+#include <cerrno>
+#include <system_error>
+
+#include <orispline/io/file_format.hpp>
+
+namespace orispline::io {
+namespace {
+
+constexpr std::size_t chunk = std::size_t{64} << 10;  // [bytes] read at a time
+constexpr std::string_view utf8_mark = "\xEF\xBB\xBF";
+
+tl::unexpected<Error> no_access(const std::string& path, const std::string& what, int system_error) {
+  return failure(ErrorCode::bad_access, what + ": " + std::generic_category().message(system_error), {.file = path});
+}
+
+bool begins_as_utf16(std::string_view text) { return text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"); }
+
+}  // namespace
+
+void LineReader::Close::operator()(std::FILE* file) const noexcept {
+  if (file != stdin) std::fclose(file);
+}
+
+Expected<LineReader> LineReader::open(const std::string& path) {
+  if (path == standard_stream) return LineReader(path, stdin);
+  errno = 0;
+  std::FILE* file = std::fopen(path.c_str(), "rb");
+  if (!file) return no_access(path, "cannot open", errno);
+  return LineReader(path, file);
+}
+
+Expected<std::optional<std::string_view>> LineReader::next() {
+  std::size_t searched = 0;
+  for (;;) {
+    const std::string_view text = std::string_view(buffer_).substr(begin_);
+    const std::size_t end = text.find('\n', searched);
+    if (end != std::string_view::npos) return give(text.substr(0, end), end + 1);
+    searched = text.size();
+    const Expected<bool> more = fill();
+    if (!more) return tl::unexpected(more.error());
+    if (*more) continue;
+    if (searched == 0) return std::nullopt;
+    return give(std::string_view(buffer_).substr(begin_), searched);
+  }
+}
+
+/// Appends the next chunk to the text that was not given out yet; false at the end of the file.
+Expected<bool> LineReader::fill() {
+  if (buffer_.size() - begin_ > longest_line)
+    return failure(ErrorCode::bad_data, "the line is longer than 16 MiB, wanted a text file", {path_, line_ + 1});
+  buffer_.erase(0, begin_);
+  begin_ = 0;
+  const std::size_t kept = buffer_.size();
+  buffer_.resize(kept + chunk);
+  errno = 0;
+  const std::size_t count = std::fread(buffer_.data() + kept, 1, chunk, file_.get());
+  const int system_error = errno;
+  buffer_.resize(kept + count);
+  if (count == 0 && std::ferror(file_.get())) return no_access(path_, "cannot read", system_error);
+  return count > 0;
+}
+
+/// Takes `used` bytes from the buffer; gives the line in them once it is found to be text.
+Expected<std::optional<std::string_view>> LineReader::give(std::string_view line, std::size_t used) {
+  begin_ += used;
+  ++line_;
+  if (line_ == 1 && begins_as_utf16(line))
+    return failure(ErrorCode::bad_data, "the file is UTF-16 text, wanted UTF-8", {path_, line_});
+  if (line_ == 1 && line.starts_with(utf8_mark)) line.remove_prefix(utf8_mark.size());
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  if (line.find('\0') != std::string_view::npos)
+    return failure(ErrorCode::bad_data, "found a NUL byte, wanted a text file", {path_, line_});
+  if (line.find('\r') != std::string_view::npos)
+    return failure(ErrorCode::bad_data, "found a carriage return within the line, wanted lines that end in LF or CRLF",
+                   {path_, line_});
+  return line;
+}
+
+}  // namespace orispline::io

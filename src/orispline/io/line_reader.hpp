@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <orispline/base/expected.hpp>
+
+namespace orispline::io {
+
+/// Streams a text file line by line in constant memory.
+///
+/// Lines end in LF or CRLF, the last one also in nothing; a UTF-8 byte order mark is skipped.
+class LineReader {
+ public:
+  /// No text of numbers has longer lines; what has is some other kind of file.
+  static constexpr std::size_t longest_line = std::size_t{16} << 20;  // [bytes]
+
+  /// Opens a file; `-` is standard input. Error: bad_access.
+  [[nodiscard]] static Expected<LineReader> open(const std::string& path);
+
+  /// The next line without its ending, valid until the next call; nothing at the end of the file.
+  ///
+  /// Errors: bad_access when reading fails; bad_data for what is no UTF-8 text: NUL bytes, UTF-16, lone carriage
+  /// returns, endless lines.
+  [[nodiscard]] Expected<std::optional<std::string_view>> next();
+
+  [[nodiscard]] const std::string& path() const noexcept { return path_; }
+  /// 1-based number of the line that `next` gave last.
+  [[nodiscard]] std::size_t line() const noexcept { return line_; }
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const noexcept;
+  };
+
+  LineReader(std::string path, std::FILE* file) : path_(std::move(path)), file_(file) {}
+  [[nodiscard]] Expected<bool> fill();
+  [[nodiscard]] Expected<std::optional<std::string_view>> give(std::string_view line, std::size_t used);
+
+  std::string path_;
+  std::unique_ptr<std::FILE, Close> file_;
+  std::string buffer_;
+  std::size_t begin_ = 0;  // of the text in the buffer that was not given out yet
+  std::size_t line_ = 0;
+};
+
+}  // namespace orispline::io

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/io/output_file.hpp>
+
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include <orispline/base/expect.hpp>
+#include <orispline/io/file_format.hpp>
+
+namespace orispline::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int part_names = 100;  // tried one after the other: a part may be another process's, or be left from a crash
+
+tl::unexpected<Error> no_access(const std::string& path, const std::error_code& reason) {
+  return failure(ErrorCode::bad_access, "cannot write: " + reason.message(), {.file = path});
+}
+
+std::error_code last_error() { return {errno, std::generic_category()}; }
+
+/// The file behind symbolic links; the path itself where there is none.
+fs::path resolved(const std::string& path) {
+  std::error_code no_target;
+  fs::path target = fs::canonical(path, no_target);
+  return no_target ? fs::path(path) : target;
+}
+
+/// Why an existing file may not be replaced, if so.
+std::error_code write_protection(const std::string& path) {
+  errno = 0;
+  if (std::FILE* file = std::fopen(path.c_str(), "ab")) {
+    std::fclose(file);
+    return {};
+  }
+  return last_error();
+}
+
+}  // namespace
+
+void OutputFile::Close::operator()(std::FILE* file) const noexcept {
+  if (file != stdout) std::fclose(file);
+}
+
+Expected<OutputFile> OutputFile::open(const std::string& path) {
+  OutputFile output;
+  output.path_ = path;
+  if (path == standard_stream) {
+    output.file_.reset(stdout);
+    return output;
+  }
+  output.target_ = resolved(path).string();
+  std::error_code ignored;
+  const fs::file_status status = fs::status(output.target_, ignored);
+  if (fs::is_directory(status)) return no_access(path, std::make_error_code(std::errc::is_a_directory));
+  errno = 0;
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    output.file_.reset(std::fopen(output.target_.c_str(), "wb"));
+  } else {
+    if (fs::exists(status))
+      if (const std::error_code reason = write_protection(output.target_)) return no_access(path, reason);
+    output.open_part();
+  }
+  if (!output.file_) return no_access(path, last_error());
+  return output;
+}
+
+void OutputFile::open_part() {
+  for (int i = 0; i < part_names && !file_; ++i) {
+    part_ = target_ + ".part" + (i == 0 ? "" : std::to_string(i));
+    errno = 0;
+    file_.reset(std::fopen(part_.c_str(), "wbx"));
+    if (!file_ && errno != EEXIST) break;
+  }
+  if (!file_) part_.clear();
+}
+
+OutputFile::OutputFile(OutputFile&& other) noexcept { swap(other); }
+
+OutputFile& OutputFile::operator=(OutputFile&& other) noexcept {
+  OutputFile taken(std::move(other));
+  swap(taken);
+  return *this;
+}
+
+OutputFile::~OutputFile() {
+  if (part_.empty()) return;
+  file_.reset();
+  std::error_code ignored;
+  fs::remove(part_, ignored);
+}
+
+void OutputFile::swap(OutputFile& other) noexcept {
+  path_.swap(other.path_);
+  target_.swap(other.target_);
+  part_.swap(other.part_);
+  file_.swap(other.file_);
+}
+
+Expected<void> OutputFile::write(std::string_view text) {
+  ORISPLINE_EXPECT(file_ != nullptr);
+  errno = 0;
+  if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size()) return no_access(path_, last_error());
+  return {};
+}
+
+Expected<void> OutputFile::finish() {
+  ORISPLINE_EXPECT(file_ != nullptr);
+  errno = 0;
+  if (std::fflush(file_.get()) != 0) return no_access(path_, last_error());
+  std::FILE* file = file_.release();
+  if (file != stdout && std::fclose(file) != 0) return no_access(path_, last_error());
+  if (part_.empty()) return {};
+  std::error_code reason;
+  const fs::file_status old = fs::status(target_, reason);
+  if (fs::exists(old)) fs::permissions(part_, old.permissions(), reason);
+  fs::rename(part_, target_, reason);
+  if (reason) return no_access(path_, reason);
+  part_.clear();
+  return {};
+}
+
+}  // namespace orispline::io

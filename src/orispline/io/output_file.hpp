@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include <orispline/base/expected.hpp>
+
+namespace orispline::io {
+
+/// A file that appears complete or not at all.
+///
+/// Text goes to `<path>.part` beside the target, which `finish` renames. Destroyed before that, the part is removed and
+/// the target untouched. Standard output (`-`), devices and pipes are written directly.
+class OutputFile {
+ public:
+  /// Error: bad_access.
+  [[nodiscard]] static Expected<OutputFile> open(const std::string& path);
+  OutputFile(OutputFile&& other) noexcept;
+  OutputFile& operator=(OutputFile&& other) noexcept;
+  ~OutputFile();
+
+  /// Error: bad_access.
+  [[nodiscard]] Expected<void> write(std::string_view text);
+  /// Completes the file; nothing may be written afterwards. Error: bad_access.
+  [[nodiscard]] Expected<void> finish();
+
+  [[nodiscard]] const std::string& path() const noexcept { return path_; }
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const noexcept;
+  };
+
+  OutputFile() = default;
+  void open_part();
+  void swap(OutputFile& other) noexcept;
+
+  std::string path_;    // as the caller gave it, for messages
+  std::string target_;  // behind symbolic links
+  std::string part_;    // empty when written directly
+  std::unique_ptr<std::FILE, Close> file_;
+};
+
+}  // namespace orispline::io

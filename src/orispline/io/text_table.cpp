@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/io/text_table.hpp>
+
+#include <cmath>
+#include <limits>
+#include <system_error>
+
+#include <fast_float/fast_float.h>
+
+#include <orispline/io/quoted.hpp>
+
+namespace orispline::io {
+namespace {
+
+constexpr std::string_view blanks = " \t";
+
+constexpr char character_of(Delimiter delimiter) {
+  switch (delimiter) {
+    case Delimiter::comma:
+      return ',';
+    case Delimiter::semicolon:
+      return ';';
+    case Delimiter::tab:
+      return '\t';
+    case Delimiter::blanks:
+      return ' ';
+  }
+  return ' ';
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(blanks);
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
+}
+
+std::string_view without_leading_blanks(std::string_view text) {
+  return text.substr(std::min(text.find_first_not_of(blanks), text.size()));
+}
+
+/// Length of the cell that a text begins with, up to the delimiter or the end.
+std::size_t cell_length(std::string_view text, Delimiter delimiter) {
+  const std::size_t end =
+      delimiter == Delimiter::blanks ? text.find_first_of(blanks) : text.find(character_of(delimiter));
+  return std::min(end, text.size());
+}
+
+bool is_word(std::string_view number) {
+  return number.find_first_of("0123456789") == std::string_view::npos || number.find('(') != std::string_view::npos;
+}
+
+}  // namespace
+
+Delimiter delimiter_of(std::string_view line) noexcept {
+  for (const Delimiter delimiter : {Delimiter::semicolon, Delimiter::comma, Delimiter::tab})
+    if (trimmed(line).find(character_of(delimiter)) != std::string_view::npos) return delimiter;
+  return Delimiter::blanks;
+}
+
+Expected<double> number_of(std::string_view cell) {
+  if (cell.empty()) return std::numeric_limits<double>::quiet_NaN();
+  std::string_view text = cell;
+  if (text.starts_with('+')) text.remove_prefix(1);  // fast_float takes no plus sign
+  double value = 0.0;
+  const auto [end, status] = fast_float::from_chars(text.data(), text.data() + text.size(), value);
+  const bool two_signs = text.size() < cell.size() && text.starts_with('-');
+  if (two_signs || status == std::errc::invalid_argument || end != text.data() + text.size())
+    return failure(ErrorCode::bad_data, "found " + quoted(cell) + ", wanted a number such as -1.5e-3");
+  if (std::isinf(value) && !is_word(text))
+    return failure(ErrorCode::bad_data, "found " + quoted(cell) + ", wanted a number below 1.8e308 in size");
+  return value;
+}
+
+Expected<std::optional<Decimal>> decimal_of(std::string_view cell) {
+  Expected<Decimal> number = Decimal::parse(cell);
+  if (number) return *number;
+  const Expected<double> rounded = number_of(cell);
+  if (rounded && (cell.empty() || is_word(cell))) return std::nullopt;
+  return tl::unexpected(std::move(number.error()));
+}
+
+Expected<TextTable> TextTable::open(const std::string& path) {
+  return LineReader::open(path).map([](LineReader&& lines) { return TextTable(std::move(lines)); });
+}
+
+Expected<bool> TextTable::next() {
+  for (;;) {
+    const auto line = lines_.next();
+    if (!line) return tl::unexpected(line.error());
+    if (!*line) return false;
+    const std::string_view text = without_leading_blanks(**line);
+    if (text.empty() || text.starts_with('#')) continue;
+    if (!delimiter_) delimiter_ = delimiter_of(text);
+    return split(**line);
+  }
+}
+
+/// Fills the cells; an empty text after a delimiter is a cell, blanks as delimiters count once.
+Expected<bool> TextTable::split(std::string_view line) {
+  cells_.clear();
+  if (delimiter_ == Delimiter::blanks) line = trimmed(line);
+  for (bool more = true; more;) {
+    if (delimiter_ != Delimiter::tab) line = without_leading_blanks(line);
+    std::size_t quoted_length = 0;
+    if (line.starts_with('"')) {
+      const std::size_t closing = line.find('"', 1);
+      if (closing == std::string_view::npos)
+        return failure(ErrorCode::bad_data, "found a quote that is not closed", here(cells_.size()));
+      quoted_length = closing + 1;
+    }
+    const std::size_t length = quoted_length + cell_length(line.substr(quoted_length), *delimiter_);
+    std::string_view cell = trimmed(line.substr(0, length));
+    if (quoted_length > 0 && cell.size() == quoted_length) cell = trimmed(cell.substr(1, cell.size() - 2));
+    cells_.push_back(cell);
+    more = length < line.size();
+    line.remove_prefix(more ? length + 1 : length);
+  }
+  return true;
+}
+
+Where TextTable::here(std::optional<std::size_t> cell) const {
+  return {path(), line(), cell ? std::optional(*cell + 1) : std::nullopt, std::nullopt};
+}
+
+}  // namespace orispline::io

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include <orispline/io/decimal.hpp>
+#include <orispline/io/line_reader.hpp>
+
+namespace orispline::io {
+
+/// What stands between two cells of a line.
+enum class Delimiter { comma, semicolon, tab, blanks };
+
+/// The first of semicolon, comma, tab that occurs in the line; blanks if none does.
+[[nodiscard]] Delimiter delimiter_of(std::string_view line) noexcept;
+
+/// The number in a cell: `nan` and `inf` in any case of letters are not finite, an empty cell is NaN, numbers below the
+/// range of a double are 0.
+///
+/// Errors (bad_data): not a number (hexadecimal, decimal comma, text after it), out of range.
+[[nodiscard]] Expected<double> number_of(std::string_view cell);
+
+/// The exact number in a cell; nothing where `number_of` is not finite.
+[[nodiscard]] Expected<std::optional<Decimal>> decimal_of(std::string_view cell);
+
+/// Streams the rows of a text table: lines split into cells, without `#` comments and blank lines.
+class TextTable {
+ public:
+  [[nodiscard]] static Expected<TextTable> open(const std::string& path);
+
+  /// Moves to the next row; false after the last one. Error: of `LineReader::next`, or a quote that is not closed.
+  ///
+  /// The first row decides the delimiter unless `set_delimiter` did.
+  [[nodiscard]] Expected<bool> next();
+  void set_delimiter(Delimiter delimiter) noexcept { delimiter_ = delimiter; }
+
+  /// Cells of the row, without the blanks and the quotes around them; valid until the next call of `next`.
+  [[nodiscard]] std::span<const std::string_view> cells() const noexcept { return cells_; }
+  [[nodiscard]] std::optional<Delimiter> delimiter() const noexcept { return delimiter_; }
+  [[nodiscard]] const std::string& path() const noexcept { return lines_.path(); }
+  [[nodiscard]] std::size_t line() const noexcept { return lines_.line(); }
+
+  /// The place of a cell of the row, or of the whole row.
+  [[nodiscard]] Where here(std::optional<std::size_t> cell = std::nullopt) const;
+
+ private:
+  explicit TextTable(LineReader lines) : lines_(std::move(lines)) {}
+  [[nodiscard]] Expected<bool> split(std::string_view line);
+
+  LineReader lines_;
+  std::optional<Delimiter> delimiter_;
+  std::vector<std::string_view> cells_;
+};
+
+}  // namespace orispline::io

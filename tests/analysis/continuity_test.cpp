@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/analysis/continuity.hpp>
+
+#include <gtest/gtest.h>
+
+#include <orispline/families/registry.hpp>
+
+namespace orispline {
+namespace {
+
+Eigen::Quaterniond about_x(double angle) { return exp<double>({angle, 0.0, 0.0}); }
+
+/// Orientations that turn about changing axes by up to 50°, at the given spacings [s].
+Keyframes tumbling_keys(const std::vector<double>& spacings) {
+  KeyframeData data{.times = {0.0}, .orientations = {Eigen::Quaterniond::Identity()}};
+  for (std::size_t i = 0; i < spacings.size(); ++i) {
+    const double x = static_cast<double>(i);
+    data.times.push_back(data.times.back() + spacings[i]);
+    data.orientations.push_back(
+        data.orientations.back() *
+        exp<double>({0.5 * std::cos(2.1 * x), 0.5 * std::sin(1.3 * x), 0.4 * std::cos(0.7 * x + 1.0)}));
+  }
+  return Keyframes::make(std::move(data)).value();
+}
+
+const std::vector<double> uniform_spacings(8, 0.5);
+const std::vector<double> uneven_spacings{0.1, 1.0, 0.1, 1.0, 1.0, 0.1, 0.1, 1.0};  // ratios of 10
+
+Continuity continuity_of(std::string_view family, const std::vector<double>& spacings) {
+  return continuity_at_keys(make_curve(family, tumbling_keys(spacings)).value());
+}
+
+TEST(Continuity, OfSlerpIsTheDifferenceOfTheNeighbouringRates) {
+  const auto keys = Keyframes::make({.times = {0.0, 1.0, 3.0, 4.0},
+                                     .orientations = {about_x(0.0), about_x(0.5), about_x(2.5), about_x(2.5)}})
+                        .value();
+
+  const Continuity c = continuity_at_keys(make_curve("slerp", keys).value());  // rates 0.5, 1, 0 rad/s
+
+  EXPECT_NEAR(c.angular_velocity.largest, 1.0, 1e-14);
+  EXPECT_EQ(c.angular_velocity.key, 2u);
+  EXPECT_NEAR(c.angular_velocity.magnitude, 1.0, 1e-14);
+  EXPECT_NEAR(c.angular_velocity.relative, 1.0, 1e-14);
+  EXPECT_EQ(c.order(), 0);
+}
+
+TEST(Continuity, IsAsDeclaredOnUniformKnots) {
+  for (const FamilyInfo& family : families_info())
+    EXPECT_EQ(continuity_of(family.name, uniform_spacings).order(), family.continuity_uniform) << family.name;
+}
+
+TEST(Continuity, IsAsDeclaredOnUnevenKnots) {
+  for (const FamilyInfo& family : families_info())
+    EXPECT_EQ(continuity_of(family.name, uneven_spacings).order(), family.continuity_uneven) << family.name;
+}
+
+TEST(Continuity, ShowsNoAngularVelocityJumpForTheTimedFamiliesAtSpacingRatiosOfTen) {
+  for (const char* family : {"timed-c1", "timed-c2", "timed-c3", "timed-sextic"}) {
+    const RateJump jump = continuity_of(family, uneven_spacings).angular_velocity;
+    EXPECT_LT(jump.largest / jump.magnitude, 1e-12) << family;
+  }
+}
+
+TEST(Continuity, OfQuinticOnUnevenKnotsIsTheStretchOfItsRateByTheSpacing) {
+  const Keyframes keys =
+      Keyframes::make({.times = {0.0, 1.0, 3.0}, .orientations = {about_x(0.0), about_x(0.6), about_x(1.4)}}).value();
+
+  const RateJump jump = continuity_at_keys(make_curve("quintic", keys).value()).angular_velocity;
+
+  // 2018 paper, C1 condition in the local parameter: ω = α (a + b)/h = 0.7/h on either side of the middle key.
+  EXPECT_NEAR(jump.largest, 0.7 / 1.0 - 0.7 / 2.0, 1e-13);
+  EXPECT_EQ(jump.key, 1u);
+}
+
+TEST(Continuity, TakesTheRoundingOfASteadyTurnForNoJump) {
+  const auto keys = Keyframes::make({.times = {0.0, 0.7, 1.0, 3.1},
+                                     .orientations = {about_x(0.0), about_x(0.7), about_x(1.0), about_x(3.1)}})
+                        .value();
+  EXPECT_EQ(continuity_at_keys(make_curve("timed-c1", keys).value()).order(), 3);
+}
+
+TEST(Continuity, OfOneKeyIsComplete) {
+  const auto key = Keyframes::make({.times = {4.0}, .orientations = {about_x(1.0)}}).value();
+  EXPECT_EQ(continuity_at_keys(make_curve("timed-c2", key).value()).order(), 3);
+}
+
+}  // namespace
+}  // namespace orispline

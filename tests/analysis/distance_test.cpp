@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/analysis/distance.hpp>
+
+#include <gtest/gtest.h>
+
+#include <orispline/families/registry.hpp>
+
+namespace orispline {
+namespace {
+
+Eigen::Quaterniond about_x(double angle) { return exp<double>({angle, 0.0, 0.0}); }
+
+/// Turns about x at 1 rad/s from 0 to 2 s.
+AnyCurve steady_turn() {
+  return make_curve("slerp", Keyframes::make(
+                                 {.times = {0.0, 1.0, 2.0}, .orientations = {about_x(0.0), about_x(1.0), about_x(2.0)}})
+                                 .value())
+      .value();
+}
+
+TEST(Distance, IsTheRootMeanSquareTheMeanAndTheLargestAngle) {
+  const std::vector<double> times{0.0, 0.5, 1.5, 2.0};
+  const std::vector<Eigen::Quaterniond> reference{about_x(0.0), about_x(0.8), about_x(1.1), about_x(2.0)};
+
+  const DistanceStatistics d = distance_to_reference(steady_turn(), {times, reference});
+
+  EXPECT_EQ(d.count, 4u);
+  EXPECT_NEAR(d.rms, 0.25, 1e-15);  // distances 0, 0.3, 0.4, 0
+  EXPECT_NEAR(d.mean, 0.175, 1e-15);
+  EXPECT_NEAR(d.largest, 0.4, 1e-15);
+  EXPECT_EQ(d.largest_at, 2u);
+}
+
+TEST(Distance, TakesBothSignsOfAQuaternionForOneOrientation) {
+  const std::vector<double> times{1.0};
+  const std::vector<Eigen::Quaterniond> reference{Eigen::Quaterniond(-about_x(1.0).coeffs())};
+  EXPECT_NEAR(distance_to_reference(steady_turn(), {times, reference}).largest, 0.0, 1e-15);
+}
+
+TEST(Distance, LeavesOutTimesBeyondTheCurve) {
+  const std::vector<double> times{-0.1, 1.0, 2.1};
+  const std::vector<Eigen::Quaterniond> reference{about_x(3.0), about_x(1.2), about_x(3.0)};
+
+  const DistanceStatistics d = distance_to_reference(steady_turn(), {times, reference});
+
+  EXPECT_EQ(d.count, 1u);
+  EXPECT_NEAR(d.largest, 0.2, 1e-15);
+  EXPECT_EQ(d.largest_at, 1u);
+}
+
+TEST(Distance, OfNothingIsZero) {
+  const DistanceStatistics d = distance_to_reference(steady_turn(), {});
+  EXPECT_EQ(d.count, 0u);
+  EXPECT_EQ(d.rms, 0.0);
+}
+
+}  // namespace
+}  // namespace orispline

@@ -1,0 +1,98 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Command lines that are refused: exit code 2, one line that says what is wrong, one that says where to read on."""
+from command import BAD_USAGE, CommandTest, main
+
+METHODS = "slerp, squad, squad-timed, quintic, sextic, timed-c1, timed-c2, timed-c3, timed-sextic"
+ENDS = "natural, repeat, quadratic, cubic, clamped, rest"
+COMMANDS = "sample, inspect, methods, completion"
+
+CASES = (
+    ("", f"found no command, wanted one of {COMMANDS}"),
+    ("resample keys.csv", f"no command 'resample', wanted one of {COMMANDS}"),
+    ("--bogus", "A subcommand is required"),
+    ("sample", "INPUT is required"),
+    ("sample keys.csv --rate 1 --bogus", "The following argument was not expected: --bogus"),
+    ("sample keys.csv more.csv --rate 1", "The following argument was not expected: more.csv"),
+    ("sample keys.csv --rate", "--rate: 1 required HZ missing"),
+    ("sample keys.csv --rate 1 --rate 2", "--rate: At Most 1 required but received 2"),
+    ("sample keys.csv --rate= --quiet", "--rate= wanted a value after it"),
+    # times
+    ("sample keys.csv", "found none of --rate, --count and --times, wanted one of them"),
+    ("sample keys.csv --rate 1 --count 2", "found 2 of --rate, --count and --times, wanted one of them"),
+    ("sample keys.csv --rate fast", "--rate: found 'fast', wanted a number of samples per second greater than 0"),
+    ("sample keys.csv --rate 0", "--rate: found '0', wanted a number of samples per second greater than 0"),
+    ("sample keys.csv --rate -5", "--rate: found '-5', wanted a number of samples per second greater than 0"),
+    ("sample keys.csv --rate nan", "--rate: found 'nan', wanted a number of samples per second greater than 0"),
+    ("sample keys.csv --rate 1e999", "--rate: found '1e999', wanted a number of samples per second greater than 0"),
+    ("sample keys.csv --rate 1e300", "--rate 1e+300 makes 3e+300 samples over 3 s, wanted fewer than 9e+15"),
+    ("sample keys.csv --count 0", "--count: found '0', wanted a whole number from 1 on"),
+    ("sample keys.csv --count 2.5", "--count: found '2.5', wanted a whole number from 1 on"),
+    ("sample keys.csv --count 2 --from now", "--from: found 'now', wanted a number"),
+    ("sample keys.csv --count 2 --from 2 --to 1", "--from 2 is after --to 1"),
+    ("sample keys.csv --count 2 --from 4", "--from 4 is after the last key at 3, wanted --to as well"),
+    ("sample keys.csv --count 2 --to=-1", "--to -1 is before the first key at 0, wanted --from as well"),
+    ("sample keys.csv --count 2 --from 1 --to 1", "--count 2: the range is the single time 1, wanted --count 1"),
+    ("sample keys.csv --times keys.csv --to 2", "--times: the file says which times, wanted neither --from nor --to"),
+    ("sample keys.csv --rate 1 --to 4 --extrapolate error", "time 4 is outside the keys, wanted 0 to 3"),
+    ("sample keys.csv --rate 1 --extrapolate bend", "--extrapolate: found 'bend', wanted hold|error"),
+    ("sample - --times -", "found '-' for several of INPUT, --times and --truth, wanted it for one at most"),
+    # the shape of the curve
+    ("sample keys.csv --rate 1 --method bezier", f"no method 'bezier', wanted one of {METHODS}"),
+    ("sample keys.csv --rate 1 --tension high", "--tension: found 'high', wanted numbers with commas between them"),
+    ("sample keys.csv --rate 1 --tension 1,,2", "--tension: found '1,,2', wanted numbers with commas between them"),
+    ("sample keys.csv --rate 1 --tension=-0.1,0.2",
+     "timed-c2: found 2 values of tension, wanted 1 or one per key (3)"),
+    ("sample keys.csv --rate 1 --tension 0,0,1000",
+     "keys.csv:4: key 2: timed-c2: tension is 1000, wanted -100 to 100"),
+    ("sample keys.csv --rate 1 --set tension", "--set: found 'tension', wanted NAME=VALUE"),
+    ("sample keys.csv --rate 1 --set =1", "--set: found '=1', wanted NAME=VALUE"),
+    ("sample keys.csv --rate 1 --set bias=1", "timed-c2: no parameter 'bias', wanted one of tension, tension2"),
+    ("sample keys.csv --rate 1 --set tension=1 --tension 1",
+     "--set tension: 'tension' is given twice, wanted it once"),
+    ("sample keys.csv --rate 1 --ends loose", f"--ends: timed-c2: no end rule 'loose', wanted one of {ENDS}"),
+    ("sample keys.csv --rate 1 --ends rest,rest,rest", "--ends: found 'rest,rest,rest', wanted RULE or START,END"),
+    ("sample keys.csv --rate 1 --ends clamped", "--ends clamped: wanted --start-rate as well"),
+    ("sample keys.csv --rate 1 --ends clamped --start-rate=0,0,1", "--ends clamped: wanted --end-rate as well"),
+    ("sample keys.csv --rate 1 --ends natural --end-rate=0,0,1",
+     "--end-rate: a rate needs the end rule clamped, found natural"),
+    ("sample keys.csv --rate 1 --start-rate=1,2",
+     "--start-rate: found '1,2', wanted three numbers with commas between them"),
+    ("sample keys.csv --rate 1 --tension 0 --start-rate=0,0,1",
+     "a clamped end needs a non-zero tension at that key, found 0"),
+    # reading
+    ("sample keys.csv --rate 1 --signs long", "--signs: found 'long', wanted shortest|as-given"),
+    ("sample keys.csv --rate 1 --input-format json", "--input-format: found 'json', wanted csv|tum"),
+    ("sample keys.csv --rate 1 --order zyxw", "--order: found 'zyxw', wanted wxyz|xyzw"),
+    ("sample keys.csv --rate 1 --time-scale 0", "--time-scale: found '0', wanted a number greater than 0"),
+    ("sample keys.csv --rate 1 --columns t", "--columns: found 't', wanted NAME=VALUE"),
+    ("sample keys.csv --rate 1 --columns t=a,t=b", "--columns: 't' stands twice"),
+    # writing
+    ("sample keys.csv --rate 1 --output-format xml", "--output-format: found 'xml', wanted csv|tum"),
+    ("sample keys.csv --rate 1 --derivatives 4", "--derivatives: found '4', wanted 0, 1, 2 or 3"),
+    ("sample keys.csv --rate 1 --derivatives 1 -o motion.tum",
+     "--derivatives: found '1', wanted 0 for a TUM file, which has no columns for rates"),
+    ("sample keys.csv --rate 1 --frame world --output-format tum",
+     "--frame: found 'world', wanted body for a TUM file, which has no columns for rates"),
+    ("sample keys.csv --rate 1 --frame moon", "--frame: found 'moon', wanted body|world"),
+    ("sample keys.csv --rate 1 --json",
+     "--json: the summary goes to standard output, wanted -o FILE for the samples"),
+    # the other commands
+    ("inspect", "INPUT is required"),
+    ("inspect keys.csv --method slerp,bezier", f"no method 'bezier', wanted one of {METHODS}"),
+    ("inspect keys.csv --method slerp --tension 1",
+     "slerp: no parameter 'tension', wanted none: this method has no parameters"),
+    ("methods all", "The following argument was not expected: all"),
+    ("completion tcsh", "completion: found 'tcsh', wanted bash|zsh|fish"),
+)
+
+
+class BadUsage(CommandTest):
+    def test_every_case_is_refused_in_these_words(self):
+        for arguments, message in CASES:
+            with self.subTest(arguments):
+                self.assert_fails(arguments, BAD_USAGE, message)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The command under test, run in a folder of its own with the input files that the tests name."""
+import math
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+COMMAND = pathlib.Path(os.environ["ORISPLINE_COMMAND"]).resolve()
+EXPECTED = pathlib.Path(__file__).resolve().parent / "expected"
+HINT = "Run 'orispline --help', or '--help' after a command, for what is accepted.\n"
+SUCCESS, BAD_DATA, BAD_USAGE, BAD_ACCESS = 0, 1, 2, 3
+
+HALF = math.sqrt(0.5)
+KEYS = f"t,qw,qx,qy,qz\n0,1,0,0,0\n1,{math.cos(math.pi / 8)},0,0,{math.sin(math.pi / 8)}\n3,{HALF},0,0,{HALF}\n"
+
+
+class CommandTest(unittest.TestCase):
+    """Every test starts in an empty folder that holds keys.csv: 45° about z in 1 s, then 45° in 2 s."""
+
+    maxDiff = None
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.write("keys.csv", KEYS)
+
+    def write(self, name, text):
+        (self.folder / name).write_text(text, "utf-8")
+
+    def read(self, name):
+        return (self.folder / name).read_text("utf-8")
+
+    def run_command(self, arguments, **options):
+        """`arguments` as one line of words, or as a list where a word holds blanks."""
+        words = arguments.split() if isinstance(arguments, str) else arguments
+        return subprocess.run([COMMAND, *words], cwd=self.folder, capture_output=True, text=True, encoding="utf-8",
+                              timeout=120, check=False, **options)
+
+    def output_of(self, arguments, **options):
+        """Standard output of a run that has to succeed."""
+        done = self.run_command(arguments, **options)
+        self.assertEqual(done.returncode, SUCCESS, done.stderr)
+        return done.stdout
+
+    def assert_fails(self, arguments, code, message, **options):
+        """Nothing on standard output, and on standard error exactly the message (with the hint for a bad usage)."""
+        done = self.run_command(arguments, **options)
+        expected = f"orispline: {message}\n" + (HINT if code == BAD_USAGE else "")
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (code, "", expected))
+        self.assertLessEqual(done.stderr.count("\n"), 4)
+
+    def assert_same_table(self, text, expected, separator=","):
+        """Times are the same text; other numbers agree to 1e-12, for sines differ in the last digit."""
+        rows, wanted = text.splitlines(), expected.splitlines()
+        self.assertEqual(len(rows), len(wanted), text)
+        for row, want in zip(rows, wanted):
+            cells, want_cells = row.split(separator), want.split(separator)
+            self.assertEqual(len(cells), len(want_cells), row)
+            self.assertEqual(cells[0], want_cells[0])
+            for cell, want_cell in zip(cells[1:], want_cells[1:]):
+                if want_cell[0].isalpha():
+                    self.assertEqual(cell, want_cell)
+                else:
+                    self.assertAlmostEqual(float(cell), float(want_cell), delta=1e-12, msg=row)
+
+
+def rows_of(text):
+    """The rows of a CSV below its header, as numbers."""
+    return [[float(cell) for cell in line.split(",")] for line in text.splitlines()[1:]]
+
+
+def main():
+    unittest.main()

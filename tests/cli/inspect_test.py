@@ -1,0 +1,116 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""What `orispline inspect` finds, against figures that follow from the keys by hand."""
+import json
+import math
+import re
+import shutil
+
+from command import EXPECTED, KEYS, SUCCESS, CommandTest, main
+
+TIMED = ("timed-c1", "timed-c2", "timed-c3", "timed-sextic")
+
+
+def turning_keys(spacings):
+    """Keys that nutate: a turn about z on top of a growing tilt about x."""
+    lines, t = ["t,qw,qx,qy,qz"], 0.0
+    for i, spacing in enumerate([0.0, *spacings]):
+        t += spacing
+        c, s, k, r = math.cos(0.2 * i), math.sin(0.2 * i), math.cos(0.1 * i * i), math.sin(0.1 * i * i)
+        lines.append(f"{t!r},{c * k!r},{s * k!r},{-s * r!r},{c * r!r}")
+    return "\n".join(lines) + "\n"
+
+
+class Report(CommandTest):
+    def report_of(self, arguments, **options):
+        return json.loads(self.output_of(f"inspect {arguments} --json", **options))
+
+    def test_the_page_for_people_is_the_stored_one(self):
+        shutil.copy(EXPECTED / "keys.csv", self.folder / "keys.csv")
+        page = self.output_of("inspect keys.csv --method slerp")
+        page = re.sub("largest error [0-9.e-]+", "largest error ROUNDING", page)
+        self.assertEqual(page, (EXPECTED / "inspect.txt").read_text("utf-8"))
+
+    def test_span_spacing_and_steps(self):
+        report = self.report_of("keys.csv")
+        self.assertEqual((report["file"], report["format"], report["keys"]), ("keys.csv", "csv", 3))
+        self.assertEqual((report["start_s"], report["end_s"], report["span_s"]), ("0", "3", 3))
+        self.assertEqual([report[f"spacing_{name}_s"] for name in ("min", "median", "max")], [1, 1.5, 2])
+        self.assertEqual([report[f"spacing_max_after_{name}"] for name in ("key", "line", "time_s")], [1, 3, "1"])
+        self.assertAlmostEqual(report["step_median_deg"], 45, delta=1e-12)
+        self.assertAlmostEqual(report["step_max_deg"], 45, delta=1e-12)
+        self.assertIsNone(report["defect"])
+        self.assertEqual(report["methods"], [])
+
+    def test_times_keep_every_digit(self):
+        shutil.copy(EXPECTED / "keys.csv", self.folder / "keys.csv")
+        report = self.report_of("keys.csv")
+        self.assertEqual((report["start_s"], report["end_s"], report["span_s"]),
+                         ("1311868163.8697", "1311868166.8697", 3))
+
+    def test_one_key_has_no_spacing(self):
+        report = self.report_of("-", input="t,qw,qx,qy,qz\n5,1,0,0,0\n")
+        self.assertEqual((report["keys"], report["span_s"]), (1, 0))
+        self.assertNotIn("spacing_min_s", report)
+
+    def test_faults_are_counted_instead_of_refused(self):
+        self.write("bad.csv",
+                   "t,qw,qx,qy,qz\n0,1,0,0,0\n2,-1,0,0,0\n1,0.9999,0,0,0\n1,1,0,0,0\n3,nan,0,0,0\n4,3,0,0,0\n")
+        report = self.report_of("bad.csv --method timed-c2")
+        self.assertEqual(report["keys"], 4)
+        self.assertEqual((report["duplicate_times"], report["invalid_rows"]), (1, 1))
+        self.assertGreater(report["out_of_order_rows"], 0)
+        self.assertEqual(report["sign_flips"], 1)
+        self.assertEqual((report["non_unit_keys"], report["wrong_norm_keys"], report["norm_error_max"]), (2, 1, 2))
+        self.assertEqual(report["defect"], self.run_command("sample bad.csv --rate 1").stderr[len("orispline: "):-1])
+        self.assertEqual(len(report["methods"]), 1)
+
+    def test_a_wrong_norm_alone_is_a_defect_too(self):
+        report = self.report_of("-", input="t,qw,qx,qy,qz\n0,1,0,0,0\n1,2,0,0,0\n")
+        self.assertEqual(report["defect"], "-:3: key 1: the quaternion has norm 2, wanted 1 within 0.001")
+
+    def test_steps_near_a_half_turn_are_named(self):
+        report = self.report_of("-", input="t,qw,qx,qy,qz\n0,1,0,0,0\n1,1,0,0,0\n2,0,1,0,0\n")
+        self.assertEqual((report["near_180_steps"], report["near_180_after_keys"]), (1, [1]))
+
+
+class Continuity(CommandTest):
+    def methods_of(self, arguments, keys):
+        done = self.run_command(f"inspect - --json {arguments}", input=keys)
+        self.assertEqual(done.returncode, SUCCESS, done.stderr)
+        return json.loads(done.stdout)["methods"]
+
+    def test_slerp_jumps_by_the_difference_of_its_rates(self):
+        jump, = self.methods_of("--method slerp", KEYS)
+        self.assertAlmostEqual(jump["angular_velocity_jump_max_rad_s"], math.pi / 8, delta=1e-14)
+        self.assertAlmostEqual(jump["angular_velocity_max_rad_s"], math.pi / 4, delta=1e-14)
+        self.assertAlmostEqual(jump["angular_velocity_jump_max_relative"], 0.5, delta=1e-14)
+        self.assertEqual((jump["angular_velocity_jump_max_key"], jump["continuity_order"]), (1, 0))
+
+    def test_methods_come_as_lists_and_repeatedly(self):
+        methods = self.methods_of("--method slerp,quintic --method timed-c2", KEYS)
+        self.assertEqual([method["method"] for method in methods], ["slerp", "quintic", "timed-c2"])
+
+    def test_timed_methods_do_not_jump_at_spacing_ratios_of_ten(self):
+        keys = turning_keys([1, 0.1, 1, 1, 0.1, 0.1, 1, 0.1])
+        for method in self.methods_of("--method " + ",".join(TIMED), keys):
+            with self.subTest(method["method"]):
+                jump = method["angular_velocity_jump_max_rad_s"] / method["angular_velocity_max_rad_s"]
+                self.assertLess(jump, 1e-12)
+                self.assertLess(method["angular_velocity_jump_max_relative"], 1e-9)
+                self.assertEqual(method["continuity_order"], {"timed-c1": 1, "timed-c2": 2}.get(method["method"], 3))
+
+    def test_quintic_and_sextic_jump_at_uneven_keys(self):
+        # At the middle key both have half the sum of the increments over the spacing on either side.
+        middle = math.pi / 4
+        for method in self.methods_of("--method quintic,sextic", KEYS):
+            with self.subTest(method["method"]):
+                self.assertAlmostEqual(method["angular_velocity_jump_max_rad_s"], middle - middle / 2, delta=1e-13)
+
+    def test_quintic_and_sextic_are_smooth_at_even_keys(self):
+        keys = turning_keys([0.5] * 8)
+        self.assertEqual([m["continuity_order"] for m in self.methods_of("--method quintic,sextic", keys)], [2, 3])
+
+
+if __name__ == "__main__":
+    main()

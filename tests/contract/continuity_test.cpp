@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// Contract: a curve is as smooth in time as its family declares, and not one order smoother.
+#include <contract/family_contract.hpp>
+#include <support/typed_curves.hpp>
+
+namespace orispline::contract {
+namespace {
+
+using namespace testing_support;
+
+/// Largest jump of each derivative of the orientation at the inner keys, relative to its largest size there.
+template <Curve C>
+std::array<double, 5> relative_jumps(const C& curve) {
+  std::array<double, 5> jumps{}, sizes{};
+  for (std::size_t segment = 1; segment < curve.knots().segments(); ++segment) {
+    const double t = curve.knots().times()[segment];
+    const auto left = quaternion_derivatives(curve, t, segment - 1), right = quaternion_derivatives(curve, t, segment);
+    for (std::size_t k = 0; k < jumps.size(); ++k) {
+      jumps[k] = std::max(jumps[k], (left[k] - right[k]).norm());
+      sizes[k] = std::max({sizes[k], left[k].norm(), right[k].norm()});
+    }
+  }
+  for (std::size_t k = 0; k < jumps.size(); ++k) jumps[k] /= sizes[k];
+  return jumps;
+}
+
+void expect_continuous_to_exactly(int order, const std::array<double, 5>& jumps) {
+  for (std::size_t k = 0; k <= static_cast<std::size_t>(order); ++k)
+    EXPECT_LE(jumps[k], tolerance::continuity) << "order " << k << " jumps";
+  const std::size_t next = static_cast<std::size_t>(order) + 1;
+  EXPECT_GE(jumps[next], tolerance::visible_jump) << "order " << next << " does not jump: smoother than declared";
+}
+
+/// Steps on uneven times [rad]: with spacing ratios of 10 the handles of a squad are some five times as long, and a
+/// handle longer than a full turn has no logarithm of its own any more.
+constexpr double moderate_step = 0.8;
+
+/// Every parameter at its default, or random per key within a moderate range: continuity may not depend on them.
+CurveOptions random_parameters(const FamilyInfo& family, std::size_t keys, std::uint64_t seed) {
+  Dice dice(seed);
+  CurveOptions options;
+  for (const Parameter& parameter : family.parameters) {
+    std::vector<double> values(parameter.per_key ? keys : 1);
+    for (double& value : values) value = parameter.initial + dice.between(0.05, 0.4);
+    options.parameters[std::string(parameter.name)] = values;
+  }
+  return options;
+}
+
+template <class F>
+class Continuity : public testing::Test {};
+TYPED_TEST_SUITE(Continuity, FamilyTypes, FamilyNames);
+
+TYPED_TEST(Continuity, IsTheDeclaredOrderOnEvenTimes) {
+  for (const std::uint64_t seed : {51u, 52u, 53u}) {
+    SCOPED_TRACE(seed);
+    const Keyframes keys = keyframes(random_walk(seed, 9, Spacing::even));
+    expect_continuous_to_exactly(TypeParam::info.continuity_uniform, relative_jumps(typed_curve<TypeParam>(keys)));
+  }
+}
+
+TYPED_TEST(Continuity, IsTheDeclaredOrderOnTimesWithSpacingRatiosOfTen) {
+  for (const std::uint64_t seed : {54u, 55u, 56u}) {
+    SCOPED_TRACE(seed);
+    const Keyframes keys = keyframes(random_walk(seed, 10, Spacing::uneven, moderate_step));
+    expect_continuous_to_exactly(TypeParam::info.continuity_uneven, relative_jumps(typed_curve<TypeParam>(keys)));
+  }
+}
+
+TYPED_TEST(Continuity, HoldsForRandomParametersAtEveryKey) {
+  for (const Spacing spacing : {Spacing::even, Spacing::uneven}) {
+    const Keyframes keys = keyframes(random_walk(57, 9, spacing, moderate_step));
+    const FamilyInfo& info = TypeParam::info;
+    expect_continuous_to_exactly(spacing == Spacing::even ? info.continuity_uniform : info.continuity_uneven,
+                                 relative_jumps(typed_curve<TypeParam>(keys, random_parameters(info, 9, 58))));
+  }
+}
+
+TYPED_TEST(Continuity, HoldsForEveryEndRule) {
+  const Keyframes keys = keyframes(random_walk(59, 6, Spacing::uneven, moderate_step));
+  for (const EndRule rule : TypeParam::info.ends) {
+    const End end{.rule = rule, .angular_velocity = {0.3, -0.2, 0.1}};
+    const auto jumps = relative_jumps(typed_curve<TypeParam>(keys, {.start = end, .end = end}));
+    for (int k = 0; k <= TypeParam::info.continuity_uneven; ++k)
+      EXPECT_LE(jumps[static_cast<std::size_t>(k)], tolerance::continuity) << name_of(rule) << ", order " << k;
+  }
+}
+
+/// The same promise as a user sees it: no jump of ω, α or jerk between the two sides of a key.
+class MotionContinuity : public FamilyContract {};
+
+TEST_P(MotionContinuity, OfBodyRatesIsTheDeclaredOrder) {
+  const Keyframes keys = keyframes(random_walk(60, 10, Spacing::uneven, moderate_step));
+  const AnyCurve c = curve(keys);
+  std::array<double, 3> jumps{}, sizes{};
+  for (std::size_t i = 1; i + 1 < keys.size(); ++i) {
+    const Motion left = c.motion(keys.times()[i], Side::left), right = c.motion(keys.times()[i], Side::right);
+    const auto gather = [&](std::size_t k, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+      jumps[k] = std::max(jumps[k], (a - b).norm());
+      sizes[k] = std::max({sizes[k], a.norm(), b.norm()});
+    };
+    gather(0, left.angular_velocity, right.angular_velocity);
+    gather(1, left.angular_acceleration, right.angular_acceleration);
+    gather(2, left.angular_jerk, right.angular_jerk);
+  }
+  const auto order = static_cast<std::size_t>(GetParam().continuity_uneven);
+  for (std::size_t k = 0; k < std::min<std::size_t>(order, 3); ++k)
+    EXPECT_LE(jumps[k], tolerance::continuity * sizes[k]) << "order " << k + 1;
+  if (order < 3) {
+    EXPECT_GE(jumps[order], tolerance::visible_jump * sizes[order]) << "order " << order + 1;
+  }
+}
+
+ORISPLINE_FOR_EVERY_FAMILY(MotionContinuity);
+
+}  // namespace
+}  // namespace orispline::contract

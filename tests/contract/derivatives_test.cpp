@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Contract: the rates are the derivatives of the orientation, by differences and by jets of the whole quaternion.
+#include <contract/family_contract.hpp>
+#include <support/typed_curves.hpp>
+
+namespace orispline::contract {
+namespace {
+
+using namespace testing_support;
+
+class DerivativeContract : public FamilyContract {};
+
+TEST_P(DerivativeContract, RatesAreCentralDifferencesOfTheOrderBelow) {
+  for (const Spacing spacing : {Spacing::even, Spacing::uneven}) {
+    const Keyframes keys = keyframes(random_walk(41, 8, spacing));
+    const AnyCurve c = curve(keys);
+    for (std::size_t i = 0; i + 1 < keys.size(); ++i)
+      for (const double u : {0.15, 0.5, 0.85}) {
+        const double step = keys.times()[i + 1] - keys.times()[i], h = tolerance::difference_step * step;
+        const double t = keys.times()[i] + u * step;
+        const Motion before = c.motion(t - h), here = c.motion(t), after = c.motion(t + h);
+        EXPECT_TRUE(near(increment<double>(before.orientation, after.orientation) / (2 * h), here.angular_velocity,
+                         tolerance::difference));
+        EXPECT_TRUE(near((after.angular_velocity - before.angular_velocity) / (2 * h), here.angular_acceleration,
+                         tolerance::difference));
+        EXPECT_TRUE(near((after.angular_acceleration - before.angular_acceleration) / (2 * h), here.angular_jerk,
+                         tolerance::difference));
+      }
+  }
+}
+
+TEST_P(DerivativeContract, WorldRatesAreDifferencesInTheWorldFrame) {
+  const double h = tolerance::difference_step;
+  const Keyframes keys = keyframes(random_walk(42, 5, Spacing::even));
+  const AnyCurve c = curve(keys);
+  for (const double u : {0.3, 1.4, 1.7}) {
+    const double t = keys.times().front() + u;
+    const Motion before = c.motion(t - h), here = c.motion(t), after = c.motion(t + h);
+    const Eigen::Vector3d turned = log<double>(after.orientation * before.orientation.conjugate());
+    EXPECT_TRUE(near(turned / (2 * h), angular_velocity_world(here), tolerance::difference));
+    EXPECT_TRUE(near((angular_velocity_world(after) - angular_velocity_world(before)) / (2 * h),
+                     angular_acceleration_world(here), tolerance::difference));
+    EXPECT_TRUE(near((angular_acceleration_world(after) - angular_acceleration_world(before)) / (2 * h),
+                     angular_jerk_world(here), tolerance::difference));
+  }
+}
+
+ORISPLINE_FOR_EVERY_FAMILY(DerivativeContract);
+
+template <class F>
+class JetOracle : public testing::Test {};
+TYPED_TEST_SUITE(JetOracle, FamilyTypes, FamilyNames);
+
+TYPED_TEST(JetOracle, EvaluatorAgreesWithJetsOfTheWholeQuaternion) {
+  for (const Spacing spacing : {Spacing::even, Spacing::uneven}) {
+    const Keyframes keys = keyframes(random_walk(43, 8, spacing, 2.5));
+    const auto typed = typed_curve<TypeParam>(keys);
+    const AnyCurve erased = make_curve(TypeParam::info.name, keys).value();
+    for (const double t : sample_times(keys.times(), 7)) {
+      const std::size_t segment = erased.knots().segment_at(t);
+      const Motion oracle = motion_from_jet(typed.orientation(Jet<double, 3>::variable(t), segment));
+      EXPECT_TRUE(near(erased.motion(t), oracle, same_motion)) << t;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace orispline::contract

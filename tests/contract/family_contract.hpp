@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <ostream>
+
+#include <gtest/gtest.h>
+
+#include <orispline/families/registry.hpp>
+#include <support/near.hpp>
+#include <support/specimens.hpp>
+#include <support/tolerance.hpp>
+
+namespace orispline {
+
+/// How a failing contract test prints its family.
+inline void PrintTo(const FamilyInfo& family, std::ostream* out) { *out << family.name; }
+
+namespace contract {
+
+/// What every family promises, checked through the registry: a new family is under contract without a line of test
+/// code.
+class FamilyContract : public testing::TestWithParam<FamilyInfo> {
+ protected:
+  [[nodiscard]] static AnyCurve curve(const Keyframes& keys, const CurveOptions& options = {}) {
+    return make_curve(GetParam().name, keys, options).value();
+  }
+};
+
+inline std::string test_name(const testing::TestParamInfo<FamilyInfo>& test) {
+  std::string name(test.param.name);
+  std::ranges::replace(name, '-', '_');
+  return name;
+}
+
+/// Rounding grows from order to order; see tolerance.hpp.
+inline constexpr testing_support::MotionTolerance same_motion{tolerance::algebra, tolerance::rates, tolerance::rates,
+                                                              tolerance::rates};
+
+}  // namespace contract
+}  // namespace orispline
+
+/// Puts one suite of the contract under every family of the list.
+#define ORISPLINE_FOR_EVERY_FAMILY(suite) \
+  INSTANTIATE_TEST_SUITE_P(Family, suite, testing::ValuesIn(orispline::families_info()), orispline::contract::test_name)

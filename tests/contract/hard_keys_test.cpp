@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// Contract: keys that are hard to interpolate still give finite motions through the keys.
+#include <contract/family_contract.hpp>
+
+namespace orispline::contract {
+namespace {
+
+using namespace testing_support;
+
+class HardKeyContract : public FamilyContract {
+ protected:
+  static void expect_finite_motion_through(const Keyframes& keys) {
+    const AnyCurve c = curve(keys);
+    for (const double t : sample_times(keys.times(), 16)) {
+      const Motion m = c.motion(t);
+      EXPECT_NEAR(m.orientation.norm(), 1.0, tolerance::algebra) << t;
+      EXPECT_TRUE(m.angular_velocity.allFinite() && m.angular_acceleration.allFinite() && m.angular_jerk.allFinite())
+          << t;
+    }
+    if (!GetParam().interpolates) return;
+    for (std::size_t i = 0; i < keys.size(); ++i)
+      EXPECT_TRUE(near(c(keys.times()[i]), keys.orientations()[i], tolerance::series)) << "key " << i;
+  }
+
+  /// Four keys with steps of `angle` [rad] about changing axes.
+  [[nodiscard]] static KeyframeData steps_of(double angle) {
+    KeyframeData data{.times = {0.0, 1.0, 1.5, 3.0}};
+    Eigen::Quaterniond q = exp<double>(Eigen::Vector3d(0.2, 0.1, -0.4));
+    for (std::size_t i = 0; i < 4; ++i) {
+      data.orientations.push_back(q);
+      q = q * exp<double>(angle * specimen_axes()[i]);
+    }
+    return data;
+  }
+};
+
+TEST_P(HardKeyContract, StepsNearHalfATurn) {
+  for (const double angle : {pi - 1e-3, pi - 1e-6, pi - 1e-9, pi - 1e-12})
+    expect_finite_motion_through(keyframes(steps_of(angle), Signs::shortest));
+}
+
+TEST_P(HardKeyContract, StepsOfExactlyHalfATurn) {
+  const KeyframeData data{.times = {0.0, 1.0, 2.0, 3.0},
+                          .orientations = {quaternion_wxyz(1.0, 0.0, 0.0, 0.0), quaternion_wxyz(0.0, 1.0, 0.0, 0.0),
+                                           quaternion_wxyz(0.0, 0.0, 1.0, 0.0), quaternion_wxyz(0.0, 0.0, 0.0, 1.0)}};
+  expect_finite_motion_through(keyframes(data, Signs::shortest));
+}
+
+TEST_P(HardKeyContract, StepsBeyondHalfATurnWithSignsAsGiven) {
+  for (const double angle : {pi + 1e-9, 3.5, 5.0}) expect_finite_motion_through(keyframes(steps_of(angle)));
+}
+
+TEST_P(HardKeyContract, RepeatedKeys) {
+  const Eigen::Quaterniond p = exp<double>(Eigen::Vector3d(0.5, 0.2, 0.1)), q = exp<double>(Eigen::Vector3d(-1, 1, 2));
+  expect_finite_motion_through(
+      keyframes({.times = {0.0, 1.0, 1.5, 3.0, 3.5, 4.5, 5.0}, .orientations = {p, p, q, q, q, p, p}}));
+}
+
+TEST_P(HardKeyContract, TinySteps) {
+  for (const double angle : {1e-8, 1e-12, 1e-16, 1e-100})
+    expect_finite_motion_through(keyframes(steps_of(angle), Signs::shortest));
+}
+
+TEST_P(HardKeyContract, SpacingFromMicrosecondsToHours) {
+  KeyframeData data = steps_of(0.8);
+  data.times = {0.0, 1e-6, 1.0, 3600.0};
+  expect_finite_motion_through(keyframes(data));
+}
+
+ORISPLINE_FOR_EVERY_FAMILY(HardKeyContract);
+
+}  // namespace
+}  // namespace orispline::contract

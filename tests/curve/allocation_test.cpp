@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Evaluation allocates nothing.
+#include <memory>
+
+#include <gtest/gtest.h>
+
+#include <curve/counting_new.hpp>
+#include <orispline/families/registry.hpp>
+#include <support/specimens.hpp>
+
+namespace orispline {
+namespace {
+
+using namespace testing_support;
+
+TEST(Allocation, IsCountedAtAll) {
+  const std::size_t before = allocations_of_this_thread();
+  const auto number = std::make_unique<int>(1);
+  EXPECT_EQ(allocations_of_this_thread(), before + 1) << *number;
+}
+
+TEST(Allocation, DoesNotHappenDuringEvaluation) {
+  KeyframeData data = random_walk(211, 9, Spacing::uneven);
+  for (std::size_t i = 0; i < 9; ++i) data.positions.emplace_back(static_cast<double>(i), 0.0, 1.0);
+  const Keyframes keys = keyframes(data);
+  for (const FamilyInfo& family : families_info()) {
+    const PoseCurve curve = make_pose_curve(family.name, keys).value();
+    const std::vector<double> times = sample_times(keys.times());
+    double sum = 0.0;
+
+    const std::size_t before = allocations_of_this_thread();
+    for (const double t : times) {
+      sum += curve.orientation(t).w() + curve.orientation.motion(t).angular_jerk.x();
+      sum += curve.orientation.motion(t - 100.0).orientation.x();
+      sum += curve.position->travel(t).velocity.x();
+    }
+    const AnyCurve copy = curve.orientation;
+    sum += copy.domain().start;
+    const std::size_t after = allocations_of_this_thread();
+
+    EXPECT_EQ(after, before) << family.name << ", checksum " << sum;
+  }
+}
+
+}  // namespace
+}  // namespace orispline

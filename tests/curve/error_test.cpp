@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/base/expected.hpp>
+
+#include <gtest/gtest.h>
+
+namespace orispline {
+namespace {
+
+TEST(Error, IsOneLineWithThePlacesThatAreKnown) {
+  EXPECT_EQ(describe({ErrorCode::bad_data, "what", {}}), "what");
+  EXPECT_EQ(describe({ErrorCode::bad_data, "what", {.file = "keys.csv"}}), "keys.csv: what");
+  EXPECT_EQ(describe({ErrorCode::bad_data, "what", {.file = "keys.csv", .line = 7}}), "keys.csv:7: what");
+  EXPECT_EQ(describe({ErrorCode::bad_data, "what", {.file = "-", .line = 7, .column = 3, .key = 2}}),
+            "-:7:3: key 2: what");
+  EXPECT_EQ(describe({ErrorCode::bad_data, "what", {.key = 0}}), "key 0: what");
+}
+
+TEST(Error, TravelsAsTheFailureOfAnExpected) {
+  const Expected<int> nothing = failure(ErrorCode::bad_access, "cannot open", {.file = "x"});
+  ASSERT_FALSE(nothing);
+  EXPECT_EQ(nothing.error().code, ErrorCode::bad_access);
+  EXPECT_EQ(describe(nothing.error()), "x: cannot open");
+}
+
+}  // namespace
+}  // namespace orispline

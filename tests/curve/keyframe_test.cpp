@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+// Keyframes at the door: what is refused and in which words, what is repaired and how it is counted.
+#include <orispline/curve/keyframe.hpp>
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include <support/near.hpp>
+#include <support/specimens.hpp>
+#include <support/tolerance.hpp>
+
+namespace orispline {
+namespace {
+
+using testing_support::near;
+using testing_support::pi;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+KeyframeData three_keys() {
+  return {.times = {0.0, 1.0, 2.5},
+          .orientations = {Eigen::Quaterniond::Identity(), exp<double>(Eigen::Vector3d(0.5, 0, 0)),
+                           exp<double>(Eigen::Vector3d(0.5, 0.7, 0))},
+          .positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}},
+          .angular_velocities = {{0, 0, 1}, {0, 0, 2}, {0, 0, 3}}};
+}
+
+struct BadKeys {
+  const char* name;
+  void (*spoil)(KeyframeData&);
+  const char* message;  ///< as `describe` puts it
+};
+
+class KeyframesRefuse : public testing::TestWithParam<BadKeys> {};
+
+TEST_P(KeyframesRefuse, WithTheKeyAndWhatWasWanted) {
+  KeyframeData data = three_keys();
+  GetParam().spoil(data);
+
+  const auto keys = Keyframes::make(data);
+
+  ASSERT_FALSE(keys);
+  EXPECT_EQ(keys.error().code, ErrorCode::bad_data);
+  EXPECT_EQ(describe(keys.error()), GetParam().message);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Bad, KeyframesRefuse,
+    testing::Values(BadKeys{"NoKeys", [](KeyframeData& d) { d = {}; }, "empty: no keys"},
+                    BadKeys{"FewerOrientations", [](KeyframeData& d) { d.orientations.pop_back(); },
+                            "found 2 orientations for 3 times, wanted one per key"},
+                    BadKeys{"FewerPositions", [](KeyframeData& d) { d.positions.resize(1); },
+                            "found 1 positions for 3 times, wanted one per key"},
+                    BadKeys{"MoreAngularVelocities",
+                            [](KeyframeData& d) { d.angular_velocities.emplace_back(0, 0, 0); },
+                            "found 4 angular velocities for 3 times, wanted one per key"},
+                    BadKeys{"TimeNotANumber", [](KeyframeData& d) { d.times[1] = nan; },
+                            "key 1: time is nan, wanted a finite number"},
+                    BadKeys{"TimeInfinite", [](KeyframeData& d) { d.times[0] = -infinity; },
+                            "key 0: time is -inf, wanted a finite number"},
+                    BadKeys{"TimeTwice", [](KeyframeData& d) { d.times[2] = 1.0; },
+                            "key 2: duplicate time 1, wanted strictly increasing times"},
+                    BadKeys{"TimeBackwards", [](KeyframeData& d) { d.times[2] = 0.5; },
+                            "key 2: time 0.5 comes after 1, wanted strictly increasing times"},
+                    BadKeys{"QuaternionNotANumber", [](KeyframeData& d) { d.orientations[1].y() = nan; },
+                            "key 1: the quaternion has a component that is not finite, wanted a unit quaternion"},
+                    BadKeys{"QuaternionInfinite", [](KeyframeData& d) { d.orientations[0].w() = infinity; },
+                            "key 0: the quaternion has a component that is not finite, wanted a unit quaternion"},
+                    BadKeys{"QuaternionZero", [](KeyframeData& d) { d.orientations[2].coeffs().setZero(); },
+                            "key 2: the quaternion has norm 0, wanted 1 within 0.001"},
+                    BadKeys{"QuaternionFarFromUnit", [](KeyframeData& d) { d.orientations[1].coeffs() *= 1.5; },
+                            "key 1: the quaternion has norm 1.5, wanted 1 within 0.001"},
+                    BadKeys{"QuaternionOverflowing",
+                            [](KeyframeData& d) { d.orientations[1].coeffs().setConstant(1e200); },
+                            "key 1: the quaternion has norm 2e+200, wanted 1 within 0.001"},
+                    BadKeys{"PositionNotANumber", [](KeyframeData& d) { d.positions[2].z() = nan; },
+                            "key 2: the position has a component that is not finite"},
+                    BadKeys{"AngularVelocityInfinite", [](KeyframeData& d) { d.angular_velocities[1].x() = infinity; },
+                            "key 1: the angular velocity has a component that is not finite"}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+TEST(Keyframes, KeepWhatTheyAreGiven) {
+  const KeyframeData data = three_keys();
+  const Keyframes keys = Keyframes::make(data).value();
+  ASSERT_EQ(keys.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(keys.times()[i], data.times[i]);
+    EXPECT_TRUE(near(keys.orientations()[i], data.orientations[i], tolerance::exact));
+    EXPECT_EQ(keys.positions()[i], data.positions[i]);
+    EXPECT_EQ(keys.angular_velocities()[i], data.angular_velocities[i]);
+  }
+  EXPECT_EQ(keys.report().sign_flips, 0u);
+  EXPECT_EQ(keys.report().non_unit_keys, 0u);
+}
+
+TEST(Keyframes, NormaliseAndCountQuaternionsNearlyUnit) {
+  KeyframeData data = three_keys();
+  data.orientations[1].coeffs() *= 1.0009;
+  data.orientations[2].coeffs() *= 1.0 - 5e-7;  // within the rounding of float32 files: not worth counting
+
+  const Keyframes keys = Keyframes::make(data).value();
+
+  for (const auto& q : keys.orientations()) EXPECT_NEAR(q.norm(), 1.0, tolerance::exact);
+  EXPECT_EQ(keys.report().non_unit_keys, 1u);
+  EXPECT_NEAR(keys.report().largest_norm_error, 9e-4, 1e-12);
+}
+
+TEST(Keyframes, FlipSignsOneAfterTheOtherOnTheShortestWay) {
+  KeyframeData data = three_keys();
+  data.orientations[1].coeffs() *= -1.0;
+  data.orientations[2].coeffs() *= -1.0;  // fits its neighbour as given, not after the neighbour's flip
+
+  const Keyframes keys = Keyframes::make(data, Signs::shortest).value();
+
+  EXPECT_EQ(keys.report().sign_flips, 2u);
+  for (std::size_t i = 1; i < 3; ++i) EXPECT_GT(keys.orientations()[i].dot(keys.orientations()[i - 1]), 0.0);
+  EXPECT_TRUE(near(keys.orientations()[0], data.orientations[0], tolerance::exact));
+}
+
+TEST(Keyframes, LeaveSignsAsGivenOnRequest) {
+  KeyframeData data = three_keys();
+  data.orientations[1].coeffs() *= -1.0;
+  const Keyframes keys = Keyframes::make(data, Signs::as_given).value();
+  EXPECT_EQ(keys.report().sign_flips, 0u);
+  EXPECT_LT(keys.orientations()[1].dot(keys.orientations()[0]), 0.0);
+}
+
+TEST(Keyframes, LeaveAStepOfExactlyHalfATurnAsItIs) {
+  const KeyframeData there{.times = {0, 1},
+                           .orientations = {Eigen::Quaterniond::Identity(), quaternion_wxyz(0.0, 0.0, 1.0, 0.0)}};
+  KeyframeData back = there;
+  back.orientations[1].coeffs() *= -1.0;
+  EXPECT_EQ(Keyframes::make(there)->orientations()[1].y(), 1.0);
+  EXPECT_EQ(Keyframes::make(back)->orientations()[1].y(), -1.0);
+  EXPECT_EQ(Keyframes::make(back)->report().sign_flips, 0u);
+}
+
+TEST(Keyframes, StepsJustOverHalfATurnGoTheOtherWay) {
+  const KeyframeData data{
+      .times = {0, 1}, .orientations = {Eigen::Quaterniond::Identity(), exp<double>(Eigen::Vector3d(0, 0, pi + 1e-6))}};
+  const Keyframes keys = Keyframes::make(data).value();
+  const Eigen::Vector3d step = increment<double>(keys.orientations()[0], keys.orientations()[1]);
+  EXPECT_TRUE(near(step, Eigen::Vector3d(0, 0, -(pi - 1e-6)), tolerance::algebra));
+}
+
+TEST(Keyframes, PositionsAndRatesAreOptional) {
+  KeyframeData data = three_keys();
+  data.positions.clear();
+  data.angular_velocities.clear();
+  const Keyframes keys = Keyframes::make(data).value();
+  EXPECT_TRUE(keys.positions().empty());
+  EXPECT_TRUE(keys.angular_velocities().empty());
+}
+
+}  // namespace
+}  // namespace orispline

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// Parameters and end rules at the door: what a family accepts, and the words in which it refuses.
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include <orispline/families/registry.hpp>
+#include <support/specimens.hpp>
+
+namespace orispline {
+namespace {
+
+using namespace testing_support;
+
+struct BadOptions {
+  const char* name;
+  const char* family;
+  CurveOptions options;
+  std::size_t keys;
+  ErrorCode code;
+  const char* message;  ///< as `describe` puts it
+};
+
+class OptionsRefuse : public testing::TestWithParam<BadOptions> {};
+
+TEST_P(OptionsRefuse, WithWhatWasFoundAndWhatWasWanted) {
+  const auto& bad = GetParam();
+  const auto curve = make_curve(bad.family, keyframes(random_walk(241, bad.keys, Spacing::even)), bad.options);
+  ASSERT_FALSE(curve);
+  EXPECT_EQ(curve.error().code, bad.code);
+  EXPECT_EQ(describe(curve.error()), bad.message);
+}
+
+CurveOptions tension(std::vector<double> values) { return {.parameters = {{"tension", std::move(values)}}}; }
+CurveOptions start_at(EndRule rule) { return {.start = {.rule = rule}}; }
+CurveOptions end_at(EndRule rule) { return {.end = {.rule = rule}}; }
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr auto bad_argument = ErrorCode::bad_argument;
+constexpr auto bad_data = ErrorCode::bad_data;
+
+INSTANTIATE_TEST_SUITE_P(
+    Bad, OptionsRefuse,
+    testing::Values(
+        BadOptions{"UnknownFamily",
+                   "quintik",
+                   {},
+                   4,
+                   bad_argument,
+                   "no method 'quintik', wanted one of slerp, squad, squad-timed, quintic, sextic, timed-c1, timed-c2, "
+                   "timed-c3, timed-sextic"},
+        BadOptions{"UnknownParameter",
+                   "timed-c2",
+                   {.parameters = {{"bias", {1.0}}}},
+                   4,
+                   bad_argument,
+                   "timed-c2: no parameter 'bias', wanted one of tension, tension2"},
+        BadOptions{"ParameterOfAFamilyWithout", "slerp", tension({0.5}), 4, bad_argument,
+                   "slerp: no parameter 'tension', wanted none: this method has no parameters"},
+        BadOptions{"NoValues", "quintic", tension({}), 4, bad_argument,
+                   "quintic: found 0 values of tension, wanted 1 or one per key (4)"},
+        BadOptions{"TooFewValues", "quintic", tension({0.5, 0.5, 0.5}), 4, bad_argument,
+                   "quintic: found 3 values of tension, wanted 1 or one per key (4)"},
+        BadOptions{"TooManyValues", "quintic", tension({0.5, 0.5, 0.5, 0.5, 0.5}), 4, bad_argument,
+                   "quintic: found 5 values of tension, wanted 1 or one per key (4)"},
+        BadOptions{"ValueAboveTheRange", "quintic", tension({100.5}), 4, bad_argument,
+                   "quintic: tension is 100.5, wanted -100 to 100"},
+        BadOptions{"ValueBelowTheRangeAtAKey", "sextic", tension({0, 0, -101, 0}), 4, bad_argument,
+                   "key 2: sextic: tension is -101, wanted -100 to 100"},
+        BadOptions{"ValueNotANumber", "timed-c1", tension({nan}), 4, bad_argument,
+                   "timed-c1: tension is nan, wanted -100 to 100"},
+        BadOptions{"ValueInfinite", "timed-c1", tension({0, std::numeric_limits<double>::infinity(), 0, 0}), 4,
+                   bad_argument, "key 1: timed-c1: tension is inf, wanted -100 to 100"},
+        BadOptions{"EndRuleOfAnotherFamily", "squad", start_at(EndRule::natural), 4, bad_argument,
+                   "squad: no end rule 'natural', wanted one of key, phantom"},
+        BadOptions{"EndRuleOfAnotherFamilyAtTheEnd", "quintic", end_at(EndRule::phantom), 4, bad_argument,
+                   "quintic: no end rule 'phantom', wanted one of repeat, natural, quadratic, cubic, clamped, rest"},
+        BadOptions{"TooFewKeysForQuadraticEnds", "timed-c2", start_at(EndRule::quadratic), 2, bad_data,
+                   "timed-c2: ends 'quadratic' need 3 keys, found 2"},
+        BadOptions{"TooFewKeysForCubicEnds", "timed-c2", end_at(EndRule::cubic), 3, bad_data,
+                   "timed-c2: ends 'cubic' need 4 keys, found 3"},
+        BadOptions{"EndRateNotFinite",
+                   "timed-c2",
+                   {.start = {EndRule::clamped, {nan, 0, 0}}},
+                   4,
+                   bad_argument,
+                   "timed-c2: an end rate is not finite"}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+TEST(Options, NameTheEndRulesOfAFamily) {
+  const FamilyInfo& squad = *find_family("squad").value();
+  EXPECT_EQ(end_rule_by_name(squad, "phantom").value(), EndRule::phantom);
+  const auto unknown = end_rule_by_name(squad, "soft");
+  ASSERT_FALSE(unknown);
+  EXPECT_EQ(unknown.error().message, "squad: no end rule 'soft', wanted one of key, phantom");
+}
+
+TEST(Options, AreRefusedByAFamilyWithoutEndRules) {
+  const Keyframes keys = keyframes(random_walk(242, 3, Spacing::even));
+  const auto curve = make_curve("slerp", keys, start_at(EndRule::natural));
+  ASSERT_FALSE(curve);
+  EXPECT_EQ(curve.error().code, ErrorCode::bad_argument);
+}
+
+TEST(Options, HaveNegativeAndZeroTensions) {
+  const Keyframes keys = keyframes(random_walk(243, 4, Spacing::even));
+  EXPECT_TRUE(make_curve("quintic", keys, tension({-0.1, 0.2, 0.0, -3.0})));
+}
+
+TEST(Options, AreCheckedEvenForASingleKey) {
+  const Keyframes one = keyframes(random_walk(244, 1, Spacing::even));
+  EXPECT_TRUE(make_curve("timed-c2", one, tension({0.3})));
+  EXPECT_FALSE(make_curve("timed-c2", one, tension({1e9})));
+  EXPECT_FALSE(make_curve("timed-c2", one, {.parameters = {{"bias", {1.0}}}}));
+}
+
+TEST(Settings, HoldEveryParameterAndTheChosenEnds) {
+  const FamilyInfo& family = *find_family("timed-c3").value();
+  const FamilySettings settings = settle(family, {.end = {EndRule::rest, {1, 2, 3}}}, 4).value();
+  EXPECT_EQ(settings.parameters.size(), 3u);
+  EXPECT_EQ(settings.per_key("tension")[3], 0.5);
+  EXPECT_EQ(settings.per_key("tension2")[0], 1.0);
+  EXPECT_EQ(settings.per_key("tension3")[1], 0.0);
+  EXPECT_EQ(settings.start.rule, EndRule::natural);
+  EXPECT_EQ(settings.end.rule, EndRule::rest);
+  EXPECT_EQ(settings.end.angular_velocity, Eigen::Vector3d::Zero());
+}
+
+TEST(PerKey, GivesOneValueToAllOrEachItsOwn) {
+  EXPECT_EQ(PerKey({0.7})[12], 0.7);
+  EXPECT_EQ(PerKey({0.1, 0.2, 0.3})[2], 0.3);
+}
+
+}  // namespace
+}  // namespace orispline

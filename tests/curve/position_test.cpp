@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+// Positions ride along: by the same blending functions, linear for slerp, Catmull–Rom in time for the squads.
+#include <gtest/gtest.h>
+
+#include <orispline/families/registry.hpp>
+#include <support/near.hpp>
+#include <support/specimens.hpp>
+#include <support/tolerance.hpp>
+
+namespace orispline {
+namespace {
+
+using namespace testing_support;
+
+KeyframeData walk_with_positions(std::uint64_t seed, Spacing spacing = Spacing::uneven) {
+  KeyframeData data = random_walk(seed, 7, spacing);
+  Dice dice(seed + 1);
+  for (std::size_t i = 0; i < 7; ++i) data.positions.push_back(3.0 * dice.vector());
+  return data;
+}
+
+AnyPath path(std::string_view family, const Keyframes& keys, const CurveOptions& options = {}) {
+  return make_pose_curve(family, keys, options)->position.value();
+}
+
+TEST(Position, IsAbsentWhereTheKeysHaveNone) {
+  const PoseCurve pose = make_pose_curve("slerp", keyframes(random_walk(251, 4, Spacing::even))).value();
+  EXPECT_FALSE(pose.position.has_value());
+}
+
+TEST(Position, PassesThroughTheKeysForEveryFamily) {
+  const Keyframes keys = keyframes(walk_with_positions(252));
+  for (const FamilyInfo& family : families_info())
+    for (std::size_t i = 0; i < keys.size(); ++i)
+      for (const Side side : {Side::left, Side::right})
+        EXPECT_TRUE(near(path(family.name, keys).travel(keys.times()[i], side).position, keys.positions()[i],
+                         tolerance::algebra))
+            << family.name;
+}
+
+TEST(Position, HoldsTheEndsAtRestOutside) {
+  const Keyframes keys = keyframes(walk_with_positions(253));
+  for (const FamilyInfo& family : families_info()) {
+    const AnyPath p = path(family.name, keys);
+    EXPECT_TRUE(near(p.travel(-100.0).position, keys.positions().front(), tolerance::algebra)) << family.name;
+    EXPECT_TRUE(near(p.travel(100.0).position, keys.positions().back(), tolerance::algebra)) << family.name;
+    EXPECT_EQ(p.travel(100.0).velocity, Eigen::Vector3d::Zero());
+    EXPECT_EQ(p.travel(-100.0).acceleration, Eigen::Vector3d::Zero());
+  }
+}
+
+TEST(Position, OfOneKeyStaysThere) {
+  KeyframeData data = random_walk(254, 1, Spacing::even);
+  data.positions = {{1, 2, 3}};
+  for (const FamilyInfo& family : families_info()) {
+    const AnyPath p = path(family.name, keyframes(data));
+    for (const double t : {-1.0, data.times[0], 5.0}) {
+      EXPECT_EQ(p.travel(t).position, Eigen::Vector3d(1, 2, 3));
+      EXPECT_EQ(p.travel(t).velocity, Eigen::Vector3d::Zero());
+    }
+  }
+}
+
+TEST(Position, IsLinearForSlerp) {
+  const Keyframes keys = keyframes(walk_with_positions(255));
+  const AnyPath p = path("slerp", keys);
+  const double h = keys.times()[3] - keys.times()[2];
+  const Eigen::Vector3d chord = keys.positions()[3] - keys.positions()[2];
+  const Travel travel = p.travel(keys.times()[2] + 0.3 * h);
+  EXPECT_TRUE(near(travel.position, keys.positions()[2] + 0.3 * chord, tolerance::algebra));
+  EXPECT_TRUE(near(travel.velocity, chord / h, tolerance::series));
+  EXPECT_TRUE(near(travel.acceleration, Eigen::Vector3d::Zero(), tolerance::series));
+}
+
+TEST(Position, HasTheDerivativesOfItself) {
+  const Keyframes keys = keyframes(walk_with_positions(256));
+  for (const FamilyInfo& family : families_info()) {
+    const AnyPath p = path(family.name, keys);
+    for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
+      const double step = keys.times()[i + 1] - keys.times()[i], h = tolerance::difference_step * step;
+      const double t = keys.times()[i] + 0.4 * step;
+      const Travel before = p.travel(t - h), here = p.travel(t), after = p.travel(t + h);
+      EXPECT_TRUE(near((after.position - before.position) / (2 * h), here.velocity, tolerance::difference));
+      EXPECT_TRUE(near((after.velocity - before.velocity) / (2 * h), here.acceleration, tolerance::difference));
+    }
+  }
+}
+
+TEST(Position, KeepsAConstantVelocityWhereTheFamilyKeepsAConstantRate) {
+  const Eigen::Vector3d velocity(1.0, -2.0, 0.5);
+  KeyframeData data = random_walk(257, 7, Spacing::uneven);
+  for (const double t : data.times) data.positions.push_back(velocity * t);
+  const Keyframes keys = keyframes(data);
+  for (const FamilyInfo& family : families_info()) {
+    CurveOptions options;
+    if (std::ranges::count(family.ends, EndRule::natural) > 0) options.start.rule = options.end.rule = EndRule::natural;
+    const AnyPath p = path(family.name, keys, options);
+    double deviation = 0.0;
+    for (const double t : sample_times(keys.times()))
+      deviation = std::max(deviation, relative_error(p.travel(t).velocity, velocity));
+    const bool catmull_rom =
+        family.name == "squad";  // its orientations run in the normalised parameter, its positions in time
+    if (family.keeps_constant_rate_uneven || catmull_rom) {
+      EXPECT_LE(deviation, tolerance::series) << family.name;
+    } else {
+      EXPECT_GE(deviation, tolerance::visible_jump) << family.name;
+    }
+  }
+}
+
+TEST(Position, FollowsTheSameBlendingFunctionsAsTheOrientation) {
+  // About one axis the angle is a Euclidean curve: positions equal to the angles must move as the angle does.
+  const std::array angles{0.0, 0.9, 0.4, 1.5, 1.2, -0.3};
+  KeyframeData data{.times = {0.0, 0.4, 1.0, 1.9, 2.0, 2.7}};
+  for (const double angle : angles) {
+    data.orientations.push_back(exp<double>(Eigen::Vector3d(angle, 0, 0)));
+    data.positions.emplace_back(angle, 0, 0);
+  }
+  const Keyframes keys = keyframes(data);
+  for (const FamilyInfo& family : families_info()) {
+    if (family.name.starts_with("squad")) continue;
+    for (const EndRule rule :
+         family.ends.empty() ? std::vector{EndRule::none} : std::vector(family.ends.begin(), family.ends.end())) {
+      if (rule == EndRule::clamped) continue;  // an angular end rate says nothing about positions
+      const PoseCurve pose =
+          make_pose_curve(family.name, keys, {.start = {.rule = rule}, .end = {.rule = rule}}).value();
+      for (const double t : sample_times(keys.times())) {
+        const Motion m = pose.orientation.motion(t);
+        const Travel p = pose.position->travel(t);
+        EXPECT_TRUE(near(exp<double>(p.position), m.orientation, tolerance::algebra)) << family.name;
+        EXPECT_TRUE(near(p.velocity, m.angular_velocity, tolerance::series)) << family.name;
+        EXPECT_TRUE(near(p.acceleration, m.angular_acceleration, tolerance::rates)) << family.name;
+      }
+    }
+  }
+}
+
+TEST(Position, ContinuesNaturallyWhereTheOrientationIsClamped) {
+  const Keyframes keys = keyframes(walk_with_positions(258));
+  const End clamped{.rule = EndRule::clamped, .angular_velocity = {1, 2, 3}}, natural{.rule = EndRule::natural};
+  const AnyPath found = path("timed-c2", keys, {.start = clamped, .end = clamped});
+  const AnyPath wanted = path("timed-c2", keys, {.start = natural, .end = natural});
+  for (const double t : sample_times(keys.times())) EXPECT_EQ(found.travel(t).position, wanted.travel(t).position);
+}
+
+TEST(Position, OfSquadsIsCatmullRomInTime) {
+  const Keyframes keys = keyframes(walk_with_positions(259));
+  for (const char* family : {"squad", "squad-timed"}) {
+    const AnyPath p = path(family, keys);
+    for (std::size_t i = 1; i + 1 < keys.size(); ++i) {
+      const double before = keys.times()[i] - keys.times()[i - 1], after = keys.times()[i + 1] - keys.times()[i];
+      const Eigen::Vector3d a = keys.positions()[i] - keys.positions()[i - 1];
+      const Eigen::Vector3d b = keys.positions()[i + 1] - keys.positions()[i];
+      const Eigen::Vector3d tangent_of_the_parabola = (after / before * a + before / after * b) / (before + after);
+      for (const Side side : {Side::left, Side::right})
+        EXPECT_TRUE(near(p.travel(keys.times()[i], side).velocity, tangent_of_the_parabola, tolerance::series));
+    }
+    const double h = keys.times()[1] - keys.times()[0];
+    EXPECT_TRUE(
+        near(p.travel(keys.times()[0]).velocity, (keys.positions()[1] - keys.positions()[0]) / h, tolerance::series));
+  }
+}
+
+}  // namespace
+}  // namespace orispline

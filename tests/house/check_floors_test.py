@@ -1,0 +1,111 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""check_floors.py finds each kind of breach in a small house that is sound otherwise."""
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SCRIPT = pathlib.Path(__file__).resolve().parents[2] / "tools" / "check_floors.py"
+SPDX = "// SPDX-License-Identifier: Apache-2.0\n"
+HEADER = SPDX + "#pragma once\n"
+SOUND = {
+    "src/orispline/math/so3.hpp": HEADER,
+    "src/orispline/curve/knots.hpp": HEADER + "#include <orispline/math/so3.hpp>\n",
+    "src/orispline/families/slerp.hpp": HEADER + "#include <orispline/curve/knots.hpp>\n",
+    "src/orispline/io/csv.cpp": SPDX + "#include <fast_float/fast_float.h>\n#include <orispline/curve/knots.hpp>\n",
+    "src/orispline/orispline.hpp": HEADER + "#include <orispline/families/slerp.hpp>\n",
+    "cli/main.cpp": SPDX + "#include <CLI/CLI.hpp>\n#include <orispline/orispline.hpp>\n",
+    "tools/simulate.py": "#!/usr/bin/env python3\n" + SPDX.replace("//", "#"),
+}
+
+
+def report(**changes):
+    """What the script says about the sound house with some files replaced or added; exit code 0 gives None."""
+    with tempfile.TemporaryDirectory() as house:
+        for path, text in (SOUND | changes.get("files", {})).items():
+            file = pathlib.Path(house, path)
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(text, "utf-8")
+        run = subprocess.run([sys.executable, SCRIPT, house], capture_output=True, text=True, check=False)
+        return run.stderr if run.returncode else None
+
+
+def function_of(lines, head="int f(int a) {"):
+    return head + "\n" + "  a += 1;\n" * (lines - 2) + "}\n"
+
+
+class CheckFloors(unittest.TestCase):
+    def assert_breach(self, path, text, message):
+        self.assertIn(message, report(files={path: text}) or "no breach")
+
+    def assert_sound(self, path, text):
+        self.assertIsNone(report(files={path: text}))
+
+    def test_accepts_a_sound_house(self):
+        self.assertIsNone(report())
+
+    def test_finds_an_include_upwards(self):
+        self.assert_breach("src/orispline/math/so3.hpp", HEADER + "#include <orispline/curve/keyframe.hpp>\n",
+                           "math/so3.hpp: floor math must not include orispline/curve/keyframe.hpp")
+
+    def test_finds_an_include_of_a_neighbouring_wing(self):
+        self.assert_breach("src/orispline/io/csv.cpp", SPDX + "#include <orispline/families/slerp.hpp>\n",
+                           "floor io must not include orispline/families/slerp.hpp")
+
+    def test_finds_the_umbrella_header_inside_the_house(self):
+        self.assert_breach("src/orispline/io/csv.cpp", SPDX + "#include <orispline/orispline.hpp>\n", "floor io must not")
+
+    def test_finds_a_folder_that_is_no_floor(self):
+        self.assert_breach("src/orispline/attic/box.cpp", SPDX + "#include <orispline/math/so3.hpp>\n", "floor attic")
+
+    def test_finds_a_circle_on_one_floor(self):
+        circle = {"src/orispline/math/a.hpp": HEADER + "#include <orispline/math/b.hpp>\n",
+                  "src/orispline/math/b.hpp": HEADER + "#include <orispline/math/a.hpp>\n"}
+        self.assertIn("include circle: src/orispline/math/", report(files=circle) or "no breach")
+
+    def test_finds_a_guest_in_the_wrong_room(self):
+        self.assert_breach("src/orispline/math/so3.hpp", HEADER + "#include <nlohmann/json.hpp>\n",
+                           "nlohmann/json.hpp is for cli/ only")
+
+    def test_finds_an_include_with_quotes(self):
+        self.assert_breach("src/orispline/io/csv.cpp", SPDX + '#include "csv.hpp"\n', "found one with quotes")
+
+    def test_finds_a_file_of_301_lines(self):
+        self.assert_sound("cli/main.cpp", SPDX + "int a;\n" * 299)
+        self.assert_breach("cli/main.cpp", SPDX + "int a;\n" * 300, "cli/main.cpp: 301 lines, at most 300")
+
+    def test_finds_a_function_of_61_lines(self):
+        for head in ("int f(int a) {", "template <class T>\nint f(T a)\n    requires(true) {", "TEST(Csv, Reads) {",
+                     "namespace n {\nstruct S {\nint a;\nS(int b) : a(b) {"):
+            tail = "};\n}\n" if "struct" in head else ""
+            extra = head.count("\n") if "template" in head else 0
+            self.assert_sound("cli/main.cpp", SPDX + function_of(60 - extra, head) + tail)
+            self.assert_breach("cli/main.cpp", SPDX + function_of(61 - extra, head) + tail, "function of 61 lines at line")
+
+    def test_does_not_take_a_class_or_namespace_for_a_function(self):
+        for head in ("namespace n {", "struct S {", "class S final : public T<f(1)> {", "template <class T> struct S {"):
+            self.assert_sound("cli/main.cpp", SPDX + head + "\n" + "int a = f('{', \"{\");  // }\n" * 70 + "};\n")
+
+    def test_finds_a_long_python_function(self):
+        body = SOUND["tools/simulate.py"] + "def f(a):\n" + "    a += 1\n" * 59
+        self.assert_sound("tools/simulate.py", body)
+        self.assert_breach("tools/simulate.py", body + "    a += 1\n", "function of 61 lines at line 3")
+
+    def test_finds_a_median_of_200_lines(self):
+        self.assertIn("the median file has 201", report(files={p: t + "\n" * (201 - t.count("\n")) for p, t in SOUND.items()}))
+
+    def test_finds_a_missing_licence_line(self):
+        self.assert_breach("cli/main.cpp", "int a;\n", "cli/main.cpp: the first line is not the SPDX line")
+
+    def test_finds_a_header_without_pragma_once(self):
+        self.assert_breach("src/orispline/math/so3.hpp", SPDX, "so3.hpp: no #pragma once")
+
+    def test_finds_a_name_that_is_no_room(self):
+        self.assert_breach("src/orispline/math/utils.hpp", HEADER, "utils.hpp: this name is not a room")
+        self.assert_breach("cli/detail/print.cpp", SPDX, "detail/print.cpp: this name is not a room")
+
+
+if __name__ == "__main__":
+    unittest.main()

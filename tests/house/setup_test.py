@@ -1,0 +1,90 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""setup.sh on machines of our own making: a search path with few commands, and an apt that writes down its orders."""
+import pathlib
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+SCRIPT = pathlib.Path(__file__).resolve().parents[2] / "tools" / "setup.sh"
+APT = """#!/bin/sh
+echo "$@" >> "{log}"
+case "$*" in *install*) {on_install} ;; esac
+"""
+
+
+class Machine:
+    def __init__(self, folder):
+        self.folder = pathlib.Path(folder)
+        self.log = self.folder / "apt.log"
+        self.bin = self.folder / "bin"
+        self.bin.mkdir()
+        for command in ("cat", "chmod", "env", "grep", "id", "tr"):
+            (self.bin / command).symlink_to(shutil.which(command))
+
+    def add_command(self, name, text="#!/bin/sh\n"):
+        (self.bin / name).write_text(text, "utf-8")
+        (self.bin / name).chmod(0o755)
+
+    def add_header(self, name):
+        header = self.folder / "include" / name
+        header.parent.mkdir(parents=True, exist_ok=True)
+        header.touch()
+
+    def add_apt(self, on_install):
+        self.add_command("sudo", '#!/bin/sh\nexec "$@"\n')
+        self.add_command("apt-cache")
+        self.add_command("apt-get", APT.format(log=self.log, on_install=on_install.format(bin=self.bin)))
+
+    def setup(self, *groups):
+        environment = {"PATH": str(self.bin), "CMAKE_PREFIX_PATH": str(self.folder)}
+        return subprocess.run(["/bin/sh", SCRIPT, *groups], env=environment, capture_output=True, text=True, check=False)
+
+    def orders(self):
+        return self.log.read_text("utf-8").splitlines() if self.log.exists() else []
+
+
+class Setup(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.machine = Machine(folder.name)
+
+    def test_asks_nothing_of_apt_when_all_is_there(self):
+        self.machine.add_command("doxygen")
+        self.machine.add_apt("exit 1")
+        run = self.machine.setup("docs")
+        self.assertEqual((run.returncode, run.stdout, run.stderr, self.machine.orders()), (0, "", "", []))
+
+    def test_installs_only_what_is_missing(self):
+        self.machine.add_command("gcovr")
+        self.machine.add_apt("echo > {bin}/clang++; chmod +x {bin}/clang++")
+        run = self.machine.setup("check")
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        options = "-qq -o DPkg::Lock::Timeout=600"
+        self.assertEqual(self.machine.orders(),
+                         [f"{options} update", f"{options} install -y --no-install-recommends clang"])
+
+    def test_fails_and_names_the_package_when_apt_fails(self):
+        self.machine.add_apt("exit 100")
+        run = self.machine.setup("docs")
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("not here (Debian's names of the packages): doxygen\n", run.stderr)
+
+    def test_fails_and_names_the_packages_without_apt(self):
+        run = self.machine.setup("check", "docs")
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("clang gcovr doxygen\nsetup: install them, then try again\n", run.stderr)
+
+    def test_goes_on_without_what_is_only_welcome(self):
+        for header in ("gtest/gtest.h", "rapidcheck.h"):
+            self.machine.add_header(header)
+        self.machine.add_command("python3")
+        run = self.machine.setup("test")
+        self.assertEqual((run.returncode, run.stderr),
+                         (0, "setup: not here (Debian's names of the packages): pkg-config clang-format-14\n"))
+
+
+if __name__ == "__main__":
+    unittest.main()

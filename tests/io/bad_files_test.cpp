@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <orispline/io/key_file.hpp>
+
+#include "io/text_file.hpp"
+
+namespace orispline::io {
+namespace {
+
+using namespace std::string_literals;
+
+/// A file that cannot be read as keyframes, and the exact error.
+struct BadFile {
+  std::string content;
+  std::string error;
+  std::string name = "keys.csv";
+  ReadOptions options{};
+  ErrorCode code = ErrorCode::bad_data;
+};
+
+const std::string header = "t,qw,qx,qy,qz\n";
+const std::string key = "0,1,0,0,0\n";
+
+std::string not_a_number(const std::string& place, const std::string& cell) {
+  return "keys.csv:" + place + ": found '" + cell + "', wanted a number such as -1.5e-3";
+}
+std::string not_finite(const std::string& place, const std::string& found) {
+  return "keys.csv:" + place + ": found " + found + ", wanted a finite number (--drop-invalid drops such rows)";
+}
+
+void expect_refusals(const std::vector<BadFile>& files) {
+  for (const BadFile& bad : files) {
+    const auto file = read_keys(test::TextFile(bad.content, bad.name).path(), bad.options);
+    if (file) {
+      ADD_FAILURE() << "read without an error: " << bad.content;
+      continue;
+    }
+    EXPECT_EQ(test::text_of(file.error()), bad.error) << bad.content.substr(0, 200);
+    EXPECT_EQ(file.error().code, bad.code) << bad.content.substr(0, 200);
+  }
+}
+
+TEST(BadFile, WithoutKeysIsCalledEmpty) {
+  const std::string empty = "keys.csv: empty: no keys";
+  expect_refusals({
+      {"", empty},
+      {"\n\r\n \t\n", empty},
+      {"# only\n# comments\n", empty},
+      {"\xEF\xBB\xBF", empty},
+      {header, empty},
+      {header + "\n# 0,1,0,0,0\n", empty},
+      {header + "nan,1,0,0,0\n1,,0,0,0\n",
+       empty + " (all 2 rows were dropped as invalid)",
+       "keys.csv",
+       {.drop_invalid = true}},
+      {"", "keys.tum: empty: no keys", "keys.tum"},
+      {"# timestamp tx ty tz qx qy qz qw\n", "keys.txt: empty: no keys", "keys.txt"},
+  });
+}
+
+TEST(BadFile, ThatIsNoTextIsNamedSo) {
+  expect_refusals({
+      {"t,qw\0"s, "keys.csv:1: found a NUL byte, wanted a text file"},
+      {header + "0,1,0,0,0\n1,1,\0,0,0\n"s, "keys.csv:3: found a NUL byte, wanted a text file"},
+      {"\xFF\xFEt\0,\0"s, "keys.csv:1: the file is UTF-16 text, wanted UTF-8"},
+      {"t,qw,qx,qy,qz\r0,1,0,0,0\r",
+       "keys.csv:1: found a carriage return within the line, wanted lines that end in LF or CRLF"},
+      {std::string(std::size_t{17} << 20, 'x'), "keys.csv:1: the line is longer than 16 MiB, wanted a text file"},
+      {header + "\"0,1,0,0,0\n", "keys.csv:2:1: found a quote that is not closed"},
+  });
+}
+
+TEST(BadFile, WithoutAUsableHeaderSaysWhatIsMissing) {
+  const std::string two_ways =
+      "no header, wanted a first line such as t,qw,qx,qy,qz or the order of the columns by --order wxyz|xyzw";
+  const std::string advice = "; other names are given by --columns ";
+  expect_refusals({
+      {key, "keys.csv:1: " + two_ways},
+      {"# comment\n\n" + key, "keys.csv:3: " + two_ways},
+      {"0x10,1,0,0,0\n", "keys.csv:1: " + two_ways},
+      {"nan,1,0,0,0\n", "keys.csv:1: " + two_ways},
+      {"0 1 2 3 0 0 0 1\n", "keys.csv:1: " + two_ways + " (or --format tum)"},
+      {"0 1 2 3 0 0 1\n", "keys.txt:1: " + two_ways, "keys.txt"},
+      {"t,qw,qx,qz\n" + key, "keys.csv:1: no column qy, found 't,qw,qx,qz'" + advice + "qy=NAME,..."},
+      {"sclk,q0,q1,q2,q3\n" + key,
+       "keys.csv:1: no column t, qw, qx, qy, qz, found 'sclk,q0,q1,q2,q3'" + advice + "t=NAME,..."},
+      {"T,QW,QX,QY,QZ\n" + key,
+       "keys.csv:1: no column t, qw, qx, qy, qz, found 'T,QW,QX,QY,QZ'" + advice + "t=NAME,..."},
+      {"t_min,qw,qx,qy,qz\n" + key, "keys.csv:1: no column t, found 't_min,qw,qx,qy,qz'" + advice + "t=NAME,..."},
+      {"t:qw:qx:qy:qz\n" + key,
+       "keys.csv:1: no column t, qw, qx, qy, qz, found 't:qw:qx:qy:qz'" + advice + "t=NAME,..."},
+      {"hello world\n", "keys.txt:1: no column t, qw, qx, qy, qz, found 'hello,world'" + advice + "t=NAME,...",
+       "keys.txt"},
+      {"t,qw,qx,qy,qz,qw\n", "keys.csv:1: the column 'qw' is there twice, wanted it once"},
+      {"t,time_ns,qw,qx,qy,qz\n", "keys.csv:1: 't' and 'time_ns' may both be t, choose one with --columns t=NAME"},
+      {"t,qw,qx,qy,qz,px,pz\n", "keys.csv:1: found px, pz without py, wanted all three columns or none"},
+      {"t,qw,qx,qy,qz,wz_rad_s\n", "keys.csv:1: found wz without wx, wy, wanted all three columns or none"},
+      {"t,qw,qx,qy,qz,wx,wx_deg_s\n",
+       "keys.csv:1: 'wx' and 'wx_deg_s' may both be wx, choose one with --columns wx=NAME"},
+  });
+}
+
+TEST(BadFile, ThatContradictsTheOptionsIsBadUsage) {
+  const auto contradiction = [](std::string content, std::string error, std::string name, ReadOptions options) {
+    return BadFile{std::move(content), std::move(error), std::move(name), std::move(options), ErrorCode::bad_argument};
+  };
+  expect_refusals({
+      contradiction(header + key, "keys.csv:1: --order is for CSV without a header, and this line is one", "keys.csv",
+                    {.order = QuaternionOrder::wxyz}),
+      contradiction("0 1 2 3 0 0 0 1\n", "keys.tum:1: --order is for CSV, and TUM is always t tx ty tz qx qy qz qw",
+                    "keys.tum", {.order = QuaternionOrder::xyzw}),
+      contradiction("0 1 2 3 0 0 0 1\n", "keys.tum:1: --columns needs a header, and TUM has none", "keys.tum",
+                    {.columns = {{"t", "x"}}}),
+      contradiction(key, "keys.csv:1: --columns needs a header, and the file has none", "keys.csv",
+                    {.columns = {{"t", "x"}}, .order = QuaternionOrder::wxyz}),
+      contradiction(header + key,
+                    "keys.csv:1: --columns roll=qx: no such column is read, wanted one of t, qw, qx, qy, qz, px, py, "
+                    "pz, wx, wy, wz, tension",
+                    "keys.csv", {.columns = {{"roll", "qx"}}, .parameters = {"tension"}}),
+      contradiction(header + key, "the time scale is 0, wanted a number greater than 0", "keys.csv",
+                    {.time_scale = Decimal()}),
+      contradiction(header + key, "the time scale is -0.001, wanted a number greater than 0", "keys.csv",
+                    {.time_scale = -Decimal::power_of_ten(-3)}),
+  });
+  expect_refusals({{header + key,
+                    "keys.csv:1: no column 'q0_w' for qw, found 't,qw,qx,qy,qz'",
+                    "keys.csv",
+                    {.columns = {{"qw", "q0_w"}}}}});
+}
+
+TEST(BadFile, WithAWrongNumberOfCellsNamesTheLine) {
+  const std::string widths = " columns without a header, wanted 5 (t and the quaternion) or 8 (px, py, pz after them)";
+  expect_refusals({
+      {header + "0,1,0,0\n", "keys.csv:2: found 4 cells, wanted 5"},
+      {header + key + "1,1,0,0,0,7\n", "keys.csv:3: found 6 cells, wanted 5"},
+      {header + key + "1;1;0;0;0\n", "keys.csv:3: found 1 cell, wanted 5"},
+      {header + key + "1,1,0,0,0,,7\n", "keys.csv:3: found 7 cells, wanted 5"},
+      {header + key + "1,1,0\n", "keys.csv:3: found 3 cells, wanted 5", "keys.csv", {.drop_invalid = true}},
+      {"0 1 2 3 0 0 0\n", "keys.tum:1: found 7 cells, wanted 8", "keys.tum"},
+      {"0,1,2,3,0,0,0,1\n", "keys.tum:1: found 1 cell, wanted 8", "keys.tum"},
+      {"0 1 2 3 0 0 0 1\n1 1 2 3 0 0 0 1 9\n", "keys.txt:2: found 9 cells, wanted 8", "keys.txt"},
+      {"0,1,0,0\n", "keys.csv:1: found 4" + widths, "keys.csv", {.order = QuaternionOrder::wxyz}},
+      {"0,1,0,0,0,1,2\n", "keys.csv:1: found 7" + widths, "keys.csv", {.order = QuaternionOrder::xyzw}},
+  });
+}
+
+TEST(BadFile, WithACellThatIsNoNumberNamesLineAndColumn) {
+  expect_refusals({
+      {header + "0,one,0,0,0\n", not_a_number("2:2", "one")},
+      {header + key + "# 3\n\n1,1,0,0,abc\n", not_a_number("5:5", "abc")},
+      {header + "0,0x10,0,0,0\n", not_a_number("2:2", "0x10")},
+      {"t;qw;qx;qy;qz\n0;1,0;0;0;0\n", not_a_number("2:2", "1,0")},
+      {header + "0,1.0.0,0,0,0\n", not_a_number("2:2", "1.0.0")},
+      {header + "0,1 2,0,0,0\n", not_a_number("2:2", "1 2")},
+      {header + "0,1,--0,0,0\n", not_a_number("2:3", "--0")},
+      {header + "0,1,0,1e,0\n", not_a_number("2:4", "1e")},
+      {header + "0,1,0,0,NA\n", not_a_number("2:5", "NA")},
+      {header + "12:30:01,1,0,0,0\n", not_a_number("2:1", "12:30:01")},
+      {header + "2024-05-01T12:30:01Z,1,0,0,0\n", not_a_number("2:1", "2024-05-01T12:30:01Z")},
+      {header + "0,1,0,0," + std::string(1 << 20, '#') + "\n", not_a_number("2:5", std::string(40, '#') + "...")},
+      {header + "0,1e999,0,0,0\n", "keys.csv:2:2: found '1e999', wanted a number below 1.8e308 in size"},
+      {header + "1e999,1,0,0,0\n", "keys.csv:2:1: found '1e999', wanted a number between 1e-150 and 1e150 in size"},
+      {header + "0.12345678901234567890123456789012345678,1,0,0,0\n",
+       "keys.csv:2:1: found '0.12345678901234567890123456789012345678', wanted at most 37 significant digits"},
+      {"timestamp tx ty tz qx qy qz qw\n0 1 2 3 0 0 0 1\n",
+       "keys.tum:1:1: found 'timestamp', wanted a number such as -1.5e-3", "keys.tum"},
+      {"t,qw,qx,qy,qz,px,py,pz\n0,1,0,0,0,1,up,3\n", not_a_number("2:7", "up")},
+      {"t,qw,qx,qy,qz,tension\n0,1,0,0,0,tight\n",
+       not_a_number("2:6", "tight"),
+       "keys.csv",
+       {.parameters = {"tension"}}},
+      {header + "x,nan,0,0,0\n", not_a_number("2:1", "x"), "keys.csv", {.drop_invalid = true}},
+  });
+}
+
+TEST(BadFile, WithACellThatIsNotFiniteNamesTheRepair) {
+  expect_refusals({
+      {header + "0,nan,0,0,0\n", not_finite("2:2", "'nan'")},
+      {header + "0,1,NaN,0,0\n", not_finite("2:3", "'NaN'")},
+      {header + "-inf,1,0,0,0\n", not_finite("2:1", "'-inf'")},
+      {header + "0,1,0,0,\n", not_finite("2:5", "an empty cell")},
+      {header + ",1,0,0,0\n", not_finite("2:1", "an empty cell")},
+      {header + ",,,,\n", not_finite("2:1", "an empty cell")},
+      {"t,qw,qx,qy,qz,wx,wy,wz\n0,1,0,0,0,1,2,infinity\n", not_finite("2:8", "'infinity'")},
+      {"t,qw,qx,qy,qz,px_km,py,pz\n0,1,0,0,0,1e308,0,0\n", not_finite("2:6", "'1e308'")},
+  });
+}
+
+TEST(BadFile, WhoseTimesDoNotIncreaseNamesThemAsTheyStandThere) {
+  const std::string duplicate = ", wanted increasing times (--drop-duplicates keeps the first)";
+  const std::string decrease = ", wanted increasing times (--sort orders the rows)";
+  expect_refusals({
+      {header + "1311868229.5760,1,0,0,0\n1311868229.5760,1,0,0,0\n",
+       "keys.csv:3: key 1: duplicate time 1311868229.5760, as in line 2" + duplicate},
+      {header + "0,1,0,0,0\n\n# four\n-0.0,1,0,0,0\n",
+       "keys.csv:5: key 1: duplicate time -0.0, as in line 2" + duplicate},
+      {header + "1700000000.25,1,0,0,0\n1699999999.75,1,0,0,0\n",
+       "keys.csv:3: key 1: time 1699999999.75 comes after 1700000000.25" + decrease},
+      {"t_ns,qw,qx,qy,qz\n5,1,0,0,0\n6,1,0,0,0\n4,1,0,0,0\n", "keys.csv:4: key 2: time 4 comes after 6" + decrease},
+      {"2 1 2 3 0 0 0 1\n1 1 2 3 0 0 0 1\n", "keys.txt:2: key 1: time 1 comes after 2" + decrease, "keys.txt"},
+      {header + "0,1,0,0,0\n1700000000.1,1,0,0,0\n1700000000.1000000001,1,0,0,0\n",
+       "keys.csv:4: key 2: time 1700000000.1000000001 is too near to 1700000000.1 to be told apart in double "
+       "precision"},
+  });
+}
+
+TEST(BadFile, ThatCannotBeReadIsBadAccess) {
+  const test::ScratchDirectory directory;
+  std::filesystem::create_directory(directory.file("folder.csv"));
+  for (const auto& [name, reason] : {std::pair{"absent.csv", "cannot open: No such file or directory"},
+                                     {"folder.csv", "cannot read: Is a directory"}}) {
+    const auto file = read_keys(directory.file(name));
+    ASSERT_FALSE(file);
+    EXPECT_EQ(file.error().code, ErrorCode::bad_access);
+    EXPECT_EQ(test::text_of(file.error()), std::string(name) + ": " + reason);
+  }
+}
+
+}  // namespace
+}  // namespace orispline::io

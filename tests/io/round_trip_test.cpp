@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <sys/resource.h>
+
+#include <random>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <orispline/io/key_file.hpp>
+#include <orispline/io/sample_writer.hpp>
+#include <orispline/io/times_file.hpp>
+
+#include "io/text_file.hpp"
+
+namespace orispline::io {
+namespace {
+
+using test::ScratchDirectory;
+
+std::vector<Sample> random_samples(std::size_t count) {
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> normal;
+  std::vector<Sample> samples;
+  for (double t = 0.0; samples.size() < count; t += std::abs(normal(random)) * 1e-3 + 1e-9) {
+    Sample sample{.t = t, .position = {normal(random), 1e9 * normal(random), 1e-9 * normal(random)}};
+    sample.motion.orientation.coeffs() =
+        Eigen::Vector4d(normal(random), normal(random), normal(random), normal(random)).normalized();
+    sample.motion.angular_velocity = {normal(random), 0.0, -0.0};
+    samples.push_back(sample);
+  }
+  return samples;
+}
+
+void write(const std::string& path, const SampleColumns& columns, std::string_view epoch,
+           const std::vector<Sample>& samples) {
+  auto writer = SampleWriter::open(path, columns, Decimal::parse(epoch).value());
+  ASSERT_TRUE(writer);
+  for (const Sample& sample : samples) ASSERT_TRUE(writer->write(sample));
+  ASSERT_TRUE(writer->finish());
+}
+
+TEST(RoundTrip, GivesBackEveryBit) {
+  const auto samples = random_samples(3000);
+  for (const FileFormat format : {FileFormat::csv, FileFormat::tum})
+    for (const char* epoch : {"0", "1700000000.123456789", "-3.25", "218174919753"}) {
+      const ScratchDirectory directory;
+      const std::string path = directory.file("samples.txt");
+      const bool is_csv = format == FileFormat::csv;
+      write(path, {.format = format, .positions = true, .derivatives = is_csv ? 1 : 0}, epoch, samples);
+
+      const auto file = read_keys(path);
+
+      ASSERT_TRUE(file) << describe(file.error());
+      EXPECT_EQ(file->format, format);
+      EXPECT_EQ(file->epoch.to_string(), epoch);
+      ASSERT_EQ(file->data.times.size(), samples.size());
+      for (std::size_t i = 0; i < samples.size(); ++i) {
+        ASSERT_EQ(file->data.times[i], samples[i].t);
+        ASSERT_EQ(file->data.orientations[i].coeffs(), samples[i].motion.orientation.coeffs());
+        ASSERT_EQ(file->data.positions[i], samples[i].position);
+        if (is_csv) {
+          ASSERT_EQ(file->data.angular_velocities[i], samples[i].motion.angular_velocity);
+        }
+      }
+    }
+}
+
+TEST(RoundTrip, GivesBackTheTimesAsSampleTimes) {
+  const auto samples = random_samples(1000);
+  const ScratchDirectory directory;
+  const Decimal epoch = Decimal::parse("1700000000.123456789").value();
+  std::ofstream file(directory.file("times.txt"));
+  for (const Sample& sample : samples) file << (epoch + Decimal::from_double(sample.t)).to_string() << "\n";
+  file.close();
+
+  const auto times = read_times(directory.file("times.txt"), epoch);
+
+  ASSERT_TRUE(times);
+  for (std::size_t i = 0; i < samples.size(); ++i) EXPECT_EQ((*times)[i], samples[i].t);
+}
+
+#ifndef __SANITIZE_ADDRESS__  // its quarantine holds on to freed memory
+TEST(RoundTrip, ReadsAMillionRowsInTwoHundredBytesAKey) {
+  constexpr std::size_t count = 1'000'000;
+  const ScratchDirectory directory;
+  const std::string path = directory.file("long.csv");
+  auto writer = SampleWriter::open(path, {.positions = true, .derivatives = 1}, Decimal());
+  ASSERT_TRUE(writer);
+  for (std::size_t i = 0; i < count; ++i) ASSERT_TRUE(writer->write({.t = static_cast<double>(i) / 1000.0}));
+  ASSERT_TRUE(writer->finish());
+  const auto peak = [] {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_maxrss) * 1024.0;  // [bytes]
+  };
+  const double before = peak();
+
+  const auto file = read_keys(path);
+
+  ASSERT_TRUE(file) << describe(file.error());
+  EXPECT_EQ(file->data.times.size(), count);
+  EXPECT_EQ(file->data.times.back(), 999.999);
+  EXPECT_LE((peak() - before) / static_cast<double>(count), 200.0);
+}
+#endif
+
+}  // namespace
+}  // namespace orispline::io

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/io/sample_writer.hpp>
+
+#include <limits>
+#include <string>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "io/text_file.hpp"
+
+namespace orispline::io {
+namespace {
+
+using test::content_of;
+using test::ScratchDirectory;
+using test::text_of;
+
+const Motion moving{.orientation = quaternion_wxyz(0.5, -0.5, 0.5, -0.5),
+                    .angular_velocity = {1, 2, 3},
+                    .angular_acceleration = {4, 5, 6},
+                    .angular_jerk = {7, 8, 9}};
+
+std::string written(const SampleColumns& columns, const Sample& sample, std::string_view epoch = "0") {
+  const ScratchDirectory directory;
+  const std::string path = directory.file("out");
+  auto writer = SampleWriter::open(path, columns, Decimal::parse(epoch).value());
+  EXPECT_TRUE(writer && writer->write(sample) && writer->finish());
+  return content_of(path);
+}
+
+TEST(SampleWriter, WritesTheColumnsThatAreAskedFor) {
+  const Sample sample{.t = 0.25, .motion = moving, .position = {10, 20, 30}};
+  EXPECT_EQ(written({}, sample), "t,qw,qx,qy,qz\n0.25,0.5,-0.5,0.5,-0.5\n");
+  EXPECT_EQ(written({.derivatives = 1}, sample), "t,qw,qx,qy,qz,wx,wy,wz\n0.25,0.5,-0.5,0.5,-0.5,1,2,3\n");
+  EXPECT_EQ(written({.positions = true, .derivatives = 3}, sample),
+            "t,qw,qx,qy,qz,px,py,pz,wx,wy,wz,ax,ay,az,jx,jy,jz\n"
+            "0.25,0.5,-0.5,0.5,-0.5,10,20,30,1,2,3,4,5,6,7,8,9\n");
+}
+
+TEST(SampleWriter, WritesRatesInTheWorldFrame) {
+  Sample sample{.motion = moving};
+  sample.motion.orientation = quaternion_wxyz(0.0, 1.0, 0.0, 0.0);  // half turn about x: y and z change sign
+  // jerk_world = R (jerk + ω × α), ω × α = (-3, 6, -3)
+  EXPECT_EQ(written({.derivatives = 3, .frame = Frame::world}, sample),
+            "t,qw,qx,qy,qz,wx_world,wy_world,wz_world,ax_world,ay_world,az_world,jx_world,jy_world,jz_world\n"
+            "0,0,1,0,0,1,-2,-3,4,-5,-6,4,-14,-6\n");
+}
+
+TEST(SampleWriter, WritesTum) {
+  const Sample sample{.t = 0.0034, .motion = moving, .position = {1, 2, 3}};
+  EXPECT_EQ(written({.format = FileFormat::tum, .positions = true}, sample, "1311868163.8697"),
+            "1311868163.8731 1 2 3 -0.5 0.5 -0.5 0.5\n");
+}
+
+TEST(SampleWriter, AddsTheEpochInTheDecimalDomain) {
+  EXPECT_EQ(written({}, {.t = 1e-9}, "1700000000.1").substr(14), "1700000000.100000001,1,0,0,0\n");
+  EXPECT_EQ(written({}, {.t = 0.1 + 0.2}, "-5").substr(14), "-4.69999999999999996,1,0,0,0\n");
+}
+
+TEST(SampleWriter, RefusesDerivativesThatTheFormatCannotHold) {
+  const ScratchDirectory directory;
+  const auto refusal = [&](FileFormat format, int derivatives) {
+    const auto writer = SampleWriter::open(directory.file("out"), {.format = format, .derivatives = derivatives}, {});
+    EXPECT_EQ(writer.error().code, ErrorCode::bad_argument);
+    return writer.error().message;
+  };
+  EXPECT_EQ(refusal(FileFormat::tum, 1), "1 derivatives were asked for, and TUM holds 0");
+  EXPECT_EQ(refusal(FileFormat::csv, 4), "4 derivatives were asked for, and CSV holds 0 to 3");
+  EXPECT_EQ(refusal(FileFormat::csv, -1), "-1 derivatives were asked for, and CSV holds 0 to 3");
+  EXPECT_EQ(directory.entries(), 0u);
+}
+
+TEST(SampleWriter, RefusesNumbersThatAreNotFinite) {
+  const ScratchDirectory directory;
+  auto writer = SampleWriter::open(directory.file("out.csv"), {.derivatives = 2}, Decimal::power_of_ten(1));
+  ASSERT_TRUE(writer);
+  Sample sample{.t = 1.5, .motion = moving};
+  sample.motion.angular_acceleration.y() = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(writer->write(sample).error().message, "the sample at time 11.5 has a number that is not finite");
+  sample.t = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(writer->write(sample).error().message, "a sample time is nan, wanted a finite number");
+}
+
+TEST(OutputFile, AppearsOnlyWhenItIsFinished) {
+  const ScratchDirectory directory;
+  const std::string path = directory.file("out.csv");
+  auto file = OutputFile::open(path);
+  ASSERT_TRUE(file && file->write("new"));
+  EXPECT_FALSE(std::filesystem::exists(path));
+
+  ASSERT_TRUE(file->finish());
+
+  EXPECT_EQ(content_of(path), "new");
+  EXPECT_EQ(directory.entries(), 1u);
+}
+
+TEST(OutputFile, LeavesTheTargetAloneWhenItIsAbandoned) {
+  const ScratchDirectory directory;
+  const std::string path = directory.file("out.csv");
+  std::ofstream(path) << "old";
+  {
+    auto file = OutputFile::open(path);
+    ASSERT_TRUE(file && file->write("new"));
+    OutputFile moved = std::move(*file);
+    EXPECT_TRUE(moved.write("er"));
+  }
+  EXPECT_EQ(content_of(path), "old");
+  EXPECT_EQ(directory.entries(), 1u);
+}
+
+TEST(OutputFile, ReplacesTheTargetAndKeepsItsPermissions) {
+  const ScratchDirectory directory;
+  const std::string path = directory.file("out.csv");
+  std::ofstream(path) << "old and longer";
+  const auto only_owner = std::filesystem::perms::owner_read | std::filesystem::perms::owner_write;
+  std::filesystem::permissions(path, only_owner);
+
+  auto file = OutputFile::open(path);
+  ASSERT_TRUE(file && file->write("new") && file->finish());
+
+  EXPECT_EQ(content_of(path), "new");
+  EXPECT_EQ(std::filesystem::status(path).permissions(), only_owner);
+}
+
+TEST(OutputFile, WritesTheFileBehindALink) {
+  const ScratchDirectory directory;
+  const std::string path = directory.file("out.csv"), link = directory.file("link.csv");
+  std::ofstream(path) << "old";
+  std::filesystem::create_symlink(path, link);
+
+  auto file = OutputFile::open(link);
+  ASSERT_TRUE(file && file->write("new") && file->finish());
+
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
+  EXPECT_EQ(content_of(path), "new");
+}
+
+TEST(OutputFile, PassesByThePartsOfOthers) {
+  const ScratchDirectory directory;
+  const std::string path = directory.file("out.csv");
+  std::ofstream(path + ".part") << "another's";
+  auto first = OutputFile::open(path), second = OutputFile::open(path);
+  ASSERT_TRUE(first && second && first->write("1") && second->write("2") && second->finish() && first->finish());
+  EXPECT_EQ(content_of(path), "1");
+  EXPECT_EQ(content_of(path + ".part"), "another's");
+  EXPECT_EQ(directory.entries(), 2u);
+}
+
+TEST(OutputFile, SaysWhyItCannotBeWritten) {
+  const ScratchDirectory directory;
+  const auto refusal = [](const std::string& path) {
+    const auto file = OutputFile::open(path);
+    EXPECT_EQ(file.error().code, ErrorCode::bad_access);
+    return text_of(file.error());
+  };
+  EXPECT_EQ(refusal(directory.file("absent/out.csv")), "out.csv: cannot write: No such file or directory");
+  std::filesystem::create_directory(directory.file("folder"));
+  EXPECT_EQ(refusal(directory.file("folder")), "folder: cannot write: Is a directory");
+}
+
+TEST(OutputFile, DoesNotReplaceAProtectedFile) {
+  if (::geteuid() == 0) GTEST_SKIP() << "nothing is protected from root";
+  const ScratchDirectory directory;
+  const std::string path = directory.file("fixed.csv");
+  std::ofstream(path) << "old";
+  std::filesystem::permissions(path, std::filesystem::perms::owner_read);
+  EXPECT_EQ(text_of(OutputFile::open(path).error()), "fixed.csv: cannot write: Permission denied");
+}
+
+TEST(OutputFile, ReportsAFullDisk) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  auto small = OutputFile::open("/dev/full");
+  ASSERT_TRUE(small && small->write("little"));
+  const auto finished = small->finish();
+  ASSERT_FALSE(finished);
+  EXPECT_EQ(finished.error().code, ErrorCode::bad_access);
+  EXPECT_EQ(describe(finished.error()), "/dev/full: cannot write: No space left on device");
+
+  auto large = OutputFile::open("/dev/full");
+  ASSERT_TRUE(large);
+  EXPECT_EQ(describe(large->write(std::string(1 << 20, 'x')).error()),
+            "/dev/full: cannot write: No space left on device");
+}
+
+TEST(OutputFile, WritesDevicesDirectly) {
+  auto file = OutputFile::open("/dev/null");
+  EXPECT_TRUE(file && file->write("gone") && file->finish());
+  EXPECT_FALSE(std::filesystem::is_regular_file("/dev/null"));
+  EXPECT_FALSE(std::filesystem::exists("/dev/null.part"));
+}
+
+}  // namespace
+}  // namespace orispline::io

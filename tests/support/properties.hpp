@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdlib>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <support/specimens.hpp>
+
+namespace orispline::testing_support {
+
+/// Random keys as rapidcheck makes and shrinks them: towards few keys, small turns, even times.
+struct RandomKeys {
+  KeyframeData data;
+};
+
+inline std::ostream& operator<<(std::ostream& out, const RandomKeys& keys) {
+  for (std::size_t i = 0; i < keys.data.times.size(); ++i)
+    out << "\n  t = " << keys.data.times[i] << ", q (xyzw) = " << keys.data.orientations[i].coeffs().transpose();
+  return out;
+}
+
+/// Runs a property on random cases from a fixed seed; the counterexample, shrunk, is printed.
+///
+/// RC_PARAMS in the environment overrides seed and number of cases.
+template <class Property>
+[[nodiscard]] bool holds(const std::string& name, Property&& property) {
+  static const int seeded = setenv("RC_PARAMS", "seed=20180101 max_success=30 max_size=60", 0);
+  return seeded == 0 && rc::check(name, std::forward<Property>(property));
+}
+
+/// Inside a property: what EXPECT_TRUE is in a test.
+inline void require(const ::testing::AssertionResult& result) {
+  if (!result) RC_FAIL(result.message());
+}
+
+}  // namespace orispline::testing_support
+
+namespace rc {
+
+template <>
+struct Arbitrary<orispline::testing_support::RandomKeys> {
+  /// 2 to 8 keys; turns up to 2 rad per step; steps in time of 1 to 10 eighths of a second, so that key times, their
+  /// quarters and their multiples are exact.
+  static Gen<orispline::testing_support::RandomKeys> arbitrary() {
+    using orispline::testing_support::RandomKeys;
+    const auto step =
+        gen::tuple(gen::inRange(1, 11), gen::inRange(-100, 101), gen::inRange(-100, 101), gen::inRange(-100, 101));
+    const auto count = gen::inRange<std::size_t>(2, 9);
+    return gen::map(gen::mapcat(count,
+                                [step](std::size_t n) {
+                                  return gen::container<std::vector<std::tuple<int, int, int, int>>>(n, step);
+                                }),
+                    [](const std::vector<std::tuple<int, int, int, int>>& steps) {
+                      RandomKeys keys;
+                      double t = 0.0;
+                      auto q = Eigen::Quaterniond::Identity();
+                      for (const auto& [dt, x, y, z] : steps) {
+                        t += 0.125 * dt;
+                        q = q * orispline::exp<double>(Eigen::Vector3d(x, y, z) * 0.0115);
+                        keys.data.times.push_back(t);
+                        keys.data.orientations.push_back(q);
+                      }
+                      return keys;
+                    });
+  }
+};
+
+}  // namespace rc

@@ -1,0 +1,71 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+# Provides what the given groups need: tools/setup.sh [build] [test] [check] [tidy] [docs]; without a group: build test.
+# Installs with apt what is missing; where that is not possible it names the missing packages.
+set -eu
+
+# The one list of packages: group, Debian's name, the command or header that proves it is there.
+# A name that ends in '?' is welcome but not needed.
+packages='
+build g++                c++
+build cmake              cmake
+build ninja-build        ninja
+build libeigen3-dev      Eigen/Core
+build libexpected-dev    tl/expected.hpp
+build libfmt-dev         fmt/format.h
+build libfast-float-dev  fast_float/fast_float.h
+build libcli11-dev       CLI/CLI.hpp
+build nlohmann-json3-dev nlohmann/json.hpp
+test  libgtest-dev       gtest/gtest.h
+test  librapidcheck-dev  rapidcheck.h
+test  python3            python3
+test  pkg-config?        pkg-config
+test  clang-format-14?   clang-format-14
+check clang              clang++
+check gcovr              gcovr
+tidy  clang              clang++
+tidy  clang-tidy         clang-tidy
+docs  doxygen            doxygen
+'
+groups=${*:-build test}
+
+is_there() {
+  command -v "$1" >/dev/null && return
+  for prefix in $(echo "${CMAKE_PREFIX_PATH:-}" | tr ':;' '  ') /usr /usr/local /opt/homebrew; do
+    for place in include include/eigen3; do
+      [ ! -f "$prefix/$place/$1" ] || return 0
+    done
+  done
+  return 1
+}
+
+missing() {
+  echo "$packages" | while read -r group package proof; do
+    case " $groups " in *" $group "*) is_there "$proof" || echo "$package" ;; esac
+  done
+}
+
+needed() { grep -v '?$' || true; }
+
+can_install() { command -v apt-get >/dev/null && { [ "$(id -u)" -eq 0 ] || command -v sudo >/dev/null; }; }
+
+apt() {
+  set -- env DEBIAN_FRONTEND=noninteractive apt-get -qq -o DPkg::Lock::Timeout=600 "$@"
+  [ "$(id -u)" -eq 0 ] || set -- sudo "$@"
+  "$@"
+}
+
+# What apt does not know is left out, so that one name missing from a distribution does not keep the others away.
+install() {
+  [ -z "$(missing | needed)" ] || apt update || true
+  known=$(for package in $(missing | tr -d '?'); do
+    apt-cache show "$package" >/dev/null 2>&1 && echo "$package"
+  done || true)
+  [ -z "$known" ] || apt install -y --no-install-recommends $known || true
+}
+
+[ -n "$(missing)" ] || exit 0
+if can_install; then install; fi
+absent=$(missing)
+[ -z "$absent" ] || echo "setup: not here (Debian's names of the packages):" $(echo "$absent" | tr -d '?') >&2
+[ -z "$(echo "$absent" | needed)" ] || { echo "setup: install them, then try again" >&2; exit 1; }
