@@ -33,7 +33,7 @@ class BadContent(CommandTest):
     def test_a_clamped_end_at_a_tension_column_of_zero_is_the_fault_of_the_file(self):
         self.write("bad.csv", "t,qw,qx,qy,qz,tension\n0,1,0,0,0,0\n1,1,0,0,0,1\n")
         self.assert_fails("sample bad.csv --rate 1 --start-rate=0,0,1", BAD_DATA,
-                          "bad.csv: a clamped end needs a non-zero tension at that key, found 0")
+                          "bad.csv:2: key 0: a clamped end needs a non-zero tension at that key, found 0")
 
     def test_a_stray_time_is_the_fault_of_the_times_file(self):
         self.write("times.csv", "t\n1\n3.5\n")

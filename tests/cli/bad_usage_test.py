@@ -59,7 +59,7 @@ CASES = (
     ("sample keys.csv --rate 1 --start-rate=1,2",
      "--start-rate: found '1,2', wanted three numbers with commas between them"),
     ("sample keys.csv --rate 1 --tension 0 --start-rate=0,0,1",
-     "a clamped end needs a non-zero tension at that key, found 0"),
+     "keys.csv:2: key 0: a clamped end needs a non-zero tension at that key, found 0"),
     # reading
     ("sample keys.csv --rate 1 --signs long", "--signs: found 'long', wanted shortest|as-given"),
     ("sample keys.csv --rate 1 --input-format json", "--input-format: found 'json', wanted csv|tum"),

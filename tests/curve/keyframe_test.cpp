@@ -3,6 +3,7 @@
 #include <orispline/curve/keyframe.hpp>
 
 #include <limits>
+#include <ostream>
 
 #include <gtest/gtest.h>
 
@@ -32,6 +33,8 @@ struct BadKeys {
   void (*spoil)(KeyframeData&);
   const char* message;  ///< as `describe` puts it
 };
+
+void PrintTo(const BadKeys& test, std::ostream* out) { *out << test.name; }
 
 class KeyframesRefuse : public testing::TestWithParam<BadKeys> {};
 

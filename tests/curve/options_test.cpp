@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parameters and end rules at the door: what a family accepts, and the words in which it refuses.
 #include <limits>
+#include <ostream>
 
 #include <gtest/gtest.h>
 
@@ -20,6 +21,8 @@ struct BadOptions {
   ErrorCode code;
   const char* message;  ///< as `describe` puts it
 };
+
+void PrintTo(const BadOptions& test, std::ostream* out) { *out << test.name; }
 
 class OptionsRefuse : public testing::TestWithParam<BadOptions> {};
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Order of accuracy: how fast a curve through ever denser keys of a smooth motion approaches that motion.
+#include <ostream>
+
 #include <gtest/gtest.h>
 
 #include <orispline/families/registry.hpp>
@@ -51,6 +53,8 @@ struct StatedOrder {
   Knotting knotting;
   double order;
 };
+
+void PrintTo(const StatedOrder& test, std::ostream* out) { *out << test.family; }
 
 class Accuracy : public testing::TestWithParam<StatedOrder> {};
 

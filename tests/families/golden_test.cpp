@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every family against 60-digit values: tests/data/golden, made by tools/make_golden.py.
 #include <numbers>
+#include <ostream>
 
 #include <gtest/gtest.h>
 
@@ -19,6 +20,8 @@ struct GoldenFamily {
   const char* name;
   std::size_t cases, rows;  ///< as many as the reference has: none may get lost on the way
 };
+
+void PrintTo(const GoldenFamily& test, std::ostream* out) { *out << test.name; }
 
 Eigen::Vector3d end_rate(const DataTable::Row& row, std::string_view column) {
   const auto values = row.numbers(column);

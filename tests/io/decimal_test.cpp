@@ -90,6 +90,7 @@ TEST(Decimal, CutsOnlyDigitsBeyondThe37th) {
   EXPECT_EQ((decimal("1") + decimal("1e-37")).to_string(), "1");
   EXPECT_EQ((decimal("9999999999999999999999999999999999999") + decimal("1")).to_double(), 1e37);
   EXPECT_EQ((decimal("1234567890123456789012345678901234567") * decimal("3")).to_double(), 3.703703670370370367e36);
+  EXPECT_EQ((decimal("3") * decimal("1234567890123456789012345678901234567")).to_double(), 3.703703670370370367e36);
 }
 
 TEST(Decimal, ComparesExactly) {
@@ -97,6 +98,8 @@ TEST(Decimal, ComparesExactly) {
   EXPECT_LT(decimal("1"), decimal("1.000000000000000000000000000000000001"));
   EXPECT_LT(decimal("-2"), decimal("-1"));
   EXPECT_LT(decimal("-1e-100"), decimal("0"));
+  EXPECT_LT(decimal("0"), decimal("1e-150"));
+  EXPECT_LT(decimal("0"), decimal("1e140"));
   EXPECT_LT(decimal("9e99"), decimal("1e100"));
   EXPECT_GT(decimal("1e149"), decimal("9999999999999999999999999999999999999"));
 }

@@ -65,6 +65,18 @@ TEST(LineReader, RefusesEndlessLines) {
             (Lines{"a", "keys.csv:2: the line is longer than 16 MiB, wanted a text file"}));
 }
 
+TEST(LineReader, ReadsStandardInputForADash) {
+  const TextFile file("a\nb\n");
+  const int terminal = ::dup(0);
+  ASSERT_NE(std::freopen(file.path().c_str(), "rb", stdin), nullptr);
+
+  EXPECT_EQ(lines_of("-"), (Lines{"a", "b"}));
+
+  ::dup2(terminal, 0);
+  ::close(terminal);
+  std::clearerr(stdin);
+}
+
 TEST(LineReader, SaysWhyAFileCannotBeRead) {
   const test::ScratchDirectory directory;
   EXPECT_EQ(lines_of(directory.file("absent.csv")), (Lines{"absent.csv: cannot open: No such file or directory"}));

@@ -109,6 +109,28 @@ TEST(OutputFile, LeavesTheTargetAloneWhenItIsAbandoned) {
   EXPECT_EQ(directory.entries(), 1u);
 }
 
+TEST(OutputFile, IsAbandonedWhenAnotherTakesItsPlace) {
+  const ScratchDirectory directory;
+  auto file = OutputFile::open(directory.file("one.csv"));
+  auto other = OutputFile::open(directory.file("two.csv"));
+  ASSERT_TRUE(file && other && file->write("1") && other->write("2"));
+
+  *file = std::move(*other);
+
+  EXPECT_EQ(directory.entries(), 1u);
+  ASSERT_TRUE(file->finish());
+  EXPECT_EQ(content_of(directory.file("two.csv")), "2");
+  EXPECT_FALSE(std::filesystem::exists(directory.file("one.csv")));
+}
+
+TEST(OutputFile, IsStandardOutputForADash) {
+  ::testing::internal::CaptureStdout();
+  auto file = OutputFile::open("-");
+  const bool complete = file && file->write("t,qw\n") && file->finish();
+  EXPECT_EQ(::testing::internal::GetCapturedStdout(), "t,qw\n");
+  EXPECT_TRUE(complete);
+}
+
 TEST(OutputFile, ReplacesTheTargetAndKeepsItsPermissions) {
   const ScratchDirectory directory;
   const std::string path = directory.file("out.csv");

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ostream>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -23,6 +24,8 @@ struct SeriesFunction {
   double (*value)(const double&);
   Jet3 (*jet)(const Jet3&);
 };
+
+void PrintTo(const SeriesFunction& test, std::ostream* out) { *out << test.name; }
 
 class Series : public testing::TestWithParam<SeriesFunction> {};
 

@@ -30,7 +30,7 @@ inline std::ostream& operator<<(std::ostream& out, const RandomKeys& keys) {
 /// RC_PARAMS in the environment overrides seed and number of cases.
 template <class Property>
 [[nodiscard]] bool holds(const std::string& name, Property&& property) {
-  static const int seeded = setenv("RC_PARAMS", "seed=20180101 max_success=30 max_size=60", 0);
+  static const int seeded = setenv("RC_PARAMS", "seed=20180101 max_success=100 max_size=60", 0);
   return seeded == 0 && rc::check(name, std::forward<Property>(property));
 }
 

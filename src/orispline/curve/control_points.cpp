@@ -42,6 +42,12 @@ RateWeights mirrored(RateWeights w) { return {.before = w.after, .after = w.befo
 
 EndRule for_positions(EndRule rule) { return rule == EndRule::clamped ? EndRule::natural : rule; }
 
+/// The error of an end, at its key.
+tl::unexpected<Error> at_key(std::size_t key, Error error) {
+  error.where.key = key;
+  return tl::unexpected(std::move(error));
+}
+
 }  // namespace
 
 Expected<Eigen::Vector3d> ghost_increment(EndRule rule, const Eigen::Vector3d& inward_rate, RateWeights weights,
@@ -70,11 +76,11 @@ Expected<ControlPolygon> ghosted_polygon(const Keyframes& keys, const FamilySett
                                          RateWeights at_end) {
   const auto before = ghost_increment(settings.start.rule, settings.start.angular_velocity, at_start,
                                       orientations_from(EndKey::first, keys));
-  if (!before) return tl::unexpected(before.error());
+  if (!before) return at_key(0, before.error());
   // Seen from the last key inwards time runs backwards: rates and increments change sign.
   const auto after = ghost_increment(settings.end.rule, -settings.end.angular_velocity, mirrored(at_end),
                                      orientations_from(EndKey::last, keys));
-  if (!after) return tl::unexpected(after.error());
+  if (!after) return at_key(keys.size() - 1, after.error());
   const auto q = keys.orientations();
   ControlPolygon polygon;
   polygon.bases.reserve(q.size() - 1);
@@ -92,10 +98,10 @@ Expected<PathPolygon> ghosted_path(const Keyframes& keys, const FamilySettings& 
   const Eigen::Vector3d at_rest = Eigen::Vector3d::Zero();
   const auto before =
       ghost_increment(for_positions(settings.start.rule), at_rest, at_start, positions_from(EndKey::first, keys));
-  if (!before) return tl::unexpected(before.error());
+  if (!before) return at_key(0, before.error());
   const auto after =
       ghost_increment(for_positions(settings.end.rule), at_rest, mirrored(at_end), positions_from(EndKey::last, keys));
-  if (!after) return tl::unexpected(after.error());
+  if (!after) return at_key(keys.size() - 1, after.error());
   const auto p = keys.positions();
   PathPolygon polygon;
   polygon.reserve(p.size() + 2);

@@ -25,7 +25,7 @@ std::size_t keys_needed(EndRule rule) noexcept {
 std::string list_of_ends(const FamilyInfo& family) {
   std::vector<std::string_view> names;
   for (EndRule rule : family.ends) names.push_back(name_of(rule));
-  return names.empty() ? "none: this method has no end rules" : fmt::format("{}", fmt::join(names, ", "));
+  return names.empty() ? "none: this method has no end rules" : fmt::format("one of {}", fmt::join(names, ", "));
 }
 
 std::optional<Error> check_values(const FamilyInfo& family, const Parameter& parameter,
@@ -48,7 +48,7 @@ Expected<End> settle_end(const FamilyInfo& family, End end, std::size_t keys) {
   if (end.rule == EndRule::none) end.rule = family.ends.front();
   if (std::ranges::find(family.ends, end.rule) == family.ends.end())
     return tl::unexpected(argument_error(
-        fmt::format("{}: no end rule '{}', wanted one of {}", family.name, name_of(end.rule), list_of_ends(family))));
+        fmt::format("{}: no end rule '{}', wanted {}", family.name, name_of(end.rule), list_of_ends(family))));
   if (keys < keys_needed(end.rule))
     return failure(ErrorCode::bad_data, fmt::format("{}: ends '{}' need {} keys, found {}", family.name,
                                                     name_of(end.rule), keys_needed(end.rule), keys));
@@ -73,7 +73,7 @@ Expected<EndRule> end_rule_by_name(const FamilyInfo& family, std::string_view na
   for (EndRule rule : family.ends)
     if (name_of(rule) == name) return rule;
   return tl::unexpected(
-      argument_error(fmt::format("{}: no end rule '{}', wanted one of {}", family.name, name, list_of_ends(family))));
+      argument_error(fmt::format("{}: no end rule '{}', wanted {}", family.name, name, list_of_ends(family))));
 }
 
 Expected<int> FamilySettings::whole(std::string_view name) const {

@@ -184,15 +184,27 @@ std::string Decimal::to_string() const {
   return coefficient_ < 0 ? "-" + text : text;
 }
 
+struct Decimal::Aligned {
+  Integer a, b;
+  int exponent;
+};
+
+/// Both coefficients for one exponent: the lower one if `max_digits` allow it, else low digits are cut off.
+Decimal::Aligned Decimal::aligned(const Decimal& a, const Decimal& b) noexcept {
+  if (a.exponent_ == b.exponent_ || b.coefficient_ == 0) return {a.coefficient_, b.coefficient_, a.exponent_};
+  if (a.coefficient_ == 0) return {a.coefficient_, b.coefficient_, b.exponent_};
+  if (a.exponent_ < b.exponent_) {
+    const Aligned swapped = aligned(b, a);
+    return {swapped.b, swapped.a, swapped.exponent};
+  }
+  const int distance = a.exponent_ - b.exponent_;
+  const int shift = std::min(distance, max_digits - digits_of(a.coefficient_));
+  return {a.coefficient_ * integer_power_of_ten(shift), cut(b.coefficient_, distance - shift), a.exponent_ - shift};
+}
+
 Decimal Decimal::operator+(const Decimal& other) const noexcept {
-  if (coefficient_ == 0) return other;
-  if (other.coefficient_ == 0) return *this;
-  const Decimal& high = exponent_ >= other.exponent_ ? *this : other;
-  const Decimal& low = exponent_ >= other.exponent_ ? other : *this;
-  const int distance = high.exponent_ - low.exponent_;
-  const int shift = std::min(distance, max_digits - digits_of(high.coefficient_));
-  return Decimal(high.coefficient_ * integer_power_of_ten(shift) + cut(low.coefficient_, distance - shift),
-                 high.exponent_ - shift);
+  const auto [a, b, exponent] = aligned(*this, other);
+  return Decimal(a + b, exponent);
 }
 
 Decimal Decimal::operator*(const Decimal& other) const noexcept {
@@ -206,8 +218,9 @@ Decimal Decimal::operator*(const Decimal& other) const noexcept {
 }
 
 std::strong_ordering Decimal::operator<=>(const Decimal& other) const noexcept {
-  const Integer difference = (*this - other).coefficient_;
-  return difference <=> Integer{0};
+  // Digits are cut only from a number that is smaller in size all the same.
+  const auto [a, b, exponent] = aligned(*this, other);
+  return a <=> b;
 }
 
 }  // namespace orispline::io

@@ -46,7 +46,10 @@ class Decimal {
  private:
   __extension__ typedef __int128 Integer;
 
+  struct Aligned;
+
   Decimal(Integer coefficient, int exponent) noexcept;
+  [[nodiscard]] static Aligned aligned(const Decimal& a, const Decimal& b) noexcept;
 
   // coefficient · 10^exponent; the coefficient does not end in a zero digit, zero is 0 · 10^0.
   Integer coefficient_ = 0;

@@ -49,16 +49,16 @@ class RowReader {
 
  private:
   [[nodiscard]] Decimal time(std::size_t index) {
-    auto time = decimal_of(table_.cells()[index]);
-    if (!time) return refuse(index, std::move(time.error())), Decimal();
-    if (!*time) note_not_finite(index);
-    return time->value_or(Decimal());
+    const auto time = decimal_of(table_.cells()[index]);
+    if (!time) refuse(index, time.error());
+    else if (!*time) note_not_finite(index);
+    return time.value_or(std::nullopt).value_or(Decimal());
   }
   [[nodiscard]] double number(const NumberColumn& column) {
-    auto number = number_of(table_.cells()[column.index]);
-    if (!number) return refuse(column.index, std::move(number.error())), 0.0;
-    const double value = *number * column.numerator / column.denominator;
-    if (!std::isfinite(value)) note_not_finite(column.index);
+    const auto number = number_of(table_.cells()[column.index]);
+    const double value = number.value_or(0.0) * column.numerator / column.denominator;
+    if (!number) refuse(column.index, number.error());
+    else if (!std::isfinite(value)) note_not_finite(column.index);
     return value;
   }
   [[nodiscard]] Eigen::Vector3d vector(const std::array<NumberColumn, 3>& columns) {
@@ -70,9 +70,8 @@ class RowReader {
     return quaternion_wxyz(w, x, y, z);
   }
   void refuse(std::size_t index, Error error) {
-    if (refused_) return;
     error.where = table_.here(index);
-    refused_ = std::move(error);
+    if (!refused_) refused_ = std::move(error);
   }
   void note_not_finite(std::size_t index) {
     if (!not_finite_) not_finite_ = index;
@@ -151,24 +150,27 @@ Expected<void> KeyRows::add(const TextTable& table) {
 /// Appends the time of the next key; false for a duplicate that is dropped. `text`: the time in the file, if at hand.
 Expected<bool> KeyRows::append_time(const Decimal& time, std::string_view text, std::size_t line) {
   std::vector<double>& times = file_.data.times;
-  const auto refused = [&](std::string_view form) {
-    return failure(
-        ErrorCode::bad_data,
-        fmt::format(fmt::runtime(form), fmt::arg("time", text.empty() ? time.to_string() : std::string(text)),
-                    fmt::arg("latest", latest_.to_string()), fmt::arg("line", latest_line_)),
-        {.file = file_.path, .line = line, .key = times.size()});
+  const auto refused = [&](std::string message) {
+    return failure(ErrorCode::bad_data, std::move(message), {file_.path, line, std::nullopt, times.size()});
   };
+  const auto shown = [&] { return text.empty() ? time.to_string() : std::string(text); };
   if (times.empty()) first_ = time;
-  else if (time == latest_ && !options_.drop_duplicates)
-    return refused(
-        "duplicate time {time}, as in line {line}, wanted increasing times (--drop-duplicates keeps the first)");
-  else if (time == latest_) return ++file_.repairs.duplicates_dropped, false;
   else if (time < latest_)
-    return refused("time {time} comes after {latest}, wanted increasing times (--sort orders the rows)");
+    return refused(fmt::format("time {} comes after {}, wanted increasing times (--sort orders the rows)", shown(),
+                               latest_.to_string()));
+  else if (time == latest_) {
+    if (!options_.drop_duplicates)
+      return refused(
+          fmt::format("duplicate time {}, as in line {}, wanted increasing times (--drop-duplicates keeps the first)",
+                      shown(), latest_line_));
+    ++file_.repairs.duplicates_dropped;
+    return false;
+  }
 
   const double seconds = ((time - first_) * columns_.time_unit).to_double();
   if (!times.empty() && seconds <= times.back())
-    return refused("time {time} is too near to {latest} to be told apart in double precision");
+    return refused(
+        fmt::format("time {} is too near to {} to be told apart in double precision", shown(), latest_.to_string()));
   times.push_back(seconds);
   latest_ = time;
   latest_line_ = line;
@@ -179,8 +181,9 @@ Expected<bool> KeyRows::append_time(const Decimal& time, std::string_view text, 
 Expected<void> KeyRows::sort() {
   std::vector<std::uint32_t> places(times_.size());
   std::iota(places.begin(), places.end(), std::uint32_t{0});
-  std::stable_sort(places.begin(), places.end(), [this](auto a, auto b) { return times_[a] < times_[b]; });
   file_.repairs.rows_moved = late_rows(times_);
+  if (file_.repairs.rows_moved > 0)
+    std::stable_sort(places.begin(), places.end(), [this](auto a, auto b) { return times_[a] < times_[b]; });
 
   std::vector<std::uint32_t> kept;
   kept.reserve(places.size());

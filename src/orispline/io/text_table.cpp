@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/io/text_table.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <system_error>
@@ -14,19 +15,8 @@ namespace {
 
 constexpr std::string_view blanks = " \t";
 
-constexpr char character_of(Delimiter delimiter) {
-  switch (delimiter) {
-    case Delimiter::comma:
-      return ',';
-    case Delimiter::semicolon:
-      return ';';
-    case Delimiter::tab:
-      return '\t';
-    case Delimiter::blanks:
-      return ' ';
-  }
-  return ' ';
-}
+/// The character of a delimiter; of blanks the first.
+constexpr char character_of(Delimiter delimiter) { return ",;\t "[static_cast<std::size_t>(delimiter)]; }
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t begin = text.find_first_not_of(blanks);
