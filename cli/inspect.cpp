@@ -89,7 +89,8 @@ Expected<InspectReport> inspected(const InputRequest& input, const std::vector<M
   for (const MethodRequest& method : methods) {
     const auto curve = shaped_curve(method, *keys, report.file);
     if (!curve) return tl::unexpected(curve.error());
-    report.methods.push_back({std::string(method.family->name), continuity_at_keys(curve->orientation)});
+    const Seam seam = method.options.loop ? Seam::closed : Seam::open;
+    report.methods.push_back({std::string(method.family->name), continuity_at_keys(curve->orientation, seam)});
   }
   return report;
 }
@@ -99,6 +100,8 @@ Expected<InspectReport> inspected(const InputRequest& input, const std::vector<M
 Expected<void> inspect(const InspectOptions& options) {
   auto input = input_request(options.input);
   if (!input) return tl::unexpected(std::move(input.error()));
+  if (options.methods.empty() && any_given(options.shape))
+    return usage_failure("options that shape a curve want --method as well");
   const auto methods = method_requests(options);
   if (!methods) return tl::unexpected(methods.error());
   input->read.parameters = all_open_parameters(*methods);

@@ -13,8 +13,8 @@
 namespace orispline::cli {
 namespace {
 
-/// A sample this near to the end, in sample intervals, is the one at the end.
-constexpr double end_tolerance = 1e-9;
+/// A sample this near to the end, in sample intervals and relative to their number, is the one at the end.
+constexpr double end_tolerance = 1e-9, relative_end_tolerance = 4e-16;
 /// More samples than that cannot be told apart by a double.
 constexpr double most_samples = 9e15;
 
@@ -49,52 +49,59 @@ Expected<TimeRequest> time_request(const TimeOptions& options) {
   return read;
 }
 
-Expected<SampleTimes> SampleTimes::make(const TimeRequest& request, const io::KeyFile& keys) {
+Expected<SampleTimes> SampleTimes::make(const TimeRequest& request, const io::Decimal& key_epoch,
+                                        const Domain& domain) {
   const auto* const file = std::get_if<TimesFile>(&request.spacing);
-  if (!file) return grid(request, keys);
-  return io::read_times(file->path, keys.epoch).map([&](std::vector<double> times) {
-    const std::size_t size = times.size();
-    return SampleTimes(keys.epoch, keys.epoch, size, List{file->path, std::move(times)});
+  if (!file) return grid(request, key_epoch, domain);
+  return io::read_times(file->path, key_epoch).map([&](io::TimesList list) {
+    const std::size_t size = list.times.size();
+    return SampleTimes(key_epoch, key_epoch, size, List{file->path, std::move(list)});
   });
 }
 
-Expected<SampleTimes> SampleTimes::grid(const TimeRequest& request, const io::KeyFile& keys) {
-  const io::Decimal last_key = io::Decimal::from_double(keys.data.times.back());
-  const io::Decimal start = request.from ? *request.from - keys.epoch : io::Decimal();
-  const io::Decimal end = request.to ? *request.to - keys.epoch : last_key;
+Expected<SampleTimes> SampleTimes::grid(const TimeRequest& request, const io::Decimal& key_epoch,
+                                        const Domain& domain) {
+  const io::Decimal first = io::Decimal::from_double(domain.start), last = io::Decimal::from_double(domain.end);
+  const io::Decimal start = request.from ? *request.from - key_epoch : first;
+  const io::Decimal end = request.to ? *request.to - key_epoch : last;
   if (start > end && request.from)
-    return usage_failure(fmt::format("--from {} is after the last key at {}, wanted --to as well",
-                                     request.from->to_string(), (keys.epoch + last_key).to_string()));
+    return usage_failure(fmt::format("--from {} is after the end at {}, wanted --to as well", request.from->to_string(),
+                                     (key_epoch + last).to_string()));
   if (start > end)
-    return usage_failure(fmt::format("--to {} is before the first key at {}, wanted --from as well",
-                                     request.to->to_string(), keys.epoch.to_string()));
-  const io::Decimal epoch = keys.epoch + start;
+    return usage_failure(fmt::format("--to {} is before the start at {}, wanted --from as well",
+                                     request.to->to_string(), (key_epoch + first).to_string()));
+  const io::Decimal epoch = key_epoch + start;
   Grid grid{.spacing = Count{1}, .start = start, .end = end.to_double(), .span = (end - start).to_double()};
   if (const auto* const count = std::get_if<Count>(&request.spacing)) {
     if (count->samples > 1 && grid.span == 0.0)
       return usage_failure(fmt::format("--count {}: the range is the single time {}, wanted --count 1", count->samples,
                                        epoch.to_string()));
     grid.spacing = *count;
-    return SampleTimes(keys.epoch, epoch, count->samples, grid);
+    grid.index_of_end = count->samples - 1;
+    return SampleTimes(key_epoch, epoch, count->samples, grid);
   }
   const Rate rate = std::get<Rate>(request.spacing);
-  const double intervals = std::floor(grid.span * rate.hertz + end_tolerance);
+  const double exact = grid.span * rate.hertz, nearest = std::round(exact);
+  const bool meets_end = std::abs(exact - nearest) <= end_tolerance + relative_end_tolerance * exact;
+  const double intervals = meets_end ? nearest : std::floor(exact);
   if (!(intervals < most_samples))
     return usage_failure(fmt::format("--rate {} makes {:.3g} samples over {} s, wanted fewer than {:.0e}", rate.hertz,
                                      intervals, grid.span, most_samples));
   grid.spacing = rate;
-  return SampleTimes(keys.epoch, epoch, static_cast<std::size_t>(intervals) + 1, grid);
+  if (meets_end) grid.index_of_end = static_cast<std::size_t>(intervals);
+  return SampleTimes(key_epoch, epoch, static_cast<std::size_t>(intervals) + 1, grid);
 }
 
 double SampleTimes::Grid::offset(std::size_t k, std::size_t size) const {
+  if (k == 0) return 0.0;
+  if (k == index_of_end) return span;
   const auto steps = static_cast<double>(k);
-  if (const auto* const rate = std::get_if<Rate>(&spacing))
-    return std::abs(steps - span * rate->hertz) <= end_tolerance ? span : steps / rate->hertz;
-  return k == 0 ? 0.0 : k + 1 == size ? span : span * steps / static_cast<double>(size - 1);
+  if (const auto* const rate = std::get_if<Rate>(&spacing)) return steps / rate->hertz;
+  return span * steps / static_cast<double>(size - 1);
 }
 
 Instant SampleTimes::operator[](std::size_t k) const {
-  if (const auto* const list = std::get_if<List>(&times_)) return {list->times[k], list->times[k]};
+  if (const auto* const list = std::get_if<List>(&times_)) return {list->list.times[k], list->list.times[k]};
   const Grid& grid = std::get<Grid>(times_);
   const double offset = grid.offset(k, size_);
   if (offset == grid.span) return {grid.end, offset};
@@ -103,17 +110,19 @@ Instant SampleTimes::operator[](std::size_t k) const {
 }
 
 std::optional<Error> SampleTimes::outside(const Domain& domain) const {
-  const auto error = [&](double t, ErrorCode code, std::string file) {
+  const auto error = [&](double t, ErrorCode code, Where where) {
     const auto own_time = [&](double time) { return (key_epoch_ + io::Decimal::from_double(time)).to_string(); };
     return Error{code,
-                 fmt::format("time {} is outside the keys, wanted {} to {}", own_time(t), own_time(domain.start),
+                 fmt::format("time {} is outside the curve, wanted {} to {}", own_time(t), own_time(domain.start),
                              own_time(domain.end)),
-                 {.file = std::move(file)}};
+                 std::move(where)};
   };
   if (const auto* const list = std::get_if<List>(&times_)) {
-    const auto stray = std::ranges::find_if_not(list->times, [&](double t) { return domain.contains(t); });
-    if (stray == list->times.end()) return std::nullopt;
-    return error(*stray, ErrorCode::bad_data, list->path);
+    const auto& [times, lines] = list->list;
+    const auto stray = std::ranges::find_if_not(times, [&](double t) { return domain.contains(t); });
+    if (stray == times.end()) return std::nullopt;
+    return error(*stray, ErrorCode::bad_data,
+                 {.file = list->path, .line = lines[static_cast<std::size_t>(stray - times.begin())]});
   }
   for (const double t : {(*this)[0].t, (*this)[size_ - 1].t})
     if (!domain.contains(t)) return error(t, ErrorCode::bad_argument, {});

@@ -94,9 +94,9 @@ Expected<FamilySettings> settle(const FamilyInfo& family, const CurveOptions& op
     }
   for (const Parameter& parameter : family.parameters) {
     const auto given = options.parameters.find(parameter.name);
-    auto& values = settings.parameters[std::string(parameter.name)];
-    values = given != options.parameters.end() ? given->second : std::vector{parameter.initial};
+    std::vector<double> values = given != options.parameters.end() ? given->second : std::vector{parameter.initial};
     if (auto error = check_values(family, parameter, values, keys)) return tl::unexpected(std::move(*error));
+    settings.parameters.emplace(parameter.name, PerKey(std::move(values)));
   }
   if (keys > 1 && keys < static_cast<std::size_t>(family.min_keys))
     return failure(ErrorCode::bad_data, fmt::format("{} needs {} keys, found {}", family.name, family.min_keys, keys));

@@ -71,10 +71,12 @@ struct Choice {
 
 /// Per-key values of a loop: those of the distinct keys, and the first once more for its return.
 void wrap_around(FamilySettings& settings, std::size_t keys) {
-  for (auto& [name, values] : settings.parameters) {
-    if (values.size() == 1) continue;
-    values.resize(keys);
-    values.push_back(values.front());
+  for (auto& [name, parameter] : settings.parameters) {
+    if (parameter.values().size() == 1) continue;
+    std::vector<double> around(parameter.values().begin(),
+                               parameter.values().begin() + static_cast<std::ptrdiff_t>(keys));
+    around.push_back(around.front());
+    parameter = PerKey(std::move(around));
   }
 }
 

@@ -63,7 +63,7 @@ struct TimedC1 {
   static constexpr std::array parameters{timed::tension_1};
   static constexpr FamilyInfo info{.name = "timed-c1",
                                    .title = "Local cubic spline, C1 in time",
-                                   .source = "orispline, docs/families/timed.md",
+                                   .source = "orispline, docs/families/timed-c1.md",
                                    .continuity_uniform = 1,
                                    .continuity_uneven = 1,
                                    .keeps_constant_rate_uniform = true,
@@ -81,7 +81,7 @@ struct TimedC2 {
   static constexpr std::array parameters{timed::tension_1, timed::tension_2};
   static constexpr FamilyInfo info{.name = "timed-c2",
                                    .title = "Local quintic spline, C2 in time",
-                                   .source = "orispline, docs/families/timed.md",
+                                   .source = "orispline, docs/families/timed-c2.md",
                                    .continuity_uniform = 2,
                                    .continuity_uneven = 2,
                                    .keeps_constant_rate_uniform = true,
@@ -99,7 +99,7 @@ struct TimedC3 {
   static constexpr std::array parameters{timed::tension_1, timed::tension_2, timed::tension_3};
   static constexpr FamilyInfo info{.name = "timed-c3",
                                    .title = "Local septic spline, C3 in time",
-                                   .source = "orispline, docs/families/timed.md",
+                                   .source = "orispline, docs/families/timed-c3.md",
                                    .continuity_uniform = 3,
                                    .continuity_uneven = 3,
                                    .keeps_constant_rate_uniform = true,
@@ -122,7 +122,7 @@ struct TimedSextic {
   static constexpr std::array parameters{timed::tension_1};
   static constexpr FamilyInfo info{.name = "timed-sextic",
                                    .title = "Local 6th-degree spline, C3 in time",
-                                   .source = "orispline, docs/families/timed.md",
+                                   .source = "orispline, docs/families/timed-sextic.md",
                                    .continuity_uniform = 3,
                                    .continuity_uneven = 3,
                                    .keeps_constant_rate_uniform = true,

@@ -13,7 +13,7 @@ namespace orispline::families {
 struct XingQuartic {
   static constexpr FamilyInfo info{.name = "xing-quartic",
                                    .title = "Xing's quartic C2 spline",
-                                   .source = "derived, docs/families/xing.md; after Xing et al. 2017",
+                                   .source = "derived, docs/families/xing-quartic.md; after Xing et al. 2017",
                                    .continuity_uniform = 2,
                                    .continuity_uneven = 0,
                                    .keeps_constant_rate_uniform = true,
@@ -39,7 +39,7 @@ struct XingQuartic {
 struct XingQuintic {
   static constexpr FamilyInfo info{.name = "xing-quintic",
                                    .title = "Xing's quintic C3 spline",
-                                   .source = "derived, docs/families/xing.md; after Xing, Bai, Fan & Tan 2018",
+                                   .source = "derived, docs/families/xing-quintic.md; after Xing, Bai, Fan & Tan 2018",
                                    .continuity_uniform = 3,
                                    .continuity_uneven = 0,
                                    .keeps_constant_rate_uniform = false,
