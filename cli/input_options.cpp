@@ -20,6 +20,15 @@ Expected<ColumnNames> column_names(const std::vector<std::string>& lists) {
   return names;
 }
 
+Expected<io::OrientationReading> orientation_reading(const InputOptions& options) {
+  FirstError checked;
+  io::OrientationReading reading{
+      .representation = checked(if_given("--input-orientation", options.orientation, choice_of(orientation_choices))),
+      .euler = checked(if_given("--euler", options.euler, euler_order_in)),
+      .angle_unit = checked(if_given("--angle-unit", options.angle_unit, choice_of(angle_unit_choices)))};
+  return std::move(checked).or_else(std::move(reading));
+}
+
 Expected<io::Decimal> positive_decimal_in(OptionText option) {
   const auto number = decimal_in(option);
   if (!number || *number <= io::Decimal()) return wanted(option, "a number greater than 0");
@@ -28,20 +37,26 @@ Expected<io::Decimal> positive_decimal_in(OptionText option) {
 
 }  // namespace
 
-Expected<InputRequest> input_request(const InputOptions& options) {
+Expected<EulerOrder> euler_order_in(OptionText option) {
+  if (const auto order = euler_order_of(option.text)) return *order;
+  return wanted(option, "three axes such as ZYX (those of the body) or zyx (of the world), none twice in a row");
+}
+
+Expected<InputRequest> input_request(const InputOptions& options, Signs signs) {
   if (options.path.empty()) return usage_failure("INPUT: found an empty name, wanted FILE or -");
   FirstError checked;
   io::ReadOptions read{.format = checked(if_given("--input-format", options.format, choice_of(format_choices))),
                        .columns = checked(column_names(options.columns)),
                        .order = checked(if_given("--order", options.order, choice_of(order_choices))),
+                       .orientation = checked(orientation_reading(options)),
                        .time_scale = checked(if_given("--time-scale", options.time_scale, positive_decimal_in)),
                        .conjugate = options.conjugate,
                        .drop_duplicates = options.drop_duplicates,
                        .drop_invalid = options.drop_invalid,
                        .sort = options.sort};
-  const auto signs = checked(if_given("--signs", options.signs, choice_of(sign_choices)));
+  const auto given_signs = checked(if_given("--signs", options.signs, choice_of(sign_choices)));
   return std::move(checked).or_else(
-      InputRequest{.path = options.path, .read = std::move(read), .signs = signs.value_or(Signs::shortest)});
+      InputRequest{.path = options.path, .read = std::move(read), .signs = given_signs.value_or(signs)});
 }
 
 }  // namespace orispline::cli

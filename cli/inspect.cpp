@@ -89,7 +89,8 @@ Expected<InspectReport> inspected(const InputRequest& input, const std::vector<M
   for (const MethodRequest& method : methods) {
     const auto curve = shaped_curve(method, *keys, report.file);
     if (!curve) return tl::unexpected(curve.error());
-    report.methods.push_back({std::string(method.family->name), continuity_at_keys(curve->orientation)});
+    const Seam seam = method.options.loop ? Seam::closed : Seam::open;
+    report.methods.push_back({std::string(method.family->name), continuity_at_keys(curve->orientation, seam)});
   }
   return report;
 }

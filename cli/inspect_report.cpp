@@ -60,11 +60,11 @@ std::string jump_cell(const RateJump& jump) {
 std::string methods_table(const InspectReport& report) {
   if (report.methods.empty()) return "";
   std::string table = fmt::format(
-      "\nLargest jumps at the keys, absolute and relative to the largest rate\n{:14}{:>5}  "
+      "\nLargest jumps at the keys, absolute and relative to the largest rate\n{:20}{:>5}  "
       "{:>20}  {:>20}  {:>20}\n",
       "method", "order", "ω [rad/s]", "α [rad/s²]", "jerk [rad/s³]");
   for (const auto& [method, c] : report.methods)
-    table += fmt::format("{:14}{:>5}  {}  {}  {}\n", method, fmt::format("C{}", c.order()),
+    table += fmt::format("{:20}{:>5}  {}  {}  {}\n", method, fmt::format("C{}", c.order()),
                          jump_cell(c.angular_velocity), jump_cell(c.angular_acceleration), jump_cell(c.angular_jerk));
   return table;
 }

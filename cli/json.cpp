@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "json.hpp"
 
+#include <algorithm>
 #include <numbers>
 
 #include <nlohmann/json.hpp>
+
+#include "input_options.hpp"
+#include "sample.hpp"
 
 namespace orispline::cli {
 namespace {
@@ -40,11 +44,16 @@ Json method(const FamilyInfo& family) {
           {"keeps_constant_rate_uneven", family.keeps_constant_rate_uneven},
           {"support_keys", family.support_keys},
           {"min_keys", family.min_keys},
+          {"closes", family.closes},
           {"parameters", parameters_of(family)},
           {"ends", ends_of(family)}};
 }
 
-std::string_view name_of_format(io::FileFormat format) { return format == io::FileFormat::tum ? "tum" : "csv"; }
+/// The word by which an option chooses a value.
+template <class T, std::size_t N>
+std::string_view word_of(const std::array<Choice<T>, N>& choices, T value) {
+  return std::ranges::find(choices, value, &Choice<T>::second)->first;
+}
 
 /// Three members for a key: its index, its line in the file, its exact time.
 void add_place(Json& json, const std::string& name, const InspectReport& report, std::size_t key) {
@@ -89,6 +98,12 @@ Json methods(const InspectReport& report) {
   return methods;
 }
 
+void add_repairs(Json& json, const io::RepairReport& repairs) {
+  json["duplicates_dropped"] = repairs.duplicates_dropped;
+  json["invalid_dropped"] = repairs.invalid_dropped;
+  json["rows_moved"] = repairs.rows_moved;
+}
+
 Json truth(const TruthReport& truth) {
   const DistanceStatistics& d = truth.distance;
   return {{"file", truth.path},
@@ -110,7 +125,7 @@ std::string json_of(std::span<const FamilyInfo> families) {
 std::string json_of(const InspectReport& report) {
   const std::size_t last = report.times.size() - 1;
   Json json{{"file", report.file.path},
-            {"format", name_of_format(report.file.format)},
+            {"format", word_of(format_choices, report.file.format)},
             {"keys", report.times.size()},
             {"start_s", report.time_of(0).to_string()},
             {"end_s", report.time_of(last).to_string()}};
@@ -130,7 +145,8 @@ std::string json_of(const InspectReport& report) {
 std::string json_of(const SampleReport& report) {
   Json json{{"input", report.input},
             {"output", report.output},
-            {"output_format", name_of_format(report.columns.format)},
+            {"output_format", word_of(format_choices, report.columns.format)},
+            {"output_orientation", word_of(orientation_choices, report.columns.form.representation)},
             {"method", report.method},
             {"keys", report.keys},
             {"start_s", report.start.to_string()},
@@ -138,13 +154,26 @@ std::string json_of(const SampleReport& report) {
             {"samples", report.samples},
             {"held_samples", report.held_samples},
             {"derivatives", report.columns.derivatives},
-            {"frame", report.columns.frame == io::Frame::world ? "world" : "body"},
+            {"frame", word_of(frame_choices, report.columns.frame)},
             {"sign_flips", report.keyframes.sign_flips},
-            {"non_unit_keys", report.keyframes.non_unit_keys},
-            {"duplicates_dropped", report.repairs.duplicates_dropped},
-            {"invalid_dropped", report.repairs.invalid_dropped},
-            {"rows_moved", report.repairs.rows_moved}};
+            {"non_unit_keys", report.keyframes.non_unit_keys}};
+  add_repairs(json, report.repairs);
   json["truth"] = report.truth ? truth(*report.truth) : Json(nullptr);
+  return document(json);
+}
+
+std::string json_of(const ConvertReport& report) {
+  Json json{{"input", report.input},
+            {"input_format", word_of(format_choices, report.input_format)},
+            {"output", report.output},
+            {"output_format", word_of(format_choices, report.output_format)},
+            {"keys", report.keys},
+            {"start_s", report.start.to_string()},
+            {"end_s", report.end.to_string()},
+            {"sign_flips", report.keyframes.sign_flips},
+            {"non_unit_keys", report.keyframes.non_unit_keys}};
+  add_repairs(json, report.repairs);
+  json["dropped_columns"] = report.dropped_columns;
   return document(json);
 }
 

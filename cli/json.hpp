@@ -6,6 +6,7 @@
 
 #include <orispline/curve/family.hpp>
 
+#include "convert_report.hpp"
 #include "inspect_report.hpp"
 #include "sample_report.hpp"
 
@@ -16,5 +17,6 @@ namespace orispline::cli {
 [[nodiscard]] std::string json_of(std::span<const FamilyInfo> families);
 [[nodiscard]] std::string json_of(const InspectReport& report);
 [[nodiscard]] std::string json_of(const SampleReport& report);
+[[nodiscard]] std::string json_of(const ConvertReport& report);
 
 }  // namespace orispline::cli

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The command line: which commands and options there are, and what the help says about them.
-#include <csignal>
-#include <new>
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
 #include <orispline/base/version.hpp>
 
+#include "command_options.hpp"
 #include "completion.hpp"
+#include "convert.hpp"
 #include "exit_code.hpp"
 #include "inspect.hpp"
 #include "methods.hpp"
@@ -23,35 +22,13 @@
 namespace orispline::cli {
 namespace {
 
-constexpr auto file_type = "FILE";
-
 constexpr auto app_footer = R"(Examples:
   orispline sample keys.csv --rate 100 -o motion.csv
+  orispline convert keys.csv -o keys.tum
   orispline inspect keys.csv --method timed-c2,quintic
   orispline methods
 
 Exit codes: 0 success, 1 bad data, 2 bad usage, 3 file missing, unreadable or not writable.)";
-
-constexpr auto sample_footer = R"(Examples:
-  orispline sample keys.csv --rate 100 -o motion.csv
-  orispline sample keys.csv --method quintic --tension=0.4 --ends natural --count 500 | head
-  orispline sample flight.csv --start-rate=0,0,0.5 --set tension=0.4,0.5,0.6 --times frames.csv -o motion.csv
-  orispline sample trajectory.tum --drop-duplicates --rate 200 -o smooth.tum
-  orispline sample ck.csv --columns t=sclk,qw=q0,qx=q1,qy=q2,qz=q3 --conjugate --rate 10 --frame world
-
-INPUT has the columns t,qw,qx,qy,qz and optionally px,py,pz and one column per parameter of the method (a value per
-key); a parameter on the command line wins over its column. '-' is standard input or output.
-Columns out: t,qw,qx,qy,qz[,px,py,pz][,wx,wy,wz[,ax,ay,az[,jx,jy,jz]]] in s, m, rad/s, rad/s^2, rad/s^3; body frame.
-A TUM file always has positions: zeros when the keys have none.
-Without -o the samples go to standard output as CSV; summaries and warnings go to standard error.)";
-
-constexpr auto inspect_footer = R"(Examples:
-  orispline inspect keys.csv
-  orispline inspect keys.csv --method timed-c2,quintic --method slerp
-  orispline inspect keys.csv --method sextic --json
-
-Faults that 'sample' refuses (duplicate or decreasing times, rows that are not numbers, norms far from 1) are repaired
-and counted. The JSON is described in docs/inspect-json.md.)";
 
 constexpr auto methods_footer = R"(Examples:
   orispline methods
@@ -61,104 +38,6 @@ constexpr auto completion_footer = R"(Examples:
   source <(orispline completion bash)
   orispline completion zsh > "${fpath[1]}/_orispline"
   orispline completion fish > ~/.config/fish/completions/orispline.fish)";
-
-std::string method_names() {
-  std::vector<std::string_view> names;
-  for (const FamilyInfo& family : families_info()) names.push_back(family.name);
-  return fmt::format("{}", fmt::join(names, "|"));
-}
-
-void add_input_options(CLI::App& app, InputOptions& o) {
-  app.add_option("INPUT", o.path, "CSV or TUM file of keyframes; '-' is standard input")
-      ->required()
-      ->type_name(file_type);
-  const std::string group = "Reading";
-  app.add_option("--input-format", o.format, "Format of INPUT [by extension, then by content]")
-      ->type_name(one_of(format_choices))
-      ->group(group);
-  app.add_option("--columns", o.columns, "Other names of columns: t=sclk_ticks,qw=q0_w,...")
-      ->allow_extra_args(false)
-      ->type_name("NAME=COLUMN,...")
-      ->group(group);
-  app.add_option("--order", o.order, "Order of the quaternion columns when there is no header")
-      ->type_name(one_of(order_choices))
-      ->group(group);
-  app.add_option("--time-scale", o.time_scale, "Seconds per unit of the time column [1]")->type_name("X")->group(group);
-  app.add_flag("--conjugate", o.conjugate, "The file holds world to body (SPICE, CCSDS)")->group(group);
-  app.add_option("--signs", o.signs, "Negate quaternions for the shortest way, or take their signs [shortest]")
-      ->type_name(one_of(sign_choices))
-      ->group(group);
-  app.add_flag("--drop-duplicates", o.drop_duplicates, "Of equal times keep the first row")->group(group);
-  app.add_flag("--drop-invalid", o.drop_invalid, "Drop rows with NaN, infinite or empty cells")->group(group);
-  app.add_flag("--sort", o.sort, "Sort the rows by time")->group(group);
-}
-
-void add_method_options(CLI::App& app, MethodOptions& o) {
-  const std::string group = "Shape of the curve";
-  app.add_option("--tension", o.tension, "Short for --set tension=X[,X...]")->type_name("X[,X...]")->group(group);
-  app.add_option("--set", o.settings, "A parameter: one value, or exactly one per key; repeatable")
-      ->allow_extra_args(false)
-      ->type_name("NAME=X[,X...]")
-      ->group(group);
-  app.add_option("--ends", o.ends, "End rule for both ends, or for each; see 'orispline methods'")
-      ->type_name("RULE|START,END")
-      ->group(group);
-  app.add_option("--start-rate", o.start_rate, "Body rate at the first key [rad/s]; means --ends clamped there")
-      ->type_name("WX,WY,WZ")
-      ->group(group);
-  app.add_option("--end-rate", o.end_rate, "Body rate at the last key [rad/s]; means --ends clamped there")
-      ->type_name("WX,WY,WZ")
-      ->group(group);
-}
-
-void add_time_options(CLI::App& app, TimeOptions& o) {
-  const std::string group = "Times (one of --rate, --count, --times)";
-  app.add_option("--rate", o.rate, "Samples per second, from the start up to the end")->type_name("HZ")->group(group);
-  app.add_option("--count", o.count, "Number of samples, both ends included")->type_name("N")->group(group);
-  app.add_option("--times", o.list, "File with one time a line, in any order")->type_name(file_type)->group(group);
-  app.add_option("--from", o.from, "Start, in the time of INPUT [first key]")->type_name("T")->group(group);
-  app.add_option("--to", o.to, "End, in the time of INPUT [last key]")->type_name("T")->group(group);
-}
-
-void add_sample_options(CLI::App& app, SampleOptions& o) {
-  add_input_options(app, o.input);
-  app.add_option("--method", o.method, fmt::format("Method [{}]; see 'orispline methods'", default_method))
-      ->type_name(method_names())
-      ->group("Shape of the curve");
-  add_method_options(app, o.shape);
-  add_time_options(app, o.times);
-  app.add_option("--extrapolate", o.extrapolate, "Outside the keys hold the end orientation, or fail [hold]")
-      ->type_name(one_of(extrapolation_choices))
-      ->group("Times (one of --rate, --count, --times)");
-  const std::string group = "Output";
-  app.add_option("-o,--output", o.output, "File to write, complete or not at all [standard output]")
-      ->type_name(file_type)
-      ->group(group);
-  app.add_option("--output-format", o.output_format, "Format of the output [tum for .tum, else csv]")
-      ->type_name(one_of(format_choices))
-      ->group(group);
-  app.add_option("--derivatives", o.derivatives, "Highest order of the rates [2 for CSV, 0 for TUM]")
-      ->type_name("0|1|2|3")
-      ->group(group);
-  app.add_option("--frame", o.frame, "Frame of the rates [body]")->type_name(one_of(frame_choices))->group(group);
-  app.add_option("--truth", o.truth, "Key file that the curve is compared with, in the summary")
-      ->type_name(file_type)
-      ->group(group);
-  app.add_flag("--json", o.json, "Print the summary as JSON on standard output; needs -o")->group(group);
-  app.add_flag("--quiet", o.quiet, "No summary, no progress bar")->group(group);
-  app.footer(sample_footer);
-}
-
-void add_inspect_options(CLI::App& app, InspectOptions& o) {
-  add_input_options(app, o.input);
-  app.add_option("--method", o.methods, "Methods whose continuity is measured; repeatable, or a list with commas")
-      ->allow_extra_args(false)
-      ->type_name(method_names())
-      ->group("Shape of the curve");
-  add_method_options(app, o.shape);
-  app.add_flag("--json", o.json, "Print one JSON document");
-  app.footer(inspect_footer);
-}
 
 /// What a shell is told about an option; choices stand in the type name.
 OptionOutline outline(const CLI::Option& option) {
@@ -213,6 +92,8 @@ class CommandLine {
     app_.set_version_flag("--version", fmt::format("orispline {}", version));
     add_sample_options(
         command("sample", "Sample the smooth motion through keyframes", [this] { return sample(sample_); }), sample_);
+    add_convert_options(command("convert", "Write keyframes in another format", [this] { return convert(convert_); }),
+                        convert_);
     add_inspect_options(command("inspect", "Say what a file of keyframes is like, and how continuous curves are on it",
                                 [this] { return inspect(inspect_); }),
                         inspect_);
@@ -252,6 +133,7 @@ class CommandLine {
 
   CLI::App app_{"Smooth orientation curves through keyframes."};
   SampleOptions sample_;
+  ConvertOptions convert_;
   InspectOptions inspect_;
   MethodsOptions methods_;
   std::string shell_;

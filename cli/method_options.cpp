@@ -62,6 +62,14 @@ Expected<End> end_in(const FamilyInfo& family, std::optional<EndRule> rule, std:
   return vector_in({option, *rate}).map([](const Eigen::Vector3d& w) { return End{EndRule::clamped, w}; });
 }
 
+Expected<std::optional<Loop>> loop_in(const MethodOptions& options) {
+  if (!options.period) return options.closed ? std::optional(Loop{}) : std::nullopt;
+  const OptionText period{"--period", *options.period};
+  const auto seconds = number_in(period);
+  if (!seconds || *seconds <= 0.0) return wanted(period, "a number of seconds greater than 0");
+  return Loop{.period = *seconds};
+}
+
 /// With the place in the file, unless the command line alone is at fault.
 Error placed(const io::KeyFile& file, Error error) {
   const bool concerns_file = error.code == ErrorCode::bad_data || error.where.key;
@@ -80,7 +88,8 @@ Expected<MethodRequest> method_request(const std::string& method, const MethodOp
   if (rules) std::tie(start_rule, end_rule) = *rules;
   CurveOptions shape{.parameters = checked(parameters_in(options)),
                      .start = checked(end_in(**family, start_rule, "--start-rate", options.start_rate)),
-                     .end = checked(end_in(**family, end_rule, "--end-rate", options.end_rate))};
+                     .end = checked(end_in(**family, end_rule, "--end-rate", options.end_rate)),
+                     .loop = checked(loop_in(options))};
   return std::move(checked).or_else(MethodRequest{*family, std::move(shape)});
 }
 

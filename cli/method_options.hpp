@@ -16,11 +16,12 @@ inline constexpr std::string_view default_method = "timed-c2";
 /// How the user wants a method to be shaped, as typed.
 struct MethodOptions {
   std::vector<std::string> settings;  ///< NAME=X[,X…]
-  std::optional<std::string> tension, ends, start_rate, end_rate;
+  std::optional<std::string> tension, ends, start_rate, end_rate, period;
+  bool closed = false;
 };
 
 [[nodiscard]] inline bool any_given(const MethodOptions& o) {
-  return !o.settings.empty() || o.tension || o.ends || o.start_rate || o.end_rate;
+  return !o.settings.empty() || o.tension || o.ends || o.start_rate || o.end_rate || o.period || o.closed;
 }
 
 /// A method with what the command line says to it.

@@ -30,9 +30,10 @@ std::string table() {
   std::string text =
       "Continuity is in time: on evenly spaced keys, then on any keys. The first end rule is the default.\n";
   for (const FamilyInfo& family : families_info())
-    text += fmt::format("\n{:14}{}\n{:14}continuity C{}, C{}; parameters: {}; ends: {}\n{:14}source: {}\n", family.name,
-                        family.title, "", family.continuity_uniform, family.continuity_uneven, parameters_of(family),
-                        ends_of(family), "", family.source);
+    text +=
+        fmt::format("\n{:20}{}\n{:20}continuity C{}, C{}; parameters: {}; ends: {}{}\n{:20}source: {}\n", family.name,
+                    family.title, "", family.continuity_uniform, family.continuity_uneven, parameters_of(family),
+                    ends_of(family), family.closes ? "; can be closed" : "", "", family.source);
   return text;
 }
 

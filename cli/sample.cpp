@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sample.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "interruption.hpp"
@@ -13,6 +15,7 @@ namespace orispline::cli {
 namespace {
 
 constexpr int default_csv_derivatives = 2;
+constexpr int most_position_derivatives = 2;  // of the path: velocity and acceleration
 
 /// The command line, understood.
 struct Request {
@@ -31,19 +34,19 @@ Expected<int> derivatives_in(OptionText option) {
 
 Expected<io::SampleColumns> columns_in(const SampleOptions& options) {
   FirstError checked;
-  const auto format = checked(if_given("--output-format", options.output_format, choice_of(format_choices)));
+  auto columns = checked(output_columns(options.output));
   const auto derivatives = checked(if_given("--derivatives", options.derivatives, derivatives_in));
   const auto frame = checked(if_given("--frame", options.frame, choice_of(frame_choices)));
-  io::SampleColumns columns{
-      .format = format.value_or(io::format_of_extension(options.output).value_or(io::FileFormat::csv)),
-      .frame = frame.value_or(io::Frame::body)};
   const bool holds_rates = columns.format == io::FileFormat::csv;
   columns.derivatives = derivatives.value_or(holds_rates ? default_csv_derivatives : 0);
-  auto read = std::move(checked).or_else(columns);
-  if (read && !holds_rates && read->derivatives > 0)
-    return wanted({"--derivatives", *options.derivatives}, "0 for a TUM file, which has no columns for rates");
-  if (read && !holds_rates && read->frame == io::Frame::world)
-    return wanted({"--frame", *options.frame}, "body for a TUM file, which has no columns for rates");
+  columns.frame = frame.value_or(io::Frame::body);
+  auto read = std::move(checked).or_else(std::move(columns));
+  if (!read || holds_rates) return read;
+  const auto refused = [&](OptionText option, std::string_view only) {
+    return wanted(option, fmt::format("{} for {}, which has no columns for rates", only, a_file_of(read->format)));
+  };
+  if (read->derivatives > 0) return refused({"--derivatives", *options.derivatives}, "0");
+  if (read->frame == io::Frame::world) return refused({"--frame", *options.frame}, "body");
   return read;
 }
 
@@ -66,7 +69,7 @@ Expected<Request> request_in(const SampleOptions& options) {
                            .value_or(Extrapolation::hold)};
   auto read = std::move(checked).or_else(std::move(request));
   if (!read) return read;
-  if (options.json && options.output == io::standard_stream)
+  if (options.json && options.output.path == io::standard_stream)
     return usage_failure("--json: the summary goes to standard output, wanted -o FILE for the samples");
   if (reads_standard_input_twice(options))
     return usage_failure("found '-' for several of INPUT, --times and --truth, wanted it for one at most");
@@ -86,28 +89,31 @@ struct Source {
 Expected<Source> open_source(const Request& request) {
   auto file = io::read_keys(request.input.path, request.input.read);
   if (!file) return tl::unexpected(std::move(file.error()));
-  auto times = SampleTimes::make(request.times, *file);
-  if (!times) return tl::unexpected(std::move(times.error()));
   const auto keys = Keyframes::make(std::exchange(file->data, {}), request.input.signs);
   if (!keys) return tl::unexpected(located(*file, keys.error()));
   auto curve = shaped_curve(request.method, *keys, *file);
   if (!curve) return tl::unexpected(std::move(curve.error()));
+  const Domain domain = curve->orientation.domain();
+  auto times = SampleTimes::make(request.times, file->epoch, domain);
+  if (!times) return tl::unexpected(std::move(times.error()));
   if (request.extrapolation == Extrapolation::error)
-    if (auto stray = times->outside(curve->orientation.domain())) return tl::unexpected(std::move(*stray));
+    if (auto stray = times->outside(domain)) return tl::unexpected(std::move(*stray));
   return Source{std::move(*file), keys->size(), keys->report(), std::move(*curve), std::move(*times)};
 }
 
 /// Writes every sample; the number of those that hold an end orientation.
 Expected<std::size_t> write_samples(io::SampleWriter& writer, const Source& source, Progress::Show show) {
   const Domain domain = source.curve.orientation.domain();
+  const io::Decimal& epoch = source.times.epoch();
   Progress progress(source.times.size(), show);
   std::size_t held = 0;
   for (std::size_t k = 0; k < source.times.size(); ++k) {
     const auto [t, offset] = source.times[k];
     if (!domain.contains(t)) ++held;
-    io::Sample sample{.t = offset, .motion = source.curve.orientation.motion(t)};
-    if (source.curve.position) sample.position = source.curve.position->travel(t).position;
-    if (auto written = writer.write(sample); !written) return tl::unexpected(std::move(written.error()));
+    io::Sample sample{.motion = source.curve.orientation.motion(t)};
+    if (source.curve.position) sample.travel = source.curve.position->travel(t);
+    if (auto written = writer.write(epoch + io::Decimal::from_double(offset), sample); !written)
+      return tl::unexpected(std::move(written.error()));
     progress.advance_to(k);
   }
   return writer.finish().map([held] { return held; });
@@ -128,7 +134,7 @@ Expected<TruthReport> truth_report(const std::string& path, const Source& source
 SampleReport report_on(const Source& source, const SampleOptions& options, const Request& request) {
   const Domain domain = source.curve.orientation.domain();
   return {.input = options.input.path,
-          .output = options.output,
+          .output = options.output.path,
           .method = std::string(request.method.family->name),
           .keys = source.keys,
           .repairs = source.file.repairs,
@@ -140,7 +146,7 @@ SampleReport report_on(const Source& source, const SampleOptions& options, const
 }
 
 Progress::Show progress_for(const SampleOptions& options) {
-  const bool in_the_way = options.quiet || options.output == io::standard_stream;
+  const bool in_the_way = options.quiet || options.output.path == io::standard_stream;
   return in_the_way ? Progress::Show::never : Progress::Show::on_terminal;
 }
 
@@ -151,18 +157,19 @@ Expected<void> sample(const SampleOptions& options) {
   if (!request) return tl::unexpected(std::move(request.error()));
   const auto source = open_source(*request);
   if (!source) return tl::unexpected(source.error());
-  request->columns.positions = source->curve.position.has_value();
+  io::SampleColumns& columns = request->columns;
+  columns.positions = source->curve.position.has_value();
+  if (columns.positions) columns.position_derivatives = std::min(columns.derivatives, most_position_derivatives);
   SampleReport report = report_on(*source, options, *request);
   if (options.truth) {
     auto truth = truth_report(*options.truth, *source);
     if (!truth) return tl::unexpected(std::move(truth.error()));
     report.truth = std::move(*truth);
   }
-  const auto held = io::SampleWriter::open(options.output, request->columns, source->times.epoch())
-                        .and_then([&](io::SampleWriter writer) {
-                          const RemovedWhenInterrupted unfinished(writer.part());
-                          return write_samples(writer, *source, progress_for(options));
-                        });
+  const auto held = io::SampleWriter::open(options.output.path, columns).and_then([&](io::SampleWriter writer) {
+    const RemovedWhenInterrupted unfinished(writer.part());
+    return write_samples(writer, *source, progress_for(options));
+  });
   if (!held) return tl::unexpected(held.error());
   report.held_samples = *held;
   if (options.json) return print_document(json_of(report));

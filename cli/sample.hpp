@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <orispline/io/sample_writer.hpp>
-
 #include "input_options.hpp"
 #include "method_options.hpp"
+#include "output_options.hpp"
 #include "sample_times.hpp"
 
 namespace orispline::cli {
@@ -22,8 +21,8 @@ struct SampleOptions {
   std::string method{default_method};
   MethodOptions shape;
   TimeOptions times;
-  std::string output{io::standard_stream};
-  std::optional<std::string> output_format, derivatives, frame, extrapolate, truth;
+  OutputOptions output;
+  std::optional<std::string> derivatives, frame, extrapolate, truth;
   bool json = false, quiet = false;
 };
 

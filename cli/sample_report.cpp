@@ -12,10 +12,6 @@ namespace {
 
 constexpr double degrees = 180.0 / std::numbers::pi;
 
-std::string counted(std::size_t count, std::string_view noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
 std::string keys_line(const SampleReport& report) {
   std::string line = fmt::format("{} from {}, {} to {} s", counted(report.keys, "key"), report.input,
                                  report.start.to_string(), report.end.to_string());
@@ -35,6 +31,10 @@ std::string truth_line(const TruthReport& truth) {
 
 }  // namespace
 
+std::string counted(std::size_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
 std::string text_of(const io::RepairReport& repairs) {
   std::vector<std::string> clauses;
   if (repairs.duplicates_dropped > 0)
@@ -51,7 +51,7 @@ std::string text_of(const SampleReport& report) {
   text += fmt::format("{} with {} written to {}\n", counted(report.samples, "sample"), report.method,
                       report.output == io::standard_stream ? "standard output" : report.output);
   if (report.held_samples > 0)
-    text += fmt::format("{} outside the keys hold the end orientation\n", counted(report.held_samples, "sample"));
+    text += fmt::format("{} outside the curve hold the end orientation\n", counted(report.held_samples, "sample"));
   if (report.truth) text += truth_line(*report.truth);
   return text;
 }

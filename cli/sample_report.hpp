@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include <orispline/analysis/distance.hpp>
 #include <orispline/io/key_file.hpp>
@@ -25,9 +26,12 @@ struct SampleReport {
   KeyframeReport keyframes{};
   io::SampleColumns columns{};
   std::size_t samples = 0, held_samples = 0;
-  io::Decimal start{}, end{};  ///< of the keys, in the file's own time [s]
+  io::Decimal start{}, end{};  ///< of the curve, in the file's own time [s]
   std::optional<TruthReport> truth{};
 };
+
+/// `1 key`, `2 keys`
+[[nodiscard]] std::string counted(std::size_t count, std::string_view noun);
 
 /// A few lines for people.
 [[nodiscard]] std::string text_of(const SampleReport& report);

@@ -49,26 +49,28 @@ Expected<TimeRequest> time_request(const TimeOptions& options) {
   return read;
 }
 
-Expected<SampleTimes> SampleTimes::make(const TimeRequest& request, const io::KeyFile& keys) {
+Expected<SampleTimes> SampleTimes::make(const TimeRequest& request, const io::Decimal& key_epoch,
+                                        const Domain& domain) {
   const auto* const file = std::get_if<TimesFile>(&request.spacing);
-  if (!file) return grid(request, keys);
-  return io::read_times(file->path, keys.epoch).map([&](io::TimesList list) {
+  if (!file) return grid(request, key_epoch, domain);
+  return io::read_times(file->path, key_epoch).map([&](io::TimesList list) {
     const std::size_t size = list.times.size();
-    return SampleTimes(keys.epoch, keys.epoch, size, List{file->path, std::move(list)});
+    return SampleTimes(key_epoch, key_epoch, size, List{file->path, std::move(list)});
   });
 }
 
-Expected<SampleTimes> SampleTimes::grid(const TimeRequest& request, const io::KeyFile& keys) {
-  const io::Decimal last_key = io::Decimal::from_double(keys.data.times.back());
-  const io::Decimal start = request.from ? *request.from - keys.epoch : io::Decimal();
-  const io::Decimal end = request.to ? *request.to - keys.epoch : last_key;
+Expected<SampleTimes> SampleTimes::grid(const TimeRequest& request, const io::Decimal& key_epoch,
+                                        const Domain& domain) {
+  const io::Decimal first = io::Decimal::from_double(domain.start), last = io::Decimal::from_double(domain.end);
+  const io::Decimal start = request.from ? *request.from - key_epoch : first;
+  const io::Decimal end = request.to ? *request.to - key_epoch : last;
   if (start > end && request.from)
-    return usage_failure(fmt::format("--from {} is after the last key at {}, wanted --to as well",
-                                     request.from->to_string(), (keys.epoch + last_key).to_string()));
+    return usage_failure(fmt::format("--from {} is after the end at {}, wanted --to as well", request.from->to_string(),
+                                     (key_epoch + last).to_string()));
   if (start > end)
-    return usage_failure(fmt::format("--to {} is before the first key at {}, wanted --from as well",
-                                     request.to->to_string(), keys.epoch.to_string()));
-  const io::Decimal epoch = keys.epoch + start;
+    return usage_failure(fmt::format("--to {} is before the start at {}, wanted --from as well",
+                                     request.to->to_string(), (key_epoch + first).to_string()));
+  const io::Decimal epoch = key_epoch + start;
   Grid grid{.spacing = Count{1}, .start = start, .end = end.to_double(), .span = (end - start).to_double()};
   if (const auto* const count = std::get_if<Count>(&request.spacing)) {
     if (count->samples > 1 && grid.span == 0.0)
@@ -76,7 +78,7 @@ Expected<SampleTimes> SampleTimes::grid(const TimeRequest& request, const io::Ke
                                        epoch.to_string()));
     grid.spacing = *count;
     grid.index_of_end = count->samples - 1;
-    return SampleTimes(keys.epoch, epoch, count->samples, grid);
+    return SampleTimes(key_epoch, epoch, count->samples, grid);
   }
   const Rate rate = std::get<Rate>(request.spacing);
   const double exact = grid.span * rate.hertz, nearest = std::round(exact);
@@ -87,7 +89,7 @@ Expected<SampleTimes> SampleTimes::grid(const TimeRequest& request, const io::Ke
                                      intervals, grid.span, most_samples));
   grid.spacing = rate;
   if (meets_end) grid.index_of_end = static_cast<std::size_t>(intervals);
-  return SampleTimes(keys.epoch, epoch, static_cast<std::size_t>(intervals) + 1, grid);
+  return SampleTimes(key_epoch, epoch, static_cast<std::size_t>(intervals) + 1, grid);
 }
 
 double SampleTimes::Grid::offset(std::size_t k, std::size_t size) const {
@@ -111,7 +113,7 @@ std::optional<Error> SampleTimes::outside(const Domain& domain) const {
   const auto error = [&](double t, ErrorCode code, Where where) {
     const auto own_time = [&](double time) { return (key_epoch_ + io::Decimal::from_double(time)).to_string(); };
     return Error{code,
-                 fmt::format("time {} is outside the keys, wanted {} to {}", own_time(t), own_time(domain.start),
+                 fmt::format("time {} is outside the curve, wanted {} to {}", own_time(t), own_time(domain.start),
                              own_time(domain.end)),
                  std::move(where)};
   };

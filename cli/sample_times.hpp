@@ -7,7 +7,6 @@
 #include <vector>
 
 #include <orispline/curve/curve.hpp>
-#include <orispline/io/key_file.hpp>
 #include <orispline/io/times_file.hpp>
 
 namespace orispline::cli {
@@ -45,14 +44,17 @@ struct Instant {
 class SampleTimes {
  public:
   /// Errors: bad_argument for a grid that ends before it starts or never ends; those of a times file.
-  [[nodiscard]] static Expected<SampleTimes> make(const TimeRequest& request, const io::KeyFile& keys);
+  ///
+  /// `key_epoch`: what the times of the curve are relative to. `domain`: of the curve, what a grid covers by default.
+  [[nodiscard]] static Expected<SampleTimes> make(const TimeRequest& request, const io::Decimal& key_epoch,
+                                                  const Domain& domain);
 
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
   /// What offsets are relative to, exact.
   [[nodiscard]] const io::Decimal& epoch() const noexcept { return epoch_; }
   [[nodiscard]] Instant operator[](std::size_t k) const;
 
-  /// The error for the first time that the keys do not cover.
+  /// The error for the first time that the curve does not cover.
   [[nodiscard]] std::optional<Error> outside(const Domain& domain) const;
 
  private:
@@ -70,7 +72,8 @@ class SampleTimes {
 
   SampleTimes(const io::Decimal& key_epoch, const io::Decimal& epoch, std::size_t size, std::variant<Grid, List> times)
       : key_epoch_(key_epoch), epoch_(epoch), size_(size), times_(std::move(times)) {}
-  [[nodiscard]] static Expected<SampleTimes> grid(const TimeRequest& request, const io::KeyFile& keys);
+  [[nodiscard]] static Expected<SampleTimes> grid(const TimeRequest& request, const io::Decimal& key_epoch,
+                                                  const Domain& domain);
 
   io::Decimal key_epoch_, epoch_;
   std::size_t size_;

@@ -2,178 +2,166 @@
 # SPDX-License-Identifier: Apache-2.0
 """Draws the figures of the documents from the output of the command itself.
 
-  tools/make_figures.py COMMAND    COMMAND is the built orispline; writes docs/flight.svg and docs/families/*.svg
+  tools/make_figures.py COMMAND    COMMAND is the built orispline; writes docs/*.svg and docs/families/*.svg
 """
 
-import math
-import subprocess
 import sys
 from pathlib import Path
+from typing import NamedTuple
 
-from rotations import cross, norm, to_world, unit
+from rotations import norm, times, to_world, turn
+from sampled_motion import Motion, sampled
+from sphere_view import sphere
+from svg_drawing import BLUE, GREEN, GREY, INK, PURPLE, RED, Plot, document, legend, line, text
 
 ROOT = Path(__file__).resolve().parent.parent
 DATA, DOCS = ROOT / "examples" / "data", ROOT / "docs"
-GREY, BLUE, RED, GREEN, PURPLE, INK = "#9a9a9a", "#0072b2", "#d55e00", "#009e73", "#b0579a", "#333333"
-FAMILIES = {"slerp": ["slerp"], "squad": ["slerp", "squad", "squad-timed"], "quintic": ["slerp", "quintic"],
-            "sextic": ["slerp", "sextic"], "timed": ["slerp", "timed-c1", "timed-c2", "timed-c3", "timed-sextic"]}
+X_AXIS = (1.0, 0.0, 0.0)
+COLORS = [BLUE, RED, GREEN, PURPLE]
 
 
-class Motion:
-    """The columns of a file of samples."""
-
-    def __init__(self, text):
-        lines = [line for line in text.splitlines() if not line.startswith("#")]
-        self.names = lines[0].split(",")
-        self.rows = [[float(x) for x in line.split(",")] for line in lines[1:]]
-        self.t = self.column("t")
-        self.q = self.vectors("qw", 4)
-
-    def column(self, name):
-        i = self.names.index(name)
-        return [row[i] for row in self.rows]
-
-    def vectors(self, name, size=3):
-        i = self.names.index(name)
-        return [tuple(row[i:i + size]) for row in self.rows]
-
-    def sizes(self, name):
-        return [norm(v) for v in self.vectors(name)]
+def text_of(name):
+    return (DATA / name).read_text()
 
 
-def sampled(command, keys, method, rate):
-    call = [command, "sample", str(DATA / keys), "--method", method, "--rate", str(rate)]
-    return Motion(subprocess.run(call, check=True, capture_output=True, text=True).stdout)
+class Curve(NamedTuple):
+    """One curve of a figure: what the legend says and what the command is told."""
+    label: str
+    options: list[str]
+    keys: str  # the text of a key file
 
 
-# ---------------------------------------------------------------- drawing
+def curve(label, *options, method=None, keys=None):
+    return Curve(label, ["--method", method or label, *options], keys or text_of("five_keys.csv"))
 
 
-def line(points, color, width=1.5, extra=""):
-    path = " ".join(f"{x:.1f},{y:.1f}" for x, y in points)
-    return f'<polyline points="{path}" fill="none" stroke="{color}" stroke-width="{width}" {extra}/>'
+# ---------------------------------------------------------------- the figures of docs/families
+
+TIMED = ("timed-c1", "timed-c2", "timed-c3", "timed-sextic")
+JOINT_TIMES = Motion(text_of("five_keys.csv")).t
 
 
-def text(x, y, words, anchor="middle", color=INK, size=12):
-    return f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}" fill="{color}" font-size="{size}">{words}</text>'
+def table(rows):
+    return "t,qw,qx,qy,qz\n" + "".join(",".join(map(repr, (t, *q))) + "\n" for t, q in rows)
 
 
-def document(width, height, parts):
-    return (f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" width="{width}" height="{height}" '
-            'font-family="sans-serif" stroke-linejoin="round">\n'
-            f'<rect width="{width}" height="{height}" fill="white"/>\n' + "\n".join(parts) + "\n</svg>\n")
+def with_handles(command):
+    """The five keys as joints of a Bezier curve, its handles where the rates of hermite-cumulative put them."""
+    motion = sampled(command, text_of("five_keys.csv"), 2, ["--method", "hermite-cumulative"])
+    joints = [joint for joint in zip(motion.t, motion.q, motion.vectors("wx")) if joint[0] in JOINT_TIMES]
+
+    def handle(q, rate, step):
+        speed = norm(rate)
+        return times(q, turn(tuple(x / speed for x in rate), speed * step / 3))
+
+    rows = []
+    for (t, q, leaving), (following, end, arriving) in zip(joints, joints[1:]):
+        h = following - t
+        rows += [(t, q), (t + h / 3, handle(q, leaving, h)), (t + 2 * h / 3, handle(end, arriving, -h))]
+    return [*rows, joints[-1][:2]]
 
 
-def round_step(span):
-    """A step of 1, 2 or 5 times a power of ten that cuts the span into 3 to 7 parts."""
-    power = 10.0 ** math.floor(math.log10(span / 3))
-    return next(k * power for k in (5, 2, 1) if span / (k * power) >= 3)
+def families(command):
+    """The curves of each page; the first is the grey one where there are several."""
+    arcs, five = curve("slerp"), text_of("five_keys.csv").splitlines(True)
+    return {
+        "slerp": [arcs],
+        **{name: [arcs, curve(name)] for name in ("squad", "squad-timed", "quintic", "sextic", "xing-quartic",
+                                                  "xing-quintic", *TIMED)},
+        "timed": [arcs, *map(curve, TIMED)],
+        "family": [arcs, *(curve(f"order {k}", "--set", f"order={k}", method="family") for k in (1, 2, 3, 5))],
+        "hermite-cumulative": [arcs, *(curve(f"tension {x}", f"--tension={x}", method="hermite-cumulative")
+                                       for x in (1, 0.5, 0))],
+        "bezier": [arcs, curve("keys 0 to 4 with handles", method="bezier", keys=table(with_handles(command))),
+                   curve("keys 0 to 3 as one polygon", method="bezier", keys="".join(five[:-1]))],
+        "bspline": [arcs, *(curve(f"degree {d}", "--set", f"degree={d}", method="bspline") for d in (2, 3, 5))],
+        "beta": [arcs, curve("β = (1, 0)", method="beta"), curve("β = (1, 8)", "--set", "beta2=8", method="beta")],
+    }
 
 
-class Plot:
-    """Curves over time in a box: left, top, width, height in pixels."""
-
-    def __init__(self, box, start, end, highest, label):
-        self.box, self.start, self.end, self.highest = box, start, end, highest
-        left, top, width, height = box
-        self.parts = [text(left, top - 7, label, "start")]
-        step = round_step(highest)
-        for k in range(int(highest / step + 1e-9) + 1):
-            y = self.at(start, k * step)[1]
-            self.parts += [line([(left, y), (left + width, y)], "#e4e4e4", 1),
-                           text(left - 6, y + 4, f"{k * step:g}", "end")]
-
-    def at(self, t, value):
-        left, top, width, height = self.box
-        return left + width * (t - self.start) / (self.end - self.start), top + height * (1 - value / self.highest)
-
-    def mark(self, times, labels):
-        _, top, _, height = self.box
-        for k, t in enumerate(times):
-            x = self.at(t, 0)[0]
-            self.parts.append(line([(x, top), (x, top + height)], "#bbbbbb", 1, 'stroke-dasharray="3 3"'))
-            if labels:
-                self.parts.append(text(x, top + height + 16, labels[k]))
-
-    def curve(self, times, values, color, width=1.6):
-        points = [self.at(t, v) for t, v in zip(times, values) if self.start <= t <= self.end]
-        self.parts.append(line(points, color, width))
+def drawn(command, curves, colors):
+    """The motions of the curves with their colours."""
+    return [(sampled(command, c.keys, 100, c.options), color) for c, color in zip(curves, colors)]
 
 
-def legend(x, y, entries):
-    parts = []
-    for name, color in entries:
-        parts += [line([(x, y), (x + 22, y)], color, 3), text(x + 28, y + 4, name, "start", color)]
-        x += 50 + 7.2 * len(name)
-    return parts
-
-
-# ---------------------------------------------------------------- one figure per page of docs/families
-
-EYE = unit((1.0, 0.12, 0.22))  # the direction from which the sphere is seen
-RIGHT = unit(cross((0.0, 0.0, 1.0), EYE))
-UP = cross(EYE, RIGHT)
-
-
-def dot(a, b):
-    return sum(x * y for x, y in zip(a, b))
-
-
-def visible_runs(points):
-    """The pieces of a path on the unit sphere that face the viewer."""
-    runs = [[]]
-    for v in points:
-        if dot(v, EYE) >= 0:
-            runs[-1].append(v)
-        elif runs[-1]:
-            runs.append([])
-    return [run for run in runs if len(run) > 1]
-
-
-def graticule():
-    def point(longitude, latitude):
-        c = math.cos(math.radians(latitude))
-        return (c * math.cos(math.radians(longitude)), c * math.sin(math.radians(longitude)),
-                math.sin(math.radians(latitude)))
-
-    parallels = [[point(a, b) for a in range(-180, 181, 4)] for b in (-60, -30, 0, 30, 60)]
-    return parallels + [[point(a, b) for b in range(-90, 91, 4)] for a in range(0, 360, 30)]
-
-
-def sphere(center, radius, motions, keys, axis):
-    """Paths of a body axis on the unit sphere; the far side is not drawn."""
-    def at(v):
-        return center[0] + radius * dot(v, RIGHT), center[1] - radius * dot(v, UP)
-
-    def drawn(points, color, width):
-        return [line([at(v) for v in run], color, width) for run in visible_runs(points)]
-
-    parts = [f'<circle cx="{center[0]}" cy="{center[1]}" r="{radius}" fill="#f7f9fb" stroke="#bbbbbb"/>']
-    for circle in graticule():
-        parts += drawn(circle, "#dde3e8", 1)
+def rates_over_time(box, column, label, motions, keys):
+    highest = 1.05 * max(max(max(motion.sizes(column)) for motion, _ in motions), 1.0)
+    plot = Plot(box, keys.t[0], keys.t[-1], highest, label)
+    plot.mark(keys.t, [f"{t:g} s" for t in keys.t])
     for motion, color in motions:
-        parts += drawn([to_world(q, axis) for q in motion.q], color, 2)
-    for k, q in enumerate(keys.q):
-        x, y = at(to_world(q, axis))
-        parts += [f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4" fill="{INK}"/>', text(x, y - 8, str(k))]
+        plot.curve(motion.t, motion.sizes(column), color)
+    return plot.parts
+
+
+def family_figure(command, curves, handles=()):
+    keys = Motion(text_of("five_keys.csv"))
+    motions = drawn(command, curves, [GREY, *COLORS] if len(curves) > 1 else COLORS)
+    parts = legend(50, 16, [(c.label, color) for c, (_, color) in zip(curves, motions)])
+    parts += rates_over_time((50, 52, 480, 120), "wx", "angular velocity |ω| [rad/s]", motions, keys)
+    parts += rates_over_time((50, 222, 480, 120), "ax", "angular acceleration |α| [rad/s²]", motions, keys)
+    parts += sphere((700, 205), 145, motions, keys, X_AXIS, handles)
+    return document(860, 372, parts + [text(700, 44, "path of the body's x axis, keys 0 to 4")])
+
+
+def beta_parameters_figure(command):
+    """What β₁ and β₂ do to the curve near the five orientations, here at t = 0, 1, 2, 3, 4 s."""
+    even = table([(float(k), q) for k, q in enumerate(Motion(text_of("five_keys.csv")).q)])
+    keys, parts = Motion(even), []
+
+    def with_value(symbol, parameter, value):
+        return curve(f"{symbol} = {value}", "--set", f"{parameter}={value}", method="beta", keys=even)
+
+    for left, symbol, parameter, values, rest in ((0, "β₂", "beta2", (0, 4, 32), "β₁ = 1"),
+                                                  (430, "β₁", "beta1", (0.5, 1, 2), "β₂ = 0")):
+        curves = [with_value(symbol, parameter, value) for value in values]
+        motions = drawn(command, curves, COLORS)
+        parts += legend(left + 50, 16, [(c.label, color) for c, (_, color) in zip(curves, motions)])
+        parts += sphere((left + 215, 190), 145, motions, keys, X_AXIS)
+        parts += rates_over_time((left + 50, 382, 340, 120), "wx", f"angular velocity |ω| [rad/s] for {rest}", motions, keys)
+    return document(860, 532, parts)
+
+
+# ---------------------------------------------------------------- the loop of docs/closed.md
+
+SEAM = 17.0  # when the camera is back at its first key [s]
+
+
+def plan_view(box, motions, keys):
+    """Positions seen from above, in a world whose y points up."""
+    points = [(p[0], p[2]) for motion, _ in motions for p in motion.vectors("px")]
+    low, high = ([pick(point[i] for point in points) for i in (0, 1)] for pick in (min, max))
+    scale = min(box[2] / (high[0] - low[0]), box[3] / (high[1] - low[1]))
+
+    def at(p):
+        return box[0] + scale * (p[0] - low[0]), box[1] + scale * (p[2] - low[1])
+
+    parts = [line([at(p) for p in motion.vectors("px")], color, 2) for motion, color in motions]
+    stops = [at(p) for p in keys.vectors("px")[:-1]]
+    for k, (x, y) in enumerate(stops):
+        (x0, y0), (x1, y1) = stops[k - 1], stops[(k + 1) % len(stops)]
+        left = 15 / norm((x1 - x0, y1 - y0))  # of the way flown: outside the loop
+        parts += [f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4" fill="{INK}"/>',
+                  text(x + left * (y1 - y0), y - left * (x1 - x0) + 4, str(k))]
     return parts
 
 
-def family_figure(command, methods):
-    keys = Motion((DATA / "five_keys.csv").read_text())
-    colors = [GREY, BLUE, RED, GREEN, PURPLE] if len(methods) > 1 else [BLUE]
-    motions = [(sampled(command, "five_keys.csv", method, 100), color) for method, color in zip(methods, colors)]
-    parts = legend(50, 16, zip(methods, colors))
-    for top, column, label in ((52, "wx", "angular velocity |ω| [rad/s]"),
-                               (222, "ax", "angular acceleration |α| [rad/s²]")):
-        highest = 1.05 * max(max(max(motion.sizes(column)) for motion, _ in motions), 1.0)
-        plot = Plot((50, top, 480, 120), keys.t[0], keys.t[-1], highest, label)
-        plot.mark(keys.t, [f"{t:g} s" for t in keys.t])
-        for motion, color in motions:
-            plot.curve(motion.t, motion.sizes(column), color)
-        parts += plot.parts
-    parts += sphere((700, 205), 145, motions, keys, (1.0, 0.0, 0.0))
-    return document(860, 372, parts + [text(700, 44, "path of the body's x axis, keys 0 to 4")])
+def closed_figure(command):
+    """The camera sent back to its first key, as a loop and as a curve with two ends: half a lap on either side."""
+    rows = text_of("camera_keys.csv").splitlines(True)
+    first = next(row for row in rows if row[0].isdigit())
+    lap = "".join(rows) + f"{SEAM}," + first.split(",", 1)[1]
+    keys = Motion(lap)
+    motions = [(sampled(command, lap, 50, ["--method", "timed-c2", *closed]), color)
+               for closed, color in (([], GREY), (["--closed"], BLUE))]
+    parts = legend(50, 16, [("timed-c2", GREY), ("timed-c2 --closed", BLUE)])
+    plot = Plot((50, 52, 480, 260), -SEAM / 2, SEAM / 2, 1.05 * max(max(m.sizes("wx")) for m, _ in motions),
+                "angular velocity |ω| [rad/s], before and after the seam")
+    times = sorted({t - back for t in keys.t for back in (0, SEAM) if abs(t - back) <= SEAM / 2})
+    plot.mark(times, ["seam" if t == 0 else "" for t in times])
+    for motion, color in motions:
+        plot.curve([t - SEAM for t in motion.t] + motion.t, 2 * motion.sizes("wx"), color, 2)
+    parts += plot.parts + plan_view((590, 62, 220, 250), motions, keys)
+    return document(860, 342, parts + [text(700, 30, "path of the camera from above, keys 0 to 11")])
 
 
 # ---------------------------------------------------------------- the flight of the first page
@@ -215,9 +203,9 @@ def flight_ribbon(motion, keys, box):
 
 
 def flight_figure(command):
-    keys = Motion((DATA / "flight_keys.csv").read_text())
-    truth = Motion((DATA / "flight_truth.csv").read_text())
-    timed, quintic, coarse = (sampled(command, "flight_keys.csv", method, rate)
+    keys = Motion(text_of("flight_keys.csv"))
+    truth = Motion(text_of("flight_truth.csv"))
+    timed, quintic, coarse = (sampled(command, text_of("flight_keys.csv"), rate, ["--method", method])
                               for method, rate in (("timed-c2", 50), ("quintic", 50), ("timed-c2", 12)))
     parts = flight_ribbon(coarse, keys, (40, 42, 780, 150))
     plot = Plot((50, 232, 780, 130), *SHOWN, 1.05 * max(quintic.sizes("wx")), "angular velocity |ω| [rad/s]")
@@ -234,9 +222,14 @@ def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
     command = str(Path(sys.argv[1]).resolve())
-    for name, methods in FAMILIES.items():
-        (DOCS / "families" / f"{name}.svg").write_text(family_figure(command, methods))
-    (DOCS / "flight.svg").write_text(flight_figure(command))
+    handles = {"bezier": [q for t, q in with_handles(command) if t not in JOINT_TIMES]}
+    figures = {f"families/{name}": family_figure(command, curves, handles.get(name, ()))
+               for name, curves in families(command).items()}
+    figures["families/beta-parameters"] = beta_parameters_figure(command)
+    figures["closed"] = closed_figure(command)
+    figures["flight"] = flight_figure(command)
+    for name, figure in figures.items():
+        (DOCS / f"{name}.svg").write_text(figure)
 
 
 if __name__ == "__main__":

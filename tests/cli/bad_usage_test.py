@@ -3,9 +3,10 @@
 """Command lines that are refused: exit code 2, one line that says what is wrong, one that says where to read on."""
 from command import BAD_USAGE, CommandTest, main
 
-METHODS = "slerp, squad, squad-timed, quintic, sextic, timed-c1, timed-c2, timed-c3, timed-sextic"
+METHODS = ("slerp, squad, squad-timed, quintic, sextic, timed-c1, timed-c2, timed-c3, timed-sextic, xing-quartic, "
+           "xing-quintic, family, hermite-cumulative, bezier, bspline, beta")
 ENDS = "natural, repeat, quadratic, cubic, clamped, rest"
-COMMANDS = "sample, inspect, methods, completion"
+COMMANDS = "sample, convert, inspect, methods, completion"
 
 CASES = (
     ("", f"found no command, wanted one of {COMMANDS}"),
@@ -30,15 +31,15 @@ CASES = (
     ("sample keys.csv --count 2.5", "--count: found '2.5', wanted a whole number from 1 on"),
     ("sample keys.csv --count 2 --from now", "--from: found 'now', wanted a number"),
     ("sample keys.csv --count 2 --from 2 --to 1", "--from 2 is after --to 1"),
-    ("sample keys.csv --count 2 --from 4", "--from 4 is after the last key at 3, wanted --to as well"),
-    ("sample keys.csv --count 2 --to=-1", "--to -1 is before the first key at 0, wanted --from as well"),
+    ("sample keys.csv --count 2 --from 4", "--from 4 is after the end at 3, wanted --to as well"),
+    ("sample keys.csv --count 2 --to=-1", "--to -1 is before the start at 0, wanted --from as well"),
     ("sample keys.csv --count 2 --from 1 --to 1", "--count 2: the range is the single time 1, wanted --count 1"),
     ("sample keys.csv --times keys.csv --to 2", "--times: the file says which times, wanted neither --from nor --to"),
-    ("sample keys.csv --rate 1 --to 4 --extrapolate error", "time 4 is outside the keys, wanted 0 to 3"),
+    ("sample keys.csv --rate 1 --to 4 --extrapolate error", "time 4 is outside the curve, wanted 0 to 3"),
     ("sample keys.csv --rate 1 --extrapolate bend", "--extrapolate: found 'bend', wanted hold|error"),
     ("sample - --times -", "found '-' for several of INPUT, --times and --truth, wanted it for one at most"),
     # the shape of the curve
-    ("sample keys.csv --rate 1 --method bezier", f"no method 'bezier', wanted one of {METHODS}"),
+    ("sample keys.csv --rate 1 --method spline", f"no method 'spline', wanted one of {METHODS}"),
     ("sample keys.csv --rate 1 --tension high", "--tension: found 'high', wanted numbers with commas between them"),
     ("sample keys.csv --rate 1 --tension 1,,2", "--tension: found '1,,2', wanted numbers with commas between them"),
     ("sample keys.csv --rate 1 --tension=-0.1,0.2",
@@ -65,24 +66,52 @@ CASES = (
     (["sample", "keys.csv", "--rate", "1", "-o", ""], "-o: found an empty name, wanted FILE or -"),
     ("inspect keys.csv --tension 1", "options that shape a curve want --method as well"),
     ("sample keys.csv --rate 1 --signs long", "--signs: found 'long', wanted shortest|as-given"),
-    ("sample keys.csv --rate 1 --input-format json", "--input-format: found 'json', wanted csv|tum"),
+    ("sample keys.csv --rate 1 --input-format json", "--input-format: found 'json', wanted csv|tum|euroc"),
     ("sample keys.csv --rate 1 --order zyxw", "--order: found 'zyxw', wanted wxyz|xyzw"),
     ("sample keys.csv --rate 1 --time-scale 0", "--time-scale: found '0', wanted a number greater than 0"),
     ("sample keys.csv --rate 1 --columns t", "--columns: found 't', wanted NAME=VALUE"),
     ("sample keys.csv --rate 1 --columns t=a,t=b", "--columns: 't' stands twice"),
+    ("sample keys.csv --rate 1 --input-orientation axis",
+     "--input-orientation: found 'axis', wanted quaternion|euler|matrix|rotvec"),
+    ("sample keys.csv --rate 1 --euler ZZY", "--euler: found 'ZZY', wanted three axes such as ZYX (those of the body) or "
+                                             "zyx (of the world), none twice in a row"),
+    ("sample keys.csv --rate 1 --angle-unit grad", "--angle-unit: found 'grad', wanted deg|rad"),
+    ("sample keys.csv --rate 1 --angle-unit deg",
+     "keys.csv:1: --angle-unit is for Euler angles, and the orientation is in qw, qx, qy, qz"),
+    ("convert keys.csv --input-format tum --euler ZYX", "keys.csv:1: --euler needs a header, and TUM has none"),
+    # loops
+    ("sample keys.csv --rate 1 --period 0", "--period: found '0', wanted a number of seconds greater than 0"),
+    ("sample keys.csv --rate 1 --period round", "--period: found 'round', wanted a number of seconds greater than 0"),
+    ("sample keys.csv --rate 1 --period 2", "the period is 2 s, wanted more than the keys' span of 3 s"),
+    ("sample keys.csv --rate 1 --method slerp --period 4", "slerp: this method has no closed curves"),
+    ("sample keys.csv --rate 1 --ends rest --period 4", "timed-c2: a closed curve has no ends, found an end rule"),
+    ("inspect keys.csv --closed", "options that shape a curve want --method as well"),
     # writing
-    ("sample keys.csv --rate 1 --output-format xml", "--output-format: found 'xml', wanted csv|tum"),
+    ("sample keys.csv --rate 1 --output-format xml", "--output-format: found 'xml', wanted csv|tum|euroc"),
     ("sample keys.csv --rate 1 --derivatives 4", "--derivatives: found '4', wanted 0, 1, 2 or 3"),
     ("sample keys.csv --rate 1 --derivatives 1 -o motion.tum",
      "--derivatives: found '1', wanted 0 for a TUM file, which has no columns for rates"),
     ("sample keys.csv --rate 1 --frame world --output-format tum",
      "--frame: found 'world', wanted body for a TUM file, which has no columns for rates"),
+    ("sample keys.csv --rate 1 --derivatives 2 --output-format euroc",
+     "--derivatives: found '2', wanted 0 for an EuRoC file, which has no columns for rates"),
+    ("sample keys.csv --rate 1 --output-orientation euler -o motion.tum",
+     "--output-orientation: a TUM file holds orientations as quaternions only, wanted CSV"),
+    ("convert keys.csv --output-euler ZYX --output-format euroc",
+     "--output-euler: an EuRoC file holds orientations as quaternions only, wanted CSV"),
+    ("convert keys.csv --output-orientation matrix --output-angle-unit rad",
+     "--output-orientation: found 'matrix', wanted euler with --output-angle-unit"),
+    ("convert keys.csv --output-euler XYY", "--output-euler: found 'XYY', wanted three axes such as ZYX (those of the "
+                                            "body) or zyx (of the world), none twice in a row"),
     ("sample keys.csv --rate 1 --frame moon", "--frame: found 'moon', wanted body|world"),
     ("sample keys.csv --rate 1 --json",
      "--json: the summary goes to standard output, wanted -o FILE for the samples"),
+    ("convert keys.csv --json", "--json: the summary goes to standard output, wanted -o FILE for the keys"),
     # the other commands
+    ("convert", "INPUT is required"),
+    ("convert keys.csv --rate 1", "The following arguments were not expected: 1 --rate"),
     ("inspect", "INPUT is required"),
-    ("inspect keys.csv --method slerp,bezier", f"no method 'bezier', wanted one of {METHODS}"),
+    ("inspect keys.csv --method slerp,spline", f"no method 'spline', wanted one of {METHODS}"),
     ("inspect keys.csv --method slerp --tension 1",
      "slerp: no parameter 'tension', wanted none: this method has no parameters"),
     ("methods all", "The following argument was not expected: all"),

@@ -34,11 +34,11 @@ def to_world(q, v):
 
 
 def motion(t):
-    """Orientation, body rate and position at t seconds; at 1 s those of the second part."""
+    """Orientation, body rate, position and velocity at t seconds; at 1 s those of the second part."""
     if t < 1.0:
-        return about_x(t), (1.0, 0.0, 0.0), (2.0 * t, 0.0, 0.0)
+        return about_x(t), (1.0, 0.0, 0.0), (2.0 * t, 0.0, 0.0), (2.0, 0.0, 0.0)
     u = (t - 1.0) / 2.0
-    return product(about_x(1.0), about_y(0.5 * u)), (0.0, 0.25, 0.0), (2.0, 4.0 * u, -2.0 * u)
+    return product(about_x(1.0), about_y(0.5 * u)), (0.0, 0.25, 0.0), (2.0, 4.0 * u, -2.0 * u), (0.0, 2.0, -1.0)
 
 
 def table(header, separator, rows):
@@ -53,15 +53,18 @@ def samples():
 
 
 def main():
-    position, rate, rest = "px,py,pz", "wx,wy,wz", (0.0, 0.0, 0.0)
+    position, rate, velocity, rest = "px,py,pz", "wx,wy,wz", "vx,vy,vz", (0.0, 0.0, 0.0)
     keys = [(EPOCH + t, *motion(float(t))) for t in (0, 1, 3)]
     files = {
-        "keys.csv": table(f"t,qw,qx,qy,qz,{position}", ",", [(t, *q, *p) for t, q, w, p in keys]),
-        "slerp.csv": table(f"t,qw,qx,qy,qz,{position},{rate},ax,ay,az,jx,jy,jz", ",",
-                           [(t, *q, *p, *w, *rest, *rest) for t, q, w, p in samples()]),
-        "slerp_world.csv": table(f"t,qw,qx,qy,qz,{position},wx_world,wy_world,wz_world", ",",
-                                 [(t, *q, *p, *to_world(q, w)) for t, q, w, p in samples()]),
-        "slerp.tum": table("", " ", [(t, *p, *q[1:], q[0]) for t, q, w, p in samples()]),
+        "keys.csv": table(f"t,qw,qx,qy,qz,{position}", ",", [(t, *q, *p) for t, q, w, p, v in keys]),
+        "slerp.csv": table(f"t,qw,qx,qy,qz,{position},{rate},ax,ay,az,jx,jy,jz,{velocity},apx,apy,apz", ",",
+                           [(t, *q, *p, *w, *rest, *rest, *v, *rest) for t, q, w, p, v in samples()]),
+        "slerp_world.csv": table(f"t,qw,qx,qy,qz,{position},wx_world,wy_world,wz_world,{velocity}", ",",
+                                 [(t, *q, *p, *to_world(q, w), *v) for t, q, w, p, v in samples()]),
+        "slerp.tum": table("", " ", [(t, *p, *q[1:], q[0]) for t, q, w, p, v in samples()]),
+        "slerp_euroc.csv": table("#timestamp [ns],p_RS_R_x [m],p_RS_R_y [m],p_RS_R_z [m],"
+                                 "q_RS_w [],q_RS_x [],q_RS_y [],q_RS_z []", ",",
+                                 [(int(t * 10**9), *p, *q) for t, q, w, p, v in samples()]),
     }
     for name, text in files.items():
         (FOLDER / name).write_text(text, "utf-8")

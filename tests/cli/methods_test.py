@@ -2,12 +2,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """The list of methods, the help and the version."""
 import json
+import math
 import re
 
 from command import HINT, SUCCESS, CommandTest, main
 
 FIELDS = ["name", "title", "source", "interpolates", "continuity_uniform", "continuity_uneven",
-          "keeps_constant_rate_uniform", "keeps_constant_rate_uneven", "support_keys", "min_keys", "parameters", "ends"]
+          "keeps_constant_rate_uniform", "keeps_constant_rate_uneven", "support_keys", "min_keys", "closes",
+          "parameters", "ends"]
 
 
 class Methods(CommandTest):
@@ -39,13 +41,23 @@ class Methods(CommandTest):
             self.assertRegex(page, rf"(?m)^{name} +{re.escape(method['title'])}$")
 
     def test_every_method_samples_at_its_defaults(self):
+        self.write("keys.csv", "t,qw,qx,qy,qz\n" + "".join(
+            f"{t},{math.cos(0.3 * t)},{math.sin(0.3 * t)},0,0\n" for t in (0, 1, 1.5, 2, 4, 4.5, 5)))
         for name in self.methods:
             self.assertEqual(self.output_of(f"sample keys.csv --count 9 --method {name}").count("\n"), 10)
+
+    def test_sixteen_methods_are_listed(self):
+        self.assertEqual(len(self.methods), 16)
+
+    def test_the_local_four_key_methods_and_no_others_can_be_closed(self):
+        closing = {name for name, method in self.methods.items() if method["closes"]}
+        self.assertEqual(closing, {"quintic", "sextic", "timed-c1", "timed-c2", "timed-c3", "timed-sextic",
+                                   "xing-quartic", "xing-quintic", "family"})
 
 
 class Help(CommandTest):
     def test_every_command_has_help_with_examples(self):
-        for command in ("", "sample", "inspect", "methods", "completion"):
+        for command in ("", "sample", "convert", "inspect", "methods", "completion"):
             with self.subTest(command):
                 done = self.run_command(f"{command} --help")
                 self.assertEqual((done.returncode, done.stderr), (SUCCESS, ""))

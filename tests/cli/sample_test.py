@@ -11,8 +11,6 @@ import subprocess
 
 from command import BAD_ACCESS, BAD_DATA, COMMAND, EXPECTED, KEYS, CommandTest, main, rows_of
 
-METHODS = ("slerp", "squad", "squad-timed", "quintic", "sextic", "timed-c1", "timed-c2", "timed-c3", "timed-sextic")
-
 
 class StoredOutputs(CommandTest):
     def setUp(self):
@@ -55,6 +53,38 @@ class Columns(CommandTest):
         self.assertEqual(self.header_of("--derivatives 3 --frame world"),
                          "t,qw,qx,qy,qz,wx_world,wy_world,wz_world,ax_world,ay_world,az_world,"
                          "jx_world,jy_world,jz_world")
+
+    def test_positions_bring_their_own_rates_after_the_angular_ones(self):
+        self.write("keys.csv", "t,qw,qx,qy,qz,px,py,pz\n0,1,0,0,0,0,0,0\n2,1,0,0,0,4,-2,1\n")
+        rates = ",wx,wy,wz", ",ax,ay,az", ",jx,jy,jz"
+        for order, tail in enumerate(("", ",vx,vy,vz", ",vx,vy,vz,apx,apy,apz", ",vx,vy,vz,apx,apy,apz")):
+            text = self.output_of(f"sample keys.csv --count 3 --derivatives {order}")
+            self.assertEqual(text.splitlines()[0], "t,qw,qx,qy,qz,px,py,pz" + "".join(rates[:order]) + tail)
+        # ends continue naturally: a straight line at constant speed
+        for row in rows_of(self.output_of("sample keys.csv --count 5 --derivatives 2 --frame world")):
+            for number, want in zip(row[14:], (2, -1, 0.5, 0, 0, 0), strict=True):
+                self.assertAlmostEqual(number, want, delta=1e-14)
+
+    def test_euroc_by_option(self):
+        shutil.copy(EXPECTED / "keys.csv", self.folder / "keys.csv")
+        text = self.output_of("sample keys.csv --method slerp --rate 2 --output-format euroc")
+        self.assert_same_table(text, (EXPECTED / "slerp_euroc.csv").read_text("utf-8"))
+        again = self.output_of("sample - --method slerp --rate 2 --output-format euroc", input=text)
+        self.assert_same_table(again, text)
+
+    def test_rates_of_the_keys_shape_the_hermite_curve(self):
+        self.write("keys.csv", "t,qw,qx,qy,qz,wx,wy,wz\n0,1,0,0,0,0.3,0,0\n1,1,0,0,0,0,-0.4,0\n2,1,0,0,0,0,0,0.5\n")
+        rows = rows_of(self.output_of("sample keys.csv --method hermite-cumulative --count 3 --derivatives 1"))
+        for row, rate in zip(rows, ([0.3, 0, 0], [0, -0.4, 0], [0, 0, 0.5])):
+            for found, wanted in zip(row[5:], rate):
+                self.assertAlmostEqual(found, wanted, delta=1e-14)
+
+    def test_a_curve_that_begins_after_the_first_key_is_sampled_where_it_is(self):
+        self.write("keys.csv", "t,qw,qx,qy,qz\n" + "".join(
+            f"{t},{math.cos(0.2 * t)},0,{math.sin(0.2 * t)},0\n" for t in (10, 11, 12.5, 13, 15)))
+        done = self.run_command("sample keys.csv --method beta --count 3 --derivatives 0 -o out.csv")
+        self.assertEqual([line.split(",")[0] for line in self.read("out.csv").splitlines()[1:]], ["11", "12", "13"])
+        self.assertNotIn("hold", done.stderr)
 
     def test_tum_without_positions_has_zeros(self):
         line = self.output_of("sample keys.csv --count 1 --output-format tum").strip()
@@ -145,9 +175,12 @@ class Shape(CommandTest):
 
     def test_every_method_passes_through_the_keys_without_a_change_of_sign(self):
         self.write("keys.csv", KEYS.replace(f"{math.cos(math.pi / 8)},0,0,", f"{-math.cos(math.pi / 8)},0,0,-"))
-        for method in METHODS:
-            with self.subTest(method):
-                rows = rows_of(self.output_of(f"sample keys.csv --method {method} --rate 20"))
+        methods = [method for method in json.loads(self.output_of("methods --json"))
+                   if method["interpolates"] and method["min_keys"] <= 3]
+        self.assertEqual(len(methods), 13)
+        for method in methods:
+            with self.subTest(method["name"]):
+                rows = rows_of(self.output_of(f"sample keys.csv --method {method['name']} --rate 20"))
                 self.assertAlmostEqual(rows[20][1], math.cos(math.pi / 8), delta=1e-12)
                 self.assertAlmostEqual(rows[20][4], math.sin(math.pi / 8), delta=1e-12)
                 for a, b in zip(rows, rows[1:]):

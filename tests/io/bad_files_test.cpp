@@ -119,9 +119,10 @@ TEST(BadFile, ThatContradictsTheOptionsIsBadUsage) {
       contradiction(key, "keys.csv:1: --columns needs a header, and the file has none", "keys.csv",
                     {.columns = {{"t", "x"}}, .order = QuaternionOrder::wxyz}),
       contradiction(header + key,
-                    "keys.csv:1: --columns roll=qx: no such column is read, wanted one of t, qw, qx, qy, qz, px, py, "
-                    "pz, wx, wy, wz, tension",
-                    "keys.csv", {.columns = {{"roll", "qx"}}, .parameters = {"tension"}}),
+                    "keys.csv:1: --columns heading=qx: no such column is read, wanted one of t, qw, qx, qy, qz, roll, "
+                    "pitch, yaw, e1, e2, e3, r11, r12, r13, r21, r22, r23, r31, r32, r33, rx, ry, rz, px, py, pz, wx, "
+                    "wy, wz, tension",
+                    "keys.csv", {.columns = {{"heading", "qx"}}, .parameters = {"tension"}}),
       contradiction(header + key, "the time scale is 0, wanted a number greater than 0", "keys.csv",
                     {.time_scale = Decimal()}),
       contradiction(header + key, "the time scale is -0.001, wanted a number greater than 0", "keys.csv",

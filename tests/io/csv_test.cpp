@@ -202,6 +202,26 @@ TEST(Csv, FormatFollowsOptionThenExtensionThenContent) {
   EXPECT_EQ(read(named, {.format = FileFormat::csv}, "keys.tum").format, FileFormat::csv);
 }
 
+TEST(Csv, KeepsExactTimesOnRequest) {
+  const std::string content = "t_ns,qw,qx,qy,qz\n98765432109876543210,1,0,0,0\n198765432109876543211,1,0,0,0\n";
+  const KeyFile file = read(content, {.keep_exact_times = true});
+  ASSERT_EQ(file.exact_times.size(), 2u);
+  EXPECT_EQ(file.exact_times[0].to_string(), "98765432109.87654321");
+  EXPECT_EQ(file.exact_times[1].to_string(), "198765432109.876543211");  // 21 digits: no double holds the difference
+  EXPECT_TRUE(read(content).exact_times.empty());
+
+  const KeyFile sorted = read("t,qw,qx,qy,qz\n2,1,0,0,0\n1,1,0,0,0\n2,1,0,0,0\n",
+                              {.drop_duplicates = true, .sort = true, .keep_exact_times = true});
+  ASSERT_EQ(sorted.exact_times.size(), 2u);
+  EXPECT_EQ(sorted.exact_times[0].to_string(), "1");
+}
+
+TEST(Csv, NamesTheColumnsThatItIgnores) {
+  const KeyFile file = read(",note,t,qw,qx,qy,qz,wx_world,tension,px,py,pz\n0,a,0,1,0,0,0,1,2,3,4,5\n");
+  EXPECT_EQ(file.ignored_columns, (std::vector<std::string>{"note", "wx_world", "tension"}));
+  EXPECT_TRUE(read("t,qw,qx,qy,qz\n0,1,0,0,0\n").ignored_columns.empty());
+}
+
 TEST(Csv, PlacesTheErrorsOfKeys) {
   const KeyFile file = read("# one\nt,qw,qx,qy,qz\n0,1,0,0,0\n\n1,2,0,0,0\n");
   const auto keys = Keyframes::make(file.data);

@@ -138,5 +138,24 @@ TEST(Decimal, WritesTheShortestDigitsOfADouble) {
   EXPECT_EQ(Decimal::from_double(-0.0).to_string(), "0");
 }
 
+TEST(Decimal, RoundsToTheNearestWholeNumber) {
+  const auto rounded = [](std::string_view text) { return Decimal::parse(text)->rounded().to_string(); };
+  for (const auto& [text, wanted] : {std::pair("0", "0"),
+                                     {"7", "7"},
+                                     {"1200", "1200"},
+                                     {"0.4999999999999999999", "0"},
+                                     {"0.5", "1"},
+                                     {"-0.5", "-1"},
+                                     {"-0.49", "0"},
+                                     {"2.5", "3"},
+                                     {"-2.5", "-3"},
+                                     {"1e-40", "0"},
+                                     {"1403636580838555648.75", "1403636580838555649"}})
+    EXPECT_EQ(rounded(text), wanted) << text;
+  EXPECT_TRUE(Decimal::parse("1.50e1")->is_whole());
+  EXPECT_TRUE(Decimal::parse("0.0")->is_whole());
+  EXPECT_FALSE(Decimal::parse("1.05e1")->is_whole());
+}
+
 }  // namespace
 }  // namespace orispline::io

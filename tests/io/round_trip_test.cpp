@@ -18,25 +18,31 @@ namespace {
 
 using test::ScratchDirectory;
 
-std::vector<Sample> random_samples(std::size_t count) {
+struct TimedSample {
+  double t;  // since the epoch
+  Sample sample;
+};
+
+std::vector<TimedSample> random_samples(std::size_t count) {
   std::mt19937_64 random(7);
   std::normal_distribution<double> normal;
-  std::vector<Sample> samples;
+  std::vector<TimedSample> samples;
   for (double t = 0.0; samples.size() < count; t += std::abs(normal(random)) * 1e-3 + 1e-9) {
-    Sample sample{.t = t, .position = {normal(random), 1e9 * normal(random), 1e-9 * normal(random)}};
+    Sample sample{.travel = {.position = {normal(random), 1e9 * normal(random), 1e-9 * normal(random)}}};
     sample.motion.orientation.coeffs() =
         Eigen::Vector4d(normal(random), normal(random), normal(random), normal(random)).normalized();
     sample.motion.angular_velocity = {normal(random), 0.0, -0.0};
-    samples.push_back(sample);
+    samples.push_back({t, sample});
   }
   return samples;
 }
 
 void write(const std::string& path, const SampleColumns& columns, std::string_view epoch,
-           const std::vector<Sample>& samples) {
-  auto writer = SampleWriter::open(path, columns, Decimal::parse(epoch).value());
+           const std::vector<TimedSample>& samples) {
+  auto writer = SampleWriter::open(path, columns);
   ASSERT_TRUE(writer);
-  for (const Sample& sample : samples) ASSERT_TRUE(writer->write(sample));
+  for (const auto& [t, sample] : samples)
+    ASSERT_TRUE(writer->write(Decimal::parse(epoch).value() + Decimal::from_double(t), sample));
   ASSERT_TRUE(writer->finish());
 }
 
@@ -57,13 +63,32 @@ TEST(RoundTrip, GivesBackEveryBit) {
       ASSERT_EQ(file->data.times.size(), samples.size());
       for (std::size_t i = 0; i < samples.size(); ++i) {
         ASSERT_EQ(file->data.times[i], samples[i].t);
-        ASSERT_EQ(file->data.orientations[i].coeffs(), samples[i].motion.orientation.coeffs());
-        ASSERT_EQ(file->data.positions[i], samples[i].position);
+        ASSERT_EQ(file->data.orientations[i].coeffs(), samples[i].sample.motion.orientation.coeffs());
+        ASSERT_EQ(file->data.positions[i], samples[i].sample.travel.position);
         if (is_csv) {
-          ASSERT_EQ(file->data.angular_velocities[i], samples[i].motion.angular_velocity);
+          ASSERT_EQ(file->data.angular_velocities[i], samples[i].sample.motion.angular_velocity);
         }
       }
     }
+}
+
+TEST(RoundTrip, GivesBackEveryBitFromEuRoCWithinANanosecond) {
+  const auto samples = random_samples(3000);
+  const ScratchDirectory directory;
+  const std::string path = directory.file("data.csv");
+  const Decimal epoch = Decimal::parse("1700000000.123456789").value();
+  write(path, {.format = FileFormat::euroc}, epoch.to_string(), samples);
+
+  const auto file = read_keys(path);
+
+  ASSERT_TRUE(file) << describe(file.error());
+  EXPECT_EQ(file->format, FileFormat::euroc);
+  ASSERT_EQ(file->data.times.size(), samples.size());
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    ASSERT_NEAR(file->data.times[i], samples[i].t, 0.5000001e-9);
+    ASSERT_EQ(file->data.orientations[i].coeffs(), samples[i].sample.motion.orientation.coeffs());
+    ASSERT_EQ(file->data.positions[i], samples[i].sample.travel.position);
+  }
 }
 
 TEST(RoundTrip, GivesBackTheTimesAsSampleTimes) {
@@ -71,7 +96,7 @@ TEST(RoundTrip, GivesBackTheTimesAsSampleTimes) {
   const ScratchDirectory directory;
   const Decimal epoch = Decimal::parse("1700000000.123456789").value();
   std::ofstream file(directory.file("times.txt"));
-  for (const Sample& sample : samples) file << (epoch + Decimal::from_double(sample.t)).to_string() << "\n";
+  for (const auto& [t, sample] : samples) file << (epoch + Decimal::from_double(t)).to_string() << "\n";
   file.close();
 
   const auto times = read_times(directory.file("times.txt"), epoch);
@@ -85,9 +110,10 @@ TEST(RoundTrip, ReadsAMillionRowsInTwoHundredBytesAKey) {
   constexpr std::size_t count = 1'000'000;
   const ScratchDirectory directory;
   const std::string path = directory.file("long.csv");
-  auto writer = SampleWriter::open(path, {.positions = true, .derivatives = 1}, Decimal());
+  auto writer = SampleWriter::open(path, {.positions = true, .derivatives = 1});
   ASSERT_TRUE(writer);
-  for (std::size_t i = 0; i < count; ++i) ASSERT_TRUE(writer->write({.t = static_cast<double>(i) / 1000.0}));
+  for (std::size_t i = 0; i < count; ++i)
+    ASSERT_TRUE(writer->write(Decimal::from_double(static_cast<double>(i) / 1000.0), {}));
   ASSERT_TRUE(writer->finish());
   const auto peak = [] {
     rusage usage{};

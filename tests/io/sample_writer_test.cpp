@@ -21,65 +21,82 @@ const Motion moving{.orientation = quaternion_wxyz(0.5, -0.5, 0.5, -0.5),
                     .angular_acceleration = {4, 5, 6},
                     .angular_jerk = {7, 8, 9}};
 
-std::string written(const SampleColumns& columns, const Sample& sample, std::string_view epoch = "0") {
+Decimal decimal(std::string_view text) { return Decimal::parse(text).value(); }
+
+std::string written(const SampleColumns& columns, const Sample& sample, std::string_view time = "0") {
   const ScratchDirectory directory;
   const std::string path = directory.file("out");
-  auto writer = SampleWriter::open(path, columns, Decimal::parse(epoch).value());
-  EXPECT_TRUE(writer && writer->write(sample) && writer->finish());
+  auto writer = SampleWriter::open(path, columns);
+  EXPECT_TRUE(writer && writer->write(decimal(time), sample) && writer->finish());
   return content_of(path);
 }
 
 TEST(SampleWriter, WritesTheColumnsThatAreAskedFor) {
-  const Sample sample{.t = 0.25, .motion = moving, .position = {10, 20, 30}};
-  EXPECT_EQ(written({}, sample), "t,qw,qx,qy,qz\n0.25,0.5,-0.5,0.5,-0.5\n");
-  EXPECT_EQ(written({.derivatives = 1}, sample), "t,qw,qx,qy,qz,wx,wy,wz\n0.25,0.5,-0.5,0.5,-0.5,1,2,3\n");
-  EXPECT_EQ(written({.positions = true, .derivatives = 3}, sample),
+  const Sample sample{.motion = moving,
+                      .travel = {.position = {10, 20, 30}, .velocity = {11, 12, 13}, .acceleration = {14, 15, 16}}};
+  EXPECT_EQ(written({}, sample, "0.25"), "t,qw,qx,qy,qz\n0.25,0.5,-0.5,0.5,-0.5\n");
+  EXPECT_EQ(written({.derivatives = 1}, sample, "0.25"), "t,qw,qx,qy,qz,wx,wy,wz\n0.25,0.5,-0.5,0.5,-0.5,1,2,3\n");
+  EXPECT_EQ(written({.positions = true, .derivatives = 3}, sample, "0.25"),
             "t,qw,qx,qy,qz,px,py,pz,wx,wy,wz,ax,ay,az,jx,jy,jz\n"
             "0.25,0.5,-0.5,0.5,-0.5,10,20,30,1,2,3,4,5,6,7,8,9\n");
 }
 
+TEST(SampleWriter, WritesTheRatesOfPositionsLast) {
+  const Sample sample{.motion = moving,
+                      .travel = {.position = {10, 20, 30}, .velocity = {11, 12, 13}, .acceleration = {14, 15, 16}}};
+  EXPECT_EQ(written({.positions = true, .derivatives = 1, .position_derivatives = 1}, sample),
+            "t,qw,qx,qy,qz,px,py,pz,wx,wy,wz,vx,vy,vz\n0,0.5,-0.5,0.5,-0.5,10,20,30,1,2,3,11,12,13\n");
+  EXPECT_EQ(written({.positions = true, .derivatives = 2, .position_derivatives = 2}, sample),
+            "t,qw,qx,qy,qz,px,py,pz,wx,wy,wz,ax,ay,az,vx,vy,vz,apx,apy,apz\n"
+            "0,0.5,-0.5,0.5,-0.5,10,20,30,1,2,3,4,5,6,11,12,13,14,15,16\n");
+}
+
 TEST(SampleWriter, WritesRatesInTheWorldFrame) {
-  Sample sample{.motion = moving};
+  Sample sample{.motion = moving, .travel = {.velocity = {1, 2, 3}}};
   sample.motion.orientation = quaternion_wxyz(0.0, 1.0, 0.0, 0.0);  // half turn about x: y and z change sign
-  // jerk_world = R (jerk + ω × α), ω × α = (-3, 6, -3)
-  EXPECT_EQ(written({.derivatives = 3, .frame = Frame::world}, sample),
-            "t,qw,qx,qy,qz,wx_world,wy_world,wz_world,ax_world,ay_world,az_world,jx_world,jy_world,jz_world\n"
-            "0,0,1,0,0,1,-2,-3,4,-5,-6,4,-14,-6\n");
+  // jerk_world = R (jerk + ω × α), ω × α = (-3, 6, -3); the velocity is in the world frame as it is
+  EXPECT_EQ(written({.derivatives = 3, .position_derivatives = 1, .frame = Frame::world}, sample),
+            "t,qw,qx,qy,qz,wx_world,wy_world,wz_world,ax_world,ay_world,az_world,jx_world,jy_world,jz_world,vx,vy,vz\n"
+            "0,0,1,0,0,1,-2,-3,4,-5,-6,4,-14,-6,1,2,3\n");
 }
 
 TEST(SampleWriter, WritesTum) {
-  const Sample sample{.t = 0.0034, .motion = moving, .position = {1, 2, 3}};
-  EXPECT_EQ(written({.format = FileFormat::tum, .positions = true}, sample, "1311868163.8697"),
+  const Sample sample{.motion = moving, .travel = {.position = {1, 2, 3}}};
+  EXPECT_EQ(written({.format = FileFormat::tum, .positions = true}, sample, "1311868163.8731"),
             "1311868163.8731 1 2 3 -0.5 0.5 -0.5 0.5\n");
 }
 
-TEST(SampleWriter, AddsTheEpochInTheDecimalDomain) {
-  EXPECT_EQ(written({}, {.t = 1e-9}, "1700000000.1").substr(14), "1700000000.100000001,1,0,0,0\n");
-  EXPECT_EQ(written({}, {.t = 0.1 + 0.2}, "-5").substr(14), "-4.69999999999999996,1,0,0,0\n");
+TEST(SampleWriter, WritesEveryDigitOfATime) {
+  EXPECT_EQ(written({}, {}, "1700000000.100000001").substr(14), "1700000000.100000001,1,0,0,0\n");
+  EXPECT_EQ(written({}, {}, "-4.69999999999999996").substr(14), "-4.69999999999999996,1,0,0,0\n");
 }
 
-TEST(SampleWriter, RefusesDerivativesThatTheFormatCannotHold) {
+TEST(SampleWriter, RefusesWhatTheFormatCannotHold) {
   const ScratchDirectory directory;
-  const auto refusal = [&](FileFormat format, int derivatives) {
-    const auto writer = SampleWriter::open(directory.file("out"), {.format = format, .derivatives = derivatives}, {});
+  const auto refusal = [&](const SampleColumns& columns) {
+    const auto writer = SampleWriter::open(directory.file("out"), columns);
     EXPECT_EQ(writer.error().code, ErrorCode::bad_argument);
     return writer.error().message;
   };
-  EXPECT_EQ(refusal(FileFormat::tum, 1), "1 derivatives were asked for, and TUM holds 0");
-  EXPECT_EQ(refusal(FileFormat::csv, 4), "4 derivatives were asked for, and CSV holds 0 to 3");
-  EXPECT_EQ(refusal(FileFormat::csv, -1), "-1 derivatives were asked for, and CSV holds 0 to 3");
+  EXPECT_EQ(refusal({.format = FileFormat::tum, .derivatives = 1}), "1 derivatives were asked for, and TUM holds 0");
+  EXPECT_EQ(refusal({.format = FileFormat::euroc, .derivatives = 2}),
+            "2 derivatives were asked for, and EuRoC holds 0");
+  EXPECT_EQ(refusal({.derivatives = 4}), "4 derivatives were asked for, and CSV holds 0 to 3");
+  EXPECT_EQ(refusal({.derivatives = -1}), "-1 derivatives were asked for, and CSV holds 0 to 3");
+  EXPECT_EQ(refusal({.position_derivatives = 3}), "3 derivatives of the position were asked for, and CSV holds 0 to 2");
+  EXPECT_EQ(refusal({.format = FileFormat::tum, .form = {.representation = Representation::matrix}}),
+            "TUM holds orientations as quaternions only");
   EXPECT_EQ(directory.entries(), 0u);
 }
 
 TEST(SampleWriter, RefusesNumbersThatAreNotFinite) {
   const ScratchDirectory directory;
-  auto writer = SampleWriter::open(directory.file("out.csv"), {.derivatives = 2}, Decimal::power_of_ten(1));
+  auto writer = SampleWriter::open(directory.file("out.csv"), {.derivatives = 2});
   ASSERT_TRUE(writer);
-  Sample sample{.t = 1.5, .motion = moving};
+  Sample sample{.motion = moving};
   sample.motion.angular_acceleration.y() = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(writer->write(sample).error().message, "the sample at time 11.5 has a number that is not finite");
-  sample.t = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(writer->write(sample).error().message, "a sample time is nan, wanted a finite number");
+  EXPECT_EQ(writer->write(decimal("11.5"), sample).error().message,
+            "the sample at time 11.5 has a number that is not finite");
 }
 
 TEST(OutputFile, AppearsOnlyWhenItIsFinished) {

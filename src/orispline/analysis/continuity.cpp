@@ -21,23 +21,39 @@ void widen_magnitudes(Jumps& jumps, const Motion& motion) {
     jumps[k].magnitude = std::max(jumps[k].magnitude, (motion.*rates[k]).norm());
 }
 
+/// Where two segments meet.
+struct Joint {
+  std::size_t key;
+  double spacing;  // the smaller one beside it [s]
+  Motion left, right;
+};
+
 /// Largest jumps, and of those that are not rounding the largest as `relative`, still in the unit of the rate.
-void compare_sides(Jumps& jumps, const AnyCurve& curve, std::size_t key) {
-  const auto times = curve.knots().times();
-  const double t = times[key], spacing = std::min(t - times[key - 1], times[key + 1] - t);
-  const Motion left = curve.motion(t, Side::left), right = curve.motion(t, Side::right);
-  widen_magnitudes(jumps, left);
-  widen_magnitudes(jumps, right);
+void compare_sides(Jumps& jumps, const Joint& joint) {
+  widen_magnitudes(jumps, joint.left);
+  widen_magnitudes(jumps, joint.right);
   double rounding = rounding_of_increments;
   for (std::size_t k = 0; k < rates.size(); ++k) {
-    rounding /= spacing;
-    const double jump = (right.*rates[k] - left.*rates[k]).norm();
+    rounding /= joint.spacing;
+    const double jump = (joint.right.*rates[k] - joint.left.*rates[k]).norm();
     if (jump > jumps[k].largest) {
       jumps[k].largest = jump;
-      jumps[k].key = key;
+      jumps[k].key = joint.key;
     }
     if (jump > rounding) jumps[k].relative = std::max(jumps[k].relative, jump);
   }
+}
+
+Joint interior_joint(const AnyCurve& curve, std::size_t key) {
+  const auto t = curve.knots().times();
+  return {key, std::min(t[key] - t[key - 1], t[key + 1] - t[key]), curve.motion(t[key], Side::left),
+          curve.motion(t[key], Side::right)};
+}
+
+Joint seam_of(const AnyCurve& curve) {
+  const auto t = curve.knots().times();
+  const std::size_t last = t.size() - 1;
+  return {0, std::min(t[1] - t[0], t[last] - t[last - 1]), curve.motion(t[last]), curve.motion(t[0])};
 }
 
 }  // namespace
@@ -48,15 +64,16 @@ int Continuity::order() const noexcept {
   return angular_jerk.relative > continuity_tolerance ? 2 : 3;
 }
 
-Continuity continuity_at_keys(const AnyCurve& curve) {
+Continuity continuity_at_keys(const AnyCurve& curve, Seam seam) {
   Jumps jumps{};
   const auto t = curve.knots().times();
   widen_magnitudes(jumps, curve.motion(t.front()));
   widen_magnitudes(jumps, curve.motion(t.back()));
   for (std::size_t i = 0; i + 1 < t.size(); ++i) {
     for (const double u : {0.25, 0.5, 0.75}) widen_magnitudes(jumps, curve.motion(std::lerp(t[i], t[i + 1], u)));
-    if (i > 0) compare_sides(jumps, curve, i);
+    if (i > 0) compare_sides(jumps, interior_joint(curve, i));
   }
+  if (seam == Seam::closed && t.size() > 1) compare_sides(jumps, seam_of(curve));
   for (RateJump& jump : jumps)
     if (jump.relative > 0.0) jump.relative /= jump.magnitude;
   return {jumps[0], jumps[1], jumps[2]};

@@ -26,8 +26,11 @@ struct Continuity {
 /// Relative jumps up to this one pass as continuous.
 inline constexpr double continuity_tolerance = 1e-9;
 
-/// One-sided rates compared at every interior key. A jump of a rate of order k within 256 ε/h^k, h [s] being the
-/// smaller spacing beside the key, is rounding.
-[[nodiscard]] Continuity continuity_at_keys(const AnyCurve& curve);
+/// Whether the end of a curve is joined to its beginning.
+enum class Seam { open, closed };
+
+/// One-sided rates compared at every interior key and, of a loop, where its end meets its beginning (key 0). A jump of
+/// a rate of order k within 256 ε/h^k, h [s] being the smaller spacing beside the key, is rounding.
+[[nodiscard]] Continuity continuity_at_keys(const AnyCurve& curve, Seam seam = Seam::open);
 
 }  // namespace orispline

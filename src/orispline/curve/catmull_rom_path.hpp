@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include <orispline/curve/family.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/knots.hpp>
 #include <orispline/math/bernstein.hpp>
@@ -13,8 +14,8 @@ namespace orispline {
 /// neighbours, at the ends that of the chord. C1 on any key times, exact at constant velocity.
 class CatmullRomPath {
  public:
-  /// At least two keys, with positions.
-  explicit CatmullRomPath(const Keyframes& keys);
+  /// At least two keys, with positions. `tension` scales the velocities.
+  explicit CatmullRomPath(const Keyframes& keys, const PerKey& tension = PerKey({1.0}));
 
   [[nodiscard]] const Knots& knots() const noexcept { return knots_; }
 

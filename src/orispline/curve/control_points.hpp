@@ -57,25 +57,4 @@ template <CumulativeBasis B>
   return {.before = b[1].c[1], .after = b[2].c[1]};
 }
 
-/// A local interpolating curve whose segment i blends keys i-1 … i+2: the shape of the papers' splines and of ours in
-/// time.
-template <CumulativeBasis B>
-[[nodiscard]] Expected<CumulativeCurve<B>> four_key_curve(const Keyframes& keys, const FamilySettings& settings,
-                                                          B basis) {
-  Knots knots({keys.times().begin(), keys.times().end()});
-  auto polygon = ghosted_polygon(keys, settings, start_weights(basis, knots), end_weights(basis, knots));
-  if (!polygon) return tl::unexpected(std::move(polygon.error()));
-  return CumulativeCurve<B>(std::move(knots), std::move(basis), std::move(*polygon));
-}
-
-/// Its Euclidean analogue through the keys' positions.
-template <CumulativeBasis B>
-[[nodiscard]] Expected<CumulativePath<B>> four_key_path(const Keyframes& keys, const FamilySettings& settings,
-                                                        B basis) {
-  Knots knots({keys.times().begin(), keys.times().end()});
-  auto polygon = ghosted_path(keys, settings, start_weights(basis, knots), end_weights(basis, knots));
-  if (!polygon) return tl::unexpected(std::move(polygon.error()));
-  return CumulativePath<B>(std::move(knots), std::move(basis), std::move(*polygon));
-}
-
 }  // namespace orispline

@@ -59,6 +59,13 @@ Expected<End> settle_end(const FamilyInfo& family, End end, std::size_t keys) {
   return end;
 }
 
+std::optional<Error> check_loop(const FamilyInfo& family, const CurveOptions& options) {
+  if (!family.closes) return argument_error(fmt::format("{}: this method has no closed curves", family.name));
+  if (options.start.rule != EndRule::none || options.end.rule != EndRule::none)
+    return argument_error(fmt::format("{}: a closed curve has no ends, found an end rule", family.name));
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::string_view name_of(EndRule rule) noexcept { return end_rule_names[static_cast<std::size_t>(rule)]; }
@@ -68,6 +75,12 @@ Expected<EndRule> end_rule_by_name(const FamilyInfo& family, std::string_view na
     if (name_of(rule) == name) return rule;
   return tl::unexpected(
       argument_error(fmt::format("{}: no end rule '{}', wanted {}", family.name, name, list_of_ends(family))));
+}
+
+Expected<int> FamilySettings::whole(std::string_view name) const {
+  const double value = per_key(name)[0];
+  if (value == std::round(value)) return static_cast<int>(value);
+  return tl::unexpected(argument_error(fmt::format("{} is {}, wanted a whole number", name, value)));
 }
 
 Expected<FamilySettings> settle(const FamilyInfo& family, const CurveOptions& options, std::size_t keys) {
@@ -82,12 +95,16 @@ Expected<FamilySettings> settle(const FamilyInfo& family, const CurveOptions& op
     }
   for (const Parameter& parameter : family.parameters) {
     const auto given = options.parameters.find(parameter.name);
-    auto& values = settings.parameters[std::string(parameter.name)];
-    values = given != options.parameters.end() ? given->second : std::vector{parameter.initial};
+    std::vector<double> values = given != options.parameters.end() ? given->second : std::vector{parameter.initial};
     if (auto error = check_values(family, parameter, values, keys)) return tl::unexpected(std::move(*error));
+    settings.parameters.emplace(parameter.name, PerKey(std::move(values)));
   }
   if (keys > 1 && keys < static_cast<std::size_t>(family.min_keys))
     return failure(ErrorCode::bad_data, fmt::format("{} needs {} keys, found {}", family.name, family.min_keys, keys));
+  if (options.loop) {
+    if (auto error = check_loop(family, options)) return tl::unexpected(std::move(*error));
+    return settings;
+  }
   if (keys == 1) return settings;
   auto start = settle_end(family, options.start, keys);
   if (!start) return tl::unexpected(std::move(start.error()));

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <map>
+#include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -48,10 +50,11 @@ struct FamilyInfo {
   int continuity_uneven = 0;                 ///< on any key times
   bool keeps_constant_rate_uniform = false;  ///< equal increments on even times give constant ω
   bool keeps_constant_rate_uneven = false;   ///< a constant rate on uneven times stays constant
-  int support_keys = 2;                      ///< keys that one segment depends on
+  int support_keys = 2;                      ///< keys whose orientations one segment depends on
   int min_keys = 2;                          ///< fewer are an error (one key is always a constant curve)
   std::span<const Parameter> parameters{};
   std::span<const EndRule> ends{};  ///< the first is the default; empty: no choice
+  bool closes = false;              ///< can be a loop
 };
 
 /// One end of a curve.
@@ -60,36 +63,55 @@ struct End {
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< for clamped [rad/s], body frame
 };
 
+/// A loop: after the last key the curve returns to the first one.
+struct Loop {
+  /// Time from the first key to its return [s]. Absent: the last key must be the first one again and closes the loop.
+  std::optional<double> period{};
+};
+
 /// What the caller may say to any family.
 struct CurveOptions {
   /// Values by parameter name: one for all keys, or exactly one per key. Absent: the family's default.
   std::map<std::string, std::vector<double>, std::less<>> parameters{};
   End start{};
   End end{};
+  std::optional<Loop> loop{};  ///< absent: an open curve with two ends
 };
 
-/// A parameter's values, one for all keys or one per key.
+/// A parameter's values, one for all keys or one per key. Immutable; copies share them.
 class PerKey {
  public:
-  explicit PerKey(std::vector<double> values) : values_(std::move(values)) {}
-  [[nodiscard]] double operator[](std::size_t key) const noexcept { return values_[values_.size() == 1 ? 0 : key]; }
+  explicit PerKey(std::vector<double> values)
+      : values_(std::make_shared<const std::vector<double>>(std::move(values))) {}
+  [[nodiscard]] double operator[](std::size_t key) const noexcept { return (*values_)[values_->size() == 1 ? 0 : key]; }
+  [[nodiscard]] const std::vector<double>& values() const noexcept { return *values_; }
 
  private:
-  std::vector<double> values_;
+  std::shared_ptr<const std::vector<double>> values_;
+};
+
+/// How a loop closes: the curve after one period is `sign` times the curve, +1 or -1.
+struct Closure {
+  double period;  ///< [s]
+  double sign;
 };
 
 /// Options completed and checked against a family: every parameter present, the ends chosen.
 struct FamilySettings {
-  std::map<std::string, std::vector<double>, std::less<>> parameters{};  ///< one value, or one per key
+  std::map<std::string, PerKey, std::less<>> parameters{};
   End start{};
   End end{};
+  std::optional<Closure> closure{};  ///< of a loop
 
   /// The values of one of the family's own parameters.
   [[nodiscard]] PerKey per_key(std::string_view name) const {
     const auto found = parameters.find(name);
     ORISPLINE_EXPECT(found != parameters.end());
-    return PerKey(found->second);
+    return found->second;
   }
+
+  /// A parameter that must be a whole number, such as a degree or an order; else bad_argument.
+  [[nodiscard]] Expected<int> whole(std::string_view name) const;
 };
 
 /// Checks the options against what the family accepts and fills in its defaults.

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <orispline/base/expect.hpp>
+
 namespace orispline {
 namespace {
 
@@ -69,8 +71,23 @@ Expected<Keyframes> Keyframes::make(KeyframeData data, Signs signs) {
     negated = against_previous;
     if (negated) q.coeffs() = -q.coeffs();
   }
-  keys.data_ = std::move(data);
+  keys.data_ = std::make_shared<const KeyframeData>(std::move(data));
   return keys;
+}
+
+Keyframes Keyframes::first(std::size_t count) const {
+  ORISPLINE_EXPECT(1 <= count && count <= size());
+  KeyframeData kept_data = *data_;
+  const auto cut = [count](auto& values) {
+    if (!values.empty()) values.erase(values.begin() + static_cast<std::ptrdiff_t>(count), values.end());
+  };
+  cut(kept_data.times);
+  cut(kept_data.orientations);
+  cut(kept_data.positions);
+  cut(kept_data.angular_velocities);
+  Keyframes kept = *this;
+  kept.data_ = std::make_shared<const KeyframeData>(std::move(kept_data));
+  return kept;
 }
 
 }  // namespace orispline

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -39,6 +40,9 @@ inline constexpr double norm_error_limit = 1e-3 + 1e-12;  // 0.999 and 1.001 the
 /// Steps between key times [s] outside this range would overflow in rates of the third order.
 inline constexpr double shortest_step = 1e-90, longest_step = 1e90;
 
+/// Steps between key times [s] outside this range would overflow in rates of the third order.
+inline constexpr double shortest_step = 1e-90, longest_step = 1e90;
+
 /// Orientations at times, validated at the door: every curve is built from these.
 ///
 /// Times are finite and strictly increasing, orientations are unit quaternions with the signs that the curve will
@@ -51,19 +55,22 @@ class Keyframes {
   /// increase or steps out of range, a component that is not finite, a norm farther than `norm_error_limit` from 1.
   [[nodiscard]] static Expected<Keyframes> make(KeyframeData data, Signs signs = Signs::shortest);
 
-  [[nodiscard]] std::size_t size() const noexcept { return data_.times.size(); }
-  [[nodiscard]] std::span<const double> times() const noexcept { return data_.times; }
-  [[nodiscard]] std::span<const Eigen::Quaterniond> orientations() const noexcept { return data_.orientations; }
+  /// The first `count` of these keys, 1 ≤ count ≤ size().
+  [[nodiscard]] Keyframes first(std::size_t count) const;
+
+  [[nodiscard]] std::size_t size() const noexcept { return data_->times.size(); }
+  [[nodiscard]] std::span<const double> times() const noexcept { return data_->times; }
+  [[nodiscard]] std::span<const Eigen::Quaterniond> orientations() const noexcept { return data_->orientations; }
   /// Empty when the keys carry no positions.
-  [[nodiscard]] std::span<const Eigen::Vector3d> positions() const noexcept { return data_.positions; }
+  [[nodiscard]] std::span<const Eigen::Vector3d> positions() const noexcept { return data_->positions; }
   /// Empty when the keys carry no angular velocities. [rad/s], body frame.
   [[nodiscard]] std::span<const Eigen::Vector3d> angular_velocities() const noexcept {
-    return data_.angular_velocities;
+    return data_->angular_velocities;
   }
   [[nodiscard]] const KeyframeReport& report() const noexcept { return report_; }
 
  private:
-  KeyframeData data_;
+  std::shared_ptr<const KeyframeData> data_;  // immutable: copies share it
   KeyframeReport report_;
 };
 

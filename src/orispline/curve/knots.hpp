@@ -19,14 +19,15 @@ enum class Side { right, left };
 struct KnotSpan {
   std::span<const double> t;
   std::size_t i;
+  double before_first, after_last;  ///< h beyond the ends [s]
 
   [[nodiscard]] double start() const noexcept { return t[i]; }
   /// h of this interval [s].
   [[nodiscard]] double step() const noexcept { return t[i + 1] - t[i]; }
-  /// h of the interval before; at the first one its own: the ghost key stands at the mirrored distance.
-  [[nodiscard]] double previous_step() const noexcept { return i > 0 ? t[i] - t[i - 1] : step(); }
-  /// h of the interval after; at the last one its own.
-  [[nodiscard]] double next_step() const noexcept { return i + 2 < t.size() ? t[i + 2] - t[i + 1] : step(); }
+  /// h of the interval before; at the first one that to the ghost key.
+  [[nodiscard]] double previous_step() const noexcept { return i > 0 ? t[i] - t[i - 1] : before_first; }
+  /// h of the interval after; at the last one that to the ghost key.
+  [[nodiscard]] double next_step() const noexcept { return i + 2 < t.size() ? t[i + 2] - t[i + 1] : after_last; }
 
   /// The local parameter u in [0, 1]; exactly 0 and 1 at the two knots.
   template <Number T>
@@ -38,14 +39,26 @@ struct KnotSpan {
 /// Strictly increasing times [s] that cut a curve into segments.
 class Knots {
  public:
-  /// At least one time; finite, strictly increasing.
-  explicit Knots(std::vector<double> t) : t_(std::move(t)) { ORISPLINE_EXPECT(!t_.empty()); }
+  /// At least one time; finite, strictly increasing. Ghost keys stand at the mirrored distance beyond the ends.
+  explicit Knots(std::vector<double> t) : t_(std::move(t)) {
+    ORISPLINE_EXPECT(!t_.empty());
+    if (segments() == 0) return;
+    before_first_ = t_[1] - t_[0];
+    after_last_ = t_[segments()] - t_[segments() - 1];
+  }
+
+  /// The knots of a loop: at least two times, the last being the first again; the steps beyond the ends wrap around.
+  [[nodiscard]] static Knots closed(std::vector<double> t) {
+    Knots knots(std::move(t));
+    std::swap(knots.before_first_, knots.after_last_);
+    return knots;
+  }
 
   [[nodiscard]] std::span<const double> times() const noexcept { return t_; }
   [[nodiscard]] std::size_t segments() const noexcept { return t_.size() - 1; }
   [[nodiscard]] double front() const noexcept { return t_.front(); }
   [[nodiscard]] double back() const noexcept { return t_.back(); }
-  [[nodiscard]] KnotSpan span(std::size_t i) const noexcept { return {t_, i}; }
+  [[nodiscard]] KnotSpan span(std::size_t i) const noexcept { return {t_, i, before_first_, after_last_}; }
 
   /// Index of the segment that holds `time`: at an interior knot the right-hand one or, on request, the left-hand one.
   /// Outside the domain the first or the last.
@@ -60,6 +73,7 @@ class Knots {
 
  private:
   std::vector<double> t_;
+  double before_first_ = 0.0, after_last_ = 0.0;
 };
 
 }  // namespace orispline

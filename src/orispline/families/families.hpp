@@ -3,16 +3,24 @@
 
 #include <tuple>
 
+#include <orispline/families/beta.hpp>
+#include <orispline/families/bezier.hpp>
+#include <orispline/families/bspline.hpp>
+#include <orispline/families/hermite_cumulative.hpp>
 #include <orispline/families/quintic.hpp>
 #include <orispline/families/sextic.hpp>
 #include <orispline/families/slerp.hpp>
 #include <orispline/families/squad.hpp>
 #include <orispline/families/timed.hpp>
+#include <orispline/families/uniform.hpp>
+#include <orispline/families/xing.hpp>
 
 namespace orispline {
 
 /// THE list of families: the registry, the command line, the docs table and the contract tests all read it.
 using Families = std::tuple<families::Slerp, families::Squad, families::SquadTimed, families::Quintic, families::Sextic,
-                            families::TimedC1, families::TimedC2, families::TimedC3, families::TimedSextic>;
+                            families::TimedC1, families::TimedC2, families::TimedC3, families::TimedSextic,
+                            families::XingQuartic, families::XingQuintic, families::UniformFamily,
+                            families::HermiteCumulative, families::Bezier, families::BSpline, families::Beta>;
 
 }  // namespace orispline

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <orispline/curve/control_points.hpp>
+#include <orispline/curve/four_key_curve.hpp>
 #include <orispline/math/bernstein.hpp>
 
 namespace orispline::families {
@@ -21,7 +21,8 @@ struct Quintic {
                                    .keeps_constant_rate_uneven = false,
                                    .support_keys = 4,
                                    .parameters = parameters,
-                                   .ends = four_key_ends_repeat};
+                                   .ends = four_key_ends_repeat,
+                                   .closes = true};
 
   struct Basis {
     static constexpr std::size_t increments = 3, stride = 1;

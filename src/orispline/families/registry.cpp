@@ -53,28 +53,44 @@ Expected<std::size_t> index_of(std::string_view name) {
                  fmt::format("no method '{}', wanted one of {}", name, fmt::join(names, ", ")));
 }
 
-/// A family's place in the list with the options settled for these keys.
+/// A family's place in the list with the options settled for the keys that its curve goes through.
 struct Choice {
   std::size_t index;
+  Keyframes keys;
   FamilySettings settings;
+
+  [[nodiscard]] Expected<AnyCurve> curve() const {
+    if (keys.size() == 1) return AnyCurve(ConstantCurve(keys.times()[0], keys.orientations()[0]));
+    return entries[index].curve(keys, settings);
+  }
+  [[nodiscard]] Expected<AnyPath> path() const {
+    if (keys.size() == 1) return AnyPath(ConstantPath(keys.times()[0], keys.positions()[0]));
+    return entries[index].path(keys, settings);
+  }
 };
 
+/// Per-key values of a loop: those of the distinct keys, and the first once more for its return.
+void wrap_around(FamilySettings& settings, std::size_t keys) {
+  for (auto& [name, parameter] : settings.parameters) {
+    if (parameter.values().size() == 1) continue;
+    std::vector<double> around(parameter.values().begin(),
+                               parameter.values().begin() + static_cast<std::ptrdiff_t>(keys));
+    around.push_back(around.front());
+    parameter = PerKey(std::move(around));
+  }
+}
+
 Expected<Choice> choose(std::string_view family, const Keyframes& keys, const CurveOptions& options) {
-  return index_of(family).and_then([&](std::size_t index) {
-    return settle(infos[index], options, keys.size()).map([index](FamilySettings settings) {
-      return Choice{index, std::move(settings)};
-    });
+  const auto index = index_of(family);
+  if (!index) return tl::unexpected(index.error());
+  auto settings = settle(infos[*index], options, keys.size());
+  if (!settings) return tl::unexpected(std::move(settings.error()));
+  if (!options.loop) return Choice{*index, keys, std::move(*settings)};
+  return closed_keys(keys, *options.loop).map([&](ClosedKeys closed) {
+    settings->closure = closed.closure;
+    wrap_around(*settings, closed.keys.size());
+    return Choice{*index, std::move(closed.keys), std::move(*settings)};
   });
-}
-
-Expected<AnyCurve> curve_of(const Choice& choice, const Keyframes& keys) {
-  if (keys.size() == 1) return AnyCurve(ConstantCurve(keys.times()[0], keys.orientations()[0]));
-  return entries[choice.index].curve(keys, choice.settings);
-}
-
-Expected<AnyPath> path_of(const Choice& choice, const Keyframes& keys) {
-  if (keys.size() == 1) return AnyPath(ConstantPath(keys.times()[0], keys.positions()[0]));
-  return entries[choice.index].path(keys, choice.settings);
 }
 
 }  // namespace
@@ -86,17 +102,15 @@ Expected<const FamilyInfo*> find_family(std::string_view name) {
 }
 
 Expected<AnyCurve> make_curve(std::string_view family, const Keyframes& keys, const CurveOptions& options) {
-  return choose(family, keys, options).and_then([&](const Choice& choice) { return curve_of(choice, keys); });
+  return choose(family, keys, options).and_then([](const Choice& choice) { return choice.curve(); });
 }
 
 Expected<PoseCurve> make_pose_curve(std::string_view family, const Keyframes& keys, const CurveOptions& options) {
-  return choose(family, keys, options).and_then([&](const Choice& choice) -> Expected<PoseCurve> {
-    auto curve = curve_of(choice, keys);
+  return choose(family, keys, options).and_then([](const Choice& choice) -> Expected<PoseCurve> {
+    auto curve = choice.curve();
     if (!curve) return tl::unexpected(std::move(curve.error()));
-    if (keys.positions().empty()) return PoseCurve{std::move(*curve)};
-    auto path = path_of(choice, keys);
-    if (!path) return tl::unexpected(std::move(path.error()));
-    return PoseCurve{std::move(*curve), std::move(*path)};
+    if (choice.keys.positions().empty()) return PoseCurve{std::move(*curve)};
+    return choice.path().map([&](AnyPath path) { return PoseCurve{std::move(*curve), std::move(path)}; });
   });
 }
 

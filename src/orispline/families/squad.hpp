@@ -80,7 +80,7 @@ struct SquadTimed {
   static constexpr std::array ends{EndRule::reflect, EndRule::repeat};
   static constexpr FamilyInfo info{.name = "squad-timed",
                                    .title = "Squad made C1 for uneven key times",
-                                   .source = "Geier's variant for uneven times, docs/families/squad.md",
+                                   .source = "Geier's variant for uneven times, docs/families/squad-timed.md",
                                    .continuity_uniform = 1,
                                    .continuity_uneven = 1,
                                    .keeps_constant_rate_uniform = true,

@@ -172,6 +172,12 @@ double Decimal::to_double() const {
   return value;
 }
 
+Decimal Decimal::rounded() const noexcept {
+  if (is_whole()) return *this;
+  const Integer tenths = cut(coefficient_, -exponent_ - 1);
+  return Decimal((tenths + (tenths < 0 ? -5 : 5)) / 10, 0);
+}
+
 std::string Decimal::to_string() const {
   std::string text = fmt::format("{}", magnitude(coefficient_));
   if (exponent_ > 0) {

@@ -33,6 +33,10 @@ class Decimal {
 
   /// The nearest double.
   [[nodiscard]] double to_double() const;
+  [[nodiscard]] bool is_whole() const noexcept { return exponent_ >= 0; }
+  /// The nearest whole number; halves go away from zero.
+  [[nodiscard]] Decimal rounded() const noexcept;
+
   /// All digits, without an exponent: `1311868163.8697`.
   [[nodiscard]] std::string to_string() const;
 

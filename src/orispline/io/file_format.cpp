@@ -2,6 +2,7 @@
 #include <orispline/io/file_format.hpp>
 
 #include <algorithm>
+#include <array>
 
 namespace orispline::io {
 namespace {
@@ -14,6 +15,11 @@ bool ends_in(std::string_view path, std::string_view extension) {
 }
 
 }  // namespace
+
+std::string_view title_of(FileFormat format) noexcept {
+  constexpr std::array<std::string_view, 3> titles{"CSV", "TUM", "EuRoC"};
+  return titles[static_cast<std::size_t>(format)];
+}
 
 std::optional<FileFormat> format_of_extension(std::string_view path) noexcept {
   if (ends_in(path, ".csv")) return FileFormat::csv;

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <array>
-#include <map>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include <orispline/io/orientation_columns.hpp>
 #include <orispline/io/text_table.hpp>
 
 namespace orispline::io {
@@ -21,12 +21,6 @@ enum class RateFrame {
   unknown,  ///< read only those whose name says body, or that were asked for by name
 };
 
-/// A column of numbers: value · numerator / denominator is in the unit of this library.
-struct NumberColumn {
-  std::size_t index = 0;  ///< 0-based
-  double numerator = 1.0, denominator = 1.0;
-};
-
 /// A column of a parameter's values.
 struct ParameterColumn {
   std::string name;
@@ -38,29 +32,35 @@ struct KeyColumns {
   std::size_t width = 0;                         ///< cells in a row; empty ones may follow
   std::size_t time = 0;                          ///< 0-based
   Decimal time_unit = Decimal::power_of_ten(0);  ///< [s]
-  std::array<std::size_t, 4> quaternion{};       ///< of w, x, y, z
-  std::optional<std::array<NumberColumn, 3>> position{};
-  std::optional<std::array<NumberColumn, 3>> angular_velocity{};
+  bool whole_times = false;                      ///< times that are not whole numbers are errors
+  OrientationForm form{};
+  std::vector<NumberColumn> orientation{};  ///< in the order that `orientation_from` takes
+  std::optional<VectorColumns> position{};
+  std::optional<VectorColumns> angular_velocity{};
   std::vector<ParameterColumn> parameters{};
+  std::vector<std::string> ignored{};  ///< names of the others
 };
 
 /// What the names in a header may mean beside the canonical ones.
 struct HeaderReading {
-  std::map<std::string, std::string, std::less<>> names{};  ///< canonical name to name in the header
-  std::span<const std::string> parameters{};                ///< read where a column has the name
+  ColumnSearch::Names names{};
+  std::span<const std::string> parameters{};  ///< read where a column has the name
   RateFrame rate_frame = RateFrame::body;
+  OrientationReading orientation{};
 };
 
 /// Whether the first row of a table names columns: its first cell that is not empty is no number.
 [[nodiscard]] bool is_header(std::span<const std::string_view> row);
 
 /// The columns that a header names, in any order: `t` (or `time`, `timestamp`; with a unit `t_s`, `t_ms`, `t_us`,
-/// `t_ns`), `qw,qx,qy,qz`, and where present `px,py,pz` (`px_m`, `px_mm`, `px_cm`, `px_km`), `wx,wy,wz` (`wx_rad_s`,
-/// `wx_deg_s`, `wx_body`, `wx_body_rad_s`, `wx_body_deg_s`) and parameters. Others are ignored, `wx_world` too.
+/// `t_ns`), the orientation by one of its representations, and where present `px,py,pz` (`px_m`, `px_mm`, `px_cm`,
+/// `px_km`), `wx,wy,wz` (`wx_rad_s`, `wx_deg_s`, `wx_body`, `wx_body_rad_s`, `wx_body_deg_s`) and parameters. Others
+/// are ignored, `wx_world` too.
 ///
 /// A name that was mapped brings the unit that it ends in.
 ///
-/// Errors: bad_data for a column that is missing or there twice; bad_argument for a mapping of an unknown name.
+/// Errors: bad_data for a column that is missing or there twice; bad_argument for a mapping of an unknown name; those
+/// of `orientation_columns`.
 [[nodiscard]] Expected<KeyColumns> columns_of_header(std::span<const std::string_view> header,
                                                      const HeaderReading& reading);
 
@@ -69,6 +69,9 @@ struct HeaderReading {
 
 /// `t tx ty tz qx qy qz qw`.
 [[nodiscard]] KeyColumns columns_of_tum();
+
+/// Time [ns], position, quaternion `w,x,y,z`; further columns are ignored. Error (bad_data): fewer than 8 columns.
+[[nodiscard]] Expected<KeyColumns> columns_of_euroc(std::size_t columns);
 
 /// Unit [s] of a column that is named like a time; nothing for other names.
 [[nodiscard]] std::optional<Decimal> time_unit_of(std::string_view name);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <orispline/io/euroc.hpp>
 #include <orispline/io/key_rows.hpp>
 
 namespace orispline::io {
@@ -31,49 +32,77 @@ bool has_tum_shape(const TextTable& table) {
          width_of(table.cells()) == 8;
 }
 
+/// Times of this many digits are nanoseconds of the Unix epoch.
+bool has_euroc_shape(const TextTable& table) {
+  constexpr std::size_t digits_of_nanoseconds = 18;
+  return width_of(table.cells()) >= euroc_columns && table.cells()[0].size() > digits_of_nanoseconds &&
+         table.cells()[0].find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+/// The option that asks for something that only a header can give, if any.
+std::optional<std::string_view> header_option(const ReadOptions& options) {
+  if (!options.columns.empty()) return "--columns";
+  if (options.orientation.representation) return "--input-orientation";
+  if (options.orientation.euler) return "--euler";
+  if (options.orientation.angle_unit) return "--angle-unit";
+  return std::nullopt;
+}
+
+Expected<Layout> at(const TextTable& table, Expected<KeyColumns> columns, FileFormat format, Layout::FirstRow first) {
+  if (columns) return Layout{format, std::move(*columns), first};
+  columns.error().where = table.here();
+  return tl::unexpected(std::move(columns.error()));
+}
+
 Expected<Layout> tum_layout(const TextTable& table, const ReadOptions& options) {
   if (options.order) return contradiction(table, "--order is for CSV, and TUM is always t tx ty tz qx qy qz qw");
-  if (!options.columns.empty()) return contradiction(table, "--columns needs a header, and TUM has none");
+  if (const auto option = header_option(options))
+    return contradiction(table, fmt::format("{} needs a header, and TUM has none", *option));
   return Layout{FileFormat::tum, columns_of_tum(), Layout::FirstRow::key};
+}
+
+Expected<Layout> euroc_layout(const TextTable& table, const ReadOptions& options) {
+  if (options.order)
+    return contradiction(table, "--order is for CSV, and EuRoC is always time, position, quaternion w,x,y,z");
+  if (const auto option = header_option(options))
+    return contradiction(table, fmt::format("{} is for CSV, and the columns of EuRoC are fixed", *option));
+  return at(table, columns_of_euroc(width_of(table.cells())), FileFormat::euroc,
+            is_header(table.cells()) ? Layout::FirstRow::header : Layout::FirstRow::key);
 }
 
 Expected<Layout> header_layout(const TextTable& table, const ReadOptions& options) {
   if (options.order) return contradiction(table, "--order is for CSV without a header, and this line is one");
-  auto columns =
-      columns_of_header(table.cells(), {.names = options.columns,
-                                        .parameters = options.parameters,
-                                        .rate_frame = options.conjugate ? RateFrame::unknown : RateFrame::body});
-  return columns
-      .map([](KeyColumns& found) {
-        return Layout{FileFormat::csv, std::move(found), Layout::FirstRow::header};
-      })
-      .map_error([&table](Error error) {
-        error.where = table.here();
-        return error;
-      });
+  const HeaderReading reading{.names = options.columns,
+                              .parameters = options.parameters,
+                              .rate_frame = options.conjugate ? RateFrame::unknown : RateFrame::body,
+                              .orientation = options.orientation};
+  return at(table, columns_of_header(table.cells(), reading), FileFormat::csv, Layout::FirstRow::header);
 }
 
 Expected<Layout> order_layout(const TextTable& table, const ReadOptions& options) {
-  if (!options.columns.empty()) return contradiction(table, "--columns needs a header, and the file has none");
+  if (const auto option = header_option(options))
+    return contradiction(table, fmt::format("{} needs a header, and the file has none", *option));
+  const std::string_view other_format = has_tum_shape(table)     ? " (or --input-format tum)"
+                                        : has_euroc_shape(table) ? " (or --input-format euroc)"
+                                                                 : "";
   if (!options.order)
     return failure(ErrorCode::bad_data,
                    fmt::format("no header, wanted a first line such as t,qw,qx,qy,qz or the order of the columns by "
                                "--order wxyz|xyzw{}",
-                               has_tum_shape(table) ? " (or --input-format tum)" : ""),
+                               other_format),
                    table.here());
-  return columns_of_order(width_of(table.cells()), *options.order)
-      .map([](const KeyColumns& columns) {
-        return Layout{FileFormat::csv, columns, Layout::FirstRow::key};
-      })
-      .map_error([&table](Error error) {
-        error.where = table.here();
-        return error;
-      });
+  return at(table, columns_of_order(width_of(table.cells()), *options.order), FileFormat::csv, Layout::FirstRow::key);
+}
+
+/// Whether a header says so, and the caller does not read it otherwise.
+bool is_named_euroc(const TextTable& table, const ReadOptions& options) {
+  return !options.format && options.columns.empty() && (names_euroc(table.comment()) || names_euroc(table.cells()));
 }
 
 /// Decides by the options, the extension and the first row of the table.
 Expected<Layout> layout_of(const TextTable& table, const ReadOptions& options, std::optional<FileFormat> format) {
   if (format == FileFormat::tum) return tum_layout(table, options);
+  if (format == FileFormat::euroc || is_named_euroc(table, options)) return euroc_layout(table, options);
   if (is_header(table.cells())) return header_layout(table, options);
   if (!format && !options.order && has_tum_shape(table)) return tum_layout(table, options);
   return order_layout(table, options);
@@ -89,12 +118,16 @@ Expected<KeyFile> read_keys(const std::string& path, const ReadOptions& options)
   if (!table) return tl::unexpected(std::move(table.error()));
   const std::optional<FileFormat> format = options.format ? options.format : format_of_extension(path);
   if (format == FileFormat::tum) table->set_delimiter(Delimiter::blanks);
+  if (format == FileFormat::euroc) table->set_delimiter(Delimiter::comma);
   const auto first = table->next();
   if (!first) return tl::unexpected(first.error());
   if (!*first) return failure(ErrorCode::bad_data, "empty: no keys", {.file = path});
   auto layout = layout_of(*table, options, format);
   if (!layout) return tl::unexpected(std::move(layout.error()));
-  if (options.time_scale) layout->columns.time_unit = *options.time_scale;
+  if (options.time_scale) {
+    layout->columns.time_unit = *options.time_scale;
+    layout->columns.whole_times = false;
+  }
 
   KeyRows rows(path, layout->format, std::move(layout->columns), options);
   auto more = layout->first_row == Layout::FirstRow::header ? table->next() : first;

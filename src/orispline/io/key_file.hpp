@@ -15,20 +15,24 @@ namespace orispline::io {
 
 /// How a file of keyframes is to be read.
 struct ReadOptions {
-  /// Absent: by extension, else by content (8 numbers separated by blanks are TUM).
+  /// Absent: TUM by its extension, EuRoC by its header, CSV by its extension, else by content (8 numbers separated by
+  /// blanks are TUM).
   std::optional<FileFormat> format{};
   /// Canonical name to name in the header. A name here is believed: `wx` is taken as a body rate.
-  std::map<std::string, std::string, std::less<>> columns{};
+  ColumnSearch::Names columns{};
   /// For CSV without a header: t, the quaternion in this order, then px, py, pz where the rows have 8 cells.
   std::optional<QuaternionOrder> order{};
-  /// Seconds per unit of the time column, greater than 0. Absent: by the suffix of its name, else 1.
+  /// For CSV with a header: which columns state the orientation, and how.
+  OrientationReading orientation{};
+  /// Seconds per unit of the time column, greater than 0. Absent: by the suffix of its name, else 1; of EuRoC 1e-9.
   std::optional<Decimal> time_scale{};
-  /// The file holds world to body (SPICE, CCSDS): quaternions are conjugated. Positions are not touched. The angular
+  /// The file holds world to body (SPICE, CCSDS): orientations are conjugated. Positions are not touched. The angular
   /// velocities of such files are often in the base frame, so `wx` and `wx_rad_s` are ignored; `wx_body…` are read.
   bool conjugate = false;
   bool drop_duplicates = false;  ///< of equal times keep the first
   bool drop_invalid = false;     ///< drop rows where a cell that is needed is empty, NaN or infinite
   bool sort = false;             ///< by time; rows of equal time keep their order
+  bool keep_exact_times = false;
   /// Parameters that are read where a column has their name.
   std::vector<std::string> parameters{};
 };
@@ -49,6 +53,8 @@ struct KeyFile {
   std::vector<std::uint32_t> lines{};                                    ///< 1-based line of each key
   std::map<std::string, std::vector<double>, std::less<>> parameters{};  ///< one value per key
   RepairReport repairs{};
+  std::vector<Decimal> exact_times{};          ///< [s], of each key; only if asked for
+  std::vector<std::string> ignored_columns{};  ///< that nothing was read from
 };
 
 /// Reads keyframes from a file, or from standard input for `-`.

@@ -27,14 +27,14 @@ class RowReader {
   explicit RowReader(const TextTable& table) : table_(table) {}
 
   [[nodiscard]] Key key(const KeyColumns& columns) {
-    Key key{.time = time(columns.time), .orientation = orientation(columns.quaternion)};
+    Key key{.time = time(columns), .orientation = orientation(columns)};
     if (columns.position) key.position = vector(*columns.position);
     if (columns.angular_velocity) key.angular_velocity = vector(*columns.angular_velocity);
     for (const ParameterColumn& column : columns.parameters) key.parameters.push_back(number({column.index}));
     return key;
   }
 
-  /// A cell that is no number: an error in any case.
+  /// A cell that is no number, or numbers that are no orientation: an error in any case.
   [[nodiscard]] const std::optional<Error>& refused() const { return refused_; }
 
   /// A cell that is empty or not finite: an error unless such rows are dropped.
@@ -48,10 +48,13 @@ class RowReader {
   }
 
  private:
-  [[nodiscard]] Decimal time(std::size_t index) {
-    const auto time = decimal_of(table_.cells()[index]);
-    if (!time) refuse(index, time.error());
-    else if (!*time) note_not_finite(index);
+  [[nodiscard]] Decimal time(const KeyColumns& columns) {
+    const std::string_view cell = table_.cells()[columns.time];
+    const auto time = decimal_of(cell);
+    if (!time) refuse(columns.time, time.error());
+    else if (!*time) note_not_finite(columns.time);
+    else if (columns.whole_times && !(*time)->is_whole())
+      refuse(columns.time, {ErrorCode::bad_data, fmt::format("found {}, wanted whole nanoseconds", quoted(cell)), {}});
     return time.value_or(std::nullopt).value_or(Decimal());
   }
   [[nodiscard]] double number(const NumberColumn& column) {
@@ -61,15 +64,19 @@ class RowReader {
     else if (!std::isfinite(value)) note_not_finite(column.index);
     return value;
   }
-  [[nodiscard]] Eigen::Vector3d vector(const std::array<NumberColumn, 3>& columns) {
+  [[nodiscard]] Eigen::Vector3d vector(const VectorColumns& columns) {
     const double x = number(columns[0]), y = number(columns[1]), z = number(columns[2]);
     return {x, y, z};
   }
-  [[nodiscard]] Eigen::Quaterniond orientation(const std::array<std::size_t, 4>& columns) {
-    const double w = number({columns[0]}), x = number({columns[1]}), y = number({columns[2]}), z = number({columns[3]});
-    return quaternion_wxyz(w, x, y, z);
+  [[nodiscard]] Eigen::Quaterniond orientation(const KeyColumns& columns) {
+    OrientationNumbers numbers(static_cast<Eigen::Index>(columns.orientation.size()));
+    std::ranges::transform(columns.orientation, numbers.begin(), [this](const auto& column) { return number(column); });
+    if (!numbers.allFinite()) return Eigen::Quaterniond::Identity();
+    const auto orientation = orientation_from(numbers, columns.form);
+    if (!orientation) refuse(std::nullopt, orientation.error());
+    return orientation.value_or(Eigen::Quaterniond::Identity());
   }
-  void refuse(std::size_t index, Error error) {
+  void refuse(std::optional<std::size_t> index, Error error) {
     error.where = table_.here(index);
     if (!refused_) refused_ = std::move(error);
   }
@@ -176,6 +183,7 @@ Expected<bool> KeyRows::append_time(const Decimal& time, std::string_view text, 
     return refused(
         fmt::format("time {} is too near to {} to be told apart in double precision", shown(), latest_.to_string()));
   times.push_back(seconds);
+  if (options_.keep_exact_times) file_.exact_times.push_back(time * columns_.time_unit);
   latest_ = time;
   latest_line_ = line;
   return true;
@@ -213,6 +221,7 @@ Expected<KeyFile> KeyRows::finish() && {
   if (options_.sort)
     if (auto sorted = sort(); !sorted) return tl::unexpected(std::move(sorted.error()));
   file_.epoch = first_ * columns_.time_unit;
+  file_.ignored_columns = std::move(columns_.ignored);
   return std::move(file_);
 }
 

@@ -79,6 +79,7 @@ Expected<bool> TextTable::next() {
     if (!line) return tl::unexpected(line.error());
     if (!*line) return false;
     const std::string_view text = without_leading_blanks(**line);
+    if (cells_.empty() && text.starts_with('#')) comment_ = text;
     if (text.empty() || text.starts_with('#')) continue;
     if (!delimiter_) delimiter_ = delimiter_of(text);
     return split(**line);

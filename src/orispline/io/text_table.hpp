@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -40,6 +41,8 @@ class TextTable {
   /// Cells of the row, without the blanks and the quotes around them; valid until the next call of `next`.
   [[nodiscard]] std::span<const std::string_view> cells() const noexcept { return cells_; }
   [[nodiscard]] std::optional<Delimiter> delimiter() const noexcept { return delimiter_; }
+  /// The last comment before the first row, with its `#`; empty if there is none.
+  [[nodiscard]] std::string_view comment() const noexcept { return comment_; }
   [[nodiscard]] const std::string& path() const noexcept { return lines_.path(); }
   [[nodiscard]] std::size_t line() const noexcept { return lines_.line(); }
 
@@ -53,6 +56,7 @@ class TextTable {
   LineReader lines_;
   std::optional<Delimiter> delimiter_;
   std::vector<std::string_view> cells_;
+  std::string comment_;
 };
 
 }  // namespace orispline::io

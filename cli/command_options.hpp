@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "convert.hpp"
+#include "inspect.hpp"
+#include "sample.hpp"
+
+// Which options the larger commands have, and what the help says about them.
+
+namespace orispline::cli {
+
+/// The type name of arguments that are files.
+inline constexpr auto file_type = "FILE";
+
+void add_sample_options(CLI::App& app, SampleOptions& options);
+void add_convert_options(CLI::App& app, ConvertOptions& options);
+void add_inspect_options(CLI::App& app, InspectOptions& options);
+
+}  // namespace orispline::cli

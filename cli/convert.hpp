@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "input_options.hpp"
+#include "output_options.hpp"
+
+namespace orispline::cli {
+
+/// `orispline convert`, as typed.
+struct ConvertOptions {
+  InputOptions input;
+  OutputOptions output;
+  bool json = false, quiet = false;
+};
+
+/// The same keys in another format: exact times, and of the quaternions the very digits unless their norm is off.
+[[nodiscard]] Expected<void> convert(const ConvertOptions& options);
+
+}  // namespace orispline::cli

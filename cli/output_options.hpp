@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <orispline/io/sample_writer.hpp>
+
+#include "input_options.hpp"
+
+namespace orispline::cli {
+
+/// How the user wants a file to be written, as typed.
+struct OutputOptions {
+  std::string path{io::standard_stream};
+  std::optional<std::string> format, orientation, euler, angle_unit;
+};
+
+/// The format of the output and the form of its orientations; the rest of the columns is left to the command.
+[[nodiscard]] Expected<io::SampleColumns> output_columns(const OutputOptions& options);
+
+/// `a TUM file`
+[[nodiscard]] std::string a_file_of(io::FileFormat format);
+
+}  // namespace orispline::cli

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace orispline {
+
+/// Derivatives of orders 1…K of the two factors beside a key: φ of the increment before it, ψ of the one after it.
+///
+/// Near a key both neighbouring segments equal Q exp(a f) exp(b g) with f = 1 + φ₁τ + φ₂τ²/2 + …, g = ψ₁τ + …
+template <std::size_t K>
+struct KnotDerivatives {
+  std::array<double, K> phi, psi;
+};
+
+/// Derivatives in time become derivatives in the local parameter of a segment of length h: order m times h^m.
+template <std::size_t K>
+[[nodiscard]] KnotDerivatives<K> scaled(KnotDerivatives<K> d, double h) noexcept {
+  double power = 1.0;
+  for (std::size_t m = 0; m < K; ++m) {
+    power *= h;
+    d.phi[m] *= power;
+    d.psi[m] *= power;
+  }
+  return d;
+}
+
+/// Rows of Bernstein coefficients of degree 2K+1: β̃_1, β̃_2, β̃_3 of a four-key family.
+template <std::size_t K>
+using FourKeyBlending = std::array<std::array<double, 2 * K + 2>, 3>;
+
+/// The first K+1 Bernstein coefficients of degree 2K+1 of the polynomial with the derivatives d at u = 0, value apart.
+template <std::size_t K>
+[[nodiscard]] std::array<double, K + 1> bernstein_from_taylor(const std::array<double, K>& d) noexcept {
+  constexpr std::size_t n = 2 * K + 1;
+  std::array<double, K + 1> c{};
+  for (std::size_t i = 1; i <= K; ++i) {
+    double weight = 1.0;  // C(i, m) (n - m)!/n!
+    for (std::size_t m = 1; m <= i; ++m) {
+      weight *= static_cast<double>(i - m + 1) / (static_cast<double>(m) * static_cast<double>(n - m + 1));
+      c[i] += weight * d[m - 1];
+    }
+  }
+  return c;
+}
+
+/// The cumulative blending functions with the given derivatives (in the local parameter) at the two ends of a segment.
+///
+/// The two-point Taylor (Hermite) polynomials of degree 2K+1; derivation: docs/families/family.md.
+template <std::size_t K>
+[[nodiscard]] FourKeyBlending<K> two_point_blending(const KnotDerivatives<K>& left,
+                                                    const KnotDerivatives<K>& right) noexcept {
+  // Seen from u = 1 the coefficients run inwards: odd orders change sign.
+  const auto inwards = [](std::array<double, K> d) {
+    for (std::size_t m = 0; m < K; m += 2) d[m] = -d[m];
+    return d;
+  };
+  const auto phi = bernstein_from_taylor<K>(left.phi), psi = bernstein_from_taylor<K>(left.psi);
+  const auto phi_end = bernstein_from_taylor<K>(inwards(right.phi));
+  const auto psi_end = bernstein_from_taylor<K>(inwards(right.psi));
+  FourKeyBlending<K> b{};
+  for (std::size_t i = 0; i <= K; ++i) {
+    const std::size_t j = 2 * K + 1 - i;
+    b[0][i] = 1.0 + phi[i];
+    b[0][j] = 1.0;
+    b[1][i] = psi[i];
+    b[1][j] = 1.0 + phi_end[i];
+    b[2][j] = psi_end[i];
+  }
+  return b;
+}
+
+}  // namespace orispline

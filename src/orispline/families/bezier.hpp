@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <orispline/curve/cumulative_bezier.hpp>
+#include <orispline/curve/family.hpp>
+#include <orispline/curve/keyframe.hpp>
+
+namespace orispline::families {
+
+/// Composite cumulative cubic Bézier curve: every third key is a joint, the two between shape the segment.
+///
+/// The times of the inner control points are ignored. C0 unless the handles are laid out smoothly.
+struct Bezier {
+  static constexpr FamilyInfo info{.name = "bezier",
+                                   .title = "Cumulative cubic Bezier curve",
+                                   .source = "Kim, Kim & Shin 1995; docs/families/bezier.md",
+                                   .interpolates = false,
+                                   .continuity_uniform = 0,
+                                   .continuity_uneven = 0,
+                                   .keeps_constant_rate_uniform = true,
+                                   .keeps_constant_rate_uneven = false,
+                                   .support_keys = 4,
+                                   .min_keys = 4};
+  /// Errors: bad_data unless there are 3k+1 keys.
+  [[nodiscard]] static Expected<CubicBezierCurve> curve(const Keyframes& keys, const FamilySettings&);
+  [[nodiscard]] static Expected<CubicBezierPath> path(const Keyframes& keys, const FamilySettings&);
+};
+
+}  // namespace orispline::families

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <orispline/curve/catmull_rom_path.hpp>
+#include <orispline/curve/cumulative_bezier.hpp>
+#include <orispline/curve/family.hpp>
+#include <orispline/curve/keyframe.hpp>
+
+namespace orispline::families {
+
+/// Kim's cubic Hermite curve: C1 in time on any knots through given or estimated rates at the keys.
+///
+/// The rates are the keys' angular velocities where they have them, else those of the parabola through three keys, at
+/// the ends the secants; the tension scales them.
+struct HermiteCumulative {
+  static constexpr std::array parameters{Parameter{"tension", 1.0, -100.0, 100.0}};
+  static constexpr FamilyInfo info{.name = "hermite-cumulative",
+                                   .title = "Cumulative cubic Hermite curve",
+                                   .source = "Kim, Kim & Shin 1995; docs/families/hermite-cumulative.md",
+                                   .continuity_uniform = 1,
+                                   .continuity_uneven = 1,
+                                   .keeps_constant_rate_uniform = true,
+                                   .keeps_constant_rate_uneven = true,
+                                   .support_keys = 4,
+                                   .parameters = parameters};
+  [[nodiscard]] static Expected<CubicBezierCurve> curve(const Keyframes& keys, const FamilySettings& settings);
+  [[nodiscard]] static Expected<CatmullRomPath> path(const Keyframes& keys, const FamilySettings& settings) {
+    return CatmullRomPath(keys, settings.per_key("tension"));
+  }
+};
+
+}  // namespace orispline::families

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/io/column_search.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <orispline/io/quoted.hpp>
+
+namespace orispline::io {
+namespace {
+
+constexpr std::size_t longest_list = 200;  // [bytes] of column names in a message
+
+}  // namespace
+
+Expected<ColumnGroup> ColumnSearch::group(std::span<const std::string_view> names, std::span<const Unit> accepted,
+                                          std::span<const Unit> known) const {
+  ColumnGroup group;
+  for (const std::string_view canonical : names) {
+    const auto index =
+        column(canonical, [&](std::string_view name) { return is_with_unit(name, canonical, accepted); });
+    if (!index) return tl::unexpected(index.error());
+    (*index ? group.present : group.missing).push_back(canonical);
+    if (!*index) continue;
+    const Unit unit = unit_of(header_[**index], known);
+    group.columns.push_back({**index, unit.numerator, unit.denominator});
+  }
+  return group;
+}
+
+Expected<std::optional<VectorColumns>> ColumnSearch::vector(std::span<const std::string_view, 3> names,
+                                                            std::span<const Unit> accepted,
+                                                            std::span<const Unit> known) const {
+  const auto found = group(names, accepted, known);
+  if (!found) return tl::unexpected(found.error());
+  if (found->is_absent()) return std::nullopt;
+  if (found->is_complete()) return VectorColumns{found->columns[0], found->columns[1], found->columns[2]};
+  return failure(ErrorCode::bad_data, fmt::format("found {} without {}, wanted all three columns or none",
+                                                  fmt::join(found->present, ", "), fmt::join(found->missing, ", ")));
+}
+
+std::string ColumnSearch::found_names() const {
+  return quoted(fmt::format("{}", fmt::join(header_, ",")), longest_list);
+}
+
+tl::unexpected<Error> ColumnSearch::not_there(std::string_view canonical, std::string_view name) const {
+  return failure(ErrorCode::bad_data,
+                 fmt::format("no column {} for {}, found {}", quoted(name), canonical, found_names()));
+}
+
+tl::unexpected<Error> ColumnSearch::two_columns(std::string_view canonical, std::size_t one, std::size_t other) const {
+  const auto name = [this](std::size_t i) { return quoted(header_[i]); };
+  if (header_[one] == header_[other])
+    return failure(ErrorCode::bad_data, fmt::format("the column {} is there twice, wanted it once", name(other)));
+  return failure(ErrorCode::bad_data, fmt::format("{} and {} may both be {}, choose one with --columns {}=NAME",
+                                                  name(one), name(other), canonical, canonical));
+}
+
+}  // namespace orispline::io

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <orispline/base/expected.hpp>
+
+namespace orispline::io {
+
+/// Suffix of column names: value · numerator / denominator is in the unit of this library.
+struct Unit {
+  std::string_view suffix;
+  double numerator = 1.0, denominator = 1.0;
+};
+
+/// A column of numbers: value · numerator / denominator is in the unit of this library.
+struct NumberColumn {
+  std::size_t index = 0;  ///< 0-based
+  double numerator = 1.0, denominator = 1.0;
+};
+
+using VectorColumns = std::array<NumberColumn, 3>;  ///< of x, y, z
+
+/// The unit with the longest suffix that a name ends in.
+template <class U>
+[[nodiscard]] U unit_of(std::string_view name, std::span<const U> units) {
+  U best{""};
+  for (const U& unit : units)
+    if (name.ends_with(unit.suffix) && unit.suffix.size() > best.suffix.size()) best = unit;
+  return best;
+}
+
+/// Whether a name is the base followed by the suffix of one of the units.
+template <class U>
+[[nodiscard]] bool is_with_unit(std::string_view name, std::string_view base, std::span<const U> units) {
+  return name.starts_with(base) && std::any_of(units.begin(), units.end(),
+                                               [&](const U& unit) { return name.substr(base.size()) == unit.suffix; });
+}
+
+/// Columns that belong together, as far as a header has them.
+struct ColumnGroup {
+  std::vector<NumberColumn> columns{};  ///< in the order of the names; those that are missing are left out
+  std::vector<std::string_view> present{}, missing{};
+
+  [[nodiscard]] bool is_complete() const noexcept { return missing.empty(); }
+  [[nodiscard]] bool is_absent() const noexcept { return present.empty(); }
+};
+
+/// Looks for columns by their canonical names in the header of a table.
+class ColumnSearch {
+ public:
+  using Names = std::map<std::string, std::string, std::less<>>;  ///< canonical name to name in the header
+
+  ColumnSearch(std::span<const std::string_view> header, const Names& mapped) : header_(header), mapped_(mapped) {}
+
+  [[nodiscard]] std::string_view name(std::size_t column) const noexcept { return header_[column]; }
+
+  /// The column of a canonical name: the one that was mapped, else the only one whose name is accepted. Errors
+  /// (bad_data): a mapped name is not there; there are several.
+  template <class Accepts>
+  [[nodiscard]] Expected<std::optional<std::size_t>> column(std::string_view canonical, Accepts accepts) const {
+    const auto mapping = mapped_.find(canonical);
+    if (mapping == mapped_.end()) return only_column(canonical, accepts);
+    const std::string& name = mapping->second;
+    auto found = only_column(canonical, [&name](std::string_view column) { return column == name; });
+    if (found && !*found) return not_there(canonical, name);
+    return found;
+  }
+
+  /// The columns of the canonical names with one of the accepted units; a mapped name may end in any of the known ones.
+  [[nodiscard]] Expected<ColumnGroup> group(std::span<const std::string_view> names, std::span<const Unit> accepted,
+                                            std::span<const Unit> known) const;
+
+  /// The same for the three columns of a vector; nothing if there is none of them.
+  [[nodiscard]] Expected<std::optional<VectorColumns>> vector(std::span<const std::string_view, 3> names,
+                                                              std::span<const Unit> accepted,
+                                                              std::span<const Unit> known) const;
+
+  /// The header as a message shows it.
+  [[nodiscard]] std::string found_names() const;
+
+ private:
+  template <class Accepts>
+  [[nodiscard]] Expected<std::optional<std::size_t>> only_column(std::string_view canonical, Accepts accepts) const {
+    std::optional<std::size_t> found;
+    for (std::size_t i = 0; i < header_.size(); ++i) {
+      if (!accepts(header_[i])) continue;
+      if (found) return two_columns(canonical, *found, i);
+      found = i;
+    }
+    return found;
+  }
+  [[nodiscard]] tl::unexpected<Error> not_there(std::string_view canonical, std::string_view name) const;
+  [[nodiscard]] tl::unexpected<Error> two_columns(std::string_view canonical, std::size_t one, std::size_t other) const;
+
+  std::span<const std::string_view> header_;
+  const Names& mapped_;
+};
+
+}  // namespace orispline::io

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <orispline/base/expected.hpp>
+#include <orispline/math/euler.hpp>
+
+namespace orispline::io {
+
+/// What columns may state an orientation by.
+enum class Representation {
+  quaternion,       ///< `qw,qx,qy,qz`
+  euler,            ///< three angles: `roll,pitch,yaw`, or `e1,e2,e3` in the order of their turns
+  matrix,           ///< `r11,r12,…,r33`: R_world_body, row by row
+  rotation_vector,  ///< `rx,ry,rz` [rad]: the axis times the angle
+};
+
+enum class AngleUnit { degrees, radians };
+
+/// A representation with what it leaves open.
+struct OrientationForm {
+  Representation representation = Representation::quaternion;
+  EulerOrder order{};                   ///< of Euler angles
+  AngleUnit unit = AngleUnit::degrees;  ///< of Euler angles that are written
+};
+
+/// Elements of a rotation matrix farther than this from orthonormal, as RᵀR - 1, are an error, not rounding.
+inline constexpr double orthonormality_limit = 1e-3;
+
+/// The names that the columns of a representation have, without units. Euler angles: `e1`, `e2`, `e3` in the order of
+/// their turns.
+[[nodiscard]] std::span<const std::string_view> names_by_component(Representation representation) noexcept;
+/// The names of Euler angles by the axes that they turn about, `roll` x, `pitch` y, `yaw` z, in the order of the turns.
+[[nodiscard]] std::array<std::string_view, 3> names_by_axis(const EulerOrder& order) noexcept;
+
+/// The names of the columns that hold a form when it is written: `roll_deg,pitch_deg,yaw_deg` for the order ZYX.
+[[nodiscard]] std::vector<std::string> written_names(const OrientationForm& form);
+
+/// Up to nine numbers that state an orientation.
+using OrientationNumbers = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 9, 1>;
+
+/// An orientation in a form, in the order of `written_names`.
+[[nodiscard]] OrientationNumbers numbers_of(const Eigen::Quaterniond& q, const OrientationForm& form);
+
+/// The orientation that finite numbers state: those of `names_by_component`, Euler angles [rad] in the order of the
+/// turns. Quaternions are taken as they are.
+///
+/// Error (bad_data): a matrix that is no rotation.
+[[nodiscard]] Expected<Eigen::Quaterniond> orientation_from(const OrientationNumbers& numbers,
+                                                            const OrientationForm& form);
+
+}  // namespace orispline::io
