@@ -58,7 +58,6 @@ bool reads_standard_input_twice(const SampleOptions& options) {
 }
 
 Expected<Request> request_in(const SampleOptions& options) {
-  if (options.output.empty()) return usage_failure("-o: found an empty name, wanted FILE or -");
   FirstError checked;
   Request request{
       .input = checked(input_request(options.input)),

@@ -40,9 +40,6 @@ inline constexpr double norm_error_limit = 1e-3 + 1e-12;  // 0.999 and 1.001 the
 /// Steps between key times [s] outside this range would overflow in rates of the third order.
 inline constexpr double shortest_step = 1e-90, longest_step = 1e90;
 
-/// Steps between key times [s] outside this range would overflow in rates of the third order.
-inline constexpr double shortest_step = 1e-90, longest_step = 1e90;
-
 /// Orientations at times, validated at the door: every curve is built from these.
 ///
 /// Times are finite and strictly increasing, orientations are unit quaternions with the signs that the curve will

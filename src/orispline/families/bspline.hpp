@@ -12,8 +12,8 @@ namespace orispline::families {
 /// Cumulative B-spline of degree 2…5 on the key times: approximates its keys, C^(degree-1) in time on any knots.
 ///
 /// It runs from the first key time to the last; on even times it starts and ends at those keys. Knots stand at the key
-/// times for odd degrees and at the midpoints for even ones, and go on with the end spacing; control orientations beyond
-/// the ends are the keys reflected at the end key.
+/// times for odd degrees and at the midpoints for even ones, and go on with the end spacing; control orientations
+/// beyond the ends are the keys reflected at the end key.
 struct BSpline {
   static constexpr std::array parameters{Parameter{"degree", 3.0, 2.0, 5.0, false}};
   static constexpr FamilyInfo info{.name = "bspline",
