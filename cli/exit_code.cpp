@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "exit_code.hpp"
 
-#include <fmt/format.h>
+#include "standard_output.hpp"
 
 namespace orispline::cli {
 
 ExitCode report(const Error& error) {
-  fmt::print(stderr, "orispline: {}\n", describe(error));
+  tell("orispline: " + describe(error) + "\n");
   switch (error.code) {
     case ErrorCode::bad_argument:
-      fmt::print(stderr, "Run 'orispline --help', or '--help' after a command, for what is accepted.\n");
+      tell("Run 'orispline --help', or '--help' after a command, for what is accepted.\n");
       return ExitCode::bad_usage;
     case ErrorCode::bad_access:
       return ExitCode::bad_access;

@@ -29,6 +29,7 @@ Expected<io::Decimal> positive_decimal_in(OptionText option) {
 }  // namespace
 
 Expected<InputRequest> input_request(const InputOptions& options) {
+  if (options.path.empty()) return usage_failure("INPUT: found an empty name, wanted FILE or -");
   FirstError checked;
   io::ReadOptions read{.format = checked(if_given("--input-format", options.format, choice_of(format_choices))),
                        .columns = checked(column_names(options.columns)),

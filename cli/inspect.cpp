@@ -99,6 +99,8 @@ Expected<InspectReport> inspected(const InputRequest& input, const std::vector<M
 Expected<void> inspect(const InspectOptions& options) {
   auto input = input_request(options.input);
   if (!input) return tl::unexpected(std::move(input.error()));
+  if (options.methods.empty() && any_given(options.shape))
+    return usage_failure("options that shape a curve want --method as well");
   const auto methods = method_requests(options);
   if (!methods) return tl::unexpected(methods.error());
   input->read.parameters = all_open_parameters(*methods);

@@ -2,6 +2,7 @@
 #include "method_options.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -75,8 +76,8 @@ Expected<MethodRequest> method_request(const std::string& method, const MethodOp
   FirstError checked;
   const auto rules =
       checked(if_given("--ends", options.ends, [&](OptionText text) { return rules_in(**family, text); }));
-  const auto start_rule = rules ? std::optional(rules->first) : std::nullopt;
-  const auto end_rule = rules ? std::optional(rules->second) : std::nullopt;
+  std::optional<EndRule> start_rule, end_rule;
+  if (rules) std::tie(start_rule, end_rule) = *rules;
   CurveOptions shape{.parameters = checked(parameters_in(options)),
                      .start = checked(end_in(**family, start_rule, "--start-rate", options.start_rate)),
                      .end = checked(end_in(**family, end_rule, "--end-rate", options.end_rate))};

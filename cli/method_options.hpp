@@ -19,6 +19,10 @@ struct MethodOptions {
   std::optional<std::string> tension, ends, start_rate, end_rate;
 };
 
+[[nodiscard]] inline bool any_given(const MethodOptions& o) {
+  return !o.settings.empty() || o.tension || o.ends || o.start_rate || o.end_rate;
+}
+
 /// A method with what the command line says to it.
 struct MethodRequest {
   const FamilyInfo* family = nullptr;

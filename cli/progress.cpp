@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "standard_output.hpp"
+
 namespace orispline::cli {
 namespace {
 
@@ -21,7 +23,7 @@ Progress::Progress(std::size_t total, Show show)
       next_draw_(Clock::now() + std::chrono::seconds(1)) {}
 
 Progress::~Progress() {
-  if (state_ == State::shown) fmt::print(stderr, "\r{:{}}\r", "", bar_width + 10);
+  if (state_ == State::shown) tell(fmt::format("\r{:{}}\r", "", bar_width + 10));
 }
 
 void Progress::look(std::size_t done) {
@@ -31,8 +33,7 @@ void Progress::look(std::size_t done) {
   state_ = State::shown;
   const double part = static_cast<double>(done) / static_cast<double>(total_);
   const auto filled = static_cast<std::size_t>(part * bar_width);
-  fmt::print(stderr, "\r[{:#<{}}{:{}}] {:3.0f} %", "", filled, "", bar_width - filled, 100.0 * part);
-  std::fflush(stderr);
+  tell(fmt::format("\r[{:#<{}}{:{}}] {:3.0f} %", "", filled, "", bar_width - filled, 100.0 * part));
 }
 
 }  // namespace orispline::cli

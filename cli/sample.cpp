@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "interruption.hpp"
 #include "json.hpp"
 #include "progress.hpp"
 #include "sample_report.hpp"
@@ -38,7 +39,7 @@ Expected<io::SampleColumns> columns_in(const SampleOptions& options) {
       .frame = frame.value_or(io::Frame::body)};
   const bool holds_rates = columns.format == io::FileFormat::csv;
   columns.derivatives = derivatives.value_or(holds_rates ? default_csv_derivatives : 0);
-  auto read = std::move(checked).or_else(std::move(columns));
+  auto read = std::move(checked).or_else(columns);
   if (read && !holds_rates && read->derivatives > 0)
     return wanted({"--derivatives", *options.derivatives}, "0 for a TUM file, which has no columns for rates");
   if (read && !holds_rates && read->frame == io::Frame::world)
@@ -54,6 +55,7 @@ bool reads_standard_input_twice(const SampleOptions& options) {
 }
 
 Expected<Request> request_in(const SampleOptions& options) {
+  if (options.output.empty()) return usage_failure("-o: found an empty name, wanted FILE or -");
   FirstError checked;
   Request request{
       .input = checked(input_request(options.input)),
@@ -156,13 +158,15 @@ Expected<void> sample(const SampleOptions& options) {
     if (!truth) return tl::unexpected(std::move(truth.error()));
     report.truth = std::move(*truth);
   }
-  const auto held =
-      io::SampleWriter::open(options.output, request->columns, source->times.epoch())
-          .and_then([&](io::SampleWriter writer) { return write_samples(writer, *source, progress_for(options)); });
+  const auto held = io::SampleWriter::open(options.output, request->columns, source->times.epoch())
+                        .and_then([&](io::SampleWriter writer) {
+                          const RemovedWhenInterrupted unfinished(writer.part());
+                          return write_samples(writer, *source, progress_for(options));
+                        });
   if (!held) return tl::unexpected(held.error());
   report.held_samples = *held;
   if (options.json) return print_document(json_of(report));
-  if (!options.quiet) fmt::print(stderr, "{}", text_of(report));
+  if (!options.quiet) tell(text_of(report));
   return {};
 }
 

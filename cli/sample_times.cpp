@@ -13,8 +13,8 @@
 namespace orispline::cli {
 namespace {
 
-/// A sample this near to the end, in sample intervals, is the one at the end.
-constexpr double end_tolerance = 1e-9;
+/// A sample this near to the end, in sample intervals and relative to their number, is the one at the end.
+constexpr double end_tolerance = 1e-9, relative_end_tolerance = 4e-16;
 /// More samples than that cannot be told apart by a double.
 constexpr double most_samples = 9e15;
 
@@ -52,9 +52,9 @@ Expected<TimeRequest> time_request(const TimeOptions& options) {
 Expected<SampleTimes> SampleTimes::make(const TimeRequest& request, const io::KeyFile& keys) {
   const auto* const file = std::get_if<TimesFile>(&request.spacing);
   if (!file) return grid(request, keys);
-  return io::read_times(file->path, keys.epoch).map([&](std::vector<double> times) {
-    const std::size_t size = times.size();
-    return SampleTimes(keys.epoch, keys.epoch, size, List{file->path, std::move(times)});
+  return io::read_times(file->path, keys.epoch).map([&](io::TimesList list) {
+    const std::size_t size = list.times.size();
+    return SampleTimes(keys.epoch, keys.epoch, size, List{file->path, std::move(list)});
   });
 }
 
@@ -75,26 +75,31 @@ Expected<SampleTimes> SampleTimes::grid(const TimeRequest& request, const io::Ke
       return usage_failure(fmt::format("--count {}: the range is the single time {}, wanted --count 1", count->samples,
                                        epoch.to_string()));
     grid.spacing = *count;
+    grid.index_of_end = count->samples - 1;
     return SampleTimes(keys.epoch, epoch, count->samples, grid);
   }
   const Rate rate = std::get<Rate>(request.spacing);
-  const double intervals = std::floor(grid.span * rate.hertz + end_tolerance);
+  const double exact = grid.span * rate.hertz, nearest = std::round(exact);
+  const bool meets_end = std::abs(exact - nearest) <= end_tolerance + relative_end_tolerance * exact;
+  const double intervals = meets_end ? nearest : std::floor(exact);
   if (!(intervals < most_samples))
     return usage_failure(fmt::format("--rate {} makes {:.3g} samples over {} s, wanted fewer than {:.0e}", rate.hertz,
                                      intervals, grid.span, most_samples));
   grid.spacing = rate;
+  if (meets_end) grid.index_of_end = static_cast<std::size_t>(intervals);
   return SampleTimes(keys.epoch, epoch, static_cast<std::size_t>(intervals) + 1, grid);
 }
 
 double SampleTimes::Grid::offset(std::size_t k, std::size_t size) const {
+  if (k == 0) return 0.0;
+  if (k == index_of_end) return span;
   const auto steps = static_cast<double>(k);
-  if (const auto* const rate = std::get_if<Rate>(&spacing))
-    return std::abs(steps - span * rate->hertz) <= end_tolerance ? span : steps / rate->hertz;
-  return k == 0 ? 0.0 : k + 1 == size ? span : span * steps / static_cast<double>(size - 1);
+  if (const auto* const rate = std::get_if<Rate>(&spacing)) return steps / rate->hertz;
+  return span * steps / static_cast<double>(size - 1);
 }
 
 Instant SampleTimes::operator[](std::size_t k) const {
-  if (const auto* const list = std::get_if<List>(&times_)) return {list->times[k], list->times[k]};
+  if (const auto* const list = std::get_if<List>(&times_)) return {list->list.times[k], list->list.times[k]};
   const Grid& grid = std::get<Grid>(times_);
   const double offset = grid.offset(k, size_);
   if (offset == grid.span) return {grid.end, offset};
@@ -103,17 +108,19 @@ Instant SampleTimes::operator[](std::size_t k) const {
 }
 
 std::optional<Error> SampleTimes::outside(const Domain& domain) const {
-  const auto error = [&](double t, ErrorCode code, std::string file) {
+  const auto error = [&](double t, ErrorCode code, Where where) {
     const auto own_time = [&](double time) { return (key_epoch_ + io::Decimal::from_double(time)).to_string(); };
     return Error{code,
                  fmt::format("time {} is outside the keys, wanted {} to {}", own_time(t), own_time(domain.start),
                              own_time(domain.end)),
-                 {.file = std::move(file)}};
+                 std::move(where)};
   };
   if (const auto* const list = std::get_if<List>(&times_)) {
-    const auto stray = std::ranges::find_if_not(list->times, [&](double t) { return domain.contains(t); });
-    if (stray == list->times.end()) return std::nullopt;
-    return error(*stray, ErrorCode::bad_data, list->path);
+    const auto& [times, lines] = list->list;
+    const auto stray = std::ranges::find_if_not(times, [&](double t) { return domain.contains(t); });
+    if (stray == times.end()) return std::nullopt;
+    return error(*stray, ErrorCode::bad_data,
+                 {.file = list->path, .line = lines[static_cast<std::size_t>(stray - times.begin())]});
   }
   for (const double t : {(*this)[0].t, (*this)[size_ - 1].t})
     if (!domain.contains(t)) return error(t, ErrorCode::bad_argument, {});

@@ -8,6 +8,7 @@
 
 #include <orispline/curve/curve.hpp>
 #include <orispline/io/key_file.hpp>
+#include <orispline/io/times_file.hpp>
 
 namespace orispline::cli {
 
@@ -59,11 +60,12 @@ class SampleTimes {
     std::variant<Rate, Count> spacing;
     io::Decimal start;  // since the epoch of the keys
     double end, span;
+    std::optional<std::size_t> index_of_end{};  // of the sample that stands at the end, if one does
     [[nodiscard]] double offset(std::size_t k, std::size_t size) const;
   };
   struct List {
     std::string path;
-    std::vector<double> times;
+    io::TimesList list;
   };
 
   SampleTimes(const io::Decimal& key_epoch, const io::Decimal& epoch, std::size_t size, std::variant<Grid, List> times)

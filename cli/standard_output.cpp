@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "standard_output.hpp"
 
+#include <cstdio>
+
 #include <orispline/io/file_format.hpp>
 #include <orispline/io/output_file.hpp>
 
@@ -10,6 +12,11 @@ Expected<void> print_document(std::string_view text) {
   auto output = io::OutputFile::open(std::string(io::standard_stream));
   if (!output) return tl::unexpected(output.error());
   return output->write(text).and_then([&] { return output->finish(); });
+}
+
+void tell(std::string_view text) noexcept {
+  std::fwrite(text.data(), 1, text.size(), stderr);
+  std::fflush(stderr);
 }
 
 }  // namespace orispline::cli

@@ -10,4 +10,7 @@ namespace orispline::cli {
 /// Writes a whole document to standard output. Error: bad_access.
 [[nodiscard]] Expected<void> print_document(std::string_view text);
 
+/// Writes to standard error as far as that goes: where nobody listens there is nobody to tell.
+void tell(std::string_view text) noexcept;
+
 }  // namespace orispline::cli

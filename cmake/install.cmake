@@ -15,6 +15,12 @@ install(FILES ${PROJECT_BINARY_DIR}/orisplineConfig.cmake ${PROJECT_BINARY_DIR}/
 
 # The prefix is found from the place of the .pc file, so that the installed tree can be moved.
 file(RELATIVE_PATH prefix_from_pc /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+if(orispline_type STREQUAL "SHARED_LIBRARY")
+  set(orispline_pc_requires eigen3)
+  set(orispline_pc_requires_private fmt)
+else() # who links the archive links what it needs
+  set(orispline_pc_requires "eigen3 fmt")
+endif()
 configure_file(cmake/orispline.pc.in ${PROJECT_BINARY_DIR}/orispline.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/orispline.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 

@@ -38,7 +38,7 @@ class BadContent(CommandTest):
     def test_a_stray_time_is_the_fault_of_the_times_file(self):
         self.write("times.csv", "t\n1\n3.5\n")
         self.assert_fails("sample keys.csv --times times.csv --extrapolate error", BAD_DATA,
-                          "times.csv: time 3.5 is outside the keys, wanted 0 to 3")
+                          "times.csv:3: time 3.5 is outside the keys, wanted 0 to 3")
 
     def test_standard_input_is_named_as_it_was_given(self):
         self.assert_fails("inspect -", BAD_DATA, "-: empty: no keys", input="")

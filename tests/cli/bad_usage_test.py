@@ -61,6 +61,9 @@ CASES = (
     ("sample keys.csv --rate 1 --tension 0 --start-rate=0,0,1",
      "keys.csv:2: key 0: a clamped end needs a non-zero tension at that key, found 0"),
     # reading
+    (["sample", "", "--rate", "1"], "INPUT: found an empty name, wanted FILE or -"),
+    (["sample", "keys.csv", "--rate", "1", "-o", ""], "-o: found an empty name, wanted FILE or -"),
+    ("inspect keys.csv --tension 1", "options that shape a curve want --method as well"),
     ("sample keys.csv --rate 1 --signs long", "--signs: found 'long', wanted shortest|as-given"),
     ("sample keys.csv --rate 1 --input-format json", "--input-format: found 'json', wanted csv|tum"),
     ("sample keys.csv --rate 1 --order zyxw", "--order: found 'zyxw', wanted wxyz|xyzw"),

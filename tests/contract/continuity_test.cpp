@@ -79,7 +79,8 @@ TYPED_TEST(Continuity, HoldsForRandomParametersAtEveryKey) {
 TYPED_TEST(Continuity, HoldsForEveryEndRule) {
   const Keyframes keys = keyframes(random_walk(59, 6, Spacing::uneven, moderate_step));
   for (const EndRule rule : TypeParam::info.ends) {
-    const End end{.rule = rule, .angular_velocity = {0.3, -0.2, 0.1}};
+    End end{.rule = rule};
+    if (rule == EndRule::clamped) end.angular_velocity = {0.3, -0.2, 0.1};
     const auto jumps = relative_jumps(typed_curve<TypeParam>(keys, {.start = end, .end = end}));
     for (int k = 0; k <= TypeParam::info.continuity_uneven; ++k)
       EXPECT_LE(jumps[static_cast<std::size_t>(k)], tolerance::continuity) << name_of(rule) << ", order " << k;

@@ -87,11 +87,12 @@ TEST(Ghost, MirrorsWithTime) {
   }
   for (const EndRule rule :
        {EndRule::repeat, EndRule::natural, EndRule::quadratic, EndRule::cubic, EndRule::clamped, EndRule::rest}) {
-    const Eigen::Vector3d rate(0, 0.7, 0);
+    const Eigen::Vector3d rate(0, rule == EndRule::clamped ? 0.7 : 0.0, 0);
     const AnyCurve forward =
-        make_curve("timed-c3", keyframes(data), {.start = {rule, rate}, .end = {EndRule::natural, {}}}).value();
+        make_curve("timed-c3", keyframes(data), {.start = {rule, rate}, .end = {.rule = EndRule::natural}}).value();
     const AnyCurve backward =
-        make_curve("timed-c3", keyframes(reversed), {.start = {EndRule::natural, {}}, .end = {rule, -rate}}).value();
+        make_curve("timed-c3", keyframes(reversed), {.start = {.rule = EndRule::natural}, .end = {rule, -rate}})
+            .value();
     for (const double t : sample_times(data.times, 4))
       EXPECT_TRUE(near(backward(2.4 - t), forward(t), tolerance::series)) << name_of(rule) << " at " << t;
   }

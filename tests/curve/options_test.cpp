@@ -87,7 +87,19 @@ INSTANTIATE_TEST_SUITE_P(
                    {.start = {EndRule::clamped, {nan, 0, 0}}},
                    4,
                    bad_argument,
-                   "timed-c2: an end rate is not finite"}),
+                   "timed-c2: an end rate is not finite"},
+        BadOptions{"EndRateWithoutClamping",
+                   "timed-c2",
+                   {.end = {EndRule::rest, {1, 2, 3}}},
+                   4,
+                   bad_argument,
+                   "timed-c2: an end rate needs the end rule clamped, found rest"},
+        BadOptions{"EndRateOfAFamilyWithoutEnds",
+                   "slerp",
+                   {.start = {EndRule::none, {1, 2, 3}}},
+                   4,
+                   bad_argument,
+                   "slerp: an end rate needs the end rule clamped, found none"}),
     [](const auto& test) { return std::string(test.param.name); });
 
 TEST(Options, NameTheEndRulesOfAFamily) {
@@ -119,14 +131,13 @@ TEST(Options, AreCheckedEvenForASingleKey) {
 
 TEST(Settings, HoldEveryParameterAndTheChosenEnds) {
   const FamilyInfo& family = *find_family("timed-c3").value();
-  const FamilySettings settings = settle(family, {.end = {EndRule::rest, {1, 2, 3}}}, 4).value();
+  const FamilySettings settings = settle(family, {.end = {.rule = EndRule::rest}}, 4).value();
   EXPECT_EQ(settings.parameters.size(), 3u);
   EXPECT_EQ(settings.per_key("tension")[3], 0.5);
   EXPECT_EQ(settings.per_key("tension2")[0], 1.0);
   EXPECT_EQ(settings.per_key("tension3")[1], 0.0);
   EXPECT_EQ(settings.start.rule, EndRule::natural);
   EXPECT_EQ(settings.end.rule, EndRule::rest);
-  EXPECT_EQ(settings.end.angular_velocity, Eigen::Vector3d::Zero());
 }
 
 TEST(PerKey, GivesOneValueToAllOrEachItsOwn) {

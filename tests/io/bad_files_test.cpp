@@ -25,11 +25,12 @@ struct BadFile {
 const std::string header = "t,qw,qx,qy,qz\n";
 const std::string key = "0,1,0,0,0\n";
 
-std::string not_a_number(const std::string& place, const std::string& cell) {
-  return "keys.csv:" + place + ": found '" + cell + "', wanted a number such as -1.5e-3";
+std::string not_a_number(const std::string& place, const std::string& cell, int key_index = 0) {
+  return "keys.csv:" + place + ": key " + std::to_string(key_index) + ": found '" + cell +
+         "', wanted a number such as -1.5e-3";
 }
 std::string not_finite(const std::string& place, const std::string& found) {
-  return "keys.csv:" + place + ": found " + found + ", wanted a finite number (--drop-invalid drops such rows)";
+  return "keys.csv:" + place + ": key 0: found " + found + ", wanted a finite number (--drop-invalid drops such rows)";
 }
 
 void expect_refusals(const std::vector<BadFile>& files) {
@@ -83,7 +84,7 @@ TEST(BadFile, WithoutAUsableHeaderSaysWhatIsMissing) {
       {"# comment\n\n" + key, "keys.csv:3: " + two_ways},
       {"0x10,1,0,0,0\n", "keys.csv:1: " + two_ways},
       {"nan,1,0,0,0\n", "keys.csv:1: " + two_ways},
-      {"0 1 2 3 0 0 0 1\n", "keys.csv:1: " + two_ways + " (or --format tum)"},
+      {"0 1 2 3 0 0 0 1\n", "keys.csv:1: " + two_ways + " (or --input-format tum)"},
       {"0 1 2 3 0 0 1\n", "keys.txt:1: " + two_ways, "keys.txt"},
       {"t,qw,qx,qz\n" + key, "keys.csv:1: no column qy, found 't,qw,qx,qz'" + advice + "qy=NAME,..."},
       {"sclk,q0,q1,q2,q3\n" + key,
@@ -135,14 +136,14 @@ TEST(BadFile, ThatContradictsTheOptionsIsBadUsage) {
 TEST(BadFile, WithAWrongNumberOfCellsNamesTheLine) {
   const std::string widths = " columns without a header, wanted 5 (t and the quaternion) or 8 (px, py, pz after them)";
   expect_refusals({
-      {header + "0,1,0,0\n", "keys.csv:2: found 4 cells, wanted 5"},
-      {header + key + "1,1,0,0,0,7\n", "keys.csv:3: found 6 cells, wanted 5"},
-      {header + key + "1;1;0;0;0\n", "keys.csv:3: found 1 cell, wanted 5"},
-      {header + key + "1,1,0,0,0,,7\n", "keys.csv:3: found 7 cells, wanted 5"},
-      {header + key + "1,1,0\n", "keys.csv:3: found 3 cells, wanted 5", "keys.csv", {.drop_invalid = true}},
-      {"0 1 2 3 0 0 0\n", "keys.tum:1: found 7 cells, wanted 8", "keys.tum"},
-      {"0,1,2,3,0,0,0,1\n", "keys.tum:1: found 1 cell, wanted 8", "keys.tum"},
-      {"0 1 2 3 0 0 0 1\n1 1 2 3 0 0 0 1 9\n", "keys.txt:2: found 9 cells, wanted 8", "keys.txt"},
+      {header + "0,1,0,0\n", "keys.csv:2: key 0: found 4 cells, wanted 5"},
+      {header + key + "1,1,0,0,0,7\n", "keys.csv:3: key 1: found 6 cells, wanted 5"},
+      {header + key + "1;1;0;0;0\n", "keys.csv:3: key 1: found 1 cell, wanted 5"},
+      {header + key + "1,1,0,0,0,,7\n", "keys.csv:3: key 1: found 7 cells, wanted 5"},
+      {header + key + "1,1,0\n", "keys.csv:3: key 1: found 3 cells, wanted 5", "keys.csv", {.drop_invalid = true}},
+      {"0 1 2 3 0 0 0\n", "keys.tum:1: key 0: found 7 cells, wanted 8", "keys.tum"},
+      {"0,1,2,3,0,0,0,1\n", "keys.tum:1: key 0: found 1 cell, wanted 8", "keys.tum"},
+      {"0 1 2 3 0 0 0 1\n1 1 2 3 0 0 0 1 9\n", "keys.txt:2: key 1: found 9 cells, wanted 8", "keys.txt"},
       {"0,1,0,0\n", "keys.csv:1: found 4" + widths, "keys.csv", {.order = QuaternionOrder::wxyz}},
       {"0,1,0,0,0,1,2\n", "keys.csv:1: found 7" + widths, "keys.csv", {.order = QuaternionOrder::xyzw}},
   });
@@ -151,7 +152,7 @@ TEST(BadFile, WithAWrongNumberOfCellsNamesTheLine) {
 TEST(BadFile, WithACellThatIsNoNumberNamesLineAndColumn) {
   expect_refusals({
       {header + "0,one,0,0,0\n", not_a_number("2:2", "one")},
-      {header + key + "# 3\n\n1,1,0,0,abc\n", not_a_number("5:5", "abc")},
+      {header + key + "# 3\n\n1,1,0,0,abc\n", not_a_number("5:5", "abc", 1)},
       {header + "0,0x10,0,0,0\n", not_a_number("2:2", "0x10")},
       {"t;qw;qx;qy;qz\n0;1,0;0;0;0\n", not_a_number("2:2", "1,0")},
       {header + "0,1.0.0,0,0,0\n", not_a_number("2:2", "1.0.0")},
@@ -162,12 +163,13 @@ TEST(BadFile, WithACellThatIsNoNumberNamesLineAndColumn) {
       {header + "12:30:01,1,0,0,0\n", not_a_number("2:1", "12:30:01")},
       {header + "2024-05-01T12:30:01Z,1,0,0,0\n", not_a_number("2:1", "2024-05-01T12:30:01Z")},
       {header + "0,1,0,0," + std::string(1 << 20, '#') + "\n", not_a_number("2:5", std::string(40, '#') + "...")},
-      {header + "0,1e999,0,0,0\n", "keys.csv:2:2: found '1e999', wanted a number below 1.8e308 in size"},
-      {header + "1e999,1,0,0,0\n", "keys.csv:2:1: found '1e999', wanted a number between 1e-150 and 1e150 in size"},
+      {header + "0,1e999,0,0,0\n", "keys.csv:2:2: key 0: found '1e999', wanted a number below 1.8e308 in size"},
+      {header + "1e999,1,0,0,0\n",
+       "keys.csv:2:1: key 0: found '1e999', wanted a number between 1e-150 and 1e150 in size"},
       {header + "0.12345678901234567890123456789012345678,1,0,0,0\n",
-       "keys.csv:2:1: found '0.12345678901234567890123456789012345678', wanted at most 37 significant digits"},
+       "keys.csv:2:1: key 0: found '0.12345678901234567890123456789012345678', wanted at most 37 significant digits"},
       {"timestamp tx ty tz qx qy qz qw\n0 1 2 3 0 0 0 1\n",
-       "keys.tum:1:1: found 'timestamp', wanted a number such as -1.5e-3", "keys.tum"},
+       "keys.tum:1:1: key 0: found 'timestamp', wanted a number such as -1.5e-3", "keys.tum"},
       {"t,qw,qx,qy,qz,px,py,pz\n0,1,0,0,0,1,up,3\n", not_a_number("2:7", "up")},
       {"t,qw,qx,qy,qz,tension\n0,1,0,0,0,tight\n",
        not_a_number("2:6", "tight"),

@@ -45,7 +45,8 @@ TEST_F(RealFile, OpticalTruthWithDropOuts) {
   const auto refused = read_keys(path, options);
   ASSERT_FALSE(refused);
   EXPECT_EQ(text_of(refused.error()),
-            "broad_06_undisturbed_fast_rotation_A_40s.csv:5620:2: found 'nan', wanted a finite number (--drop-invalid "
+            "broad_06_undisturbed_fast_rotation_A_40s.csv:5620:2: key 5618: found 'nan', wanted a finite number "
+            "(--drop-invalid "
             "drops such rows)");
 
   options.drop_invalid = true;

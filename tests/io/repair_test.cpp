@@ -89,7 +89,7 @@ TEST(DropInvalid, TakesTheFirstValidRowAsTheEpoch) {
 TEST(DropInvalid, LeavesGarbageAnError) {
   const auto file = read({"1", "two"}, {.drop_invalid = true});
   ASSERT_FALSE(file);
-  EXPECT_EQ(text_of(file.error()), "keys.csv:3:1: found 'two', wanted a number such as -1.5e-3");
+  EXPECT_EQ(text_of(file.error()), "keys.csv:3:1: key 1: found 'two', wanted a number such as -1.5e-3");
 }
 
 TEST(Sort, OrdersTheRowsByTime) {

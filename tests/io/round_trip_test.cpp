@@ -77,7 +77,7 @@ TEST(RoundTrip, GivesBackTheTimesAsSampleTimes) {
   const auto times = read_times(directory.file("times.txt"), epoch);
 
   ASSERT_TRUE(times);
-  for (std::size_t i = 0; i < samples.size(); ++i) EXPECT_EQ((*times)[i], samples[i].t);
+  for (std::size_t i = 0; i < samples.size(); ++i) EXPECT_EQ(times->times[i], samples[i].t);
 }
 
 #ifndef __SANITIZE_ADDRESS__  // its quarantine holds on to freed memory

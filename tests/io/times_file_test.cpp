@@ -15,7 +15,8 @@ using test::text_of;
 using test::TextFile;
 
 Expected<std::vector<double>> read(std::string_view content, std::string_view epoch = "0") {
-  return read_times(TextFile(content, "times.txt").path(), Decimal::parse(epoch).value());
+  return read_times(TextFile(content, "times.txt").path(), Decimal::parse(epoch).value())
+      .map([](const TimesList& list) { return list.times; });
 }
 
 std::string refusal(std::string_view content) {
@@ -53,6 +54,11 @@ TEST(TimesFile, NamesTheLineOfWhatItRefuses) {
   EXPECT_EQ(refusal("t qw\n1 2\n"), "times.txt:1: found 2 cells, wanted one time a line");
   EXPECT_EQ(refusal(""), "times.txt: empty: no times");
   EXPECT_EQ(refusal("t\n# nothing\n"), "times.txt: empty: no times");
+}
+
+TEST(TimesFile, KnowsTheLineOfEachTime) {
+  const TextFile file("# times\nt\n3\n\n1\n", "times.txt");
+  EXPECT_EQ(read_times(file.path(), Decimal()).value().lines, (std::vector<std::uint32_t>{3, 5}));
 }
 
 TEST(TimesFile, MustExist) {

@@ -56,11 +56,14 @@ class CumulativeCurve {
       const double b1 = b[k].derivative(1), b2 = b[k].derivative(2), b3 = b[k].derivative(3);
       const Eigen::Quaterniond factor = exp<double>(b[k].c[0] * phi);
       m.orientation = m.orientation * factor;
-      m.angular_velocity = to_body<double>(factor, m.angular_velocity) + b1 * phi;
-      const Vector turn = m.angular_velocity.cross(phi);
-      m.angular_acceleration = to_body<double>(factor, m.angular_acceleration) + b1 * turn + b2 * phi;
+      // Cross products with φ leave out the parts along φ: they are zero, and exactly so for a single factor.
+      const Vector carried_velocity = to_body<double>(factor, m.angular_velocity);
+      const Vector turn = carried_velocity.cross(phi);
+      const Vector carried_acceleration = to_body<double>(factor, m.angular_acceleration) + b1 * turn;
+      m.angular_velocity = carried_velocity + b1 * phi;
+      m.angular_acceleration = carried_acceleration + b2 * phi;
       m.angular_jerk = to_body<double>(factor, m.angular_jerk) + b2 * turn +
-                       2.0 * b1 * m.angular_acceleration.cross(phi) - b1 * b1 * turn.cross(phi) + b3 * phi;
+                       2.0 * b1 * carried_acceleration.cross(phi) - b1 * b1 * turn.cross(phi) + b3 * phi;
     }
     return m;
   }

@@ -44,9 +44,8 @@ std::optional<Error> check_values(const FamilyInfo& family, const Parameter& par
 }
 
 Expected<End> settle_end(const FamilyInfo& family, End end, std::size_t keys) {
-  if (family.ends.empty() && end.rule == EndRule::none) return end;
-  if (end.rule == EndRule::none) end.rule = family.ends.front();
-  if (std::ranges::find(family.ends, end.rule) == family.ends.end())
+  if (end.rule == EndRule::none && !family.ends.empty()) end.rule = family.ends.front();
+  if (end.rule != EndRule::none && std::ranges::find(family.ends, end.rule) == family.ends.end())
     return tl::unexpected(argument_error(
         fmt::format("{}: no end rule '{}', wanted {}", family.name, name_of(end.rule), list_of_ends(family))));
   if (keys < keys_needed(end.rule))
@@ -54,7 +53,9 @@ Expected<End> settle_end(const FamilyInfo& family, End end, std::size_t keys) {
                                                     name_of(end.rule), keys_needed(end.rule), keys));
   if (!end.angular_velocity.allFinite())
     return tl::unexpected(argument_error(fmt::format("{}: an end rate is not finite", family.name)));
-  if (end.rule == EndRule::rest) end.angular_velocity.setZero();
+  if (end.rule != EndRule::clamped && !end.angular_velocity.isZero(0.0))
+    return tl::unexpected(argument_error(
+        fmt::format("{}: an end rate needs the end rule clamped, found {}", family.name, name_of(end.rule))));
   return end;
 }
 

@@ -38,7 +38,8 @@ enum class EndRule {
 
 [[nodiscard]] std::string_view name_of(EndRule rule) noexcept;
 
-/// What a family says about itself. Continuity is the order in **time** for non-zero tensions.
+/// What a family says about itself. Continuity is the order in **time** for non-zero tensions; constant rates are kept
+/// at the default parameters, with natural ends where the family has them.
 struct FamilyInfo {
   std::string_view name;  ///< for --method and make_curve
   std::string_view title;
@@ -46,8 +47,8 @@ struct FamilyInfo {
   bool interpolates = true;                  ///< passes through every key
   int continuity_uniform = 0;                ///< on evenly spaced key times
   int continuity_uneven = 0;                 ///< on any key times
-  bool keeps_constant_rate_uniform = false;  ///< equal increments on even times give constant ω, at the defaults
-  bool keeps_constant_rate_uneven = false;   ///< a constant rate on uneven times stays constant, at the defaults
+  bool keeps_constant_rate_uniform = false;  ///< equal increments on even times give constant ω
+  bool keeps_constant_rate_uneven = false;   ///< a constant rate on uneven times stays constant
   int support_keys = 2;                      ///< keys that one segment depends on
   int min_keys = 2;                          ///< fewer are an error (one key is always a constant curve)
   std::span<const Parameter> parameters{};

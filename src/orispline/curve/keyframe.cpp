@@ -35,6 +35,9 @@ std::optional<Error> check_key(const KeyframeData& data, std::size_t i) {
     return key_error(i, fmt::format("duplicate time {}, wanted strictly increasing times", t));
   if (i > 0 && t < data.times[i - 1])
     return key_error(i, fmt::format("time {} comes after {}, wanted strictly increasing times", t, data.times[i - 1]));
+  if (i > 0 && !(shortest_step <= t - data.times[i - 1] && t - data.times[i - 1] <= longest_step))
+    return key_error(i, fmt::format("the step from time {} to {} is {:g} s, wanted {:g} to {:g}", data.times[i - 1], t,
+                                    t - data.times[i - 1], shortest_step, longest_step));
   if (!data.orientations[i].coeffs().allFinite())
     return key_error(i, "the quaternion has a component that is not finite, wanted a unit quaternion");
   if (!data.positions.empty() && !data.positions[i].allFinite())
@@ -49,6 +52,7 @@ std::optional<Error> check_key(const KeyframeData& data, std::size_t i) {
 Expected<Keyframes> Keyframes::make(KeyframeData data, Signs signs) {
   if (auto error = check_lengths(data)) return tl::unexpected(std::move(*error));
   Keyframes keys;
+  bool negated = false;  // whether the key before was
   for (std::size_t i = 0; i < data.times.size(); ++i) {
     if (auto error = check_key(data, i)) return tl::unexpected(std::move(*error));
     Eigen::Quaterniond& q = data.orientations[i];
@@ -60,10 +64,12 @@ Expected<Keyframes> Keyframes::make(KeyframeData data, Signs signs) {
     keys.report_.largest_norm_error = std::max(keys.report_.largest_norm_error, norm_error);
     if (norm_error > unit_norm_tolerance) ++keys.report_.non_unit_keys;
     q.coeffs() /= norm;
-    if (signs == Signs::shortest && i > 0 && q.dot(data.orientations[i - 1]) < 0.0) {
-      q.coeffs() = -q.coeffs();
-      ++keys.report_.sign_flips;
-    }
+    if (i == 0) continue;
+    const bool against_previous = q.dot(data.orientations[i - 1]) < 0.0;  // which is aligned already
+    if (against_previous != negated) ++keys.report_.sign_flips;
+    if (signs == Signs::as_given) continue;
+    negated = against_previous;
+    if (negated) q.coeffs() = -q.coeffs();
   }
   keys.data_ = std::make_shared<const KeyframeData>(std::move(data));
   return keys;

@@ -27,7 +27,7 @@ struct KeyframeData {
 
 /// What validation changed or noticed.
 struct KeyframeReport {
-  std::size_t sign_flips = 0;       ///< keys negated to follow the shortest way
+  std::size_t sign_flips = 0;       ///< steps whose two quaternions, as given, have a negative dot product
   std::size_t non_unit_keys = 0;    ///< keys whose norm was off by more than `unit_norm_tolerance`
   double largest_norm_error = 0.0;  ///< largest |‖q‖ - 1|
 };
@@ -35,7 +35,10 @@ struct KeyframeReport {
 /// Norms this near to 1 pass as unit: the rounding of float32 files.
 inline constexpr double unit_norm_tolerance = 1e-6;
 /// Norms farther than this from 1 are an error, not rounding.
-inline constexpr double norm_error_limit = 1e-3;
+inline constexpr double norm_error_limit = 1e-3 + 1e-12;  // 0.999 and 1.001 themselves pass
+
+/// Steps between key times [s] outside this range would overflow in rates of the third order.
+inline constexpr double shortest_step = 1e-90, longest_step = 1e90;
 
 /// Orientations at times, validated at the door: every curve is built from these.
 ///
@@ -46,7 +49,7 @@ class Keyframes {
   /// Validates, normalises, aligns the signs.
   ///
   /// Errors (bad_data, with the key index): no keys, vectors of different length, a time that is not finite or does not
-  /// increase, a component that is not finite, a norm farther than `norm_error_limit` from 1.
+  /// increase or steps out of range, a component that is not finite, a norm farther than `norm_error_limit` from 1.
   [[nodiscard]] static Expected<Keyframes> make(KeyframeData data, Signs signs = Signs::shortest);
 
   /// The first `count` of these keys, 1 ≤ count ≤ size().

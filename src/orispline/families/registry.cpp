@@ -19,14 +19,14 @@ concept FourKeyFamily = requires(const FamilySettings& settings) {
 
 template <class F>
 Expected<AnyCurve> build_curve(const Keyframes& keys, const FamilySettings& settings) {
-  const auto as_any = [](auto&& curve) { return AnyCurve(std::move(curve)); };
+  const auto as_any = [](auto curve) { return AnyCurve(std::move(curve)); };
   if constexpr (FourKeyFamily<F>) return four_key_curve(keys, settings, F::basis(settings)).map(as_any);
   else return F::curve(keys, settings).map(as_any);
 }
 
 template <class F>
 Expected<AnyPath> build_path(const Keyframes& keys, const FamilySettings& settings) {
-  const auto as_any = [](auto&& path) { return AnyPath(std::move(path)); };
+  const auto as_any = [](auto path) { return AnyPath(std::move(path)); };
   if constexpr (FourKeyFamily<F>) return four_key_path(keys, settings, F::basis(settings)).map(as_any);
   else return F::path(keys, settings).map(as_any);
 }

@@ -14,9 +14,28 @@ namespace orispline::families {
 /// cumulative: its rates come from jets through the whole quaternion.
 class SquadCurve {
  public:
-  /// One leaving and one arriving inner quaternion per key.
-  SquadCurve(const Keyframes& keys, const std::vector<Eigen::Quaterniond>& leaving,
-             const std::vector<Eigen::Quaterniond>& arriving);
+  /// The inner quaternions of a key as rotation vectors from it [rad]: on leaving it and on arriving at it.
+  struct Handles {
+    Eigen::Vector3d leaving, arriving;
+  };
+
+  /// `handles(i)` are those of key i.
+  template <class HandlesOf>
+  SquadCurve(const Keyframes& keys, HandlesOf handles) : knots_({keys.times().begin(), keys.times().end()}) {
+    const auto q = keys.orientations();
+    pieces_.reserve(q.size() - 1);
+    Handles here = handles(0);
+    for (std::size_t i = 0; i + 1 < q.size(); ++i) {
+      const Handles next = handles(i + 1);
+      const Eigen::Quaterniond leaving = q[i] * exp<double>(here.leaving);
+      const Eigen::Quaterniond arriving = q[i + 1] * exp<double>(next.arriving);
+      pieces_.push_back({.key = q[i],
+                         .inner = leaving,
+                         .key_increment = increment<double>(q[i], q[i + 1]),
+                         .inner_increment = increment<double>(leaving, arriving)});
+      here = next;
+    }
+  }
 
   [[nodiscard]] const Knots& knots() const noexcept { return knots_; }
 

@@ -59,7 +59,7 @@ Expected<Layout> order_layout(const TextTable& table, const ReadOptions& options
     return failure(ErrorCode::bad_data,
                    fmt::format("no header, wanted a first line such as t,qw,qx,qy,qz or the order of the columns by "
                                "--order wxyz|xyzw{}",
-                               has_tum_shape(table) ? " (or --format tum)" : ""),
+                               has_tum_shape(table) ? " (or --input-format tum)" : ""),
                    table.here());
   return columns_of_order(width_of(table.cells()), *options.order)
       .map([](const KeyColumns& columns) {

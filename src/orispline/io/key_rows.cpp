@@ -122,12 +122,16 @@ KeyRows::KeyRows(std::string path, FileFormat format, KeyColumns columns, const 
 }
 
 Expected<void> KeyRows::add(const TextTable& table) {
-  if (auto checked = check_width(table, columns_.width); !checked) return checked;
+  const auto refused = [this](Error error) {
+    if (!options_.sort) error.where.key = file_.lines.size();  // before sorting a row has no index yet
+    return tl::unexpected(std::move(error));
+  };
+  if (auto checked = check_width(table, columns_.width); !checked) return refused(std::move(checked.error()));
   RowReader row(table);
   const Key key = row.key(columns_);
-  if (row.refused()) return tl::unexpected(*row.refused());
+  if (row.refused()) return refused(*row.refused());
   if (auto error = row.not_finite()) {
-    if (!options_.drop_invalid) return tl::unexpected(std::move(*error));
+    if (!options_.drop_invalid) return refused(std::move(*error));
     ++file_.repairs.invalid_dropped;
     return {};
   }

@@ -28,6 +28,8 @@ class OutputFile {
   [[nodiscard]] Expected<void> finish();
 
   [[nodiscard]] const std::string& path() const noexcept { return path_; }
+  /// The part beside the target while it is being written; empty when there is none.
+  [[nodiscard]] const std::string& part() const noexcept { return part_; }
 
  private:
   struct Close {

@@ -42,6 +42,8 @@ class SampleWriter {
   [[nodiscard]] Expected<void> write(const Sample& sample);
   /// Completes the file; nothing may be written afterwards. Error: bad_access.
   [[nodiscard]] Expected<void> finish() { return file_.finish(); }
+  /// The unfinished file beside the target; empty when there is none.
+  [[nodiscard]] const std::string& part() const noexcept { return file_.part(); }
 
  private:
   SampleWriter(OutputFile file, const SampleColumns& columns, const Decimal& epoch)

@@ -44,7 +44,7 @@ Expected<Decimal> time_of(const TextTable& table, const Decimal& unit) {
 
 }  // namespace
 
-Expected<std::vector<double>> read_times(const std::string& path, const Decimal& epoch) {
+Expected<TimesList> read_times(const std::string& path, const Decimal& epoch) {
   auto table = TextTable::open(path);
   if (!table) return tl::unexpected(std::move(table.error()));
   Decimal unit = Decimal::power_of_ten(0);
@@ -55,15 +55,16 @@ Expected<std::vector<double>> read_times(const std::string& path, const Decimal&
     unit = *header_unit;
     more = table->next();
   }
-  std::vector<double> times;
+  TimesList list;
   for (; more && *more; more = table->next()) {
     const auto time = time_of(*table, unit);
     if (!time) return tl::unexpected(time.error());
-    times.push_back((*time - epoch).to_double());
+    list.times.push_back((*time - epoch).to_double());
+    list.lines.push_back(static_cast<std::uint32_t>(table->line()));
   }
   if (!more) return tl::unexpected(more.error());
-  if (times.empty()) return failure(ErrorCode::bad_data, "empty: no times", {.file = path});
-  return times;
+  if (list.times.empty()) return failure(ErrorCode::bad_data, "empty: no times", {.file = path});
+  return list;
 }
 
 }  // namespace orispline::io

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -8,10 +9,16 @@
 
 namespace orispline::io {
 
+/// The times of a file in its order.
+struct TimesList {
+  std::vector<double> times{};         ///< relative to the epoch [s]
+  std::vector<std::uint32_t> lines{};  ///< 1-based line of each
+};
+
 /// Reads sample times, one number a line, in any order; from standard input for `-`.
 ///
 /// A header `t` is allowed, also with a unit (`t_ns`); without one the numbers are seconds. The result is relative to
 /// `epoch` [s]. Errors: bad_access, bad_data.
-[[nodiscard]] Expected<std::vector<double>> read_times(const std::string& path, const Decimal& epoch);
+[[nodiscard]] Expected<TimesList> read_times(const std::string& path, const Decimal& epoch);
 
 }  // namespace orispline::io
