@@ -24,8 +24,8 @@ AnyCurve sextic(const Keyframes& keys) {
 
 /// The three blending functions of segment 0 over unit knots, as jets at u.
 std::array<J, 3> blending(double left, double right, double u) {
-  const std::array unit{0.0, 1.0};
-  return Sextic::Basis{PerKey({left, right})}(KnotSpan{unit, 0}, J::variable(u));
+  const Knots unit({0.0, 1.0});
+  return Sextic::Basis{PerKey({left, right})}(unit.span(0), J::variable(u));
 }
 
 TEST(Sextic, BlendingFunctionsHaveTheEndValuesOfLemma1) {

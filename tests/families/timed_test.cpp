@@ -50,19 +50,19 @@ TEST(Timed, C3WithThePapersTensionsOnEvenTimesIsThe6thDegreeSpline) {
 }
 
 TEST(Timed, C2WithTensionsHalfAndThreeOnEvenTimesIsAQuartic) {
-  const std::array even{0.0, 1.0, 2.0, 3.0};
+  const Knots even({0.0, 1.0, 2.0, 3.0});
   const families::TimedC2::Basis basis{{PerKey({0.5}), PerKey({3.0})}};
-  const auto functions = basis(KnotSpan{even, 1}, Jet<double, 5>::variable(1.3));
+  const auto functions = basis(even.span(1), Jet<double, 5>::variable(1.3));
   for (const auto& function : functions) EXPECT_NEAR(function.c[5], 0.0, tolerance::series);
   EXPECT_NEAR(functions[0].c[4], -0.5, tolerance::series);  // C̃₁ = 1 - C₀ = 1 + u(1-u)³/2
 }
 
 TEST(Timed, SexticIsOfDegreeSixOnAnyKnots) {
-  const std::array uneven{0.0, 1.0, 1.1, 2.1};
+  const Knots uneven({0.0, 1.0, 1.1, 2.1});
   const families::TimedSextic::Basis basis{PerKey({0.5, 0.4, 0.6, 0.5})};
   for (std::size_t i = 0; i < 3; ++i)
-    for (const auto& function : basis(KnotSpan{uneven, i}, Jet<double, 8>::variable(uneven[i] + 0.03))) {
-      const double scale = std::pow(KnotSpan{uneven, i}.step(), 7);
+    for (const auto& function : basis(uneven.span(i), Jet<double, 8>::variable(uneven.times()[i] + 0.03))) {
+      const double scale = std::pow(uneven.span(i).step(), 7);
       EXPECT_NEAR(function.c[7] * scale, 0.0, tolerance::series);
     }
 }
