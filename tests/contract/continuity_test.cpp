@@ -1,28 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Contract: a curve is as smooth in time as its family declares, and not one order smoother.
 #include <contract/family_contract.hpp>
-#include <support/typed_curves.hpp>
+#include <support/relative_jumps.hpp>
 
 namespace orispline::contract {
 namespace {
 
 using namespace testing_support;
-
-/// Largest jump of each derivative of the orientation at the inner knots, relative to its largest size there.
-template <Curve C>
-std::array<double, 5> relative_jumps(const C& curve) {
-  std::array<double, 5> jumps{}, sizes{};
-  for (std::size_t segment = 1; segment < curve.knots().segments(); ++segment) {
-    const double t = curve.knots().times()[segment];
-    const auto left = quaternion_derivatives(curve, t, segment - 1), right = quaternion_derivatives(curve, t, segment);
-    for (std::size_t k = 0; k < jumps.size(); ++k) {
-      jumps[k] = std::max(jumps[k], (left[k] - right[k]).norm());
-      sizes[k] = std::max({sizes[k], left[k].norm(), right[k].norm()});
-    }
-  }
-  for (std::size_t k = 0; k < jumps.size(); ++k) jumps[k] /= sizes[k];
-  return jumps;
-}
 
 void expect_continuous_to_exactly(int order, const std::array<double, 5>& jumps) {
   for (std::size_t k = 0; k <= static_cast<std::size_t>(order); ++k)

@@ -31,8 +31,13 @@ Expected<ClosedKeys> closed_keys(const Keyframes& keys, const Loop& loop) {
   const double span = keys.times()[last] - keys.times()[0];
   const double period = loop.period.value_or(span);
   const double sign = sign_towards_first(keys, keys.orientations()[last]);
-  if (period > span) return ClosedKeys{keys, {period, sign}};
-  if (period < span || !std::isfinite(period))
+  const double last_step = period - span;
+  if (shortest_step <= last_step && last_step <= longest_step) return ClosedKeys{keys, {period, sign}};
+  if (last_step > longest_step)
+    return failure(ErrorCode::bad_argument, fmt::format("the period is {} s, wanted at most {:g} s more than the keys' "
+                                                        "span of {} s",
+                                                        period, longest_step, span));
+  if (last_step != 0.0)
     return failure(ErrorCode::bad_argument,
                    fmt::format("the period is {} s, wanted more than the keys' span of {} s", period, span));
   if (const auto gap = gap_at_seam(keys))
