@@ -23,8 +23,8 @@ Keyframes tumbling_keys(const std::vector<double>& spacings) {
   return Keyframes::make(std::move(data)).value();
 }
 
-const std::vector<double> uniform_spacings(8, 0.5);
-const std::vector<double> uneven_spacings{0.1, 1.0, 0.1, 1.0, 1.0, 0.1, 0.1, 1.0};  // ratios of 10
+const std::vector<double> uniform_spacings(9, 0.5);
+const std::vector<double> uneven_spacings{0.1, 1.0, 0.1, 1.0, 1.0, 0.1, 0.1, 1.0, 0.1};  // ratios of 10
 
 Continuity continuity_of(std::string_view family, const std::vector<double>& spacings) {
   return continuity_at_keys(make_curve(family, tumbling_keys(spacings)).value());

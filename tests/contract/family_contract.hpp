@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <orispline/families/registry.hpp>
+#include <support/key_use.hpp>
 #include <support/near.hpp>
 #include <support/specimens.hpp>
 #include <support/tolerance.hpp>
@@ -24,6 +25,16 @@ class FamilyContract : public testing::TestWithParam<FamilyInfo> {
  protected:
   [[nodiscard]] static AnyCurve curve(const Keyframes& keys, const CurveOptions& options = {}) {
     return make_curve(GetParam().name, keys, options).value();
+  }
+  [[nodiscard]] static testing_support::KeyUse use() { return testing_support::key_use(GetParam()); }
+  /// Keys of a random walk, as many as the family needs for a curve of `segments` segments.
+  [[nodiscard]] static KeyframeData walk(std::uint64_t seed, std::size_t segments, testing_support::Spacing spacing,
+                                         double largest_step = 1.5) {
+    return testing_support::random_walk(seed, use().keys_for(segments), spacing, largest_step);
+  }
+  /// Times on every segment of a curve, the knots included.
+  [[nodiscard]] static std::vector<double> times_on(const AnyCurve& curve, std::size_t count = 5) {
+    return testing_support::sample_times(curve.knots().times(), count);
   }
 };
 

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contract: a segment depends on exactly as many keys as declared, a tension at a key on the two segments beside it.
+// Contract: a segment depends on exactly as many keys as declared, and a parameter at a key on no more than it says.
 #include <contract/family_contract.hpp>
 
 namespace orispline::contract {
 namespace {
 
 using namespace testing_support;
-
-constexpr std::size_t key_count = 12;
 
 /// True where the two curves differ visibly on a segment; bitwise equality counts as equal, anything between fails.
 bool segment_changed(const AnyCurve& before, const AnyCurve& after, std::size_t segment) {
@@ -24,19 +22,30 @@ bool segment_changed(const AnyCurve& before, const AnyCurve& after, std::size_t 
 
 class LocalityContract : public FamilyContract {
  protected:
-  /// Keys that segment i may depend on: as many on either side.
-  [[nodiscard]] static bool within_support(std::size_t key, std::size_t segment) {
-    const auto beyond = static_cast<std::size_t>(GetParam().support_keys / 2 - 1);
-    return key + beyond >= segment && key <= segment + 1 + beyond;
-  }
+  static constexpr std::size_t segment_count = 11;
   /// Segments away from the ends, which feel their end rule.
   static constexpr std::array<std::size_t, 5> inner_segments{3, 4, 5, 6, 7};
+  /// The keys at the ends of a segment.
+  [[nodiscard]] static std::size_t key_at_start(std::size_t segment) {
+    return use().first_key + segment * use().stride;
+  }
+  [[nodiscard]] static std::size_t key_at_end(std::size_t segment) { return key_at_start(segment) + use().stride; }
+
+  /// Keys that a segment may depend on, as many on either side, and so many more.
+  [[nodiscard]] static bool within_support(std::size_t key, std::size_t segment, std::size_t more = 0) {
+    const std::size_t beyond = (static_cast<std::size_t>(GetParam().support_keys) - 1 - use().stride) / 2 + more;
+    return key + beyond >= key_at_start(segment) && key <= key_at_end(segment) + beyond;
+  }
+  [[nodiscard]] static bool parameter_acts(std::size_t key, std::size_t segment) {
+    if (use().parameters_reach_far) return within_support(key, segment);
+    return key == key_at_start(segment) || key == key_at_end(segment);
+  }
 };
 
 TEST_P(LocalityContract, SegmentFeelsTheKeysOfItsSupportAndNoOthers) {
-  const KeyframeData data = random_walk(31, key_count, Spacing::uneven);
+  const KeyframeData data = walk(31, segment_count, Spacing::uneven);
   const AnyCurve before = curve(keyframes(data));
-  for (std::size_t moved = 0; moved < key_count; ++moved) {
+  for (std::size_t moved = 0; moved < data.times.size(); ++moved) {
     KeyframeData other = data;
     other.orientations[moved] = other.orientations[moved] * exp<double>(Eigen::Vector3d(0.3, -0.2, 0.4));
     const AnyCurve after = curve(keyframes(other));
@@ -47,43 +56,50 @@ TEST_P(LocalityContract, SegmentFeelsTheKeysOfItsSupportAndNoOthers) {
 }
 
 TEST_P(LocalityContract, KeyTimesBeyondTheSupportDoNotMatter) {
-  const KeyframeData data = random_walk(32, key_count, Spacing::uneven);
+  const KeyframeData data = walk(32, segment_count, Spacing::uneven);
   const AnyCurve before = curve(keyframes(data));
-  for (std::size_t moved = 0; moved < key_count; ++moved) {
+  for (std::size_t moved = 0; moved < data.times.size(); ++moved) {
     KeyframeData other = data;
     other.times[moved] += 0.03;
     const AnyCurve after = curve(keyframes(other));
     for (const std::size_t segment : inner_segments)
-      if (!within_support(moved, segment)) {
+      if (!within_support(moved, segment, use().further_times)) {
         EXPECT_FALSE(segment_changed(before, after, segment)) << "key " << moved << ", segment " << segment;
+      } else if (use().further_times > 0) {
+        EXPECT_TRUE(segment_changed(before, after, segment)) << "key " << moved << ", segment " << segment;
       }
   }
 }
 
-TEST_P(LocalityContract, ParameterAtAKeyTouchesExactlyItsTwoSegments) {
-  const Keyframes keys = keyframes(random_walk(33, key_count, Spacing::uneven));
+TEST_P(LocalityContract, ParameterAtAKeyTouchesExactlyTheSegmentsThatItMay) {
+  const Keyframes keys = keyframes(walk(33, segment_count, Spacing::uneven));
+  std::map<std::string, std::vector<double>, std::less<>> everywhere;
+  for (const Parameter& p : GetParam().parameters)  // at the highest order every tension acts
+    everywhere[std::string(p.name)] = p.per_key ? std::vector(keys.size(), p.initial) : std::vector{p.highest};
+  const AnyCurve before = curve(keys, {.parameters = everywhere});
   for (const Parameter& parameter : GetParam().parameters) {
     if (!parameter.per_key) continue;
-    const std::vector<double> everywhere(key_count, parameter.initial);
-    const AnyCurve before = curve(keys, {.parameters = {{std::string(parameter.name), everywhere}}});
-    for (std::size_t key = 0; key < key_count; ++key) {
-      std::vector<double> here = everywhere;
-      here[key] += 0.2;
-      const AnyCurve after = curve(keys, {.parameters = {{std::string(parameter.name), here}}});
+    for (std::size_t key = 0; key < keys.size(); ++key) {
+      auto here = everywhere;
+      here[std::string(parameter.name)][key] += 0.2;
+      const AnyCurve after = curve(keys, {.parameters = here});
       for (const std::size_t segment : inner_segments)
-        EXPECT_EQ(segment_changed(before, after, segment), key == segment || key == segment + 1)
+        EXPECT_EQ(segment_changed(before, after, segment), parameter_acts(key, segment))
             << parameter.name << " of key " << key << ", segment " << segment;
     }
   }
 }
 
 TEST_P(LocalityContract, OneValueMeansTheSameForEveryKey) {
-  const Keyframes keys = keyframes(random_walk(34, 6, Spacing::uneven));
+  const Keyframes keys = keyframes(walk(34, 5, Spacing::uneven));
   for (const Parameter& parameter : GetParam().parameters) {
     const std::string name(parameter.name);
-    const AnyCurve one = curve(keys, {.parameters = {{name, {0.37}}}});
-    const AnyCurve each = curve(keys, {.parameters = {{name, std::vector(6, 0.37)}}});
-    for (const double t : sample_times(keys.times())) EXPECT_EQ(one(t).coeffs(), each(t).coeffs());
+    const double value = parameter.per_key ? 0.37 : parameter.highest;
+    const AnyCurve one = curve(keys, {.parameters = {{name, {value}}}});
+    const auto each = make_curve(GetParam().name, keys, {.parameters = {{name, std::vector(keys.size(), value)}}});
+    ASSERT_EQ(each.has_value(), parameter.per_key) << name;
+    if (!each) continue;
+    for (const double t : times_on(one)) EXPECT_EQ(one(t).coeffs(), (*each)(t).coeffs());
   }
 }
 

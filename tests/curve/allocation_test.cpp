@@ -20,8 +20,8 @@ TEST(Allocation, IsCountedAtAll) {
 }
 
 TEST(Allocation, DoesNotHappenDuringEvaluation) {
-  KeyframeData data = random_walk(211, 9, Spacing::uneven);
-  for (std::size_t i = 0; i < 9; ++i) data.positions.emplace_back(static_cast<double>(i), 0.0, 1.0);
+  KeyframeData data = random_walk(211, 10, Spacing::uneven);
+  for (std::size_t i = 0; i < 10; ++i) data.positions.emplace_back(static_cast<double>(i), 0.0, 1.0);
   const Keyframes keys = keyframes(data);
   for (const FamilyInfo& family : families_info()) {
     const PoseCurve curve = make_pose_curve(family.name, keys).value();

@@ -45,13 +45,14 @@ constexpr auto bad_data = ErrorCode::bad_data;
 INSTANTIATE_TEST_SUITE_P(
     Bad, OptionsRefuse,
     testing::Values(
-        BadOptions{"UnknownFamily",
-                   "quintik",
-                   {},
-                   4,
-                   bad_argument,
-                   "no method 'quintik', wanted one of slerp, squad, squad-timed, quintic, sextic, timed-c1, timed-c2, "
-                   "timed-c3, timed-sextic"},
+        BadOptions{
+            "UnknownFamily",
+            "quintik",
+            {},
+            4,
+            bad_argument,
+            "no method 'quintik', wanted one of slerp, squad, squad-timed, quintic, sextic, timed-c1, timed-c2, "
+            "timed-c3, timed-sextic, xing-quartic, xing-quintic, family, hermite-cumulative, bezier, bspline, beta"},
         BadOptions{"UnknownParameter",
                    "timed-c2",
                    {.parameters = {{"bias", {1.0}}}},

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <support/key_use.hpp>
 #include <support/specimens.hpp>
 
 namespace orispline::testing_support {
@@ -32,6 +33,20 @@ template <class Property>
 [[nodiscard]] bool holds(const std::string& name, Property&& property) {
   static const int seeded = setenv("RC_PARAMS", "seed=20180101 max_success=100 max_size=60", 0);
   return seeded == 0 && rc::check(name, std::forward<Property>(property));
+}
+
+/// Random keys as many as the family takes: cut, or continued by some more turns where there are too few.
+inline KeyframeData fitting(const FamilyInfo& family, const RandomKeys& random) {
+  KeyframeData data = random.data;
+  while (data.times.size() < static_cast<std::size_t>(family.min_keys)) {
+    data.times.push_back(data.times.back() + 0.5);
+    const double turn = 0.2 * static_cast<double>(data.times.size());
+    data.orientations.push_back(data.orientations.back() * exp<double>(Eigen::Vector3d(turn, 0.4, -turn)));
+  }
+  const std::size_t count = key_use(family).cut(data.times.size());
+  data.times.resize(count);
+  data.orientations.resize(count);
+  return data;
 }
 
 /// Inside a property: what EXPECT_TRUE is in a test.

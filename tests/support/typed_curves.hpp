@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <orispline/families/families.hpp>
+#include <support/bspline_by_definition.hpp>
 
 namespace orispline::testing_support {
 
@@ -27,12 +28,38 @@ struct FamilyNames {
   }
 };
 
-/// A family's own curve type, built with all its settings.
+/// The tensions of one order of the general uniform family.
+template <std::size_t K>
+[[nodiscard]] families::UniformFamily::Basis<K> uniform_basis(const FamilySettings& settings) {
+  families::UniformFamily::Basis<K> basis{
+      [&]<std::size_t... M>(std::index_sequence<M...>)
+          ->std::array<PerKey, K>{return {settings.per_key("tension" + std::to_string(M + 1))...};
+}
+(std::make_index_sequence<K>{})
+};  // namespace orispline::testing_support
+return basis;
+}
+
+/// A family's own curve type, built with all its settings; those that choose the type at run time at their defaults.
 template <class F>
 [[nodiscard]] auto typed_curve(const Keyframes& keys, const CurveOptions& options = {}) {
   const FamilySettings settings = settle(F::info, options, keys.size()).value();
   if constexpr (requires { F::basis(settings); }) return four_key_curve(keys, settings, F::basis(settings)).value();
+  else if constexpr (std::same_as<F, families::UniformFamily>)
+    return four_key_curve(keys, settings, uniform_basis<2>(settings)).value();
+  else if constexpr (std::same_as<F, families::BSpline>) return bspline_curve<3>(keys);
   else return F::curve(keys, settings).value();
+}
+
+/// Its own path type.
+template <class F>
+[[nodiscard]] auto typed_path(const Keyframes& keys, const CurveOptions& options = {}) {
+  const FamilySettings settings = settle(F::info, options, keys.size()).value();
+  if constexpr (requires { F::basis(settings); }) return four_key_path(keys, settings, F::basis(settings)).value();
+  else if constexpr (std::same_as<F, families::UniformFamily>)
+    return four_key_path(keys, settings, uniform_basis<2>(settings)).value();
+  else if constexpr (std::same_as<F, families::BSpline>) return bspline_path<3>(keys);
+  else return F::path(keys, settings).value();
 }
 
 /// The k-th derivative in time of the orientation, not divided by k!, on one segment.

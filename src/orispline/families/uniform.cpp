@@ -20,7 +20,7 @@ template <class Result, class Build>
 Expected<Result> with_order(const FamilySettings& settings, Build build) {
   const auto order = settings.whole("order");
   if (!order) return tl::unexpected(order.error());
-  const auto as_result = [](auto&& built) { return Result(std::move(built)); };
+  const auto as_result = [](auto built) { return Result(std::move(built)); };
   switch (*order) {
     case 1:
       return build(basis_of_order<1>(settings)).map(as_result);
