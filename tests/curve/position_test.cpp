@@ -129,6 +129,16 @@ TEST(Position, KeepsAConstantVelocityWhereTheFamilyKeepsAConstantRate) {
     }
 }
 
+/// A value of its own at every key for every parameter that may have one.
+CurveOptions differing_parameters(const FamilyInfo& family, std::size_t keys) {
+  CurveOptions options;
+  for (const Parameter& parameter : family.parameters)
+    if (parameter.per_key)
+      for (std::size_t i = 0; i < keys; ++i)
+        options.parameters[std::string(parameter.name)].push_back(parameter.initial + 0.03 * static_cast<double>(i));
+  return options;
+}
+
 TEST(Position, FollowsTheSameBlendingFunctionsAsTheOrientation) {
   // About one axis the angle is a Euclidean curve: positions equal to the angles must move as the angle does.
   const std::array angles{0.0, 0.9, 0.4, 1.5, 1.2, -0.3, 0.5};
@@ -143,8 +153,9 @@ TEST(Position, FollowsTheSameBlendingFunctionsAsTheOrientation) {
     for (const EndRule rule :
          family.ends.empty() ? std::vector{EndRule::none} : std::vector(family.ends.begin(), family.ends.end())) {
       if (rule == EndRule::clamped) continue;  // an angular end rate says nothing about positions
-      const PoseCurve pose =
-          make_pose_curve(family.name, keys, {.start = {.rule = rule}, .end = {.rule = rule}}).value();
+      CurveOptions options = differing_parameters(family, keys.size());
+      options.start.rule = options.end.rule = rule;
+      const PoseCurve pose = make_pose_curve(family.name, keys, options).value();
       for (const double t : sample_times(pose.orientation.knots().times())) {
         const Motion m = pose.orientation.motion(t);
         const Travel p = pose.position->travel(t);

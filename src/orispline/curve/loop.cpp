@@ -31,15 +31,12 @@ Expected<ClosedKeys> closed_keys(const Keyframes& keys, const Loop& loop) {
   const double span = keys.times()[last] - keys.times()[0];
   const double period = loop.period.value_or(span);
   const double sign = sign_towards_first(keys, keys.orientations()[last]);
-  const double last_step = period - span;
-  if (shortest_step <= last_step && last_step <= longest_step) return ClosedKeys{keys, {period, sign}};
-  if (last_step > longest_step)
-    return failure(ErrorCode::bad_argument, fmt::format("the period is {} s, wanted at most {:g} s more than the keys' "
-                                                        "span of {} s",
-                                                        period, longest_step, span));
-  if (last_step != 0.0)
+  if (period != span) {
+    const double closing_step = period - span;
+    if (shortest_step <= closing_step && closing_step <= longest_step) return ClosedKeys{keys, {period, sign}};
     return failure(ErrorCode::bad_argument,
                    fmt::format("the period is {} s, wanted more than the keys' span of {} s", period, span));
+  }
   if (const auto gap = gap_at_seam(keys))
     return failure(ErrorCode::bad_data,
                    fmt::format("the last key is {} from the first, wanted the first again or a period", *gap),
