@@ -12,7 +12,7 @@ CatmullRomPath::CatmullRomPath(const Keyframes& keys, const PerKey& tension)
   chords.reserve(keys.size() - 1);
   for (std::size_t i = 0; i + 1 < keys.size(); ++i) chords.push_back(positions_[i + 1] - positions_[i]);
   velocities_ = three_key_rates(keys.times(), chords);
-  for (std::size_t i = 0; i < velocities_.size(); ++i) velocities_[i] *= tension[0];
+  for (std::size_t i = 0; i < velocities_.size(); ++i) velocities_[i] *= tension[i];
 }
 
 }  // namespace orispline
