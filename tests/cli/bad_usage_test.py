@@ -82,7 +82,7 @@ CASES = (
     # loops
     ("sample keys.csv --rate 1 --period 0", "--period: found '0', wanted a number of seconds greater than 0"),
     ("sample keys.csv --rate 1 --period round", "--period: found 'round', wanted a number of seconds greater than 0"),
-    ("sample keys.csv --rate 1 --period 2", "the period is 2 s, wanted more than the keys' span of 3 s"),
+    ("sample keys.csv --rate 1 --period 2", "the period is 2 s, wanted a finite number greater than the keys' span of 3 s"),
     ("sample keys.csv --rate 1 --method slerp --period 4", "slerp: this method has no closed curves"),
     ("sample keys.csv --rate 1 --ends rest --period 4", "timed-c2: a closed curve has no ends, found an end rule"),
     ("inspect keys.csv --closed", "options that shape a curve want --method as well"),

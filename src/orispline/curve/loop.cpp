@@ -34,8 +34,9 @@ Expected<ClosedKeys> closed_keys(const Keyframes& keys, const Loop& loop) {
   if (period != span) {
     const double closing_step = period - span;
     if (shortest_step <= closing_step && closing_step <= longest_step) return ClosedKeys{keys, {period, sign}};
-    return failure(ErrorCode::bad_argument,
-                   fmt::format("the period is {} s, wanted more than the keys' span of {} s", period, span));
+    return failure(
+        ErrorCode::bad_argument,
+        fmt::format("the period is {} s, wanted a finite number greater than the keys' span of {} s", period, span));
   }
   if (const auto gap = gap_at_seam(keys))
     return failure(ErrorCode::bad_data,
