@@ -13,7 +13,7 @@ std::string text_of(const ConvertReport& report) {
                                  io::title_of(report.input_format),
                                  report.output == io::standard_stream ? "standard output" : report.output,
                                  io::title_of(report.output_format));
-  if (report.keyframes.sign_flips > 0) text += fmt::format("; {} sign flips", report.keyframes.sign_flips);
+  if (report.keyframes.sign_flips > 0) text += fmt::format("; sign flips in the file: {}", report.keyframes.sign_flips);
   if (report.keyframes.non_unit_keys > 0) text += fmt::format("; {} normalised", report.keyframes.non_unit_keys);
   text += "\n";
   if (const std::string repairs = text_of(report.repairs); !repairs.empty()) text += repairs + "\n";

@@ -16,7 +16,7 @@ std::string keys_line(const SampleReport& report) {
   std::string line = fmt::format("{} from {}, {} to {} s", counted(report.keys, "key"), report.input,
                                  report.start.to_string(), report.end.to_string());
   const KeyframeReport& keyframes = report.keyframes;
-  if (keyframes.sign_flips > 0) line += fmt::format("; {} sign flips", keyframes.sign_flips);
+  if (keyframes.sign_flips > 0) line += fmt::format("; sign flips in the file: {}", keyframes.sign_flips);
   if (keyframes.non_unit_keys > 0) line += fmt::format("; {} normalised", keyframes.non_unit_keys);
   return line + "\n";
 }

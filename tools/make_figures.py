@@ -5,11 +5,12 @@
   tools/make_figures.py COMMAND    COMMAND is the built orispline; writes docs/*.svg and docs/families/*.svg
 """
 
+import math
 import sys
 from pathlib import Path
 from typing import NamedTuple
 
-from rotations import norm, times, to_world, turn
+from rotations import DEGREE, conjugate, norm, times, to_world, turn
 from sampled_motion import Motion, sampled
 from sphere_view import sphere
 from svg_drawing import BLUE, GREEN, GREY, INK, PURPLE, RED, Plot, document, legend, line, text
@@ -68,6 +69,8 @@ def families(command):
         "slerp": [arcs],
         **{name: [arcs, curve(name)] for name in ("squad", "squad-timed", "quintic", "sextic", "xing-quartic",
                                                   "xing-quintic", *TIMED)},
+        "auto": [arcs, curve("auto"), curve("timed-c2")],
+        "auto5": [arcs, curve("auto"), curve("auto5")],
         "timed": [arcs, *map(curve, TIMED)],
         "family": [arcs, *(curve(f"order {k}", "--set", f"order={k}", method="family") for k in (1, 2, 3, 5))],
         "hermite-cumulative": [arcs, *(curve(f"tension {x}", f"--tension={x}", method="hermite-cumulative")
@@ -119,6 +122,32 @@ def beta_parameters_figure(command):
         parts += sphere((left + 215, 190), 145, motions, keys, X_AXIS)
         parts += rates_over_time((left + 50, 382, 340, 120), "wx", f"angular velocity |ω| [rad/s] for {rest}", motions, keys)
     return document(860, 532, parts)
+
+
+# ---------------------------------------------------------------- how near auto is to the truth of the flight
+
+def distances(motion, truth):
+    """Angles between two motions sampled at the same times [degrees]."""
+    return [2 * math.asin(min(1.0, norm(times(conjugate(p), q)[1:]))) / DEGREE for p, q in zip(motion.q, truth.q)]
+
+
+def auto_distance_figure(command):
+    """The distance to the flight's truth: from the bundled keys, and from a key every half second."""
+    truth = Motion(text_of("flight_truth.csv"))
+    every_half_second = table(list(zip(truth.t, truth.q))[::50])
+    colored = {"slerp": GREY, "timed-c2": RED, "auto": BLUE}
+    parts = legend(50, 16, list(colored.items()))
+    for top, label, keys, methods in (
+            (52, "distance to the truth [degrees]: the 38 keys of the flight", text_of("flight_keys.csv"), colored),
+            (252, "the same with a key every half second, without slerp", every_half_second, ("timed-c2", "auto"))):
+        curves = [(distances(sampled(command, keys, 100, ["--method", method]), truth), colored[method])
+                  for method in methods]
+        plot = Plot((50, top, 780, 150), truth.t[0], truth.t[-1], 1.05 * max(max(c) for c, _ in curves), label)
+        plot.parts += [text(plot.at(t, 0)[0], top + 166, f"{t} s") for t in range(0, 49, 8)]
+        for values, color in curves:
+            plot.curve(truth.t, values, color)
+        parts += plot.parts
+    return document(860, 432, parts)
 
 
 # ---------------------------------------------------------------- the loop of docs/closed.md
@@ -226,6 +255,7 @@ def main():
     figures = {f"families/{name}": family_figure(command, curves, handles.get(name, ()))
                for name, curves in families(command).items()}
     figures["families/beta-parameters"] = beta_parameters_figure(command)
+    figures["families/auto-distance"] = auto_distance_figure(command)
     figures["closed"] = closed_figure(command)
     figures["flight"] = flight_figure(command)
     for name, figure in figures.items():

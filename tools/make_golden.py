@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Turns the 60-digit reference values into the compact tables that the family tests read.
 
-Reads golden.json and golden_methods.json of the reference (by default ../shared/math beside the checkout) and writes
+Reads golden.json, golden_methods.json and golden_auto.json of the reference (by default ../shared/math beside the checkout) and writes
 tests/data/golden/: keys.csv (the sequences), cases.csv (what to build from them) and one table of expected motions per
 family. Every double is written by repr, so it reads back exactly; the output depends on the input only.
 
@@ -142,6 +142,20 @@ def tables(sources):
     return out
 
 
+def auto_tables(g):
+    """The same for golden_auto.json, which has keys and rows of its own and was computed in double precision."""
+    head = (f"# Made by tools/make_golden.py from golden_auto.json (format {g['format']}), computed in double precision.\n"
+            + CONVENTIONS.splitlines()[0] + "\n")
+    limits = g["tolerance"]
+    note = f"# Agreement to be reached, relative to max(1, |.|): q {limits['q']}, w {limits['omega']}, a {limits['alpha']}.\n"
+    keys, rows = [], []
+    for name, case in g["cases"].items():
+        keys += [",".join([name, text(t), *map(text, q)]) for t, q in zip(case["times"], case["keys"], strict=True)]
+        rows += [",".join([name, text(t), *(text(x) for part in motion for x in part)]) for t, *motion in case["rows"]]
+    return {"auto_keys.csv": head + "sequence,t,qw,qx,qy,qz\n" + "\n".join(keys) + "\n",
+            "auto.csv": head + note + "sequence,t,qw,qx,qy,qz,wx,wy,wz,ax,ay,az\n" + "\n".join(rows) + "\n"}
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--source", type=pathlib.Path, default=ROOT.parent / "shared" / "math")
@@ -150,7 +164,8 @@ def main():
     sources = {name: json.loads((arguments.source / name).read_text()) for name in ("golden.json", "golden_methods.json")}
     folder = ROOT / "tests" / "data" / "golden"
     stale = []
-    for name, content in tables(sources).items():
+    auto = json.loads((arguments.source / "golden_auto.json").read_text())
+    for name, content in (tables(sources) | auto_tables(auto)).items():
         if not arguments.check:
             (folder / name).write_text(content)
         elif not (folder / name).is_file() or (folder / name).read_text() != content:

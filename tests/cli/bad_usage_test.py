@@ -3,7 +3,7 @@
 """Command lines that are refused: exit code 2, one line that says what is wrong, one that says where to read on."""
 from command import BAD_USAGE, CommandTest, main
 
-METHODS = ("slerp, squad, squad-timed, quintic, sextic, timed-c1, timed-c2, timed-c3, timed-sextic, xing-quartic, "
+METHODS = ("auto, auto5, slerp, squad, squad-timed, quintic, sextic, timed-c1, timed-c2, timed-c3, timed-sextic, xing-quartic, "
            "xing-quintic, family, hermite-cumulative, bezier, bspline, beta")
 ENDS = "natural, repeat, quadratic, cubic, clamped, rest"
 COMMANDS = "sample, convert, inspect, methods, completion"

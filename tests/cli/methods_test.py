@@ -46,8 +46,8 @@ class Methods(CommandTest):
         for name in self.methods:
             self.assertEqual(self.output_of(f"sample keys.csv --count 9 --method {name}").count("\n"), 10)
 
-    def test_sixteen_methods_are_listed(self):
-        self.assertEqual(len(self.methods), 16)
+    def test_eighteen_methods_are_listed(self):
+        self.assertEqual(len(self.methods), 18)
 
     def test_the_local_four_key_methods_and_no_others_can_be_closed(self):
         closing = {name for name, method in self.methods.items() if method["closes"]}

@@ -51,7 +51,8 @@ INSTANTIATE_TEST_SUITE_P(
             {},
             4,
             bad_argument,
-            "no method 'quintik', wanted one of slerp, squad, squad-timed, quintic, sextic, timed-c1, timed-c2, "
+            "no method 'quintik', wanted one of auto, auto5, slerp, squad, squad-timed, quintic, sextic, timed-c1, "
+            "timed-c2, "
             "timed-c3, timed-sextic, xing-quartic, xing-quintic, family, hermite-cumulative, bezier, bspline, beta"},
         BadOptions{"UnknownParameter",
                    "timed-c2",

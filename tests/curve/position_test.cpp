@@ -150,6 +150,7 @@ TEST(Position, FollowsTheSameBlendingFunctionsAsTheOrientation) {
   const Keyframes keys = keyframes(data);
   for (const FamilyInfo& family : families_info()) {
     if (family.name.starts_with("squad")) continue;
+    if (family.name.starts_with("auto")) continue;  // its windows also shrink with the turns, which positions have not
     for (const EndRule rule :
          family.ends.empty() ? std::vector{EndRule::none} : std::vector(family.ends.begin(), family.ends.end())) {
       if (rule == EndRule::clamped) continue;  // an angular end rate says nothing about positions

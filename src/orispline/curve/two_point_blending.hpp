@@ -30,11 +30,13 @@ template <std::size_t K>
 template <std::size_t K>
 using FourKeyBlending = std::array<std::array<double, 2 * K + 2>, 3>;
 
-/// The first K+1 Bernstein coefficients of degree 2K+1 of the polynomial with the derivatives d at u = 0, value apart.
-template <std::size_t K>
-[[nodiscard]] std::array<double, K + 1> bernstein_from_taylor(const std::array<double, K>& d) noexcept {
+/// The first K+1 Bernstein coefficients of degree 2K+1 of the polynomial with value and derivatives d at u = 0.
+template <std::size_t K, class Value>
+[[nodiscard]] std::array<Value, K + 1> bernstein_from_taylor(const Value& value,
+                                                             const std::array<Value, K>& d) noexcept {
   constexpr std::size_t n = 2 * K + 1;
-  std::array<double, K + 1> c{};
+  std::array<Value, K + 1> c;
+  c.fill(value);
   for (std::size_t i = 1; i <= K; ++i) {
     double weight = 1.0;  // C(i, m) (n - m)!/n!
     for (std::size_t m = 1; m <= i; ++m) {
@@ -45,27 +47,29 @@ template <std::size_t K>
   return c;
 }
 
+/// Seen from u = 1 the coefficients run inwards: derivatives of odd order change sign.
+template <std::size_t K, class Value>
+[[nodiscard]] std::array<Value, K> inwards(std::array<Value, K> d) noexcept {
+  for (std::size_t m = 0; m < K; m += 2) d[m] = -d[m];
+  return d;
+}
+
 /// The cumulative blending functions with the given derivatives (in the local parameter) at the two ends of a segment.
 ///
 /// The two-point Taylor (Hermite) polynomials of degree 2K+1; derivation: docs/families/family.md.
 template <std::size_t K>
 [[nodiscard]] FourKeyBlending<K> two_point_blending(const KnotDerivatives<K>& left,
                                                     const KnotDerivatives<K>& right) noexcept {
-  // Seen from u = 1 the coefficients run inwards: odd orders change sign.
-  const auto inwards = [](std::array<double, K> d) {
-    for (std::size_t m = 0; m < K; m += 2) d[m] = -d[m];
-    return d;
-  };
-  const auto phi = bernstein_from_taylor<K>(left.phi), psi = bernstein_from_taylor<K>(left.psi);
-  const auto phi_end = bernstein_from_taylor<K>(inwards(right.phi));
-  const auto psi_end = bernstein_from_taylor<K>(inwards(right.psi));
+  const auto phi = bernstein_from_taylor(1.0, left.phi), psi = bernstein_from_taylor(0.0, left.psi);
+  const auto phi_end = bernstein_from_taylor(1.0, inwards(right.phi));
+  const auto psi_end = bernstein_from_taylor(0.0, inwards(right.psi));
   FourKeyBlending<K> b{};
   for (std::size_t i = 0; i <= K; ++i) {
     const std::size_t j = 2 * K + 1 - i;
-    b[0][i] = 1.0 + phi[i];
+    b[0][i] = phi[i];
     b[0][j] = 1.0;
     b[1][i] = psi[i];
-    b[1][j] = 1.0 + phi_end[i];
+    b[1][j] = phi_end[i];
     b[2][j] = psi_end[i];
   }
   return b;

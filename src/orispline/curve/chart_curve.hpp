@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <orispline/curve/knots.hpp>
+#include <orispline/curve/motion.hpp>
+#include <orispline/curve/two_point_blending.hpp>
+#include <orispline/math/bernstein.hpp>
+
+namespace orispline {
+
+/// Body rate of exp(p(t)) with its two time derivatives: ω = J_r(p) ṗ as a power series.
+[[nodiscard]] Vector3<Jet<double, 2>> chart_rate(const Vector3<Jet<double, 3>>& p) noexcept;
+
+/// Time derivatives of orders 1…3 of a rotation vector.
+using ChartDerivatives = std::array<Eigen::Vector3d, 3>;
+
+/// The derivatives that p(t) must have at p for exp(p(t)) to have the given body rates: ω, α, jerk.
+///
+/// ‖p‖ < 2π. The exact change of chart: two segments that ask for the same rates join smoothly whatever their charts.
+[[nodiscard]] ChartDerivatives chart_derivatives(const Eigen::Vector3d& p, const std::array<Eigen::Vector3d, 3>& rates);
+
+/// One interval of a chart curve: q = base · exp(ψ(u)), ψ a polynomial of rotation vectors in Bernstein form [rad].
+template <std::size_t Degree>
+struct ChartPiece {
+  Eigen::Quaterniond base;
+  std::array<Eigen::Vector3d, Degree + 1> coefficients;
+};
+
+/// A curve that is one exponential of a vector polynomial on every interval.
+template <std::size_t Degree>
+class ChartCurve {
+ public:
+  ChartCurve(Knots knots, std::vector<ChartPiece<Degree>> pieces)
+      : knots_(std::move(knots)), pieces_(std::move(pieces)) {
+    ORISPLINE_EXPECT(pieces_.size() == knots_.segments());
+  }
+
+  [[nodiscard]] const Knots& knots() const noexcept { return knots_; }
+
+  template <Number T>
+  [[nodiscard]] Quaternion<T> orientation(const T& t, std::size_t segment) const noexcept {
+    return constant<T>(pieces_[segment].base) * exp<T>(rotation_vector(t, segment));
+  }
+
+  [[nodiscard]] Motion motion(double t, std::size_t segment) const noexcept {
+    const auto p = rotation_vector(Jet<double, 3>::variable(t), segment);
+    const auto omega = chart_rate(p);
+    const auto order = [&omega](std::size_t k) {
+      return Eigen::Vector3d(omega.x().derivative(k), omega.y().derivative(k), omega.z().derivative(k));
+    };
+    return {.orientation = pieces_[segment].base * exp<double>({p.x().c[0], p.y().c[0], p.z().c[0]}),
+            .angular_velocity = order(0),
+            .angular_acceleration = order(1),
+            .angular_jerk = order(2)};
+  }
+
+ private:
+  template <Number T>
+  [[nodiscard]] Vector3<T> rotation_vector(const T& t, std::size_t segment) const noexcept {
+    const auto basis = bernstein_basis<Degree>(knots_.span(segment).normalised(t));
+    Vector3<T> sum = Vector3<T>::Constant(T(0.0));
+    for (std::size_t i = 0; i <= Degree; ++i)
+      for (Eigen::Index axis = 0; axis < 3; ++axis)
+        sum[axis] += basis[i] * Plain<T>(pieces_[segment].coefficients[i][axis]);
+    return sum;
+  }
+
+  Knots knots_;
+  std::vector<ChartPiece<Degree>> pieces_;
+};
+
+/// The piece of degree 2K+1 between two keys with the given body rates of orders 1…K at both; chart in the middle of
+/// the geodesic between them. h is its duration [s].
+template <std::size_t K>
+[[nodiscard]] ChartPiece<2 * K + 1> hermite_piece(const Eigen::Quaterniond& from, const Eigen::Vector3d& increment,
+                                                  const std::array<Eigen::Vector3d, 3>& leaving,
+                                                  const std::array<Eigen::Vector3d, 3>& arriving, double h) {
+  const Eigen::Vector3d half = 0.5 * increment;
+  const auto local = [h](const ChartDerivatives& d) {  // in the local parameter: order m times h^m
+    std::array<Eigen::Vector3d, K> scaled;
+    double power = 1.0;
+    for (std::size_t m = 0; m < K; ++m) scaled[m] = (power *= h) * d[m];
+    return scaled;
+  };
+  const Eigen::Vector3d start = -half;
+  const auto left = bernstein_from_taylor(start, local(chart_derivatives(start, leaving)));
+  const auto right = bernstein_from_taylor(half, inwards(local(chart_derivatives(half, arriving))));
+  ChartPiece<2 * K + 1> piece{.base = from * exp<double>(half), .coefficients = {}};
+  for (std::size_t i = 0; i <= K; ++i) {
+    piece.coefficients[i] = left[i];
+    piece.coefficients[2 * K + 1 - i] = right[i];
+  }
+  return piece;
+}
+
+}  // namespace orispline

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/curve/window.hpp>
+
+#include <orispline/base/expect.hpp>
+
+namespace orispline {
+
+WindowRates polynomial_rates(const Window& window) noexcept {
+  ORISPLINE_EXPECT(window.size >= 2 && window.size <= Window::capacity);
+  // Newton form by divided differences, then value and two derivatives at time 0 by Horner's rule.
+  std::array<Eigen::Vector3d, Window::capacity> difference = window.displacements;
+  const auto& t = window.times;
+  for (std::size_t order = 1; order < window.size; ++order)
+    for (std::size_t i = window.size - 1; i >= order; --i)
+      difference[i] = (difference[i] - difference[i - 1]) / (t[i] - t[i - order]);
+  Eigen::Vector3d value = difference[window.size - 1];
+  WindowRates rates;
+  for (std::size_t i = window.size - 1; i-- > 0;) {
+    rates.second = 2.0 * rates.first - t[i] * rates.second;
+    rates.first = value - t[i] * rates.first;
+    value = difference[i] - t[i] * value;
+  }
+  return rates;
+}
+
+WindowRates natural_spline_rates(const Window& window) noexcept {
+  ORISPLINE_EXPECT(window.size >= 2 && window.size <= Window::capacity);
+  // Second derivatives M: h₋M₋ + 2(h₋ + h₊)M + h₊M₊ = 6 (secant₊ - secant₋), zero at both ends; Thomas' algorithm.
+  const std::size_t last = window.size - 1;
+  std::array<double, Window::capacity> upper{};
+  std::array<Eigen::Vector3d, Window::capacity> second{};
+  second[0].setZero();
+  second[last].setZero();
+  for (std::size_t i = 1; i < last; ++i) {
+    const double before = window.step(i - 1), after = window.step(i);
+    const double pivot = 2.0 * (before + after) - before * upper[i - 1];
+    upper[i] = after / pivot;
+    second[i] = (6.0 * (window.secant(i) - window.secant(i - 1)) - before * second[i - 1]) / pivot;
+  }
+  for (std::size_t i = last; i-- > 1;) second[i] -= upper[i] * second[i + 1];
+  const std::size_t c = window.centre;
+  const Eigen::Vector3d slope =
+      c < last ? Eigen::Vector3d(window.secant(c) - window.step(c) / 6.0 * (2.0 * second[c] + second[c + 1]))
+               : Eigen::Vector3d(window.secant(c - 1) + window.step(c - 1) / 6.0 * (2.0 * second[c] + second[c - 1]));
+  return {slope, second[c]};
+}
+
+}  // namespace orispline
