@@ -76,6 +76,14 @@ INSTANTIATE_TEST_SUITE_P(
       return name + (test.param.knotting == Knotting::even ? "_even" : "_graded");
     });
 
+TEST(AutoAccuracy, OfAutoIsSixthOrderInsideAndOfAuto5Fifth) {
+  // At least: on even times, and where the step grows fourfold. The quintics between exact jets are of sixth order.
+  for (const Knotting knotting : {Knotting::even, Knotting::graded}) {
+    EXPECT_GE(observed_order("auto", knotting), 5.5);
+    EXPECT_GE(observed_order("auto5", knotting), 4.5);
+  }
+}
+
 TEST(EndAccuracy, OfTheFirstSegmentDependsOnTheEndRule) {
   const auto order = [](EndRule rule) {
     return observed_order("timed-c2", Knotting::even, {.start = {.rule = rule}}, Where::first_segment);
