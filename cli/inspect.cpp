@@ -105,6 +105,8 @@ Expected<void> inspect(const InspectOptions& options) {
   const auto methods = method_requests(options);
   if (!methods) return tl::unexpected(methods.error());
   input->read.parameters = all_open_parameters(*methods);
+  input->read.angular_velocities =
+      std::ranges::any_of(*methods, [](const MethodRequest& method) { return method.family->takes_rates; });
   return inspected(*input, *methods).and_then([&](const InspectReport& report) {
     return print_document(options.json ? json_of(report) : text_of(report));
   });

@@ -35,6 +35,12 @@ class BadContent(CommandTest):
         self.assert_fails("sample bad.csv --rate 1 --start-rate=0,0,1", BAD_DATA,
                           "bad.csv:2: key 0: a clamped end needs a non-zero tension at that key, found 0")
 
+    def test_rates_matter_only_to_methods_that_take_them(self):
+        self.write("rates.csv", "t,qw,qx,qy,qz,wx,wy,wz\n0,1,0,0,0,nan,0,0\n1,1,0,0,0,0,0,0\n")
+        self.output_of("sample rates.csv --method timed-c2 --count 2")
+        self.assert_fails("sample rates.csv --method hermite-cumulative --count 2", BAD_DATA,
+                          "rates.csv:2:6: key 0: found 'nan', wanted a finite number (--drop-invalid drops such rows)")
+
     def test_a_stray_time_is_the_fault_of_the_times_file(self):
         self.write("times.csv", "t\n1\n3.5\n")
         self.assert_fails("sample keys.csv --times times.csv --extrapolate error", BAD_DATA,

@@ -55,6 +55,7 @@ struct FamilyInfo {
   std::span<const Parameter> parameters{};
   std::span<const EndRule> ends{};  ///< the first is the default; empty: no choice
   bool closes = false;              ///< can be a loop
+  bool takes_rates = false;         ///< uses the angular velocities of the keys where they have them
 };
 
 /// One end of a curve.

@@ -22,7 +22,8 @@ struct HermiteCumulative {
                                    .keeps_constant_rate_uniform = true,
                                    .keeps_constant_rate_uneven = true,
                                    .support_keys = 4,
-                                   .parameters = parameters};
+                                   .parameters = parameters,
+                                   .takes_rates = true};
   [[nodiscard]] static Expected<CubicBezierCurve> curve(const Keyframes& keys, const FamilySettings& settings);
   [[nodiscard]] static Expected<CatmullRomPath> path(const Keyframes& keys, const FamilySettings& settings) {
     return CatmullRomPath(keys, settings.per_key("tension"));

@@ -128,7 +128,8 @@ Expected<KeyColumns> columns_of_header(std::span<const std::string_view> header,
   const auto position = search.vector(position_names, lengths, lengths);
   if (!position) return tl::unexpected(position.error());
   const auto read_rates = reading.rate_frame == RateFrame::body ? std::span<const Unit>(rates) : body_rates;
-  const auto rate = search.vector(rate_names, read_rates, rates);
+  const auto rate = reading.rate_frame == RateFrame::unused ? Expected<std::optional<VectorColumns>>(std::nullopt)
+                                                            : search.vector(rate_names, read_rates, rates);
   if (!rate) return tl::unexpected(rate.error());
   auto parameters = parameter_columns(search, reading.parameters);
   if (!parameters) return tl::unexpected(std::move(parameters.error()));

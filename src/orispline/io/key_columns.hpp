@@ -19,6 +19,7 @@ enum class QuaternionOrder { wxyz, xyzw };
 enum class RateFrame {
   body,     ///< read them
   unknown,  ///< read only those whose name says body, or that were asked for by name
+  unused,   ///< nobody asks for them
 };
 
 /// A column of a parameter's values.

@@ -70,11 +70,16 @@ Expected<Layout> euroc_layout(const TextTable& table, const ReadOptions& options
             is_header(table.cells()) ? Layout::FirstRow::header : Layout::FirstRow::key);
 }
 
+RateFrame rate_frame_of(const ReadOptions& options) {
+  if (!options.angular_velocities) return RateFrame::unused;
+  return options.conjugate ? RateFrame::unknown : RateFrame::body;
+}
+
 Expected<Layout> header_layout(const TextTable& table, const ReadOptions& options) {
   if (options.order) return contradiction(table, "--order is for CSV without a header, and this line is one");
   const HeaderReading reading{.names = options.columns,
                               .parameters = options.parameters,
-                              .rate_frame = options.conjugate ? RateFrame::unknown : RateFrame::body,
+                              .rate_frame = rate_frame_of(options),
                               .orientation = options.orientation};
   return at(table, columns_of_header(table.cells(), reading), FileFormat::csv, Layout::FirstRow::header);
 }

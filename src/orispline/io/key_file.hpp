@@ -29,6 +29,8 @@ struct ReadOptions {
   /// The file holds world to body (SPICE, CCSDS): orientations are conjugated. Positions are not touched. The angular
   /// velocities of such files are often in the base frame, so `wx` and `wx_rad_s` are ignored; `wx_body…` are read.
   bool conjugate = false;
+  /// Read `wx,wy,wz` where they are there. Without it a fault in these columns is no fault of the file.
+  bool angular_velocities = true;
   bool drop_duplicates = false;  ///< of equal times keep the first
   bool drop_invalid = false;     ///< drop rows where a cell that is needed is empty, NaN or infinite
   bool sort = false;             ///< by time; rows of equal time keep their order
