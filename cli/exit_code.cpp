@@ -14,6 +14,7 @@ ExitCode report(const Error& error) {
     case ErrorCode::bad_access:
       return ExitCode::bad_access;
     case ErrorCode::bad_data:
+    case ErrorCode::not_converged:
       break;
   }
   return ExitCode::bad_data;

@@ -106,7 +106,7 @@ Expected<void> inspect(const InspectOptions& options) {
   if (!methods) return tl::unexpected(methods.error());
   input->read.parameters = all_open_parameters(*methods);
   input->read.angular_velocities =
-      std::ranges::any_of(*methods, [](const MethodRequest& method) { return method.family->takes_rates; });
+      std::ranges::any_of(*methods, [](const MethodRequest& method) { return method.family->rate_orders > 0; });
   return inspected(*input, *methods).and_then([&](const InspectReport& report) {
     return print_document(options.json ? json_of(report) : text_of(report));
   });

@@ -12,9 +12,10 @@ namespace orispline {
 
 /// What kind of thing went wrong; each face maps it to its own habit (exit code, exception type).
 enum class ErrorCode {
-  bad_data,      ///< the keyframes or the content of a file
-  bad_argument,  ///< a method name, parameter, end rule or option
-  bad_access,    ///< a file that cannot be opened, read, written or renamed
+  bad_data,       ///< the keyframes or the content of a file
+  bad_argument,   ///< a method name, parameter, end rule or option
+  not_converged,  ///< the equations of a method, which it could not solve for the given keys
+  bad_access,     ///< a file that cannot be opened, read, written or renamed
 };
 
 /// Where it went wrong. Every member may be absent.

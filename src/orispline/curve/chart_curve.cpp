@@ -14,25 +14,12 @@ Vector3<Jet<double, 3>> taylor(const Eigen::Vector3d& p, const ChartDerivatives&
 
 }  // namespace
 
-Vector3<Jet<double, 2>> chart_rate(const Vector3<Jet<double, 3>>& p) noexcept {
-  using J = Jet<double, 2>;
-  Vector3<J> value, derivative;
-  for (Eigen::Index axis = 0; axis < 3; ++axis)
-    for (std::size_t k = 0; k < J::size; ++k) {
-      value[axis].c[k] = p[axis].c[k];
-      derivative[axis].c[k] = static_cast<double>(k + 1) * p[axis].c[k + 1];
-    }
-  const J x = value.squaredNorm();
-  const Vector3<J> turn = value.cross(derivative);
-  return derivative - turn * series::versine_ratio(x) + value.cross(turn) * series::sine_defect_ratio(x);
-}
-
 ChartDerivatives chart_derivatives(const Eigen::Vector3d& p, const std::array<Eigen::Vector3d, 3>& rates) {
   const Eigen::Matrix3d inverse = right_jacobian_inverse<double>(p);
   ChartDerivatives d{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   for (std::size_t k = 0; k < d.size(); ++k) {
     // The rate of order k is J_r p^(k+1) plus what the lower derivatives already give.
-    const auto known = chart_rate(taylor(p, d));
+    const auto known = chart_rate<double, 3>(taylor(p, d));
     const Eigen::Vector3d given(known.x().derivative(k), known.y().derivative(k), known.z().derivative(k));
     d[k] = inverse * (rates[k] - given);
   }

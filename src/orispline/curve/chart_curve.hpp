@@ -11,8 +11,20 @@
 
 namespace orispline {
 
-/// Body rate of exp(p(t)) with its two time derivatives: ω = J_r(p) ṗ as a power series.
-[[nodiscard]] Vector3<Jet<double, 2>> chart_rate(const Vector3<Jet<double, 3>>& p) noexcept;
+/// Body rate of exp(p(t)) as a power series of one order less: ω = J_r(p) ṗ.
+template <Number T, int N>
+[[nodiscard]] Vector3<Jet<T, N - 1>> chart_rate(const Vector3<Jet<T, N>>& p) noexcept {
+  using J = Jet<T, N - 1>;
+  Vector3<J> value, derivative;
+  for (Eigen::Index axis = 0; axis < 3; ++axis)
+    for (std::size_t k = 0; k < J::size; ++k) {
+      value[axis].c[k] = p[axis].c[k];
+      derivative[axis].c[k] = p[axis].c[k + 1] * Plain<T>(static_cast<double>(k + 1));
+    }
+  const J x = value.squaredNorm();
+  const Vector3<J> turn = value.cross(derivative);
+  return derivative - turn * series::versine_ratio(x) + value.cross(turn) * series::sine_defect_ratio(x);
+}
 
 /// Time derivatives of orders 1…3 of a rotation vector.
 using ChartDerivatives = std::array<Eigen::Vector3d, 3>;
@@ -47,7 +59,7 @@ class ChartCurve {
 
   [[nodiscard]] Motion motion(double t, std::size_t segment) const noexcept {
     const auto p = rotation_vector(Jet<double, 3>::variable(t), segment);
-    const auto omega = chart_rate(p);
+    const auto omega = chart_rate<double, 3>(p);
     const auto order = [&omega](std::size_t k) {
       return Eigen::Vector3d(omega.x().derivative(k), omega.y().derivative(k), omega.z().derivative(k));
     };
@@ -72,23 +84,22 @@ class ChartCurve {
   std::vector<ChartPiece<Degree>> pieces_;
 };
 
-/// The piece of degree 2K+1 between two keys with the given body rates of orders 1…K at both; chart in the middle of
-/// the geodesic between them. h is its duration [s].
+/// The piece of degree 2K+1 from `start` to `end` in the chart at `base`, with the given body rates of orders 1…K at
+/// both. h is its duration [s].
 template <std::size_t K>
-[[nodiscard]] ChartPiece<2 * K + 1> hermite_piece(const Eigen::Quaterniond& from, const Eigen::Vector3d& increment,
+[[nodiscard]] ChartPiece<2 * K + 1> hermite_piece(const Eigen::Quaterniond& base, const Eigen::Vector3d& start,
+                                                  const Eigen::Vector3d& end,
                                                   const std::array<Eigen::Vector3d, 3>& leaving,
                                                   const std::array<Eigen::Vector3d, 3>& arriving, double h) {
-  const Eigen::Vector3d half = 0.5 * increment;
   const auto local = [h](const ChartDerivatives& d) {  // in the local parameter: order m times h^m
     std::array<Eigen::Vector3d, K> scaled;
     double power = 1.0;
     for (std::size_t m = 0; m < K; ++m) scaled[m] = (power *= h) * d[m];
     return scaled;
   };
-  const Eigen::Vector3d start = -half;
   const auto left = bernstein_from_taylor(start, local(chart_derivatives(start, leaving)));
-  const auto right = bernstein_from_taylor(half, inwards(local(chart_derivatives(half, arriving))));
-  ChartPiece<2 * K + 1> piece{.base = from * exp<double>(half), .coefficients = {}};
+  const auto right = bernstein_from_taylor(end, inwards(local(chart_derivatives(end, arriving))));
+  ChartPiece<2 * K + 1> piece{.base = base, .coefficients = {}};
   for (std::size_t i = 0; i <= K; ++i) {
     piece.coefficients[i] = left[i];
     piece.coefficients[2 * K + 1 - i] = right[i];

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/curve/control_points.hpp>
 
+#include <orispline/curve/increments.hpp>
+
 namespace orispline {
 namespace {
 
@@ -88,7 +90,8 @@ Expected<ControlPolygon> ghosted_polygon(const Keyframes& keys, const FamilySett
   polygon.bases.push_back(q.front() * exp<double>(-*before));
   polygon.bases.insert(polygon.bases.end(), q.begin(), q.end() - 2);
   polygon.increments.push_back(*before);
-  for (std::size_t i = 0; i + 1 < q.size(); ++i) polygon.increments.push_back(increment<double>(q[i], q[i + 1]));
+  const std::vector<Eigen::Vector3d> inner = increments_between(q);
+  polygon.increments.insert(polygon.increments.end(), inner.begin(), inner.end());
   polygon.increments.push_back(-*after);
   return polygon;
 }

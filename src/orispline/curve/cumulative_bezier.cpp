@@ -17,4 +17,17 @@ CubicBezierCurve hermite_curve(Knots knots, std::span<const Eigen::Quaterniond> 
   return {std::move(knots), CubicBezierBasis{}, std::move(polygon)};
 }
 
+CubicBezierPath handle_path(Knots knots, std::span<const Eigen::Vector3d> positions,
+                            std::span<const Eigen::Vector3d> leaving, std::span<const Eigen::Vector3d> arriving) {
+  PathPolygon points{positions[0]};
+  points.reserve(3 * knots.segments() + 1);
+  for (std::size_t i = 0; i < knots.segments(); ++i) {
+    const double third = knots.span(i).step() / 3.0;
+    points.push_back(positions[i] + third * leaving[i]);
+    points.push_back(positions[i + 1] - third * arriving[i + 1]);
+    points.push_back(positions[i + 1]);
+  }
+  return {std::move(knots), CubicBezierBasis{}, std::move(points)};
+}
+
 }  // namespace orispline

@@ -28,4 +28,9 @@ using CubicBezierPath = CumulativePath<CubicBezierBasis>;
 [[nodiscard]] CubicBezierCurve hermite_curve(Knots knots, std::span<const Eigen::Quaterniond> joints,
                                              std::span<const Eigen::Vector3d> rates);
 
+/// The composite cubic through positions with the velocity on leaving and on arriving at each [m/s].
+[[nodiscard]] CubicBezierPath handle_path(Knots knots, std::span<const Eigen::Vector3d> positions,
+                                          std::span<const Eigen::Vector3d> leaving,
+                                          std::span<const Eigen::Vector3d> arriving);
+
 }  // namespace orispline

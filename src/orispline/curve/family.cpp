@@ -11,8 +11,8 @@
 namespace orispline {
 namespace {
 
-constexpr std::array<std::string_view, 10> end_rule_names{"none",    "repeat", "natural", "quadratic", "cubic",
-                                                          "clamped", "rest",   "key",     "phantom",   "reflect"};
+constexpr std::array<std::string_view, 12> end_rule_names{"none", "repeat", "natural", "quadratic", "cubic",  "clamped",
+                                                          "rest", "key",    "phantom", "reflect",   "handle", "secant"};
 
 Error argument_error(std::string message, std::optional<std::size_t> key = {}) {
   return {ErrorCode::bad_argument, std::move(message), {.key = key}};
@@ -28,19 +28,50 @@ std::string list_of_ends(const FamilyInfo& family) {
   return names.empty() ? "none: this method has no end rules" : fmt::format("one of {}", fmt::join(names, ", "));
 }
 
+std::string wanted_values(const Parameter& parameter, std::size_t keys, std::size_t with_ghosts) {
+  if (!parameter.per_key) return "1";
+  if (with_ghosts == keys) return fmt::format("1 or one per key ({})", keys);
+  return fmt::format("1, one per key ({}) or one per key and ghost key ({})", keys, with_ghosts);
+}
+
 std::optional<Error> check_values(const FamilyInfo& family, const Parameter& parameter,
                                   const std::vector<double>& values, std::size_t keys) {
-  const bool right_count = values.size() == 1 || (parameter.per_key && values.size() == keys);
+  const std::size_t with_ghosts = keys + 2 * static_cast<std::size_t>(parameter.ghosts);
+  const bool right_count =
+      values.size() == 1 || (parameter.per_key && (values.size() == keys || values.size() == with_ghosts));
   if (!right_count)
     return argument_error(fmt::format("{}: found {} values of {}, wanted {}", family.name, values.size(),
-                                      parameter.name,
-                                      parameter.per_key ? fmt::format("1 or one per key ({})", keys) : "1"));
+                                      parameter.name, wanted_values(parameter, keys, with_ghosts)));
   for (std::size_t i = 0; i < values.size(); ++i)
     if (!(parameter.lowest <= values[i] && values[i] <= parameter.highest))
       return argument_error(fmt::format("{}: {} is {}, wanted {} to {}", family.name, parameter.name, values[i],
                                         parameter.lowest, parameter.highest),
                             values.size() == 1 ? std::nullopt : std::optional(i));
   return std::nullopt;
+}
+
+template <class Named>
+bool has_name(std::span<const Named> list, std::string_view name) {
+  return std::ranges::find(list, name, &Named::name) != list.end();
+}
+
+Error unknown_parameter(const FamilyInfo& family, std::string_view name) {
+  std::vector<std::string_view> names;
+  for (const Parameter& p : family.parameters) names.push_back(p.name);
+  for (const Choice& c : family.choices) names.push_back(c.name);
+  return argument_error(fmt::format(
+      "{}: no parameter '{}', wanted {}", family.name, name,
+      names.empty() ? "none: this method has no parameters" : fmt::format("one of {}", fmt::join(names, ", "))));
+}
+
+/// The chosen word as the family spells it.
+Expected<std::string_view> settle_word(const FamilyInfo& family, const Choice& choice, const CurveOptions& options) {
+  const auto given = options.choices.find(choice.name);
+  if (given == options.choices.end()) return choice.words.front();
+  const auto word = std::ranges::find(choice.words, given->second);
+  if (word != choice.words.end()) return *word;
+  return tl::unexpected(argument_error(fmt::format("{}: {} is '{}', wanted one of {}", family.name, choice.name,
+                                                   given->second, fmt::join(choice.words, ", "))));
 }
 
 Expected<End> settle_end(const FamilyInfo& family, End end, std::size_t keys) {
@@ -86,13 +117,14 @@ Expected<int> FamilySettings::whole(std::string_view name) const {
 Expected<FamilySettings> settle(const FamilyInfo& family, const CurveOptions& options, std::size_t keys) {
   FamilySettings settings;
   for (const auto& [name, values] : options.parameters)
-    if (std::ranges::find(family.parameters, name, &Parameter::name) == family.parameters.end()) {
-      std::vector<std::string_view> names;
-      for (const Parameter& p : family.parameters) names.push_back(p.name);
-      return tl::unexpected(argument_error(fmt::format(
-          "{}: no parameter '{}', wanted {}", family.name, name,
-          names.empty() ? "none: this method has no parameters" : fmt::format("one of {}", fmt::join(names, ", ")))));
-    }
+    if (!has_name(family.parameters, name)) return tl::unexpected(unknown_parameter(family, name));
+  for (const auto& [name, word] : options.choices)
+    if (!has_name(family.choices, name)) return tl::unexpected(unknown_parameter(family, name));
+  for (const Choice& choice : family.choices) {
+    const auto word = settle_word(family, choice, options);
+    if (!word) return tl::unexpected(word.error());
+    settings.choices.emplace(choice.name, *word);
+  }
   for (const Parameter& parameter : family.parameters) {
     const auto given = options.parameters.find(parameter.name);
     std::vector<double> values = given != options.parameters.end() ? given->second : std::vector{parameter.initial};

@@ -21,6 +21,13 @@ struct Parameter {
   double initial;          ///< used when the caller says nothing
   double lowest, highest;  ///< allowed range, inclusive
   bool per_key = true;     ///< one value for all keys or one per key; else one value only
+  int ghosts = 0;  ///< keys beyond either end that may be given values of their own, before and after the others
+};
+
+/// A choice between words that shapes a family's curves.
+struct Choice {
+  std::string_view name;
+  std::span<const std::string_view> words;  ///< the first is the default
 };
 
 /// How a curve begins or ends, where its formula asks for a key beyond the last one.
@@ -35,9 +42,14 @@ enum class EndRule {
   key,        ///< squad: the end's inner quaternion is the key itself
   phantom,    ///< squad: the end key repeated in the formula of the inner quaternion
   reflect,    ///< the last increment continued at the mirrored time
+  handle,     ///< the end's Bézier handle points at the middle of the next one: no angular acceleration at the end
+  secant,     ///< the rate of the end's increment
 };
 
 [[nodiscard]] std::string_view name_of(EndRule rule) noexcept;
+
+/// For FamilyInfo::support_keys: a segment depends on every key, because the curve solves equations over all of them.
+inline constexpr int all_keys = 0;
 
 /// What a family says about itself. Continuity is the order in **time** for non-zero tensions; constant rates are kept
 /// at the default parameters, with natural ends where the family has them.
@@ -50,12 +62,13 @@ struct FamilyInfo {
   int continuity_uneven = 0;                 ///< on any key times
   bool keeps_constant_rate_uniform = false;  ///< equal increments on even times give constant ω
   bool keeps_constant_rate_uneven = false;   ///< a constant rate on uneven times stays constant
-  int support_keys = 2;                      ///< keys whose orientations one segment depends on
+  int support_keys = 2;                      ///< keys whose orientations one segment depends on, or all_keys
   int min_keys = 2;                          ///< fewer are an error (one key is always a constant curve)
   std::span<const Parameter> parameters{};
+  std::span<const Choice> choices{};
   std::span<const EndRule> ends{};  ///< the first is the default; empty: no choice
   bool closes = false;              ///< can be a loop
-  bool takes_rates = false;         ///< uses the angular velocities of the keys where they have them
+  int rate_orders = 0;  ///< rates of the keys that it uses where they have them: 1 is ω, 2 also α, 3 also the jerk
 };
 
 /// One end of a curve.
@@ -74,6 +87,8 @@ struct Loop {
 struct CurveOptions {
   /// Values by parameter name: one for all keys, or exactly one per key. Absent: the family's default.
   std::map<std::string, std::vector<double>, std::less<>> parameters{};
+  /// Words by the name of the choice. Absent: its first word.
+  std::map<std::string, std::string, std::less<>> choices{};
   End start{};
   End end{};
   std::optional<Loop> loop{};  ///< absent: an open curve with two ends
@@ -100,6 +115,7 @@ struct Closure {
 /// Options completed and checked against a family: every parameter present, the ends chosen.
 struct FamilySettings {
   std::map<std::string, PerKey, std::less<>> parameters{};
+  std::map<std::string_view, std::string_view> choices{};
   End start{};
   End end{};
   std::optional<Closure> closure{};  ///< of a loop
@@ -111,15 +127,22 @@ struct FamilySettings {
     return found->second;
   }
 
+  /// The word of one of the family's own choices.
+  [[nodiscard]] std::string_view choice(std::string_view name) const {
+    const auto found = choices.find(name);
+    ORISPLINE_EXPECT(found != choices.end());
+    return found->second;
+  }
+
   /// A parameter that must be a whole number, such as a degree or an order; else bad_argument.
   [[nodiscard]] Expected<int> whole(std::string_view name) const;
 };
 
 /// Checks the options against what the family accepts and fills in its defaults.
 ///
-/// Errors: bad_argument (with the key index where one value is at fault) for an unknown parameter, a wrong number of
-/// values, a value out of range or not finite, an unknown end rule; bad_data for too few keys for the family or the
-/// rule.
+/// Errors: bad_argument (with the key index where one value is at fault) for an unknown parameter or word, a wrong
+/// number of values, a value out of range or not finite, an unknown end rule; bad_data for too few keys for the family
+/// or the rule.
 [[nodiscard]] Expected<FamilySettings> settle(const FamilyInfo& family, const CurveOptions& options, std::size_t keys);
 
 /// The end rule of that name, or an error that lists those of the family.

@@ -2,6 +2,7 @@
 #include <orispline/curve/keyframe.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -15,15 +16,25 @@ Error key_error(std::size_t key, std::string message) {
   return {ErrorCode::bad_data, std::move(message), {.key = key}};
 }
 
+/// What a key may have besides its time and orientation, with its name in the singular and in the plural.
+struct Optional {
+  std::vector<Eigen::Vector3d> KeyframeData::*values;
+  const char *one, *many;
+};
+constexpr std::array optional_data{
+    Optional{&KeyframeData::positions, "position", "positions"},
+    Optional{&KeyframeData::angular_velocities, "angular velocity", "angular velocities"},
+    Optional{&KeyframeData::angular_accelerations, "angular acceleration", "angular accelerations"},
+    Optional{&KeyframeData::angular_jerks, "angular jerk", "angular jerks"}};
+
 std::optional<Error> check_lengths(const KeyframeData& data) {
   const std::size_t n = data.times.size();
   const auto differs = [n](const char* what, std::size_t size) -> std::optional<Error> {
     return Error{ErrorCode::bad_data, fmt::format("found {} {} for {} times, wanted one per key", size, what, n), {}};
   };
   if (data.orientations.size() != n) return differs("orientations", data.orientations.size());
-  if (!data.positions.empty() && data.positions.size() != n) return differs("positions", data.positions.size());
-  if (!data.angular_velocities.empty() && data.angular_velocities.size() != n)
-    return differs("angular velocities", data.angular_velocities.size());
+  for (const Optional& some : optional_data)
+    if (const std::size_t size = (data.*some.values).size(); size != 0 && size != n) return differs(some.many, size);
   if (n == 0) return Error{ErrorCode::bad_data, "empty: no keys", {}};
   return std::nullopt;
 }
@@ -40,10 +51,9 @@ std::optional<Error> check_key(const KeyframeData& data, std::size_t i) {
                                     t - data.times[i - 1], shortest_step, longest_step));
   if (!data.orientations[i].coeffs().allFinite())
     return key_error(i, "the quaternion has a component that is not finite, wanted a unit quaternion");
-  if (!data.positions.empty() && !data.positions[i].allFinite())
-    return key_error(i, "the position has a component that is not finite");
-  if (!data.angular_velocities.empty() && !data.angular_velocities[i].allFinite())
-    return key_error(i, "the angular velocity has a component that is not finite");
+  for (const Optional& some : optional_data)
+    if (const auto& values = data.*some.values; !values.empty() && !values[i].allFinite())
+      return key_error(i, fmt::format("the {} has a component that is not finite", some.one));
   return std::nullopt;
 }
 
@@ -83,8 +93,7 @@ Keyframes Keyframes::first(std::size_t count) const {
   };
   cut(kept_data.times);
   cut(kept_data.orientations);
-  cut(kept_data.positions);
-  cut(kept_data.angular_velocities);
+  for (const Optional& some : optional_data) cut(kept_data.*some.values);
   Keyframes kept = *this;
   kept.data_ = std::make_shared<const KeyframeData>(std::move(kept_data));
   return kept;

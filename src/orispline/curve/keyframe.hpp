@@ -19,10 +19,12 @@ enum class Signs {
 
 /// What the caller holds: one entry per key in every vector that is not empty.
 struct KeyframeData {
-  std::vector<double> times{};                        ///< [s], finite, strictly increasing
-  std::vector<Eigen::Quaterniond> orientations{};     ///< body to world, norm within 1e-3 of 1
-  std::vector<Eigen::Vector3d> positions{};           ///< [m], optional
-  std::vector<Eigen::Vector3d> angular_velocities{};  ///< [rad/s], body frame, optional
+  std::vector<double> times{};                           ///< [s], finite, strictly increasing
+  std::vector<Eigen::Quaterniond> orientations{};        ///< body to world, norm within 1e-3 of 1
+  std::vector<Eigen::Vector3d> positions{};              ///< [m], optional
+  std::vector<Eigen::Vector3d> angular_velocities{};     ///< [rad/s], body frame, optional
+  std::vector<Eigen::Vector3d> angular_accelerations{};  ///< [rad/s²], body frame, optional
+  std::vector<Eigen::Vector3d> angular_jerks{};          ///< [rad/s³], body frame, optional
 };
 
 /// What validation changed or noticed.
@@ -64,6 +66,12 @@ class Keyframes {
   [[nodiscard]] std::span<const Eigen::Vector3d> angular_velocities() const noexcept {
     return data_->angular_velocities;
   }
+  /// Empty when the keys carry no angular accelerations. [rad/s²], body frame.
+  [[nodiscard]] std::span<const Eigen::Vector3d> angular_accelerations() const noexcept {
+    return data_->angular_accelerations;
+  }
+  /// Empty when the keys carry no angular jerks. [rad/s³], body frame.
+  [[nodiscard]] std::span<const Eigen::Vector3d> angular_jerks() const noexcept { return data_->angular_jerks; }
   [[nodiscard]] const KeyframeReport& report() const noexcept { return report_; }
 
  private:

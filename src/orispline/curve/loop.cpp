@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <orispline/curve/increments.hpp>
+
 namespace orispline {
 namespace {
 
@@ -58,11 +60,7 @@ ControlPolygon closed_polygon(const Keyframes& keys, const Closure& closure) {
   std::vector<Eigen::Quaterniond> around{wrapped(q.back())};
   around.insert(around.end(), q.begin(), q.end());
   around.insert(around.end(), {wrapped(q[0]), wrapped(q[1])});
-  ControlPolygon polygon{.bases = {around.begin(), around.end() - 3}, .increments = {}};
-  polygon.increments.reserve(around.size() - 1);
-  for (std::size_t i = 0; i + 1 < around.size(); ++i)
-    polygon.increments.push_back(increment<double>(around[i], around[i + 1]));
-  return polygon;
+  return {.bases = {around.begin(), around.end() - 3}, .increments = increments_between(around)};
 }
 
 PathPolygon closed_path(const Keyframes& keys) {

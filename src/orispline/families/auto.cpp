@@ -6,6 +6,7 @@
 #include <functional>
 #include <numbers>
 
+#include <orispline/curve/increments.hpp>
 #include <orispline/curve/window.hpp>
 
 // The steps are numbered as on docs/families/auto.md, which also says where the constants come from.
@@ -175,25 +176,20 @@ Track orientation_track(const Keyframes& keys, std::size_t reach) {
   const auto q = keys.orientations();
   Track track{.times = keys.times(),
               .displacement = [q](std::size_t i, std::size_t j) { return increment<double>(q[i], q[j]); },
-              .increments = {},
+              .increments = increments_between(q),
               .turns = {},
               .reach = reach};
-  for (std::size_t i = 0; i + 1 < q.size(); ++i) {
-    track.increments.push_back(increment<double>(q[i], q[i + 1]));
-    track.turns.push_back(track.increments.back().norm());
-  }
+  for (const Eigen::Vector3d& phi : track.increments) track.turns.push_back(phi.norm());
   return track;
 }
 
 Track position_track(const Keyframes& keys, std::size_t reach) {
   const auto p = keys.positions();
-  Track track{.times = keys.times(),
-              .displacement = [p](std::size_t i, std::size_t j) -> Eigen::Vector3d { return p[j] - p[i]; },
-              .increments = {},
-              .turns = std::vector<double>(p.size() - 1, 0.0),
-              .reach = reach};
-  for (std::size_t i = 0; i + 1 < p.size(); ++i) track.increments.push_back(p[i + 1] - p[i]);
-  return track;
+  return {.times = keys.times(),
+          .displacement = [p](std::size_t i, std::size_t j) -> Eigen::Vector3d { return p[j] - p[i]; },
+          .increments = increments_between(p),
+          .turns = std::vector<double>(p.size() - 1, 0.0),
+          .reach = reach};
 }
 
 Knots key_times(const Keyframes& keys) { return Knots({keys.times().begin(), keys.times().end()}); }
@@ -209,8 +205,11 @@ ChartCurve<5> curve_of_reach(const Keyframes& keys, std::size_t reach, const Fam
   };
   std::vector<ChartPiece<5>> pieces;
   pieces.reserve(keys.size() - 1);
-  for (std::size_t i = 0; i + 1 < keys.size(); ++i)
-    pieces.push_back(hermite_piece<2>(keys.orientations()[i], track.increments[i], at(i), at(i + 1), track.step(i)));
+  for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
+    const Eigen::Vector3d half = 0.5 * track.increments[i];
+    const Eigen::Quaterniond middle = keys.orientations()[i] * exp<double>(half);
+    pieces.push_back(hermite_piece<2>(middle, -half, half, at(i), at(i + 1), track.step(i)));
+  }
   return {key_times(keys), std::move(pieces)};
 }
 

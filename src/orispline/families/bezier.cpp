@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <orispline/curve/increments.hpp>
+
 namespace orispline::families {
 namespace {
 
@@ -20,13 +22,9 @@ Expected<Knots> joint_times(const Keyframes& keys) {
 Expected<CubicBezierCurve> Bezier::curve(const Keyframes& keys, const FamilySettings&) {
   return joint_times(keys).map([&](Knots knots) {
     const auto q = keys.orientations();
-    ControlPolygon polygon;
+    ControlPolygon polygon{.bases = {}, .increments = increments_between(q)};
     polygon.bases.reserve(knots.segments());
-    polygon.increments.reserve(q.size() - 1);
-    for (std::size_t i = 0; i + 1 < q.size(); ++i) {
-      if (i % 3 == 0) polygon.bases.push_back(q[i]);
-      polygon.increments.push_back(increment<double>(q[i], q[i + 1]));
-    }
+    for (std::size_t i = 0; i + 1 < q.size(); i += 3) polygon.bases.push_back(q[i]);
     return CubicBezierCurve(std::move(knots), CubicBezierBasis{}, std::move(polygon));
   });
 }

@@ -1,30 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/families/bspline.hpp>
 
-#include <functional>
-
 #include <orispline/curve/cumulative_curve.hpp>
 #include <orispline/curve/cumulative_path.hpp>
+#include <orispline/curve/reflected.hpp>
 
 namespace orispline::families {
 namespace {
-
-/// Index arithmetic of a sequence continued by reflection at its two ends: -k mirrors k, last + k mirrors last - k.
-template <class Point, class Mirror>
-class Reflected {
- public:
-  Reflected(std::span<const Point> points, Mirror mirror) : points_(points), mirror_(mirror) {}
-  [[nodiscard]] Point operator[](std::ptrdiff_t i) const {
-    const auto last = static_cast<std::ptrdiff_t>(points_.size()) - 1;
-    if (i < 0) return mirror_(points_.front(), (*this)[-i]);
-    if (i > last) return mirror_(points_.back(), (*this)[2 * last - i]);
-    return points_[static_cast<std::size_t>(i)];
-  }
-
- private:
-  std::span<const Point> points_;
-  Mirror mirror_;
-};
 
 /// Control points on either side of a span's first one, beyond the two that it lies between.
 constexpr std::ptrdiff_t ghosts(std::size_t degree) { return static_cast<std::ptrdiff_t>(degree) / 2; }
@@ -66,9 +48,7 @@ constexpr std::ptrdiff_t first_point = Degree % 2 == 0 ? -ghosts(Degree)
 template <std::size_t Degree>
 AnyCurve curve_of_degree(const Keyframes& keys) {
   using Basis = BSpline::Basis<Degree>;
-  const Reflected points(keys.orientations(), [](const Eigen::Quaterniond& at, const Eigen::Quaterniond& q) {
-    return at * q.conjugate() * at;
-  });
+  const auto points = reflected(keys.orientations());
   Knots knots = curve_knots<Degree>(keys.times());
   ControlPolygon polygon;
   const auto spans = static_cast<std::ptrdiff_t>(knots.segments());
@@ -83,9 +63,7 @@ AnyCurve curve_of_degree(const Keyframes& keys) {
 template <std::size_t Degree>
 AnyPath path_of_degree(const Keyframes& keys) {
   using Basis = BSpline::Basis<Degree>;
-  const Reflected points(keys.positions(), [](const Eigen::Vector3d& at, const Eigen::Vector3d& p) -> Eigen::Vector3d {
-    return 2.0 * at - p;
-  });
+  const auto points = reflected(keys.positions());
   Knots knots = curve_knots<Degree>(keys.times());
   PathPolygon polygon;
   const auto count = static_cast<std::ptrdiff_t>(knots.segments() + Degree);

@@ -23,7 +23,7 @@ struct HermiteCumulative {
                                    .keeps_constant_rate_uneven = true,
                                    .support_keys = 4,
                                    .parameters = parameters,
-                                   .takes_rates = true};
+                                   .rate_orders = 1};
   [[nodiscard]] static Expected<CubicBezierCurve> curve(const Keyframes& keys, const FamilySettings& settings);
   [[nodiscard]] static Expected<CatmullRomPath> path(const Keyframes& keys, const FamilySettings& settings) {
     return CatmullRomPath(keys, settings.per_key("tension"));

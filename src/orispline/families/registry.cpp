@@ -54,7 +54,7 @@ Expected<std::size_t> index_of(std::string_view name) {
 }
 
 /// A family's place in the list with the options settled for the keys that its curve goes through.
-struct Choice {
+struct Settled {
   std::size_t index;
   Keyframes keys;
   FamilySettings settings;
@@ -80,16 +80,16 @@ void wrap_around(FamilySettings& settings, std::size_t keys) {
   }
 }
 
-Expected<Choice> choose(std::string_view family, const Keyframes& keys, const CurveOptions& options) {
+Expected<Settled> choose(std::string_view family, const Keyframes& keys, const CurveOptions& options) {
   const auto index = index_of(family);
   if (!index) return tl::unexpected(index.error());
   auto settings = settle(infos[*index], options, keys.size());
   if (!settings) return tl::unexpected(std::move(settings.error()));
-  if (!options.loop) return Choice{*index, keys, std::move(*settings)};
+  if (!options.loop) return Settled{*index, keys, std::move(*settings)};
   return closed_keys(keys, *options.loop).map([&](ClosedKeys closed) {
     settings->closure = closed.closure;
     wrap_around(*settings, closed.keys.size());
-    return Choice{*index, std::move(closed.keys), std::move(*settings)};
+    return Settled{*index, std::move(closed.keys), std::move(*settings)};
   });
 }
 
@@ -102,15 +102,15 @@ Expected<const FamilyInfo*> find_family(std::string_view name) {
 }
 
 Expected<AnyCurve> make_curve(std::string_view family, const Keyframes& keys, const CurveOptions& options) {
-  return choose(family, keys, options).and_then([](const Choice& choice) { return choice.curve(); });
+  return choose(family, keys, options).and_then([](const Settled& settled) { return settled.curve(); });
 }
 
 Expected<PoseCurve> make_pose_curve(std::string_view family, const Keyframes& keys, const CurveOptions& options) {
-  return choose(family, keys, options).and_then([](const Choice& choice) -> Expected<PoseCurve> {
-    auto curve = choice.curve();
+  return choose(family, keys, options).and_then([](const Settled& settled) -> Expected<PoseCurve> {
+    auto curve = settled.curve();
     if (!curve) return tl::unexpected(std::move(curve.error()));
-    if (choice.keys.positions().empty()) return PoseCurve{std::move(*curve)};
-    return choice.path().map([&](AnyPath path) { return PoseCurve{std::move(*curve), std::move(path)}; });
+    if (settled.keys.positions().empty()) return PoseCurve{std::move(*curve)};
+    return settled.path().map([&](AnyPath path) { return PoseCurve{std::move(*curve), std::move(path)}; });
   });
 }
 

@@ -4,6 +4,7 @@
 #include <orispline/curve/cumulative_curve.hpp>
 #include <orispline/curve/cumulative_path.hpp>
 #include <orispline/curve/family.hpp>
+#include <orispline/curve/increments.hpp>
 #include <orispline/curve/keyframe.hpp>
 
 namespace orispline::families {
@@ -30,10 +31,8 @@ struct Slerp {
 
   [[nodiscard]] static Expected<CumulativeCurve<Basis>> curve(const Keyframes& keys, const FamilySettings&) {
     const auto q = keys.orientations();
-    ControlPolygon polygon{.bases = {q.begin(), q.end() - 1}, .increments = {}};
-    polygon.increments.reserve(q.size() - 1);
-    for (std::size_t i = 0; i + 1 < q.size(); ++i) polygon.increments.push_back(increment<double>(q[i], q[i + 1]));
-    return CumulativeCurve(Knots({keys.times().begin(), keys.times().end()}), Basis{}, std::move(polygon));
+    return CumulativeCurve(Knots({keys.times().begin(), keys.times().end()}), Basis{},
+                           ControlPolygon{.bases = {q.begin(), q.end() - 1}, .increments = increments_between(q)});
   }
 
   [[nodiscard]] static Expected<CumulativePath<Basis>> path(const Keyframes& keys, const FamilySettings&) {

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <orispline/curve/knots.hpp>
+#include <orispline/math/slerp.hpp>
+
+namespace orispline {
+
+/// Composite cubic by de Casteljau's algorithm with slerps: segment i has its own four control orientations.
+///
+/// Symmetric in time and bi-invariant, not cumulative: rates come from jets. At u = 0 the rate is 3 log(c₀⁻¹c₁)/h.
+class SlerpBezierCurve {
+ public:
+  using Segment = std::array<Eigen::Quaterniond, 4>;
+
+  SlerpBezierCurve(Knots knots, std::vector<Segment> segments)
+      : knots_(std::move(knots)), segments_(std::move(segments)) {
+    ORISPLINE_EXPECT(segments_.size() == knots_.segments());
+  }
+
+  [[nodiscard]] const Knots& knots() const noexcept { return knots_; }
+
+  template <Number T>
+  [[nodiscard]] Quaternion<T> orientation(const T& t, std::size_t segment) const noexcept {
+    const T u = knots_.span(segment).normalised(t);
+    const Segment& c = segments_[segment];
+    const auto arc = [&](std::size_t k) -> Quaternion<T> {
+      return constant<T>(c[k]) * exp<T>(constant<T>(increment<double>(c[k], c[k + 1])) * u);
+    };
+    const Quaternion<T> first = arc(0), middle = arc(1), last = arc(2);
+    return slerp<T>(slerp<T>(first, middle, u), slerp<T>(middle, last, u), u);
+  }
+
+ private:
+  Knots knots_;
+  std::vector<Segment> segments_;
+};
+
+/// The composite cubic through keys with the rate on leaving and on arriving at each key [rad/s], body frame.
+[[nodiscard]] SlerpBezierCurve slerp_bezier_curve(Knots knots, std::span<const Eigen::Quaterniond> keys,
+                                                  std::span<const Eigen::Vector3d> leaving,
+                                                  std::span<const Eigen::Vector3d> arriving);
+
+}  // namespace orispline
