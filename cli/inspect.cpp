@@ -86,6 +86,8 @@ Expected<InspectReport> inspected(const InputRequest& input, const std::vector<M
   report.keyframes.non_unit_keys += scaled.wrong_norms;
   report.keyframes.largest_norm_error = std::max(report.keyframes.largest_norm_error, scaled.largest_norm_error);
   if (!report.defect && scaled.first_error) report.defect = describe(located(report.file, *scaled.first_error));
+  if (!methods.empty())
+    if (const auto warning = closing_step_warning(methods.front(), *keys)) warn(*warning);
   for (const MethodRequest& method : methods) {
     const auto curve = shaped_curve(method, *keys, report.file);
     if (!curve) return tl::unexpected(curve.error());

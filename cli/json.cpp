@@ -22,9 +22,20 @@ std::string document(const Json& json) { return json.dump(2, ' ', false, Json::e
 Json parameters_of(const FamilyInfo& family) {
   Json parameters = Json::array();
   for (const Parameter& p : family.parameters)
-    parameters.push_back(
-        {{"name", p.name}, {"default", p.initial}, {"min", p.lowest}, {"max", p.highest}, {"per_key", p.per_key}});
+    parameters.push_back({{"name", p.name},
+                          {"default", p.initial},
+                          {"min", p.lowest},
+                          {"max", p.highest},
+                          {"per_key", p.per_key},
+                          {"ghosts", p.ghosts}});
   return parameters;
+}
+
+Json choices_of(const FamilyInfo& family) {
+  Json choices = Json::array();
+  for (const auto& [name, words] : family.choices)
+    choices.push_back({{"name", name}, {"default", words.front()}, {"words", words}});
+  return choices;
 }
 
 Json ends_of(const FamilyInfo& family) {
@@ -42,10 +53,12 @@ Json method(const FamilyInfo& family) {
           {"continuity_uneven", family.continuity_uneven},
           {"keeps_constant_rate_uniform", family.keeps_constant_rate_uniform},
           {"keeps_constant_rate_uneven", family.keeps_constant_rate_uneven},
-          {"support_keys", family.support_keys},
+          {"support_keys", family.support_keys == all_keys ? Json(nullptr) : Json(family.support_keys)},
           {"min_keys", family.min_keys},
           {"closes", family.closes},
+          {"rate_orders", family.rate_orders},
           {"parameters", parameters_of(family)},
+          {"choices", choices_of(family)},
           {"ends", ends_of(family)}};
 }
 

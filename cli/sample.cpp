@@ -91,6 +91,7 @@ Expected<Source> open_source(const Request& request) {
   if (!file) return tl::unexpected(std::move(file.error()));
   const auto keys = Keyframes::make(std::exchange(file->data, {}), request.input.signs);
   if (!keys) return tl::unexpected(located(*file, keys.error()));
+  if (const auto warning = closing_step_warning(request.method, *keys)) warn(*warning);
   auto curve = shaped_curve(request.method, *keys, *file);
   if (!curve) return tl::unexpected(std::move(curve.error()));
   const Domain domain = curve->orientation.domain();
