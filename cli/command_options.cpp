@@ -17,9 +17,10 @@ constexpr auto sample_footer = R"(Examples:
   orispline sample data.csv --rate 200 --output-orientation euler -o motion.csv
   orispline sample ck.csv --columns t=sclk,qw=q0,qx=q1,qy=q2,qz=q3 --conjugate --rate 10 --frame world
 
-INPUT has the columns t,qw,qx,qy,qz and optionally px,py,pz, the rates wx,wy,wz[,ax,ay,az[,jx,jy,jz]] (for the methods
-that take them) and one column per parameter of the method (a value per key); a parameter on the command line wins over
-its column. Instead of the quaternion: roll,pitch,yaw; e1,e2,e3 with --euler; r11,r12,...,r33; rx,ry,rz. '-' is standard input or output.
+INPUT has the columns t,qw,qx,qy,qz and optionally px,py,pz, wx,wy,wz[,ax,ay,az[,jx,jy,jz]] (for methods that take
+rates) and one column per parameter of the method (a value per key); a parameter on the command line wins over its
+column. Instead of the quaternion: roll,pitch,yaw; e1,e2,e3 with --euler; r11,r12,...,r33; rx,ry,rz.
+'-' is standard input or output.
 Columns out: t,qw,qx,qy,qz[,px,py,pz][,wx,wy,wz[,ax,ay,az[,jx,jy,jz]]][,vx,vy,vz[,apx,apy,apz]]
 in s, m, rad/s, rad/s^2, rad/s^3, m/s, m/s^2; angular rates in the body frame, positions and theirs in the world frame.
 TUM and EuRoC files always have positions: zeros when the keys have none.
