@@ -34,6 +34,7 @@ class Choices(CommandTest):
         for method, name, default, other in (("squad-timed", "variant", "geier", "boyle"),
                                              ("hermite-c2", "stencil", "5", "3"),
                                              ("hermite-c2", "form", "chart", "cumulative"),
+                                             ("bspline-through", "phantom", "reflect", "equal"),
                                              ("shoemake", "timing", "time", "published")):
             with self.subTest(f"{method} {name}"):
                 plain = self.output_of(f"sample keys.csv --rate 10 --method {method}")
