@@ -7,6 +7,7 @@
 #include <orispline/families/beta.hpp>
 #include <orispline/families/bezier.hpp>
 #include <orispline/families/bspline.hpp>
+#include <orispline/families/hermite.hpp>
 #include <orispline/families/hermite_cumulative.hpp>
 #include <orispline/families/quintic.hpp>
 #include <orispline/families/sextic.hpp>
@@ -23,6 +24,7 @@ using Families =
     std::tuple<families::Auto, families::Auto5, families::Slerp, families::Squad, families::SquadTimed,
                families::Quintic, families::Sextic, families::TimedC1, families::TimedC2, families::TimedC3,
                families::TimedSextic, families::XingQuartic, families::XingQuintic, families::UniformFamily,
+               families::HermiteC1, families::HermiteC2, families::HermiteC3,
                families::HermiteCumulative, families::Bezier, families::BSpline, families::Beta>;
 
 }  // namespace orispline
