@@ -107,8 +107,10 @@ Expected<void> inspect(const InspectOptions& options) {
   const auto methods = method_requests(options);
   if (!methods) return tl::unexpected(methods.error());
   input->read.parameters = all_open_parameters(*methods);
-  input->read.angular_velocities =
-      std::ranges::any_of(*methods, [](const MethodRequest& method) { return method.family->rate_orders > 0; });
+  input->read.rate_orders = 0;
+  for (const MethodRequest& method : *methods)
+    input->read.rate_orders = std::max(input->read.rate_orders, method.family->rate_orders);
+  input->read.world_rates = true;
   return inspected(*input, *methods).and_then([&](const InspectReport& report) {
     return print_document(options.json ? json_of(report) : text_of(report));
   });

@@ -73,7 +73,8 @@ Expected<Request> request_in(const SampleOptions& options) {
   if (reads_standard_input_twice(options))
     return usage_failure("found '-' for several of INPUT, --times and --truth, wanted it for one at most");
   read->input.read.parameters = open_parameters(read->method);
-  read->input.read.angular_velocities = read->method.family->rate_orders > 0;
+  read->input.read.rate_orders = read->method.family->rate_orders;
+  read->input.read.world_rates = true;
   return read;
 }
 

@@ -27,7 +27,7 @@ using Families =
     std::tuple<families::Auto, families::Auto5, families::Slerp, families::Squad, families::SquadTimed,
                families::Quintic, families::Sextic, families::TimedC1, families::TimedC2, families::TimedC3,
                families::TimedSextic, families::XingQuartic, families::XingQuintic, families::UniformFamily,
-               families::HermiteCumulative, families::Bezier, families::BSpline, families::Beta, families::GlobalC2,
-               families::NuExact, families::Nu, families::RotationSpline, families::BSplineThrough>;
+               families::HermiteCumulative, families::GlobalC2, families::RotationSpline, families::Nu,
+               families::NuExact, families::Bezier, families::BSpline, families::BSplineThrough, families::Beta>;
 
 }  // namespace orispline
