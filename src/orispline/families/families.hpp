@@ -4,7 +4,10 @@
 #include <tuple>
 
 #include <orispline/families/auto.hpp>
+#include <orispline/families/averages.hpp>
 #include <orispline/families/beta.hpp>
+#include <orispline/families/beta_g2.hpp>
+#include <orispline/families/beta_through.hpp>
 #include <orispline/families/bezier.hpp>
 #include <orispline/families/bspline.hpp>
 #include <orispline/families/hermite_cumulative.hpp>
@@ -19,10 +22,10 @@
 namespace orispline {
 
 /// THE list of families: the registry, the command line, the docs table and the contract tests all read it.
-using Families =
-    std::tuple<families::Auto, families::Auto5, families::Slerp, families::Squad, families::SquadTimed,
-               families::Quintic, families::Sextic, families::TimedC1, families::TimedC2, families::TimedC3,
-               families::TimedSextic, families::XingQuartic, families::XingQuintic, families::UniformFamily,
-               families::HermiteCumulative, families::Bezier, families::BSpline, families::Beta>;
+using Families = std::tuple<families::Auto, families::Auto5, families::Slerp, families::Squad, families::SquadTimed,
+                            families::Quintic, families::Sextic, families::TimedC1, families::TimedC2,
+                            families::TimedC3, families::TimedSextic, families::XingQuartic, families::XingQuintic,
+                            families::UniformFamily, families::HermiteCumulative, families::Bezier, families::BSpline,
+                            families::Beta, families::BetaThrough, families::BetaG2, families::Averages>;
 
 }  // namespace orispline
