@@ -2,6 +2,7 @@
 // The cumulative B-spline of degree 2…5: Cox–de Boor by its definition, continuity on uneven knots, ends, refusals.
 #include <gtest/gtest.h>
 
+#include <orispline/curve/bspline_basis.hpp>
 #include <orispline/families/registry.hpp>
 #include <support/near.hpp>
 #include <support/relative_jumps.hpp>
@@ -44,7 +45,7 @@ TYPED_TEST(BSplineDegree, BlendsByTheTailsOfCoxDeBoor) {
   // One knot more in front, so that function i of the list belongs to control point i of span 0.
   std::vector<double> knots = bspline_knots<degree>(t);
   knots.insert(knots.begin(), knots.front() - 1.0);
-  const families::BSpline::Basis<degree> basis{bspline_knots<degree>(t)};
+  const BSplineBasis<degree> basis{bspline_knots<degree>(t)};
   for (std::size_t s = 0; s < spans.segments(); ++s)
     for (const double u : {0.0, 0.3, 0.9}) {
       const double time = spans.span(s).start() + u * spans.span(s).step();
@@ -141,7 +142,7 @@ TEST(BSpline, EndOnUnevenTimesIsOffByTheUnevennessOfItsWeights) {
 
 TEST(BSpline, OnEvenTimesHasTheUniformCubicBlendingFunctions) {
   const std::vector<double> t{0.0, 1.0, 2.0, 3.0};
-  const families::BSpline::Basis<3> basis{bspline_knots<3>(t)};
+  const BSplineBasis<3> basis{bspline_knots<3>(t)};
   const Knots spans(t);
   for (const double u : {0.0, 0.3, 0.8}) {
     const auto tails = basis(spans.span(1), 1.0 + u);

@@ -3,9 +3,9 @@
 
 #include <vector>
 
+#include <orispline/curve/bspline_basis.hpp>
 #include <orispline/curve/cumulative_curve.hpp>
 #include <orispline/curve/cumulative_path.hpp>
-#include <orispline/families/bspline.hpp>
 
 // The B-spline family written down once more as docs/families/bspline.md defines it: every knot and every control point
 // in a list, ghosts by repeated reflection. Its own types, for tests that need more derivatives than a Motion has.
@@ -68,14 +68,14 @@ template <std::size_t Degree>
   ControlPolygon polygon{.bases = points, .increments = {}};
   for (std::size_t i = 0; i + 1 < points.size(); ++i)
     polygon.increments.push_back(increment<double>(points[i], points[i + 1]));
-  using Basis = families::BSpline::Basis<Degree>;
+  using Basis = BSplineBasis<Degree>;
   return CumulativeCurve<Basis>(bspline_spans<Degree>(keys.times()), Basis{bspline_knots<Degree>(keys.times())},
                                 std::move(polygon));
 }
 
 template <std::size_t Degree>
 [[nodiscard]] auto bspline_path(const Keyframes& keys) {
-  using Basis = families::BSpline::Basis<Degree>;
+  using Basis = BSplineBasis<Degree>;
   return CumulativePath<Basis>(
       bspline_spans<Degree>(keys.times()), Basis{bspline_knots<Degree>(keys.times())},
       ghosted<Degree>(keys.positions(), [](const auto& at, const auto& p) { return Eigen::Vector3d(2.0 * at - p); }));

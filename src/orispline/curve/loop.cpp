@@ -54,6 +54,12 @@ Knots closed_knots(const Keyframes& keys, const Closure& closure) {
   return Knots::closed(std::move(times));
 }
 
+std::vector<Eigen::Quaterniond> joint_orientations(const Keyframes& keys, const FamilySettings& settings) {
+  std::vector<Eigen::Quaterniond> joints(keys.orientations().begin(), keys.orientations().end());
+  if (settings.closure) joints.emplace_back(settings.closure->sign * joints.front().coeffs());
+  return joints;
+}
+
 ControlPolygon closed_polygon(const Keyframes& keys, const Closure& closure) {
   const auto q = keys.orientations();
   const auto wrapped = [&](const Eigen::Quaterniond& key) { return Eigen::Quaterniond(closure.sign * key.coeffs()); };

@@ -26,6 +26,9 @@ struct ClosedKeys {
 /// Key times with the return to the first key: n keys give n+1 knots whose steps wrap around.
 [[nodiscard]] Knots closed_knots(const Keyframes& keys, const Closure& closure);
 
+/// The orientations at the knots of an open or closed curve: a loop comes back to the first key with its sign.
+[[nodiscard]] std::vector<Eigen::Quaterniond> joint_orientations(const Keyframes& keys, const FamilySettings& settings);
+
 /// The four-key polygon of a loop: n distinct keys give n segments, the keys beyond the seam are those of the other
 /// side.
 [[nodiscard]] ControlPolygon closed_polygon(const Keyframes& keys, const Closure& closure);

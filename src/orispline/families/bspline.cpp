@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/families/bspline.hpp>
 
+#include <orispline/curve/bspline_basis.hpp>
 #include <orispline/curve/cumulative_curve.hpp>
 #include <orispline/curve/cumulative_path.hpp>
 #include <orispline/curve/reflected.hpp>
@@ -47,7 +48,7 @@ constexpr std::ptrdiff_t first_point = Degree % 2 == 0 ? -ghosts(Degree)
 
 template <std::size_t Degree>
 AnyCurve curve_of_degree(const Keyframes& keys) {
-  using Basis = BSpline::Basis<Degree>;
+  using Basis = BSplineBasis<Degree>;
   const auto points = reflected(keys.orientations());
   Knots knots = curve_knots<Degree>(keys.times());
   ControlPolygon polygon;
@@ -62,7 +63,7 @@ AnyCurve curve_of_degree(const Keyframes& keys) {
 
 template <std::size_t Degree>
 AnyPath path_of_degree(const Keyframes& keys) {
-  using Basis = BSpline::Basis<Degree>;
+  using Basis = BSplineBasis<Degree>;
   const auto points = reflected(keys.positions());
   Knots knots = curve_knots<Degree>(keys.times());
   PathPolygon polygon;

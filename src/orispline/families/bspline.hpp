@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <orispline/curve/cumulative_basis.hpp>
 #include <orispline/curve/curve.hpp>
 #include <orispline/curve/family.hpp>
 #include <orispline/curve/keyframe.hpp>
@@ -26,35 +25,6 @@ struct BSpline {
                                    .keeps_constant_rate_uneven = false,
                                    .support_keys = 4,
                                    .parameters = parameters};
-
-  /// Tails of the Cox–de Boor functions: β̃_k is the sum of those of control points k, k+1, … active on the span.
-  template <std::size_t Degree>
-  struct Basis {
-    static constexpr std::size_t increments = Degree, stride = 1;
-    static constexpr int degree = static_cast<int>(Degree);
-    std::vector<double> knots;  ///< span i lies between knots[i + Degree - 1] and knots[i + Degree]
-
-    template <Number T>
-    [[nodiscard]] std::array<T, Degree> operator()(KnotSpan span, const T& t) const noexcept {
-      const double* left = knots.data() + span.i + Degree - 1;
-      std::array<T, Degree + 1> n{T(1.0)};
-      for (std::size_t d = 1; d <= Degree; ++d) {
-        T carried(0.0);
-        for (std::size_t j = 0; j < d; ++j) {
-          const double low = left[static_cast<std::ptrdiff_t>(j) + 1 - static_cast<std::ptrdiff_t>(d)];
-          const double high = left[j + 1];
-          const T share = n[j] / (high - low);
-          n[j] = carried + (T(high) - t) * share;
-          carried = (t - T(low)) * share;
-        }
-        n[d] = carried;
-      }
-      std::array<T, Degree> tails;
-      T sum(0.0);
-      for (std::size_t k = Degree; k >= 1; --k) tails[k - 1] = sum = sum + n[k];
-      return tails;
-    }
-  };
 
   [[nodiscard]] static Expected<AnyCurve> curve(const Keyframes& keys, const FamilySettings& settings);
   [[nodiscard]] static Expected<AnyPath> path(const Keyframes& keys, const FamilySettings& settings);

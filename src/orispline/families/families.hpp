@@ -10,8 +10,12 @@
 #include <orispline/families/beta_through.hpp>
 #include <orispline/families/bezier.hpp>
 #include <orispline/families/bspline.hpp>
+#include <orispline/families/bspline_through.hpp>
+#include <orispline/families/global_c2.hpp>
 #include <orispline/families/hermite_cumulative.hpp>
+#include <orispline/families/nu.hpp>
 #include <orispline/families/quintic.hpp>
+#include <orispline/families/rotation_spline.hpp>
 #include <orispline/families/sextic.hpp>
 #include <orispline/families/slerp.hpp>
 #include <orispline/families/squad.hpp>
@@ -22,10 +26,8 @@
 namespace orispline {
 
 /// THE list of families: the registry, the command line, the docs table and the contract tests all read it.
-using Families = std::tuple<families::Auto, families::Auto5, families::Slerp, families::Squad, families::SquadTimed,
-                            families::Quintic, families::Sextic, families::TimedC1, families::TimedC2,
-                            families::TimedC3, families::TimedSextic, families::XingQuartic, families::XingQuintic,
-                            families::UniformFamily, families::HermiteCumulative, families::Bezier, families::BSpline,
-                            families::Beta, families::BetaThrough, families::BetaG2, families::Averages>;
+               families::HermiteCumulative, families::Bezier, families::BSpline, families::Beta, families::BetaThrough,
+               families::BetaG2, families::Averages, families::GlobalC2, families::NuExact, families::Nu,
+               families::RotationSpline, families::BSplineThrough>;
 
 }  // namespace orispline

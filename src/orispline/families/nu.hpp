@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <orispline/curve/curve.hpp>
+#include <orispline/curve/family.hpp>
+#include <orispline/curve/keyframe.hpp>
+#include <orispline/curve/path.hpp>
+
+namespace orispline::families {
+
+/// Nielson's ν-quaternion spline as published: slerp cubics on control orientations that solve for passing through the
+/// keys. A tension ν [1/s] at every key, C1 in time on any knots.
+///
+/// In space it is the ν-spline, whose acceleration jumps by ν times the velocity; on the sphere that holds only nearly,
+/// see nu-exact.
+struct Nu {
+  static constexpr std::array parameters{Parameter{"nu", 0.0, -1e9, 1e9}};
+  static constexpr std::array ends{EndRule::natural, EndRule::clamped, EndRule::rest};
+  static constexpr FamilyInfo info{.name = "nu",
+                                   .title = "Nu-quaternion spline",
+                                   .source = "Nielson 1993 and 2004; docs/families/nu.md",
+                                   .continuity_uniform = 1,
+                                   .continuity_uneven = 1,
+                                   .keeps_constant_rate_uniform = true,
+                                   .keeps_constant_rate_uneven = true,
+                                   .support_keys = all_keys,
+                                   .parameters = parameters,
+                                   .ends = ends};
+  /// Errors: bad_argument where ν is so negative that the construction has a pole; not_converged.
+  [[nodiscard]] static Expected<AnyCurve> curve(const Keyframes& keys, const FamilySettings& settings);
+  [[nodiscard]] static Expected<AnyPath> path(const Keyframes& keys, const FamilySettings& settings);
+};
+
+}  // namespace orispline::families
