@@ -28,10 +28,11 @@ struct KeyUse {
 };
 
 [[nodiscard]] inline KeyUse key_use(const FamilyInfo& family) {
-  if (family.name == "beta") return {.first_key = 1, .touches = Touches::nothing, .parameters_reach_far = true};
+  if (family.name == "beta" || family.name == "beta-g2")
+    return {.first_key = 1, .touches = Touches::nothing, .parameters_reach_far = true};
   if (family.name == "bezier") return {.stride = 3, .touches = Touches::joints};
   if (family.name == "bspline") return {.touches = Touches::nothing, .further_times = 1};
-  return {};
+  return {.parameters_reach_far = family.support_keys == all_keys};
 }
 
 }  // namespace orispline::testing_support
