@@ -15,7 +15,8 @@ struct KeyUse {
   std::size_t first_key = 0;  ///< the curve begins at this key's time and ends as many keys before the last
   std::size_t stride = 1;     ///< keys from one joint to the next
   Touches touches = Touches::every_key;
-  std::size_t further_times = 0;      ///< times on either side that a segment depends on beyond those of its keys
+  std::size_t further_times = 0;  ///< times on either side that a segment depends on beyond those of its keys
+  double widest_turn = 10.0;      ///< between keys at uneven times [rad]: wider ones may be refused as not converged
   bool parameters_reach_far = false;  ///< a parameter acts on every segment that its key acts on, not on two only
 
   /// Keys for a curve of that many segments.
@@ -32,7 +33,11 @@ struct KeyUse {
     return {.first_key = 1, .touches = Touches::nothing, .parameters_reach_far = true};
   if (family.name == "bezier") return {.stride = 3, .touches = Touches::joints};
   if (family.name == "bspline") return {.touches = Touches::nothing, .further_times = 1};
-  return {.parameters_reach_far = family.support_keys == all_keys};
+  const bool global = family.support_keys == all_keys;
+  // Control points of keys at uneven times lie far outside the keys' own arcs.
+  if (family.name == "bspline-through" || family.name == "nu" || family.name == "averages")
+    return {.widest_turn = 0.8, .parameters_reach_far = global};
+  return {.parameters_reach_far = global};
 }
 
 }  // namespace orispline::testing_support

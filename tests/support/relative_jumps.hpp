@@ -7,20 +7,33 @@
 
 namespace orispline::testing_support {
 
-/// Largest jump of each derivative of the orientation at the inner knots, relative to its largest size there.
-template <std::size_t Orders = 5, Curve C>
-[[nodiscard]] std::array<double, Orders> relative_jumps(const C& curve) {
-  std::array<double, Orders> jumps{}, sizes{};
+/// Orders 0 to 3 as a type-erased curve tells them: by its body rates.
+[[nodiscard]] inline std::array<Eigen::Vector4d, 4> motion_orders(const AnyCurve& curve, double t, Side side) {
+  const Motion m = curve.motion(t, side);
+  const auto padded = [](const Eigen::Vector3d& v) { return Eigen::Vector4d(v.x(), v.y(), v.z(), 0.0); };
+  return {m.orientation.coeffs(), padded(m.angular_velocity), padded(m.angular_acceleration), padded(m.angular_jerk)};
+}
+
+/// Largest jump of each derivative of the orientation at the inner knots, relative to its largest size there. A
+/// type-erased curve has orders 0 to 3.
+template <std::size_t Orders = 5, class C>
+[[nodiscard]] auto relative_jumps(const C& curve) {
+  constexpr bool erased = std::same_as<C, AnyCurve>;
+  constexpr std::size_t orders = erased ? 4 : Orders;
+  const auto at = [&](std::size_t segment, double t, Side side) {
+    if constexpr (erased) return motion_orders(curve, t, side);
+    else return quaternion_derivatives<C, Orders>(curve, t, segment);
+  };
+  std::array<double, orders> jumps{}, sizes{};
   for (std::size_t segment = 1; segment < curve.knots().segments(); ++segment) {
     const double t = curve.knots().times()[segment];
-    const auto left = quaternion_derivatives<C, Orders>(curve, t, segment - 1);
-    const auto right = quaternion_derivatives<C, Orders>(curve, t, segment);
-    for (std::size_t k = 0; k < Orders; ++k) {
+    const auto left = at(segment - 1, t, Side::left), right = at(segment, t, Side::right);
+    for (std::size_t k = 0; k < orders; ++k) {
       jumps[k] = std::max(jumps[k], (left[k] - right[k]).norm());
       sizes[k] = std::max({sizes[k], left[k].norm(), right[k].norm()});
     }
   }
-  for (std::size_t k = 0; k < Orders; ++k) jumps[k] /= sizes[k];
+  for (std::size_t k = 0; k < orders; ++k) jumps[k] /= sizes[k];
   return jumps;
 }
 

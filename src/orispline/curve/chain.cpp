@@ -151,10 +151,12 @@ Outcome solve(const Equations& equations) {
 }
 
 Error not_converged(std::string_view method, const Outcome& outcome, double share) {
+  const std::string found = outcome.solved()
+                                ? std::string("its equations hold only for a curve with jumps")
+                                : fmt::format("the residual stays at {:.3g}, wanted {:g}", outcome.residual, tolerance);
   return {ErrorCode::not_converged,
-          fmt::format("{} does not converge for these keys: the residual stays at {:.3g}, wanted {:g}; it does for "
-                      "increments of {:.2g} times their length",
-                      method, outcome.residual, tolerance, share),
+          fmt::format("{} does not converge for these keys: {}; it does for increments of {:.2g} times their length",
+                      method, found, share),
           {.key = outcome.worst}};
 }
 

@@ -126,7 +126,8 @@ class BSplineChain : public ControlChain {
 
 }  // namespace
 
-Expected<AnyCurve> BSplineThrough::curve(const Keyframes& keys, const FamilySettings& settings) {
+Expected<CumulativeCurve<BSplineBasis<3>>> BSplineThrough::curve(const Keyframes& keys,
+                                                                 const FamilySettings& settings) {
   Knots knots = four_key_knots(keys, settings);
   Basis basis = basis_of(knots, settings);
   const std::vector<KnotWeights> weights = weights_of(knots, basis, keys.size());
@@ -135,7 +136,7 @@ Expected<AnyCurve> BSplineThrough::curve(const Keyframes& keys, const FamilySett
                        return BSplineChain(keys, settings, weights, share, before);
                      })
       .map([&](const BSplineChain& chain) {
-        return AnyCurve(CumulativeCurve<Basis>(std::move(knots), std::move(basis), chain.polygon()));
+        return CumulativeCurve<Basis>(std::move(knots), std::move(basis), chain.polygon());
       });
 }
 

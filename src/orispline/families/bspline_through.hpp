@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <orispline/curve/curve.hpp>
+#include <orispline/curve/bspline_basis.hpp>
+#include <orispline/curve/cumulative_curve.hpp>
 #include <orispline/curve/family.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/path.hpp>
@@ -28,7 +29,8 @@ struct BSplineThrough {
                                    .ends = ends,
                                    .closes = true};
   /// Errors: not_converged, as on widely turning keys with uneven times.
-  [[nodiscard]] static Expected<AnyCurve> curve(const Keyframes& keys, const FamilySettings& settings);
+  [[nodiscard]] static Expected<CumulativeCurve<BSplineBasis<3>>> curve(const Keyframes& keys,
+                                                                        const FamilySettings& settings);
   /// The cubic spline through the positions.
   [[nodiscard]] static Expected<AnyPath> path(const Keyframes& keys, const FamilySettings& settings);
 };

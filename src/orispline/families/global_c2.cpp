@@ -4,30 +4,30 @@
 #include <orispline/curve/four_key_curve.hpp>
 #include <orispline/curve/increments.hpp>
 #include <orispline/curve/rate_chain.hpp>
-#include <orispline/curve/slerp_bezier.hpp>
 
 namespace orispline::families {
 namespace {
 
-Expected<AnyCurve> solved_curve(std::string_view method, const Keyframes& keys, const FamilySettings& settings) {
+Expected<SlerpBezierCurve> solved_curve(std::string_view method, const Keyframes& keys,
+                                        const FamilySettings& settings) {
   Knots knots = four_key_knots(keys, settings);
   const std::vector<Eigen::Quaterniond> joints = joint_orientations(keys, settings);
   const std::vector<Eigen::Vector3d> increments = increments_between(joints);
   return solve_rates<SlerpBezierPiece>(method, increments, knots, rate_conditions(settings, increments, knots))
       .map([&](const std::vector<Eigen::Vector3d>& rates) {
-        return AnyCurve(slerp_bezier_curve(std::move(knots), joints, rates, rates));
+        return slerp_bezier_curve(std::move(knots), joints, rates, rates);
       });
 }
 
 }  // namespace
 
-Expected<AnyCurve> GlobalC2::curve(const Keyframes& keys, const FamilySettings& settings) {
+Expected<SlerpBezierCurve> GlobalC2::curve(const Keyframes& keys, const FamilySettings& settings) {
   return solved_curve(info.name, keys, settings);
 }
 Expected<AnyPath> GlobalC2::path(const Keyframes& keys, const FamilySettings& settings) {
   return cubic_spline_path(info.name, keys, settings);
 }
-Expected<AnyCurve> NuExact::curve(const Keyframes& keys, const FamilySettings& settings) {
+Expected<SlerpBezierCurve> NuExact::curve(const Keyframes& keys, const FamilySettings& settings) {
   return solved_curve(info.name, keys, settings);
 }
 Expected<AnyPath> NuExact::path(const Keyframes& keys, const FamilySettings& settings) {

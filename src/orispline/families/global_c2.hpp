@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <orispline/curve/curve.hpp>
 #include <orispline/curve/family.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/path.hpp>
+#include <orispline/curve/slerp_bezier.hpp>
 
 namespace orispline::families {
 
@@ -27,7 +27,7 @@ struct GlobalC2 {
                                    .ends = ends,
                                    .closes = true};
   /// Errors: not_converged.
-  [[nodiscard]] static Expected<AnyCurve> curve(const Keyframes& keys, const FamilySettings& settings);
+  [[nodiscard]] static Expected<SlerpBezierCurve> curve(const Keyframes& keys, const FamilySettings& settings);
   [[nodiscard]] static Expected<AnyPath> path(const Keyframes& keys, const FamilySettings& settings);
 };
 
@@ -47,7 +47,7 @@ struct NuExact {
                                    .ends = GlobalC2::ends,
                                    .closes = true};
   /// Errors: not_converged.
-  [[nodiscard]] static Expected<AnyCurve> curve(const Keyframes& keys, const FamilySettings& settings);
+  [[nodiscard]] static Expected<SlerpBezierCurve> curve(const Keyframes& keys, const FamilySettings& settings);
   [[nodiscard]] static Expected<AnyPath> path(const Keyframes& keys, const FamilySettings& settings);
 };
 

@@ -5,7 +5,6 @@
 
 #include <orispline/curve/control_chain.hpp>
 #include <orispline/curve/rate_chain.hpp>
-#include <orispline/curve/slerp_bezier.hpp>
 
 // The names γ, λ, μ, δ are Nielson's; steps and ratios are indexed by key here: docs/families/nu.md.
 
@@ -99,12 +98,12 @@ class NuChain : public ControlChain {
 
 }  // namespace
 
-Expected<AnyCurve> Nu::curve(const Keyframes& keys, const FamilySettings& settings) {
+Expected<SlerpBezierCurve> Nu::curve(const Keyframes& keys, const FamilySettings& settings) {
   return ratios_of(keys.times(), settings.per_key("nu")).and_then([&](const Ratios& ratios) {
     return solve_chain(info.name, [&](double share,
                                       const NuChain* before) { return NuChain(keys, settings, ratios, share, before); })
         .map([&](const NuChain& chain) {
-          return AnyCurve(chain.curve(Knots({keys.times().begin(), keys.times().end()})));
+          return chain.curve(Knots({keys.times().begin(), keys.times().end()}));
         });
   });
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <orispline/curve/curve.hpp>
 #include <orispline/curve/family.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/path.hpp>
+#include <orispline/curve/slerp_bezier.hpp>
 
 namespace orispline::families {
 
@@ -27,7 +27,7 @@ struct Nu {
                                    .parameters = parameters,
                                    .ends = ends};
   /// Errors: bad_argument where ν is so negative that the construction has a pole; not_converged.
-  [[nodiscard]] static Expected<AnyCurve> curve(const Keyframes& keys, const FamilySettings& settings);
+  [[nodiscard]] static Expected<SlerpBezierCurve> curve(const Keyframes& keys, const FamilySettings& settings);
   [[nodiscard]] static Expected<AnyPath> path(const Keyframes& keys, const FamilySettings& settings);
 };
 

@@ -7,7 +7,7 @@
 
 namespace orispline::families {
 
-Expected<AnyCurve> RotationSpline::curve(const Keyframes& keys, const FamilySettings& settings) {
+Expected<ChartCurve<3>> RotationSpline::curve(const Keyframes& keys, const FamilySettings& settings) {
   Knots knots = four_key_knots(keys, settings);
   const std::vector<Eigen::Quaterniond> joints = joint_orientations(keys, settings);
   const std::vector<Eigen::Vector3d> increments = increments_between(joints);
@@ -20,7 +20,7 @@ Expected<AnyCurve> RotationSpline::curve(const Keyframes& keys, const FamilySett
         for (std::size_t i = 0; i < increments.size(); ++i)
           pieces.push_back(hermite_piece<1>(joints[i], Eigen::Vector3d::Zero(), increments[i], only(rates[i]),
                                             only(rates[i + 1]), knots.span(i).step()));
-        return AnyCurve(ChartCurve<3>(std::move(knots), std::move(pieces)));
+        return ChartCurve<3>(std::move(knots), std::move(pieces));
       });
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <orispline/curve/curve.hpp>
+#include <orispline/curve/chart_curve.hpp>
 #include <orispline/curve/family.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/path.hpp>
@@ -25,7 +25,7 @@ struct RotationSpline {
                                    .ends = ends,
                                    .closes = true};
   /// Errors: not_converged.
-  [[nodiscard]] static Expected<AnyCurve> curve(const Keyframes& keys, const FamilySettings& settings);
+  [[nodiscard]] static Expected<ChartCurve<3>> curve(const Keyframes& keys, const FamilySettings& settings);
   [[nodiscard]] static Expected<AnyPath> path(const Keyframes& keys, const FamilySettings& settings);
 };
 
