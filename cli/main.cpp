@@ -12,6 +12,7 @@
 #include "exit_code.hpp"
 #include "inspect.hpp"
 #include "methods.hpp"
+#include "reproduce.hpp"
 #include "sample.hpp"
 
 #include <algorithm>
@@ -33,6 +34,13 @@ Exit codes: 0 success, 1 bad data, 2 bad usage, 3 file missing, unreadable or no
 constexpr auto methods_footer = R"(Examples:
   orispline methods
   orispline methods --json)";
+
+constexpr auto reproduce_footer = R"(Examples:
+  orispline reproduce
+  orispline reproduce 000-table1
+  orispline reproduce 003 --pictures pictures
+
+The numbers stand for papers: 000 Tan et al. 2018, 001 He et al. 2022, 002 Eberly, 003 the 6th degree.)";
 
 constexpr auto completion_footer = R"(Examples:
   source <(orispline completion bash)
@@ -100,6 +108,8 @@ class CommandLine {
     command("methods", "List the methods", [this] { return methods(methods_); })
         .footer(methods_footer)
         ->add_flag("--json", methods_.json, "Print one JSON array");
+    add_reproduce_options(
+        command("reproduce", "Run the experiments of the papers anew", [this] { return reproduce(reproduce_); }));
     command("completion", "Print a completion script for a shell",
             [this] { return completion(shell_, outlines(app_)); })
         .footer(completion_footer)
@@ -131,11 +141,21 @@ class CommandLine {
     return command;
   }
 
+  void add_reproduce_options(CLI::App& command) {
+    command.footer(reproduce_footer);
+    command.add_option("EXPERIMENT", reproduce_.experiment, "A name of the list, or the number of a paper")
+        ->type_name("NAME");
+    command.add_option("--pictures", reproduce_.pictures, "Write its pictures into this folder, as SVG")
+        ->type_name(file_type);
+    command.add_flag("--json", reproduce_.json, "Print one JSON array");
+  }
+
   CLI::App app_{"Smooth orientation curves through keyframes."};
   SampleOptions sample_;
   ConvertOptions convert_;
   InspectOptions inspect_;
   MethodsOptions methods_;
+  ReproduceOptions reproduce_;
   std::string shell_;
   Expected<void> result_;
 };
