@@ -50,11 +50,16 @@ struct Coefficients {
   double c0 = 0, c1 = 0, slope0 = 0, slope1 = 0;
 };
 
+/// (15).
+AnyQuaternion slerp_by_sines(const AnyQuaternion& from, const AnyQuaternion& to, double t) {
+  const Coefficients c(from.coefficients(), to.coefficients(), t);
+  return c.c0 * from + c.c1 * to;
+}
+
 double error_of_15_and_16(Dice& dice) {
   const Unit p = dice.unit_quaternion(), q = near_to(p, dice);
   const double t = dice.between(0, 1);
-  const Coefficients c(p, q, t);
-  return gap(c.c0 * AnyQuaternion(p) + c.c1 * AnyQuaternion(q), slerp<double>(p, q, t));
+  return gap(slerp_by_sines(p, q, t), slerp<double>(p, q, t));
 }
 
 double error_of_17(Dice& dice) {
@@ -69,7 +74,9 @@ double error_of_18_and_19(Dice& dice) {
   const Quadrangle k(dice);
   const double t = dice.between(0, 1);
   const Unit arc = slerp<double>(k.p, k.q, t), inner = slerp<double>(k.a, k.b, t);
-  return gap(squad<double>(k.p, k.a, k.b, k.q, t), arc * pow<double>(Unit(arc.conjugate() * inner), 2 * t * (1 - t)));
+  const AnyQuaternion by_sines =
+      slerp_by_sines(slerp_by_sines(k.p, k.q, t), slerp_by_sines(k.a, k.b, t), 2 * t * (1 - t));
+  return gap(by_sines, arc * pow<double>(Unit(arc.conjugate() * inner), 2 * t * (1 - t)));
 }
 
 double error_of_20(Dice& dice) {
@@ -164,7 +171,7 @@ constexpr std::array identities{
     Identity{"(13), (14)", "(q^t)' = q^t log q, (q^f(t))' = f'(t) q^f(t) log q", error_of_13_and_14},
     Identity{"(15), (16)", "slerp by sines = p (p⁻¹ q)^t", error_of_15_and_16},
     Identity{"(17)", "slerp'(t) = slerp(t) log(p⁻¹ q), and at both ends", error_of_17},
-    Identity{"(18), (19)", "squad by slerps = slerp (slerp⁻¹ slerp)^(2t(1−t))", error_of_18_and_19},
+    Identity{"(18), (19)", "squad by sines = slerp (slerp⁻¹ slerp)^(2t(1−t))", error_of_18_and_19},
     Identity{"(20)", "squad'(0), squad'(1)", error_of_20},
     Identity{"(21), (22)", "S(n−1)(1) = q_n = S(n)(0), S(n−1)'(1) = q_n T_n = S(n)'(0)", error_of_21_and_22}};
 

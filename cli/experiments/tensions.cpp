@@ -116,22 +116,32 @@ Picture frames(const std::vector<Served>& curves) {
   return {"000-figure3", std::move(drawing)};
 }
 
+using Figure = std::function<double(const Motion&)>;
+
+report::Chart chart_of(const std::string& title, std::span<const Served> curves, const Figure& figure) {
+  report::Chart chart{.title = title, .series = {}, .marks = marks_at(even)};
+  for (const auto& [recipe, curve] : curves) {
+    chart.series.push_back(over_time(curve, figure));
+    chart.series.back().label = recipe.label;
+    chart.series.back().stroke = {recipe.color, 1.8};
+  }
+  return chart;
+}
+
+/// Over time: the four schemes of (b), (c), (d) and (f), then the tensions of (e) to (j).
 Picture rates(const std::vector<Served>& curves) {
-  report::Drawing drawing(860, 620);
-  report::Chart velocities{.title = "angular velocity |ω| [rad/s]", .series = {}, .marks = marks_at(even)};
-  report::Chart accelerations{.title = "angular acceleration |α| [rad/s²]", .series = {}, .marks = marks_at(even)};
-  for (const Served& served : curves)
-    for (auto& [chart, figure] : {std::pair<report::Chart*, std::function<double(const Motion&)>>{&velocities, speed},
-                                  {&accelerations, acceleration}}) {
-      report::Series series = over_time(served.curve, figure);
-      series.label = served.recipe.label;
-      series.stroke = {served.recipe.color, 1.6};
-      chart->series.push_back(std::move(series));
-    }
-  report::draw_legend(drawing, {50.0, 16.0}, std::span(velocities.series).first(5));
-  report::draw_legend(drawing, {50.0, 36.0}, std::span(velocities.series).subspan(5));
-  report::draw(drawing, {50.0, 76.0, 780.0, 220.0}, velocities);
-  report::draw(drawing, {50.0, 352.0, 780.0, 220.0}, accelerations);
+  const std::vector<Served> schemes{curves[0], curves[1], curves[2], curves[4]};
+  const auto tensions = std::span(curves).subspan(3);
+  report::Drawing drawing(860, 740);
+  double top = 58.0;
+  for (const report::Chart& chart :
+       {chart_of("angular velocity |ω| [rad/s] of the schemes", schemes, speed),
+        chart_of("angular acceleration |α| [rad/s²]", schemes, acceleration),
+        chart_of("angular velocity |ω| [rad/s] for six tension vectors", tensions, speed)}) {
+    report::draw_legend(drawing, {50.0, top - 34.0}, chart.series);
+    report::draw(drawing, {50.0, top, 780.0, 160.0}, chart);
+    top += 250.0;
+  }
   return {"000-figure3-rates", std::move(drawing)};
 }
 
