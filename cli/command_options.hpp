@@ -12,7 +12,7 @@
 namespace orispline::cli {
 
 /// The type name of arguments that are files.
-inline constexpr auto file_type = "FILE";
+inline constexpr auto file_type = "FILE", folder_type = "FOLDER";
 
 void add_sample_options(CLI::App& app, SampleOptions& options);
 void add_convert_options(CLI::App& app, ConvertOptions& options);

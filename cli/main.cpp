@@ -55,7 +55,7 @@ OptionOutline outline(const CLI::Option& option) {
   for (const std::string& name : option.get_lnames()) result.names.push_back("--" + name);
   if (option.get_items_expected_max() == 0) return result;
   const std::string type = option.get_type_name();
-  result.argument = type == file_type ? Argument::file : Argument::word;
+  result.argument = type == file_type || type == folder_type ? Argument::file : Argument::word;
   if (type.find('|') == std::string::npos || type.find(',') != std::string::npos) return result;
   result.argument = Argument::choice;
   for (const std::string_view choice : pieces_of(type, '|')) result.choices.emplace_back(choice);
@@ -146,7 +146,7 @@ class CommandLine {
     command.add_option("EXPERIMENT", reproduce_.experiment, "A name of the list, or the number of a paper")
         ->type_name("NAME");
     command.add_option("--pictures", reproduce_.pictures, "Write its pictures into this folder, as SVG")
-        ->type_name(file_type);
+        ->type_name(folder_type);
     command.add_flag("--json", reproduce_.json, "Print one JSON array");
   }
 
