@@ -13,6 +13,7 @@
 #include "inspect.hpp"
 #include "method_options.hpp"
 #include "methods.hpp"
+#include "reproduce.hpp"
 #include "sample.hpp"
 #include "standard_output.hpp"
 
@@ -35,6 +36,13 @@ Exit codes: 0 success, 1 bad data, 2 bad usage, 3 file missing, unreadable or no
 constexpr auto methods_footer = R"(Examples:
   orispline methods
   orispline methods --json)";
+
+constexpr auto reproduce_footer = R"(Examples:
+  orispline reproduce
+  orispline reproduce 000-table1
+  orispline reproduce 003 --pictures pictures
+
+The numbers stand for papers: 000 Tan et al. 2018, 001 He et al. 2022, 002 Eberly, 003 the 6th degree.)";
 
 constexpr auto completion_footer = R"(Examples:
   source <(orispline completion bash)
@@ -59,7 +67,7 @@ OptionOutline outline(const CLI::Option& option) {
   for (const std::string& name : option.get_lnames()) result.names.push_back("--" + name);
   if (option.get_items_expected_max() == 0) return result;
   const std::string type = option.get_type_name();
-  result.argument = type == file_type ? Argument::file : Argument::word;
+  result.argument = type == file_type || type == folder_type ? Argument::file : Argument::word;
   result.choices = registered_words(type);
   if (!result.choices.empty()) result.argument = type == setting_type ? Argument::setting : Argument::choice;
   if (type.find('|') == std::string::npos || type.find(',') != std::string::npos) return result;
@@ -123,6 +131,8 @@ class CommandLine {
     command("methods", "List the methods", [this] { return methods(methods_); })
         .footer(methods_footer)
         ->add_flag("--json", methods_.json, "Print one JSON array");
+    add_reproduce_options(
+        command("reproduce", "Run the experiments of the papers anew", [this] { return reproduce(reproduce_); }));
     command("completion", "Print a completion script for a shell",
             [this] { return completion(shell_, outlines(app_)); })
         .footer(completion_footer)
@@ -155,11 +165,21 @@ class CommandLine {
     return command;
   }
 
+  void add_reproduce_options(CLI::App& command) {
+    command.footer(reproduce_footer);
+    command.add_option("EXPERIMENT", reproduce_.experiment, "A name of the list, or the number of a paper")
+        ->type_name("NAME");
+    command.add_option("--pictures", reproduce_.pictures, "Write its pictures into this folder, as SVG")
+        ->type_name(folder_type);
+    command.add_flag("--json", reproduce_.json, "Print one JSON array");
+  }
+
   CLI::App app_{"Smooth orientation curves through keyframes."};
   SampleOptions sample_;
   ConvertOptions convert_;
   InspectOptions inspect_;
   MethodsOptions methods_;
+  ReproduceOptions reproduce_;
   std::string shell_;
   Expected<void> result_;
 };

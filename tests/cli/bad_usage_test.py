@@ -8,7 +8,7 @@ from command import BAD_USAGE, CommandTest, main
 METHODS = ("auto, auto5, slerp, squad, squad-timed, quintic, sextic, timed-c1, timed-c2, timed-c3, timed-sextic, xing-quartic, "
            "xing-quintic, family, hermite-cumulative, bezier, bspline, beta")
 ENDS = "natural, repeat, quadratic, cubic, clamped, rest"
-COMMANDS = "sample, convert, inspect, methods, completion"
+COMMANDS = "sample, convert, inspect, methods, reproduce, completion"
 
 CASES = (
     ("resample keys.csv", f"no command 'resample', wanted one of {COMMANDS}"),

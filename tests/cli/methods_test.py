@@ -92,7 +92,7 @@ class Methods(CommandTest):
 
 class Help(CommandTest):
     def test_every_command_has_help_with_examples(self):
-        for command in ("", "sample", "convert", "inspect", "methods", "completion"):
+        for command in ("", "sample", "convert", "inspect", "methods", "reproduce", "completion"):
             with self.subTest(command):
                 done = self.run_command(f"{command} --help")
                 self.assertEqual((done.returncode, done.stderr), (SUCCESS, ""))
