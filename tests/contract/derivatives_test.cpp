@@ -12,7 +12,7 @@ class DerivativeContract : public FamilyContract {};
 
 TEST_P(DerivativeContract, RatesAreCentralDifferencesOfTheOrderBelow) {
   for (const Spacing spacing : {Spacing::even, Spacing::uneven}) {
-    const AnyCurve c = curve(keyframes(walk(41, 7, spacing)));
+    const AnyCurve c = curve(keyframes(walk(41, 7, spacing, use().largest_turn)));
     for (std::size_t i = 0; i < c.knots().segments(); ++i)
       for (const double u : {0.15, 0.5, 0.85}) {
         const KnotSpan span = c.knots().span(i);

@@ -3,15 +3,20 @@
 
 #include <tuple>
 
+#include <orispline/families/atbi.hpp>
 #include <orispline/families/auto.hpp>
+#include <orispline/families/barry_goldman.hpp>
 #include <orispline/families/beta.hpp>
 #include <orispline/families/bezier.hpp>
+#include <orispline/families/blend.hpp>
 #include <orispline/families/bspline.hpp>
 #include <orispline/families/hermite_cumulative.hpp>
 #include <orispline/families/quintic.hpp>
 #include <orispline/families/sextic.hpp>
+#include <orispline/families/shoemake.hpp>
 #include <orispline/families/slerp.hpp>
 #include <orispline/families/squad.hpp>
+#include <orispline/families/tcb.hpp>
 #include <orispline/families/timed.hpp>
 #include <orispline/families/uniform.hpp>
 #include <orispline/families/xing.hpp>
@@ -23,6 +28,7 @@ using Families =
     std::tuple<families::Auto, families::Auto5, families::Slerp, families::Squad, families::SquadTimed,
                families::Quintic, families::Sextic, families::TimedC1, families::TimedC2, families::TimedC3,
                families::TimedSextic, families::XingQuartic, families::XingQuintic, families::UniformFamily,
-               families::HermiteCumulative, families::Bezier, families::BSpline, families::Beta>;
+               families::HermiteCumulative, families::Bezier, families::BSpline, families::Beta, families::Shoemake,
+               families::Tcb, families::BarryGoldman, families::Circular, families::LogParabola, families::Atbi>;
 
 }  // namespace orispline
