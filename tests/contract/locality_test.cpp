@@ -33,6 +33,7 @@ class LocalityContract : public FamilyContract {
 
   /// Keys that a segment may depend on, as many on either side, and so many more.
   [[nodiscard]] static bool within_support(std::size_t key, std::size_t segment, std::size_t more = 0) {
+    if (GetParam().support_keys == all_keys) return true;
     const std::size_t beyond = (static_cast<std::size_t>(GetParam().support_keys) - 1 - use().stride) / 2 + more;
     return key + beyond >= key_at_start(segment) && key <= key_at_end(segment) + beyond;
   }

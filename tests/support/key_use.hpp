@@ -29,12 +29,15 @@ struct KeyUse {
 };
 
 [[nodiscard]] inline KeyUse key_use(const FamilyInfo& family) {
-  if (family.name == "beta") return {.first_key = 1, .touches = Touches::nothing, .parameters_reach_far = true};
+  if (family.name == "beta" || family.name == "beta-g2")
+    return {.first_key = 1, .touches = Touches::nothing, .parameters_reach_far = true};
   if (family.name == "bezier") return {.stride = 3, .touches = Touches::joints};
   if (family.name == "bspline") return {.touches = Touches::nothing, .further_times = 1};
+  const bool global = family.support_keys == all_keys;
   // Control points of keys at uneven times lie far outside the keys' own arcs.
-  if (family.name == "bspline-through" || family.name == "nu") return {.widest_turn = 0.8};
-  return {};
+  if (family.name == "bspline-through" || family.name == "nu" || family.name == "averages")
+    return {.widest_turn = 0.8, .parameters_reach_far = global};
+  return {.parameters_reach_far = global};
 }
 
 }  // namespace orispline::testing_support
