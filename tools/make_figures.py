@@ -80,6 +80,13 @@ def families(command):
         "auto": [arcs, curve("auto"), curve("timed-c2")],
         "auto5": [arcs, curve("auto"), curve("auto5")],
         "timed": [arcs, *map(curve, TIMED)],
+        "global-c2": [arcs, curve("global-c2"), curve("timed-c2")],
+        "nu-exact": [arcs, curve("ν = 0", method="nu-exact"),
+                     curve("ν = 16/s at key 2", "--set", "nu=0,0,16,0,0", method="nu-exact"), curve("timed-c2")],
+        "nu": [arcs, *(curve(f"ν = {x}" + "/s" * (x > 0), "--set", f"nu={x}", method="nu") for x in (0, 2, 8, 32))],
+        "rotation-spline": [arcs, curve("rotation-spline"),
+                            curve("with natural ends", "--ends", "natural", method="rotation-spline"), curve("timed-c2")],
+        "bspline-through": [arcs, curve("bspline-through"), curve("bspline"), curve("timed-c2")],
         "family": [arcs, *(curve(f"order {k}", "--set", f"order={k}", method="family") for k in (1, 2, 3, 5))],
         "hermite-cumulative": [arcs, *(curve(f"tension {x}", f"--tension={x}", method="hermite-cumulative")
                                        for x in (1, 0.5, 0))],
