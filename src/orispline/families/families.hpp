@@ -20,11 +20,10 @@
 namespace orispline {
 
 /// THE list of families: the registry, the command line, the docs table and the contract tests all read it.
-using Families =
-    std::tuple<families::Auto, families::Auto5, families::Slerp, families::Squad, families::SquadTimed,
-               families::Quintic, families::Sextic, families::TimedC1, families::TimedC2, families::TimedC3,
-               families::TimedSextic, families::XingQuartic, families::XingQuintic, families::UniformFamily,
-               families::HermiteC1, families::HermiteC2, families::HermiteC3,
-               families::HermiteCumulative, families::Bezier, families::BSpline, families::Beta>;
+using Families = std::tuple<families::Auto, families::Auto5, families::Slerp, families::Squad, families::SquadTimed,
+                            families::Quintic, families::Sextic, families::TimedC1, families::TimedC2,
+                            families::TimedC3, families::TimedSextic, families::XingQuartic, families::XingQuintic,
+                            families::UniformFamily, families::HermiteC1, families::HermiteC2, families::HermiteC3,
+                            families::HermiteCumulative, families::Bezier, families::BSpline, families::Beta>;
 
 }  // namespace orispline
