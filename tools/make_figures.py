@@ -88,6 +88,10 @@ def families(command):
                             curve("with natural ends", "--ends", "natural", method="rotation-spline"), curve("timed-c2")],
         "bspline-through": [arcs, curve("bspline-through"), curve("bspline"), curve("timed-c2")],
         "family": [arcs, *(curve(f"order {k}", "--set", f"order={k}", method="family") for k in (1, 2, 3, 5))],
+        **{f"hermite-c{k}": [arcs, curve(f"hermite-c{k}"), curve("3 keys", "--set", "stencil=3", method=f"hermite-c{k}"),
+                             curve("cumulative", "--set", "form=cumulative", method=f"hermite-c{k}")]
+           for k in (1, 2, 3)},
+        "hermite": [arcs, *(curve(f"hermite-c{k}") for k in (1, 2, 3))],
         "hermite-cumulative": [arcs, *(curve(f"tension {x}", f"--tension={x}", method="hermite-cumulative")
                                        for x in (1, 0.5, 0))],
         "bezier": [arcs, curve("keys 0 to 4 with handles", method="bezier", keys=table(with_handles(command))),

@@ -72,13 +72,6 @@ class Columns(CommandTest):
         again = self.output_of("sample - --method slerp --rate 2 --output-format euroc", input=text)
         self.assert_same_table(again, text)
 
-    def test_rates_of_the_keys_shape_the_hermite_curve(self):
-        self.write("keys.csv", "t,qw,qx,qy,qz,wx,wy,wz\n0,1,0,0,0,0.3,0,0\n1,1,0,0,0,0,-0.4,0\n2,1,0,0,0,0,0,0.5\n")
-        rows = rows_of(self.output_of("sample keys.csv --method hermite-cumulative --count 3 --derivatives 1"))
-        for row, rate in zip(rows, ([0.3, 0, 0], [0, -0.4, 0], [0, 0, 0.5])):
-            for found, wanted in zip(row[5:], rate):
-                self.assertAlmostEqual(found, wanted, delta=1e-14)
-
     def test_a_curve_that_begins_after_the_first_key_is_sampled_where_it_is(self):
         self.write("keys.csv", "t,qw,qx,qy,qz\n" + "".join(
             f"{t},{math.cos(0.2 * t)},0,{math.sin(0.2 * t)},0\n" for t in (10, 11, 12.5, 13, 15)))
