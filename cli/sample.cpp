@@ -73,7 +73,8 @@ Expected<Request> request_in(const SampleOptions& options) {
   if (reads_standard_input_twice(options))
     return usage_failure("found '-' for several of INPUT, --times and --truth, wanted it for one at most");
   read->input.read.parameters = open_parameters(read->method);
-  read->input.read.angular_velocities = read->method.family->rate_orders > 0;
+  read->input.read.rate_orders = read->method.family->rate_orders;
+  read->input.read.world_rates = true;
   return read;
 }
 
@@ -91,6 +92,7 @@ Expected<Source> open_source(const Request& request) {
   if (!file) return tl::unexpected(std::move(file.error()));
   const auto keys = Keyframes::make(std::exchange(file->data, {}), request.input.signs);
   if (!keys) return tl::unexpected(located(*file, keys.error()));
+  if (const auto warning = closing_step_warning(request.method, *keys)) warn(*warning);
   auto curve = shaped_curve(request.method, *keys, *file);
   if (!curve) return tl::unexpected(std::move(curve.error()));
   const Domain domain = curve->orientation.domain();

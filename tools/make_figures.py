@@ -238,15 +238,15 @@ def flight_ribbon(motion, keys, box):
 def flight_figure(command):
     keys = Motion(text_of("flight_keys.csv"))
     truth = Motion(text_of("flight_truth.csv"))
-    timed, quintic, coarse = (sampled(command, text_of("flight_keys.csv"), rate, ["--method", method])
-                              for method, rate in (("timed-c2", 50), ("quintic", 50), ("timed-c2", 12)))
+    smooth, quintic, coarse = (sampled(command, text_of("flight_keys.csv"), rate, ["--method", method])
+                              for method, rate in (("auto", 50), ("quintic", 50), ("auto", 12)))
     parts = flight_ribbon(coarse, keys, (40, 42, 780, 150))
     plot = Plot((50, 232, 780, 130), *SHOWN, 1.05 * max(quintic.sizes("wx")), "angular velocity |ω| [rad/s]")
     plot.mark([t for t in keys.t if SHOWN[0] <= t <= SHOWN[1]], [])
-    for motion, color, width in ((truth, "#c8c8c8", 5), (quintic, RED, 1.5), (timed, BLUE, 2)):
+    for motion, color, width in ((truth, "#c8c8c8", 5), (quintic, RED, 1.5), (smooth, BLUE, 2)):
         plot.curve(motion.t, motion.sizes("wx"), color, width)
     plot.parts += [text(plot.at(t, 0)[0], 379, f"{t} s") for t in range(12, 35, 2)]
-    parts += plot.parts + legend(420, 222, [("truth", "#a8a8a8"), ("quintic", RED), ("timed-c2", BLUE)])
+    parts += plot.parts + legend(420, 222, [("truth", "#a8a8a8"), ("quintic", RED), ("auto", BLUE)])
     parts.append(text(40, 24, "sparse keys (bars) become a smooth motion; orange: upside down", "start", size=13))
     return document(860, 392, parts)
 

@@ -136,7 +136,14 @@ class Times(CommandTest):
 
 class Shape(CommandTest):
     def rates_of(self, arguments):
-        return [row[7] for row in rows_of(self.output_of(f"sample keys.csv --count 4 --derivatives 1 {arguments}"))]
+        method = "" if "--method" in arguments else "--method timed-c2"
+        text = self.output_of(f"sample keys.csv --count 4 --derivatives 1 {method} {arguments}")
+        return [row[7] for row in rows_of(text)]
+
+    def test_auto_is_the_default_method(self):
+        plain = self.output_of("sample keys.csv --rate 10")
+        self.assertEqual(plain, self.output_of("sample keys.csv --rate 10 --method auto"))
+        self.assertNotEqual(plain, self.output_of("sample keys.csv --rate 10 --method timed-c2"))
 
     def test_a_steady_turn_stays_steady_between_uneven_keys(self):
         rows = ["t,qw,qx,qy,qz"] + [f"{t},{math.cos(t / 4)},{math.sin(t / 4)},0,0" for t in (0, 1, 4, 4.5, 6)]
@@ -196,7 +203,7 @@ class Destinations(CommandTest):
         done = self.run_command("sample keys.csv --count 2 --derivatives 0")
         self.assertEqual(done.stdout.count("\n"), 3)
         self.assertEqual(done.stderr,
-                         "3 keys from keys.csv, 0 to 3 s\n2 samples with timed-c2 written to standard output\n")
+                         "3 keys from keys.csv, 0 to 3 s\n2 samples with auto written to standard output\n")
 
     def test_quiet_says_nothing(self):
         self.assertEqual(self.run_command("sample keys.csv --count 2 --quiet -o out.csv").stderr, "")

@@ -12,6 +12,7 @@
 #include <orispline/families/bspline.hpp>
 #include <orispline/families/bspline_through.hpp>
 #include <orispline/families/global_c2.hpp>
+#include <orispline/families/hermite.hpp>
 #include <orispline/families/hermite_cumulative.hpp>
 #include <orispline/families/nu.hpp>
 #include <orispline/families/quintic.hpp>
@@ -26,12 +27,12 @@
 namespace orispline {
 
 /// THE list of families: the registry, the command line, the docs table and the contract tests all read it.
-using Families =
-    std::tuple<families::Auto, families::Auto5, families::Slerp, families::Squad, families::SquadTimed,
-               families::Quintic, families::Sextic, families::TimedC1, families::TimedC2, families::TimedC3,
-               families::TimedSextic, families::XingQuartic, families::XingQuintic, families::UniformFamily,
-               families::HermiteCumulative, families::Bezier, families::BSpline, families::Beta, families::BetaThrough,
-               families::BetaG2, families::Averages, families::GlobalC2, families::NuExact, families::Nu,
-               families::RotationSpline, families::BSplineThrough>;
+using Families = std::tuple<families::Auto, families::Auto5, families::Slerp, families::Squad, families::SquadTimed,
+                            families::Quintic, families::Sextic, families::TimedC1, families::TimedC2,
+                            families::TimedC3, families::TimedSextic, families::XingQuartic, families::XingQuintic,
+                            families::UniformFamily, families::HermiteC1, families::HermiteC2, families::HermiteC3,
+                            families::HermiteCumulative, families::GlobalC2, families::RotationSpline, families::Nu,
+                            families::NuExact, families::Bezier, families::BSpline, families::BSplineThrough,
+                            families::Averages, families::Beta, families::BetaThrough, families::BetaG2>;
 
 }  // namespace orispline
