@@ -67,8 +67,16 @@ def families(command):
     arcs, five = curve("slerp"), text_of("five_keys.csv").splitlines(True)
     return {
         "slerp": [arcs],
-        **{name: [arcs, curve(name)] for name in ("squad", "squad-timed", "quintic", "sextic", "xing-quartic",
-                                                  "xing-quintic", *TIMED)},
+        **{name: [arcs, curve(name)] for name in ("squad", "quintic", "sextic", "xing-quartic", "xing-quintic",
+                                                  "barry-goldman", "atbi", *TIMED)},
+        "squad-timed": [arcs, curve("geier", method="squad-timed"),
+                        curve("boyle", "--set", "variant=boyle", method="squad-timed")],
+        "shoemake": [arcs, curve("in time", method="shoemake"),
+                     curve("published", "--set", "timing=published", method="shoemake")],
+        "tcb": [arcs, curve("tcb"), *(curve(f"{name} {value}", "--set", f"{name}={value}", method="tcb")
+                                      for name, value in (("tension", 0.5), ("continuity", -0.5), ("bias", 0.5)))],
+        **{name: [arcs, *(curve(f"order {k}", "--set", f"order={k}", method=name) for k in (1, 2, 3))]
+           for name in ("circular", "log-parabola")},
         "auto": [arcs, curve("auto"), curve("timed-c2")],
         "auto5": [arcs, curve("auto"), curve("auto5")],
         "timed": [arcs, *map(curve, TIMED)],

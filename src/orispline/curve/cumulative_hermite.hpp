@@ -27,8 +27,8 @@ struct KeyMotion {
 
 /// The increments of degree 2K+1 from one key to the next, with the rates of orders 1…K of both. h is the duration [s].
 ///
-/// At a segment's start the factor k has a derivative of order k and none below: the rate of order k fixes it, given the
-/// factors before. At the end so do the last factors, given those after. The middle one closes the product.
+/// At a segment's start the factor k has a derivative of order k and none below: the rate of order k fixes it, given
+/// the factors before. At the end so do the last factors, given those after. The middle one closes the product.
 template <std::size_t K>
 [[nodiscard]] std::array<Eigen::Vector3d, 2 * K + 1> cumulative_hermite_increments(const KeyMotion& start,
                                                                                    const KeyMotion& end, double h) {

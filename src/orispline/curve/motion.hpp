@@ -31,7 +31,8 @@ struct Motion {
 
 /// d²ω_world/dt² [rad/s³]: R (jerk + ω × α).
 [[nodiscard]] inline Eigen::Vector3d angular_jerk_world(const Motion& m) noexcept {
-  return to_world<double>(m.orientation, m.angular_jerk + transport_of_jerk(m.angular_velocity, m.angular_acceleration));
+  return to_world<double>(m.orientation,
+                          m.angular_jerk + transport_of_jerk(m.angular_velocity, m.angular_acceleration));
 }
 
 /// Orientation and body rates from a quaternion given with its first three time derivatives.
