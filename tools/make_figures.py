@@ -98,6 +98,10 @@ def families(command):
                    curve("keys 0 to 3 as one polygon", method="bezier", keys="".join(five[:-1]))],
         "bspline": [arcs, *(curve(f"degree {d}", "--set", f"degree={d}", method="bspline") for d in (2, 3, 5))],
         "beta": [arcs, curve("β = (1, 0)", method="beta"), curve("β = (1, 8)", "--set", "beta2=8", method="beta")],
+        "beta-through": [arcs, curve("β = (1, 0)", method="beta-through"),
+                         curve("β = (1, 8)", "--set", "beta2=8", method="beta-through")],
+        "beta-g2": [arcs, *(curve(form, "--set", f"form={form}", method="beta-g2") for form in ("local", "global"))],
+        "averages": [arcs, *(curve(use, "--set", f"points={use}", method="averages") for use in ("through", "control"))],
     }
 
 

@@ -10,7 +10,9 @@ using namespace testing_support;
 
 template <class F>
 Keyframes posed_walk(std::uint64_t seed, Spacing spacing) {
-  KeyframeData data = random_walk(seed, key_use(F::info).keys_for(8), spacing);
+  const KeyUse use = key_use(F::info);
+  const double largest_step = spacing == Spacing::even ? 1.5 : std::min(1.5, use.widest_turn);
+  KeyframeData data = random_walk(seed, use.keys_for(8), spacing, largest_step);
   Dice dice(seed + 1);
   for (std::size_t i = 0; i < data.times.size(); ++i) data.positions.push_back(3.0 * dice.vector());
   return keyframes(data);

@@ -37,8 +37,9 @@ struct KeyUse {
   if (family.name == "bspline") return {.touches = Touches::nothing, .further_times = 1};
   const bool global = family.support_keys == all_keys;
   // Control points of keys at uneven times lie far outside the keys' own arcs.
-  if (family.name == "bspline-through" || family.name == "nu" || family.name == "averages")
+  if (family.name == "bspline-through" || family.name == "nu")
     return {.widest_turn = 0.8, .parameters_reach_far = global};
+  if (family.name == "averages") return {.widest_turn = 0.5, .parameters_reach_far = global};
   if (family.name == "barry-goldman") return {.widest_turn = 0.8};  // its geodesics go on for ten times their length
   return {.parameters_reach_far = global};
 }

@@ -54,20 +54,33 @@ Expected<std::vector<P>> control_points(const Keyframes& keys, std::span<const P
       .map([&](const std::vector<P>& solved) { return with_ghosts(solved); });
 }
 
-/// The first segment where nothing is the average of the control orientations, or not that which the key is.
-std::optional<Error> missing_average(const AverageCurve& curve) {
+Error too_far_apart(std::size_t key, double missing) {
+  return {ErrorCode::not_converged,
+          fmt::format("averages: the control orientations around this key lie too far apart to have one average: "
+                      "{:.3g} rad are left, wanted 0",
+                      missing),
+          {.key = key}};
+}
+
+/// The first segment where nothing is the average of the control orientations.
+std::optional<Error> without_average(const AverageCurve& curve) {
   constexpr double allowed = 1e-9;  // [rad]
   for (std::size_t i = 0; i < curve.knots().segments(); ++i)
     for (const double u : {0.0, 0.2, 0.4, 0.6, 0.8, 1.0}) {
       const KnotSpan span = curve.knots().span(i);
       const double t = span.start() + u * span.step();
       const double missing = curve.missing(curve.orientation(t, i), curve.weights(t, i), i).norm();
-      if (!(missing <= allowed))
-        return Error{ErrorCode::not_converged,
-                     fmt::format("averages: the control orientations after this key lie too far apart to have an "
-                                 "average: {:.3g} rad are left, wanted 0",
-                                 missing),
-                     {.key = i}};
+      if (!(missing <= allowed)) return too_far_apart(i, missing);
+    }
+  return std::nullopt;
+}
+
+/// The first key that fulfils its equation, but not as the average: where the control orientations nearly surround it.
+std::optional<Error> beside_average(const AverageCurve& curve, std::span<const Eigen::Quaterniond> keys) {
+  for (std::size_t i = 0; i < curve.knots().segments(); ++i)
+    for (const std::size_t key : {i, i + 1}) {
+      const double missing = angular_distance(curve.orientation(curve.knots().times()[key], i), keys[key]);
+      if (!(missing <= chain::tolerance)) return too_far_apart(key, missing);
     }
   return std::nullopt;
 }
@@ -78,7 +91,9 @@ Expected<AverageCurve> Averages::curve(const Keyframes& keys, const FamilySettin
   auto points = control_points(keys, keys.orientations(), settings);
   if (!points) return tl::unexpected(std::move(points.error()));
   AverageCurve curve(key_times(keys), basis_on(keys.times()), std::move(*points));
-  if (auto error = missing_average(curve)) return tl::unexpected(std::move(*error));
+  if (auto error = without_average(curve)) return tl::unexpected(std::move(*error));
+  if (settings.choice("points") == "through")
+    if (auto error = beside_average(curve, keys.orientations())) return tl::unexpected(std::move(*error));
   return curve;
 }
 
