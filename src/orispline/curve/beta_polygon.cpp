@@ -31,8 +31,8 @@ Expected<BetaShape> beta_shape(std::string_view method, const std::vector<double
 ControlPolygon beta_polygon(std::span<const Eigen::Quaterniond> points, const BetaShape& shape) {
   std::vector<Eigen::Quaterniond> inner1, inner2;  // q_{i,1}, q_{i,2} of the paper
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    inner1.push_back(on_the_way(points[i], points[i + 1], shape.inner1[i]));
-    inner2.push_back(on_the_way(points[i], points[i + 1], shape.inner2[i]));
+    inner1.push_back(on_geodesic(points[i], points[i + 1], shape.inner1[i]));
+    inner2.push_back(on_geodesic(points[i], points[i + 1], shape.inner2[i]));
   }
   ControlPolygon polygon;
   for (std::size_t i = 1; i + 2 < points.size(); ++i) {
@@ -51,8 +51,8 @@ PathPolygon beta_polygon(std::span<const Eigen::Vector3d> points, const BetaShap
   for (std::size_t i = 1; i + 1 < points.size(); ++i) {
     polygon.push_back(shape.joint_at(i, points[i - 1], points[i], points[i + 1]));
     if (i + 2 == points.size()) break;
-    polygon.push_back(on_the_way(points[i], points[i + 1], shape.inner1[i]));
-    polygon.push_back(on_the_way(points[i], points[i + 1], shape.inner2[i]));
+    polygon.push_back(on_geodesic(points[i], points[i + 1], shape.inner1[i]));
+    polygon.push_back(on_geodesic(points[i], points[i + 1], shape.inner2[i]));
   }
   return polygon;
 }

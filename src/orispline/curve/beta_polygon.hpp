@@ -7,7 +7,7 @@
 
 #include <orispline/base/expected.hpp>
 #include <orispline/curve/cumulative_bezier.hpp>
-#include <orispline/curve/displacement.hpp>
+#include <orispline/math/geodesic.hpp>
 
 namespace orispline {
 
@@ -19,7 +19,7 @@ struct BetaShape {
   /// Joint i, from its auxiliary point and the neighbours of that.
   template <class P>
   [[nodiscard]] P joint_at(std::size_t i, const P& before, const P& at, const P& after) const {
-    return on_the_way(on_the_way(before, at, inner2[i - 1]), on_the_way(at, after, inner1[i]), joint[i]);
+    return on_geodesic(on_geodesic(before, at, inner2[i - 1]), on_geodesic(at, after, inner1[i]), joint[i]);
   }
 };
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <orispline/curve/chain.hpp>
-#include <orispline/curve/displacement.hpp>
+#include <orispline/math/geodesic.hpp>
 
 namespace orispline {
 
@@ -57,7 +57,7 @@ class PointChain {
   [[nodiscard]] std::vector<Vector3<T>> residual(std::span<const Vector3<T>> steps) const {
     std::vector<PointOver<P, T>> p;
     for (std::size_t i = 0; i < size(); ++i) p.push_back(displaced(constant<T>(points_[i]), steps[i]));
-    const auto reflected = [](const auto& at, const auto& point) { return on_the_way(at, point, -1.0); };
+    const auto reflected = [](const auto& at, const auto& point) { return on_geodesic(at, point, -1.0); };
     const std::size_t last = size() - 1;
     std::vector<Vector3<T>> missing;
     for (std::size_t i = 0; i <= last; ++i)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/curve/rate_chain.hpp>
 
+#include <algorithm>
+
 #include <orispline/curve/four_key_curve.hpp>
 #include <orispline/curve/increments.hpp>
 
@@ -45,11 +47,15 @@ Expected<AnyPath> cubic_spline_path(std::string_view method, const Keyframes& ke
   if (settings.closure) positions.push_back(positions.front());
   ends.start = for_positions(settings.start);
   ends.end = for_positions(settings.end);
-  const std::vector<Eigen::Vector3d> chords = increments_between(positions);
+  std::vector<Eigen::Vector3d> chords = increments_between(positions);
+  double longest = 0.0;  // the equations are solved in units of it: their tolerance is absolute
+  for (const Eigen::Vector3d& chord : chords) longest = std::max(longest, chord.norm());
+  const double unit = longest > 0.0 ? longest : 1.0;
+  for (Eigen::Vector3d& chord : chords) chord /= unit;
   return solve_rates<FlatPiece>(method, chords, knots, rate_conditions(ends, chords, knots))
       .map([&](const std::vector<Eigen::Vector3d>& velocities) {
         std::vector<HermitePath<3>::Derivatives> derivatives;
-        for (const Eigen::Vector3d& v : velocities) derivatives.push_back({v});
+        for (const Eigen::Vector3d& v : velocities) derivatives.push_back({unit * v});
         return AnyPath(HermitePath<3>(std::move(knots), std::move(positions), std::move(derivatives)));
       });
 }
