@@ -110,8 +110,7 @@ void add_printed_figures(report::Table& table) {
       "Continuity in time, measured at the keys. Times are of this machine: the curve and 961 orientations.",
       "Figures on the right are of the paper's own flight, which is not published: ours is the bundled simulation.",
       "The paper gives the quartic's C2 as C3 and calls the quintic, its own curve at β = 5/96, by the quartic's name.",
-      "Here a small β is not the best, as it is in the paper: its curve slows down at every key, the aircraft does "
-      "not."};
+      "In the paper a small β is the best. Here it is not: its curve slows down at every key, the aircraft does not."};
 }
 
 std::vector<Recipe> drawn_methods() {

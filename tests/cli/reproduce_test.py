@@ -66,7 +66,6 @@ class Quintic(Reproduced):
                          [(name, frames) for name in ("bspline-through", "nu", "atbi", "quintic") for frames in (401, 17)])
         for row in rows:
             self.assertLess(row["error [rad]"], 1e-11)  # the paper's schemes stop at 1e-6
-            self.assertGreater(row["time [ms]"], 0)
 
 
 class Beta(Reproduced):
