@@ -60,13 +60,13 @@ struct Printed {
 std::vector<Printed> methods() {
   const std::string none = "–";
   return {{{"Xing, quartic", "xing-quartic"}, "4", "0.012979", "0.256878", "0.540154"},
-          {{"Xing, quintic", "xing-quintic", {}, color::green}, "5", none, none, none},
-          {{"Tan, α = 0.45", "quintic", {0.45}, color::red}, "5", "0.011337", "0.188917", "0.738309"},
+          {{"Xing, quintic", "xing-quintic", {}, {color::green, 1.8}}, "5", none, none, none},
+          {{"Tan, α = 0.45", "quintic", {0.45}, {color::red, 1.8}}, "5", "0.011337", "0.188917", "0.738309"},
           {{"Tan, α = 0.6", "quintic", {0.6}}, "5", none, none, none},
-          {{"6th degree, β = 0.025", "sextic", {0.025}, color::purple}, "6", "0.001130", "0.079421", "0.715989"},
+          {{"6th degree, β = 0.025", "sextic", {0.025}, {color::purple, 1.8}}, "6", "0.001130", "0.079421", "0.715989"},
           {{"6th degree, β = 0.05", "sextic", {0.05}}, "6", none, none, none},
           {{"6th degree, β = 5/96", "sextic", {5.0 / 96.0}}, "6", none, none, none},
-          {{"6th degree, β = 1/12", "sextic", {1.0 / 12.0}, color::blue}, "6", none, none, none},
+          {{"6th degree, β = 1/12", "sextic", {1.0 / 12.0}, {color::blue, 1.8}}, "6", none, none, none},
           {{"timed-c3", "timed-c3"}, "7", none, none, none},
           {{"auto", "auto"}, "5", none, none, none}};
 }
@@ -110,14 +110,13 @@ void add_printed_figures(report::Table& table) {
       "Continuity in time, measured at the keys. Times are of this machine: the curve and 961 orientations.",
       "Figures on the right are of the paper's own flight, which is not published: ours is the bundled simulation.",
       "The paper gives the quartic's C2 as C3 and calls the quintic, its own curve at β = 5/96, by the quartic's name.",
-      "Here a small β is not the best, as it is in the paper: its curve slows down at every key, the aircraft does "
-      "not."};
+      "In the paper a small β is the best. Here it is not: its curve slows down at every key, the aircraft does not."};
 }
 
 std::vector<Recipe> drawn_methods() {
   std::vector<Recipe> recipes;
   for (Printed& method : methods())
-    if (method.recipe.color != color::ink) recipes.push_back(std::move(method.recipe));
+    if (method.recipe.stroke.color != color::ink) recipes.push_back(std::move(method.recipe));
   return recipes;
 }
 
@@ -132,8 +131,8 @@ Picture wing_paths(const Flight& flight, const std::vector<Served>& curves) {
   report::SpherePicture picture{{{axis_path(flight.orientations, right_wing), truth_stroke}}};
   std::vector<report::Series> legend{{"truth", {}, {}, {"#a8a8a8"}}};
   for (const Served& served : curves) {
-    picture.paths.push_back({axis_path(served.curve, flight.times, right_wing), {served.recipe.color, 2.0}});
-    legend.push_back({served.recipe.label, {}, {}, {served.recipe.color}});
+    picture.paths.push_back({axis_path(served.curve, flight.times, right_wing), served.recipe.stroke});
+    legend.push_back({served.recipe.label, {}, {}, served.recipe.stroke});
   }
   for (const Eigen::Vector3d& tip : axis_path(flight.keys.orientations(), right_wing))
     picture.dots.push_back({tip, std::to_string(picture.dots.size() + 1)});
@@ -158,8 +157,7 @@ report::Chart chart(const Panel& panel, const Flight& flight, const std::vector<
   };
   add("truth", truth_stroke, [&](std::size_t i) { return flight.truth[i]; });
   for (const Served& served : curves)
-    add(served.recipe.label, {served.recipe.color, 1.7},
-        [&](std::size_t i) { return served.curve.motion(flight.times[i]); });
+    add(served.recipe.label, served.recipe.stroke, [&](std::size_t i) { return served.curve.motion(flight.times[i]); });
   return chart;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
+
 #include <orispline/math/so3.hpp>
 
 namespace orispline::cli {

@@ -14,7 +14,7 @@ struct Recipe {
   std::string label;
   std::string method;
   std::vector<double> tension{};  ///< of the method's own kind; empty: its defaults
-  std::string_view color = report::color::ink;
+  report::Stroke stroke{};
 };
 
 /// The curve through keys.

@@ -19,10 +19,10 @@ namespace color = report::color;
 const std::vector<double> knots{0.0, 0.5, 1.5, 2.25, 4.0};
 
 std::vector<Recipe> methods() {
-  return {{"6th degree, β = 1/12", "sextic", {1.0 / 12.0}, color::red},
-          {"6th degree, β = 0.025", "sextic", {0.025}, color::purple},
-          {"timed-c3", "timed-c3", {}, color::blue},
-          {"timed-sextic", "timed-sextic", {}, color::green}};
+  return {{"6th degree, β = 1/12", "sextic", {1.0 / 12.0}, {color::red, 1.8}},
+          {"6th degree, β = 0.025", "sextic", {0.025}, {color::purple, 1.8}},
+          {"timed-c3", "timed-c3", {}, {color::blue, 1.8}},
+          {"timed-sextic", "timed-sextic", {}, {color::green, 1.8}}};
 }
 
 report::Table jumps(const std::vector<Served>& curves) {
@@ -59,7 +59,7 @@ Picture picture(const std::vector<Served>& curves) {
     acceleration_chart.series.push_back(over_time(curve, acceleration));
     for (report::Series* series : {&velocity.series.back(), &acceleration_chart.series.back()}) {
       series->label = recipe.label;
-      series->stroke = {recipe.color, 1.8};
+      series->stroke = recipe.stroke;
     }
   }
   report::draw_legend(drawing, {50.0, 18.0}, velocity.series);

@@ -31,7 +31,7 @@ report::SpherePicture paths_of(const std::vector<Served>& curves, const Keyframe
   report::SpherePicture picture;
   for (const Served& served : curves)
     picture.paths.push_back({axis_path(served.curve, even_times(served.curve.domain(), 401), Eigen::Vector3d::UnitX()),
-                             {served.recipe.color, 2.0}});
+                             served.recipe.stroke});
   for (const Eigen::Vector3d& x : axis_path(keys.orientations(), Eigen::Vector3d::UnitX()))
     picture.dots.push_back({x, std::to_string(picture.dots.size() + 1)});
   return picture;
@@ -42,7 +42,7 @@ std::vector<Recipe> with_tension_of_key3(std::initializer_list<double> values) {
   std::vector<Recipe> recipes;
   for (const double value : values)
     recipes.push_back(
-        {fmt::format("α₃ = {:g}", value), "quintic", {0.35, 0.35, value, 0.35, 0.35}, colors[recipes.size()]});
+        {fmt::format("α₃ = {:g}", value), "quintic", {0.35, 0.35, value, 0.35, 0.35}, {colors[recipes.size()], 2.0}});
   return recipes;
 }
 
@@ -70,15 +70,15 @@ report::Table one_tension_table(const std::vector<Served>& curves, const AnyCurv
 /// Figure 3: the three schemes it compares with, then the quintic with the tension vectors of (e) to (j).
 std::vector<Recipe> schemes_of_figure3() {
   const auto all = [](double value) { return std::vector<double>(5, value); };
-  return {{"B-spline", "bspline-through", {}, color::grey},
-          {"ν = 0", "nu", {}, color::sky},
-          {"ATBI type", "atbi", {}, color::ink},
-          {"α = 0.35", "quintic", all(0.35), color::blue},
-          {"α = 0.6", "quintic", all(0.6), color::red},
+  return {{"B-spline", "bspline-through", {}, {"#b4b4b4", 4.5}},
+          {"ν = 0", "nu", {}, {color::sky}},
+          {"ATBI type", "atbi", {}, {color::ink}},
+          {"α = 0.35", "quintic", all(0.35), {color::blue}},
+          {"α = 0.6", "quintic", all(0.6), {color::red}},
           {"α = 0.1, 0.6, 0, 0.6, 0.1", "quintic", {0.1, 0.6, 0.0, 0.6, 0.1}, color::green},
-          {"α = 1", "quintic", all(1.0), color::purple},
-          {"α = 2", "quintic", all(2.0), color::gold},
-          {"α = 0", "quintic", all(0.0), color::frame}};
+          {"α = 1", "quintic", all(1.0), {color::purple}},
+          {"α = 2", "quintic", all(2.0), {color::gold}},
+          {"α = 0", "quintic", all(0.0), {color::frame}}};
 }
 
 report::Table motions_table(const std::vector<Served>& curves) {
@@ -123,7 +123,7 @@ report::Chart chart_of(const std::string& title, std::span<const Served> curves,
   for (const auto& [recipe, curve] : curves) {
     chart.series.push_back(over_time(curve, figure));
     chart.series.back().label = recipe.label;
-    chart.series.back().stroke = {recipe.color, 1.8};
+    chart.series.back().stroke = recipe.stroke;
   }
   return chart;
 }
@@ -162,7 +162,7 @@ Expected<Findings> experiment::one_tension() {
   double x = 215.0;
   for (const auto* curves : {&*upper, &*lower}) {
     std::vector<report::Series> legend;
-    for (const Served& served : *curves) legend.push_back({served.recipe.label, {}, {}, {served.recipe.color}});
+    for (const Served& served : *curves) legend.push_back({served.recipe.label, {}, {}, served.recipe.stroke});
     report::draw_legend(drawing, {x - 195.0, 18.0}, std::span(legend).first(3));
     report::draw_legend(drawing, {x - 195.0, 38.0}, std::span(legend).subspan(3));
     report::draw(drawing, view, {x, 240.0}, 175.0, paths_of(*curves, *keys));

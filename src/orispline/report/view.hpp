@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
+
 #include <orispline/math/eigen.hpp>
 #include <orispline/report/svg.hpp>
 
