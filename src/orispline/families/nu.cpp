@@ -108,7 +108,7 @@ Expected<SlerpBezierCurve> Nu::curve(const Keyframes& keys, const FamilySettings
   });
 }
 
-Expected<AnyPath> Nu::path(const Keyframes& keys, const FamilySettings& settings) {
+Expected<HermitePath<3>> Nu::path(const Keyframes& keys, const FamilySettings& settings) {
   return cubic_spline_path(info.name, keys, settings);
 }
 
