@@ -52,8 +52,7 @@ TYPED_TEST_SUITE(JetOracle, FamilyTypes, FamilyNames);
 TYPED_TEST(JetOracle, EvaluatorAgreesWithJetsOfTheWholeQuaternion) {
   for (const Spacing spacing : {Spacing::even, Spacing::uneven}) {
     const KeyUse use = key_use(TypeParam::info);
-    const double largest_step = spacing == Spacing::even ? 2.5 : std::min(2.5, use.widest_turn);
-    const Keyframes keys = keyframes(random_walk(43, use.keys_for(7), spacing, largest_step));
+    const Keyframes keys = keyframes(random_walk(43, use.keys_for(7), spacing, use.step_on(spacing, 2.5)));
     const auto typed = typed_curve<TypeParam>(keys);
     if constexpr (std::same_as<std::remove_cv_t<decltype(typed)>, AnyCurve>) continue;  // differences have to do
     const AnyCurve erased = make_curve(TypeParam::info.name, keys).value();

@@ -53,7 +53,8 @@ INSTANTIATE_TEST_SUITE_P(
             bad_argument,
             "no method 'quintik', wanted one of auto, auto5, slerp, squad, squad-timed, quintic, sextic, timed-c1, "
             "timed-c2, "
-            "timed-c3, timed-sextic, xing-quartic, xing-quintic, family, hermite-cumulative, bezier, bspline, beta"},
+            "timed-c3, timed-sextic, xing-quartic, xing-quintic, family, hermite-cumulative, bezier, bspline, "
+            "beta, global-c2, nu-exact, nu, rotation-spline, bspline-through"},
         BadOptions{"UnknownParameter",
                    "timed-c2",
                    {.parameters = {{"bias", {1.0}}}},

@@ -151,7 +151,7 @@ Expected<CumulativeCurve<BSplineBasis<3>>> BSplineThrough::curve(const Keyframes
       });
 }
 
-Expected<AnyPath> BSplineThrough::path(const Keyframes& keys, const FamilySettings& settings) {
+Expected<HermitePath<3>> BSplineThrough::path(const Keyframes& keys, const FamilySettings& settings) {
   return cubic_spline_path(info.name, keys, settings);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/families/nu.hpp>
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include <orispline/curve/points_through.hpp>
@@ -26,7 +28,7 @@ Expected<Ratios> ratios_of(std::span<const double> t, const PerKey& nu) {
   };
   Ratios r{std::vector<double>(n, 1.0), std::vector<double>(n, 0.0), std::vector<double>(n, 0.0)};
   for (std::size_t i = 0; i < n; ++i) {
-    if (!(gamma(i) > 0.0))
+    if (!(gamma(i) > 0.0 && std::isfinite(gamma(i))))
       return failure(ErrorCode::bad_argument,
                      fmt::format("nu: nu is {}, wanted more than {:.6g} between these key times", nu[i],
                                  -2.0 * (step(i) + step(i + 1)) / (step(i) * step(i + 1))),
@@ -100,7 +102,7 @@ Expected<SlerpBezierCurve> Nu::curve(const Keyframes& keys, const FamilySettings
   });
 }
 
-Expected<AnyPath> Nu::path(const Keyframes& keys, const FamilySettings& settings) {
+Expected<HermitePath<3>> Nu::path(const Keyframes& keys, const FamilySettings& settings) {
   return cubic_spline_path(info.name, keys, settings);
 }
 
