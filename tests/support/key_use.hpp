@@ -43,7 +43,6 @@ struct KeyUse {
     return {.first_key = 1, .touches = Touches::nothing, .parameters_reach_far = true};
   if (family.name == "bezier") return {.stride = 3, .touches = Touches::joints};
   if (family.name == "bspline") return {.touches = Touches::nothing, .further_times = 1};
-  const bool global = family.support_keys == all_keys;
   // Control points of keys at uneven times lie far outside the keys' own arcs.
   if (family.name == "bspline-through" || family.name == "nu")
     return {.parameters_reach_far = true, .solved = true, .widest_turn = 0.8};
