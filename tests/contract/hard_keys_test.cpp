@@ -65,11 +65,16 @@ TEST_P(HardKeyContract, StepsOfExactlyHalfATurn) {
   const KeyframeData data{.times = {0.0, 1.0, 2.0, 3.0},
                           .orientations = {quaternion_wxyz(1.0, 0.0, 0.0, 0.0), quaternion_wxyz(0.0, 1.0, 0.0, 0.0),
                                            quaternion_wxyz(0.0, 0.0, 1.0, 0.0), quaternion_wxyz(0.0, 0.0, 0.0, 1.0)}};
-  expect_finite_motion_through(keyframes(data, Signs::shortest));
+  expect_finite_motion_through(keyframes(data, Signs::shortest), Refusal::not_allowed);
 }
 
 TEST_P(HardKeyContract, StepsBeyondHalfATurnWithSignsAsGiven) {
   for (const double angle : {pi + 1e-9, 3.5, 5.0}) expect_finite_motion_through(keyframes(steps_of(angle)));
+}
+
+TEST_P(HardKeyContract, WideTurnsAtUnevenTimes) {
+  for (const std::uint64_t seed : {101u, 102u, 103u, 104u, 105u, 106u})
+    expect_finite_motion_through(keyframes(random_walk(seed, use().keys_for(8), Spacing::uneven, 1.5)));
 }
 
 TEST_P(HardKeyContract, RepeatedKeys) {
@@ -80,7 +85,7 @@ TEST_P(HardKeyContract, RepeatedKeys) {
 
 TEST_P(HardKeyContract, TinySteps) {
   for (const double angle : {1e-8, 1e-12, 1e-16, 1e-100})
-    expect_finite_motion_through(keyframes(steps_of(angle), Signs::shortest));
+    expect_finite_motion_through(keyframes(steps_of(angle), Signs::shortest), Refusal::not_allowed);
 }
 
 TEST_P(HardKeyContract, SpacingFromMicrosecondsToHours) {
