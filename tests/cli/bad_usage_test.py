@@ -5,8 +5,10 @@ import json
 
 from command import BAD_USAGE, CommandTest, main
 
-METHODS = ("auto, auto5, slerp, squad, squad-timed, quintic, sextic, timed-c1, timed-c2, timed-c3, timed-sextic, xing-quartic, "
-           "xing-quintic, family, hermite-cumulative, bezier, bspline, beta")
+METHODS = ("auto, auto5, slerp, squad, squad-timed, shoemake, tcb, barry-goldman, circular, log-parabola, "
+           "quintic, sextic, timed-c1, timed-c2, timed-c3, timed-sextic, xing-quartic, xing-quintic, family, "
+           "atbi, hermite-c1, hermite-c2, hermite-c3, hermite-cumulative, global-c2, rotation-spline, nu, "
+           "nu-exact, bezier, bspline, bspline-through, averages, beta, beta-through, beta-g2")
 ENDS = "natural, repeat, quadratic, cubic, clamped, rest"
 COMMANDS = "sample, convert, inspect, methods, reproduce, completion"
 

@@ -80,8 +80,8 @@ class Methods(CommandTest):
         for name in self.methods:
             self.assertEqual(self.output_of(f"sample keys.csv --count 9 --method {name}").count("\n"), 10)
 
-    def test_eighteen_methods_are_listed(self):
-        self.assertEqual(len(self.methods), 18)
+    def test_thirty_five_methods_are_listed(self):
+        self.assertEqual(len(self.methods), 35)
 
     def test_the_local_four_key_methods_and_global_ones_can_be_closed(self):
         closing = {name for name, method in self.methods.items() if method["closes"]}
