@@ -41,7 +41,9 @@ class HardKeyContract : public FamilyContract {
     EXPECT_LT(*error.where.key, keys.size());
     EXPECT_TRUE(error.message.starts_with(std::string(GetParam().name) + " does not converge for these keys: "))
         << error.message;
-    EXPECT_NE(error.message.find("residual stays at "), std::string::npos) << error.message;
+    EXPECT_TRUE(error.message.find("residual stays at ") != std::string::npos ||
+                error.message.find("its equations hold only for a curve that winds round") != std::string::npos)
+        << error.message;
   }
 
   /// Four keys with steps of `angle` [rad] about changing axes.

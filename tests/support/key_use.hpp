@@ -19,6 +19,7 @@ struct KeyUse {
   Touches touches = Touches::every_key;
   std::size_t further_times = 0;      ///< times on either side that a segment depends on beyond those of its keys
   bool parameters_reach_far = false;  ///< a parameter acts on every segment that its key acts on, not on two only
+  bool feels_times = true;            ///< else the key times stretch segments that are formed without them
   bool solved = false;                ///< every segment feels every key, the further the less
   double widest_turn = 10.0;  ///< between keys at uneven times [rad]: wider ones may be refused as not converged
   int smoothest_with_parameters = 9;  ///< order of continuity that parameters other than the default ones leave
@@ -51,6 +52,7 @@ struct KeyUse {
   // Tension by a jump of the acceleration.
   if (family.name == "global-c2" || family.name == "nu-exact")
     return {.parameters_reach_far = true, .solved = true, .smoothest_with_parameters = 1};
+  if (family.name == "beta-through") return {.parameters_reach_far = true, .feels_times = false, .solved = true};
   if (family.support_keys == all_keys) return {.parameters_reach_far = true, .solved = true};
   return {};
 }

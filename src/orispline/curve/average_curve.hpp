@@ -79,7 +79,7 @@ class AverageCurve {
       sum += w[k] * points_[segment + k].coeffs();
       if (w[k] > w[heaviest]) heaviest = k;
     }
-    return sum.norm() > 1e-3 ? Eigen::Quaterniond(sum.normalized()) : points_[segment + heaviest];
+    return sum.norm() <= 1e-3 ? points_[segment + heaviest] : Eigen::Quaterniond(sum.normalized());  // NaN stays NaN
   }
 
   /// Newton's steps, or where they lead nowhere those of steepest descent, as long as less and less is missing.

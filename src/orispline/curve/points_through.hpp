@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <numbers>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -39,7 +38,7 @@ struct UnitPositions {
 /// Control points, one per key, sought so that their curve passes through the keys: a ChainProblem.
 ///
 /// `rule(i, before, at, after, key)` over any Number is what control points i-1, i, i+1 miss key i by; beyond the ends
-/// the control points are reflected.
+/// the control points are reflected. `Rule::forbidden_turn` [rad]: so far from its key a control orientation is wrong.
 template <CurvePoint P, class Rule>
 class PointChain {
  public:
@@ -73,11 +72,11 @@ class PointChain {
     }
   }
 
-  /// No control orientation is more than half a turn from its key.
+  /// No control orientation is as far from its key as the rule forbids.
   [[nodiscard]] bool plausible() const {
     if constexpr (std::same_as<P, Eigen::Quaterniond>)
       for (std::size_t i = 0; i < size(); ++i)
-        if (!(offset(i).norm() < std::numbers::pi)) return false;
+        if (!(offset(i).norm() < Rule::forbidden_turn)) return false;
     return true;
   }
 

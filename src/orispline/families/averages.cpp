@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/families/averages.hpp>
 
+#include <numbers>
+
 #include <fmt/format.h>
 
 #include <orispline/curve/points_through.hpp>
@@ -20,6 +22,7 @@ BSplineBasis<3> basis_on(std::span<const double> key_times) {
 
 /// What key i misses the average of control points i-1, i, i+1 by, each with its weight at the key's time.
 struct AverageToKey {
+  static constexpr double forbidden_turn = std::numbers::pi;
   std::vector<std::array<double, 3>> weights;
 
   AverageToKey(const Knots& knots, const BSplineBasis<3>& basis) {
@@ -56,9 +59,10 @@ Expected<std::vector<P>> control_points(const Keyframes& keys, std::span<const P
 
 Error too_far_apart(std::size_t key, double missing) {
   return {ErrorCode::not_converged,
-          fmt::format("averages: the control orientations around this key lie too far apart to have one average: "
-                      "{:.3g} rad are left, wanted 0",
-                      missing),
+          fmt::format(
+              "averages does not converge for these keys: the residual stays at {:.3g} rad, wanted 0, for the control "
+              "orientations around this key lie too far apart to have one average",
+              missing),
           {.key = key}};
 }
 

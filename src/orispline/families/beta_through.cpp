@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/families/beta_through.hpp>
 
+#include <algorithm>
+#include <numbers>
+
 #include <orispline/curve/beta_polygon.hpp>
 #include <orispline/curve/points_through.hpp>
 #include <orispline/curve/reflected.hpp>
@@ -10,6 +13,7 @@ namespace {
 
 /// What the joint of a key misses it by; auxiliary point i + 1 belongs to key i.
 struct JointToKey {
+  static constexpr double forbidden_turn = std::numbers::pi;
   const BetaShape* shape;
 
   template <class P>

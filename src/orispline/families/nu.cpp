@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include <numbers>
+
 #include <fmt/format.h>
 
 #include <orispline/curve/points_through.hpp>
@@ -47,6 +49,7 @@ Expected<Ratios> ratios_of(std::span<const double> t, const PerKey& nu) {
 /// By how much three neighbouring controls miss the key in the middle: it must lie between its two inner points; an
 /// end's control stands at a given handle, or where there is no acceleration.
 struct NuRule {
+  static constexpr double forbidden_turn = 2.0 * std::numbers::pi;
   Ratios ratios;
   std::optional<Eigen::Vector3d> start, end;  ///< handles of clamped ends [rad]
 
