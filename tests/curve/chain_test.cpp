@@ -169,15 +169,16 @@ TEST(Chain, GoesOnFromNearerKeysWhereTheDirectSolutionIsNotPlausible) {
   for (const Eigen::Vector3d& x : solved->state) EXPECT_TRUE(near(x, Eigen::Vector3d(1, 1, 1), tolerance::series));
 }
 
-TEST(Chain, IsRefusedWhereEverySolutionIsACurveWithJumps) {
+TEST(Chain, IsRefusedWhereEverySolutionWindsRound) {
   const auto solved = solve_chain("some-method", [](double share, const BreakingChain*) {
     return BreakingChain{.share = share, .solvable_to = 1.0, .tame_to = 0.5};
   });
   ASSERT_FALSE(solved);
   EXPECT_EQ(solved.error().code, ErrorCode::not_converged);
-  EXPECT_EQ(solved.error().message,
-            "some-method does not converge for these keys: its equations hold only for a curve with jumps; it does for "
-            "increments of 0.5 times their length");
+  EXPECT_EQ(
+      solved.error().message,
+      "some-method does not converge for these keys: its equations hold only for a curve that winds round; it does for "
+      "increments of 0.5 times their length");
 }
 
 TEST(Chain, ToldNotANumberIsNotSolved) {
