@@ -73,7 +73,7 @@ def families(command):
                         curve("boyle", "--set", "variant=boyle", method="squad-timed")],
         "shoemake": [arcs, curve("in time", method="shoemake"),
                      curve("published", "--set", "timing=published", method="shoemake")],
-        "tcb": [arcs, curve("tcb"), *(curve(f"{name} {value}", "--set", f"{name}={value}", method="tcb")
+        "tcb": [arcs, curve("tcb"), *(curve(f"{name} {value}".replace("-", "−"), "--set", f"{name}={value}", method="tcb")
                                       for name, value in (("tension", 0.5), ("continuity", -0.5), ("bias", 0.5)))],
         **{name: [arcs, *(curve(f"order {k}", "--set", f"order={k}", method=name) for k in (1, 2, 3))]
            for name in ("circular", "log-parabola")},

@@ -3,7 +3,7 @@
 
 import math
 
-from rotations import cross, to_world, unit
+from rotations import cross, norm, to_world, unit
 from svg_drawing import INK, line, text
 
 EYE = unit((1.0, 0.12, 0.22))  # the direction from which the sphere is seen
@@ -44,6 +44,13 @@ def sphere(center, radius, motions, keys, axis, handles=()):
     def drawn(points, color, width):
         return [line([at(v) for v in run], color, width) for run in visible_runs(points)]
 
+    def beside(x, y):
+        """Where the number of a key at x, y goes: outwards near the rim, else away from the middle's height."""
+        right, down = (x - center[0]) / radius, (y - center[1]) / radius
+        if norm((right, down)) < 0.85:
+            right, down = 0, (1 if down > 0.1 else -1)
+        return x + 12 * right, y + 12 * down + 4
+
     parts = [f'<circle cx="{center[0]}" cy="{center[1]}" r="{radius}" fill="#f7f9fb" stroke="#bbbbbb"/>']
     for circle in graticule():
         parts += drawn(circle, "#dde3e8", 1)
@@ -54,5 +61,5 @@ def sphere(center, radius, motions, keys, axis, handles=()):
         parts.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="3" fill="white" stroke="{INK}"/>')
     for k, q in enumerate(keys.q):
         x, y = at(to_world(q, axis))
-        parts += [f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4" fill="{INK}"/>', text(x, y - 8, str(k))]
+        parts += [f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4" fill="{INK}"/>', text(*beside(x, y), str(k))]
     return parts
