@@ -91,8 +91,8 @@ SlerpBezierCurve curve_of(const Keyframes& keys, const std::vector<Eigen::Quater
   const auto q = keys.orientations();
   std::vector<SlerpBezierCurve::Segment> segments;
   for (std::size_t i = 0; i + 1 < q.size(); ++i)
-    segments.push_back({q[i], slerp<double>(d[i], d[i + 1], ratios.after[i]),
-                        slerp<double>(d[i], d[i + 1], ratios.before[i + 1]), q[i + 1]});
+    segments.push_back(slerp_bezier_segment({q[i], slerp<double>(d[i], d[i + 1], ratios.after[i]),
+                                             slerp<double>(d[i], d[i + 1], ratios.before[i + 1]), q[i + 1]}));
   return {Knots({keys.times().begin(), keys.times().end()}), std::move(segments)};
 }
 
