@@ -106,6 +106,13 @@ TEST(Auto, HoldsStillBetweenEqualKeysOnRequest) {
       EXPECT_LE(holding.motion(data.times[key], side).angular_velocity.norm(), tolerance::algebra);
 }
 
+TEST(Auto, HoldsOrDoesNotAndNothingBetween) {
+  const auto half =
+      make_curve("auto", keyframes(random_walk(443, 5, Spacing::even)), {.parameters = {{"hold", {0.5}}}});
+  ASSERT_FALSE(half);
+  EXPECT_EQ(half.error().code, ErrorCode::bad_argument);
+}
+
 TEST(Auto, IsDefinedForTwoThreeAndFourKeysAndForLargeSteps) {
   for (const char* family : {"auto", "auto5"}) {
     for (std::size_t keys = 2; keys <= 8; ++keys) {

@@ -201,5 +201,17 @@ TEST(Averages, TellWhereTheirEquationsHaveNoSolution) {
   EXPECT_FALSE(make_curve("averages", keyframes(data)));
 }
 
+TEST(Averages, OfControlPointsAllAroundAreRefusedRatherThanJump) {
+  // Half turns about three axes in turn and back: in between the average would change from one side to the other.
+  const KeyframeData data{.times = {0.0, 1.0, 2.5, 3.0, 4.0},
+                          .orientations = {quaternion_wxyz(1.0, 0.0, 0.0, 0.0), quaternion_wxyz(0.0, 1.0, 0.0, 0.0),
+                                           quaternion_wxyz(0.0, 0.0, 1.0, 0.0), quaternion_wxyz(0.0, 0.0, 0.0, 1.0),
+                                           quaternion_wxyz(1.0, 0.0, 0.0, 0.0)}};
+  const auto c = make_curve("averages", keyframes(data));
+  ASSERT_FALSE(c);
+  EXPECT_EQ(c.error().code, ErrorCode::not_converged);
+  EXPECT_NE(c.error().message.find("the average jumps by "), std::string::npos) << c.error().message;
+}
+
 }  // namespace
 }  // namespace orispline

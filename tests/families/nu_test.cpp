@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // nu: Nielson's construction, its ends, its limits of tension, and its refusals.
+#include <numbers>
+
 #include <gtest/gtest.h>
 
 #include <orispline/families/registry.hpp>
@@ -210,6 +212,22 @@ TEST(Nu, SolvesAFlightOfThreeHundredKeys) {
       largest = std::max(largest, angular_distance((*c)(file->data.times[i]), file->data.orientations[i]));
     EXPECT_LE(largest, 0.005) << family;  // [rad], keys 0.16 s apart
   }
+}
+
+TEST(Nu, RefusesAnEndRateWhoseHandleWouldWindRound) {
+  const KeyframeData data = random_walk(557, 5, Spacing::uneven);
+  const double largest =
+      6.0 * std::numbers::pi / (data.times[4] - data.times[3]);  // a handle is a third of the rate times the step
+  const auto with_end_rate = [&](double rate) {
+    return made(data, {0.0}, {}, End{EndRule::clamped, Eigen::Vector3d(0.0, rate, 0.0)});
+  };
+  const auto refused = with_end_rate(1.01 * largest);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::bad_argument);
+  EXPECT_EQ(refused.error().where.key, 4u);
+  const auto below = with_end_rate(0.3 * largest);
+  ASSERT_TRUE(below) << describe(below.error());
+  EXPECT_NEAR(below->motion(data.times[4]).angular_velocity.y(), 0.3 * largest, tolerance::rates * largest);
 }
 
 }  // namespace

@@ -117,5 +117,18 @@ TEST(SquadTimed, LosesC1WhereAHandleIsLongerThanAFullTurn) {
   EXPECT_GT((left.angular_velocity - right.angular_velocity).norm(), 1.0);
 }
 
+TEST(SquadTimed, GoesThroughAFullTurnWithContinuousRates) {
+  // The signs ask for a full turn to key 1; seen from there it goes back the same way.
+  const KeyframeData data{
+      .times = {0.0, 1.0, 2.0, 3.0},
+      .orientations = {quaternion_wxyz(1.0, 0.0, 0.0, 0.0), quaternion_wxyz(-1.0, 0.0, 0.0, 0.0),
+                       quaternion_wxyz(-0.8, 0.0, -0.6, 0.0), quaternion_wxyz(-0.6, 0.0, -0.8, 0.0)}};
+  for (const std::string family : {"squad", "squad-timed"}) {
+    const AnyCurve curve = make_curve(family, keyframes(data)).value();
+    const Motion left = curve.motion(1.0, Side::left), right = curve.motion(1.0, Side::right);
+    EXPECT_TRUE(near(left.angular_velocity, right.angular_velocity, tolerance::continuity)) << family;
+  }
+}
+
 }  // namespace
 }  // namespace orispline

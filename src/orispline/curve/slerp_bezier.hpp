@@ -14,7 +14,11 @@ namespace orispline {
 /// Symmetric in time and bi-invariant, not cumulative: rates come from jets. At u = 0 the rate is 3 log(c₀⁻¹c₁)/h.
 class SlerpBezierCurve {
  public:
-  using Segment = std::array<Eigen::Quaterniond, 4>;
+  /// The three arcs of the control polygon: where each begins and its increment [rad].
+  struct Segment {
+    std::array<Eigen::Quaterniond, 3> starts;
+    std::array<Eigen::Vector3d, 3> increments;
+  };
 
   SlerpBezierCurve(Knots knots, std::vector<Segment> segments)
       : knots_(std::move(knots)), segments_(std::move(segments)) {
@@ -26,9 +30,9 @@ class SlerpBezierCurve {
   template <Number T>
   [[nodiscard]] Quaternion<T> orientation(const T& t, std::size_t segment) const noexcept {
     const T u = knots_.span(segment).normalised(t);
-    const Segment& c = segments_[segment];
+    const Segment& s = segments_[segment];
     const auto arc = [&](std::size_t k) -> Quaternion<T> {
-      return constant<T>(c[k]) * exp<T>(constant<T>(increment<double>(c[k], c[k + 1])) * u);
+      return constant<T>(s.starts[k]) * exp<T>(constant<T>(s.increments[k]) * u);
     };
     const Quaternion<T> first = arc(0), middle = arc(1), last = arc(2);
     return slerp<T>(slerp<T>(first, middle, u), slerp<T>(middle, last, u), u);
@@ -38,6 +42,9 @@ class SlerpBezierCurve {
   Knots knots_;
   std::vector<Segment> segments_;
 };
+
+/// The segment from one key over the inner control orientations to the other.
+[[nodiscard]] SlerpBezierCurve::Segment slerp_bezier_segment(const std::array<Eigen::Quaterniond, 4>& controls);
 
 /// The composite cubic through keys with the rate on leaving and on arriving at each key [rad/s], body frame.
 [[nodiscard]] SlerpBezierCurve slerp_bezier_curve(Knots knots, std::span<const Eigen::Quaterniond> keys,

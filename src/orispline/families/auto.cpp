@@ -177,12 +177,16 @@ Track position_track(const Keyframes& keys, std::size_t reach) {
 
 Knots key_times(const Keyframes& keys) { return Knots({keys.times().begin(), keys.times().end()}); }
 
-bool holds(const FamilySettings& settings) { return settings.per_key("hold")[0] != 0.0; }
+Expected<bool> holds(const FamilySettings& settings) {
+  return settings.whole("hold").map([](int hold) { return hold == 1; });
+}
 
 /// (5) A quintic in the chart of each segment's middle.
-ChartCurve<5> curve_of_reach(const Keyframes& keys, std::size_t reach, const FamilySettings& settings) {
+Expected<ChartCurve<5>> curve_of_reach(const Keyframes& keys, std::size_t reach, const FamilySettings& settings) {
+  const auto hold = holds(settings);
+  if (!hold) return tl::unexpected(hold.error());
   const Track track = orientation_track(keys, reach);
-  const std::vector<Rates> rates = rates_at_keys(track, holds(settings));
+  const std::vector<Rates> rates = rates_at_keys(track, *hold);
   const auto at = [&rates](std::size_t i) {
     return std::array<Eigen::Vector3d, 3>{rates[i].first, rates[i].second, Eigen::Vector3d::Zero()};
   };
@@ -193,14 +197,15 @@ ChartCurve<5> curve_of_reach(const Keyframes& keys, std::size_t reach, const Fam
     const Eigen::Quaterniond middle = keys.orientations()[i] * exp<double>(half);
     pieces.push_back(hermite_piece<2>(middle, -half, half, at(i), at(i + 1), track.step(i)));
   }
-  return {key_times(keys), std::move(pieces)};
+  return ChartCurve<5>(key_times(keys), std::move(pieces));
 }
 
-HermitePath<5> path_of_reach(const Keyframes& keys, std::size_t reach, const FamilySettings& settings) {
-  std::vector<HermitePath<5>::Derivatives> derivatives;
-  for (const Rates& r : rates_at_keys(position_track(keys, reach), holds(settings)))
-    derivatives.push_back({r.first, r.second});
-  return {key_times(keys), {keys.positions().begin(), keys.positions().end()}, std::move(derivatives)};
+Expected<HermitePath<5>> path_of_reach(const Keyframes& keys, std::size_t reach, const FamilySettings& settings) {
+  return holds(settings).map([&](bool hold) {
+    std::vector<HermitePath<5>::Derivatives> derivatives;
+    for (const Rates& r : rates_at_keys(position_track(keys, reach), hold)) derivatives.push_back({r.first, r.second});
+    return HermitePath<5>(key_times(keys), {keys.positions().begin(), keys.positions().end()}, std::move(derivatives));
+  });
 }
 
 }  // namespace

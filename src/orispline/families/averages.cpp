@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/families/averages.hpp>
 
+#include <algorithm>
 #include <numbers>
 
 #include <fmt/format.h>
 
+#include <orispline/curve/motion.hpp>
 #include <orispline/curve/points_through.hpp>
 #include <orispline/curve/reflected.hpp>
 
@@ -57,25 +59,57 @@ Expected<std::vector<P>> control_points(const Keyframes& keys, std::span<const P
       .map([&](const std::vector<P>& solved) { return with_ghosts(solved); });
 }
 
-Error too_far_apart(std::size_t key, double missing) {
+Error too_far_apart(std::size_t key, std::string_view found) {
   return {ErrorCode::not_converged,
-          fmt::format(
-              "averages does not converge for these keys: the residual stays at {:.3g} rad, wanted 0, for the control "
-              "orientations around this key lie too far apart to have one average",
-              missing),
+          fmt::format("averages does not converge for these keys: {}, for the control orientations around this key lie "
+                      "too far apart to have one average",
+                      found),
           {.key = key}};
+}
+
+Error misses_average(std::size_t key, double missing) {
+  return too_far_apart(key, fmt::format("the residual stays at {:.3g} rad, wanted 0", missing));
+}
+
+/// Then they have one average, and no more.
+bool points_in_one_half_of_the_sphere(const AverageCurve& curve, std::size_t segment) {
+  const auto points = std::span(curve.points()).subspan(segment, AverageCurve::active);
+  Eigen::Vector4d sum = Eigen::Vector4d::Zero();
+  for (const Eigen::Quaterniond& p : points) sum += p.coeffs();
+  return std::ranges::all_of(points, [&](const Eigen::Quaterniond& p) { return p.coeffs().dot(sum) > 0.0; });
+}
+
+/// By how much the average jumps between two near times [rad]; 0 where its rates account for the way between them.
+double jump_between(const Motion& before, const Motion& after, double duration) {
+  const double way = increment<double>(before.orientation, after.orientation).norm();
+  const double rate = std::max(before.angular_velocity.norm(), after.angular_velocity.norm());
+  return way > 2.0 * rate * duration + 1e-9 ? way : 0.0;
+}
+
+/// Whether a segment's average exists, and moves without jumps where there may be several.
+std::optional<Error> without_average(const AverageCurve& curve, std::size_t segment) {
+  constexpr double allowed = 1e-9;  // [rad]
+  const bool one_at_most = points_in_one_half_of_the_sphere(curve, segment);
+  const int parts = one_at_most ? 5 : 64;
+  const KnotSpan span = curve.knots().span(segment);
+  std::optional<Motion> before;
+  for (int k = 0; k <= parts; ++k) {
+    const double t = span.start() + span.step() * k / parts;
+    const double missing = curve.missing(curve.orientation(t, segment), curve.weights(t, segment), segment).norm();
+    if (!(missing <= allowed)) return misses_average(segment, missing);
+    if (one_at_most) continue;
+    const Motion here = motion_from_jet(curve.orientation(Jet<double, 3>::variable(t), segment));
+    const double jump = before ? jump_between(*before, here, span.step() / parts) : 0.0;
+    if (jump > 0.0) return too_far_apart(segment, fmt::format("the average jumps by {:.3g} rad", jump));
+    before = here;
+  }
+  return std::nullopt;
 }
 
 /// The first segment where nothing is the average of the control orientations.
 std::optional<Error> without_average(const AverageCurve& curve) {
-  constexpr double allowed = 1e-9;  // [rad]
   for (std::size_t i = 0; i < curve.knots().segments(); ++i)
-    for (const double u : {0.0, 0.2, 0.4, 0.6, 0.8, 1.0}) {
-      const KnotSpan span = curve.knots().span(i);
-      const double t = span.start() + u * span.step();
-      const double missing = curve.missing(curve.orientation(t, i), curve.weights(t, i), i).norm();
-      if (!(missing <= allowed)) return too_far_apart(i, missing);
-    }
+    if (auto error = without_average(curve, i)) return error;
   return std::nullopt;
 }
 
@@ -84,7 +118,7 @@ std::optional<Error> beside_average(const AverageCurve& curve, std::span<const E
   for (std::size_t i = 0; i < curve.knots().segments(); ++i)
     for (const std::size_t key : {i, i + 1}) {
       const double missing = angular_distance(curve.orientation(curve.knots().times()[key], i), keys[key]);
-      if (!(missing <= chain::tolerance)) return too_far_apart(key, missing);
+      if (!(missing <= chain::tolerance)) return misses_average(key, missing);
     }
   return std::nullopt;
 }

@@ -73,17 +73,27 @@ struct NuRule {
   }
 };
 
-std::optional<Eigen::Vector3d> handle_of(const End& end, double third) {
+using Handle = std::optional<Eigen::Vector3d>;
+
+Expected<Handle> handle_of(const End& end, double third, std::size_t key) {
   if (end.rule == EndRule::natural) return std::nullopt;
-  return Eigen::Vector3d(third * end.angular_velocity);
+  Eigen::Vector3d handle = third * end.angular_velocity;
+  if (handle.norm() < NuRule::forbidden_turn) return handle;
+  return failure(ErrorCode::bad_argument,
+                 fmt::format("nu: the end rate is {:.6g} rad/s, wanted less than {:.6g} for the length of this end's "
+                             "segment: the handle would wind round",
+                             end.angular_velocity.norm(), NuRule::forbidden_turn / std::abs(third)),
+                 {.key = key});
 }
 
-NuRule rule_of(const Keyframes& keys, const FamilySettings& settings, Ratios ratios) {
+Expected<NuRule> rule_of(const Keyframes& keys, const FamilySettings& settings, const Ratios& ratios) {
   const auto t = keys.times();
   const std::size_t last = t.size() - 1;
-  return {.ratios = std::move(ratios),
-          .start = handle_of(settings.start, (t[1] - t[0]) / 3.0),
-          .end = handle_of(settings.end, -(t[last] - t[last - 1]) / 3.0)};
+  return handle_of(settings.start, (t[1] - t[0]) / 3.0, 0).and_then([&](const Handle& start) {
+    return handle_of(settings.end, -(t[last] - t[last - 1]) / 3.0, last).map([&](const Handle& end) {
+      return NuRule{.ratios = ratios, .start = start, .end = end};
+    });
+  });
 }
 
 /// Every segment from a key over the two inner points on its arc of the control polygon to the next key.
@@ -91,8 +101,8 @@ SlerpBezierCurve curve_of(const Keyframes& keys, const std::vector<Eigen::Quater
   const auto q = keys.orientations();
   std::vector<SlerpBezierCurve::Segment> segments;
   for (std::size_t i = 0; i + 1 < q.size(); ++i)
-    segments.push_back({q[i], slerp<double>(d[i], d[i + 1], ratios.after[i]),
-                        slerp<double>(d[i], d[i + 1], ratios.before[i + 1]), q[i + 1]});
+    segments.push_back(slerp_bezier_segment({q[i], slerp<double>(d[i], d[i + 1], ratios.after[i]),
+                                             slerp<double>(d[i], d[i + 1], ratios.before[i + 1]), q[i + 1]}));
   return {Knots({keys.times().begin(), keys.times().end()}), std::move(segments)};
 }
 
@@ -100,7 +110,8 @@ SlerpBezierCurve curve_of(const Keyframes& keys, const std::vector<Eigen::Quater
 
 Expected<SlerpBezierCurve> Nu::curve(const Keyframes& keys, const FamilySettings& settings) {
   return ratios_of(keys.times(), settings.per_key("nu")).and_then([&](const Ratios& ratios) {
-    return control_points_through(keys.orientations(), info.name, rule_of(keys, settings, ratios))
+    return rule_of(keys, settings, ratios)
+        .and_then([&](const NuRule& rule) { return control_points_through(keys.orientations(), info.name, rule); })
         .map([&](const std::vector<Eigen::Quaterniond>& controls) { return curve_of(keys, controls, ratios); });
   });
 }

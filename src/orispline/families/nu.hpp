@@ -26,7 +26,8 @@ struct Nu {
                                    .support_keys = all_keys,
                                    .parameters = parameters,
                                    .ends = ends};
-  /// Errors: bad_argument where ν is so negative that the construction has a pole; not_converged.
+  /// Errors: bad_argument where ν is so negative that the construction has a pole, or where an end rate makes a handle
+  /// of a full turn; not_converged.
   [[nodiscard]] static Expected<SlerpBezierCurve> curve(const Keyframes& keys, const FamilySettings& settings);
   [[nodiscard]] static Expected<HermitePath<3>> path(const Keyframes& keys, const FamilySettings& settings);
 };

@@ -12,7 +12,10 @@ struct Neighbours {
 Neighbours neighbours_of(const Keyframes& keys, std::size_t i, const FamilySettings& settings) {
   const auto q = keys.orientations();
   const std::size_t last = q.size() - 1;
-  const auto to = [&](std::size_t j) { return increment<double>(q[i], q[j]); };
+  // Backwards along the arc that arrives: of a full turn the logarithm could not tell which way it was.
+  const auto to = [&](std::size_t j) -> Eigen::Vector3d {
+    return j > i ? increment<double>(q[i], q[j]) : Eigen::Vector3d(-increment<double>(q[j], q[i]));
+  };
   const auto ghost = [](EndRule rule, const Eigen::Vector3d& inward) -> Eigen::Vector3d {
     return rule == EndRule::reflect ? Eigen::Vector3d(-inward) : Eigen::Vector3d::Zero();
   };
