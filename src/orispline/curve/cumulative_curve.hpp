@@ -5,6 +5,8 @@
 
 #include <orispline/curve/cumulative_basis.hpp>
 #include <orispline/curve/motion.hpp>
+#include <orispline/curve/segment_form.hpp>
+#include <orispline/curve/two_point_blending.hpp>
 
 namespace orispline {
 
@@ -66,6 +68,19 @@ class CumulativeCurve {
                        2.0 * b1 * carried_acceleration.cross(phi) - b1 * b1 * turn.cross(phi) + b3 * phi;
     }
     return m;
+  }
+
+  /// The segment as polynomials, where it is of at most three factors of degree 7 at most.
+  [[nodiscard]] SegmentForm form(std::size_t segment) const noexcept {
+    if constexpr (B::increments > 3 || B::degree < 1 || B::degree > static_cast<int>(form_degree)) return {};
+    else {
+      CumulativeForm form{.degree = two_point_degree<B::degree>,
+                          .base = polygon_.bases[segment],
+                          .increments = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()},
+                          .blending = two_point_forms<B::increments, B::degree>(knots_.span(segment), basis_)};
+      for (std::size_t k = 0; k < B::increments; ++k) form.increments[k] = polygon_.increments[segment * B::stride + k];
+      return form;
+    }
   }
 
  private:
