@@ -2,7 +2,6 @@
 #include "command_options.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace orispline::cli {
 namespace {
@@ -10,15 +9,18 @@ namespace {
 constexpr auto sample_footer = R"(Examples:
   orispline sample keys.csv --rate 100 -o motion.csv
   orispline sample keys.csv --method quintic --tension=0.4 --ends natural --count 500 | head
-  orispline sample flight.csv --start-rate=0,0,0.5 --set tension=0.4,0.5,0.6 --times frames.csv -o motion.csv
-  orispline sample loop.csv --closed --rate 100 -o lap.csv
+  orispline sample flight.csv --method timed-c2 --start-rate=0,0,0.5 --times frames.csv -o motion.csv
+  orispline sample keys.csv --method squad-timed --set variant=boyle --rate 100 -o motion.csv
+  orispline sample robot.csv --set hold=1 --rate 100 -o motion.csv
+  orispline sample loop.csv --method timed-c2 --closed --rate 100 -o lap.csv
   orispline sample trajectory.tum --drop-duplicates --rate 200 -o smooth.tum
   orispline sample data.csv --rate 200 --output-orientation euler -o motion.csv
   orispline sample ck.csv --columns t=sclk,qw=q0,qx=q1,qy=q2,qz=q3 --conjugate --rate 10 --frame world
 
-INPUT has the columns t,qw,qx,qy,qz and optionally px,py,pz, wx,wy,wz (for hermite-cumulative) and one column per
-parameter of the method (a value per key); a parameter on the command line wins over its column. Instead of the
-quaternion: roll,pitch,yaw; e1,e2,e3 with --euler; r11,r12,...,r33; rx,ry,rz. '-' is standard input or output.
+INPUT has the columns t,qw,qx,qy,qz and optionally px,py,pz, wx,wy,wz[,ax,ay,az[,jx,jy,jz]] (for methods that take
+rates) and one column per parameter of the method (a value per key); a parameter on the command line wins over its
+column. Instead of the quaternion: roll,pitch,yaw; e1,e2,e3 with --euler; r11,r12,...,r33; rx,ry,rz.
+'-' is standard input or output.
 Columns out: t,qw,qx,qy,qz[,px,py,pz][,wx,wy,wz[,ax,ay,az[,jx,jy,jz]]][,vx,vy,vz[,apx,apy,apz]]
 in s, m, rad/s, rad/s^2, rad/s^3, m/s, m/s^2; angular rates in the body frame, positions and theirs in the world frame.
 TUM and EuRoC files always have positions: zeros when the keys have none.
@@ -35,17 +37,11 @@ counted. Positions are kept, angular velocities too where the output is CSV; oth
 
 constexpr auto inspect_footer = R"(Examples:
   orispline inspect keys.csv
-  orispline inspect keys.csv --method timed-c2,quintic --method slerp
+  orispline inspect keys.csv --method auto,quintic --method slerp
   orispline inspect keys.csv --method sextic --json
 
 Faults that 'sample' refuses (duplicate or decreasing times, rows that are not numbers, norms far from 1) are repaired
 and counted. The JSON is described in docs/inspect-json.md.)";
-
-std::string method_names() {
-  std::vector<std::string_view> names;
-  for (const FamilyInfo& family : families_info()) names.push_back(family.name);
-  return fmt::format("{}", fmt::join(names, "|"));
-}
 
 void add_input_options(CLI::App& app, InputOptions& o, std::string_view default_signs = "shortest") {
   app.add_option("INPUT", o.path, "CSV, TUM or EuRoC file of keyframes; '-' is standard input")
@@ -86,12 +82,12 @@ void add_input_options(CLI::App& app, InputOptions& o, std::string_view default_
 void add_method_options(CLI::App& app, MethodOptions& o) {
   const std::string group = "Shape of the curve";
   app.add_option("--tension", o.tension, "Short for --set tension=X[,X...]")->type_name("X[,X...]")->group(group);
-  app.add_option("--set", o.settings, "A parameter: one value, or exactly one per key; repeatable")
+  app.add_option("--set", o.settings, "A number, or one per key with commas; or a word where it is a choice")
       ->allow_extra_args(false)
-      ->type_name("NAME=X[,X...]")
+      ->type_name(setting_type)
       ->group(group);
   app.add_option("--ends", o.ends, "End rule for both ends, or for each; see 'orispline methods'")
-      ->type_name("RULE|START,END")
+      ->type_name(ends_type)
       ->group(group);
   app.add_option("--start-rate", o.start_rate, "Body rate at the first key [rad/s]; means --ends clamped there")
       ->type_name("WX,WY,WZ")
@@ -143,7 +139,7 @@ void add_output_options(CLI::App& app, OutputOptions& o) {
 void add_sample_options(CLI::App& app, SampleOptions& o) {
   add_input_options(app, o.input);
   app.add_option("--method", o.method, fmt::format("Method [{}]; see 'orispline methods'", default_method))
-      ->type_name(method_names())
+      ->type_name(method_type)
       ->group("Shape of the curve");
   add_method_options(app, o.shape);
   add_loop_options(app, o.shape);
@@ -180,7 +176,7 @@ void add_inspect_options(CLI::App& app, InspectOptions& o) {
   add_input_options(app, o.input);
   app.add_option("--method", o.methods, "Methods whose continuity is measured; repeatable, or a list with commas")
       ->allow_extra_args(false)
-      ->type_name(method_names())
+      ->type_name(methods_type)
       ->group("Shape of the curve");
   add_method_options(app, o.shape);
   add_loop_options(app, o.shape);

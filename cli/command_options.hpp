@@ -12,7 +12,10 @@
 namespace orispline::cli {
 
 /// The type name of arguments that are files.
-inline constexpr auto file_type = "FILE";
+inline constexpr auto file_type = "FILE", folder_type = "FOLDER";
+/// Of arguments whose words the registry knows.
+inline constexpr auto method_type = "METHOD", methods_type = "METHOD,...", ends_type = "RULE|START,END",
+                      setting_type = "NAME=VALUE";
 
 void add_sample_options(CLI::App& app, SampleOptions& options);
 void add_convert_options(CLI::App& app, ConvertOptions& options);

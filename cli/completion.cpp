@@ -30,8 +30,21 @@ std::string quoted(std::string_view text) {
 
 // bash: the word before the cursor decides, then the command.
 
+/// `NAME=WORD` is one word of the line, but two for readline, which wants what follows the `=` only.
+std::string bash_settings(const OptionOutline& option) {
+  return fmt::format(
+      "      if [[ $line =~ \\ {}\\ +[^\\ ]*$ ]]; then\n"
+      "        COMPREPLY=($(compgen -W '{}' -- \"$token\"))\n"
+      "        COMPREPLY=(\"${{COMPREPLY[@]#\"${{token%\"${{token##*=}}\"}}\"}}\")\n"
+      "        compopt +o filenames 2>/dev/null\n"
+      "        [[ ${{COMPREPLY[*]}} == *= ]] && compopt -o nospace 2>/dev/null\n"
+      "        return\n"
+      "      fi\n",
+      option.names.front(), fmt::join(option.choices, " "));
+}
+
 std::string bash_command(const CommandOutline& command) {
-  std::string values, words;
+  std::string values, words, settings;
   for (const OptionOutline& option : command.options) {
     if (is_positional(option)) {
       if (option.argument == Argument::choice) words += fmt::format(" {}", fmt::join(option.choices, " "));
@@ -42,12 +55,13 @@ std::string bash_command(const CommandOutline& command) {
     if (option.argument == Argument::choice)
       values += fmt::format("        {}) COMPREPLY=($(compgen -W '{}' -- \"$word\")); return ;;\n", names,
                             fmt::join(option.choices, " "));
+    else if (option.argument == Argument::setting) settings = bash_settings(option);
     else if (option.argument == Argument::file)
       values += fmt::format("        {}) COMPREPLY=($(compgen -f -- \"$word\")); return ;;\n", names);
     else if (option.argument == Argument::word) values += fmt::format("        {}) return ;;\n", names);
   }
-  return fmt::format("    {})\n      case $previous in\n{}      esac\n      words='{}'\n      ;;\n", command.name,
-                     values.empty() ? "        *) ;;\n" : values, words.empty() ? "" : words.substr(1));
+  return fmt::format("    {})\n{}      case $previous in\n{}      esac\n      words='{}'\n      ;;\n", command.name,
+                     settings, values.empty() ? "        *) ;;\n" : values, words.empty() ? "" : words.substr(1));
 }
 
 std::string bash_script(const Commands& commands) {
@@ -57,6 +71,7 @@ std::string bash_script(const Commands& commands) {
       "# bash completion of orispline: source <(orispline completion bash)\n"
       "_orispline() {{\n"
       "  local word=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD-1]}} words\n"
+      "  local line=${{COMP_LINE:0:COMP_POINT}}; local token=${{line##* }}\n"
       "  if [ \"$COMP_CWORD\" -eq 1 ]; then\n"
       "    COMPREPLY=($(compgen -W '{} --help --version' -- \"$word\"))\n"
       "    return\n"
@@ -88,6 +103,7 @@ std::string zsh_action(const OptionOutline& option) {
     case Argument::word:
       return ":value: ";
     case Argument::choice:
+    case Argument::setting:
       return fmt::format(":value:({})", fmt::join(option.choices, " "));
     case Argument::file:
       return ":file:_files";
@@ -141,7 +157,7 @@ std::string fish_option(const CommandOutline& command, const OptionOutline& opti
       line += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
   if (option.argument == Argument::word) line += " -x";
   if (option.argument == Argument::file) line += " -rF";
-  if (option.argument == Argument::choice)
+  if (option.argument == Argument::choice || option.argument == Argument::setting)
     line += fmt::format("{} -a '{}'", is_positional(option) ? " -f" : " -x", fmt::join(option.choices, " "));
   return line + " -d " + quoted(option.description) + "\n";
 }

@@ -10,8 +10,8 @@
 
 namespace orispline::cli {
 
-/// What an option's argument is, as far as a shell can help.
-enum class Argument { none, word, choice, file };
+/// What an option's argument is, as far as a shell can help. A setting is a choice among `NAME=WORD` and `NAME=`.
+enum class Argument { none, word, choice, setting, file };
 
 /// An option or, without a dash in front of its name, a positional argument.
 struct OptionOutline {

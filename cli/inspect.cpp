@@ -86,6 +86,8 @@ Expected<InspectReport> inspected(const InputRequest& input, const std::vector<M
   report.keyframes.non_unit_keys += scaled.wrong_norms;
   report.keyframes.largest_norm_error = std::max(report.keyframes.largest_norm_error, scaled.largest_norm_error);
   if (!report.defect && scaled.first_error) report.defect = describe(located(report.file, *scaled.first_error));
+  if (!methods.empty())
+    if (const auto warning = closing_step_warning(methods.front(), *keys)) warn(*warning);
   for (const MethodRequest& method : methods) {
     const auto curve = shaped_curve(method, *keys, report.file);
     if (!curve) return tl::unexpected(curve.error());
@@ -105,8 +107,10 @@ Expected<void> inspect(const InspectOptions& options) {
   const auto methods = method_requests(options);
   if (!methods) return tl::unexpected(methods.error());
   input->read.parameters = all_open_parameters(*methods);
-  input->read.angular_velocities =
-      std::ranges::any_of(*methods, [](const MethodRequest& method) { return method.family->rate_orders > 0; });
+  input->read.rate_orders = 0;
+  for (const MethodRequest& method : *methods)
+    input->read.rate_orders = std::max(input->read.rate_orders, method.family->rate_orders);
+  input->read.world_rates = true;
   return inspected(*input, *methods).and_then([&](const InspectReport& report) {
     return print_document(options.json ? json_of(report) : text_of(report));
   });

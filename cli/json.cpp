@@ -22,9 +22,20 @@ std::string document(const Json& json) { return json.dump(2, ' ', false, Json::e
 Json parameters_of(const FamilyInfo& family) {
   Json parameters = Json::array();
   for (const Parameter& p : family.parameters)
-    parameters.push_back(
-        {{"name", p.name}, {"default", p.initial}, {"min", p.lowest}, {"max", p.highest}, {"per_key", p.per_key}});
+    parameters.push_back({{"name", p.name},
+                          {"default", p.initial},
+                          {"min", p.lowest},
+                          {"max", p.highest},
+                          {"per_key", p.per_key},
+                          {"ghosts", p.ghosts}});
   return parameters;
+}
+
+Json choices_of(const FamilyInfo& family) {
+  Json choices = Json::array();
+  for (const auto& [name, words] : family.choices)
+    choices.push_back({{"name", name}, {"default", words.front()}, {"words", words}});
+  return choices;
 }
 
 Json ends_of(const FamilyInfo& family) {
@@ -42,10 +53,12 @@ Json method(const FamilyInfo& family) {
           {"continuity_uneven", family.continuity_uneven},
           {"keeps_constant_rate_uniform", family.keeps_constant_rate_uniform},
           {"keeps_constant_rate_uneven", family.keeps_constant_rate_uneven},
-          {"support_keys", family.support_keys},
+          {"support_keys", family.support_keys == all_keys ? Json(nullptr) : Json(family.support_keys)},
           {"min_keys", family.min_keys},
           {"closes", family.closes},
+          {"rate_orders", family.rate_orders},
           {"parameters", parameters_of(family)},
+          {"choices", choices_of(family)},
           {"ends", ends_of(family)}};
 }
 
@@ -114,6 +127,16 @@ Json truth(const TruthReport& truth) {
           {"distance_max_time_s", truth.largest_time.to_string()}};
 }
 
+Json table(const report::Table& table) {
+  Json columns = Json::array(), rows = Json::array();
+  for (const report::Column& column : table.columns) columns.push_back(column.name);
+  for (const auto& row : table.rows) {
+    Json& cells = rows.emplace_back(Json::array());
+    for (const report::Cell& cell : row) std::visit([&](const auto& value) { cells.push_back(value); }, cell);
+  }
+  return {{"title", table.title}, {"columns", columns}, {"rows", rows}, {"notes", table.notes}};
+}
+
 }  // namespace
 
 std::string json_of(std::span<const FamilyInfo> families) {
@@ -175,6 +198,24 @@ std::string json_of(const ConvertReport& report) {
   add_repairs(json, report.repairs);
   json["dropped_columns"] = report.dropped_columns;
   return document(json);
+}
+
+std::string json_of(std::span<const Experiment> experiments) {
+  Json list = Json::array();
+  for (const Experiment& experiment : experiments)
+    list.push_back(Json{{"experiment", experiment.name}, {"title", experiment.title}});
+  return document(list);
+}
+
+std::string json_of(const std::vector<ExperimentReport>& reports) {
+  Json list = Json::array();
+  for (const ExperimentReport& report : reports) {
+    Json tables = Json::array();
+    for (const report::Table& t : report.findings.tables) tables.push_back(table(t));
+    list.push_back(Json{
+        {"experiment", report.name}, {"title", report.title}, {"tables", tables}, {"pictures", report.picture_files}});
+  }
+  return document(list);
 }
 
 }  // namespace orispline::cli

@@ -11,8 +11,11 @@
 #include "convert.hpp"
 #include "exit_code.hpp"
 #include "inspect.hpp"
+#include "method_options.hpp"
 #include "methods.hpp"
+#include "reproduce.hpp"
 #include "sample.hpp"
+#include "standard_output.hpp"
 
 #include <algorithm>
 #include <csignal>
@@ -25,7 +28,7 @@ namespace {
 constexpr auto app_footer = R"(Examples:
   orispline sample keys.csv --rate 100 -o motion.csv
   orispline convert keys.csv -o keys.tum
-  orispline inspect keys.csv --method timed-c2,quintic
+  orispline inspect keys.csv --method auto,quintic
   orispline methods
 
 Exit codes: 0 success, 1 bad data, 2 bad usage, 3 file missing, unreadable or not writable.)";
@@ -34,10 +37,27 @@ constexpr auto methods_footer = R"(Examples:
   orispline methods
   orispline methods --json)";
 
+constexpr auto reproduce_footer = R"(Examples:
+  orispline reproduce
+  orispline reproduce 000-table1
+  orispline reproduce 003 --pictures pictures
+
+The numbers stand for papers: 000 Tan et al. 2018, 001 He et al. 2022, 002 Eberly, 003 the 6th degree.)";
+
 constexpr auto completion_footer = R"(Examples:
   source <(orispline completion bash)
   orispline completion zsh > "${fpath[1]}/_orispline"
   orispline completion fish > ~/.config/fish/completions/orispline.fish)";
+
+/// The words that the registry has for an argument of that type.
+std::vector<std::string> registered_words(std::string_view type) {
+  if (type == setting_type) return known_settings();
+  if (type == ends_type) return known_end_rules();
+  if (type != method_type && type != methods_type) return {};
+  std::vector<std::string> names;
+  for (const FamilyInfo& family : families_info()) names.emplace_back(family.name);
+  return names;
+}
 
 /// What a shell is told about an option; choices stand in the type name.
 OptionOutline outline(const CLI::Option& option) {
@@ -47,7 +67,9 @@ OptionOutline outline(const CLI::Option& option) {
   for (const std::string& name : option.get_lnames()) result.names.push_back("--" + name);
   if (option.get_items_expected_max() == 0) return result;
   const std::string type = option.get_type_name();
-  result.argument = type == file_type ? Argument::file : Argument::word;
+  result.argument = type == file_type || type == folder_type ? Argument::file : Argument::word;
+  result.choices = registered_words(type);
+  if (!result.choices.empty()) result.argument = type == setting_type ? Argument::setting : Argument::choice;
   if (type.find('|') == std::string::npos || type.find(',') != std::string::npos) return result;
   result.argument = Argument::choice;
   for (const std::string_view choice : pieces_of(type, '|')) result.choices.emplace_back(choice);
@@ -63,15 +85,24 @@ std::vector<CommandOutline> outlines(const CLI::App& app) {
   return commands;
 }
 
+/// For somebody who has typed the name of the command and no more.
+constexpr auto first_steps = R"(orispline makes smooth motions from orientation keyframes. Some beginnings:
+  orispline sample keys.csv --rate 100 -o motion.csv   a motion through the keys, with exact rates
+  orispline inspect keys.csv --method auto             what the keys are like, and where rates jump
+  orispline convert keys.csv -o keys.tum               the same keys in another format
+  orispline methods                                    all methods, what they promise and take
+keys.csv has the columns t,qw,qx,qy,qz. 'orispline --help' and 'orispline sample --help' say more.
+)";
+
 /// CLI11 would only say that a subcommand is required.
 std::optional<Error> unknown_command(const CLI::App& app, std::span<char*> arguments) {
-  const std::string_view first = arguments.size() > 1 ? arguments[1] : "";
+  const std::string_view first = arguments[1];
   if (first.starts_with('-')) return std::nullopt;
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
   if (std::ranges::find(names, first) != names.end()) return std::nullopt;
-  const std::string found = arguments.size() > 1 ? fmt::format("no command '{}'", first) : "found no command";
-  return Error{ErrorCode::bad_argument, fmt::format("{}, wanted one of {}", found, fmt::join(names, ", ")), {}};
+  return Error{
+      ErrorCode::bad_argument, fmt::format("no command '{}', wanted one of {}", first, fmt::join(names, ", ")), {}};
 }
 
 /// CLI11 would take the next word for the value of `--option=`.
@@ -100,6 +131,8 @@ class CommandLine {
     command("methods", "List the methods", [this] { return methods(methods_); })
         .footer(methods_footer)
         ->add_flag("--json", methods_.json, "Print one JSON array");
+    add_reproduce_options(
+        command("reproduce", "Run the experiments of the papers anew", [this] { return reproduce(reproduce_); }));
     command("completion", "Print a completion script for a shell",
             [this] { return completion(shell_, outlines(app_)); })
         .footer(completion_footer)
@@ -111,6 +144,7 @@ class CommandLine {
   [[nodiscard]] ExitCode run(int argc, char** argv) {
     try {
       const std::span arguments(argv, static_cast<std::size_t>(argc));
+      if (arguments.size() < 2) return tell(first_steps), ExitCode::bad_usage;
       if (const auto error = unknown_command(app_, arguments)) return report(*error);
       if (const auto error = empty_value(arguments)) return report(*error);
       app_.parse(argc, argv);
@@ -131,11 +165,21 @@ class CommandLine {
     return command;
   }
 
+  void add_reproduce_options(CLI::App& command) {
+    command.footer(reproduce_footer);
+    command.add_option("EXPERIMENT", reproduce_.experiment, "A name of the list, or the number of a paper")
+        ->type_name("NAME");
+    command.add_option("--pictures", reproduce_.pictures, "Write its pictures into this folder, as SVG")
+        ->type_name(folder_type);
+    command.add_flag("--json", reproduce_.json, "Print one JSON array");
+  }
+
   CLI::App app_{"Smooth orientation curves through keyframes."};
   SampleOptions sample_;
   ConvertOptions convert_;
   InspectOptions inspect_;
   MethodsOptions methods_;
+  ReproduceOptions reproduce_;
   std::string shell_;
   Expected<void> result_;
 };

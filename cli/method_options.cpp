@@ -2,34 +2,61 @@
 #include "method_options.hpp"
 
 #include <algorithm>
+#include <set>
+#include <span>
 #include <tuple>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "option_text.hpp"
 
 namespace orispline::cli {
 namespace {
 
-using Parameters = std::map<std::string, std::vector<double>, std::less<>>;
+/// Shorter closing steps than this share of the shortest one between keys are worth a warning.
+constexpr double closing_share = 1e-3;
 
-Expected<Parameters> parameters_in(const MethodOptions& options) {
-  Parameters parameters;
-  if (options.tension) {
-    auto values = numbers_in({"--tension", *options.tension});
-    if (!values) return tl::unexpected(std::move(values.error()));
-    parameters.emplace("tension", std::move(*values));
-  }
-  for (const std::string& setting : options.settings) {
-    const auto assignment = assignment_in({"--set", setting});
+/// What the command line says about one name: `--set NAME=TEXT`, or an option that is short for it.
+struct Setting {
+  std::string option;
+  std::string_view name, text;
+};
+
+template <class Named>
+bool has_name(std::span<const Named> list, std::string_view name) {
+  return std::ranges::find(list, name, &Named::name) != list.end();
+}
+
+/// The setting in its place: numbers for a parameter, else a word for a choice, which the family has to know.
+Expected<CurveOptions> with_setting(const FamilyInfo& family, CurveOptions shape, const Setting& setting) {
+  const std::string name(setting.name);
+  if (shape.parameters.contains(name) || shape.choices.contains(name))
+    return usage_failure(fmt::format("{}: '{}' is given twice, wanted it once", setting.option, name));
+  if (has_name(family.parameters, name))
+    return numbers_in({setting.option, setting.text}).map([&](std::vector<double> values) {
+      shape.parameters.emplace(name, std::move(values));
+      return std::move(shape);
+    });
+  shape.choices.emplace(name, setting.text);
+  const CurveOptions alone{.choices = {{name, std::string(setting.text)}}};
+  return settle(family, alone, 1).map([&](const FamilySettings&) { return std::move(shape); });
+}
+
+/// Parameters and choices.
+Expected<CurveOptions> settings_in(const FamilyInfo& family, const MethodOptions& options) {
+  std::vector<Setting> settings;
+  if (options.tension) settings.push_back({"--tension", "tension", *options.tension});
+  for (const std::string& text : options.settings) {
+    const auto assignment = assignment_in({"--set", text});
     if (!assignment) return tl::unexpected(assignment.error());
-    const auto& [name, text] = *assignment;
-    auto values = numbers_in({fmt::format("--set {}", name), text});
-    if (!values) return tl::unexpected(std::move(values.error()));
-    if (!parameters.emplace(name, std::move(*values)).second)
-      return usage_failure(fmt::format("--set {}: '{}' is given twice, wanted it once", name, name));
+    settings.push_back({fmt::format("--set {}", assignment->first), assignment->first, assignment->second});
   }
-  return parameters;
+  Expected<CurveOptions> shape;
+  for (const Setting& setting : settings)
+    shape = std::move(shape).and_then(
+        [&](CurveOptions so_far) { return with_setting(family, std::move(so_far), setting); });
+  return shape;
 }
 
 /// A rule of the family; a complaint begins with the option that asks for it.
@@ -62,8 +89,19 @@ Expected<End> end_in(const FamilyInfo& family, std::optional<EndRule> rule, std:
   return vector_in({option, *rate}).map([](const Eigen::Vector3d& w) { return End{EndRule::clamped, w}; });
 }
 
-Expected<std::optional<Loop>> loop_in(const MethodOptions& options) {
-  if (!options.period) return options.closed ? std::optional(Loop{}) : std::nullopt;
+std::string closing_methods() {
+  std::vector<std::string_view> names;
+  for (const FamilyInfo& family : families_info())
+    if (family.closes) names.push_back(family.name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+Expected<std::optional<Loop>> loop_in(const FamilyInfo& family, const MethodOptions& options) {
+  if (!options.period && !options.closed) return std::nullopt;
+  if (!family.closes)
+    return usage_failure(fmt::format("{}: this method has no closed curves, wanted --method with one of {}",
+                                     family.name, closing_methods()));
+  if (!options.period) return Loop{};
   const OptionText period{"--period", *options.period};
   const auto seconds = number_in(period);
   if (!seconds || *seconds <= 0.0) return wanted(period, "a number of seconds greater than 0");
@@ -86,10 +124,10 @@ Expected<MethodRequest> method_request(const std::string& method, const MethodOp
       checked(if_given("--ends", options.ends, [&](OptionText text) { return rules_in(**family, text); }));
   std::optional<EndRule> start_rule, end_rule;
   if (rules) std::tie(start_rule, end_rule) = *rules;
-  CurveOptions shape{.parameters = checked(parameters_in(options)),
-                     .start = checked(end_in(**family, start_rule, "--start-rate", options.start_rate)),
-                     .end = checked(end_in(**family, end_rule, "--end-rate", options.end_rate)),
-                     .loop = checked(loop_in(options))};
+  CurveOptions shape = checked(settings_in(**family, options));
+  shape.start = checked(end_in(**family, start_rule, "--start-rate", options.start_rate));
+  shape.end = checked(end_in(**family, end_rule, "--end-rate", options.end_rate));
+  shape.loop = checked(loop_in(**family, options));
   return std::move(checked).or_else(MethodRequest{*family, std::move(shape)});
 }
 
@@ -98,6 +136,36 @@ std::vector<std::string> open_parameters(const MethodRequest& request) {
   for (const Parameter& parameter : request.family->parameters)
     if (!request.options.parameters.contains(parameter.name)) names.emplace_back(parameter.name);
   return names;
+}
+
+std::optional<std::string> closing_step_warning(const MethodRequest& request, const Keyframes& keys) {
+  const auto times = keys.times();
+  if (!request.options.loop || !request.options.loop->period || times.size() < 2) return std::nullopt;
+  const double closing_step = *request.options.loop->period - (times.back() - times.front());
+  double shortest = times[1] - times[0];
+  for (std::size_t i = 1; i < times.size(); ++i) shortest = std::min(shortest, times[i] - times[i - 1]);
+  if (closing_step <= 0.0 || closing_step >= closing_share * shortest) return std::nullopt;
+  return fmt::format(
+      "--period: {:.2g} s from the last key back to the first make huge rates, the other steps are {:.4g} s and more; "
+      "--closed is for a last key that is the first one again",
+      closing_step, shortest);
+}
+
+std::vector<std::string> known_settings() {
+  std::set<std::string> settings;
+  for (const FamilyInfo& family : families_info()) {
+    for (const Parameter& parameter : family.parameters) settings.insert(fmt::format("{}=", parameter.name));
+    for (const auto& [name, words] : family.choices)
+      for (const std::string_view word : words) settings.insert(fmt::format("{}={}", name, word));
+  }
+  return {settings.begin(), settings.end()};
+}
+
+std::vector<std::string> known_end_rules() {
+  std::set<std::string> rules;
+  for (const FamilyInfo& family : families_info())
+    for (const EndRule rule : family.ends) rules.emplace(name_of(rule));
+  return {rules.begin(), rules.end()};
 }
 
 Expected<PoseCurve> shaped_curve(const MethodRequest& request, const Keyframes& keys, const io::KeyFile& file) {

@@ -11,11 +11,11 @@
 
 namespace orispline::cli {
 
-inline constexpr std::string_view default_method = "timed-c2";
+inline constexpr std::string_view default_method = "auto";
 
 /// How the user wants a method to be shaped, as typed.
 struct MethodOptions {
-  std::vector<std::string> settings;  ///< NAME=X[,X…]
+  std::vector<std::string> settings;  ///< NAME=X[,X…] or NAME=WORD
   std::optional<std::string> tension, ends, start_rate, end_rate, period;
   bool closed = false;
 };
@@ -34,6 +34,15 @@ struct MethodRequest {
 
 /// Parameters of the method that the command line leaves to the columns of the key file.
 [[nodiscard]] std::vector<std::string> open_parameters(const MethodRequest& request);
+
+/// A line about a loop whose closing step is so much shorter than every other one that its rates are huge; else
+/// nothing.
+[[nodiscard]] std::optional<std::string> closing_step_warning(const MethodRequest& request, const Keyframes& keys);
+
+/// Every `NAME=` or `NAME=WORD` that some method takes.
+[[nodiscard]] std::vector<std::string> known_settings();
+/// Every end rule that some method has.
+[[nodiscard]] std::vector<std::string> known_end_rules();
 
 /// The curve through the keys, shaped by the command line and, where that is silent, by the columns of the file.
 ///

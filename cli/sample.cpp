@@ -73,24 +73,31 @@ Expected<Request> request_in(const SampleOptions& options) {
   if (reads_standard_input_twice(options))
     return usage_failure("found '-' for several of INPUT, --times and --truth, wanted it for one at most");
   read->input.read.parameters = open_parameters(read->method);
-  read->input.read.angular_velocities = read->method.family->rate_orders > 0;
+  read->input.read.rate_orders = read->method.family->rate_orders;
+  read->input.read.world_rates = true;
   return read;
 }
 
 /// The keys, read and turned into a curve.
 struct Source {
   io::KeyFile file;  ///< without the keyframes, which the curve holds now
-  std::size_t keys = 0;
+  std::size_t keys = 0, rate_orders = 0;
   KeyframeReport report;
   PoseCurve curve;
   SampleTimes times;
 };
+
+std::size_t rate_orders_of(const Keyframes& keys) {
+  const std::array rates{keys.angular_velocities(), keys.angular_accelerations(), keys.angular_jerks()};
+  return static_cast<std::size_t>(std::ranges::count_if(rates, [](const auto& values) { return !values.empty(); }));
+}
 
 Expected<Source> open_source(const Request& request) {
   auto file = io::read_keys(request.input.path, request.input.read);
   if (!file) return tl::unexpected(std::move(file.error()));
   const auto keys = Keyframes::make(std::exchange(file->data, {}), request.input.signs);
   if (!keys) return tl::unexpected(located(*file, keys.error()));
+  if (const auto warning = closing_step_warning(request.method, *keys)) warn(*warning);
   auto curve = shaped_curve(request.method, *keys, *file);
   if (!curve) return tl::unexpected(std::move(curve.error()));
   const Domain domain = curve->orientation.domain();
@@ -98,7 +105,8 @@ Expected<Source> open_source(const Request& request) {
   if (!times) return tl::unexpected(std::move(times.error()));
   if (request.extrapolation == Extrapolation::error)
     if (auto stray = times->outside(domain)) return tl::unexpected(std::move(*stray));
-  return Source{std::move(*file), keys->size(), keys->report(), std::move(*curve), std::move(*times)};
+  return Source{std::move(*file), keys->size(),      rate_orders_of(*keys),
+                keys->report(),   std::move(*curve), std::move(*times)};
 }
 
 /// Writes every sample; the number of those that hold an end orientation.
@@ -141,6 +149,8 @@ SampleReport report_on(const Source& source, const SampleOptions& options, const
           .keyframes = source.report,
           .columns = request.columns,
           .samples = source.times.size(),
+          .rate_orders = source.rate_orders,
+          .rates_of_unknown_frame = source.file.rates_of_unknown_frame,
           .start = source.file.epoch + io::Decimal::from_double(domain.start),
           .end = source.file.epoch + io::Decimal::from_double(domain.end)};
 }

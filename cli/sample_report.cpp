@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sample_report.hpp"
 
+#include <array>
 #include <numbers>
+#include <span>
 #include <vector>
 
 #include <fmt/format.h>
@@ -19,6 +21,20 @@ std::string keys_line(const SampleReport& report) {
   if (keyframes.sign_flips > 0) line += fmt::format("; sign flips in the file: {}", keyframes.sign_flips);
   if (keyframes.non_unit_keys > 0) line += fmt::format("; {} normalised", keyframes.non_unit_keys);
   return line + "\n";
+}
+
+std::string rates_lines(const SampleReport& report) {
+  constexpr std::array names{"angular velocities", "accelerations", "jerks"};
+  std::string lines;
+  if (report.rate_orders > 0)
+    lines +=
+        fmt::format("rates taken from the keys: {}\n", fmt::join(std::span(names).first(report.rate_orders), ", "));
+  if (!report.rates_of_unknown_frame.empty())
+    lines += fmt::format(
+        "angular velocities in the file are not used: with --conjugate the frame of {} is not known, wanted names such "
+        "as wx_body or wx_world, or --columns wx={},... for the body's\n",
+        fmt::join(report.rates_of_unknown_frame, ", "), report.rates_of_unknown_frame.front());
+  return lines;
 }
 
 std::string truth_line(const TruthReport& truth) {
@@ -48,6 +64,7 @@ std::string text_of(const io::RepairReport& repairs) {
 std::string text_of(const SampleReport& report) {
   std::string text = keys_line(report);
   if (const std::string repairs = text_of(report.repairs); !repairs.empty()) text += repairs + "\n";
+  text += rates_lines(report);
   text += fmt::format("{} with {} written to {}\n", counted(report.samples, "sample"), report.method,
                       report.output == io::standard_stream ? "standard output" : report.output);
   if (report.held_samples > 0)

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <orispline/analysis/distance.hpp>
 #include <orispline/io/key_file.hpp>
@@ -26,7 +27,9 @@ struct SampleReport {
   KeyframeReport keyframes{};
   io::SampleColumns columns{};
   std::size_t samples = 0, held_samples = 0;
-  io::Decimal start{}, end{};  ///< of the curve, in the file's own time [s]
+  std::size_t rate_orders = 0;                        ///< of the keys' own rates that the curve has
+  std::vector<std::string> rates_of_unknown_frame{};  ///< columns that could not be used
+  io::Decimal start{}, end{};                         ///< of the curve, in the file's own time [s]
   std::optional<TruthReport> truth{};
 };
 

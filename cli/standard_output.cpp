@@ -3,6 +3,8 @@
 
 #include <cstdio>
 
+#include <fmt/format.h>
+
 #include <orispline/io/file_format.hpp>
 #include <orispline/io/output_file.hpp>
 
@@ -18,5 +20,7 @@ void tell(std::string_view text) noexcept {
   std::fwrite(text.data(), 1, text.size(), stderr);
   std::fflush(stderr);
 }
+
+void warn(std::string_view message) { tell(fmt::format("orispline: warning: {}\n", message)); }
 
 }  // namespace orispline::cli

@@ -13,4 +13,7 @@ namespace orispline::cli {
 /// Writes to standard error as far as that goes: where nobody listens there is nobody to tell.
 void tell(std::string_view text) noexcept;
 
+/// `orispline: warning: …`, one line on standard error.
+void warn(std::string_view message);
+
 }  // namespace orispline::cli

@@ -20,7 +20,7 @@ int main() {
   if (!keys) return std::fprintf(stderr, "%s\n", orispline::describe(keys.error()).c_str()), 1;
 
   std::printf("method        turn rate before and after the key at 1.5 s\n");
-  for (const char* method : {"slerp", "squad", "quintic", "sextic", "timed-c1", "timed-c2"}) {
+  for (const char* method : {"slerp", "squad", "quintic", "sextic", "timed-c2", "auto"}) {
     const auto curve = orispline::make_curve(method, *keys);
     if (!curve) return std::fprintf(stderr, "%s\n", orispline::describe(curve.error()).c_str()), 1;
     const orispline::Motion before = curve->motion(1.5, orispline::Side::left), after = curve->motion(1.5);

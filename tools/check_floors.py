@@ -10,7 +10,7 @@ import sys
 
 GROUND = {"base", "math", "curve"}
 FLOORS = {  # folder of src/orispline -> what it may include besides itself
-    "base": set(), "math": set(), "curve": GROUND, "families": GROUND, "analysis": GROUND, "io": GROUND,
+    "base": set(), "math": set(), "curve": GROUND, "families": GROUND, "analysis": GROUND, "io": GROUND, "report": GROUND,
     "optimise": GROUND | {"families", "analysis"}, "batch": GROUND | {"families"}}
 GUESTS = {"fast_float/": "src/orispline/io/", "CLI/": "cli/", "nlohmann/": "cli/"}  # third party -> its only room
 ROOMS = ("src", "cli", "tests", "examples", "tools", "bindings", "benchmarks")

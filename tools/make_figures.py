@@ -67,18 +67,41 @@ def families(command):
     arcs, five = curve("slerp"), text_of("five_keys.csv").splitlines(True)
     return {
         "slerp": [arcs],
-        **{name: [arcs, curve(name)] for name in ("squad", "squad-timed", "quintic", "sextic", "xing-quartic",
-                                                  "xing-quintic", *TIMED)},
+        **{name: [arcs, curve(name)] for name in ("squad", "quintic", "sextic", "xing-quartic", "xing-quintic",
+                                                  "barry-goldman", "atbi", *TIMED)},
+        "squad-timed": [arcs, curve("geier", method="squad-timed"),
+                        curve("boyle", "--set", "variant=boyle", method="squad-timed")],
+        "shoemake": [arcs, curve("in time", method="shoemake"),
+                     curve("published", "--set", "timing=published", method="shoemake")],
+        "tcb": [arcs, curve("tcb"), *(curve(f"{name} {value}", "--set", f"{name}={value}", method="tcb")
+                                      for name, value in (("tension", 0.5), ("continuity", -0.5), ("bias", 0.5)))],
+        **{name: [arcs, *(curve(f"order {k}", "--set", f"order={k}", method=name) for k in (1, 2, 3))]
+           for name in ("circular", "log-parabola")},
         "auto": [arcs, curve("auto"), curve("timed-c2")],
         "auto5": [arcs, curve("auto"), curve("auto5")],
         "timed": [arcs, *map(curve, TIMED)],
+        "global-c2": [arcs, curve("global-c2"), curve("timed-c2")],
+        "nu-exact": [arcs, curve("ν = 0", method="nu-exact"),
+                     curve("ν = 16/s at key 2", "--set", "nu=0,0,16,0,0", method="nu-exact"), curve("timed-c2")],
+        "nu": [arcs, *(curve(f"ν = {x}" + "/s" * (x > 0), "--set", f"nu={x}", method="nu") for x in (0, 2, 8, 32))],
+        "rotation-spline": [arcs, curve("rotation-spline"),
+                            curve("with natural ends", "--ends", "natural", method="rotation-spline"), curve("timed-c2")],
+        "bspline-through": [arcs, curve("bspline-through"), curve("bspline"), curve("timed-c2")],
         "family": [arcs, *(curve(f"order {k}", "--set", f"order={k}", method="family") for k in (1, 2, 3, 5))],
+        **{f"hermite-c{k}": [arcs, curve(f"hermite-c{k}"), curve("3 keys", "--set", "stencil=3", method=f"hermite-c{k}"),
+                             curve("cumulative", "--set", "form=cumulative", method=f"hermite-c{k}")]
+           for k in (1, 2, 3)},
+        "hermite": [arcs, *(curve(f"hermite-c{k}") for k in (1, 2, 3))],
         "hermite-cumulative": [arcs, *(curve(f"tension {x}", f"--tension={x}", method="hermite-cumulative")
                                        for x in (1, 0.5, 0))],
         "bezier": [arcs, curve("keys 0 to 4 with handles", method="bezier", keys=table(with_handles(command))),
                    curve("keys 0 to 3 as one polygon", method="bezier", keys="".join(five[:-1]))],
         "bspline": [arcs, *(curve(f"degree {d}", "--set", f"degree={d}", method="bspline") for d in (2, 3, 5))],
         "beta": [arcs, curve("β = (1, 0)", method="beta"), curve("β = (1, 8)", "--set", "beta2=8", method="beta")],
+        "beta-through": [arcs, curve("β = (1, 0)", method="beta-through"),
+                         curve("β = (1, 8)", "--set", "beta2=8", method="beta-through")],
+        "beta-g2": [arcs, *(curve(form, "--set", f"form={form}", method="beta-g2") for form in ("local", "global"))],
+        "averages": [arcs, *(curve(use, "--set", f"points={use}", method="averages") for use in ("through", "control"))],
     }
 
 
@@ -234,15 +257,15 @@ def flight_ribbon(motion, keys, box):
 def flight_figure(command):
     keys = Motion(text_of("flight_keys.csv"))
     truth = Motion(text_of("flight_truth.csv"))
-    timed, quintic, coarse = (sampled(command, text_of("flight_keys.csv"), rate, ["--method", method])
-                              for method, rate in (("timed-c2", 50), ("quintic", 50), ("timed-c2", 12)))
+    smooth, quintic, coarse = (sampled(command, text_of("flight_keys.csv"), rate, ["--method", method])
+                              for method, rate in (("auto", 50), ("quintic", 50), ("auto", 12)))
     parts = flight_ribbon(coarse, keys, (40, 42, 780, 150))
     plot = Plot((50, 232, 780, 130), *SHOWN, 1.05 * max(quintic.sizes("wx")), "angular velocity |ω| [rad/s]")
     plot.mark([t for t in keys.t if SHOWN[0] <= t <= SHOWN[1]], [])
-    for motion, color, width in ((truth, "#c8c8c8", 5), (quintic, RED, 1.5), (timed, BLUE, 2)):
+    for motion, color, width in ((truth, "#c8c8c8", 5), (quintic, RED, 1.5), (smooth, BLUE, 2)):
         plot.curve(motion.t, motion.sizes("wx"), color, width)
     plot.parts += [text(plot.at(t, 0)[0], 379, f"{t} s") for t in range(12, 35, 2)]
-    parts += plot.parts + legend(420, 222, [("truth", "#a8a8a8"), ("quintic", RED), ("timed-c2", BLUE)])
+    parts += plot.parts + legend(420, 222, [("truth", "#a8a8a8"), ("quintic", RED), ("auto", BLUE)])
     parts.append(text(40, 24, "sparse keys (bars) become a smooth motion; orange: upside down", "start", size=13))
     return document(860, 392, parts)
 

@@ -2,14 +2,16 @@
 # SPDX-License-Identifier: Apache-2.0
 """Turns the 60-digit reference values into the compact tables that the family tests read.
 
-Reads golden.json, golden_methods.json and golden_auto.json of the reference (by default ../shared/math beside the checkout) and writes
-tests/data/golden/: keys.csv (the sequences), cases.csv (what to build from them) and one table of expected motions per
-family. Every double is written by repr, so it reads back exactly; the output depends on the input only.
+Reads golden.json, golden_methods.json and golden_auto.json of the reference (by default ../shared/math beside the
+checkout) and writes tests/data/golden/: keys.csv (the sequences), cases.csv (what to build from them), one table of
+expected motions per family and not_converged.csv (what the reference could not solve). Every double is written by repr,
+so it reads back exactly; the output depends on the input only.
 
     tools/make_golden.py [--source FOLDER]            write the tables
     tools/make_golden.py [--source FOLDER] --check    compare with the committed tables, write nothing
 """
 import argparse
+import collections
 import json
 import pathlib
 import sys
@@ -17,7 +19,11 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SIGNS = {"asgiven": "as_given", "shortest": "shortest", "both": "shortest"}
 TIMED = {"C1": "timed-c1", "C2": "timed-c2", "C3": "timed-c3", "C3s": "timed-sextic"}
+HERMITE = {3: "hermite-c1", 5: "hermite-c2", 7: "hermite-c3"}
+BLENDS = {"logparabola": "log-parabola", "circle": "circular"}
 ENDS = {"repeat": "repeat", "linear": "natural", "quadratic": "quadratic", "omega": "clamped"}
+REFLECTED_ENDS = {"reflect": "natural", "repeat": "repeat", "natural": "handle"}
+SOLVED_ENDS = {"natural": "natural", "zero": "rest", "clamped": "clamped", "prescribed": "clamped", "secant": "secant"}
 
 CONVENTIONS = """\
 # Quaternions: Hamilton, body to world; the sign is that of the curve. Rates: body frame, per unit of key time.
@@ -26,12 +32,17 @@ KEYS_NOTE = """\
 # Key quaternions may be off unit norm: the reference normalises them with 60 digits before use.
 # signs: as_given leaves them, shortest negates key i when its dot product with key i-1 is negative."""
 CASES_NOTE = """\
-# A case builds `family` through `sequence` of keys.csv. Lists are separated by blanks. parameters: name=value for all
-# keys or one value per key, separated by semicolons. A clamped end has its body rate; key_rates are the body rates of
-# all keys, one after the other; a period closes the curve. max_halfangle [rad] is the largest half rotation angle of
-# any logarithm in the case: near pi the problem itself is ill-conditioned, in proportion to 1/(pi - max_halfangle)."""
+# A case, numbered within its family, builds `family` through `sequence` of keys.csv. Lists are separated by blanks.
+# parameters: name=value for all keys or one value per key, separated by semicolons; choices: name=word likewise. A
+# clamped end has its body rate; key_rates, key_accelerations and key_jerks are those of all keys, one after the other
+# (body frame); a period closes the curve. max_halfangle [rad] is the largest half rotation angle of any logarithm in
+# the case: near pi the problem itself is ill-conditioned, in proportion to 1/(pi - max_halfangle)."""
+NOT_CONVERGED_NOTE = """\
+# Curves for which the reference's solvers found no solution; columns as in cases.csv."""
 ROWS_NOTE = """\
 # side left is the limit at the right end of the segment, right the limit at its left end or a point inside."""
+KEY_RATES = ("key_rates", "key_accelerations", "key_jerks")
+CURVE_COLUMNS = ("family,sequence,signs,ends,start_rate,end_rate,choices,parameters,period," + ",".join(KEY_RATES))
 
 
 def tensions(values, *names):
@@ -39,62 +50,121 @@ def tensions(values, *names):
     return dict(zip(names, values))
 
 
-def timed(params):
-    """Family and parameters of one knot-aware case."""
-    return {"family": TIMED[params["scheme"]], "parameters": tensions(params["tau"], "tension", "tension2", "tension3")}
+def clamped(params):
+    return {"start_rate": params.get("omega_start"), "end_rate": params.get("omega_end")}
 
 
-def uneven(times):
-    return any(abs((b - a) - (times[1] - times[0])) > 1e-12 for a, b in zip(times, times[1:]))
+def uneven(knots):
+    return any(abs((b - a) - (knots[1] - knots[0])) > 1e-12 for a, b in zip(knots, knots[1:]))
 
 
-def settings(case):
-    """What to build of a reference case, or None where there is no such family."""
-    method, params = case["method"], case["params"]
-    if method == "slerp":
-        return {"family": "slerp"}
-    if method == "squad":
-        return {"family": "squad", "ends": params["end"]}
-    if method == "squad_nonuniform" and params["variant"] == "geier":
-        return {"family": "squad-timed", "ends": params["ends"]}
-    if method == "tan":
-        return {"family": "quintic", "ends": "repeat", "parameters": {"tension": params["alpha"]}}
-    if method == "g3":
-        return {"family": "sextic", "ends": "repeat", "parameters": {"tension": params["beta"]}}
-    if method == "knotaware":
-        return {**timed(params), "ends": ENDS[params["ends"]], "start_rate": params.get("omega_start"),
-                "end_rate": params.get("omega_end")}
-    if method == "knotaware_closed":
-        *times, back = case["knots"]
-        return {**timed(params), "times": times, "period": back - times[0]}
-    if method == "family":
-        orders = (f"tension{m + 1}" for m in range(params["k"]))
-        per_key = [list(values) for values in zip(*params["tensions"])]
-        return {"family": "family", "ends": "natural" if params["ends"] == "reflect" else params["ends"],
-                "parameters": {"order": params["k"], **tensions(per_key, *orders)}}
-    if method == "beta":  # control point i at time i: the curve starts at time 1, the reference's at 0
-        return {"family": "beta", "times": [float(i) for i in range(len(params["beta1"]))], "shift": 1.0,
-                "parameters": {"beta1": params["beta1"], "beta2": params["beta2"]}}
-    if method == "hermite_catmull":
-        return {"family": "hermite-cumulative"}
-    if method == "hermite_given" and params["form"] == "cumulative" and params["degree"] == 3:
-        return {"family": "hermite-cumulative", "key_rates": [x for key in params["rates"] for x in key[0]]}
-    if method == "bspline3_approx" and not uneven(case["knots"]):  # on uneven knots the reference keeps even weights
-        return {"family": "bspline", "parameters": {"degree": 3}}
-    return None
+def squad_timed(params, knots):
+    choices = {} if params["variant"] == "geier" else {"variant": params["variant"]}  # geier is the default
+    return [{"family": "squad-timed", "ends": params["ends"], "choices": choices}]
+
+
+def timed(params, knots):
+    chosen = {"family": TIMED[params["scheme"]],
+              "parameters": tensions(params["tau"], "tension", "tension2", "tension3")}
+    if "ends" in params:
+        return [{**chosen, "ends": ENDS[params["ends"]], **clamped(params)}]
+    *times, back = knots
+    return [{**chosen, "times": times, "period": back - times[0]}]
+
+
+def general_family(params, knots):
+    orders = (f"tension{m + 1}" for m in range(params["k"]))
+    per_key = [list(values) for values in zip(*params["tensions"])]
+    return [{"family": "family", "ends": REFLECTED_ENDS[params["ends"]],
+             "parameters": {"order": params["k"], **tensions(per_key, *orders)}}]
+
+
+def betas(params):
+    return {"beta1": params["beta1"], "beta2": params["beta2"]}
+
+
+def beta_of_points(**chosen):
+    """Control point i at time i: the curve starts at time 1, the reference's at 0."""
+    return lambda params, knots: [{**chosen, "times": [float(i) for i in range(len(params["beta1"]))], "shift": 1.0,
+                                   "parameters": betas(params)}]
+
+
+def hermite_given(params, knots):
+    orders = zip(*params["rates"])  # all angular velocities, all accelerations, all jerks
+    rates = {name: [x for rate in order for x in rate] for name, order in zip(KEY_RATES, orders)}
+    cases = [{"family": HERMITE[params["degree"]], "choices": {"form": params["form"]}, **rates}]
+    if params["degree"] == 3 and params["form"] == "cumulative":
+        cases.append({"family": "hermite-cumulative", **rates})
+    return cases
+
+
+def hermite_stencil(params, knots):
+    return [{"family": HERMITE[params["degree"]],
+             "choices": {"stencil": str(params["points"]), "form": params["form"]}}]
+
+
+def solved(family):
+    """A curve whose key rates or control points solve equations with given ends."""
+    return lambda params, knots: [{"family": family, "ends": SOLVED_ENDS[params["ends"]], **clamped(params),
+                                   "parameters": {"nu": params["nu"]} if "nu" in params else {}}]
+
+
+def global_c2(params, knots):
+    if params["nu"] != 0:
+        sys.exit("bmv: tensions are a matter of nu_exact")
+    return solved("global-c2")({name: value for name, value in params.items() if name != "nu"}, knots)
+
+
+def even_only(chosen):
+    """The reference's plain B-splines have even weights on every knots: where those are even, they are ours."""
+    return lambda params, knots: [] if uneven(knots) else [chosen]
+
+
+METHODS = {  # of the reference -> (parameters, knots) -> what to build: one curve, or two names of it, or none
+    "slerp": lambda p, knots: [{"family": "slerp"}],
+    "squad": lambda p, knots: [{"family": "squad", "ends": p["end"]}],
+    "squad_nonuniform": squad_timed,
+    "tan": lambda p, knots: [{"family": "quintic", "ends": "repeat", "parameters": {"tension": p["alpha"]}}],
+    "g3": lambda p, knots: [{"family": "sextic", "ends": "repeat", "parameters": {"tension": p["beta"]}}],
+    "knotaware": timed,
+    "knotaware_closed": timed,
+    "family": general_family,
+    "beta": beta_of_points(family="beta"),
+    "beta_g2_local": beta_of_points(family="beta-g2", choices={"form": "local"}),
+    "beta_g2": lambda p, knots: [{"family": "beta-g2", "choices": {"form": "global"}, "parameters": betas(p)}],
+    "beta_interp": lambda p, knots: [{"family": "beta-through", "parameters": betas(p)}],
+    "hermite_catmull": lambda p, knots: [{"family": "hermite-cumulative"}],
+    "hermite_given": hermite_given,
+    "hermite_stencil": hermite_stencil,
+    "bspline3_approx": even_only({"family": "bspline", "parameters": {"degree": 3}}),
+    "bspline3_interp": even_only({"family": "bspline-through", "ends": "natural"}),
+    "kim_interp": lambda p, knots: [{"family": "bspline-through", "ends": "natural",
+                                     "choices": {"phantom": p["phantom"]}}],
+    "bmv": global_c2,
+    "nu_exact": solved("nu-exact"),
+    "nielson": solved("nu"),
+    "rotation_spline": solved("rotation-spline"),
+    "shoemake85": lambda p, knots: [{"family": "shoemake", "choices": {"timing": p["timing"]}}],
+    "tcb": lambda p, knots: [{"family": "tcb", "ends": REFLECTED_ENDS[p["ends"]],
+                              "parameters": {"tension": p["T"], "continuity": p["C"], "bias": p["B"]}}],
+    "barry_goldman": lambda p, knots: [{"family": "barry-goldman"}],
+    "blend": lambda p, knots: [{"family": BLENDS[p["prim"]], "parameters": {"order": p["k"]}}],
+}
 
 
 def text(value):
-    """A field: nothing, a number, or numbers separated by blanks."""
+    """A field: nothing, a word, a number, or numbers separated by blanks."""
     if value is None:
         return ""
+    if isinstance(value, str):
+        return value
     if isinstance(value, list):
         return " ".join(repr(float(x)) for x in value)
     return repr(float(value))
 
 
-def parameters_text(parameters):
-    return ";".join(f"{name}={text(values)}" for name, values in parameters.items())
+def named(values):
+    return ";".join(f"{name}={text(value)}" for name, value in values.items())
 
 
 def origin(sources):
@@ -102,44 +172,69 @@ def origin(sources):
     return f"# Made by tools/make_golden.py from {names}."
 
 
-def case_line(number, case, chosen, sequence):
-    return ",".join([number, chosen["family"], sequence, SIGNS[case["sign"]], chosen.get("ends", ""),
-                     text(chosen.get("start_rate")), text(chosen.get("end_rate")),
-                     parameters_text(chosen.get("parameters", {})), text(chosen.get("period")),
-                     text(chosen.get("key_rates")), text(case["max_halfangle"])])
+def curve_fields(chosen, sequence, signs):
+    """What to build from which keys, in the order of CURVE_COLUMNS."""
+    return ",".join([chosen["family"], sequence, SIGNS[signs], chosen.get("ends", ""), text(chosen.get("start_rate")),
+                     text(chosen.get("end_rate")), named(chosen.get("choices", {})),
+                     named(chosen.get("parameters", {})), text(chosen.get("period")), *(text(chosen.get(name)) for name in KEY_RATES)])
+
+
+class Sequences:
+    """The keys that the cases use, by name: as many names as a sequence has sets of key times."""
+
+    def __init__(self, sequences):
+        self.sequences, self.used = sequences, {}
+
+    def own_times(self, sequence):
+        given = self.sequences[sequence]
+        return given["knots"] if isinstance(given["knots"], list) else [float(i) for i in range(len(given["keys"]))]
+
+    def name(self, sequence, times):
+        """Under which the sequence at these times is written; none but even times are there besides its own."""
+        own = self.sequences[sequence]["knots"]
+        name = f"{sequence}-even" if isinstance(own, list) and times != own else sequence
+        if self.used.setdefault(name, (sequence, times)) != (sequence, times):
+            sys.exit(f"sequence {name} is used with two sets of key times, wanted one")
+        return name
+
+    def lines(self):
+        return [",".join([name, text(t), *map(text, q)]) for name, (sequence, times) in self.used.items()
+                for t, q in zip(times, self.sequences[sequence]["keys"], strict=True)]
+
+
+def motion_line(number, row, shift):
+    segment, t, side, *motion = row
+    return ",".join([number, str(segment), text(t + shift), side, *(text(x) for part in motion for x in part)])
 
 
 def tables(sources):
     """File name -> text."""
-    keys, cases, rows = [], [], {}
+    keys, cases, rows, not_converged, counts = [], [], {}, [], collections.Counter()
     for g in sources.values():
-        used = {}
+        sequences = Sequences(g["sequences"])
         for case in g["cases"]:
-            chosen = settings(case)
-            if chosen is None:
-                continue
-            times = chosen.get("times", case["knots"])
-            own_times = g["sequences"][case["seq"]]["knots"]  # or in words: uniform
-            name = f"{case['seq']}-even" if isinstance(own_times, list) and times != own_times else case["seq"]
-            if used.setdefault(name, (case["seq"], times)) != (case["seq"], times):
-                sys.exit(f"sequence {name} is used with two sets of key times, wanted one")
-            number = str(len(cases))
-            cases.append(case_line(number, case, chosen, name))
-            for segment, t, side, *motion in case["rows"]:
-                values = [text(x) for part in motion for x in part]
-                rows.setdefault(chosen["family"], []).append(
-                    ",".join([number, str(segment), text(t + chosen.get("shift", 0.0)), side, *values]))
-        for name, (sequence, times) in used.items():
-            for t, q in zip(times, g["sequences"][sequence]["keys"], strict=True):
-                keys.append(",".join([name, text(t), *map(text, q)]))
+            for chosen in METHODS[case["method"]](case["params"], case["knots"]):
+                family = chosen["family"]
+                number, name = str(counts[family]), sequences.name(case["seq"], chosen.get("times", case["knots"]))
+                counts[family] += 1
+                cases.append(f"{number},{curve_fields(chosen, name, case['sign'])},{text(case['max_halfangle'])}")
+                rows.setdefault(family, []).extend(
+                    motion_line(number, row, chosen.get("shift", 0.0)) for row in case["rows"])
+        for sequence, signs, method, params, _ in g["skipped"]:
+            times = sequences.own_times(sequence)
+            not_converged += [curve_fields(chosen, sequences.name(sequence, times), signs)
+                              for chosen in METHODS[method](params, times)]
+        keys += sequences.lines()
     head = origin(sources) + "\n" + CONVENTIONS + "\n"
-    out = {"keys.csv": head + KEYS_NOTE + "\nsequence,t,qw,qx,qy,qz\n" + "\n".join(keys) + "\n",
-           "cases.csv": head + CASES_NOTE + "\ncase,family,sequence,signs,ends,start_rate,end_rate,parameters,period,"
-           "key_rates,max_halfangle\n" + "\n".join(cases) + "\n"}
-    for family, lines in rows.items():
-        out[f"{family}.csv"] = (head + ROWS_NOTE + "\ncase,segment,t,side,qw,qx,qy,qz,wx,wy,wz,ax,ay,az,jx,jy,jz\n"
-                                + "\n".join(lines) + "\n")
-    return out
+
+    def table(note, columns, lines):
+        return head + note + "\n" + columns + "\n" + "\n".join(lines) + "\n"
+
+    return {"keys.csv": table(KEYS_NOTE, "sequence,t,qw,qx,qy,qz", keys),
+            "cases.csv": table(CASES_NOTE, f"case,{CURVE_COLUMNS},max_halfangle", cases),
+            "not_converged.csv": table(NOT_CONVERGED_NOTE, CURVE_COLUMNS, not_converged),
+            **{f"{family}.csv": table(ROWS_NOTE, "case,segment,t,side,qw,qx,qy,qz,wx,wy,wz,ax,ay,az,jx,jy,jz", lines)
+               for family, lines in rows.items()}}
 
 
 def auto_tables(g):

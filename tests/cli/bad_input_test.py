@@ -17,8 +17,9 @@ CONTENT = (  # text of bad.csv, options, message
     (HEADER + "0,1,0,0,0\n1,2,0,0,0\n", "", "bad.csv:3: key 1: the quaternion has norm 2, wanted 1 within 0.001"),
     ("# note\n" + HEADER + "0,1,0,0,0\n1,0,0,0,0\n", "",
      "bad.csv:4: key 1: the quaternion has norm 0, wanted 1 within 0.001"),
-    (HEADER + "0,1,0,0,0\n1,1,0,0,0\n", "--ends quadratic", "bad.csv: timed-c2: ends 'quadratic' need 3 keys, found 2"),
-    ("t,qw,qx,qy,qz,tension\n0,1,0,0,0,0.5\n1,1,0,0,0,101\n", "",
+    (HEADER + "0,1,0,0,0\n1,1,0,0,0\n", "--method timed-c2 --ends quadratic",
+     "bad.csv: timed-c2: ends 'quadratic' need 3 keys, found 2"),
+    ("t,qw,qx,qy,qz,tension\n0,1,0,0,0,0.5\n1,1,0,0,0,101\n", "--method timed-c2",
      "bad.csv:3: key 1: timed-c2: tension is 101, wanted -100 to 100"),
 )
 
@@ -32,7 +33,7 @@ class BadContent(CommandTest):
 
     def test_a_clamped_end_at_a_tension_column_of_zero_is_the_fault_of_the_file(self):
         self.write("bad.csv", "t,qw,qx,qy,qz,tension\n0,1,0,0,0,0\n1,1,0,0,0,1\n")
-        self.assert_fails("sample bad.csv --rate 1 --start-rate=0,0,1", BAD_DATA,
+        self.assert_fails("sample bad.csv --rate 1 --method timed-c2 --start-rate=0,0,1", BAD_DATA,
                           "bad.csv:2: key 0: a clamped end needs a non-zero tension at that key, found 0")
 
     def test_rates_matter_only_to_methods_that_take_them(self):

@@ -1,15 +1,18 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Command lines that are refused: exit code 2, one line that says what is wrong, one that says where to read on."""
+import json
+
 from command import BAD_USAGE, CommandTest, main
 
-METHODS = ("auto, auto5, slerp, squad, squad-timed, quintic, sextic, timed-c1, timed-c2, timed-c3, timed-sextic, xing-quartic, "
-           "xing-quintic, family, hermite-cumulative, bezier, bspline, beta")
+METHODS = ("auto, auto5, slerp, squad, squad-timed, shoemake, tcb, barry-goldman, circular, log-parabola, "
+           "quintic, sextic, timed-c1, timed-c2, timed-c3, timed-sextic, xing-quartic, xing-quintic, family, "
+           "atbi, hermite-c1, hermite-c2, hermite-c3, hermite-cumulative, global-c2, rotation-spline, nu, "
+           "nu-exact, bezier, bspline, bspline-through, averages, beta, beta-through, beta-g2")
 ENDS = "natural, repeat, quadratic, cubic, clamped, rest"
-COMMANDS = "sample, convert, inspect, methods, completion"
+COMMANDS = "sample, convert, inspect, methods, reproduce, completion"
 
 CASES = (
-    ("", f"found no command, wanted one of {COMMANDS}"),
     ("resample keys.csv", f"no command 'resample', wanted one of {COMMANDS}"),
     ("--bogus", "A subcommand is required"),
     ("sample", "INPUT is required"),
@@ -40,26 +43,40 @@ CASES = (
     ("sample - --times -", "found '-' for several of INPUT, --times and --truth, wanted it for one at most"),
     # the shape of the curve
     ("sample keys.csv --rate 1 --method spline", f"no method 'spline', wanted one of {METHODS}"),
-    ("sample keys.csv --rate 1 --tension high", "--tension: found 'high', wanted numbers with commas between them"),
-    ("sample keys.csv --rate 1 --tension 1,,2", "--tension: found '1,,2', wanted numbers with commas between them"),
-    ("sample keys.csv --rate 1 --tension=-0.1,0.2",
+    ("sample keys.csv --rate 1 --method timed-c2 --tension high",
+     "--tension: found 'high', wanted numbers with commas between them"),
+    ("sample keys.csv --rate 1 --method timed-c2 --tension 1,,2",
+     "--tension: found '1,,2', wanted numbers with commas between them"),
+    ("sample keys.csv --rate 1 --method timed-c2 --tension=-0.1,0.2",
      "timed-c2: found 2 values of tension, wanted 1 or one per key (3)"),
-    ("sample keys.csv --rate 1 --tension 0,0,1000",
+    ("sample keys.csv --rate 1 --method timed-c2 --tension 0,0,1000",
      "keys.csv:4: key 2: timed-c2: tension is 1000, wanted -100 to 100"),
     ("sample keys.csv --rate 1 --set tension", "--set: found 'tension', wanted NAME=VALUE"),
     ("sample keys.csv --rate 1 --set =1", "--set: found '=1', wanted NAME=VALUE"),
-    ("sample keys.csv --rate 1 --set bias=1", "timed-c2: no parameter 'bias', wanted one of tension, tension2"),
-    ("sample keys.csv --rate 1 --set tension=1 --tension 1",
+    ("sample keys.csv --rate 1 --set bias=1", "auto: no parameter 'bias', wanted one of hold"),
+    ("sample keys.csv --rate 1 --tension 1", "auto: no parameter 'tension', wanted one of hold"),
+    ("sample keys.csv --rate 1 --set hold=yes", "--set hold: found 'yes', wanted numbers with commas between them"),
+    ("sample none.csv --rate 1 --set bias=left", "auto: no parameter 'bias', wanted one of hold"),
+    ("sample keys.csv --rate 1 --method timed-c2 --set bias=1",
+     "timed-c2: no parameter 'bias', wanted one of tension, tension2"),
+    ("sample keys.csv --rate 1 --method timed-c2 --set tension=1 --tension 1",
      "--set tension: 'tension' is given twice, wanted it once"),
-    ("sample keys.csv --rate 1 --ends loose", f"--ends: timed-c2: no end rule 'loose', wanted one of {ENDS}"),
-    ("sample keys.csv --rate 1 --ends rest,rest,rest", "--ends: found 'rest,rest,rest', wanted RULE or START,END"),
-    ("sample keys.csv --rate 1 --ends clamped", "--ends clamped: wanted --start-rate as well"),
-    ("sample keys.csv --rate 1 --ends clamped --start-rate=0,0,1", "--ends clamped: wanted --end-rate as well"),
-    ("sample keys.csv --rate 1 --ends natural --end-rate=0,0,1",
+    ("sample keys.csv --rate 1 --ends natural",
+     "--ends: auto: no end rule 'natural', wanted none: this method has no end rules"),
+    ("sample keys.csv --rate 1 --start-rate=0,0,1",
+     "--start-rate: auto: no end rule 'clamped', wanted none: this method has no end rules"),
+    ("sample keys.csv --rate 1 --method timed-c2 --ends loose",
+     f"--ends: timed-c2: no end rule 'loose', wanted one of {ENDS}"),
+    ("sample keys.csv --rate 1 --method timed-c2 --ends rest,rest,rest",
+     "--ends: found 'rest,rest,rest', wanted RULE or START,END"),
+    ("sample keys.csv --rate 1 --method timed-c2 --ends clamped", "--ends clamped: wanted --start-rate as well"),
+    ("sample keys.csv --rate 1 --method timed-c2 --ends clamped --start-rate=0,0,1",
+     "--ends clamped: wanted --end-rate as well"),
+    ("sample keys.csv --rate 1 --method timed-c2 --ends natural --end-rate=0,0,1",
      "--end-rate: a rate needs the end rule clamped, found natural"),
-    ("sample keys.csv --rate 1 --start-rate=1,2",
+    ("sample keys.csv --rate 1 --method timed-c2 --start-rate=1,2",
      "--start-rate: found '1,2', wanted three numbers with commas between them"),
-    ("sample keys.csv --rate 1 --tension 0 --start-rate=0,0,1",
+    ("sample keys.csv --rate 1 --method timed-c2 --tension 0 --start-rate=0,0,1",
      "keys.csv:2: key 0: a clamped end needs a non-zero tension at that key, found 0"),
     # reading
     (["sample", "", "--rate", "1"], "INPUT: found an empty name, wanted FILE or -"),
@@ -80,11 +97,14 @@ CASES = (
      "keys.csv:1: --angle-unit is for Euler angles, and the orientation is in qw, qx, qy, qz"),
     ("convert keys.csv --input-format tum --euler ZYX", "keys.csv:1: --euler needs a header, and TUM has none"),
     # loops
-    ("sample keys.csv --rate 1 --period 0", "--period: found '0', wanted a number of seconds greater than 0"),
-    ("sample keys.csv --rate 1 --period round", "--period: found 'round', wanted a number of seconds greater than 0"),
-    ("sample keys.csv --rate 1 --period 2", "the period is 2 s, wanted a finite number greater than the keys' span of 3 s"),
-    ("sample keys.csv --rate 1 --method slerp --period 4", "slerp: this method has no closed curves"),
-    ("sample keys.csv --rate 1 --ends rest --period 4", "timed-c2: a closed curve has no ends, found an end rule"),
+    ("sample keys.csv --rate 1 --method timed-c2 --period 0",
+     "--period: found '0', wanted a number of seconds greater than 0"),
+    ("sample keys.csv --rate 1 --method timed-c2 --period round",
+     "--period: found 'round', wanted a number of seconds greater than 0"),
+    ("sample keys.csv --rate 1 --method timed-c2 --period 2",
+     "the period is 2 s, wanted a finite number greater than the keys' span of 3 s"),
+    ("sample keys.csv --rate 1 --method timed-c2 --ends rest --period 4",
+     "timed-c2: a closed curve has no ends, found an end rule"),
     ("inspect keys.csv --closed", "options that shape a curve want --method as well"),
     # writing
     ("sample keys.csv --rate 1 --output-format xml", "--output-format: found 'xml', wanted csv|tum|euroc"),
@@ -124,6 +144,21 @@ class BadUsage(CommandTest):
         for arguments, message in CASES:
             with self.subTest(arguments):
                 self.assert_fails(arguments, BAD_USAGE, message)
+
+    def test_a_loop_by_a_method_without_loops_is_refused_with_those_that_have_them(self):
+        closing = ", ".join(m["name"] for m in json.loads(self.output_of("methods --json")) if m["closes"])
+        for method, options in (("auto", "--closed"), ("slerp", "--method slerp --period 4")):
+            with self.subTest(method):
+                self.assert_fails(f"sample keys.csv --rate 1 {options}", BAD_USAGE,
+                                  f"{method}: this method has no closed curves, wanted --method with one of {closing}")
+
+    def test_the_command_alone_shows_how_to_begin(self):
+        done = self.run_command("")
+        self.assertEqual((done.returncode, done.stdout), (BAD_USAGE, ""))
+        self.assertIn("  orispline sample keys.csv --rate 100 -o motion.csv ", done.stderr)
+        self.assertIn("'orispline --help'", done.stderr)
+        self.assertLess(done.stderr.count("\n"), 10)
+        self.assertLessEqual(max(map(len, done.stderr.splitlines())), 100)
 
 
 if __name__ == "__main__":

@@ -2,21 +2,23 @@
 # SPDX-License-Identifier: Apache-2.0
 """Completion scripts: what a shell that read them offers."""
 import re
+import shlex
 import shutil
 import subprocess
 
 from command import CommandTest, main
 
 ASK_BASH = """
-COMP_WORDS=({words}); COMP_CWORD=$((${{#COMP_WORDS[@]}} - 1))
+COMP_WORDS=({words}); COMP_LINE={line}; COMP_POINT=${{#COMP_LINE}}; COMP_CWORD=$((${{#COMP_WORDS[@]}} - 1))
 _orispline; printf '%s\\n' "${{COMPREPLY[@]}}"
 """
 
 
 class Bash(CommandTest):
-    def offered(self, words):
-        """Completions of the last word."""
-        script = self.output_of("completion bash") + ASK_BASH.format(words=words)
+    def offered(self, words, line=None):
+        """Completions of the last word; bash takes `=` for a word of its own, so that the line may differ."""
+        line = shlex.quote(words.replace("''", "") if line is None else line)
+        script = self.output_of("completion bash") + ASK_BASH.format(words=words, line=line)
         done = subprocess.run(["bash", "-c", script], cwd=self.folder, capture_output=True, text=True, check=True)
         self.assertEqual(done.stderr, "")
         return done.stdout.split()
@@ -32,6 +34,20 @@ class Bash(CommandTest):
         self.assertEqual(self.offered("orispline sample --frame ''"), ["body", "world"])
         self.assertEqual(self.offered("orispline sample --method timed-c"), ["timed-c1", "timed-c2", "timed-c3"])
         self.assertEqual(self.offered("orispline completion z"), ["zsh"])
+
+    def test_settings_and_their_words(self):
+        start = "orispline sample keys.csv --set"
+        self.assertIn("tension=", self.offered(f"{start} tensi"))
+        self.assertEqual(self.offered(f"{start} hol"), ["hold="])
+        self.assertEqual(self.offered(f"{start} vari"), ["variant=boyle", "variant=geier"])
+        self.assertEqual(self.offered(f"{start} variant = b", f"{start} variant=b"), ["boyle"])
+        self.assertEqual(self.offered(f"{start} variant =", f"{start} variant="), ["boyle", "geier"])
+        self.assertEqual(self.offered(f"{start} variant = boyle ''", f"{start} variant=boyle "),
+                         self.offered("orispline sample keys.csv ''"))
+
+    def test_end_rules(self):
+        self.assertEqual(self.offered("orispline sample keys.csv --ends qu"), ["quadratic"])
+        self.assertEqual(self.offered("orispline sample keys.csv --ends h"), ["handle"])
 
     def test_files(self):
         self.assertEqual(self.offered("orispline sample ke"), ["keys.csv"])

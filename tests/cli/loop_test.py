@@ -4,7 +4,7 @@
 import json
 import math
 
-from command import BAD_DATA, CommandTest, main, rows_of
+from command import BAD_DATA, SUCCESS, CommandTest, main, rows_of
 
 TIMES = (0, 1, 1.5, 3.5, 4)
 PERIOD = 5
@@ -35,7 +35,7 @@ class Loops(CommandTest):
 
     def test_a_period_is_covered_once(self):
         for arguments in ("open.csv --period 5", "closed.csv --closed"):
-            rows = rows_of(self.output_of(f"sample {arguments} --rate 2"))
+            rows = rows_of(self.output_of(f"sample {arguments} --method timed-c2 --rate 2"))
             self.assertEqual([row[0] for row in rows], [1000 + k / 2 for k in range(11)])
 
     def test_the_closing_key_and_the_period_make_the_same_curve(self):
@@ -52,6 +52,15 @@ class Loops(CommandTest):
             rows = rows_of(self.output_of(f"sample open.csv --period 5 --count 2 --method {method}"))
             for before, after in zip(rows[1][1:], rows[0][1:]):
                 self.assertAlmostEqual(before, after, delta=1e-10)
+
+    def test_a_closing_step_of_a_rounding_error_is_worth_a_warning(self):
+        for command in ("sample closed.csv --method timed-c2 --rate 1 --quiet",
+                        "inspect closed.csv --method timed-c2,sextic"):
+            with self.subTest(command):
+                for period, warnings in (("5.0001", 1), ("5.01", 0), ("5", 0)):
+                    done = self.run_command(f"{command} --period {period}")
+                    self.assertEqual((done.returncode, done.stderr.count("warning: --period")), (SUCCESS, warnings))
+                    self.assertEqual(done.stderr.count("\n"), warnings)
 
     def test_inspect_measures_the_seam_too(self):
         for method in self.continuity_of("open.csv --period 5 --method timed-c1,timed-c2,timed-c3,timed-sextic"):
@@ -72,13 +81,13 @@ class Loops(CommandTest):
     def test_a_loop_that_turns_once_round_returns_with_the_other_sign(self):
         self.write("turn.csv", "t,qw,qx,qy,qz\n" + "".join(
             f"{k},{math.cos(math.pi * k / 4)},0,0,{math.sin(math.pi * k / 4)}\n" for k in range(4)))
-        rows = rows_of(self.output_of("sample turn.csv --period 4 --rate 10"))
+        rows = rows_of(self.output_of("sample turn.csv --method timed-c2 --period 4 --rate 10"))
         for row in rows:
             self.assertAlmostEqual(row[7], math.pi / 2, delta=1e-12)
         self.assertAlmostEqual(rows[-1][1], -1, delta=1e-14)
 
     def test_the_last_key_must_be_the_first_one_again(self):
-        self.assert_fails("sample keys.csv --rate 1 --closed", BAD_DATA,
+        self.assert_fails("sample keys.csv --method timed-c2 --rate 1 --closed", BAD_DATA,
                           "keys.csv:4: key 2: the last key is 90 degrees from the first, wanted the first again or a "
                           "period")
 

@@ -9,7 +9,7 @@ from command import HINT, SUCCESS, CommandTest, main
 
 FIELDS = ["name", "title", "source", "interpolates", "continuity_uniform", "continuity_uneven",
           "keeps_constant_rate_uniform", "keeps_constant_rate_uneven", "support_keys", "min_keys", "closes",
-          "parameters", "ends"]
+          "rate_orders", "parameters", "choices", "ends"]
 
 
 class Methods(CommandTest):
@@ -21,7 +21,9 @@ class Methods(CommandTest):
         for method in self.methods.values():
             self.assertEqual(list(method), FIELDS)
             for parameter in method["parameters"]:
-                self.assertEqual(list(parameter), ["name", "default", "min", "max", "per_key"])
+                self.assertEqual(list(parameter), ["name", "default", "min", "max", "per_key", "ghosts"])
+            for choice in method["choices"]:
+                self.assertEqual(list(choice), ["name", "default", "words"])
 
     def test_the_timed_quintic_is_described(self):
         method = self.methods["timed-c2"]
@@ -40,24 +42,57 @@ class Methods(CommandTest):
         for name, method in self.methods.items():
             self.assertRegex(page, rf"(?m)^{name} +{re.escape(method['title'])}$")
 
+    def test_the_page_for_people_fits_a_hundred_columns(self):
+        self.assertLessEqual(max(map(len, self.output_of("methods").splitlines())), 100)
+
+    def entry_of(self, name):
+        """The lines of the page about one method, as one line with single blanks."""
+        page = self.output_of("methods")
+        return " ".join(re.search(rf"(?m)^{name} (?:.|\n(?!\n))*", page)[0].split())
+
+    def test_choices_are_listed_with_their_words_the_default_first(self):
+        self.assertEqual(self.methods["squad-timed"]["choices"],
+                         [{"name": "variant", "default": "geier", "words": ["geier", "boyle"]}])
+        self.assertIn(" settings variant=geier|boyle ", self.entry_of("squad-timed"))
+        choices = {choice["name"]: choice["words"] for choice in self.methods["hermite-c2"]["choices"]}
+        self.assertEqual(choices, {"stencil": ["5", "3"], "form": ["chart", "cumulative"]})
+
+    def test_a_parameter_says_whether_keys_may_differ(self):
+        self.assertIn(" settings hold=0 (one for all) ", self.entry_of("auto"))
+        self.assertIn(" settings tension=0.5, tension2=1 ", self.entry_of("timed-c2"))
+
+    def test_global_methods_depend_on_all_keys(self):
+        for name in ("global-c2", "rotation-spline", "bspline-through", "nu", "nu-exact"):
+            with self.subTest(name):
+                self.assertIsNone(self.methods[name]["support_keys"])
+                self.assertIn(" depends on all keys", self.entry_of(name))
+        self.assertIn(" depends on 8 keys", self.entry_of("auto"))
+
+    def test_rate_columns_are_named_where_they_are_used(self):
+        for name, order in (("auto", 0), ("hermite-c1", 1), ("hermite-c2", 2), ("hermite-c3", 3)):
+            self.assertEqual(self.methods[name]["rate_orders"], order)
+        self.assertIn(" columns wx,wy,wz[,ax,ay,az] ", self.entry_of("hermite-c2"))
+        self.assertNotIn(" columns ", self.entry_of("auto"))
+
     def test_every_method_samples_at_its_defaults(self):
         self.write("keys.csv", "t,qw,qx,qy,qz\n" + "".join(
             f"{t},{math.cos(0.3 * t)},{math.sin(0.3 * t)},0,0\n" for t in (0, 1, 1.5, 2, 4, 4.5, 5)))
         for name in self.methods:
             self.assertEqual(self.output_of(f"sample keys.csv --count 9 --method {name}").count("\n"), 10)
 
-    def test_eighteen_methods_are_listed(self):
-        self.assertEqual(len(self.methods), 18)
+    def test_thirty_five_methods_are_listed(self):
+        self.assertEqual(len(self.methods), 35)
 
-    def test_the_local_four_key_methods_and_no_others_can_be_closed(self):
+    def test_the_local_four_key_methods_and_global_ones_can_be_closed(self):
         closing = {name for name, method in self.methods.items() if method["closes"]}
-        self.assertEqual(closing, {"quintic", "sextic", "timed-c1", "timed-c2", "timed-c3", "timed-sextic",
-                                   "xing-quartic", "xing-quintic", "family"})
+        self.assertEqual(closing, {"quintic", "sextic", "atbi", "timed-c1", "timed-c2", "timed-c3", "timed-sextic",
+                                   "xing-quartic", "xing-quintic", "family", "global-c2", "nu-exact", "rotation-spline",
+                                   "bspline-through"})
 
 
 class Help(CommandTest):
     def test_every_command_has_help_with_examples(self):
-        for command in ("", "sample", "convert", "inspect", "methods", "completion"):
+        for command in ("", "sample", "convert", "inspect", "methods", "reproduce", "completion"):
             with self.subTest(command):
                 done = self.run_command(f"{command} --help")
                 self.assertEqual((done.returncode, done.stderr), (SUCCESS, ""))

@@ -72,13 +72,6 @@ class Columns(CommandTest):
         again = self.output_of("sample - --method slerp --rate 2 --output-format euroc", input=text)
         self.assert_same_table(again, text)
 
-    def test_rates_of_the_keys_shape_the_hermite_curve(self):
-        self.write("keys.csv", "t,qw,qx,qy,qz,wx,wy,wz\n0,1,0,0,0,0.3,0,0\n1,1,0,0,0,0,-0.4,0\n2,1,0,0,0,0,0,0.5\n")
-        rows = rows_of(self.output_of("sample keys.csv --method hermite-cumulative --count 3 --derivatives 1"))
-        for row, rate in zip(rows, ([0.3, 0, 0], [0, -0.4, 0], [0, 0, 0.5])):
-            for found, wanted in zip(row[5:], rate):
-                self.assertAlmostEqual(found, wanted, delta=1e-14)
-
     def test_a_curve_that_begins_after_the_first_key_is_sampled_where_it_is(self):
         self.write("keys.csv", "t,qw,qx,qy,qz\n" + "".join(
             f"{t},{math.cos(0.2 * t)},0,{math.sin(0.2 * t)},0\n" for t in (10, 11, 12.5, 13, 15)))
@@ -136,7 +129,14 @@ class Times(CommandTest):
 
 class Shape(CommandTest):
     def rates_of(self, arguments):
-        return [row[7] for row in rows_of(self.output_of(f"sample keys.csv --count 4 --derivatives 1 {arguments}"))]
+        method = "" if "--method" in arguments else "--method timed-c2"
+        text = self.output_of(f"sample keys.csv --count 4 --derivatives 1 {method} {arguments}")
+        return [row[7] for row in rows_of(text)]
+
+    def test_auto_is_the_default_method(self):
+        plain = self.output_of("sample keys.csv --rate 10")
+        self.assertEqual(plain, self.output_of("sample keys.csv --rate 10 --method auto"))
+        self.assertNotEqual(plain, self.output_of("sample keys.csv --rate 10 --method timed-c2"))
 
     def test_a_steady_turn_stays_steady_between_uneven_keys(self):
         rows = ["t,qw,qx,qy,qz"] + [f"{t},{math.cos(t / 4)},{math.sin(t / 4)},0,0" for t in (0, 1, 4, 4.5, 6)]
@@ -177,7 +177,7 @@ class Shape(CommandTest):
         self.write("keys.csv", KEYS.replace(f"{math.cos(math.pi / 8)},0,0,", f"{-math.cos(math.pi / 8)},0,0,-"))
         methods = [method for method in json.loads(self.output_of("methods --json"))
                    if method["interpolates"] and method["min_keys"] <= 3]
-        self.assertEqual(len(methods), 15)
+        self.assertEqual(len(methods), 31)
         for method in methods:
             with self.subTest(method["name"]):
                 rows = rows_of(self.output_of(f"sample keys.csv --method {method['name']} --rate 20"))
@@ -196,7 +196,7 @@ class Destinations(CommandTest):
         done = self.run_command("sample keys.csv --count 2 --derivatives 0")
         self.assertEqual(done.stdout.count("\n"), 3)
         self.assertEqual(done.stderr,
-                         "3 keys from keys.csv, 0 to 3 s\n2 samples with timed-c2 written to standard output\n")
+                         "3 keys from keys.csv, 0 to 3 s\n2 samples with auto written to standard output\n")
 
     def test_quiet_says_nothing(self):
         self.assertEqual(self.run_command("sample keys.csv --count 2 --quiet -o out.csv").stderr, "")

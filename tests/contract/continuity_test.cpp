@@ -13,21 +13,25 @@ void expect_continuous_to_exactly(int order, const std::array<double, Orders>& j
   for (std::size_t k = 0; k <= static_cast<std::size_t>(order); ++k)
     EXPECT_LE(jumps[k], tolerance::continuity) << "order " << k << " jumps";
   const std::size_t next = static_cast<std::size_t>(order) + 1;
-  if (next < Orders)
+  if (next < Orders) {
     EXPECT_GE(jumps[next], tolerance::visible_jump) << "order " << next << " does not jump: smoother than declared";
+  }
 }
 
 /// Steps on uneven times [rad]: with spacing ratios of 10 the handles of a squad are some five times as long, and a
 /// handle longer than a full turn has no logarithm of its own any more.
 constexpr double moderate_step = 0.8;
 
-/// Every parameter random per key within a moderate range: continuity may not depend on them. Kept are the degree or
-/// order, which decides on it, and β₁, which is the very ratio of the rates at a joint.
+/// Every parameter random per key within a moderate range: continuity may not depend on them but as declared. Kept are
+/// the degree or order, which decides on it, β₁, which is the very ratio of the rates at a joint, where joints are
+/// truly G2 β₂, which is the very jump of the acceleration, and the `continuity` of Kochanek–Bartels, which makes the
+/// rates differ.
 CurveOptions random_parameters(const FamilyInfo& family, std::size_t keys, std::uint64_t seed) {
   Dice dice(seed);
   CurveOptions options;
   for (const Parameter& parameter : family.parameters) {
-    if (!parameter.per_key || parameter.name == "beta1") continue;
+    if (!parameter.per_key || parameter.name == "beta1" || parameter.name == "continuity") continue;
+    if (family.name == "beta-g2" && parameter.name == "beta2") continue;
     std::vector<double> values(keys);
     for (double& value : values) value = parameter.initial + dice.between(0.05, 0.4);
     options.parameters[std::string(parameter.name)] = values;
@@ -64,8 +68,9 @@ TYPED_TEST(Continuity, HoldsForRandomParametersAtEveryKey) {
   for (const Spacing spacing : {Spacing::even, Spacing::uneven}) {
     const Keyframes keys = keyframes(random_walk(57, keys_for<TypeParam>(8), spacing, moderate_step));
     const FamilyInfo& info = TypeParam::info;
+    const int declared = spacing == Spacing::even ? info.continuity_uniform : info.continuity_uneven;
     expect_continuous_to_exactly(
-        spacing == Spacing::even ? info.continuity_uniform : info.continuity_uneven,
+        std::min(declared, key_use(info).smoothest_with_parameters),
         relative_jumps(typed_curve<TypeParam>(keys, random_parameters(info, keys.size(), 58))));
   }
 }

@@ -30,9 +30,7 @@ class FamilyContract : public testing::TestWithParam<FamilyInfo> {
   /// Keys of a random walk, as many as the family needs for a curve of `segments` segments.
   [[nodiscard]] static KeyframeData walk(std::uint64_t seed, std::size_t segments, testing_support::Spacing spacing,
                                          double largest_step = 1.5) {
-    const double step =
-        spacing == testing_support::Spacing::even ? largest_step : std::min(largest_step, use().widest_turn);
-    return testing_support::random_walk(seed, use().keys_for(segments), spacing, step);
+    return testing_support::random_walk(seed, use().keys_for(segments), spacing, use().step_on(spacing, largest_step));
   }
   /// Times on every segment of a curve, the knots included.
   [[nodiscard]] static std::vector<double> times_on(const AnyCurve& curve, std::size_t count = 5) {

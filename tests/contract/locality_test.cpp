@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Contract: a segment depends on exactly as many keys as declared, and a parameter at a key on no more than it says.
+// The segments of a solved family depend on all keys, the less the further these are.
 #include <contract/family_contract.hpp>
 
 namespace orispline::contract {
@@ -20,6 +21,14 @@ bool segment_changed(const AnyCurve& before, const AnyCurve& after, std::size_t 
   return changed;
 }
 
+/// The same orientations on a segment, at other times.
+void expect_stretched(const AnyCurve& before, const AnyCurve& after, std::size_t segment) {
+  for (const double u : {0.2, 0.5, 0.8}) {
+    const KnotSpan a = before.knots().span(segment), b = after.knots().span(segment);
+    EXPECT_TRUE(near(after(b.start() + u * b.step()), before(a.start() + u * a.step()), tolerance::algebra)) << segment;
+  }
+}
+
 class LocalityContract : public FamilyContract {
  protected:
   static constexpr std::size_t segment_count = 11;
@@ -33,10 +42,13 @@ class LocalityContract : public FamilyContract {
 
   /// Keys that a segment may depend on, as many on either side, and so many more.
   [[nodiscard]] static bool within_support(std::size_t key, std::size_t segment, std::size_t more = 0) {
+    if (use().solved) return true;
     const std::size_t beyond = (static_cast<std::size_t>(GetParam().support_keys) - 1 - use().stride) / 2 + more;
     return key + beyond >= key_at_start(segment) && key <= key_at_end(segment) + beyond;
   }
   [[nodiscard]] static bool parameter_acts(std::size_t key, std::size_t segment) {
+    if (use().solved && GetParam().parameters.front().ghosts > 0) return true;
+    if (use().solved) return key > 0 && key < use().keys_for(segment_count) - 1;  // they join segments: none at an end
     if (use().parameters_reach_far) return within_support(key, segment);
     return key == key_at_start(segment) || key == key_at_end(segment);
   }
@@ -47,7 +59,7 @@ TEST_P(LocalityContract, SegmentFeelsTheKeysOfItsSupportAndNoOthers) {
   const AnyCurve before = curve(keyframes(data));
   for (std::size_t moved = 0; moved < data.times.size(); ++moved) {
     KeyframeData other = data;
-    other.orientations[moved] = other.orientations[moved] * exp<double>(Eigen::Vector3d(0.3, -0.2, 0.4));
+    other.orientations[moved] = other.orientations[moved] * exp<double>(Eigen::Vector3d(0.06, -0.04, 0.08));
     const AnyCurve after = curve(keyframes(other));
     for (const std::size_t segment : inner_segments)
       EXPECT_EQ(segment_changed(before, after, segment), within_support(moved, segment))
@@ -63,9 +75,11 @@ TEST_P(LocalityContract, KeyTimesBeyondTheSupportDoNotMatter) {
     other.times[moved] += 0.03;
     const AnyCurve after = curve(keyframes(other));
     for (const std::size_t segment : inner_segments)
-      if (!within_support(moved, segment, use().further_times)) {
+      if (!use().feels_times) {
+        expect_stretched(before, after, segment);
+      } else if (!within_support(moved, segment, use().further_times)) {
         EXPECT_FALSE(segment_changed(before, after, segment)) << "key " << moved << ", segment " << segment;
-      } else if (use().further_times > 0) {
+      } else if (use().further_times > 0 || use().solved) {
         EXPECT_TRUE(segment_changed(before, after, segment)) << "key " << moved << ", segment " << segment;
       }
   }
@@ -104,6 +118,44 @@ TEST_P(LocalityContract, OneValueMeansTheSameForEveryKey) {
 }
 
 ORISPLINE_FOR_EVERY_FAMILY(LocalityContract);
+
+/// Largest difference of orientation on a segment [rad].
+double change_on(const AnyCurve& before, const AnyCurve& after, std::size_t segment) {
+  const KnotSpan span = before.knots().span(segment);
+  double largest = 0.0;
+  for (const double u : {0.2, 0.5, 0.8})
+    largest = std::max(largest,
+                       angular_distance(before(span.start() + u * span.step()), after(span.start() + u * span.step())));
+  return largest;
+}
+
+class InfluenceContract : public FamilyContract {};
+
+TEST_P(InfluenceContract, OfAKeyDiesAwayWithTheKeysBetween) {
+  constexpr std::size_t segment_count = 11;
+  const KeyframeData data = walk(35, segment_count, Spacing::even, 0.8);
+  const AnyCurve before = curve(keyframes(data));
+  for (const std::size_t moved : {0u, 4u, 6u, 11u}) {
+    KeyframeData other = data;
+    other.orientations[moved] = other.orientations[moved] * exp<double>(Eigen::Vector3d(0.3, -0.2, 0.4));
+    const AnyCurve after = curve(keyframes(other));
+    for (std::size_t segment = 0; segment < segment_count; ++segment) {
+      const std::size_t keys_between = segment >= moved ? segment - moved : moved - segment - 1;
+      const double change = change_on(before, after, segment);
+      EXPECT_LT(change, 1.2 * std::pow(0.5, keys_between)) << "key " << moved << ", segment " << segment;
+      EXPECT_GT(change, keys_between < 4 ? tolerance::visible_jump : tolerance::rates)
+          << "key " << moved << ", segment " << segment;
+    }
+  }
+}
+
+std::vector<FamilyInfo> solved_families() {
+  std::vector<FamilyInfo> families(families_info().begin(), families_info().end());
+  std::erase_if(families, [](const FamilyInfo& family) { return !key_use(family).solved; });
+  return families;
+}
+
+INSTANTIATE_TEST_SUITE_P(Family, InfluenceContract, testing::ValuesIn(solved_families()), test_name);
 
 }  // namespace
 }  // namespace orispline::contract

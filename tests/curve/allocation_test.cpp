@@ -20,7 +20,7 @@ TEST(Allocation, IsCountedAtAll) {
 }
 
 TEST(Allocation, DoesNotHappenDuringEvaluation) {
-  KeyframeData data = random_walk(211, 10, Spacing::uneven);
+  KeyframeData data = random_walk(211, 10, Spacing::uneven, 0.8);
   for (std::size_t i = 0; i < 10; ++i) data.positions.emplace_back(static_cast<double>(i), 0.0, 1.0);
   const Keyframes keys = keyframes(data);
   for (const FamilyInfo& family : families_info()) {

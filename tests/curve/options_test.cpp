@@ -45,15 +45,16 @@ constexpr auto bad_data = ErrorCode::bad_data;
 INSTANTIATE_TEST_SUITE_P(
     Bad, OptionsRefuse,
     testing::Values(
-        BadOptions{
-            "UnknownFamily",
-            "quintik",
-            {},
-            4,
-            bad_argument,
-            "no method 'quintik', wanted one of auto, auto5, slerp, squad, squad-timed, quintic, sextic, timed-c1, "
-            "timed-c2, "
-            "timed-c3, timed-sextic, xing-quartic, xing-quintic, family, hermite-cumulative, bezier, bspline, beta"},
+        BadOptions{"UnknownFamily",
+                   "quintik",
+                   {},
+                   4,
+                   bad_argument,
+                   "no method 'quintik', wanted one of auto, auto5, slerp, squad, squad-timed, shoemake, tcb, "
+                   "barry-goldman, circular, log-parabola, quintic, sextic, timed-c1, timed-c2, timed-c3, "
+                   "timed-sextic, xing-quartic, xing-quintic, family, atbi, hermite-c1, hermite-c2, hermite-c3, "
+                   "hermite-cumulative, global-c2, rotation-spline, nu, nu-exact, bezier, bspline, bspline-through,"
+                   " averages, beta, beta-through, beta-g2"},
         BadOptions{"UnknownParameter",
                    "timed-c2",
                    {.parameters = {{"bias", {1.0}}}},

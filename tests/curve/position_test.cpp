@@ -14,7 +14,7 @@ namespace {
 using namespace testing_support;
 
 KeyframeData walk_with_positions(std::uint64_t seed, Spacing spacing = Spacing::uneven) {
-  KeyframeData data = random_walk(seed, 7, spacing);
+  KeyframeData data = random_walk(seed, 7, spacing, 0.8);
   Dice dice(seed + 1);
   for (std::size_t i = 0; i < 7; ++i) data.positions.push_back(3.0 * dice.vector());
   return data;
@@ -99,7 +99,7 @@ TEST(Position, HasTheDerivativesOfItself) {
 /// Largest deviation from a straight line at constant speed, with natural ends where the family has them.
 double deviation_from_constant_velocity(const FamilyInfo& family, Spacing spacing) {
   const Eigen::Vector3d velocity(1.0, -2.0, 0.5);
-  KeyframeData data = random_walk(257, 7, spacing);
+  KeyframeData data = random_walk(257, 7, spacing, 0.8);
   for (const double t : data.times) data.positions.push_back(velocity * t);
   CurveOptions options;
   if (std::ranges::count(family.ends, EndRule::natural) > 0) options.start.rule = options.end.rule = EndRule::natural;
@@ -151,6 +151,7 @@ TEST(Position, FollowsTheSameBlendingFunctionsAsTheOrientation) {
   for (const FamilyInfo& family : families_info()) {
     if (family.name.starts_with("squad")) continue;
     if (family.name.starts_with("auto")) continue;  // its windows also shrink with the turns, which positions have not
+    if (family.name == "circular") continue;        // where keys turn back its circles go all round, no position does
     for (const EndRule rule :
          family.ends.empty() ? std::vector{EndRule::none} : std::vector(family.ends.begin(), family.ends.end())) {
       if (rule == EndRule::clamped) continue;  // an angular end rate says nothing about positions

@@ -22,7 +22,7 @@ std::vector<double> samples_of(const AnyCurve& curve, const std::vector<double>&
 }
 
 TEST(Threads, ShareACurveAndItsCopies) {
-  const Keyframes keys = keyframes(random_walk(221, 22, Spacing::uneven));
+  const Keyframes keys = keyframes(random_walk(221, 22, Spacing::uneven, 0.8));
   const std::vector<double> times = sample_times(keys.times(), 50);
   for (const FamilyInfo& family : families_info()) {
     const AnyCurve curve = make_curve(family.name, keys).value();

@@ -14,20 +14,10 @@ namespace {
 using namespace testing_support;
 using families::Beta;
 
-Parameters random_betas(std::size_t points, std::uint64_t seed) {
-  Dice dice(seed);
-  Parameters p;
-  for (std::size_t i = 0; i < points; ++i) {
-    p["beta1"].push_back(dice.between(0.5, 2.0));
-    p["beta2"].push_back(dice.between(-1.0, 6.0));
-  }
-  return p;
-}
-
 TEST(Beta, TurnsFasterByBeta1AfterAJoint) {
   // Equation 8: s'_i(0) = β_{i,1} s'_{i-1}(1), whatever β₂.
   const Keyframes keys = keyframes(random_walk(371, 8, Spacing::even));
-  const Parameters betas = random_betas(8, 372);
+  const Parameters betas = mixed_betas(8, 372);
   const CubicBezierCurve curve = beta(keys, betas);
   for (std::size_t joint = 1; joint < curve.knots().segments(); ++joint) {
     const Joint j = joint_of(curve, joint);
@@ -37,7 +27,7 @@ TEST(Beta, TurnsFasterByBeta1AfterAJoint) {
 
 TEST(Beta, IsC1ForBeta1OfOneWhateverBeta2) {
   const Keyframes keys = keyframes(random_walk(373, 8, Spacing::even));
-  const CubicBezierCurve curve = beta(keys, {{"beta2", random_betas(8, 374).at("beta2")}});
+  const CubicBezierCurve curve = beta(keys, {{"beta2", mixed_betas(8, 374).at("beta2")}});
   for (std::size_t joint = 1; joint < curve.knots().segments(); ++joint) {
     const Joint j = joint_of(curve, joint);
     EXPECT_LE((j.after1 - j.before1).norm(), tolerance::series * j.after1.norm());
@@ -49,7 +39,7 @@ TEST(Beta, IsG2WhereTheKeysTurnAboutOneAxis) {
   const std::array angles{0.0, 0.5, 0.3, 1.4, 2.0, 1.7, 2.4};
   data.times = {0, 1, 2, 3, 4, 5, 6};
   for (std::size_t i = 0; i < 7; ++i) data.orientations[i] = exp<double>(Eigen::Vector3d(0, angles[i], 0));
-  const Parameters betas = random_betas(7, 376);
+  const Parameters betas = mixed_betas(7, 376);
   const CubicBezierCurve curve = beta(keyframes(data), betas);
   for (std::size_t joint = 1; joint < curve.knots().segments(); ++joint) {
     // About one axis s = (cos, sin) of half the angle: the constraint holds for the angle, seen here as ω and α.
@@ -68,7 +58,7 @@ TEST(Beta, IsG2InSpaceAsBarskySays) {
     data.times[i] = static_cast<double>(i);
     data.positions.push_back(3.0 * dice.vector());
   }
-  const Parameters betas = random_betas(8, 379);
+  const Parameters betas = mixed_betas(8, 379);
   const auto path = typed_path<Beta>(keyframes(data), {.parameters = betas});
   for (std::size_t joint = 1; joint < path.knots().segments(); ++joint) {
     const double t = path.knots().times()[joint];

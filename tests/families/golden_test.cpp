@@ -7,6 +7,7 @@
 
 #include <orispline/families/registry.hpp>
 #include <support/data_table.hpp>
+#include <support/golden_case.hpp>
 #include <support/near.hpp>
 #include <support/tolerance.hpp>
 
@@ -14,116 +15,103 @@ namespace orispline {
 namespace {
 
 using testing_support::DataTable;
-using testing_support::relative_error;
+using testing_support::MotionTolerance;
+using testing_support::near;
 
 struct GoldenFamily {
   const char* name;
   std::size_t cases, rows;  ///< as many as the reference has: none may get lost on the way
+  MotionTolerance tolerance = tolerance::golden;
 };
 
 void PrintTo(const GoldenFamily& test, std::ostream* out) { *out << test.name; }
 
-Eigen::Vector3d end_rate(const DataTable::Row& row, std::string_view column) {
-  const auto values = row.numbers(column);
-  return values.empty() ? Eigen::Vector3d::Zero() : Eigen::Vector3d(values.at(0), values.at(1), values.at(2));
+/// The family's cases by number: what to build, from cases.csv.
+std::map<std::string, DataTable::Row> cases_of(const DataTable& cases, const std::string& family) {
+  std::map<std::string, DataTable::Row> numbered;
+  for (const auto& row : cases.rows_where("family", family)) numbered.emplace(row.text("case"), row);
+  return numbered;
 }
 
-Keyframes keys_of(const DataTable& keys, const DataTable::Row& row) {
-  KeyframeData data;
-  const std::vector<double> rates = row.numbers("key_rates");
-  for (std::size_t i = 0; i < rates.size(); i += 3)
-    data.angular_velocities.emplace_back(rates.at(i), rates.at(i + 1), rates.at(i + 2));
-  for (const auto& key : keys.rows_where("sequence", row.text("sequence"))) {
-    data.times.push_back(key.number("t"));
-    data.orientations.push_back(key.quaternion("qw", "qx", "qy", "qz"));
-  }
-  return Keyframes::make(std::move(data), row.text("signs") == "as_given" ? Signs::as_given : Signs::shortest).value();
+/// A rounding error grows with the ill-conditioning of the case.
+MotionTolerance tolerance_of(const MotionTolerance& well_conditioned, const DataTable::Row& golden_case) {
+  const double growth = std::max(1.0, 1.0 / (std::numbers::pi - golden_case.number("max_halfangle")));
+  return {growth * well_conditioned.orientation, growth * well_conditioned.angular_velocity,
+          growth * well_conditioned.angular_acceleration, growth * well_conditioned.angular_jerk};
 }
 
-/// `name=value value…;name=…`
-std::map<std::string, std::vector<double>, std::less<>> parameters_of(const std::string& text) {
-  std::map<std::string, std::vector<double>, std::less<>> parameters;
-  if (text.empty()) return parameters;
-  for (const std::string& parameter : testing_support::fields_of(text, ';')) {
-    const auto parts = testing_support::fields_of(parameter, '=');
-    for (const std::string& value : testing_support::fields_of(parts.at(1), ' '))
-      parameters[parts[0]].push_back(testing_support::number_of(value));
-  }
-  return parameters;
+Motion motion_of(const DataTable::Row& row) {
+  return {.orientation = row.quaternion("qw", "qx", "qy", "qz"),
+          .angular_velocity = row.vector("wx", "wy", "wz"),
+          .angular_acceleration = row.vector("ax", "ay", "az"),
+          .angular_jerk = row.vector("jx", "jy", "jz")};
 }
 
-CurveOptions options_of(const DataTable::Row& row) {
-  CurveOptions options{.parameters = parameters_of(row.text("parameters"))};
-  if (!row.text("period").empty()) options.loop = Loop{.period = row.number("period")};
-  if (!row.text("ends").empty()) {
-    const EndRule rule = end_rule_by_name(*find_family(row.text("family")).value(), row.text("ends")).value();
-    options.start = {.rule = rule, .angular_velocity = end_rate(row, "start_rate")};
-    options.end = {.rule = rule, .angular_velocity = end_rate(row, "end_rate")};
-  }
-  return options;
-}
-
-struct GoldenCase {
-  AnyCurve curve;
-  double ill_conditioning;  ///< how much a rounding error grows: at least 1
-  std::string label;
-};
-
-std::map<std::string, GoldenCase> golden_cases(const std::string& family) {
-  const DataTable keys("golden/keys.csv"), cases("golden/cases.csv");
-  std::map<std::string, GoldenCase> built;
-  for (const auto& row : cases.rows_where("family", family)) {
-    const double distance_to_pi = std::numbers::pi - row.number("max_halfangle");
-    built.emplace(row.text("case"), GoldenCase{make_curve(family, keys_of(keys, row), options_of(row)).value(),
-                                               std::max(1.0, 1.0 / distance_to_pi),
-                                               row.text("sequence") + ", " + row.text("signs") + " signs, ends '" +
-                                                   row.text("ends") + "', parameters " + row.text("parameters")});
-  }
-  return built;
+void expect_agreement(const AnyCurve& curve, const DataTable::Row& row, const MotionTolerance& allowed) {
+  const double t = row.number("t");
+  const Side side = row.text("side") == "left" ? Side::left : Side::right;
+  SCOPED_TRACE("t = " + row.text("t") + " " + row.text("side"));
+  ASSERT_EQ(std::to_string(curve.knots().segment_at(t, side)), row.text("segment"));
+  EXPECT_TRUE(near(curve.motion(t, side), motion_of(row), allowed));
 }
 
 class Golden : public testing::TestWithParam<GoldenFamily> {};
 
 TEST_P(Golden, EveryRowAgreesWithTheReference) {
-  const auto cases = golden_cases(GetParam().name);
-  const DataTable rows(std::string("golden/") + GetParam().name + ".csv");
+  const std::string family = GetParam().name;
+  const DataTable keys("golden/keys.csv"), all_cases("golden/cases.csv"), rows("golden/" + family + ".csv");
+  const auto cases = cases_of(all_cases, family);
   ASSERT_EQ(cases.size(), GetParam().cases);
   ASSERT_EQ(rows.size(), GetParam().rows);
 
-  for (const auto& row : rows.rows()) {
-    const GoldenCase& golden = cases.at(row.text("case"));
-    const double t = row.number("t"), growth = golden.ill_conditioning;
-    SCOPED_TRACE(golden.label + ", t = " + row.text("t") + " " + row.text("side"));
-    const Side side = row.text("side") == "left" ? Side::left : Side::right;
-    ASSERT_EQ(std::to_string(golden.curve.knots().segment_at(t, side)), row.text("segment"));
-
-    const Motion m = golden.curve.motion(t, side);
-
-    EXPECT_LE(relative_error(m.orientation, row.quaternion("qw", "qx", "qy", "qz")),
-              growth * tolerance::golden::orientation);
-    EXPECT_LE(relative_error(m.angular_velocity, row.vector("wx", "wy", "wz")),
-              growth * tolerance::golden::angular_velocity);
-    EXPECT_LE(relative_error(m.angular_acceleration, row.vector("ax", "ay", "az")),
-              growth * tolerance::golden::angular_acceleration);
-    EXPECT_LE(relative_error(m.angular_jerk, row.vector("jx", "jy", "jz")), growth * tolerance::golden::angular_jerk);
+  for (const auto& [number, golden_case] : cases) {
+    SCOPED_TRACE(label_of(golden_case));
+    const auto curve = make_curve(family, keys_of(keys, golden_case), options_of(golden_case));
+    ASSERT_TRUE(curve) << describe(curve.error());
+    const auto expected = rows.rows_where("case", number);
+    ASSERT_FALSE(expected.empty());
+    for (const auto& row : expected) expect_agreement(*curve, row, tolerance_of(GetParam().tolerance, golden_case));
   }
 }
 
-// The reference's approximating B-spline weights its control points evenly on every knots; Cox–de Boor agrees where the
-// times are even. bspline_test.cpp has the uneven ones.
-INSTANTIATE_TEST_SUITE_P(Reference, Golden,
+std::string name_of_test(const testing::TestParamInfo<GoldenFamily>& test) {
+  std::string name = test.param.name;
+  std::ranges::replace(name, '-', '_');
+  return name;
+}
+
+// The reference's B-splines weight their control points evenly on every knots; Cox–de Boor agrees where the times are
+// even. bspline_test.cpp has the uneven ones.
+INSTANTIATE_TEST_SUITE_P(Papers, Golden,
                          testing::Values(GoldenFamily{"slerp", 16, 332}, GoldenFamily{"squad", 32, 664},
-                                         GoldenFamily{"squad-timed", 14, 256}, GoldenFamily{"quintic", 48, 996},
-                                         GoldenFamily{"sextic", 64, 1328}, GoldenFamily{"timed-c1", 68, 1400},
-                                         GoldenFamily{"timed-c2", 68, 1400}, GoldenFamily{"timed-c3", 68, 1400},
-                                         GoldenFamily{"timed-sextic", 68, 1400}, GoldenFamily{"family", 38, 704},
-                                         GoldenFamily{"hermite-cumulative", 21, 428}, GoldenFamily{"bspline", 13, 268},
-                                         GoldenFamily{"beta", 34, 432}),
-                         [](const auto& test) {
-                           std::string name = test.param.name;
-                           std::ranges::replace(name, '-', '_');
-                           return name;
-                         });
+                                         GoldenFamily{"quintic", 48, 996}, GoldenFamily{"sextic", 64, 1328},
+                                         GoldenFamily{"timed-c1", 68, 1400}, GoldenFamily{"timed-c2", 68, 1400},
+                                         GoldenFamily{"timed-c3", 68, 1400}, GoldenFamily{"timed-sextic", 68, 1400},
+                                         GoldenFamily{"family", 38, 704}, GoldenFamily{"hermite-cumulative", 21, 428},
+                                         GoldenFamily{"bspline", 13, 268}, GoldenFamily{"beta", 34, 432}),
+                         name_of_test);
+
+constexpr GoldenFamily wider(const char* name, std::size_t cases, std::size_t rows) {
+  return {name, cases, rows, tolerance::golden_wider};
+}
+
+INSTANTIATE_TEST_SUITE_P(WiderField, Golden,
+                         testing::Values(wider("squad-timed", 19, 352), wider("shoemake", 12, 216),
+                                         wider("tcb", 19, 352), wider("barry-goldman", 9, 160),
+                                         wider("log-parabola", 19, 352), wider("circular", 19, 352),
+                                         wider("nu", 24, 448), wider("nu-exact", 15, 276), wider("global-c2", 15, 276),
+                                         wider("rotation-spline", 25, 456), wider("bspline-through", 17, 332),
+                                         wider("beta-through", 7, 124), wider("beta-g2", 6, 96)),
+                         name_of_test);
+
+constexpr GoldenFamily hermite(const char* name, std::size_t cases, std::size_t rows) {
+  return {name, cases, rows, tolerance::golden_hermite};
+}
+
+INSTANTIATE_TEST_SUITE_P(ChartHermite, Golden,
+                         testing::Values(hermite("hermite-c1", 20, 384), hermite("hermite-c2", 37, 672),
+                                         hermite("hermite-c3", 20, 384)),
+                         name_of_test);
 
 }  // namespace
 }  // namespace orispline

@@ -68,6 +68,26 @@ TEST(SquadTimed, PassesAKeyWithTheTangentOfTheParabolaThroughItsNeighbours) {
   }
 }
 
+TEST(SquadTimed, InBoylesVariantPassesAKeyWithTheMeanOfTheRatesOnEitherSide) {
+  const Keyframes keys = keyframes(random_walk(138, 7, Spacing::uneven, 0.6));
+  const AnyCurve curve = make_curve("squad-timed", keys, {.choices = {{"variant", "boyle"}}}).value();
+  for (std::size_t i = 1; i + 1 < keys.size(); ++i) {
+    const double before = keys.times()[i] - keys.times()[i - 1], after = keys.times()[i + 1] - keys.times()[i];
+    const Eigen::Vector3d wanted = 0.5 * (step(keys, i - 1, i) / before + step(keys, i, i + 1) / after);
+    for (const Side side : {Side::left, Side::right})
+      EXPECT_TRUE(near(curve.motion(keys.times()[i], side).angular_velocity, wanted, tolerance::rates)) << "key " << i;
+  }
+}
+
+TEST(SquadTimed, HasOneCurveInBothVariantsOnEvenTimes) {
+  const Keyframes keys = keyframes(random_walk(139, 6, Spacing::even));
+  const AnyCurve geier = make_curve("squad-timed", keys, {.choices = {{"variant", "geier"}}}).value();
+  const AnyCurve boyle = make_curve("squad-timed", keys, {.choices = {{"variant", "boyle"}}}).value();
+  for (const double t : sample_times(keys.times()))
+    EXPECT_TRUE(near(boyle.motion(t), geier.motion(t),
+                     {tolerance::algebra, tolerance::series, tolerance::series, tolerance::rates}));
+}
+
 TEST(SquadTimed, ReflectedEndStartsWithTheRateOfTheFirstStep) {
   const Keyframes keys = keyframes(random_walk(136, 5, Spacing::uneven, 0.6));
   const double first = keys.times()[1] - keys.times()[0], last = keys.times()[4] - keys.times()[3];

@@ -105,6 +105,27 @@ TEST(BadFile, WithoutAUsableHeaderSaysWhatIsMissing) {
   });
 }
 
+TEST(BadFile, WithHalfOfItsRatesSaysWhichHalfIsMissing) {
+  const ReadOptions all{.rate_orders = 3, .world_rates = true};
+  const auto refusal = [&](const std::string& names, const std::string& message) {
+    return BadFile{"t,qw,qx,qy,qz," + names + "\n", "keys.csv:1: " + message, "keys.csv", all};
+  };
+  expect_refusals({
+      refusal("ax,ay,az",
+              "found ax, ay, az without wx, wy, wz: angular accelerations want angular velocities beside them"),
+      refusal("ax_deg_s2,ay,az,jx,jy,jz",
+              "found ax_deg_s2, ay, az without wx, wy, wz: angular accelerations want "
+              "angular velocities beside them"),
+      refusal("wx,wy,wz,jx,jy,jz",
+              "found jx, jy, jz without ax, ay, az: angular jerks want angular accelerations beside them"),
+      refusal("wx,wy,wz,ax,az", "found ax, az without ay, wanted all three columns or none"),
+      refusal("wx_world,wy_world", "found wx_world, wy_world without wz_world, wanted all three columns or none"),
+      refusal("wx,wy,wz,ax,ax_deg_s2,ay,az", "'ax' and 'ax_deg_s2' may both be ax, choose one with --columns ax=NAME"),
+      {"t,qw,qx,qy,qz,wx,wy,wz,ax,ay,az\n0,1,0,0,0,1,2,3,4,five,6\n", not_a_number("2:10", "five"), "keys.csv", all},
+      {"t,qw,qx,qy,qz,wx,wy,wz,ax,ay,az\n0,1,0,0,0,1,2,3,4,5,\n", not_finite("2:11", "an empty cell"), "keys.csv", all},
+  });
+}
+
 TEST(BadFile, ThatContradictsTheOptionsIsBadUsage) {
   const auto contradiction = [](std::string content, std::string error, std::string name, ReadOptions options) {
     return BadFile{std::move(content), std::move(error), std::move(name), std::move(options), ErrorCode::bad_argument};
@@ -121,7 +142,8 @@ TEST(BadFile, ThatContradictsTheOptionsIsBadUsage) {
       contradiction(header + key,
                     "keys.csv:1: --columns heading=qx: no such column is read, wanted one of t, qw, qx, qy, qz, roll, "
                     "pitch, yaw, e1, e2, e3, r11, r12, r13, r21, r22, r23, r31, r32, r33, rx, ry, rz, px, py, pz, wx, "
-                    "wy, wz, tension",
+                    "wy, wz, ax, ay, az, jx, jy, jz, wx_world, wy_world, wz_world, ax_world, ay_world, az_world, "
+                    "jx_world, jy_world, jz_world, tension",
                     "keys.csv", {.columns = {{"heading", "qx"}}, .parameters = {"tension"}}),
       contradiction(header + key, "the time scale is 0, wanted a number greater than 0", "keys.csv",
                     {.time_scale = Decimal()}),

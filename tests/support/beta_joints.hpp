@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <support/specimens.hpp>
 #include <support/typed_curves.hpp>
 
 namespace orispline::testing_support {
@@ -33,7 +34,8 @@ struct Joint {
   Eigen::Vector4d before1, after1, before2, after2;
 };
 
-inline Joint joint_of(const CubicBezierCurve& curve, std::size_t joint) {
+template <Curve C>
+[[nodiscard]] Joint joint_of(const C& curve, std::size_t joint) {
   const double t = curve.knots().times()[joint];
   const auto before = quaternion_derivatives(curve, t, joint - 1), after = quaternion_derivatives(curve, t, joint);
   return {before[1], after[1], before[2], after[2]};
@@ -42,6 +44,28 @@ inline Joint joint_of(const CubicBezierCurve& curve, std::size_t joint) {
 /// Size of the paper's second constraint left over: s''(0) - β₁² s''(1) - δ s'(1), δ = β₂ in the paper.
 inline double g2_residual(const Joint& j, double beta1, double delta) {
   return (j.after2 - beta1 * beta1 * j.before2 - delta * j.before1).norm();
+}
+
+/// The same relative to s''.
+inline double relative_g2_residual(const Joint& j, double beta1, double beta2) {
+  return g2_residual(j, beta1, beta2) / j.after2.norm();
+}
+
+/// β₁ and β₂ of their own for every point.
+inline Parameters mixed_betas(std::size_t points, std::uint64_t seed) {
+  Dice dice(seed);
+  Parameters p;
+  for (std::size_t i = 0; i < points; ++i) {
+    p["beta1"].push_back(dice.between(0.5, 2.0));
+    p["beta2"].push_back(dice.between(-1.0, 6.0));
+  }
+  return p;
+}
+
+/// Keys at t = 0, 1, 2 …, where derivatives in time are those in the local parameter.
+inline KeyframeData at_whole_times(KeyframeData data) {
+  for (std::size_t i = 0; i < data.times.size(); ++i) data.times[i] = static_cast<double>(i);
+  return data;
 }
 
 /// The least residual that any δ leaves, and that δ.

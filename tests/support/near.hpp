@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <orispline/curve/motion.hpp>
+#include <support/tolerance.hpp>
 
 namespace orispline::testing_support {
 
@@ -41,10 +42,7 @@ inline ::testing::AssertionResult near(const Eigen::Quaterniond& found, const Ei
   return near(found.coeffs(), wanted.coeffs(), tolerance) << "  (x y z w)";
 }
 
-/// One tolerance per order.
-struct MotionTolerance {
-  double orientation, angular_velocity, angular_acceleration, angular_jerk;
-};
+using tolerance::MotionTolerance;
 
 inline ::testing::AssertionResult near(const Motion& found, const Motion& wanted, const MotionTolerance& allowed) {
   const auto orientation =

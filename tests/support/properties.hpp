@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdlib>
 #include <ostream>
 #include <sstream>
@@ -35,7 +36,20 @@ template <class Property>
   return seeded == 0 && rc::check(name, std::forward<Property>(property));
 }
 
-/// Random keys as many as the family takes: cut, or continued by some more turns where there are too few.
+/// The same keys with their turns cut to `widest` [rad].
+inline KeyframeData with_turns_within(double widest, const KeyframeData& data) {
+  KeyframeData within = data;
+  for (std::size_t i = 1; i < data.orientations.size(); ++i) {
+    const Eigen::Vector3d turn = increment<double>(data.orientations[i - 1], data.orientations[i]);
+    if (turn.norm() > 0.0)
+      within.orientations[i] = within.orientations[i - 1] * exp<double>(std::min(1.0, widest / turn.norm()) * turn);
+    else within.orientations[i] = within.orientations[i - 1];
+  }
+  return within;
+}
+
+/// Random keys as many as the family takes and turning no wider than it takes: cut, or continued by some more turns
+/// where there are too few.
 inline KeyframeData fitting(const FamilyInfo& family, const RandomKeys& random) {
   KeyframeData data = random.data;
   while (data.times.size() < static_cast<std::size_t>(family.min_keys)) {
@@ -46,7 +60,8 @@ inline KeyframeData fitting(const FamilyInfo& family, const RandomKeys& random) 
   const std::size_t count = key_use(family).cut(data.times.size());
   data.times.resize(count);
   data.orientations.resize(count);
-  return data;
+  const double widest = key_use(family).widest_turn;
+  return widest < 2.0 * pi ? with_turns_within(widest, data) : data;
 }
 
 /// Inside a property: what EXPECT_TRUE is in a test.

@@ -28,12 +28,16 @@ inline constexpr double visible_jump = 1e-4;
 inline constexpr double difference = 1e-7;
 inline constexpr double difference_step = 1e-5;
 
+/// One tolerance per order of a motion.
+struct MotionTolerance {
+  double orientation, angular_velocity, angular_acceleration, angular_jerk;
+};
+
 /// Golden data: the contract of the project for doubles against 60 digits.
-namespace golden {
-inline constexpr double orientation = 1e-12;
-inline constexpr double angular_velocity = 1e-11;
-inline constexpr double angular_acceleration = 1e-9;
-inline constexpr double angular_jerk = 1e-7;
-}  // namespace golden
+inline constexpr MotionTolerance golden{1e-12, 1e-11, 1e-9, 1e-7};
+/// The wider field: the reference's own formulas in double precision lose a hundredth of it at most.
+inline constexpr MotionTolerance golden_wider{1e-12, 1e-11, 1e-10, 1e-9};
+/// Hermite polynomials up to degree 7 from key rates: the jerk divides the rounding of the chart by h³.
+inline constexpr MotionTolerance golden_hermite{1e-11, 1e-10, 1e-9, 1e-8};
 
 }  // namespace orispline::tolerance

@@ -48,6 +48,7 @@ template <class F>
   else if constexpr (std::same_as<F, families::UniformFamily>)
     return four_key_curve(keys, settings, uniform_basis<2>(settings)).value();
   else if constexpr (std::same_as<F, families::BSpline>) return bspline_curve<3>(keys);
+  else if constexpr (requires { F::chart(keys, settings); }) return F::chart(keys, settings).value();
   else return F::curve(keys, settings).value();
 }
 

@@ -34,6 +34,9 @@ using ChartDerivatives = std::array<Eigen::Vector3d, 3>;
 /// ‖p‖ < 2π. The exact change of chart: two segments that ask for the same rates join smoothly whatever their charts.
 [[nodiscard]] ChartDerivatives chart_derivatives(const Eigen::Vector3d& p, const std::array<Eigen::Vector3d, 3>& rates);
 
+/// The body rates ω, α, jerk of exp(p(t)), p(t) with these derivatives at p: the inverse of the above.
+[[nodiscard]] std::array<Eigen::Vector3d, 3> body_rates(const Eigen::Vector3d& p, const ChartDerivatives& derivatives);
+
 /// One interval of a chart curve: q = base · exp(ψ(u)), ψ a polynomial of rotation vectors in Bernstein form [rad].
 template <std::size_t Degree>
 struct ChartPiece {

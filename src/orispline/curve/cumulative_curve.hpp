@@ -18,10 +18,28 @@ struct ControlPolygon {
   std::vector<Eigen::Vector3d> increments;  ///< rotation vectors [rad] from each control orientation to the next
 };
 
+/// The motion after one more factor exp(b(t) φ), b as a jet in t.
+///
+/// ω ← Rᵀω + b'φ, α ← Rᵀα + b'(ω×φ) + b''φ, jerk likewise. Cross products with φ leave out the parts along φ: they are
+/// zero, and exactly so for a single factor.
+[[nodiscard]] inline Motion with_factor(const Motion& m, const Eigen::Vector3d& phi, const Jet<double, 3>& b) noexcept {
+  using Vector = Eigen::Vector3d;
+  const double b1 = b.derivative(1), b2 = b.derivative(2), b3 = b.derivative(3);
+  const Eigen::Quaterniond factor = exp<double>(b.c[0] * phi);
+  const Vector carried_velocity = to_body<double>(factor, m.angular_velocity);
+  const Vector turn = carried_velocity.cross(phi);
+  const Vector carried_acceleration = to_body<double>(factor, m.angular_acceleration) + b1 * turn;
+  return {.orientation = m.orientation * factor,
+          .angular_velocity = carried_velocity + b1 * phi,
+          .angular_acceleration = carried_acceleration + b2 * phi,
+          .angular_jerk = to_body<double>(factor, m.angular_jerk) + b2 * turn +
+                          2.0 * b1 * carried_acceleration.cross(phi) - b1 * b1 * turn.cross(phi) + b3 * phi};
+}
+
 /// THE evaluator: any cumulative basis over control orientations becomes orientation, ω, α and jerk.
 ///
 /// q(t) = q₀ ∏ exp(β̃_k(t) φ_k). Each factor carries the rates of the product before it into its own frame and adds its
-/// own: ω ← Rᵀω + β̃'φ, α ← Rᵀα + β̃'(ω×φ) + β̃''φ, jerk likewise.
+/// own.
 /// Source: Kim, Kim & Shin 1995 (the form); Sommer et al. 2020 (the recurrence), here with the jerk, derived in
 /// docs/conventions.md.
 template <CumulativeBasis B>
@@ -49,24 +67,10 @@ class CumulativeCurve {
 
   /// Orientation and body rates at t [s] of the given segment.
   [[nodiscard]] Motion motion(double t, std::size_t segment) const noexcept {
-    using Vector = Eigen::Vector3d;
     const auto b = basis_(knots_.span(segment), Jet<double, 3>::variable(t));
     const std::size_t first = segment * B::stride;
     Motion m{.orientation = polygon_.bases[segment]};
-    for (std::size_t k = 0; k < B::increments; ++k) {
-      const Vector& phi = polygon_.increments[first + k];
-      const double b1 = b[k].derivative(1), b2 = b[k].derivative(2), b3 = b[k].derivative(3);
-      const Eigen::Quaterniond factor = exp<double>(b[k].c[0] * phi);
-      m.orientation = m.orientation * factor;
-      // Cross products with φ leave out the parts along φ: they are zero, and exactly so for a single factor.
-      const Vector carried_velocity = to_body<double>(factor, m.angular_velocity);
-      const Vector turn = carried_velocity.cross(phi);
-      const Vector carried_acceleration = to_body<double>(factor, m.angular_acceleration) + b1 * turn;
-      m.angular_velocity = carried_velocity + b1 * phi;
-      m.angular_acceleration = carried_acceleration + b2 * phi;
-      m.angular_jerk = to_body<double>(factor, m.angular_jerk) + b2 * turn +
-                       2.0 * b1 * carried_acceleration.cross(phi) - b1 * b1 * turn.cross(phi) + b3 * phi;
-    }
+    for (std::size_t k = 0; k < B::increments; ++k) m = with_factor(m, polygon_.increments[first + k], b[k]);
     return m;
   }
 

@@ -101,6 +101,18 @@ class PerKey {
       : values_(std::make_shared<const std::vector<double>>(std::move(values))) {}
   [[nodiscard]] double operator[](std::size_t key) const noexcept { return (*values_)[values_->size() == 1 ? 0 : key]; }
   [[nodiscard]] const std::vector<double>& values() const noexcept { return *values_; }
+  /// The values of that many keys.
+  [[nodiscard]] std::vector<double> all(std::size_t keys) const {
+    return values_->size() == 1 ? std::vector(keys, values_->front()) : *values_;
+  }
+  /// Those of that many keys and of a ghost key beyond either end, which has its neighbour's unless it has its own.
+  [[nodiscard]] std::vector<double> all_with_ghosts(std::size_t keys) const {
+    std::vector<double> values = all(keys);
+    if (values.size() == keys + 2) return values;
+    values.insert(values.begin(), values.front());
+    values.push_back(values.back());
+    return values;
+  }
 
  private:
   std::shared_ptr<const std::vector<double>> values_;

@@ -23,9 +23,16 @@ struct Motion {
   return to_world<double>(m.orientation, m.angular_acceleration);
 }
 
+/// What turning axes add to the jerk [rad/s³], in the body frame: ω × α.
+[[nodiscard]] inline Eigen::Vector3d transport_of_jerk(const Eigen::Vector3d& angular_velocity,
+                                                       const Eigen::Vector3d& angular_acceleration) noexcept {
+  return angular_velocity.cross(angular_acceleration);
+}
+
 /// d²ω_world/dt² [rad/s³]: R (jerk + ω × α).
 [[nodiscard]] inline Eigen::Vector3d angular_jerk_world(const Motion& m) noexcept {
-  return to_world<double>(m.orientation, m.angular_jerk + m.angular_velocity.cross(m.angular_acceleration));
+  return to_world<double>(m.orientation,
+                          m.angular_jerk + transport_of_jerk(m.angular_velocity, m.angular_acceleration));
 }
 
 /// Orientation and body rates from a quaternion given with its first three time derivatives.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/curve/rate_chain.hpp>
 
+#include <algorithm>
+
 #include <orispline/curve/four_key_curve.hpp>
 #include <orispline/curve/increments.hpp>
 
@@ -25,6 +27,13 @@ End for_positions(End end) {
   return end;
 }
 
+/// Length of the longest, 1 where all are zero.
+double largest(const std::vector<Eigen::Vector3d>& chords) {
+  double length = 0.0;
+  for (const Eigen::Vector3d& chord : chords) length = std::max(length, chord.norm());
+  return length > 0.0 ? length : 1.0;
+}
+
 }  // namespace
 
 RateConditions rate_conditions(const FamilySettings& settings, std::span<const Eigen::Vector3d> increments,
@@ -38,19 +47,22 @@ RateConditions rate_conditions(const FamilySettings& settings, std::span<const E
   return conditions;
 }
 
-Expected<AnyPath> cubic_spline_path(std::string_view method, const Keyframes& keys, const FamilySettings& settings) {
+Expected<HermitePath<3>> cubic_spline_path(std::string_view method, const Keyframes& keys,
+                                           const FamilySettings& settings) {
   Knots knots = four_key_knots(keys, settings);
   std::vector<Eigen::Vector3d> positions(keys.positions().begin(), keys.positions().end());
   FamilySettings ends = settings;
   if (settings.closure) positions.push_back(positions.front());
   ends.start = for_positions(settings.start);
   ends.end = for_positions(settings.end);
-  const std::vector<Eigen::Vector3d> chords = increments_between(positions);
+  std::vector<Eigen::Vector3d> chords = increments_between(positions);
+  const double size = largest(chords);  // the residual is to be small beside the chords, in whatever unit they are
+  for (Eigen::Vector3d& chord : chords) chord /= size;
   return solve_rates<FlatPiece>(method, chords, knots, rate_conditions(ends, chords, knots))
       .map([&](const std::vector<Eigen::Vector3d>& velocities) {
         std::vector<HermitePath<3>::Derivatives> derivatives;
-        for (const Eigen::Vector3d& v : velocities) derivatives.push_back({v});
-        return AnyPath(HermitePath<3>(std::move(knots), std::move(positions), std::move(derivatives)));
+        for (const Eigen::Vector3d& v : velocities) derivatives.push_back({size * v});
+        return HermitePath<3>(std::move(knots), std::move(positions), std::move(derivatives));
       });
 }
 

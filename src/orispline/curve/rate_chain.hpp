@@ -10,7 +10,6 @@
 #include <orispline/curve/family.hpp>
 #include <orispline/curve/hermite_path.hpp>
 #include <orispline/curve/keyframe.hpp>
-#include <orispline/curve/path.hpp>
 
 namespace orispline {
 
@@ -184,7 +183,7 @@ template <class Piece>
 /// The C2 cubic through the positions, or with ν the cubic ν-spline: the Euclidean analogue of the solved curves.
 ///
 /// Clamped ends, whose given rate is angular, are natural; the ends at rest are at rest. Source: Nielson 1974.
-[[nodiscard]] Expected<AnyPath> cubic_spline_path(std::string_view method, const Keyframes& keys,
-                                                  const FamilySettings& settings);
+[[nodiscard]] Expected<HermitePath<3>> cubic_spline_path(std::string_view method, const Keyframes& keys,
+                                                         const FamilySettings& settings);
 
 }  // namespace orispline

@@ -5,22 +5,28 @@
 
 namespace orispline {
 
-WindowRates polynomial_rates(const Window& window) noexcept {
+std::array<Eigen::Vector3d, 3> polynomial_derivatives(const Window& window) noexcept {
   ORISPLINE_EXPECT(window.size >= 2 && window.size <= Window::capacity);
-  // Newton form by divided differences, then value and two derivatives at time 0 by Horner's rule.
+  // Newton form by divided differences, then value and three derivatives at time 0 by Horner's rule.
   std::array<Eigen::Vector3d, Window::capacity> difference = window.displacements;
   const auto& t = window.times;
   for (std::size_t order = 1; order < window.size; ++order)
     for (std::size_t i = window.size - 1; i >= order; --i)
       difference[i] = (difference[i] - difference[i - 1]) / (t[i] - t[i - order]);
   Eigen::Vector3d value = difference[window.size - 1];
-  WindowRates rates;
+  Eigen::Vector3d first = Eigen::Vector3d::Zero(), second = first, third = first;
   for (std::size_t i = window.size - 1; i-- > 0;) {
-    rates.second = 2.0 * rates.first - t[i] * rates.second;
-    rates.first = value - t[i] * rates.first;
+    third = 3.0 * second - t[i] * third;
+    second = 2.0 * first - t[i] * second;
+    first = value - t[i] * first;
     value = difference[i] - t[i] * value;
   }
-  return rates;
+  return {first, second, third};
+}
+
+WindowRates polynomial_rates(const Window& window) noexcept {
+  const auto derivatives = polynomial_derivatives(window);
+  return {derivatives[0], derivatives[1]};
 }
 
 WindowRates natural_spline_rates(const Window& window) noexcept {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <span>
 
 #include <orispline/math/eigen.hpp>
 
@@ -22,6 +24,27 @@ struct Window {
   }
 };
 
+/// Keys first … first + count - 1 seen from key `centre`; `displacement(i, j)` is the increment from key i to key j.
+template <class Displacement>
+[[nodiscard]] Window window_of(std::span<const double> times, std::size_t centre, std::size_t first, std::size_t count,
+                               const Displacement& displacement) {
+  Window window{.size = count, .centre = centre - first};
+  for (std::size_t k = 0; k < count; ++k) {
+    window.times[k] = times[first + k] - times[centre];
+    window.displacements[k] = displacement(centre, first + k);
+  }
+  return window;
+}
+
+/// The window of `reach` keys on either side of key `centre`, shifted inwards at the ends; all keys if there are fewer.
+template <class Displacement>
+[[nodiscard]] Window shifted_window(std::span<const double> times, std::size_t centre, std::size_t reach,
+                                    const Displacement& displacement) {
+  const std::size_t count = std::min(2 * reach + 1, times.size());
+  const std::size_t first = std::min(centre - std::min(centre, reach), times.size() - count);
+  return window_of(times, centre, first, count, displacement);
+}
+
 /// First and second derivative of a fit at the window's centre.
 struct WindowRates {
   Eigen::Vector3d first = Eigen::Vector3d::Zero(), second = Eigen::Vector3d::Zero();
@@ -31,7 +54,10 @@ struct WindowRates {
   return {a.first + share_of_b * (b.first - a.first), a.second + share_of_b * (b.second - a.second)};
 }
 
-/// Of the polynomial through all keys of the window (2 to 7).
+/// Derivatives of orders 1…3 at the window's centre of the polynomial through all its keys (2 to 7).
+[[nodiscard]] std::array<Eigen::Vector3d, 3> polynomial_derivatives(const Window& window) noexcept;
+
+/// The first two of these.
 [[nodiscard]] WindowRates polynomial_rates(const Window& window) noexcept;
 
 /// Of the natural cubic spline through the keys of the window (2 to 7).

@@ -41,27 +41,10 @@ struct Track {
   [[nodiscard]] double step(std::size_t i) const { return times[i + 1] - times[i]; }
   [[nodiscard]] Eigen::Vector3d secant(std::size_t i) const { return increments[i] / step(i); }
 
-  /// Keys first … first + count - 1 seen from key `centre`.
-  [[nodiscard]] Window window(std::size_t centre, std::size_t first, std::size_t count) const {
-    Window w{.size = count, .centre = centre - first};
-    for (std::size_t k = 0; k < count; ++k) {
-      w.times[k] = times[first + k] - times[centre];
-      w.displacements[k] = displacement(centre, first + k);
-    }
-    return w;
-  }
   /// Up to `reach` keys on either side, fewer at the ends.
   [[nodiscard]] Window cut_window(std::size_t centre, std::size_t reach_) const {
     const std::size_t first = centre - std::min(centre, reach_);
-    return window(centre, first, std::min(size() - 1, centre + reach_) - first + 1);
-  }
-  /// The first key of the window of 2·reach + 1 keys that is shifted inwards at the ends.
-  [[nodiscard]] std::size_t shifted_first(std::size_t centre, std::size_t reach_) const {
-    const std::size_t count = std::min(2 * reach_ + 1, size());
-    return std::min(centre - std::min(centre, reach_), size() - count);
-  }
-  [[nodiscard]] Window shifted_window(std::size_t centre, std::size_t reach_) const {
-    return window(centre, shifted_first(centre, reach_), std::min(2 * reach_ + 1, size()));
+    return window_of(times, centre, first, std::min(size() - 1, centre + reach_) - first + 1, displacement);
   }
 };
 
@@ -102,7 +85,7 @@ double widest_roughness(const std::vector<double>& r, std::size_t i) {
 Rates mixed_rates(const Track& track, std::size_t i, std::size_t reach, double smooth) {
   const Rates natural = natural_spline_rates(track.cut_window(i, reach));
   if (!(smooth > 0.0)) return natural;
-  return blended(natural, polynomial_rates(track.shifted_window(i, reach)), smooth);
+  return blended(natural, polynomial_rates(shifted_window(track.times, i, reach, track.displacement)), smooth);
 }
 
 /// The larger turn on one side of key i within the shifted window [rad].

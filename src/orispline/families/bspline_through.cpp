@@ -2,9 +2,9 @@
 #include <orispline/families/bspline_through.hpp>
 
 #include <orispline/curve/bspline_basis.hpp>
-#include <orispline/curve/control_chain.hpp>
 #include <orispline/curve/cumulative_curve.hpp>
 #include <orispline/curve/four_key_curve.hpp>
+#include <orispline/curve/points_through.hpp>
 #include <orispline/curve/rate_chain.hpp>
 #include <orispline/curve/reflected.hpp>
 
@@ -49,37 +49,47 @@ std::vector<KnotWeights> weights_of(const Knots& knots, const Basis& basis, std:
   return weights;
 }
 
-class BSplineChain : public ControlChain {
+/// The control orientations as unknowns: at its knot the curve must meet each key.
+class BSplineChain {
  public:
   BSplineChain(const Keyframes& keys, const FamilySettings& settings, const std::vector<KnotWeights>& weights,
                double share, const BSplineChain* before)
-      : ControlChain(keys, share, before), weights_(weights), settings_(settings) {
+      : keys_(with_steps_of(share, keys.orientations())), controls_(keys_), weights_(weights), settings_(settings) {
+    for (std::size_t i = 0; before && i < keys_.size(); ++i)
+      controls_[i] = displaced(keys_[i], displacement(before->keys_[i], before->controls_[i]));
     settings_.start.angular_velocity *= share;
     settings_.end.angular_velocity *= share;
   }
 
+  [[nodiscard]] std::size_t size() const { return keys_.size(); }
   [[nodiscard]] bool closed() const { return settings_.closure.has_value(); }
+  [[nodiscard]] bool plausible() const { return true; }
+
+  void move(std::span<const Eigen::Vector3d> by) {
+    for (std::size_t i = 0; i < by.size(); ++i) controls_[i] = displaced(controls_[i], by[i]).normalized();
+  }
 
   template <Number T>
   [[nodiscard]] std::vector<Vector3<T>> residual(std::span<const Vector3<T>> moved_by) const {
-    const std::vector<Quaternion<T>> p = moved<T>(moved_by);
+    std::vector<Quaternion<T>> p;
+    for (std::size_t i = 0; i < size(); ++i) p.push_back(displaced(constant<T>(controls_[i]), moved_by[i]));
     const std::vector<Vector3<T>> w = increments<T>(p);
     std::vector<Vector3<T>> residual;
     residual.reserve(size());
     for (std::size_t i = 0; i < size(); ++i) {
       const auto& at = weights_[i].value;  // from control i: back over its increment, forth to the knot
       const Quaternion<T> value = p[i] * exp<T>(w[i] * T(at[0] - 1.0)) * exp<T>(w[i + 1] * T(at[1]));
-      residual.push_back(increment<T>(value, key<T>(i)));
+      residual.push_back(increment<T>(value, constant<T>(keys_[i])));
     }
     return residual;
   }
 
   /// From the control before the first one to the one after the last.
   [[nodiscard]] ControlPolygon polygon() const {
-    ControlPolygon polygon{.bases = {}, .increments = increments<double>(controls())};
+    ControlPolygon polygon{.bases = {}, .increments = increments<double>(controls_)};
     const std::vector<Eigen::Vector3d> w = polygon.increments;
-    polygon.bases.push_back(controls()[0] * exp<double>(-w[0]));
-    polygon.bases.insert(polygon.bases.end(), controls().begin(), controls().end() - (closed() ? 1 : 2));
+    polygon.bases.push_back(controls_[0] * exp<double>(-w[0]));
+    polygon.bases.insert(polygon.bases.end(), controls_.begin(), controls_.end() - (closed() ? 1 : 2));
     if (closed()) polygon.increments.push_back(w[1]);
     return polygon;
   }
@@ -116,10 +126,11 @@ class BSplineChain : public ControlChain {
   [[nodiscard]] Vector3<T> increment_after(const Vector3<T>& w, const Quaternion<T>& p) const {
     if (settings_.end.rule == EndRule::natural) return w;
     const auto& rate = weights_.back().rate;
-    const Vector3<T> carried = to_body<T>(p.conjugate() * key<T>(size() - 1), w);
+    const Vector3<T> carried = to_body<T>(p.conjugate() * constant<T>(keys_.back()), w);
     return (constant<T>(settings_.end.angular_velocity) - carried * T(rate[0])) * T(1.0 / rate[1]);
   }
 
+  std::vector<Eigen::Quaterniond> keys_, controls_;
   std::vector<KnotWeights> weights_;
   FamilySettings settings_;
 };
@@ -140,7 +151,7 @@ Expected<CumulativeCurve<BSplineBasis<3>>> BSplineThrough::curve(const Keyframes
       });
 }
 
-Expected<AnyPath> BSplineThrough::path(const Keyframes& keys, const FamilySettings& settings) {
+Expected<HermitePath<3>> BSplineThrough::path(const Keyframes& keys, const FamilySettings& settings) {
   return cubic_spline_path(info.name, keys, settings);
 }
 

@@ -4,8 +4,8 @@
 #include <orispline/curve/bspline_basis.hpp>
 #include <orispline/curve/cumulative_curve.hpp>
 #include <orispline/curve/family.hpp>
+#include <orispline/curve/hermite_path.hpp>
 #include <orispline/curve/keyframe.hpp>
-#include <orispline/curve/path.hpp>
 
 namespace orispline::families {
 
@@ -32,7 +32,7 @@ struct BSplineThrough {
   [[nodiscard]] static Expected<CumulativeCurve<BSplineBasis<3>>> curve(const Keyframes& keys,
                                                                         const FamilySettings& settings);
   /// The cubic spline through the positions.
-  [[nodiscard]] static Expected<AnyPath> path(const Keyframes& keys, const FamilySettings& settings);
+  [[nodiscard]] static Expected<HermitePath<3>> path(const Keyframes& keys, const FamilySettings& settings);
 };
 
 }  // namespace orispline::families

@@ -24,13 +24,13 @@ Expected<SlerpBezierCurve> solved_curve(std::string_view method, const Keyframes
 Expected<SlerpBezierCurve> GlobalC2::curve(const Keyframes& keys, const FamilySettings& settings) {
   return solved_curve(info.name, keys, settings);
 }
-Expected<AnyPath> GlobalC2::path(const Keyframes& keys, const FamilySettings& settings) {
+Expected<HermitePath<3>> GlobalC2::path(const Keyframes& keys, const FamilySettings& settings) {
   return cubic_spline_path(info.name, keys, settings);
 }
 Expected<SlerpBezierCurve> NuExact::curve(const Keyframes& keys, const FamilySettings& settings) {
   return solved_curve(info.name, keys, settings);
 }
-Expected<AnyPath> NuExact::path(const Keyframes& keys, const FamilySettings& settings) {
+Expected<HermitePath<3>> NuExact::path(const Keyframes& keys, const FamilySettings& settings) {
   return cubic_spline_path(info.name, keys, settings);
 }
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <orispline/curve/family.hpp>
+#include <orispline/curve/hermite_path.hpp>
 #include <orispline/curve/keyframe.hpp>
-#include <orispline/curve/path.hpp>
 #include <orispline/curve/slerp_bezier.hpp>
 
 namespace orispline::families {
@@ -28,7 +28,7 @@ struct GlobalC2 {
                                    .closes = true};
   /// Errors: not_converged.
   [[nodiscard]] static Expected<SlerpBezierCurve> curve(const Keyframes& keys, const FamilySettings& settings);
-  [[nodiscard]] static Expected<AnyPath> path(const Keyframes& keys, const FamilySettings& settings);
+  [[nodiscard]] static Expected<HermitePath<3>> path(const Keyframes& keys, const FamilySettings& settings);
 };
 
 /// Nielson's ν-spline with its condition exact on the sphere: α⁺ - α⁻ = ν ω at every inner key, ν in 1/s.
@@ -48,7 +48,7 @@ struct NuExact {
                                    .closes = true};
   /// Errors: not_converged.
   [[nodiscard]] static Expected<SlerpBezierCurve> curve(const Keyframes& keys, const FamilySettings& settings);
-  [[nodiscard]] static Expected<AnyPath> path(const Keyframes& keys, const FamilySettings& settings);
+  [[nodiscard]] static Expected<HermitePath<3>> path(const Keyframes& keys, const FamilySettings& settings);
 };
 
 }  // namespace orispline::families

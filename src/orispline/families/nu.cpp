@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/families/nu.hpp>
 
+#include <cmath>
+
+#include <numbers>
+
 #include <fmt/format.h>
 
-#include <orispline/curve/control_chain.hpp>
+#include <orispline/curve/points_through.hpp>
 #include <orispline/curve/rate_chain.hpp>
 
 // The names γ, λ, μ, δ are Nielson's; steps and ratios are indexed by key here: docs/families/nu.md.
@@ -26,7 +30,7 @@ Expected<Ratios> ratios_of(std::span<const double> t, const PerKey& nu) {
   };
   Ratios r{std::vector<double>(n, 1.0), std::vector<double>(n, 0.0), std::vector<double>(n, 0.0)};
   for (std::size_t i = 0; i < n; ++i) {
-    if (!(gamma(i) > 0.0))
+    if (!(gamma(i) > 0.0 && std::isfinite(gamma(i))))
       return failure(ErrorCode::bad_argument,
                      fmt::format("nu: nu is {}, wanted more than {:.6g} between these key times", nu[i],
                                  -2.0 * (step(i) + step(i + 1)) / (step(i) * step(i + 1))),
@@ -42,73 +46,66 @@ Expected<Ratios> ratios_of(std::span<const double> t, const PerKey& nu) {
   return r;
 }
 
-/// The control orientations as unknowns: each key must lie between its two inner points.
-class NuChain : public ControlChain {
- public:
-  NuChain(const Keyframes& keys, const FamilySettings& settings, const Ratios& ratios, double share,
-          const NuChain* before)
-      : ControlChain(keys, share, before), ratios_(ratios) {
-    const std::size_t last = keys.size() - 1;
-    const auto handle = [share](const End& end, double third) -> std::optional<Eigen::Vector3d> {
-      if (end.rule == EndRule::natural) return std::nullopt;
-      return Eigen::Vector3d(share * third * end.angular_velocity);
-    };
-    start_ = handle(settings.start, (keys.times()[1] - keys.times()[0]) / 3.0);
-    end_ = handle(settings.end, -(keys.times()[last] - keys.times()[last - 1]) / 3.0);
-  }
+/// By how much three neighbouring controls miss the key in the middle: it must lie between its two inner points; an
+/// end's control stands at a given handle, or where there is no acceleration.
+struct NuRule {
+  static constexpr double forbidden_turn = 2.0 * std::numbers::pi;
+  Ratios ratios;
+  std::optional<Eigen::Vector3d> start, end;  ///< handles of clamped ends [rad]
 
   template <Number T>
-  [[nodiscard]] std::vector<Vector3<T>> residual(std::span<const Vector3<T>> moved_by) const {
-    const std::vector<Quaternion<T>> d = moved<T>(moved_by);
-    const std::size_t last = size() - 1;
-    std::vector<Vector3<T>> residual;
-    residual.reserve(size());
-    residual.push_back(increment<T>(d[0], end_control<T>(0, start_, d[1], ratios_.before[1])));
-    for (std::size_t i = 1; i < last; ++i) {
-      const Quaternion<T> before = slerp<T>(d[i - 1], d[i], T(ratios_.before[i]));
-      const Quaternion<T> after = slerp<T>(d[i], d[i + 1], T(ratios_.after[i]));
-      residual.push_back(increment<T>(slerp<T>(before, after, T(ratios_.key[i])), key<T>(i)));
-    }
-    residual.push_back(increment<T>(d[last], end_control<T>(last, end_, d[last - 1], 1.0 - ratios_.after[last - 1])));
-    return residual;
-  }
-
-  /// The inner points of the segments, as rates out of and into the keys.
-  [[nodiscard]] SlerpBezierCurve curve(Knots knots) const {
-    std::vector<SlerpBezierCurve::Segment> segments;
-    const auto& d = controls();
-    for (std::size_t i = 0; i + 1 < size(); ++i)
-      segments.push_back({key<double>(i), slerp<double>(d[i], d[i + 1], ratios_.after[i]),
-                          slerp<double>(d[i], d[i + 1], ratios_.before[i + 1]), key<double>(i + 1)});
-    return {std::move(knots), std::move(segments)};
+  [[nodiscard]] Vector3<T> operator()(std::size_t i, const Quaternion<T>& before, const Quaternion<T>& at,
+                                      const Quaternion<T>& after, const Quaternion<T>& key) const {
+    const std::size_t last = ratios.key.size() - 1;
+    if (i == 0) return increment<T>(at, end_control<T>(key, start, after, ratios.before[1]));
+    if (i == last) return increment<T>(at, end_control<T>(key, end, before, 1.0 - ratios.after[last - 1]));
+    return increment<T>(
+        slerp<T>(slerp<T>(before, at, T(ratios.before[i])), slerp<T>(at, after, T(ratios.after[i])), T(ratios.key[i])),
+        key);
   }
 
  private:
-  /// An end's control orientation: at a given handle, or such that there is no acceleration.
   template <Number T>
-  [[nodiscard]] Quaternion<T> end_control(std::size_t at, const std::optional<Eigen::Vector3d>& handle,
-                                          const Quaternion<T>& inner, double ratio) const {
-    if (handle) return key<T>(at) * exp<T>(constant<T>(*handle));
-    return slerp<T>(key<T>(at), inner, T(ratio / (1.0 + ratio)));
+  [[nodiscard]] static Quaternion<T> end_control(const Quaternion<T>& key, const std::optional<Eigen::Vector3d>& handle,
+                                                 const Quaternion<T>& inner, double ratio) {
+    if (handle) return key * exp<T>(constant<T>(*handle));
+    return slerp<T>(key, inner, T(ratio / (1.0 + ratio)));
   }
-
-  Ratios ratios_;
-  std::optional<Eigen::Vector3d> start_, end_;  ///< handles of clamped ends
 };
+
+std::optional<Eigen::Vector3d> handle_of(const End& end, double third) {
+  if (end.rule == EndRule::natural) return std::nullopt;
+  return Eigen::Vector3d(third * end.angular_velocity);
+}
+
+NuRule rule_of(const Keyframes& keys, const FamilySettings& settings, Ratios ratios) {
+  const auto t = keys.times();
+  const std::size_t last = t.size() - 1;
+  return {.ratios = std::move(ratios),
+          .start = handle_of(settings.start, (t[1] - t[0]) / 3.0),
+          .end = handle_of(settings.end, -(t[last] - t[last - 1]) / 3.0)};
+}
+
+/// Every segment from a key over the two inner points on its arc of the control polygon to the next key.
+SlerpBezierCurve curve_of(const Keyframes& keys, const std::vector<Eigen::Quaterniond>& d, const Ratios& ratios) {
+  const auto q = keys.orientations();
+  std::vector<SlerpBezierCurve::Segment> segments;
+  for (std::size_t i = 0; i + 1 < q.size(); ++i)
+    segments.push_back({q[i], slerp<double>(d[i], d[i + 1], ratios.after[i]),
+                        slerp<double>(d[i], d[i + 1], ratios.before[i + 1]), q[i + 1]});
+  return {Knots({keys.times().begin(), keys.times().end()}), std::move(segments)};
+}
 
 }  // namespace
 
 Expected<SlerpBezierCurve> Nu::curve(const Keyframes& keys, const FamilySettings& settings) {
   return ratios_of(keys.times(), settings.per_key("nu")).and_then([&](const Ratios& ratios) {
-    return solve_chain(info.name, [&](double share,
-                                      const NuChain* before) { return NuChain(keys, settings, ratios, share, before); })
-        .map([&](const NuChain& chain) {
-          return chain.curve(Knots({keys.times().begin(), keys.times().end()}));
-        });
+    return control_points_through(keys.orientations(), info.name, rule_of(keys, settings, ratios))
+        .map([&](const std::vector<Eigen::Quaterniond>& controls) { return curve_of(keys, controls, ratios); });
   });
 }
 
-Expected<AnyPath> Nu::path(const Keyframes& keys, const FamilySettings& settings) {
+Expected<HermitePath<3>> Nu::path(const Keyframes& keys, const FamilySettings& settings) {
   return cubic_spline_path(info.name, keys, settings);
 }
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <orispline/curve/family.hpp>
+#include <orispline/curve/hermite_path.hpp>
 #include <orispline/curve/keyframe.hpp>
-#include <orispline/curve/path.hpp>
 #include <orispline/curve/slerp_bezier.hpp>
 
 namespace orispline::families {
@@ -28,7 +28,7 @@ struct Nu {
                                    .ends = ends};
   /// Errors: bad_argument where ν is so negative that the construction has a pole; not_converged.
   [[nodiscard]] static Expected<SlerpBezierCurve> curve(const Keyframes& keys, const FamilySettings& settings);
-  [[nodiscard]] static Expected<AnyPath> path(const Keyframes& keys, const FamilySettings& settings);
+  [[nodiscard]] static Expected<HermitePath<3>> path(const Keyframes& keys, const FamilySettings& settings);
 };
 
 }  // namespace orispline::families

@@ -24,7 +24,7 @@ Expected<ChartCurve<3>> RotationSpline::curve(const Keyframes& keys, const Famil
       });
 }
 
-Expected<AnyPath> RotationSpline::path(const Keyframes& keys, const FamilySettings& settings) {
+Expected<HermitePath<3>> RotationSpline::path(const Keyframes& keys, const FamilySettings& settings) {
   return cubic_spline_path(info.name, keys, settings);
 }
 

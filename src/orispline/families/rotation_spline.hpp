@@ -3,8 +3,8 @@
 
 #include <orispline/curve/chart_curve.hpp>
 #include <orispline/curve/family.hpp>
+#include <orispline/curve/hermite_path.hpp>
 #include <orispline/curve/keyframe.hpp>
-#include <orispline/curve/path.hpp>
 
 namespace orispline::families {
 
@@ -26,7 +26,7 @@ struct RotationSpline {
                                    .closes = true};
   /// Errors: not_converged.
   [[nodiscard]] static Expected<ChartCurve<3>> curve(const Keyframes& keys, const FamilySettings& settings);
-  [[nodiscard]] static Expected<AnyPath> path(const Keyframes& keys, const FamilySettings& settings);
+  [[nodiscard]] static Expected<HermitePath<3>> path(const Keyframes& keys, const FamilySettings& settings);
 };
 
 }  // namespace orispline::families

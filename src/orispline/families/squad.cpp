@@ -38,13 +38,15 @@ Expected<SquadCurve> Squad::curve(const Keyframes& keys, const FamilySettings& s
 Expected<SquadCurve> SquadTimed::curve(const Keyframes& keys, const FamilySettings& settings) {
   const auto t = keys.times();
   const std::size_t last = keys.size() - 1;
+  const bool boyle = settings.choice("variant") == "boyle";
   return SquadCurve(keys, [&](std::size_t i) -> SquadCurve::Handles {
     const Neighbours n = neighbours_of(keys, i, settings);
     const double before = i == 0 ? t[1] - t[0] : t[i] - t[i - 1];  // ghosts stand at the mirrored distance
     const double after = i == last ? before : t[i + 1] - t[i];
-    const double both = before + after;
-    return {.leaving = -after / (2.0 * both) * (n.next + after / before * n.previous),
-            .arriving = -before / (2.0 * both) * (before / after * n.next + n.previous)};
+    const double leaving = boyle ? 0.25 : 0.5 * after / (before + after);
+    const double arriving = boyle ? 0.25 : 0.5 * before / (before + after);
+    return {.leaving = -leaving * (n.next + after / before * n.previous),
+            .arriving = -arriving * (before / after * n.next + n.previous)};
   });
 }
 

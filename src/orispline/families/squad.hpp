@@ -76,17 +76,24 @@ struct Squad {
 };
 
 /// Squad with inner quaternions that know the key times: C1 in time on any knots.
+///
+/// Geier's pass a key with the rate of the parabola through its neighbours, Boyle's with the mean of the rates on
+/// either side.
 struct SquadTimed {
+  static constexpr std::array<std::string_view, 2> variants{"geier", "boyle"};
+  static constexpr std::array choices{Choice{"variant", variants}};
   static constexpr std::array ends{EndRule::reflect, EndRule::repeat};
-  static constexpr FamilyInfo info{.name = "squad-timed",
-                                   .title = "Squad made C1 for uneven key times",
-                                   .source = "Geier's variant for uneven times, docs/families/squad-timed.md",
-                                   .continuity_uniform = 1,
-                                   .continuity_uneven = 1,
-                                   .keeps_constant_rate_uniform = true,
-                                   .keeps_constant_rate_uneven = true,
-                                   .support_keys = 4,
-                                   .ends = ends};
+  static constexpr FamilyInfo info{
+      .name = "squad-timed",
+      .title = "Squad made C1 for uneven key times",
+      .source = "Geier's and Boyle's variants for uneven times, docs/families/squad-timed.md",
+      .continuity_uniform = 1,
+      .continuity_uneven = 1,
+      .keeps_constant_rate_uniform = true,
+      .keeps_constant_rate_uneven = true,
+      .support_keys = 4,
+      .choices = choices,
+      .ends = ends};
   [[nodiscard]] static Expected<SquadCurve> curve(const Keyframes& keys, const FamilySettings& settings);
   [[nodiscard]] static Expected<CatmullRomPath> path(const Keyframes& keys, const FamilySettings&) {
     return CatmullRomPath(keys);

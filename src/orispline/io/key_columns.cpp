@@ -2,7 +2,6 @@
 #include <orispline/io/key_columns.hpp>
 
 #include <algorithm>
-#include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
@@ -21,15 +20,11 @@ struct TimeUnit {
 
 constexpr std::array<std::string_view, 3> time_names{"t", "time", "timestamp"};
 constexpr std::array<std::string_view, 3> position_names{"px", "py", "pz"};
-constexpr std::array<std::string_view, 3> rate_names{"wx", "wy", "wz"};
 
 constexpr std::array time_units{TimeUnit{""}, TimeUnit{"_s"}, TimeUnit{"_ms", -3}, TimeUnit{"_us", -6},
                                 TimeUnit{"_ns", -9}};
 constexpr std::array lengths{Unit{""}, Unit{"_m"}, Unit{"_mm", 1.0, 1000.0}, Unit{"_cm", 1.0, 100.0},
                              Unit{"_km", 1000.0, 1.0}};
-constexpr std::array rates{Unit{"_body"}, Unit{"_body_rad_s"}, Unit{"_body_deg_s", std::numbers::pi, 180.0},
-                           Unit{""},      Unit{"_rad_s"},      Unit{"_deg_s", std::numbers::pi, 180.0}};
-constexpr std::span<const Unit> body_rates = std::span(rates).first(3);
 
 Decimal time_unit_in(std::string_view name) {
   return Decimal::power_of_ten(unit_of<TimeUnit>(name, time_units).exponent);
@@ -41,7 +36,7 @@ std::vector<std::string_view> canonical_names(std::span<const std::string> param
   const auto append = [&names](const auto& more) { names.insert(names.end(), more.begin(), more.end()); };
   append(orientation_names());
   append(position_names);
-  append(rate_names);
+  append(rate_names());
   append(parameters);
   return names;
 }
@@ -96,7 +91,8 @@ std::vector<std::string> ignored_names(std::span<const std::string_view> header,
   is_read[columns.time] = true;
   mark(columns.orientation);
   if (columns.position) mark(*columns.position);
-  if (columns.angular_velocity) mark(*columns.angular_velocity);
+  for (const auto& rate : columns.rates)
+    if (rate) mark(rate->columns);
   mark(columns.parameters);
   std::vector<std::string> ignored;
   for (std::size_t i = 0; i < header.size(); ++i)
@@ -127,10 +123,8 @@ Expected<KeyColumns> columns_of_header(std::span<const std::string_view> header,
   if (!required) return tl::unexpected(std::move(required.error()));
   const auto position = search.vector(position_names, lengths, lengths);
   if (!position) return tl::unexpected(position.error());
-  const auto read_rates = reading.rate_frame == RateFrame::body ? std::span<const Unit>(rates) : body_rates;
-  const auto rate = reading.rate_frame == RateFrame::unused ? Expected<std::optional<VectorColumns>>(std::nullopt)
-                                                            : search.vector(rate_names, read_rates, rates);
-  if (!rate) return tl::unexpected(rate.error());
+  auto rates = rate_columns(search, reading.rates);
+  if (!rates) return tl::unexpected(std::move(rates.error()));
   auto parameters = parameter_columns(search, reading.parameters);
   if (!parameters) return tl::unexpected(std::move(parameters.error()));
 
@@ -140,9 +134,10 @@ Expected<KeyColumns> columns_of_header(std::span<const std::string_view> header,
                      .form = required->orientation.form,
                      .orientation = std::move(required->orientation.group.columns),
                      .position = *position,
-                     .angular_velocity = *rate,
+                     .rates = *rates,
                      .parameters = std::move(*parameters)};
   columns.ignored = ignored_names(header, columns);
+  columns.rates_of_unknown_frame = rates_of_unknown_frame(search, reading.rates, columns.rates);
   return columns;
 }
 

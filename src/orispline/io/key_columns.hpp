@@ -8,19 +8,13 @@
 #include <vector>
 
 #include <orispline/io/orientation_columns.hpp>
+#include <orispline/io/rate_columns.hpp>
 #include <orispline/io/text_table.hpp>
 
 namespace orispline::io {
 
 /// Order of the quaternion columns of a table without a header.
 enum class QuaternionOrder { wxyz, xyzw };
-
-/// The frame that unnamed angular velocities (`wx`, `wx_rad_s`) are in.
-enum class RateFrame {
-  body,     ///< read them
-  unknown,  ///< read only those whose name says body, or that were asked for by name
-  unused,   ///< nobody asks for them
-};
 
 /// A column of a parameter's values.
 struct ParameterColumn {
@@ -37,16 +31,17 @@ struct KeyColumns {
   OrientationForm form{};
   std::vector<NumberColumn> orientation{};  ///< in the order that `orientation_from` takes
   std::optional<VectorColumns> position{};
-  std::optional<VectorColumns> angular_velocity{};
+  RateColumns rates{};
   std::vector<ParameterColumn> parameters{};
-  std::vector<std::string> ignored{};  ///< names of the others
+  std::vector<std::string> ignored{};                 ///< names of the others
+  std::vector<std::string> rates_of_unknown_frame{};  ///< those of them that are angular velocities in no known frame
 };
 
 /// What the names in a header may mean beside the canonical ones.
 struct HeaderReading {
   ColumnSearch::Names names{};
   std::span<const std::string> parameters{};  ///< read where a column has the name
-  RateFrame rate_frame = RateFrame::body;
+  RateReading rates{};
   OrientationReading orientation{};
 };
 
@@ -55,8 +50,9 @@ struct HeaderReading {
 
 /// The columns that a header names, in any order: `t` (or `time`, `timestamp`; with a unit `t_s`, `t_ms`, `t_us`,
 /// `t_ns`), the orientation by one of its representations, and where present `px,py,pz` (`px_m`, `px_mm`, `px_cm`,
-/// `px_km`), `wx,wy,wz` (`wx_rad_s`, `wx_deg_s`, `wx_body`, `wx_body_rad_s`, `wx_body_deg_s`) and parameters. Others
-/// are ignored, `wx_world` too.
+/// `px_km`), the rates that are asked for (`wx,wy,wz`, `ax,ay,az`, `jx,jy,jz`; `wx_rad_s`, `wx_deg_s`, `wx_body`,
+/// `wx_body_rad_s`, `wx_body_deg_s`, `ax_rad_s2`, `jx_rad_s3`, …; on request `wx_world`, …) and parameters. Others are
+/// ignored.
 ///
 /// A name that was mapped brings the unit that it ends in.
 ///

@@ -70,16 +70,17 @@ Expected<Layout> euroc_layout(const TextTable& table, const ReadOptions& options
             is_header(table.cells()) ? Layout::FirstRow::header : Layout::FirstRow::key);
 }
 
-RateFrame rate_frame_of(const ReadOptions& options) {
-  if (!options.angular_velocities) return RateFrame::unused;
-  return options.conjugate ? RateFrame::unknown : RateFrame::body;
+RateReading rate_reading(const ReadOptions& options) {
+  return {.orders = options.rate_orders,
+          .world = options.world_rates,
+          .unnamed = options.conjugate ? UnnamedRates::unknown : UnnamedRates::body};
 }
 
 Expected<Layout> header_layout(const TextTable& table, const ReadOptions& options) {
   if (options.order) return contradiction(table, "--order is for CSV without a header, and this line is one");
   const HeaderReading reading{.names = options.columns,
                               .parameters = options.parameters,
-                              .rate_frame = rate_frame_of(options),
+                              .rates = rate_reading(options),
                               .orientation = options.orientation};
   return at(table, columns_of_header(table.cells(), reading), FileFormat::csv, Layout::FirstRow::header);
 }

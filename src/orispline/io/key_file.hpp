@@ -26,11 +26,14 @@ struct ReadOptions {
   OrientationReading orientation{};
   /// Seconds per unit of the time column, greater than 0. Absent: by the suffix of its name, else 1; of EuRoC 1e-9.
   std::optional<Decimal> time_scale{};
-  /// The file holds world to body (SPICE, CCSDS): orientations are conjugated. Positions are not touched. The angular
-  /// velocities of such files are often in the base frame, so `wx` and `wx_rad_s` are ignored; `wx_body…` are read.
+  /// The file holds world to body (SPICE, CCSDS): orientations are conjugated. Positions are not touched. The rates of
+  /// such files are often in the base frame, so `wx`, `wx_rad_s`, … are ignored; `wx_body…` are read.
   bool conjugate = false;
-  /// Read `wx,wy,wz` where they are there. Without it a fault in these columns is no fault of the file.
-  bool angular_velocities = true;
+  /// Rates that are read where they are there, up to this order: 0 none, 1 `wx,wy,wz`, 2 and `ax,ay,az`, 3 and
+  /// `jx,jy,jz`. A fault in the columns of others is no fault of the file.
+  int rate_orders = 1;
+  /// Read `wx_world,…` where there are none in the body frame, and turn them into it.
+  bool world_rates = false;
   bool drop_duplicates = false;  ///< of equal times keep the first
   bool drop_invalid = false;     ///< drop rows where a cell that is needed is empty, NaN or infinite
   bool sort = false;             ///< by time; rows of equal time keep their order
@@ -55,8 +58,9 @@ struct KeyFile {
   std::vector<std::uint32_t> lines{};                                    ///< 1-based line of each key
   std::map<std::string, std::vector<double>, std::less<>> parameters{};  ///< one value per key
   RepairReport repairs{};
-  std::vector<Decimal> exact_times{};          ///< [s], of each key; only if asked for
-  std::vector<std::string> ignored_columns{};  ///< that nothing was read from
+  std::vector<Decimal> exact_times{};                 ///< [s], of each key; only if asked for
+  std::vector<std::string> ignored_columns{};         ///< that nothing was read from
+  std::vector<std::string> rates_of_unknown_frame{};  ///< those of them that are angular velocities in no known frame
 };
 
 /// Reads keyframes from a file, or from standard input for `-`.

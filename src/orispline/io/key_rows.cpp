@@ -2,12 +2,14 @@
 #include <orispline/io/key_rows.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include <orispline/curve/motion.hpp>
 #include <orispline/io/quoted.hpp>
 
 namespace orispline::io {
@@ -17,7 +19,8 @@ namespace {
 struct Key {
   Decimal time;  // in the unit of the file
   Eigen::Quaterniond orientation;
-  Eigen::Vector3d position{}, angular_velocity{};
+  Eigen::Vector3d position{};
+  std::array<Eigen::Vector3d, 3> rates{};  // in the frames of the columns
   std::vector<double> parameters{};
 };
 
@@ -29,7 +32,8 @@ class RowReader {
   [[nodiscard]] Key key(const KeyColumns& columns) {
     Key key{.time = time(columns), .orientation = orientation(columns)};
     if (columns.position) key.position = vector(*columns.position);
-    if (columns.angular_velocity) key.angular_velocity = vector(*columns.angular_velocity);
+    for (std::size_t k = 0; k < columns.rates.size(); ++k)
+      if (columns.rates[k]) key.rates[k] = vector(columns.rates[k]->columns);
     for (const ParameterColumn& column : columns.parameters) key.parameters.push_back(number({column.index}));
     return key;
   }
@@ -109,6 +113,22 @@ std::vector<T> gathered(const std::vector<T>& values, const std::vector<std::uin
   return result;
 }
 
+/// Where the rates of each order go.
+constexpr std::array rates_of_keys{&KeyframeData::angular_velocities, &KeyframeData::angular_accelerations,
+                                   &KeyframeData::angular_jerks};
+
+/// The rates in the body frame of a key at this orientation, of any norm.
+std::array<Eigen::Vector3d, 3> body_rates(const Key& key, const RateColumns& columns,
+                                          const Eigen::Quaterniond& orientation) {
+  const Eigen::Quaterniond q = orientation.normalized();
+  std::array<Eigen::Vector3d, 3> rates = key.rates;
+  const auto is_in_world = [&columns](std::size_t k) { return columns[k] && columns[k]->frame == Frame::world; };
+  for (std::size_t k = 0; k < rates.size(); ++k)
+    if (is_in_world(k)) rates[k] = to_body<double>(q, rates[k]);
+  if (is_in_world(2)) rates[2] -= transport_of_jerk(rates[0], rates[1]);
+  return rates;
+}
+
 /// Rows that stand after a row of later time.
 std::size_t late_rows(const std::vector<Decimal>& times) {
   std::size_t late = 0;
@@ -150,9 +170,12 @@ Expected<void> KeyRows::add(const TextTable& table) {
     if (!*appended) return {};
   }
   file_.lines.push_back(static_cast<std::uint32_t>(table.line()));
-  file_.data.orientations.push_back(options_.conjugate ? key.orientation.conjugate() : key.orientation);
+  const Eigen::Quaterniond orientation = options_.conjugate ? key.orientation.conjugate() : key.orientation;
+  file_.data.orientations.push_back(orientation);
   if (columns_.position) file_.data.positions.push_back(key.position);
-  if (columns_.angular_velocity) file_.data.angular_velocities.push_back(key.angular_velocity);
+  const auto rates = body_rates(key, columns_.rates, orientation);
+  for (std::size_t k = 0; k < rates.size(); ++k)
+    if (columns_.rates[k]) (file_.data.*rates_of_keys[k]).push_back(rates[k]);
   for (std::size_t i = 0; i < key.parameters.size(); ++i)
     file_.parameters[columns_.parameters[i].name].push_back(key.parameters[i]);
   return {};
@@ -207,7 +230,7 @@ Expected<void> KeyRows::sort() {
   file_.lines = gathered(file_.lines, kept);
   file_.data.orientations = gathered(file_.data.orientations, kept);
   file_.data.positions = gathered(file_.data.positions, kept);
-  file_.data.angular_velocities = gathered(file_.data.angular_velocities, kept);
+  for (const auto rates : rates_of_keys) file_.data.*rates = gathered(file_.data.*rates, kept);
   for (auto& [name, values] : file_.parameters) values = gathered(values, kept);
   return {};
 }
@@ -222,6 +245,7 @@ Expected<KeyFile> KeyRows::finish() && {
     if (auto sorted = sort(); !sorted) return tl::unexpected(std::move(sorted.error()));
   file_.epoch = first_ * columns_.time_unit;
   file_.ignored_columns = std::move(columns_.ignored);
+  file_.rates_of_unknown_frame = std::move(columns_.rates_of_unknown_frame);
   return std::move(file_);
 }
 

@@ -8,13 +8,11 @@
 #include <orispline/curve/path.hpp>
 #include <orispline/io/decimal.hpp>
 #include <orispline/io/file_format.hpp>
+#include <orispline/io/frame.hpp>
 #include <orispline/io/orientation_form.hpp>
 #include <orispline/io/output_file.hpp>
 
 namespace orispline::io {
-
-/// The frame in which angular rates are written. Positions and their rates are always in the world frame.
-enum class Frame { body, world };
 
 /// What a file of samples holds.
 struct SampleColumns {

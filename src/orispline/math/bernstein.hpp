@@ -25,6 +25,16 @@ template <std::size_t N, Number T>
   return basis;
 }
 
+/// The cumulative Bernstein polynomials of degree N at u: B_k(u) + … + B_N(u), k = 1…N.
+template <std::size_t N, Number T>
+[[nodiscard]] std::array<T, N> cumulative_bernstein_basis(const T& u) noexcept {
+  const auto basis = bernstein_basis<N>(u);
+  std::array<T, N> tails;
+  T sum(0.0);
+  for (std::size_t k = N; k >= 1; --k) tails[k - 1] = sum += basis[k];
+  return tails;
+}
+
 /// Polynomials in Bernstein form over one shared basis: row k of `coefficients` gives the k-th value.
 template <std::size_t K, std::size_t M, Number T>
 [[nodiscard]] std::array<T, K> bernstein_sums(const std::array<std::array<double, M>, K>& coefficients,

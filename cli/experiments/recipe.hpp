@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <orispline/families/registry.hpp>
+#include <orispline/report/svg.hpp>
+
+namespace orispline::cli {
+
+/// A curve of a comparison before there are keys.
+struct Recipe {
+  std::string label;
+  std::string method;
+  std::vector<double> tension{};  ///< of the method's own kind; empty: its defaults
+  report::Stroke stroke{};
+};
+
+/// The curve through keys.
+struct Served {
+  Recipe recipe;
+  AnyCurve curve;
+};
+
+[[nodiscard]] Expected<AnyCurve> curve_of(const Recipe& recipe, const Keyframes& keys);
+
+/// A curve per recipe. Errors: those of make_curve.
+[[nodiscard]] Expected<std::vector<Served>> curves_through(const Keyframes& keys, std::vector<Recipe> recipes);
+
+/// `(0.1, 0.6, 0, 0.6, 0.1)`, or `0.35` where all are the same; a dash for none.
+[[nodiscard]] std::string text_of(const std::vector<double>& tension);
+
+/// `C2`: the order of continuity in time, measured at the keys.
+[[nodiscard]] std::string measured_continuity(const AnyCurve& curve);
+
+}  // namespace orispline::cli

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <orispline/base/expected.hpp>
+
+namespace orispline::cli {
+
+/// `orispline reproduce`, as typed.
+struct ReproduceOptions {
+  std::optional<std::string> experiment, pictures;
+  bool json = false;
+};
+
+/// Lists the experiments of the papers, or runs one of them or all of one paper.
+[[nodiscard]] Expected<void> reproduce(const ReproduceOptions& options);
+
+}  // namespace orispline::cli

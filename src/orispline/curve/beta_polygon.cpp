@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/curve/beta_polygon.hpp>
+
+#include <fmt/format.h>
+
+namespace orispline {
+
+Expected<BetaShape> beta_shape(std::string_view method, const std::vector<double>& beta1,
+                               const std::vector<double>& beta2) {
+  std::vector<double> gamma;
+  BetaShape shape;
+  for (std::size_t i = 0; i < beta1.size(); ++i) {
+    const double b1 = beta1[i], b2 = beta2[i], pole = -2.0 * b1 * (1.0 + b1);
+    if (!(b2 > pole))
+      return failure(ErrorCode::bad_argument,
+                     fmt::format("{}: beta2 is {}, wanted more than -2 beta1 (1 + beta1) = {}: there the control "
+                                 "points of the construction meet a pole or fold back",
+                                 method, b2, pole),
+                     {.key = i});
+    gamma.push_back(2.0 * (1.0 + b1) / (b2 - pole));
+    shape.joint.push_back(1.0 / (1.0 + b1));
+  }
+  for (std::size_t i = 0; i + 1 < beta1.size(); ++i) {
+    const double delta = gamma[i] + 1.0 + beta1[i + 1] * beta1[i + 1] * gamma[i + 1];
+    shape.inner1.push_back(gamma[i] / delta);
+    shape.inner2.push_back((gamma[i] + 1.0) / delta);
+  }
+  return shape;
+}
+
+ControlPolygon beta_polygon(std::span<const Eigen::Quaterniond> points, const BetaShape& shape) {
+  std::vector<Eigen::Quaterniond> inner1, inner2;  // q_{i,1}, q_{i,2} of the paper
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    inner1.push_back(on_geodesic(points[i], points[i + 1], shape.inner1[i]));
+    inner2.push_back(on_geodesic(points[i], points[i + 1], shape.inner2[i]));
+  }
+  ControlPolygon polygon;
+  for (std::size_t i = 1; i + 2 < points.size(); ++i) {
+    const Eigen::Vector3d in = displacement(inner2[i - 1], inner1[i]);
+    const Eigen::Vector3d out = displacement(inner2[i], inner1[i + 1]);
+    const double before = shape.joint[i];
+    polygon.bases.push_back(displaced(inner2[i - 1], before * in));
+    polygon.increments.insert(polygon.increments.end(),
+                              {(1.0 - before) * in, displacement(inner1[i], inner2[i]), shape.joint[i + 1] * out});
+  }
+  return polygon;
+}
+
+PathPolygon beta_polygon(std::span<const Eigen::Vector3d> points, const BetaShape& shape) {
+  PathPolygon polygon;
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    polygon.push_back(shape.joint_at(i, points[i - 1], points[i], points[i + 1]));
+    if (i + 2 == points.size()) break;
+    polygon.push_back(on_geodesic(points[i], points[i + 1], shape.inner1[i]));
+    polygon.push_back(on_geodesic(points[i], points[i + 1], shape.inner2[i]));
+  }
+  return polygon;
+}
+
+}  // namespace orispline

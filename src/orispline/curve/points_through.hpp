@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include <orispline/curve/chain.hpp>
+#include <orispline/math/geodesic.hpp>
+
+namespace orispline {
+
+/// The keys from the same first one on with every step shortened to a share of its length.
+template <CurvePoint P>
+[[nodiscard]] std::vector<P> with_steps_of(double share, std::span<const P> keys) {
+  std::vector<P> shortened(keys.begin(), keys.end());
+  if (share == 1.0) return shortened;
+  for (std::size_t i = 1; i < keys.size(); ++i)
+    shortened[i] = displaced(shortened[i - 1], share * displacement(keys[i - 1], keys[i]));
+  return shortened;
+}
+
+/// Positions seen from the first one in units of their extent: equations over them are solved to the same tolerance
+/// wherever they lie and however far apart.
+struct UnitPositions {
+  Eigen::Vector3d origin;
+  double extent = 0.0;  ///< [m]
+  std::vector<Eigen::Vector3d> points;
+
+  explicit UnitPositions(std::span<const Eigen::Vector3d> positions) : origin(positions.front()) {
+    for (const Eigen::Vector3d& p : positions) extent = std::max(extent, (p - origin).norm());
+    if (!(extent > 0.0)) extent = 1.0;
+    for (const Eigen::Vector3d& p : positions) points.push_back((p - origin) / extent);
+  }
+};
+
+/// Control points, one per key, sought so that their curve passes through the keys: a ChainProblem.
+///
+/// `rule(i, before, at, after, key)` over any Number is what control points i-1, i, i+1 miss key i by; beyond the ends
+/// the control points are reflected. `Rule::forbidden_turn` [rad]: so far from its key a control orientation is wrong.
+template <CurvePoint P, class Rule>
+class PointChain {
+ public:
+  /// Starts where `before` has brought its control points relative to its keys, else at the keys.
+  PointChain(std::vector<P> keys, Rule rule, const PointChain* before)
+      : keys_(std::move(keys)), points_(keys_), rule_(std::move(rule)) {
+    for (std::size_t i = 0; before && i < keys_.size(); ++i) points_[i] = displaced(keys_[i], before->offset(i));
+  }
+
+  [[nodiscard]] const std::vector<P>& points() const noexcept { return points_; }
+  [[nodiscard]] std::size_t size() const noexcept { return keys_.size(); }
+  [[nodiscard]] bool closed() const noexcept { return false; }
+
+  template <Number T>
+  [[nodiscard]] std::vector<Vector3<T>> residual(std::span<const Vector3<T>> steps) const {
+    std::vector<PointOver<P, T>> p;
+    for (std::size_t i = 0; i < size(); ++i) p.push_back(displaced(constant<T>(points_[i]), steps[i]));
+    const auto reflected = [](const auto& at, const auto& point) { return on_geodesic(at, point, -1.0); };
+    const std::size_t last = size() - 1;
+    std::vector<Vector3<T>> missing;
+    for (std::size_t i = 0; i <= last; ++i)
+      missing.push_back(rule_(i, i > 0 ? p[i - 1] : reflected(p[0], p[1]), p[i],
+                              i < last ? p[i + 1] : reflected(p[last], p[last - 1]), constant<T>(keys_[i])));
+    return missing;
+  }
+
+  void move(std::span<const Vector3<double>> steps) {
+    for (std::size_t i = 0; i < size(); ++i) {
+      points_[i] = displaced(points_[i], steps[i]);
+      if constexpr (std::same_as<P, Eigen::Quaterniond>) points_[i].normalize();
+    }
+  }
+
+  /// No control orientation is as far from its key as the rule forbids.
+  [[nodiscard]] bool plausible() const {
+    if constexpr (std::same_as<P, Eigen::Quaterniond>)
+      for (std::size_t i = 0; i < size(); ++i)
+        if (!(offset(i).norm() < Rule::forbidden_turn)) return false;
+    return true;
+  }
+
+ private:
+  [[nodiscard]] Eigen::Vector3d offset(std::size_t i) const { return displacement(keys_[i], points_[i]); }
+
+  std::vector<P> keys_, points_;
+  Rule rule_;
+};
+
+/// The control orientations, one per key, whose curve passes through the keys. Errors: not_converged.
+template <class Rule>
+[[nodiscard]] Expected<std::vector<Eigen::Quaterniond>> control_points_through(std::span<const Eigen::Quaterniond> keys,
+                                                                               std::string_view method, Rule rule) {
+  using Chain = PointChain<Eigen::Quaterniond, Rule>;
+  return solve_chain(method,
+                     [&](double share, const Chain* before) { return Chain(with_steps_of(share, keys), rule, before); })
+      .map([](const Chain& solved) { return solved.points(); });
+}
+
+/// The same for positions.
+template <class Rule>
+[[nodiscard]] Expected<std::vector<Eigen::Vector3d>> control_points_through(std::span<const Eigen::Vector3d> keys,
+                                                                            std::string_view method, Rule rule) {
+  using Chain = PointChain<Eigen::Vector3d, Rule>;
+  const UnitPositions unit(keys);
+  return solve_chain(method,
+                     [&](double share, const Chain* before) {
+                       return Chain(with_steps_of<Eigen::Vector3d>(share, unit.points), rule, before);
+                     })
+      .map([&](const Chain& solved) {
+        std::vector<Eigen::Vector3d> points;
+        for (const Eigen::Vector3d& p : solved.points()) points.push_back(unit.origin + unit.extent * p);
+        return points;
+      });
+}
+
+}  // namespace orispline

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/families/beta_through.hpp>
+
+#include <algorithm>
+#include <numbers>
+
+#include <orispline/curve/beta_polygon.hpp>
+#include <orispline/curve/points_through.hpp>
+#include <orispline/curve/reflected.hpp>
+
+namespace orispline::families {
+namespace {
+
+/// What the joint of a key misses it by; auxiliary point i + 1 belongs to key i.
+struct JointToKey {
+  static constexpr double forbidden_turn = std::numbers::pi;
+  const BetaShape* shape;
+
+  template <class P>
+  [[nodiscard]] auto operator()(std::size_t i, const P& before, const P& at, const P& after, const P& key) const {
+    return displacement(shape->joint_at(i + 1, before, at, after), key);
+  }
+};
+
+Expected<BetaShape> shape_of(std::size_t keys, const FamilySettings& settings) {
+  return beta_shape(BetaThrough::info.name, settings.per_key("beta1").all_with_ghosts(keys),
+                    settings.per_key("beta2").all_with_ghosts(keys))
+      .map_error([keys](Error error) {
+        if (error.where.key) error.where.key = std::clamp<std::size_t>(*error.where.key, 1, keys) - 1;
+        return error;
+      });
+}
+
+/// The polygon of the curve whose joints are the keys.
+template <CurvePoint P>
+auto polygon_through(std::span<const P> keys, const BetaShape& shape) {
+  return control_points_through(keys, BetaThrough::info.name, JointToKey{&shape})
+      .map([&](const std::vector<P>& solved) {
+        const auto points = reflected(std::span<const P>(solved));
+        std::vector<P> with_ghosts{points[-1]};
+        with_ghosts.insert(with_ghosts.end(), solved.begin(), solved.end());
+        with_ghosts.push_back(points[static_cast<std::ptrdiff_t>(keys.size())]);
+        return beta_polygon(std::span<const P>(with_ghosts), shape);
+      });
+}
+
+Knots key_times(const Keyframes& keys) { return Knots({keys.times().begin(), keys.times().end()}); }
+
+}  // namespace
+
+Expected<CubicBezierCurve> BetaThrough::curve(const Keyframes& keys, const FamilySettings& settings) {
+  return shape_of(keys.size(), settings)
+      .and_then([&](const BetaShape& shape) { return polygon_through(keys.orientations(), shape); })
+      .map([&](ControlPolygon polygon) {
+        return CubicBezierCurve(key_times(keys), CubicBezierBasis{}, std::move(polygon));
+      });
+}
+
+Expected<CubicBezierPath> BetaThrough::path(const Keyframes& keys, const FamilySettings& settings) {
+  return shape_of(keys.size(), settings)
+      .and_then([&](const BetaShape& shape) { return polygon_through(keys.positions(), shape); })
+      .map([&](PathPolygon polygon) {
+        return CubicBezierPath(key_times(keys), CubicBezierBasis{}, std::move(polygon));
+      });
+}
+
+}  // namespace orispline::families

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/families/hermite.hpp>
+
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include <orispline/curve/window.hpp>
+
+namespace orispline::families {
+namespace {
+
+/// Steps nearer than this to a full turn [rad] have no rotation vector that rates could be carried to.
+constexpr double full_turn_margin = 1e-6;
+
+std::size_t reach_of(const FamilySettings& settings) { return settings.choice("stencil") == "3" ? 1 : 2; }
+
+Knots key_times(const Keyframes& keys) { return Knots({keys.times().begin(), keys.times().end()}); }
+
+/// The key's orientation with its own rates where it has them, else with those of the stencil.
+KeyMotion motion_at(const Keyframes& keys, std::size_t i, std::size_t reach) {
+  const auto q = keys.orientations();
+  const auto displacement = [q](std::size_t from, std::size_t to) { return increment<double>(q[from], q[to]); };
+  KeyMotion key{q[i], body_rates(Eigen::Vector3d::Zero(),
+                                 polynomial_derivatives(shifted_window(keys.times(), i, reach, displacement)))};
+  const std::array given{keys.angular_velocities(), keys.angular_accelerations(), keys.angular_jerks()};
+  for (std::size_t k = 0; k < given.size(); ++k)
+    if (!given[k].empty()) key.rates[k] = given[k][i];
+  return key;
+}
+
+std::vector<KeyMotion> motions_at_keys(const Keyframes& keys, const FamilySettings& settings) {
+  std::vector<KeyMotion> motions;
+  motions.reserve(keys.size());
+  for (std::size_t i = 0; i < keys.size(); ++i) motions.push_back(motion_at(keys, i, reach_of(settings)));
+  return motions;
+}
+
+}  // namespace
+
+template <std::size_t K>
+Expected<ChartCurve<2 * K + 1>> Hermite<K>::chart(const Keyframes& keys, const FamilySettings& settings) {
+  Knots knots = key_times(keys);
+  const auto motions = motions_at_keys(keys, settings);
+  std::vector<ChartPiece<2 * K + 1>> pieces;
+  pieces.reserve(knots.segments());
+  for (std::size_t i = 0; i < knots.segments(); ++i) {
+    const KeyMotion &start = motions[i], &end = motions[i + 1];
+    const Eigen::Vector3d step = increment<double>(start.orientation, end.orientation);
+    if (step.norm() > 2.0 * std::numbers::pi - full_turn_margin)
+      return failure(ErrorCode::bad_data,
+                     fmt::format("{}: the step to the next key is a full turn, which has no axis; wanted less, or the "
+                                 "form cumulative",
+                                 info.name),
+                     {.key = i});
+    pieces.push_back(hermite_piece<K>(start.orientation, Eigen::Vector3d::Zero(), step, start.rates, end.rates,
+                                      knots.span(i).step()));
+  }
+  return ChartCurve<2 * K + 1>(std::move(knots), std::move(pieces));
+}
+
+template <std::size_t K>
+typename Hermite<K>::Cumulative Hermite<K>::cumulative(const Keyframes& keys, const FamilySettings& settings) {
+  Knots knots = key_times(keys);
+  const auto motions = motions_at_keys(keys, settings);
+  ControlPolygon polygon{.bases = {keys.orientations().begin(), keys.orientations().end() - 1}, .increments = {}};
+  polygon.increments.reserve((2 * K + 1) * knots.segments());
+  for (std::size_t i = 0; i < knots.segments(); ++i) {
+    const auto increments = cumulative_hermite_increments<K>(motions[i], motions[i + 1], knots.span(i).step());
+    polygon.increments.insert(polygon.increments.end(), increments.begin(), increments.end());
+  }
+  return {std::move(knots), {}, std::move(polygon)};
+}
+
+template <std::size_t K>
+Expected<AnyCurve> Hermite<K>::curve(const Keyframes& keys, const FamilySettings& settings) {
+  if (settings.choice("form") == "cumulative") return AnyCurve(cumulative(keys, settings));
+  return chart(keys, settings).map([](auto curve) { return AnyCurve(std::move(curve)); });
+}
+
+template <std::size_t K>
+Expected<HermitePath<2 * K + 1>> Hermite<K>::path(const Keyframes& keys, const FamilySettings& settings) {
+  const auto p = keys.positions();
+  const auto displacement = [p](std::size_t from, std::size_t to) -> Eigen::Vector3d { return p[to] - p[from]; };
+  std::vector<typename HermitePath<2 * K + 1>::Derivatives> derivatives(p.size());
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const auto all = polynomial_derivatives(shifted_window(keys.times(), i, reach_of(settings), displacement));
+    std::copy_n(all.begin(), K, derivatives[i].begin());
+  }
+  return HermitePath<2 * K + 1>(key_times(keys), {p.begin(), p.end()}, std::move(derivatives));
+}
+
+template struct Hermite<1>;
+template struct Hermite<2>;
+template struct Hermite<3>;
+
+}  // namespace orispline::families

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/families/shoemake.hpp>
+
+#include <orispline/curve/reflected.hpp>
+#include <orispline/math/geodesic.hpp>
+
+namespace orispline::families {
+namespace {
+
+struct HandleRates {
+  std::vector<Eigen::Vector3d> leaving, arriving;
+};
+
+/// The rates with which the handles of every key lie, for orientations or positions.
+///
+/// a_i = slerp(slerp(p_{i-1}, p_i; 1 + h₊/h₋), p_{i+1}; h₋/(h₋+h₊)) is where the leaving handle points; the arriving
+/// one lies opposite, longer by h₋/h₊. The published rule has h₋ = h₊ = 1 there: Double, then Bisect.
+template <class Point>
+HandleRates handle_rates(std::span<const Point> points, std::span<const double> times, std::string_view timing) {
+  const auto p = reflected(points);
+  const auto t = reflected(times);
+  HandleRates rates;
+  for (std::ptrdiff_t i = 0; i < std::ssize(points); ++i) {
+    const double before = t[i] - t[i - 1], after = t[i + 1] - t[i];
+    const double ratio = timing == "time" ? after / before : 1.0;
+    const Point continued = displaced<double>(p[i], ratio * displacement<double>(p[i - 1], p[i]));
+    const Point target = on_geodesic<double>(continued, p[i + 1], 1.0 / (1.0 + ratio));
+    const Eigen::Vector3d way = displacement<double>(p[i], target);
+    rates.leaving.push_back(way / after);
+    rates.arriving.push_back(way / (ratio * before));
+  }
+  return rates;
+}
+
+}  // namespace
+
+Expected<SlerpBezierCurve> Shoemake::curve(const Keyframes& keys, const FamilySettings& settings) {
+  const HandleRates rates = handle_rates(keys.orientations(), keys.times(), settings.choice("timing"));
+  return slerp_bezier_curve(Knots({keys.times().begin(), keys.times().end()}), keys.orientations(), rates.leaving,
+                            rates.arriving);
+}
+
+Expected<CubicBezierPath> Shoemake::path(const Keyframes& keys, const FamilySettings& settings) {
+  const HandleRates rates = handle_rates(keys.positions(), keys.times(), settings.choice("timing"));
+  return handle_path(Knots({keys.times().begin(), keys.times().end()}), keys.positions(), rates.leaving,
+                     rates.arriving);
+}
+
+}  // namespace orispline::families

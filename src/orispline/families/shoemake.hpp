@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <orispline/curve/cumulative_bezier.hpp>
+#include <orispline/curve/family.hpp>
+#include <orispline/curve/keyframe.hpp>
+#include <orispline/curve/slerp_bezier.hpp>
+
+namespace orispline::families {
+
+/// Shoemake's Bézier curve of slerps: the handles of a key lie on the geodesic that bisects the way to its next key
+/// from the step before, continued.
+///
+/// By default the step is continued and bisected in time, which makes the curve C1 on any key times; as published the
+/// times are ignored, and on uneven ones the curve is only G1. On even times both are the same.
+struct Shoemake {
+  static constexpr std::array<std::string_view, 2> timings{"time", "published"};
+  static constexpr std::array choices{Choice{"timing", timings}};
+  static constexpr std::array ends{EndRule::natural};
+  static constexpr FamilyInfo info{.name = "shoemake",
+                                   .title = "Shoemake's Bezier curve of slerps",
+                                   .source = "Shoemake 1985; in time: docs/families/shoemake.md",
+                                   .continuity_uniform = 1,
+                                   .continuity_uneven = 1,
+                                   .keeps_constant_rate_uniform = true,
+                                   .keeps_constant_rate_uneven = true,
+                                   .support_keys = 4,
+                                   .choices = choices,
+                                   .ends = ends};
+  [[nodiscard]] static Expected<SlerpBezierCurve> curve(const Keyframes& keys, const FamilySettings& settings);
+  [[nodiscard]] static Expected<CubicBezierPath> path(const Keyframes& keys, const FamilySettings& settings);
+};
+
+}  // namespace orispline::families

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <orispline/curve/cumulative_bezier.hpp>
+#include <orispline/curve/family.hpp>
+#include <orispline/curve/keyframe.hpp>
+#include <orispline/curve/slerp_bezier.hpp>
+
+namespace orispline::families {
+
+/// Kochanek–Bartels: a Bézier curve of slerps with tension, continuity and bias at every key.
+///
+/// C1 in time on any knots where the continuity parameter is 0; tension 1 stops the motion at the key.
+struct Tcb {
+  static constexpr std::array parameters{Parameter{"tension", 0.0, -100.0, 100.0},
+                                         Parameter{"continuity", 0.0, -100.0, 100.0},
+                                         Parameter{"bias", 0.0, -100.0, 100.0}};
+  static constexpr std::array ends{EndRule::natural, EndRule::handle};
+  static constexpr FamilyInfo info{.name = "tcb",
+                                   .title = "Kochanek-Bartels spline of slerps",
+                                   .source = "Kochanek & Bartels 1984; docs/families/tcb.md",
+                                   .continuity_uniform = 1,
+                                   .continuity_uneven = 1,
+                                   .keeps_constant_rate_uniform = true,
+                                   .keeps_constant_rate_uneven = true,
+                                   .support_keys = 4,
+                                   .parameters = parameters,
+                                   .ends = ends};
+  [[nodiscard]] static Expected<SlerpBezierCurve> curve(const Keyframes& keys, const FamilySettings& settings);
+  [[nodiscard]] static Expected<CubicBezierPath> path(const Keyframes& keys, const FamilySettings& settings);
+};
+
+}  // namespace orispline::families

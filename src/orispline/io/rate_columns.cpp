@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/io/rate_columns.hpp>
+
+#include <numbers>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace orispline::io {
+namespace {
+
+using Names = std::array<std::string_view, 3>;
+
+/// The rates of one order as headers name them; units of the body frame begin with those whose name says so.
+struct RateOrder {
+  std::string_view plural;
+  Names in_body, in_world;
+  std::array<Unit, 6> body_units;
+  std::array<Unit, 3> world_units;
+
+  [[nodiscard]] std::span<const Unit> units_that_name_the_body() const { return std::span(body_units).first(3); }
+};
+
+constexpr Unit degrees(std::string_view suffix) { return {suffix, std::numbers::pi, 180.0}; }
+
+constexpr std::array<RateOrder, 3> orders{
+    RateOrder{"angular velocities",
+              {"wx", "wy", "wz"},
+              {"wx_world", "wy_world", "wz_world"},
+              {Unit{"_body"}, Unit{"_body_rad_s"}, degrees("_body_deg_s"), Unit{""}, Unit{"_rad_s"}, degrees("_deg_s")},
+              {Unit{""}, Unit{"_rad_s"}, degrees("_deg_s")}},
+    RateOrder{
+        "angular accelerations",
+        {"ax", "ay", "az"},
+        {"ax_world", "ay_world", "az_world"},
+        {Unit{"_body"}, Unit{"_body_rad_s2"}, degrees("_body_deg_s2"), Unit{""}, Unit{"_rad_s2"}, degrees("_deg_s2")},
+        {Unit{""}, Unit{"_rad_s2"}, degrees("_deg_s2")}},
+    RateOrder{
+        "angular jerks",
+        {"jx", "jy", "jz"},
+        {"jx_world", "jy_world", "jz_world"},
+        {Unit{"_body"}, Unit{"_body_rad_s3"}, degrees("_body_deg_s3"), Unit{""}, Unit{"_rad_s3"}, degrees("_deg_s3")},
+        {Unit{""}, Unit{"_rad_s3"}, degrees("_deg_s3")}}};
+
+Expected<std::optional<RateVector>> rate_vector(const ColumnSearch& search, const RateReading& reading,
+                                                const RateOrder& order) {
+  const auto in_frame = [](Frame frame) {
+    return [frame](const std::optional<VectorColumns>& columns) -> std::optional<RateVector> {
+      if (!columns) return std::nullopt;
+      return RateVector{*columns, frame};
+    };
+  };
+  const auto accepted = reading.unnamed == UnnamedRates::body ? std::span<const Unit>(order.body_units)
+                                                              : order.units_that_name_the_body();
+  const auto body = search.vector(order.in_body, accepted, order.body_units);
+  if (!body || *body || !reading.world) return body.map(in_frame(Frame::body));
+  return search.vector(order.in_world, order.world_units, order.world_units).map(in_frame(Frame::world));
+}
+
+std::string name_of(const ColumnSearch& search, const RateVector& rates) {
+  return fmt::format("{}, {}, {}", search.name(rates.columns[0].index), search.name(rates.columns[1].index),
+                     search.name(rates.columns[2].index));
+}
+
+}  // namespace
+
+std::vector<std::string_view> rate_names() {
+  std::vector<std::string_view> names;
+  for (const auto frame : {&RateOrder::in_body, &RateOrder::in_world})
+    for (const RateOrder& order : orders) names.insert(names.end(), (order.*frame).begin(), (order.*frame).end());
+  return names;
+}
+
+Expected<RateColumns> rate_columns(const ColumnSearch& search, const RateReading& reading) {
+  RateColumns columns;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(reading.orders); ++k) {
+    const auto found = rate_vector(search, reading, orders[k]);
+    if (!found) return tl::unexpected(found.error());
+    columns[k] = *found;
+    if (k > 0 && columns[k] && !columns[k - 1])
+      return failure(ErrorCode::bad_data,
+                     fmt::format("found {} without {}: {} want {} beside them", name_of(search, *columns[k]),
+                                 fmt::join(orders[k - 1].in_body, ", "), orders[k].plural, orders[k - 1].plural));
+  }
+  return columns;
+}
+
+std::vector<std::string> rates_of_unknown_frame(const ColumnSearch& search, const RateReading& reading,
+                                                const RateColumns& read) {
+  std::vector<std::string> names;
+  if (reading.orders == 0 || reading.unnamed == UnnamedRates::body || read[0]) return names;
+  const auto group = search.group(orders[0].in_body, orders[0].body_units, orders[0].body_units);
+  if (!group) return names;
+  for (const NumberColumn& column : group->columns) names.emplace_back(search.name(column.index));
+  return names;
+}
+
+}  // namespace orispline::io

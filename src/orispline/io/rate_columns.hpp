@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <orispline/io/column_search.hpp>
+#include <orispline/io/frame.hpp>
+
+namespace orispline::io {
+
+/// What the columns `wx`, `ax`, `jx` without a frame in their names are.
+enum class UnnamedRates {
+  body,     ///< rates in the body frame
+  unknown,  ///< not to be read, unless they were asked for by name
+};
+
+/// Which angular rates are read.
+struct RateReading {
+  int orders = 1;      ///< highest order: 0 none, 1 angular velocities, 2 and accelerations, 3 and jerks
+  bool world = false;  ///< those in the world frame too, for orders without any in the body frame
+  UnnamedRates unnamed = UnnamedRates::body;
+};
+
+/// The columns of the rates of one order.
+struct RateVector {
+  VectorColumns columns;
+  Frame frame;
+};
+
+/// By order: angular velocity, acceleration, jerk; where there is none there is none of a higher order.
+using RateColumns = std::array<std::optional<RateVector>, 3>;
+
+/// Every canonical name that a column of rates may have.
+[[nodiscard]] std::vector<std::string_view> rate_names();
+
+/// `wx,wy,wz`, `ax,ay,az`, `jx,jy,jz` in their frames and units.
+///
+/// Errors (bad_data): one of three columns without the others; accelerations without velocities, jerks without
+/// accelerations.
+[[nodiscard]] Expected<RateColumns> rate_columns(const ColumnSearch& search, const RateReading& reading);
+
+/// The names of angular velocities that are there but whose frame nobody knows, so that no rates are read; else none.
+[[nodiscard]] std::vector<std::string> rates_of_unknown_frame(const ColumnSearch& search, const RateReading& reading,
+                                                              const RateColumns& read);
+
+}  // namespace orispline::io

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <concepts>
+#include <type_traits>
+
+#include <orispline/math/slerp.hpp>
+
+// The same words for orientations and for positions: a construction from geodesics is written once and gives the curve
+// and its Euclidean analogue.
+
+namespace orispline {
+
+/// What a curve goes through: an orientation or a position.
+template <class P>
+concept CurvePoint = std::same_as<P, Eigen::Quaterniond> || std::same_as<P, Eigen::Vector3d>;
+
+/// The same kind of point over another number type.
+template <CurvePoint P, Number T>
+using PointOver = std::conditional_t<std::same_as<P, Eigen::Quaterniond>, Quaternion<T>, Vector3<T>>;
+
+/// What the geodesic from one point to the other needs: a rotation vector [rad] in the body frame of `from`, or the
+/// difference of positions [m].
+template <Number T>
+[[nodiscard]] Vector3<T> displacement(const Quaternion<T>& from, const Quaternion<T>& to) noexcept {
+  return increment<T>(from, to);
+}
+template <Number T>
+[[nodiscard]] Vector3<T> displacement(const Vector3<T>& from, const Vector3<T>& to) noexcept {
+  return to - from;
+}
+
+/// The point at that displacement: displaced(a, displacement(a, b)) is b.
+template <Number T>
+[[nodiscard]] Quaternion<T> displaced(const Quaternion<T>& from, const std::type_identity_t<Vector3<T>>& by) noexcept {
+  return from * exp<T>(by);
+}
+template <Number T>
+[[nodiscard]] Vector3<T> displaced(const Vector3<T>& from, const std::type_identity_t<Vector3<T>>& by) noexcept {
+  return from + by;
+}
+
+/// The point at fraction s of the geodesic from a to b: slerp, or the straight line. s may lie outside [0, 1].
+template <Number T>
+[[nodiscard]] Quaternion<T> on_geodesic(const Quaternion<T>& a, const Quaternion<T>& b,
+                                        const std::type_identity_t<T>& s) noexcept {
+  return slerp<T>(a, b, s);
+}
+template <Number T>
+[[nodiscard]] Vector3<T> on_geodesic(const Vector3<T>& a, const Vector3<T>& b,
+                                     const std::type_identity_t<T>& s) noexcept {
+  return a + (b - a) * s;
+}
+
+}  // namespace orispline

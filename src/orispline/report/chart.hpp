@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <orispline/report/svg.hpp>
+
+namespace orispline::report {
+
+struct Range {
+  double low, high;
+  [[nodiscard]] double extent() const noexcept { return high - low; }
+};
+
+/// The smallest range of the finite values; [0, 1] where there are none.
+[[nodiscard]] Range range_of(std::span<const double> values);
+
+/// A little wider at both ends, where the range has no extent by 1.
+[[nodiscard]] Range with_margin(Range range);
+
+/// Multiples of 1, 2 or 5 times a power of ten in a finite range with an extent: at most 8 of them.
+[[nodiscard]] std::vector<double> round_values(Range range);
+
+/// One curve of a chart. Where y is not finite the curve breaks.
+struct Series {
+  std::string label;
+  std::vector<double> x, y;  ///< as many of each
+  Stroke stroke{};
+};
+
+/// Values that belong to a place on the horizontal axis, such as the keys.
+struct Mark {
+  double x;
+  std::string label{};
+};
+
+/// Curves over one horizontal axis.
+struct Chart {
+  std::string title;  ///< what the vertical axis shows, and its unit
+  std::vector<Series> series;
+  std::vector<Mark> marks{};  ///< upright lines; none: round values of x
+  std::optional<Range> y{};   ///< absent: from the series and 0, with a margin
+  std::string x_unit{};       ///< behind the round values of x
+};
+
+/// Draws the chart; the box is that of the curves, titles and numbers stand around it.
+void draw(Drawing& drawing, const Box& box, const Chart& chart);
+
+/// The labels of the series in a row from `at` to the right; a label that another series had before is left out.
+void draw_legend(Drawing& drawing, Point at, std::span<const Series> series);
+
+}  // namespace orispline::report

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/report/sphere.hpp>
+
+#include <cmath>
+#include <numbers>
+
+namespace orispline::report {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+constexpr std::string_view globe = "#f7f9fb", graticule_color = "#dde3e8";
+constexpr double pale = 0.45;
+
+Eigen::Vector3d on_globe(int longitude, int latitude) {
+  const double lambda = longitude * degree, phi = latitude * degree;
+  return {std::cos(phi) * std::cos(lambda), std::cos(phi) * std::sin(lambda), std::sin(phi)};
+}
+
+/// Parallels and meridians every 30 degrees.
+std::vector<std::vector<Eigen::Vector3d>> graticule() {
+  std::vector<std::vector<Eigen::Vector3d>> circles;
+  for (int latitude = -60; latitude <= 60; latitude += 30) {
+    circles.emplace_back();
+    for (int longitude = -180; longitude <= 180; longitude += 4)
+      circles.back().push_back(on_globe(longitude, latitude));
+  }
+  for (int longitude = 0; longitude < 360; longitude += 30) {
+    circles.emplace_back();
+    for (int latitude = -90; latitude <= 90; latitude += 4) circles.back().push_back(on_globe(longitude, latitude));
+  }
+  return circles;
+}
+
+/// A sphere in its picture.
+struct Globe {
+  View view;
+  Point center;
+  double radius;
+
+  [[nodiscard]] Point at(const Eigen::Vector3d& direction) const { return view.at(direction, center, radius); }
+
+  /// Draws the pieces of a path on one side: +1 towards the eye, -1 away from it.
+  void draw_side(Drawing& drawing, std::span<const Eigen::Vector3d> path, double side, const Stroke& stroke) const {
+    std::vector<Point> run;
+    for (const Eigen::Vector3d& direction : path) {
+      const bool shown = side * view.depth(direction) >= 0.0;
+      run.push_back(shown ? at(direction) : Point{std::nan(""), std::nan("")});
+    }
+    drawing.line(run, stroke);
+  }
+};
+
+}  // namespace
+
+void draw(Drawing& drawing, const View& view, Point center, double radius, const SpherePicture& picture) {
+  const Globe sphere{view, center, radius};
+  drawing.circle(center, radius, {globe}, {color::frame, 1.0});
+  for (const SpherePath& path : picture.paths)
+    sphere.draw_side(drawing, path.directions, -1.0, {path.stroke.color, pale * path.stroke.width, "3 3"});
+  for (const auto& circle : graticule()) sphere.draw_side(drawing, circle, 1.0, {graticule_color, 1.0});
+  for (const SpherePath& path : picture.paths) sphere.draw_side(drawing, path.directions, 1.0, path.stroke);
+  for (const SphereDot& dot : picture.dots) {
+    const Point p = sphere.at(dot.direction);
+    const bool behind = view.depth(dot.direction) < 0.0;
+    drawing.circle(p, 4.0, {behind ? color::white : dot.color}, {dot.color, 1.0});
+    drawing.text({p.x, p.y - 8.0}, dot.label, {Anchor::middle, dot.color});
+  }
+}
+
+View facing(std::span<const Eigen::Vector3d> directions) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& direction : directions) sum += direction;
+  if (sum.norm() < 1e-3 * static_cast<double>(directions.size()) || directions.empty()) return View();
+  return View(sum.normalized() + Eigen::Vector3d(0.0, 0.0, 0.2));
+}
+
+}  // namespace orispline::report

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+
+#include <orispline/math/eigen.hpp>
+#include <orispline/report/svg.hpp>
+
+namespace orispline::report {
+
+/// How the world is looked at from far away: z is up in the picture, as far as the eye allows.
+class View {
+ public:
+  /// `eye` is the direction [any length but 0] from which the world is seen.
+  explicit View(const Eigen::Vector3d& eye = {1.0, 0.12, 0.22}) : eye_(eye.normalized()) {
+    const Eigen::Vector3d z = Eigen::Vector3d::UnitZ(), x = Eigen::Vector3d::UnitX();
+    right_ = (std::abs(eye_.z()) < 0.999 ? z : x).cross(eye_).normalized();
+    up_ = eye_.cross(right_);
+  }
+
+  /// Towards the eye; negative on the far side.
+  [[nodiscard]] double depth(const Eigen::Vector3d& v) const { return v.dot(eye_); }
+  [[nodiscard]] Point at(const Eigen::Vector3d& v, Point center, double scale) const {
+    return {center.x + scale * v.dot(right_), center.y - scale * v.dot(up_)};
+  }
+
+ private:
+  Eigen::Vector3d eye_, right_, up_;
+};
+
+/// Draws a small aircraft: its nose along the body's x axis, the left wing along y, the fin along z.
+void draw_body(Drawing& drawing, const View& view, Point center, double size, const Eigen::Quaterniond& orientation,
+               std::string_view color);
+
+}  // namespace orispline::report

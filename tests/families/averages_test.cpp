@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+// Spherical averages: the equation that defines them, its derivatives, symmetry, interpolation, ends, refusals.
+#include <gtest/gtest.h>
+
+#include <orispline/families/registry.hpp>
+#include <support/near.hpp>
+#include <support/specimens.hpp>
+#include <support/tolerance.hpp>
+#include <support/typed_curves.hpp>
+
+namespace orispline {
+namespace {
+
+using namespace testing_support;
+using families::Averages;
+
+/// Cox–de Boor by its recursion: function i of the degree over a list of knots.
+template <Number T>
+T bspline(const std::vector<double>& knots, std::size_t i, std::size_t degree, const T& t, std::size_t span) {
+  if (degree == 0) return T(i == span ? 1.0 : 0.0);
+  const double* k = knots.data() + i;
+  return (t - T(k[0])) / (k[degree] - k[0]) * bspline(knots, i, degree - 1, t, span) +
+         (T(k[degree + 1]) - t) / (k[degree + 1] - k[1]) * bspline(knots, i + 1, degree - 1, t, span);
+}
+
+/// Key times with three of their mirror images on either side.
+std::vector<double> mirrored_knots(std::span<const double> t) {
+  std::vector<double> knots(t.begin(), t.end());
+  for (std::size_t k = 1; k <= 3; ++k) {
+    knots.insert(knots.begin(), 2.0 * t.front() - t[k]);
+    knots.push_back(2.0 * t.back() - t[t.size() - 1 - k]);
+  }
+  return knots;
+}
+
+std::vector<Eigen::Quaterniond> with_mirrored_ends(std::span<const Eigen::Quaterniond> q) {
+  std::vector<Eigen::Quaterniond> all{q[0] * q[1].conjugate() * q[0]};
+  all.insert(all.end(), q.begin(), q.end());
+  all.push_back(q.back() * q[q.size() - 2].conjugate() * q.back());
+  return all;
+}
+
+/// Σ N_k(t) log(q⁻¹ p_k) with every function and every control point, by definition.
+template <Number T>
+Vector3<T> missing(std::span<const double> times, std::span<const Eigen::Quaterniond> controls, const Quaternion<T>& q,
+                   const T& t, std::size_t segment) {
+  const std::vector<double> knots = mirrored_knots(times);
+  const std::vector<Eigen::Quaterniond> points = with_mirrored_ends(controls);
+  Vector3<T> sum = Vector3<T>::Zero();
+  for (std::size_t k = segment; k <= segment + 3; ++k)
+    sum += increment<T>(q, constant<T>(points[k])) * bspline(knots, k, 3, t, segment + 3);
+  return sum;
+}
+
+const CurveOptions keys_as_control_points{.choices = {{"points", "control"}}};
+
+TEST(Averages, SolveTheirEquation) {
+  const Keyframes keys = keyframes(random_walk(451, 8, Spacing::uneven));
+  const AnyCurve c = make_curve("averages", keys, keys_as_control_points).value();
+  for (const double t : sample_times(keys.times(), 9)) {
+    const std::size_t segment = c.knots().segment_at(t);
+    EXPECT_LE(missing<double>(keys.times(), keys.orientations(), c(t), t, segment).norm(), tolerance::algebra) << t;
+  }
+}
+
+TEST(Averages, SolveTheirEquationWithAllDerivatives) {
+  // The implicit function theorem: the equation holds as a power series in time, order by order.
+  using J = Jet<double, 4>;
+  const Keyframes keys = keyframes(random_walk(452, 8, Spacing::uneven));
+  const auto curve = typed_curve<Averages>(keys, keys_as_control_points);
+  for (const double t : sample_times(keys.times())) {
+    const std::size_t segment = curve.knots().segment_at(t);
+    const double h = curve.knots().span(segment).step();
+    const auto left = missing<J>(keys.times(), keys.orientations(), curve.orientation(J::variable(t), segment),
+                                 J::variable(t), segment);
+    for (int axis = 0; axis < 3; ++axis)
+      for (std::size_t order = 0; order <= 4; ++order)
+        EXPECT_NEAR(left[axis].c[order] * std::pow(h, order), 0.0, tolerance::series) << "order " << order;
+  }
+}
+
+TEST(Averages, TurnAtTheRateOfTheImplicitFunctionTheorem) {
+  // ω = (Σ N_k J_l⁻¹(φ_k))⁻¹ Σ N'_k φ_k, φ_k = log(q⁻¹ p_k).
+  const Keyframes keys = keyframes(random_walk(453, 6, Spacing::uneven));
+  const AnyCurve c = make_curve("averages", keys, keys_as_control_points).value();
+  const std::vector<double> knots = mirrored_knots(keys.times());
+  const std::vector<Eigen::Quaterniond> points = with_mirrored_ends(keys.orientations());
+  for (const double t : sample_times(keys.times())) {
+    const std::size_t segment = c.knots().segment_at(t);
+    Eigen::Matrix3d jacobian = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d driven = Eigen::Vector3d::Zero();
+    for (std::size_t k = segment; k <= segment + 3; ++k) {
+      const Eigen::Vector3d phi = increment<double>(c(t), points[k]);
+      const auto weight = bspline(knots, k, 3, Jet<double, 1>::variable(t), segment + 3);
+      jacobian += weight.c[0] * left_jacobian_inverse<double>(phi);
+      driven += weight.c[1] * phi;
+    }
+    EXPECT_TRUE(near(c.motion(t).angular_velocity, Eigen::Vector3d(jacobian.lu().solve(driven)), tolerance::series));
+  }
+}
+
+TEST(Averages, OfTwoKeysAreSlerp) {
+  for (const CurveOptions& options : {CurveOptions{}, keys_as_control_points}) {
+    const Keyframes keys = keyframes(random_walk(454, 2, Spacing::even));
+    const AnyCurve c = make_curve("averages", keys, options).value(), slerp = make_curve("slerp", keys).value();
+    for (const double t : sample_times(keys.times(), 9))
+      EXPECT_TRUE(near(c.motion(t), slerp.motion(t),
+                       {tolerance::algebra, tolerance::series, tolerance::series, tolerance::rates}));
+  }
+}
+
+TEST(Averages, DoNotDependOnTheOrderOfTheControlPoints) {
+  // Backwards in time the products of a cumulative curve are in another order, the sums of an average are the same.
+  const KeyframeData data = random_walk(455, 7, Spacing::uneven);
+  KeyframeData backwards = data;
+  std::ranges::reverse(backwards.orientations);
+  std::ranges::reverse(backwards.times);
+  for (double& t : backwards.times) t = -t;
+  const auto difference = [&](std::string_view method, const CurveOptions& options) {
+    const AnyCurve c = make_curve(method, keyframes(data), options).value();
+    const AnyCurve d = make_curve(method, keyframes(backwards), options).value();
+    double largest = 0.0;
+    for (const double t : sample_times(data.times)) largest = std::max(largest, angular_distance(c(t), d(-t)));
+    return largest;
+  };
+  EXPECT_LE(difference("averages", keys_as_control_points), tolerance::series);
+  EXPECT_GE(difference("bspline", {}), tolerance::visible_jump);
+}
+
+TEST(Averages, PassThroughTheKeysByDefaultOnly) {
+  const Keyframes keys = keyframes(random_walk(456, 8, Spacing::uneven, 0.8));
+  const AnyCurve through = make_curve("averages", keys).value();
+  const AnyCurve near_keys = make_curve("averages", keys, keys_as_control_points).value();
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const double t = keys.times()[i];
+    EXPECT_TRUE(near(through(t), keys.orientations()[i], tolerance::series)) << i;
+    const bool end = i == 0 || i + 1 == keys.size();
+    EXPECT_EQ(angular_distance(near_keys(t), keys.orientations()[i]) < tolerance::visible_jump, end) << i;
+  }
+}
+
+TEST(Averages, BeginAndEndWithoutAcceleration) {
+  const Keyframes keys = keyframes(random_walk(457, 6, Spacing::uneven, 0.8));
+  for (const CurveOptions& options : {CurveOptions{}, keys_as_control_points}) {
+    const AnyCurve c = make_curve("averages", keys, options).value();
+    EXPECT_LE(c.motion(keys.times().front()).angular_acceleration.norm(), tolerance::rates);
+    EXPECT_LE(c.motion(keys.times().back()).angular_acceleration.norm(), tolerance::rates);
+  }
+}
+
+TEST(Averages, OnOneAxisAreTheSplineOfTheAngle) {
+  KeyframeData data = random_walk(458, 7, Spacing::uneven);
+  const Eigen::Vector3d axis(0.48, -0.6, 0.64);
+  const std::array angles{0.0, 0.9, 1.0, 1.3, 1.0, 0.6, 0.8};
+  for (std::size_t i = 0; i < 7; ++i) {
+    data.orientations[i] = exp<double>(angles[i] * axis);
+    data.positions.push_back(angles[i] * axis);
+  }
+  for (const CurveOptions& options : {CurveOptions{}, keys_as_control_points}) {
+    const PoseCurve pose = make_pose_curve("averages", keyframes(data), options).value();
+    for (const double t : sample_times(data.times))
+      EXPECT_LE((log<double>(pose.orientation(t)) - pose.position->travel(t).position).norm(), tolerance::series);
+  }
+}
+
+TEST(Averages, OfPositionsAreTheNaturalCubicSplineFarFromTheOriginToo) {
+  for (const double far : {0.0, 6.4e6}) {
+    KeyframeData data = random_walk(459, 7, Spacing::uneven, 0.8);
+    Dice dice(460);
+    for (std::size_t i = 0; i < 7; ++i) data.positions.push_back(dice.vector() + Eigen::Vector3d(far, 0, 0));
+    const auto path = typed_path<Averages>(keyframes(data));
+    const auto derivative = [&](double t, std::size_t segment, std::size_t k) {
+      const auto p = path.position(Jet<double, 2>::variable(t), segment);
+      return Eigen::Vector3d(p.x().derivative(k), p.y().derivative(k), p.z().derivative(k));
+    };
+    const double rounding = 1e-15 * std::max(1.0, far), h2 = 0.01;  // the shortest step squared
+    for (std::size_t i = 0; i < 7; ++i) {
+      const std::size_t before = i > 0 ? i - 1 : 0, after = std::min<std::size_t>(i, 5);
+      for (const std::size_t segment : {before, after}) {
+        EXPECT_LE((derivative(data.times[i], segment, 0) - data.positions[i]).norm(), 100.0 * rounding);
+        if (i == 0 || i == 6) {
+          EXPECT_LE(derivative(data.times[i], segment, 2).norm(), 1000.0 * rounding / h2);
+        }
+      }
+      EXPECT_LE((derivative(data.times[i], before, 2) - derivative(data.times[i], after, 2)).norm(),
+                1000.0 * rounding / h2);
+    }
+  }
+}
+
+TEST(Averages, TellWhereTheirEquationsHaveNoSolution) {
+  KeyframeData data = random_walk(461, 6, Spacing::even);
+  for (std::size_t i = 0; i < 6; ++i)
+    data.orientations[i] = exp<double>(i % 2 == 0 ? Eigen::Vector3d(0, 0, 0) : Eigen::Vector3d(5.5, 0, 0));
+  for (const CurveOptions& options : {CurveOptions{}, keys_as_control_points}) {
+    const auto c = make_curve("averages", keyframes(data), options);
+    if (c) continue;
+    EXPECT_EQ(c.error().code, ErrorCode::not_converged);
+    EXPECT_LT(c.error().where.key.value(), 6u);
+  }
+  EXPECT_FALSE(make_curve("averages", keyframes(data)));
+}
+
+}  // namespace
+}  // namespace orispline

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+// Angular rates of keys: which columns are read, in which frame and unit, and what they become.
+#include <numbers>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include <orispline/curve/motion.hpp>
+#include <orispline/families/registry.hpp>
+#include <orispline/io/key_file.hpp>
+#include <orispline/io/sample_writer.hpp>
+#include <support/near.hpp>
+#include <support/specimens.hpp>
+#include <support/tolerance.hpp>
+
+#include "io/text_file.hpp"
+
+namespace orispline::io {
+namespace {
+
+using namespace testing_support;
+
+KeyframeData read(const std::string& content, const ReadOptions& options) {
+  auto file = read_keys(test::TextFile(content).path(), options);
+  if (!file) {
+    ADD_FAILURE() << describe(file.error());
+    return {};
+  }
+  return std::move(file->data);
+}
+
+const std::string all_orders = "t,qw,qx,qy,qz,wx,wy,wz,ax,ay,az,jx,jy,jz\n0,1,0,0,0,1,2,3,4,5,6,7,8,9\n";
+
+TEST(Rates, AreReadUpToTheOrderThatIsAskedFor) {
+  for (const int orders : {0, 1, 2, 3}) {
+    const KeyframeData data = read(all_orders, {.rate_orders = orders});
+    EXPECT_EQ(data.angular_velocities.size(), orders >= 1 ? 1u : 0u);
+    EXPECT_EQ(data.angular_accelerations.size(), orders >= 2 ? 1u : 0u);
+    EXPECT_EQ(data.angular_jerks.size(), orders >= 3 ? 1u : 0u);
+  }
+  const KeyframeData data = read(all_orders, {.rate_orders = 3});
+  EXPECT_EQ(data.angular_velocities[0], Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(data.angular_accelerations[0], Eigen::Vector3d(4, 5, 6));
+  EXPECT_EQ(data.angular_jerks[0], Eigen::Vector3d(7, 8, 9));
+}
+
+TEST(Rates, OfHigherOrdersMayBeMissing) {
+  const KeyframeData data = read("t,qw,qx,qy,qz,wx,wy,wz\n0,1,0,0,0,1,2,3\n", {.rate_orders = 3});
+  EXPECT_EQ(data.angular_velocities.size(), 1u);
+  EXPECT_TRUE(data.angular_accelerations.empty());
+}
+
+TEST(Rates, NobodyAsksForMayHoldAnything) {
+  EXPECT_EQ(read("t,qw,qx,qy,qz,ax,jx\n0,1,0,0,0,none,nan\n", {}).times.size(), 1u);
+}
+
+TEST(Rates, HaveUnits) {
+  const KeyframeData data = read(
+      "t,qw,qx,qy,qz,wx_deg_s,wy,wz_rad_s,ax_deg_s2,ay_body_rad_s2,az_rad_s2,jx_body_deg_s3,jy_deg_s3,jz_body\n"
+      "0,1,0,0,0,180,1,2,90,3,4,-180,360,5\n",
+      {.rate_orders = 3});
+  EXPECT_EQ(data.angular_velocities[0], Eigen::Vector3d(std::numbers::pi, 1, 2));
+  EXPECT_EQ(data.angular_accelerations[0], Eigen::Vector3d(std::numbers::pi / 2, 3, 4));
+  EXPECT_EQ(data.angular_jerks[0], Eigen::Vector3d(-std::numbers::pi, 2 * std::numbers::pi, 5));
+}
+
+TEST(Rates, GoWithTheirKeysWhenRowsAreSortedAndDropped) {
+  const KeyframeData data = read(
+      "t,qw,qx,qy,qz,wx,wy,wz,ax,ay,az,jx,jy,jz\n"
+      "2,1,0,0,0,2,0,0,2,0,0,2,0,0\n1,1,0,0,0,1,0,0,1,0,0,1,0,0\n1,1,0,0,0,9,0,0,9,0,0,9,0,0\n"
+      "3,1,0,0,0,3,0,0,nan,0,0,3,0,0\n",
+      {.rate_orders = 3, .drop_duplicates = true, .drop_invalid = true, .sort = true});
+  for (const auto& rates : {data.angular_velocities, data.angular_accelerations, data.angular_jerks}) {
+    ASSERT_EQ(rates.size(), 2u);
+    EXPECT_EQ(rates[0].x(), 1);
+    EXPECT_EQ(rates[1].x(), 2);
+  }
+}
+
+/// The keys of a motion with its rates, as `sample` writes them.
+std::string written(const std::vector<Motion>& motions, Frame frame) {
+  const test::ScratchDirectory directory;
+  const std::string path = directory.file("keys.csv");
+  auto writer = SampleWriter::open(path, {.derivatives = 3, .frame = frame}).value();
+  for (std::size_t i = 0; i < motions.size(); ++i)
+    EXPECT_TRUE(writer.write(Decimal::from_double(static_cast<double>(i)), {.motion = motions[i]}));
+  EXPECT_TRUE(writer.finish());
+  return test::content_of(path);
+}
+
+std::vector<Motion> random_motions(std::uint64_t seed) {
+  Dice dice(seed);
+  std::vector<Motion> motions;
+  for (int i = 0; i < 5; ++i)
+    motions.push_back({exp<double>(3.0 * dice.vector()), dice.vector(), 2.0 * dice.vector(), 3.0 * dice.vector()});
+  return motions;
+}
+
+void expect_rates(const KeyframeData& data, const std::vector<Motion>& motions) {
+  ASSERT_EQ(data.angular_jerks.size(), motions.size());
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    EXPECT_TRUE(near(data.angular_velocities[i], motions[i].angular_velocity, tolerance::algebra));
+    EXPECT_TRUE(near(data.angular_accelerations[i], motions[i].angular_acceleration, tolerance::algebra));
+    EXPECT_TRUE(near(data.angular_jerks[i], motions[i].angular_jerk, tolerance::algebra));
+  }
+}
+
+TEST(Rates, WrittenInEitherFrameAreReadBackInTheBodyFrame) {
+  const auto motions = random_motions(361);
+  for (const Frame frame : {Frame::body, Frame::world})
+    expect_rates(read(written(motions, frame), {.rate_orders = 3, .world_rates = true}), motions);
+  EXPECT_TRUE(read(written(motions, Frame::world), {.rate_orders = 3}).angular_velocities.empty());
+}
+
+TEST(Rates, InTheWorldFrameStayWhatTheyAreWhenTheFileHoldsWorldToBody) {
+  const auto motions = random_motions(362);
+  std::string content = written(motions, Frame::world);
+  content = content.substr(0, content.find('\n') + 1);
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const Motion& m = motions[i];
+    const auto cells = [](const auto& values) {
+      std::string text;
+      for (const double value : values) text += "," + Decimal::from_double(value).to_string();
+      return text;
+    };
+    const Eigen::Quaterniond q = m.orientation.conjugate();
+    content += std::to_string(i) + cells(std::array{q.w(), q.x(), q.y(), q.z()}) + cells(angular_velocity_world(m)) +
+               cells(angular_acceleration_world(m)) + cells(angular_jerk_world(m)) + "\n";
+  }
+  expect_rates(read(content, {.conjugate = true, .rate_orders = 3, .world_rates = true}), motions);
+}
+
+TEST(Rates, OfTheBodyComeBeforeThoseOfTheWorld) {
+  const KeyframeData data =
+      read("t,qw,qx,qy,qz,wx,wy,wz,wx_world,wy_world,wz_world\n0,0,1,0,0,1,2,3,4,5,6\n", {.world_rates = true});
+  EXPECT_EQ(data.angular_velocities[0], Eigen::Vector3d(1, 2, 3));
+}
+
+TEST(Rates, InNoKnownFrameAreNamed) {
+  const auto unknown = [](std::string_view names, ReadOptions options) {
+    options.conjugate = options.world_rates = true;
+    const std::string content = "t,qw,qx,qy,qz," + std::string(names) + "\n0,1,0,0,0,1,2,3,4,5,6\n";
+    return read_keys(test::TextFile(content).path(), options).value().rates_of_unknown_frame;
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(unknown("wx,wy,wz,a,b,c", {}), (Names{"wx", "wy", "wz"}));
+  EXPECT_EQ(unknown("wx_rad_s,wy,wz,a,b,c", {}), (Names{"wx_rad_s", "wy", "wz"}));
+  EXPECT_EQ(unknown("wx,wy,wz,wx_body,wy_body,wz_body", {}), Names{});
+  EXPECT_EQ(unknown("wx,wy,wz,wx_world,wy_world,wz_world", {}), Names{});
+  EXPECT_EQ(unknown("wx,wy,wz,a,b,c", {.rate_orders = 0}), Names{});
+  EXPECT_EQ(unknown("wx,wy,wz,a,b,c", {.columns = {{"wx", "wx"}, {"wy", "wy"}, {"wz", "wz"}}}), Names{});
+}
+
+}  // namespace
+}  // namespace orispline::io

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/report/svg.hpp>
+
+#include <array>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include <support/counted.hpp>
+
+namespace orispline::report {
+namespace {
+
+using testing_support::count_of;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+TEST(Drawing, IsAWhitePageOfItsSize) {
+  EXPECT_EQ(Drawing(30, 20).document(),
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 30 20\" width=\"30\" height=\"20\" "
+            "font-family=\"sans-serif\" stroke-linejoin=\"round\">\n"
+            "<rect width=\"30\" height=\"20\" fill=\"white\"/>\n</svg>\n");
+}
+
+TEST(Drawing, DrawsALineThroughItsPoints) {
+  Drawing drawing(30, 20);
+  drawing.line(std::array{Point{1, 2}, Point{3.25, 4}}, {color::blue, 2.0, "3 1"});
+  EXPECT_EQ(count_of("<polyline points=\"1.0,2.0 3.2,4.0\" fill=\"none\" stroke=\"#0072b2\" stroke-width=\"2\" "
+                     "stroke-dasharray=\"3 1\"/>\n",
+                     drawing.document()),
+            1U);
+}
+
+TEST(Drawing, BreaksALineWhereAPlaceIsNotFinite) {
+  Drawing drawing(30, 20);
+  drawing.line(std::array{Point{nan, 0}, Point{1, 1}, Point{2, 2}, Point{3, infinity}, Point{4, 4}, Point{nan, nan},
+                          Point{5, 5}, Point{6, 6}, Point{7, 7}});
+  EXPECT_EQ(count_of("<polyline", drawing.document()), 2U);  // the lone point 4 is no line
+  EXPECT_EQ(count_of("points=\"1.0,1.0 2.0,2.0\"", drawing.document()), 1U);
+  EXPECT_EQ(count_of("points=\"5.0,5.0 6.0,6.0 7.0,7.0\"", drawing.document()), 1U);
+}
+
+TEST(Drawing, LeavesOutWhatHasNoPlace) {
+  Drawing drawing(30, 20);
+  drawing.line({});
+  drawing.line(std::array{Point{1, 1}});
+  drawing.polygon(std::array{Point{1, 1}, Point{2, nan}, Point{3, 3}}, {color::red}, {});
+  drawing.circle({infinity, 1}, 2, {color::red}, {});
+  drawing.text({1, nan}, "nowhere");
+  EXPECT_EQ(drawing.document(), Drawing(30, 20).document());
+}
+
+TEST(Drawing, FillsPolygonsAndCircles) {
+  Drawing drawing(30, 20);
+  drawing.polygon(std::array{Point{1, 1}, Point{2, 1}, Point{2, 3}}, {color::red, 0.5}, {color::ink, 1.0});
+  drawing.circle({4, 5}, 2.5, {color::white}, {color::ink, 1.0});
+  EXPECT_EQ(count_of("<polygon points=\"1.0,1.0 2.0,1.0 2.0,3.0\" fill=\"#d55e00\" fill-opacity=\"0.5\" "
+                     "stroke=\"#333333\" stroke-width=\"1\"/>\n"
+                     "<circle cx=\"4.0\" cy=\"5.0\" r=\"2.5\" fill=\"white\" stroke=\"#333333\" stroke-width=\"1\"/>\n",
+                     drawing.document()),
+            1U);
+}
+
+TEST(Drawing, WritesWordsThatXmlWouldMisunderstand) {
+  Drawing drawing(30, 20);
+  drawing.text({1, 2}, "a < b & \"c\" > |ω|", {Anchor::end, color::green, 14});
+  EXPECT_EQ(count_of("<text x=\"1.0\" y=\"2.0\" text-anchor=\"end\" fill=\"#009e73\" font-size=\"14\">"
+                     "a &lt; b &amp; &quot;c&quot; &gt; |ω|</text>\n",
+                     drawing.document()),
+            1U);
+}
+
+}  // namespace
+}  // namespace orispline::report

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/report/table.hpp>
+
+#include <gtest/gtest.h>
+
+#include <orispline/report/characters.hpp>
+
+namespace orispline::report {
+namespace {
+
+TEST(Table, AlignsWordsToTheLeftAndNumbersToTheRight) {
+  const Table table{
+      .title = "Speeds",
+      .columns = {{"curve"}, {"|ω| [rad/s]", Notation::fixed, 2}, {"error", Notation::scientific, 1}, {"n"}},
+      .rows = {{"slerp", 1.0, 0.00123, 5.0}, {"β = 1/12", 12.345, 0.0, "–"}},
+      .notes = {"A note.", "Another."}};
+  EXPECT_EQ(text_of(table),
+            "Speeds\n"
+            "  curve     |ω| [rad/s]    error  n\n"
+            "  slerp            1.00  1.2e-03  5\n"
+            "  β = 1/12        12.35  0.0e+00  –\n"
+            "  A note.\n"
+            "  Another.\n");
+}
+
+TEST(Table, LeavesMissingCellsEmptyAndNoBlanksAtTheEnd) {
+  const Table table{.title = "t", .columns = {{"a"}, {"b"}, {"c"}}, .rows = {{"word", "x"}, {1.5}}};
+  EXPECT_EQ(text_of(table),
+            "t\n"
+            "     a  b  c\n"
+            "  word  x\n"
+            "   1.5\n");
+}
+
+TEST(Table, PrintsShortestNumbersWithTheDigitsAskedFor) {
+  const Table table{.title = "t", .columns = {{"a", Notation::shortest, 3}}, .rows = {{1.28456}, {0.25}, {123456.0}}};
+  EXPECT_EQ(text_of(table), "t\n         a\n      1.28\n      0.25\n  1.23e+05\n");
+}
+
+TEST(Characters, AreCountedAsTheyAreSeen) {
+  EXPECT_EQ(characters(""), 0U);
+  EXPECT_EQ(characters("abc"), 3U);
+  EXPECT_EQ(characters("|ω| ≤ 1°"), 8U);
+  EXPECT_EQ(characters("R(v\u0302)"), 4U);  // v with a hat above it
+}
+
+}  // namespace
+}  // namespace orispline::report
