@@ -115,7 +115,10 @@ AngleRange range_of(const std::array<double, 3>& largest) noexcept {
 template <class T>
 CumulativeRecord<T> compile_segment(const CumulativeForm& form, const KnotSpan& span) noexcept {
   const auto [middle, per_step] = place_of(span);
-  CumulativeRecord<T> record{.middle = middle, .per_step = per_step, .short_degree = form.degree <= 5};
+  CumulativeRecord<T> record{};
+  record.middle = middle;
+  record.per_step = per_step;
+  record.short_degree = form.degree <= 5;
   std::array<Centred, 3> factors;
   std::array<Eigen::Vector3d, 3> axes;
   std::array<double, 3> largest;
@@ -144,8 +147,10 @@ CumulativeRecord<T> compile_segment(const CumulativeForm& form, const KnotSpan& 
 template <class T>
 CompiledChart<T> compile_segment(const ChartForm& form, const KnotSpan& span) noexcept {
   const auto [middle, per_step] = place_of(span);
-  CompiledChart<T> compiled{.record = {.middle = middle, .per_step = per_step, .short_degree = form.degree <= 5},
-                            .half_angle = 0.0};
+  CompiledChart<T> compiled{};
+  compiled.record.middle = middle;
+  compiled.record.per_step = per_step;
+  compiled.record.short_degree = form.degree <= 5;
   for (Eigen::Index k = 0; k < 4; ++k) compiled.record.base[k] = static_cast<T>(form.base.coeffs()[k]);
   for (std::size_t k = 0; k < 3; ++k) {
     Powers powers = centred(form.degree, form.rotation_vector[k].coefficients);
@@ -154,7 +159,7 @@ CompiledChart<T> compile_segment(const ChartForm& form, const KnotSpan& span) no
   }
   for (std::size_t i = 0; i <= form.degree; ++i) {
     const auto& v = form.rotation_vector;
-    const double bound = std::hypot(v[0].coefficients[i], v[1].coefficients[i], v[2].coefficients[i]);
+    const double bound = Eigen::Vector3d(v[0].coefficients[i], v[1].coefficients[i], v[2].coefficients[i]).norm();
     compiled.half_angle = std::max(compiled.half_angle, 0.5 * bound);
   }
   return compiled;
@@ -163,7 +168,9 @@ CompiledChart<T> compile_segment(const ChartForm& form, const KnotSpan& span) no
 template <class T>
 PathRecord<T> compile_segment(const PathForm& form, const KnotSpan& span) noexcept {
   const auto [middle, per_step] = place_of(span);
-  PathRecord<T> record{.middle = middle, .per_step = per_step};
+  PathRecord<T> record{};
+  record.middle = middle;
+  record.per_step = per_step;
   for (std::size_t k = 0; k < 3; ++k) {
     Powers powers = centred(form.degree, form.position[k].coefficients);
     shift_to(middle, span, powers);

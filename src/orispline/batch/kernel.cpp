@@ -4,6 +4,7 @@
 // give the same bits.
 #include <orispline/batch/record.hpp>
 #include <orispline/batch/trigonometry.hpp>
+#include <orispline/batch/vector.hpp>
 
 namespace orispline::batch {
 namespace {
@@ -99,34 +100,6 @@ template <class T>
   }
 }
 
-template <class T>
-struct Vector {
-  T x, y, z;
-};
-template <class T>
-[[gnu::always_inline]] inline Vector<T> vector(const T (&v)[3]) {
-  return {v[0], v[1], v[2]};
-}
-template <class T>
-[[gnu::always_inline]] inline Vector<T> operator+(Vector<T> a, Vector<T> b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-template <class T>
-[[gnu::always_inline]] inline Vector<T> operator-(Vector<T> a, Vector<T> b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-template <class T>
-[[gnu::always_inline]] inline Vector<T> operator*(T s, Vector<T> a) {
-  return {s * a.x, s * a.y, s * a.z};
-}
-template <class T>
-[[gnu::always_inline]] inline T dot(Vector<T> a, Vector<T> b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-template <class T>
-[[gnu::always_inline]] inline Vector<T> cross(Vector<T> a, Vector<T> b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 template <class T>
 [[gnu::always_inline]] inline void store(Plane<T> (&to)[3], int i, Vector<T> v) {
   to[0][i] = v.x;

@@ -17,11 +17,12 @@ namespace orispline {
 /// `orientation(t, segment)` takes any Number. A curve may also state `motion(t, segment)` when it has something faster
 /// than jets.
 template <class C>
-concept Curve = std::copyable<C> && requires(const C& c, double t, Jet<double, 3> jet, std::size_t segment) {
+concept Curve = requires(const C& c, double t, Jet<double, 3> jet, std::size_t segment) {
   { c.knots() } -> std::convertible_to<const Knots&>;
   { c.orientation(t, segment) } -> std::same_as<Eigen::Quaterniond>;
   { c.orientation(jet, segment) } -> std::same_as<Quaternion<Jet<double, 3>>>;
-};
+}
+&&std::copyable<C>;
 
 /// The motion of any curve on one of its segments: its own evaluator, or jets through the whole quaternion.
 template <Curve C>
@@ -82,6 +83,9 @@ class AnyCurve {
 
   /// On one segment, whatever the time: what sampling in bulk falls back on.
   [[nodiscard]] Motion motion_on(std::size_t segment, double t) const noexcept { return model_->motion(t, segment); }
+  [[nodiscard]] Eigen::Quaterniond orientation_on(std::size_t segment, double t) const noexcept {
+    return model_->orientation(t, segment);
+  }
   /// What a segment is made of, where it is made of polynomials.
   [[nodiscard]] SegmentForm form(std::size_t segment) const noexcept { return model_->form(segment); }
 
