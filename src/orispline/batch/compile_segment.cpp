@@ -44,10 +44,22 @@ Powers centred_of(const std::array<double, form_degree + 1>& bernstein) noexcept
 }
 
 Powers centred(std::size_t degree, const std::array<double, form_degree + 1>& bernstein) noexcept {
-  return degree == 1   ? centred_of<1>(bernstein)
-         : degree == 3 ? centred_of<3>(bernstein)
-         : degree == 5 ? centred_of<5>(bernstein)
-                       : centred_of<7>(bernstein);
+  switch (degree) {
+    case 1:
+      return centred_of<1>(bernstein);
+    case 2:
+      return centred_of<2>(bernstein);
+    case 3:
+      return centred_of<3>(bernstein);
+    case 4:
+      return centred_of<4>(bernstein);
+    case 5:
+      return centred_of<5>(bernstein);
+    case 6:
+      return centred_of<6>(bernstein);
+    default:
+      return centred_of<7>(bernstein);
+  }
 }
 
 /// A factor's blending function without the multiple of ½ that it has in the middle, which goes into the constants.
@@ -57,14 +69,11 @@ struct Centred {
   Powers powers;
 };
 
-Centred without_offset(std::size_t degree, BernsteinForm form) noexcept {
-  Centred c{.offset = 0.0, .largest = 0.0, .powers = {}};
-  c.offset = 0.5 * std::round(2.0 * centred(degree, form.coefficients)[0]);
-  for (std::size_t i = 0; i <= degree; ++i) {
-    form.coefficients[i] -= c.offset;
-    c.largest = std::max(c.largest, std::abs(form.coefficients[i]));
-  }
-  c.powers = centred(degree, form.coefficients);
+Centred without_offset(std::size_t degree, const BernsteinForm& form) noexcept {
+  Centred c{.offset = 0.0, .largest = 0.0, .powers = centred(degree, form.coefficients)};
+  c.offset = 0.5 * std::round(2.0 * c.powers[0]);
+  c.powers[0] -= c.offset;
+  for (std::size_t i = 0; i <= degree; ++i) c.largest = std::max(c.largest, std::abs(form.coefficients[i] - c.offset));
   return c;
 }
 
