@@ -72,6 +72,16 @@ class ChartCurve {
             .angular_jerk = order(2)};
   }
 
+  /// The segment as polynomials.
+  [[nodiscard]] SegmentForm form(std::size_t segment) const noexcept {
+    static_assert(Degree <= form_degree);
+    ChartForm form{.degree = Degree, .base = pieces_[segment].base, .rotation_vector = {}};
+    for (std::size_t i = 0; i <= Degree; ++i)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        form.rotation_vector[axis].coefficients[i] = pieces_[segment].coefficients[i][static_cast<Eigen::Index>(axis)];
+    return form;
+  }
+
  private:
   template <Number T>
   [[nodiscard]] Vector3<T> rotation_vector(const T& t, std::size_t segment) const noexcept {

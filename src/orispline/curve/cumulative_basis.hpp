@@ -13,7 +13,7 @@ namespace orispline {
 ///
 /// On the knot span i, `b(span, t)` gives β̃_1…β̃_m at time t [s] over any Number; knot spacing enters by the chain
 /// rule, so that a Jet in t yields time derivatives. `increments` is m, `stride` the number of control points that the
-/// next span moves on, `degree` the largest polynomial degree in t.
+/// next span moves on, `degree` the largest polynomial degree in t, 0 for other functions.
 template <class B>
 concept CumulativeBasis = requires(const B& b, KnotSpan span, double t, Jet<double, 3> jet) {
   { B::increments } -> std::convertible_to<std::size_t>;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include <orispline/curve/cumulative_basis.hpp>
 #include <orispline/curve/motion.hpp>
+#include <orispline/curve/segment_form.hpp>
+#include <orispline/curve/two_point_blending.hpp>
 
 namespace orispline {
 
@@ -70,6 +73,26 @@ class CumulativeCurve {
     Motion m{.orientation = polygon_.bases[segment]};
     for (std::size_t k = 0; k < B::increments; ++k) m = with_factor(m, polygon_.increments[first + k], b[k]);
     return m;
+  }
+
+  /// The segment as polynomials, where it is of at most three factors of degree 7 at most.
+  [[nodiscard]] SegmentForm form(std::size_t segment) const noexcept {
+    if constexpr (B::increments > 3 || B::degree < 1 || B::degree > static_cast<int>(form_degree)) return {};
+    else {
+      CumulativeForm form{.degree = static_cast<std::size_t>(B::degree),
+                          .base = polygon_.bases[segment],
+                          .increments = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()},
+                          .blending = {}};
+      if constexpr (requires { basis_.coefficients(knots_.span(segment)); }) {
+        const auto rows = basis_.coefficients(knots_.span(segment));
+        for (std::size_t k = 0; k < rows.size(); ++k) std::ranges::copy(rows[k], form.blending[k].coefficients.begin());
+      } else {
+        form.degree = two_point_degree<B::degree>;
+        form.blending = two_point_forms<B::increments, B::degree>(knots_.span(segment), basis_);
+      }
+      for (std::size_t k = 0; k < B::increments; ++k) form.increments[k] = polygon_.increments[segment * B::stride + k];
+      return form;
+    }
   }
 
  private:

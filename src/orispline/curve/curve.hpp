@@ -8,6 +8,7 @@
 #include <orispline/base/expected.hpp>
 #include <orispline/curve/knots.hpp>
 #include <orispline/curve/motion.hpp>
+#include <orispline/curve/segment_form.hpp>
 
 namespace orispline {
 
@@ -16,11 +17,12 @@ namespace orispline {
 /// `orientation(t, segment)` takes any Number. A curve may also state `motion(t, segment)` when it has something faster
 /// than jets.
 template <class C>
-concept Curve = std::copyable<C> && requires(const C& c, double t, Jet<double, 3> jet, std::size_t segment) {
+concept Curve = requires(const C& c, double t, Jet<double, 3> jet, std::size_t segment) {
   { c.knots() } -> std::convertible_to<const Knots&>;
   { c.orientation(t, segment) } -> std::same_as<Eigen::Quaterniond>;
   { c.orientation(jet, segment) } -> std::same_as<Quaternion<Jet<double, 3>>>;
-};
+}
+&&std::copyable<C>;
 
 /// The motion of any curve on one of its segments: its own evaluator, or jets through the whole quaternion.
 template <Curve C>
@@ -79,12 +81,21 @@ class AnyCurve {
   [[nodiscard]] Domain domain() const noexcept { return {knots().front(), knots().back()}; }
   [[nodiscard]] const Knots& knots() const noexcept { return model_->knots(); }
 
+  /// On one segment, whatever the time: what sampling in bulk falls back on.
+  [[nodiscard]] Motion motion_on(std::size_t segment, double t) const noexcept { return model_->motion(t, segment); }
+  [[nodiscard]] Eigen::Quaterniond orientation_on(std::size_t segment, double t) const noexcept {
+    return model_->orientation(t, segment);
+  }
+  /// What a segment is made of, where it is made of polynomials.
+  [[nodiscard]] SegmentForm form(std::size_t segment) const noexcept { return model_->form(segment); }
+
  private:
   struct Interface {
     virtual ~Interface() = default;
     [[nodiscard]] virtual const Knots& knots() const noexcept = 0;
     [[nodiscard]] virtual Eigen::Quaterniond orientation(double t, std::size_t segment) const noexcept = 0;
     [[nodiscard]] virtual Motion motion(double t, std::size_t segment) const noexcept = 0;
+    [[nodiscard]] virtual SegmentForm form(std::size_t segment) const noexcept = 0;
   };
   template <Curve C>
   struct Model final : Interface {
@@ -95,6 +106,10 @@ class AnyCurve {
     }
     [[nodiscard]] Motion motion(double t, std::size_t segment) const noexcept override {
       return motion_on_segment(curve, t, segment);
+    }
+    [[nodiscard]] SegmentForm form(std::size_t segment) const noexcept override {
+      if constexpr (requires { curve.form(segment); }) return curve.form(segment);
+      else return {};
     }
     C curve;
   };

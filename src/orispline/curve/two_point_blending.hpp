@@ -4,6 +4,10 @@
 #include <array>
 #include <cstddef>
 
+#include <orispline/curve/knots.hpp>
+#include <orispline/curve/segment_form.hpp>
+#include <orispline/math/jet.hpp>
+
 namespace orispline {
 
 /// Derivatives of orders 1…K of the two factors beside a key: φ of the increment before it, ψ of the one after it.
@@ -73,6 +77,39 @@ template <std::size_t K>
     b[2][j] = psi_end[i];
   }
   return b;
+}
+
+/// The odd degree of the two-point Taylor polynomial that is every polynomial of degree Degree exactly.
+template <int Degree>
+inline constexpr std::size_t two_point_degree = static_cast<std::size_t>(Degree) | 1U;
+
+/// The Bernstein coefficients of functions of time that are polynomials of degree Degree on a span, from their values
+/// and derivatives at its two ends, where the local parameter is exactly 0 and 1.
+template <std::size_t Count, int Degree, class Functions>
+[[nodiscard]] std::array<BernsteinForm, 3> two_point_forms(KnotSpan span, const Functions& functions) noexcept {
+  constexpr std::size_t n = two_point_degree<Degree>, K = (n - 1) / 2;
+  using J = Jet<double, static_cast<int>(K)>;
+  const auto at = [&](double t) {
+    J time(t);
+    if constexpr (K > 0) time.c[1] = span.step();  // derivatives in the local parameter
+    return functions(span, time);
+  };
+  const auto start = at(span.start()), end = at(span.t[span.i + 1]);
+  const auto derivatives = [](const J& value) {
+    std::array<double, K> d;
+    for (std::size_t m = 0; m < K; ++m) d[m] = value.derivative(m + 1);
+    return d;
+  };
+  std::array<BernsteinForm, 3> forms{};
+  for (std::size_t k = 0; k < Count; ++k) {
+    const auto left = bernstein_from_taylor(start[k].c[0], derivatives(start[k]));
+    const auto right = bernstein_from_taylor(end[k].c[0], inwards(derivatives(end[k])));
+    for (std::size_t i = 0; i <= K; ++i) {
+      forms[k].coefficients[i] = left[i];
+      forms[k].coefficients[n - i] = right[i];
+    }
+  }
+  return forms;
 }
 
 }  // namespace orispline

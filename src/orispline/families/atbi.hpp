@@ -27,7 +27,7 @@ struct Atbi {
 
   struct Basis {
     static constexpr std::size_t increments = 3, stride = 1;
-    static constexpr int degree = 2;  // beside the sine and the cosine
+    static constexpr int degree = 0;  // no polynomials
     template <Number T>
     [[nodiscard]] std::array<T, 3> operator()(KnotSpan span, const T& t) const noexcept {
       constexpr double pi = std::numbers::pi;

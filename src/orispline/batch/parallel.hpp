@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace orispline {
+
+/// Calls `work(0)` … `work(count - 1)` on up to `threads` threads, this one among them; 0 means one per core.
+///
+/// Which thread does which part is not fixed: the parts must not depend on each other.
+void parallel_for(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& work);
+
+}  // namespace orispline

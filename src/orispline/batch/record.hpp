@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+
+// Plain data only: this header is read by translation units that are compiled for different instruction sets, and an
+// inline function that the linker merges across them would run where it cannot.
+
+namespace orispline::batch {
+
+/// How large the half angles of a segment get: which series of sine and cosine will do.
+enum class AngleRange : unsigned char {
+  narrow,  ///< the outer two within 0.25 rad, the inner one within 1 rad
+  wide,    ///< all within 1 rad
+  any,     ///< folded into a quadrant first
+};
+
+/// Largest polynomial degree of a record; coefficients beyond a segment's own degree are zero.
+inline constexpr int record_degree = 7;
+
+/// One segment of a cumulative curve with up to three factors, made ready for the kernel.
+///
+/// q(s) = M exp(a x_a) exp(b x_b) exp(c x_c) with unit axes, M in the segment's middle, half angles x that are
+/// polynomials in s = (t - middle)/h. The product is linear in the sines and cosines of each angle, so that eight
+/// constant quaternions times products of them give q. Derivation: docs/performance.md.
+template <class T>
+struct alignas(64) CumulativeRecord {
+  T products[8][4];  ///< M {1,a} {1,b} {1,c}, components qx, qy, qz, qw; bit k of the index takes factor k
+  T angles[3][record_degree + 1];  ///< x_a, x_b, x_c [rad]
+  T carried[3][3];  ///< axis a in the frame after b: carried₀ + cos 2x_b carried₁ + sin 2x_b carried₂
+  T axis_b[3], axis_c[3];
+  double middle, per_step;  ///< [s], [1/s]
+  AngleRange range;
+  bool short_degree;  ///< degree at most 5
+};
+
+/// One segment of a chart curve: q(s) = base exp(φ(s)), φ a rotation vector of polynomials in s, ‖φ‖ ≤ 2 rad.
+template <class T>
+struct alignas(64) ChartRecord {
+  T base[4];  ///< qx, qy, qz, qw
+  T rotation_vector[3][record_degree + 1];
+  double middle, per_step;
+  bool short_degree;
+};
+
+/// One segment of a path: polynomials in s [m].
+template <class T>
+struct alignas(64) PathRecord {
+  T position[3][record_degree + 1];
+  double middle, per_step;
+};
+
+/// When samples are taken: at the times given, or sample k at k * step + start.
+struct Clock {
+  const double* times;  ///< null for even times
+  double start, step;
+  double first;  ///< index of the first sample
+};
+
+/// Where samples go. Null: not wanted. Sample i has its components at i * sample, component k at k * component beyond.
+template <class T>
+struct Target {
+  T* orientation;
+  T* angular_velocity;
+  T* angular_acceleration;
+  std::ptrdiff_t planes;  ///< 0: the components of a sample side by side; else the distance between planes
+};
+
+/// The loops of one instruction set. Each writes `count` samples of one segment.
+struct Kernels {
+  const char* name;
+  void (*cumulative)(const CumulativeRecord<double>&, const Clock&, std::size_t count, const Target<double>&);
+  void (*cumulative_float)(const CumulativeRecord<float>&, const Clock&, std::size_t count, const Target<float>&);
+  void (*chart)(const ChartRecord<double>&, const Clock&, std::size_t count, const Target<double>&);
+  void (*chart_float)(const ChartRecord<float>&, const Clock&, std::size_t count, const Target<float>&);
+  void (*path)(const PathRecord<double>&, const Clock&, std::size_t count, double* positions, std::ptrdiff_t planes);
+  void (*path_float)(const PathRecord<float>&, const Clock&, std::size_t count, float* positions,
+                     std::ptrdiff_t planes);
+};
+
+}  // namespace orispline::batch

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <orispline/batch/sample.hpp>
+
+namespace orispline::batch {
+
+/// Writes runs of samples that lie on one segment: by the kernel, or where the segment is no polynomial by the scalar
+/// evaluator.
+template <class T>
+class SegmentSampler {
+ public:
+  /// `compiled` may be null: segments are then compiled one after the other, each when it is first needed.
+  SegmentSampler(const AnyCurve& curve, const CompiledCurve<T>* compiled, const Samples<T>& out) noexcept;
+
+  /// `count` samples from `clock` on, written from sample `at` on.
+  void on_segment(std::size_t segment, const Clock& clock, std::size_t at, std::size_t count) noexcept;
+
+  /// The same outside the domain, or for times that are not numbers: held and at rest, or NaN.
+  void held(const Eigen::Quaterniond& orientation, std::size_t at, std::size_t count) noexcept;
+
+ private:
+  [[nodiscard]] Target<T> target_from(std::size_t at) const noexcept;
+  [[nodiscard]] const SegmentRecord<T>& record(std::size_t segment) noexcept;
+  void store(const Motion& motion, std::size_t at) noexcept;
+
+  const AnyCurve& curve_;
+  const CompiledCurve<T>* compiled_;
+  const Samples<T>& out_;
+  std::size_t segment_;
+  SegmentRecord<T> own_{};
+};
+
+}  // namespace orispline::batch

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <variant>
+
+#include <orispline/math/eigen.hpp>
+
+namespace orispline {
+
+/// Largest degree of the polynomials in which a segment may state itself.
+inline constexpr std::size_t form_degree = 7;
+
+/// Bernstein coefficients of a polynomial of the given degree; those beyond it are zero.
+struct BernsteinForm {
+  std::array<double, form_degree + 1> coefficients{};
+};
+
+/// A segment q(u) = base ∏ exp(β̃_k(u) φ_k) of up to three factors, u in [0, 1]; factors that are absent have φ = 0.
+struct CumulativeForm {
+  std::size_t degree;
+  Eigen::Quaterniond base;
+  std::array<Eigen::Vector3d, 3> increments;
+  std::array<BernsteinForm, 3> blending;
+};
+
+/// A segment q(u) = base exp(ψ(u)), ψ a polynomial rotation vector; by component.
+struct ChartForm {
+  std::size_t degree;
+  Eigen::Quaterniond base;
+  std::array<BernsteinForm, 3> rotation_vector;
+};
+
+/// What a segment is made of, where it is made of polynomials: for evaluation in bulk.
+using SegmentForm = std::variant<std::monostate, CumulativeForm, ChartForm>;
+
+/// A segment of a path p(u), by component; no degree: not a polynomial of degree 7 at most.
+struct PathForm {
+  std::size_t degree = 0;
+  std::array<BernsteinForm, 3> position{};
+};
+
+}  // namespace orispline
