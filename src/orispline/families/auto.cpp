@@ -8,6 +8,7 @@
 
 #include <orispline/curve/increments.hpp>
 #include <orispline/curve/window.hpp>
+#include <orispline/math/elementary.hpp>
 
 // The steps are numbered as on docs/families/auto.md, which also says where the constants come from.
 
@@ -25,8 +26,10 @@ double switched(double x, double low, double high) {
 double smooth_share(double roughness) { return 1.0 - switched(roughness, 0.15, 0.4); }
 /// Share of a wide window whose larger side turns by `turn` [rad]: logarithms must stay well inside a full turn.
 double window_share(double turn) { return 1.0 - switched(turn, 1.2 * std::numbers::pi, 1.6 * std::numbers::pi); }
+
+constexpr double log_of_5 = 1.6094379124341003, log_of_15 = 2.70805020110221;
 double gap_share(double roughness, double step_ratio) {
-  return switched(roughness, 0.8, 1.0) * switched(std::log(step_ratio), std::log(5.0), std::log(15.0));
+  return switched(roughness, 0.8, 1.0) * switched(elementary::natural_logarithm(step_ratio), log_of_5, log_of_15);
 }
 
 /// The keys as the method sees them: the same for orientations and for positions.
@@ -123,13 +126,14 @@ Rates geodesic_rates(const Track& track, std::size_t i) {
   constexpr double a = 52.0 / 3465.0, b = 23.0 / 18480.0, c = 1.0 / 9240.0;  // Gram matrix of the Hermite quintics
   const double before = track.step(i - 1), after = track.step(i);
   const Eigen::Vector3d d_before = track.secant(i - 1), d_after = track.secant(i);
-  const double fifth = std::pow(after, 5) + std::pow(before, 5);
-  const double coupling = b * b / c * (std::pow(after, 4) - std::pow(before, 4)) / fifth;
-  const double w_after = a * std::pow(after, 3) - coupling * std::pow(after, 4);
-  const double w_before = a * std::pow(before, 3) + coupling * std::pow(before, 4);
+  const double after3 = after * after * after, after4 = after3 * after;
+  const double before3 = before * before * before, before4 = before3 * before;
+  const double fifth = after4 * after + before4 * before;
+  const double coupling = b * b / c * (after4 - before4) / fifth;
+  const double w_after = a * after3 - coupling * after4;
+  const double w_before = a * before3 + coupling * before4;
   const Eigen::Vector3d first = (w_after * d_after + w_before * d_before) / (w_after + w_before);
-  const Eigen::Vector3d second =
-      -b / c * (std::pow(after, 4) * (first - d_after) - std::pow(before, 4) * (first - d_before)) / fifth;
+  const Eigen::Vector3d second = -b / c * (after4 * (first - d_after) - before4 * (first - d_before)) / fifth;
   return {first, second};
 }
 

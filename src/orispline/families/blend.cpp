@@ -39,7 +39,9 @@ Parabola<Point> chart_parabola(const Triple<Point>& p) {
 Eigen::Vector3d stereographic(const Eigen::Quaterniond& centre, const Eigen::Quaterniond& q) {
   const Eigen::Vector3d phi = increment<double>(centre, q);
   const double angle = phi.norm();
-  return phi / (angle * std::tan(0.25 * angle));
+  double sine, cosine;
+  sin_cos(0.25 * angle, sine, cosine);
+  return phi * (cosine / (angle * sine));
 }
 
 CircleOrParabola circle(const Triple<Eigen::Quaterniond>& p) {
@@ -53,7 +55,7 @@ CircleOrParabola circle(const Triple<Eigen::Quaterniond>& p) {
   const Eigen::Vector3d bend = tangent.cross(previous.cross(next)) / (next - previous).norm();  // the line's foot
   const double radius = 1.0 / std::sqrt(1.0 + bend.squaredNorm());
   // On the line the distance from the foot is cot(φ/2)/ρ.
-  const auto angle_to = [&](const Eigen::Vector3d& y) { return 2.0 * std::atan2(1.0, radius * tangent.dot(y)); };
+  const auto angle_to = [&](const Eigen::Vector3d& y) { return 2.0 * atan2_of(1.0, radius * tangent.dot(y)); };
   const double ahead = angle_to(next), behind = angle_to(previous) - 2.0 * std::numbers::pi;
   return {CircularArc{p.key, p.time, tangent, bend, radius, p.parabola(behind, ahead)}};
 }

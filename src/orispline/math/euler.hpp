@@ -77,13 +77,13 @@ inline constexpr double gimbal_lock_tolerance = 16.0 * std::numeric_limits<doubl
 
   Eigen::Vector4d p(q.w(), q.vec()[i], q.vec()[j], handedness * q.vec()[k]);
   if (!order.is_proper()) p = Eigen::Vector4d(p[0] - p[2], p[1] - p[3], p[2] + p[0], p[3] + p[1]) / std::numbers::sqrt2;
-  double cosine = std::hypot(p[0], p[1]), sine = std::hypot(p[2], p[3]);
-  double sum = std::atan2(p[1], p[0]), difference = std::atan2(p[3], p[2]);
+  double cosine = p.head<2>().norm(), sine = p.tail<2>().norm();
+  double sum = atan2_of(p[1], p[0]), difference = atan2_of(p[3], p[2]);
   const double lock = of_world ? -1.0 : 1.0;  // makes the third turn, as the caller counts, the one that is 0
   if (sine <= gimbal_lock_tolerance) sine = 0.0, difference = lock * sum;
   if (cosine <= gimbal_lock_tolerance) cosine = 0.0, sum = lock * difference;
 
-  Eigen::Vector3d angles(sum + difference, 2.0 * std::atan2(sine, cosine), sum - difference);
+  Eigen::Vector3d angles(sum + difference, 2.0 * atan2_of(sine, cosine), sum - difference);
   if (!order.is_proper()) angles = {angles[0], angles[1] - pi / 2, -handedness * angles[2]};
   for (const int outer : {0, 2}) angles[outer] = std::remainder(angles[outer], 2.0 * pi);
   return of_world ? Eigen::Vector3d(angles.reverse()) : angles;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <orispline/math/elementary.hpp>
+
 #include <cmath>
 #include <concepts>
 
@@ -11,7 +13,7 @@ struct Jet;
 
 /// True for the number types that formulas may be written over: floating point and truncated Taylor numbers.
 template <class T>
-inline constexpr bool is_number = std::floating_point<T>;
+inline constexpr bool is_number = std::floating_point<T> && sizeof(T) <= sizeof(double);
 template <class T, int N>
 inline constexpr bool is_number<Jet<T, N>> = is_number<T>;
 
@@ -35,15 +37,19 @@ template <std::floating_point T>
   return std::sqrt(x);
 }
 
+// Sine, cosine and arc tangent are not those of <cmath>, whose bits differ from processor to processor. A float goes
+// through double.
+
 template <std::floating_point T>
 void sin_cos(T x, T& sine, T& cosine) noexcept {
-  sine = std::sin(x);
-  cosine = std::cos(x);
+  const auto found = elementary::sine_cosine(static_cast<double>(x));
+  sine = static_cast<T>(found.sine);
+  cosine = static_cast<T>(found.cosine);
 }
 
 template <std::floating_point T>
 [[nodiscard]] T atan2_of(T y, T x) noexcept {
-  return std::atan2(y, x);
+  return static_cast<T>(elementary::arctangent(static_cast<double>(y), static_cast<double>(x)));
 }
 
 /// The plain number inside: the value without its derivatives. Branches are decided on it.

@@ -68,7 +68,7 @@ template <Number T>
 /// Geodesic distance of two orientations [rad], in [0, π]; q and -q are the same orientation.
 [[nodiscard]] inline double angular_distance(const Quaternion<double>& a, const Quaternion<double>& b) noexcept {
   const Quaternion<double> d = a.conjugate() * b;
-  return 2.0 * std::atan2(d.vec().norm(), std::abs(d.w()));
+  return 2.0 * atan2_of(d.vec().norm(), std::abs(d.w()));
 }
 
 /// The vector v of the world frame in the body frame of q: R(q)ᵀ v.

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+/// Elementary functions with the same bits on every processor and from every compiler: IEEE operations alone, where the
+/// system's library takes other paths on processors with fused multiply-add.
+///
+/// Each result is within 1 ulp of the true value, for every argument; zeros, infinities and NaN are answered as by
+/// <cmath>. The formulas: docs/conventions.md, "The same bits everywhere".
+namespace orispline::elementary {
+
+struct SineCosine {
+  double sine, cosine;
+};
+
+/// Sine and cosine of an angle [rad] of any size.
+[[nodiscard]] SineCosine sine_cosine(double angle) noexcept;
+
+/// Angle of the vector (x, y) from the x axis [rad], in [-π, π], with the sign of y.
+[[nodiscard]] double arctangent(double y, double x) noexcept;
+
+/// Logarithm to the base e.
+[[nodiscard]] double natural_logarithm(double x) noexcept;
+
+}  // namespace orispline::elementary

@@ -1,0 +1,212 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Writes the constants of sine, cosine, arc tangent and logarithm, and the table that their tests read.
+
+src/orispline/math/elementary_tables.hpp: polynomials with the least largest relative error (Remez's exchange), parts of
+π/2 and ln 2, arc tangents, bits of 2/π. tests/data/elementary.csv: arguments with their true values, as the nearest
+double and the rest. Needs mpmath; the project itself never does: both files are committed.
+"""
+import math
+import pathlib
+import random
+
+from mpmath import atan, atan2, atanh, cos, floor, frexp, ldexp, linspace, log, lu_solve, matrix, mp, mpf, pi, sin, sqrt
+from mpmath import polyval
+
+mp.dps = 60
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+SEED = 20240229
+REDUCTION_BITS, REDUCTION_BOUND = 33, 1000.0  # bits of each part of π/2; the angle up to which they serve [rad]
+PRODUCT_WORDS, TOP_EXPONENT, LEADING_ZEROS = 6, 971, 64  # the exact reduction: see elementary.cpp
+ARCTANGENT_STEPS = 32
+
+
+def remez(f, weight, top, count):
+    """Coefficients of the polynomial P, degree count - 1, with the least largest weight·|f - P| on (0, top]."""
+    mesh = [top * (1 - cos(pi * k / 1500)) / 2 for k in range(1, 1501)]
+    points = [top * (1 - cos(pi * (2 * k + 1) / (2 * count + 2))) / 2 for k in range(count + 1)]
+    for _ in range(12):
+        a = matrix(count + 1, count + 1)
+        for i, z in enumerate(points):
+            for k in range(count):
+                a[i, k] = z**k
+            a[i, count] = (-1) ** i / weight(z)
+        p = lu_solve(a, matrix([f(z) for z in points]))
+        error = [weight(z) * (f(z) - polyval([p[k] for k in reversed(range(count))], z)) for z in mesh]
+        runs = [[0]]
+        for i in range(1, len(mesh)):
+            if error[i] * error[i - 1] < 0:
+                runs.append([])
+            runs[-1].append(i)
+        points = [mesh[max(run, key=lambda i: abs(error[i]))] for run in runs][: count + 1]
+    print(f"  relative error 2^{float(log(max(abs(e) for e in error), 2)):.1f} with {count} coefficients")
+    return [p[k] for k in range(count)]
+
+
+def bits_below(x, count):
+    """x cut to `count` bits."""
+    _, exponent = frexp(x)
+    return ldexp(floor(ldexp(x, count - exponent)), exponent - count)
+
+
+def parts(x, bits):
+    found = []
+    for count in bits:
+        found.append(bits_below(x, count) if count < 53 else mpf(float(x)))
+        x -= found[-1]
+    return found
+
+
+def half_pi_parts():
+    """Each part on its own grid of REDUCTION_BITS bits, the last one rounded."""
+    rest, found = pi / 2, []
+    for part in range(1, 3):
+        grid = mpf(2) ** (1 - part * REDUCTION_BITS)
+        found.append(floor(rest / grid) * grid)
+        rest -= found[-1]
+    return found + [rest]
+
+
+def table(comment, name, values, kind="double"):
+    text = [v if isinstance(v, str) else float(v).hex() for v in values]
+    lines, line = [], " "
+    for field in text:
+        if len(line) + len(field) > 116:
+            lines.append(line)
+            line = " "
+        line += f" {field},"
+    body = "\n".join([*lines, line])
+    return f"/// {comment}\ninline constexpr std::array<{kind}, {len(text)}> {name}{{\n{body}\n}};\n\n"
+
+
+def pairs(comment, name, first, second):
+    rows = [f"  {{{float(a).hex()}, {float(b).hex()}}}," for a, b in zip(first, second)]
+    head = f"/// {comment}\ninline constexpr double {name}[{len(rows)}][2]{{\n"
+    return head + "\n".join(rows) + "\n};\n\n"
+
+
+def write_constants():
+    octant = (pi / 4 + mpf(2) ** -20) ** 2
+    root = sqrt
+    sine = remez(lambda z: (sin(root(z)) / root(z) - 1) / z, lambda z: z / (sin(root(z)) / root(z)), octant, 6)
+    cosine = remez(lambda z: (cos(root(z)) - 1 + z / 2) / z**2, lambda z: z**2 / cos(root(z)), octant, 6)
+    nearest = mpf(2) / ARCTANGENT_STEPS
+    arctangent = remez(lambda z: (atan(root(z)) / root(z) - 1) / z, lambda z: z, nearest**2, 5)
+    third = (sqrt(2) - 1) / (sqrt(2) + 1)
+    logarithm = remez(lambda z: 2 * (atanh(root(z)) / root(z) - 1) / z, lambda z: z / 2, third**2, 7)
+    steps = [atan(mpf(i) / ARCTANGENT_STEPS) for i in range(ARCTANGENT_STEPS + 1)]
+    size = (LEADING_ZEROS + TOP_EXPONENT) // 32 + PRODUCT_WORDS + 1
+    mp.dps = 420
+    whole = int(floor(ldexp(2 / pi, 32 * size - LEADING_ZEROS)))
+    mp.dps = 60
+    words = [f"0x{whole >> 32 * (size - 1 - i) & 0xFFFFFFFF:08x}" for i in range(size)]
+    (ROOT / "src/orispline/math/elementary_tables.hpp").write_text(
+        "// SPDX-License-Identifier: Apache-2.0\n#pragma once\n\n#include <array>\n#include <cstdint>\n\n"
+        "// Made by tools/make_elementary.py (mpmath, 60 digits): change that, not this.\n\n"
+        "namespace orispline::elementary {\n\n// clang-format off\n"
+        + pairs("Of sin r = r + r³ P(r²) and cos r = 1 - r²/2 + r⁴ Q(r²), |r| ≤ π/4: P and Q side by side.",
+                "sine_cosine_terms", sine, cosine)
+        + table("atan t = t + t³ P(t²), |t| ≤ 1/16.", "arctangent_terms", arctangent)
+        + table("2 atanh s = 2 s + s³ P(s²), |s| ≤ (√2 - 1)/(√2 + 1).", "logarithm_terms", logarithm)
+        + table(f"π/2 in two parts of {REDUCTION_BITS} bits and a rest.", "half_pi_parts", half_pi_parts())
+        + table("π/2 as the nearest double and the rest.", "half_pi", parts(pi / 2, [53, 53]))
+        + table("π as the nearest double and the rest.", "whole_pi", parts(pi, [53, 53]))
+        + table("ln 2 in a part of 41 bits and a rest.", "log_of_two", parts(log(2), [41, 53]))
+        + table(f"atan(i/{ARCTANGENT_STEPS}) as the nearest double.", "arctangents", [float(a) for a in steps])
+        + table("What is missing there.", "arctangent_rests", [float(a - float(a)) for a in steps])
+        + table(f"Bits of 2/π, {LEADING_ZEROS} zeros before the point.", "two_over_pi", words, "std::uint32_t")
+        + "// clang-format on\n}  // namespace orispline::elementary\n", "utf-8")
+
+
+def beside(x, steps=2):
+    """x and its neighbours among the doubles."""
+    around = [float(x)]
+    for end in (-math.inf, math.inf):
+        y = float(x)
+        for _ in range(steps):
+            y = math.nextafter(y, end)
+            around.append(y)
+    return around
+
+
+def nearest_to_zeros():
+    """In every binade the double that is nearest to a multiple of π/2, by the continued fraction of their quotient."""
+    for exponent in range(-52, TOP_EXPONENT, 7):
+        mp.dps = 420
+        quotient = ldexp(2 / pi, exponent)  # |m·quotient - k| small, m below 2^53
+        numerator, before, x = 1, 0, quotient - floor(quotient)
+        while numerator * (1 / x) < 2**53:
+            numerator, before = int(floor(1 / x)) * numerator + before, numerator
+            x = 1 / x - floor(1 / x)
+        mp.dps = 60
+        yield math.ldexp(numerator, exponent)
+
+
+def angles(dice):
+    yield from nearest_to_zeros()
+    yield from (float(k * pi / 2) for k in range(1, 640) if abs(mpf(float(k * pi / 2)) - k * pi / 2) < mpf(2) ** -56)
+    for k in [*range(1, 17), *(2**j + 1 for j in range(5, 19)), 509000, 509295, 600001, 2**40 + 1]:
+        yield from beside(k * pi / 2, 1)
+        yield from beside((k - 0.5) * pi / 2, 1)
+    for x in (2.0**-27, REDUCTION_BOUND, 1e5, 8e5, pi / 4, 5e-324, 2.0**-1022, math.nextafter(math.inf, 0.0)):
+        yield from (y for y in beside(x) if y < math.inf)
+    yield from (10.0**k for k in range(-308, 309, 8))
+    yield from (dice.uniform(0, math.pi) for _ in range(250))
+    yield from (math.exp(dice.uniform(math.log(1e-9), math.log(1e6))) for _ in range(250))
+    yield from (math.ldexp(dice.uniform(0.5, 1), dice.randrange(20, 1025)) for _ in range(100))
+
+
+def quotients(dice):
+    """Pairs y, x."""
+    for i in range(0, ARCTANGENT_STEPS + 1):
+        for q in {i / ARCTANGENT_STEPS, (i + 0.5) / ARCTANGENT_STEPS}:
+            x = dice.uniform(0.5, 2)
+            yield from ((y, x) for y in beside(q * x, 1) if y > 0)
+    for scale in (2.0**-1074, 2.0**-1000, 2.0**-801, 2.0**-799, 1.0, 2.0**899, 2.0**901, 2.0**1023):
+        for _ in range(6):
+            yield dice.uniform(0, 1) * scale, dice.uniform(0.5, 1) * scale
+    for exponent in (-1, -8, -26, -27, -29, -30, -31, -53, -54, -60, -500, -1000, -1060):
+        for _ in range(6):
+            yield math.ldexp(dice.uniform(0.5, 1), exponent), dice.uniform(0.5, 1)
+    yield from ((1e-300, 1e10), (5e-324, 1.0), (5e-324, 1.5e308), (3e-310, 0.75), (5e-324, 5e-324), (1e-5, 1e-320))
+    yield from ((dice.uniform(0, 1 / 16), 1 - dice.uniform(0, 0.5)) for _ in range(120))
+    yield from ((dice.uniform(0, 1), dice.uniform(0, 1)) for _ in range(200))
+
+
+def octants(dice, pairs):
+    for y, x in pairs:
+        y, x = (y, x) if dice.random() < 0.5 else (x, y)
+        yield y * dice.choice([1, -1]), x * dice.choice([1, -1])
+
+
+def positives(dice):
+    for x in (0.5, 1.0, 2.0, 10.0, 2.0**-1022, 2.0**1023, math.e, sqrt(2), sqrt(0.5), 5.0, 15.0, 1 - 2.0**-20, 1 + 2.0**-20):
+        yield from beside(x)
+    yield from (5e-324, 1e-320, 1e-310, math.nextafter(math.inf, 0.0))
+    yield from (1 + dice.choice([1, -1]) * 2.0**-k * dice.uniform(0.5, 1) for k in range(1, 53))
+    yield from (dice.uniform(0.5, 2) for _ in range(150))
+    yield from (math.exp(dice.uniform(-700, 700)) for _ in range(100))
+
+
+def row(name, x, y, value):
+    nearest = float(value)
+    return f"{name},{x!r},{y!r},{nearest!r},{float(value - nearest)!r}\n"
+
+
+def write_test_data():
+    dice = random.Random(SEED)
+    lines = [f"# Made by tools/make_elementary.py (mpmath, 60 digits, seed {SEED}). The true value is wanted + rest.\n",
+             "function,x,y,wanted,rest\n"]
+    for x in angles(dice):
+        mp.dps = 400
+        values = sin(mpf(x)), cos(mpf(x))
+        lines += [row("sin", x, 0.0, values[0]), row("cos", x, 0.0, values[1])]
+    mp.dps = 60
+    lines += [row("atan2", x, y, atan2(mpf(y), mpf(x))) for y, x in octants(dice, quotients(dice))]
+    lines += [row("log", x, 0.0, log(mpf(x))) for x in positives(dice)]
+    (ROOT / "tests/data/elementary.csv").write_text("".join(lines), "utf-8")
+
+
+if __name__ == "__main__":
+    write_constants()
+    write_test_data()
