@@ -18,7 +18,7 @@ constexpr bool is_blank(char c) { return c == ' ' || c == '\t'; }
 /// The character of a delimiter; of blanks the first.
 constexpr char character_of(Delimiter delimiter) { return ",;\t "[static_cast<std::size_t>(delimiter)]; }
 
-// Cells are short: plain loops over their characters are twice as fast as the searches of string_view.
+// Blanks are few: plain loops are faster than the searches of string_view for several characters.
 
 std::string_view without_leading_blanks(std::string_view text) {
   while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
@@ -32,10 +32,8 @@ std::string_view trimmed(std::string_view text) {
 
 /// Length of the cell that a text begins with, up to the delimiter or the end.
 std::size_t cell_length(std::string_view text, Delimiter delimiter) {
-  const char first = character_of(delimiter), other = delimiter == Delimiter::blanks ? '\t' : first;
-  std::size_t length = 0;
-  while (length < text.size() && text[length] != first && text[length] != other) ++length;
-  return length;
+  if (delimiter != Delimiter::blanks) return std::min(text.find(character_of(delimiter)), text.size());
+  return static_cast<std::size_t>(std::find_if(text.begin(), text.end(), is_blank) - text.begin());
 }
 
 bool is_word(std::string_view number) {
