@@ -15,6 +15,7 @@ constexpr auto sample_footer = R"(Examples:
   orispline sample loop.csv --method timed-c2 --closed --rate 100 -o lap.csv
   orispline sample trajectory.tum --drop-duplicates --rate 200 -o smooth.tum
   orispline sample data.csv --rate 200 --output-orientation euler -o motion.csv
+  orispline sample keys.csv --rate 100000 -o motion.npy
   orispline sample ck.csv --columns t=sclk,qw=q0,qx=q1,qy=q2,qz=q3 --conjugate --rate 10 --frame world
 
 INPUT has the columns t,qw,qx,qy,qz and optionally px,py,pz, wx,wy,wz[,ax,ay,az[,jx,jy,jz]] (for methods that take
@@ -24,6 +25,7 @@ column. Instead of the quaternion: roll,pitch,yaw; e1,e2,e3 with --euler; r11,r1
 Columns out: t,qw,qx,qy,qz[,px,py,pz][,wx,wy,wz[,ax,ay,az[,jx,jy,jz]]][,vx,vy,vz[,apx,apy,apz]]
 in s, m, rad/s, rad/s^2, rad/s^3, m/s, m/s^2; angular rates in the body frame, positions and theirs in the world frame.
 TUM and EuRoC files always have positions: zeros when the keys have none.
+A NumPy file (-o motion.npy) is one array of doubles, shape (samples, columns), with the columns of the CSV.
 Without -o the samples go to standard output as CSV; summaries and warnings go to standard error.)";
 
 constexpr auto convert_footer = R"(Examples:
@@ -120,10 +122,11 @@ void add_output_options(CLI::App& app, OutputOptions& o) {
   app.add_option("-o,--output", o.path, "File to write, complete or not at all [standard output]")
       ->type_name(file_type)
       ->group(group);
-  app.add_option("--output-format", o.format, "Format of the output [tum for .tum, else csv]")
-      ->type_name(one_of(format_choices))
+  app.add_option("--output-format", o.format, "Format of the output [tum for .tum, npy for .npy, else csv]")
+      ->type_name(one_of(output_format_choices))
       ->group(group);
-  app.add_option("--output-orientation", o.orientation, "Columns that state the orientation, in CSV [quaternion]")
+  app.add_option("--output-orientation", o.orientation,
+                 "Columns that state the orientation, in CSV and npy [quaternion]")
       ->type_name(one_of(orientation_choices))
       ->group(group);
   app.add_option("--output-euler", o.euler, "Order of Euler angles that are written [ZYX: roll, pitch, yaw]")
@@ -149,11 +152,14 @@ void add_sample_options(CLI::App& app, SampleOptions& o) {
       ->group("Times (one of --rate, --count, --times)");
   add_output_options(app, o.output);
   const std::string group = "Output";
-  app.add_option("--derivatives", o.derivatives, "Highest order of the rates [2 for CSV, else 0]")
+  app.add_option("--derivatives", o.derivatives, "Highest order of the rates [2 for CSV and npy, else 0]")
       ->type_name("0|1|2|3")
       ->group(group);
   app.add_option("--frame", o.frame, "Frame of the angular rates [body]")
       ->type_name(one_of(frame_choices))
+      ->group(group);
+  app.add_option("--threads", o.threads, "Threads that make the samples, which are the same on any number [all cores]")
+      ->type_name("N")
       ->group(group);
   app.add_option("--truth", o.truth, "Key file that the curve is compared with, in the summary")
       ->type_name(file_type)

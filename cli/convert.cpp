@@ -71,7 +71,7 @@ ConvertReport report_on(const Source& source, const ConvertOptions& options, con
     report.dropped_columns.emplace_back("angular velocities");
   if (!columns.positions)
     report.positions =
-        columns.format == io::FileFormat::csv ? ConvertReport::Positions::absent : ConvertReport::Positions::zero;
+        io::holds_all_columns(columns.format) ? ConvertReport::Positions::absent : ConvertReport::Positions::zero;
   return report;
 }
 
@@ -88,9 +88,9 @@ Expected<void> convert(const ConvertOptions& options) {
   const auto source = open_source(std::move(*request));
   if (!source) return tl::unexpected(source.error());
   columns.positions = !source->keys.positions().empty();
-  columns.derivatives = columns.format == io::FileFormat::csv && !source->keys.angular_velocities().empty() ? 1 : 0;
+  columns.derivatives = io::holds_all_columns(columns.format) && !source->keys.angular_velocities().empty() ? 1 : 0;
   const ConvertReport report = report_on(*source, options, columns);
-  return io::SampleWriter::open(options.output.path, columns)
+  return io::SampleWriter::open(options.output.path, columns, source->keys.size())
       .and_then([&](io::SampleWriter writer) {
         const RemovedWhenInterrupted unfinished(writer.part());
         return write_keys(writer, *source, columns);

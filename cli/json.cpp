@@ -137,6 +137,11 @@ Json table(const report::Table& table) {
   return {{"title", table.title}, {"columns", columns}, {"rows", rows}, {"notes", table.notes}};
 }
 
+/// The names of the columns, where they may be many.
+Json columns_of(const io::SampleColumns& columns) {
+  return io::holds_all_columns(columns.format) ? Json(io::column_names(columns)) : Json(nullptr);
+}
+
 }  // namespace
 
 std::string json_of(std::span<const FamilyInfo> families) {
@@ -168,7 +173,7 @@ std::string json_of(const InspectReport& report) {
 std::string json_of(const SampleReport& report) {
   Json json{{"input", report.input},
             {"output", report.output},
-            {"output_format", word_of(format_choices, report.columns.format)},
+            {"output_format", word_of(output_format_choices, report.columns.format)},
             {"output_orientation", word_of(orientation_choices, report.columns.form.representation)},
             {"method", report.method},
             {"keys", report.keys},
@@ -176,6 +181,7 @@ std::string json_of(const SampleReport& report) {
             {"end_s", report.end.to_string()},
             {"samples", report.samples},
             {"held_samples", report.held_samples},
+            {"columns", columns_of(report.columns)},
             {"derivatives", report.columns.derivatives},
             {"frame", word_of(frame_choices, report.columns.frame)},
             {"sign_flips", report.keyframes.sign_flips},
@@ -189,7 +195,7 @@ std::string json_of(const ConvertReport& report) {
   Json json{{"input", report.input},
             {"input_format", word_of(format_choices, report.input_format)},
             {"output", report.output},
-            {"output_format", word_of(format_choices, report.output_format)},
+            {"output_format", word_of(output_format_choices, report.output_format)},
             {"keys", report.keys},
             {"start_s", report.start.to_string()},
             {"end_s", report.end.to_string()},

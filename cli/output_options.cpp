@@ -34,11 +34,11 @@ std::string a_file_of(io::FileFormat format) {
 Expected<io::SampleColumns> output_columns(const OutputOptions& options) {
   if (options.path.empty()) return usage_failure("-o: found an empty name, wanted FILE or -");
   FirstError checked;
-  const auto format = checked(if_given("--output-format", options.format, choice_of(format_choices)));
+  const auto format = checked(if_given("--output-format", options.format, choice_of(output_format_choices)));
   const auto form = checked(form_in(options));
   auto columns = std::move(checked).or_else(io::SampleColumns{
       .format = format.value_or(io::format_of_extension(options.path).value_or(io::FileFormat::csv)), .form = form});
-  if (columns && columns->format != io::FileFormat::csv && form.representation != io::Representation::quaternion)
+  if (columns && !io::holds_all_columns(columns->format) && form.representation != io::Representation::quaternion)
     return usage_failure(fmt::format("{}: {} holds orientations as quaternions only, wanted CSV",
                                      options.orientation ? "--output-orientation"
                                      : options.euler     ? "--output-euler"

@@ -10,6 +10,9 @@
 
 namespace orispline::cli {
 
+inline constexpr std::array output_format_choices{format_choices[0], format_choices[1], format_choices[2],
+                                                  Choice<io::FileFormat>{"npy", io::FileFormat::npy}};
+
 /// How the user wants a file to be written, as typed.
 struct OutputOptions {
   std::string path{io::standard_stream};

@@ -9,7 +9,9 @@
 #include "json.hpp"
 #include "progress.hpp"
 #include "sample_report.hpp"
+#include "sampling.hpp"
 #include "standard_output.hpp"
+#include "threads.hpp"
 
 namespace orispline::cli {
 namespace {
@@ -24,6 +26,7 @@ struct Request {
   TimeRequest times;
   io::SampleColumns columns;
   Extrapolation extrapolation = Extrapolation::hold;
+  std::size_t threads = 1;
 };
 
 Expected<int> derivatives_in(OptionText option) {
@@ -37,7 +40,7 @@ Expected<io::SampleColumns> columns_in(const SampleOptions& options) {
   auto columns = checked(output_columns(options.output));
   const auto derivatives = checked(if_given("--derivatives", options.derivatives, derivatives_in));
   const auto frame = checked(if_given("--frame", options.frame, choice_of(frame_choices)));
-  const bool holds_rates = columns.format == io::FileFormat::csv;
+  const bool holds_rates = io::holds_all_columns(columns.format);
   columns.derivatives = derivatives.value_or(holds_rates ? default_csv_derivatives : 0);
   columns.frame = frame.value_or(io::Frame::body);
   auto read = std::move(checked).or_else(std::move(columns));
@@ -65,7 +68,8 @@ Expected<Request> request_in(const SampleOptions& options) {
       .times = checked(time_request(options.times)),
       .columns = checked(columns_in(options)),
       .extrapolation = checked(if_given("--extrapolate", options.extrapolate, choice_of(extrapolation_choices)))
-                           .value_or(Extrapolation::hold)};
+                           .value_or(Extrapolation::hold),
+      .threads = checked(threads_in(options.threads))};
   auto read = std::move(checked).or_else(std::move(request));
   if (!read) return read;
   if (options.json && options.output.path == io::standard_stream)
@@ -107,24 +111,6 @@ Expected<Source> open_source(const Request& request) {
     if (auto stray = times->outside(domain)) return tl::unexpected(std::move(*stray));
   return Source{std::move(*file), keys->size(),      rate_orders_of(*keys),
                 keys->report(),   std::move(*curve), std::move(*times)};
-}
-
-/// Writes every sample; the number of those that hold an end orientation.
-Expected<std::size_t> write_samples(io::SampleWriter& writer, const Source& source, Progress::Show show) {
-  const Domain domain = source.curve.orientation.domain();
-  const io::Decimal& epoch = source.times.epoch();
-  Progress progress(source.times.size(), show);
-  std::size_t held = 0;
-  for (std::size_t k = 0; k < source.times.size(); ++k) {
-    const auto [t, offset] = source.times[k];
-    if (!domain.contains(t)) ++held;
-    io::Sample sample{.motion = source.curve.orientation.motion(t)};
-    if (source.curve.position) sample.travel = source.curve.position->travel(t);
-    if (auto written = writer.write(epoch + io::Decimal::from_double(offset), sample); !written)
-      return tl::unexpected(std::move(written.error()));
-    progress.advance_to(k);
-  }
-  return writer.finish().map([held] { return held; });
 }
 
 Expected<TruthReport> truth_report(const std::string& path, const Source& source) {
@@ -176,10 +162,12 @@ Expected<void> sample(const SampleOptions& options) {
     if (!truth) return tl::unexpected(std::move(truth.error()));
     report.truth = std::move(*truth);
   }
-  const auto held = io::SampleWriter::open(options.output.path, columns).and_then([&](io::SampleWriter writer) {
-    const RemovedWhenInterrupted unfinished(writer.part());
-    return write_samples(writer, *source, progress_for(options));
-  });
+  const Sampling sampling{source->curve, source->times, columns, request->threads};
+  const auto held =
+      io::SampleWriter::open(options.output.path, columns, source->times.size()).and_then([&](io::SampleWriter writer) {
+        const RemovedWhenInterrupted unfinished(writer.part());
+        return write_samples(writer, sampling, progress_for(options));
+      });
   if (!held) return tl::unexpected(held.error());
   report.held_samples = *held;
   if (options.json) return print_document(json_of(report));

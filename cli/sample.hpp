@@ -22,7 +22,7 @@ struct SampleOptions {
   MethodOptions shape;
   TimeOptions times;
   OutputOptions output;
-  std::optional<std::string> derivatives, frame, extrapolate, truth;
+  std::optional<std::string> derivatives, frame, extrapolate, truth, threads;
   bool json = false, quiet = false;
 };
 

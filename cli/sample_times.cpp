@@ -71,7 +71,8 @@ Expected<SampleTimes> SampleTimes::grid(const TimeRequest& request, const io::De
     return usage_failure(fmt::format("--to {} is before the start at {}, wanted --from as well",
                                      request.to->to_string(), (key_epoch + first).to_string()));
   const io::Decimal epoch = key_epoch + start;
-  Grid grid{.spacing = Count{1}, .start = start, .end = end.to_double(), .span = (end - start).to_double()};
+  Grid grid{
+      .spacing = Count{1}, .start = io::TimeOrigin(start), .end = end.to_double(), .span = (end - start).to_double()};
   if (const auto* const count = std::get_if<Count>(&request.spacing)) {
     if (count->samples > 1 && grid.span == 0.0)
       return usage_failure(fmt::format("--count {}: the range is the single time {}, wanted --count 1", count->samples,
@@ -105,8 +106,7 @@ Instant SampleTimes::operator[](std::size_t k) const {
   const Grid& grid = std::get<Grid>(times_);
   const double offset = grid.offset(k, size_);
   if (offset == grid.span) return {grid.end, offset};
-  if (grid.start == io::Decimal()) return {offset, offset};
-  return {(grid.start + io::Decimal::from_double(offset)).to_double(), offset};
+  return {grid.start.nearest_plus(offset), offset};
 }
 
 std::optional<Error> SampleTimes::outside(const Domain& domain) const {

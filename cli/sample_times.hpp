@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <orispline/curve/curve.hpp>
+#include <orispline/io/time_origin.hpp>
 #include <orispline/io/times_file.hpp>
 
 namespace orispline::cli {
@@ -51,7 +52,7 @@ class SampleTimes {
 
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
   /// What offsets are relative to, exact.
-  [[nodiscard]] const io::Decimal& epoch() const noexcept { return epoch_; }
+  [[nodiscard]] const io::TimeOrigin& origin() const noexcept { return origin_; }
   [[nodiscard]] Instant operator[](std::size_t k) const;
 
   /// The error for the first time that the curve does not cover.
@@ -60,7 +61,7 @@ class SampleTimes {
  private:
   struct Grid {
     std::variant<Rate, Count> spacing;
-    io::Decimal start;  // since the epoch of the keys
+    io::TimeOrigin start;  // since the epoch of the keys
     double end, span;
     std::optional<std::size_t> index_of_end{};  // of the sample that stands at the end, if one does
     [[nodiscard]] double offset(std::size_t k, std::size_t size) const;
@@ -71,11 +72,12 @@ class SampleTimes {
   };
 
   SampleTimes(const io::Decimal& key_epoch, const io::Decimal& epoch, std::size_t size, std::variant<Grid, List> times)
-      : key_epoch_(key_epoch), epoch_(epoch), size_(size), times_(std::move(times)) {}
+      : key_epoch_(key_epoch), origin_(epoch), size_(size), times_(std::move(times)) {}
   [[nodiscard]] static Expected<SampleTimes> grid(const TimeRequest& request, const io::Decimal& key_epoch,
                                                   const Domain& domain);
 
-  io::Decimal key_epoch_, epoch_;
+  io::Decimal key_epoch_;
+  io::TimeOrigin origin_;
   std::size_t size_;
   std::variant<Grid, List> times_;
 };

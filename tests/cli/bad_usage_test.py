@@ -107,7 +107,7 @@ CASES = (
      "timed-c2: a closed curve has no ends, found an end rule"),
     ("inspect keys.csv --closed", "options that shape a curve want --method as well"),
     # writing
-    ("sample keys.csv --rate 1 --output-format xml", "--output-format: found 'xml', wanted csv|tum|euroc"),
+    ("sample keys.csv --rate 1 --output-format xml", "--output-format: found 'xml', wanted csv|tum|euroc|npy"),
     ("sample keys.csv --rate 1 --derivatives 4", "--derivatives: found '4', wanted 0, 1, 2 or 3"),
     ("sample keys.csv --rate 1 --derivatives 1 -o motion.tum",
      "--derivatives: found '1', wanted 0 for a TUM file, which has no columns for rates"),

@@ -138,6 +138,18 @@ TEST(Decimal, WritesTheShortestDigitsOfADouble) {
   EXPECT_EQ(Decimal::from_double(-0.0).to_string(), "0");
 }
 
+TEST(Decimal, WritesEveryDigitOfNumbersOfAnyLength) {
+  std::string nines, power = "1";
+  for (int digits = 1; digits <= Decimal::max_digits; ++digits, power += '0') {
+    nines += '9';
+    const std::string odd = digits == 1 ? "1" : power.substr(0, power.size() - 1) + "1";  // zeros between
+    EXPECT_EQ(decimal(nines).to_string(), nines);
+    EXPECT_EQ(decimal(odd).to_string(), odd);
+    EXPECT_EQ(decimal("-." + odd).to_string(), "-0." + odd);
+    EXPECT_EQ((decimal(power) + decimal("-1") + decimal("1")).to_string(), power);
+  }
+}
+
 TEST(Decimal, RoundsToTheNearestWholeNumber) {
   const auto rounded = [](std::string_view text) { return Decimal::parse(text)->rounded().to_string(); };
   for (const auto& [text, wanted] : {std::pair("0", "0"),

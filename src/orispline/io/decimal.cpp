@@ -3,37 +3,44 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
+#include <utility>
 
 #include <fast_float/fast_float.h>
 #include <fmt/format.h>
 
 #include <orispline/base/expect.hpp>
+#include <orispline/io/decimal_digits.hpp>
+#include <orispline/io/number_text.hpp>
 #include <orispline/io/quoted.hpp>
 
 namespace orispline::io {
 namespace {
 
-__extension__ typedef __int128 Integer;
-
-constexpr auto powers_of_ten = [] {
-  std::array<Integer, Decimal::max_digits + 1> powers{1};
-  for (std::size_t i = 1; i < powers.size(); ++i) powers[i] = powers[i - 1] * 10;
-  return powers;
-}();
-
-Integer integer_power_of_ten(int exponent) { return powers_of_ten[static_cast<std::size_t>(exponent)]; }
-
 Integer magnitude(Integer value) { return value < 0 ? -value : value; }
 
 /// Number of decimal digits; 0 for 0.
 int digits_of(Integer value) {
-  return static_cast<int>(std::upper_bound(powers_of_ten.begin(), powers_of_ten.end(), magnitude(value)) -
-                          powers_of_ten.begin());
+  const Integer size = magnitude(value);
+  const auto bits = high_half(size) != 0 ? 64 + std::bit_width(high_half(size)) : std::bit_width(low_half(size));
+  const int digits = static_cast<int>(bits) * 1233 >> 12;  // times log10(2): the digits, or one less
+  return digits + (size >= integer_power_of_ten(digits) ? 1 : 0);
 }
+
+/// A number that is not 0 without the zeros that it ends in.
+template <class Whole>
+struct WithoutZeros {
+  Whole value;
+  int zeros = 0;
+
+  explicit WithoutZeros(Whole whole) : value(whole) {
+    for (; value % 2 == 0 && value % 10 == 0; ++zeros) value /= 10;  // a division of 128 bits is slow
+  }
+};
 
 /// The value without its last digits, cut toward zero.
 Integer cut(Integer value, int digits) {
@@ -76,18 +83,28 @@ constexpr std::int64_t exponent_cap = 1'000'000'000;  // farther is as far out o
 
 /// Significant digits gathered one by one; zeros count once a digit follows them.
 struct Significand {
-  Integer value = 0;
+  static constexpr int short_digits = 18;  // that 64 bits hold: most numbers have no more, and those are fast
+
+  Integer long_value = 0;
+  std::int64_t short_value = 0;
   int digits = 0;
   int pending_zeros = 0;
+
+  [[nodiscard]] Integer value() const { return digits <= short_digits ? Integer{short_value} : long_value; }
 
   void append(int digit) {
     if (digit == 0) {
       if (digits > 0) ++pending_zeros;
       return;
     }
-    digits += pending_zeros + 1;
-    if (digits <= Decimal::max_digits) value = value * integer_power_of_ten(pending_zeros + 1) + digit;
-    pending_zeros = 0;
+    const int before = digits, added = std::exchange(pending_zeros, 0) + 1;
+    digits += added;
+    if (digits <= short_digits) {
+      short_value = short_value * static_cast<std::int64_t>(integer_power_of_ten(added)) + digit;
+    } else if (digits <= Decimal::max_digits) {
+      if (before <= short_digits) long_value = short_value;
+      long_value = long_value * integer_power_of_ten(added) + digit;
+    }
   }
 };
 
@@ -131,7 +148,13 @@ Decimal::Decimal(Integer coefficient, int exponent) noexcept : coefficient_(coef
     coefficient_ = cut(coefficient_, excess);
     exponent_ += excess;
   }
-  for (; coefficient_ != 0 && coefficient_ % 10 == 0; ++exponent_) coefficient_ /= 10;
+  if (coefficient_ == 0) return;
+  const auto take = [this](const auto& whole) {
+    coefficient_ = whole.value;
+    exponent_ += whole.zeros;
+  };
+  if (const auto half = static_cast<std::int64_t>(coefficient_); half == coefficient_) take(WithoutZeros(half));
+  else take(WithoutZeros(coefficient_));
 }
 
 Expected<Decimal> Decimal::parse(std::string_view text) {
@@ -147,15 +170,19 @@ Expected<Decimal> Decimal::parse(std::string_view text) {
   if (size > parsed_exponent_limit || size <= -parsed_exponent_limit)
     return found(fmt::format("a number between 1e-{0} and 1e{0} in size", parsed_exponent_limit));
   Decimal number;
-  number.coefficient_ = written->sign * significand.value;
+  number.coefficient_ = written->sign * significand.value();
   number.exponent_ = static_cast<int>(written->exponent);
   return number;
 }
 
 Decimal Decimal::from_double(double value) {
   ORISPLINE_EXPECT(std::isfinite(value));
-  const Written written = scan(fmt::format("{}", value)).value_or(Written{});
-  return Decimal(written.sign * written.significand.value, static_cast<int>(written.exponent));
+  ShortestText text;
+  const Written written = scan(text.of(value)).value_or(Written{});
+  Decimal number;
+  number.coefficient_ = written.sign * written.significand.value();
+  if (number.coefficient_ != 0) number.exponent_ = static_cast<int>(written.exponent);
+  return number;
 }
 
 double Decimal::to_double() const {
@@ -166,10 +193,11 @@ double Decimal::to_double() const {
     const auto power = static_cast<double>(integer_power_of_ten(std::abs(exponent_)));
     return exponent_ < 0 ? coefficient / power : coefficient * power;  // one rounding
   }
-  const std::string text = fmt::format("{}e{}", coefficient_, exponent_);
+  Digits digits(magnitude(coefficient_));
+  const std::string_view text = digits.with_exponent(exponent_);
   double value = 0.0;
   fast_float::from_chars(text.data(), text.data() + text.size(), value);
-  return value;
+  return coefficient_ < 0 ? -value : value;
 }
 
 Decimal Decimal::rounded() const noexcept {
@@ -179,15 +207,23 @@ Decimal Decimal::rounded() const noexcept {
 }
 
 std::string Decimal::to_string() const {
-  std::string text = fmt::format("{}", magnitude(coefficient_));
-  if (exponent_ > 0) {
-    text.append(static_cast<std::size_t>(exponent_), '0');
-  } else if (exponent_ < 0) {
-    const auto decimals = static_cast<std::size_t>(-exponent_);
-    if (text.size() <= decimals) text.insert(0, decimals + 1 - text.size(), '0');
-    text.insert(text.size() - decimals, 1, '.');
+  std::string text;
+  append_to(text);
+  return text;
+}
+
+void Decimal::append_to(std::string& text) const {
+  const Digits all(magnitude(coefficient_));
+  const std::string_view digits = all.text();
+  if (coefficient_ < 0) text += '-';
+  if (exponent_ >= 0) {
+    text.append(digits).append(static_cast<std::size_t>(exponent_), '0');
+    return;
   }
-  return coefficient_ < 0 ? "-" + text : text;
+  const auto decimals = static_cast<std::size_t>(-exponent_);
+  const std::size_t whole = digits.size() - std::min(digits.size(), decimals);
+  text.append(digits.substr(0, whole)).append(whole == 0 ? "0." : ".");
+  text.append(decimals - (digits.size() - whole), '0').append(digits.substr(whole));
 }
 
 struct Decimal::Aligned {

@@ -39,6 +39,8 @@ class Decimal {
 
   /// All digits, without an exponent: `1311868163.8697`.
   [[nodiscard]] std::string to_string() const;
+  /// The same at the end of a text.
+  void append_to(std::string& text) const;
 
   [[nodiscard]] Decimal operator-() const noexcept { return Decimal(-coefficient_, exponent_); }
   [[nodiscard]] Decimal operator+(const Decimal& other) const noexcept;

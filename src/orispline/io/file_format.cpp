@@ -17,13 +17,14 @@ bool ends_in(std::string_view path, std::string_view extension) {
 }  // namespace
 
 std::string_view title_of(FileFormat format) noexcept {
-  constexpr std::array<std::string_view, 3> titles{"CSV", "TUM", "EuRoC"};
+  constexpr std::array<std::string_view, 4> titles{"CSV", "TUM", "EuRoC", "NumPy"};
   return titles[static_cast<std::size_t>(format)];
 }
 
 std::optional<FileFormat> format_of_extension(std::string_view path) noexcept {
   if (ends_in(path, ".csv")) return FileFormat::csv;
   if (ends_in(path, ".tum")) return FileFormat::tum;
+  if (ends_in(path, ".npy")) return FileFormat::npy;
   return std::nullopt;
 }
 

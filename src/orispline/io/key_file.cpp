@@ -120,9 +120,12 @@ Expected<KeyFile> read_keys(const std::string& path, const ReadOptions& options)
   if (options.time_scale && *options.time_scale <= Decimal())
     return failure(ErrorCode::bad_argument, fmt::format("the time scale is {}, wanted a number greater than 0",
                                                         options.time_scale->to_string()));
+  const std::optional<FileFormat> format = options.format ? options.format : format_of_extension(path);
+  if (format == FileFormat::npy)
+    return failure(ErrorCode::bad_argument, "keys are not read from NumPy files, wanted CSV, TUM or EuRoC",
+                   {.file = path});
   auto table = TextTable::open(path);
   if (!table) return tl::unexpected(std::move(table.error()));
-  const std::optional<FileFormat> format = options.format ? options.format : format_of_extension(path);
   if (format == FileFormat::tum) table->set_delimiter(Delimiter::blanks);
   if (format == FileFormat::euroc) table->set_delimiter(Delimiter::comma);
   const auto first = table->next();

@@ -107,6 +107,15 @@ Expected<void> OutputFile::write(std::string_view text) {
   return {};
 }
 
+Expected<void> OutputFile::write_again(std::string_view beginning) {
+  ORISPLINE_EXPECT(file_ != nullptr);
+  errno = 0;
+  if (std::fseek(file_.get(), 0, SEEK_SET) != 0) return no_access(path_, last_error());
+  auto written = write(beginning);
+  if (written && std::fseek(file_.get(), 0, SEEK_END) != 0) return no_access(path_, last_error());
+  return written;
+}
+
 Expected<void> OutputFile::finish() {
   ORISPLINE_EXPECT(file_ != nullptr);
   errno = 0;

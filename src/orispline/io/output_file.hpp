@@ -24,6 +24,8 @@ class OutputFile {
 
   /// Error: bad_access.
   [[nodiscard]] Expected<void> write(std::string_view text);
+  /// Writes over the beginning of the file. Error: bad_access, also for pipes.
+  [[nodiscard]] Expected<void> write_again(std::string_view beginning);
   /// Completes the file; nothing may be written afterwards. Error: bad_access.
   [[nodiscard]] Expected<void> finish();
 

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <orispline/io/sample_writer.hpp>
+
+#include "method_options.hpp"
+#include "progress.hpp"
+#include "sample_times.hpp"
+
+namespace orispline::cli {
+
+/// What is sampled, and on how many threads.
+struct Sampling {
+  const PoseCurve& curve;
+  const SampleTimes& times;
+  io::SampleColumns columns;
+  std::size_t threads = 1;
+};
+
+/// Writes every sample, the same on any number of threads; the number of those that hold an end orientation.
+///
+/// Memory does not grow with the number of samples.
+[[nodiscard]] Expected<std::size_t> write_samples(io::SampleWriter& writer, const Sampling& sampling,
+                                                  Progress::Show show);
+
+}  // namespace orispline::cli

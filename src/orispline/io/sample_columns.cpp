@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/io/sample_columns.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace orispline::io {
+namespace {
+
+constexpr int highest_derivative = 3, highest_position_derivative = 2;
+constexpr std::array<std::string_view, highest_derivative> rate_letters{"w", "a", "j"};
+constexpr std::array<std::string_view, highest_position_derivative> position_rate_letters{"v", "ap"};
+
+/// An angular rate in the frame of the file; order 1 ω, 2 α, 3 jerk.
+Eigen::Vector3d rate_of(const Motion& motion, int order, Frame frame) {
+  const bool in_body = frame == Frame::body;
+  if (order == 1) return in_body ? motion.angular_velocity : angular_velocity_world(motion);
+  if (order == 2) return in_body ? motion.angular_acceleration : angular_acceleration_world(motion);
+  return in_body ? motion.angular_jerk : angular_jerk_world(motion);
+}
+
+}  // namespace
+
+bool holds_all_columns(FileFormat format) noexcept { return format == FileFormat::csv || format == FileFormat::npy; }
+
+Expected<void> check_columns(const SampleColumns& columns) {
+  const bool holds_all = holds_all_columns(columns.format);
+  const auto check = [&](std::string_view what, int asked, int highest) -> Expected<void> {
+    if (0 <= asked && asked <= (holds_all ? highest : 0)) return {};
+    return failure(ErrorCode::bad_argument,
+                   fmt::format("{} derivatives{} were asked for, and {} holds 0{}", asked, what,
+                               title_of(columns.format), holds_all ? fmt::format(" to {}", highest) : ""));
+  };
+  if (!holds_all && columns.form.representation != Representation::quaternion)
+    return failure(ErrorCode::bad_argument,
+                   fmt::format("{} holds orientations as quaternions only", title_of(columns.format)));
+  return check("", columns.derivatives, highest_derivative).and_then([&] {
+    return check(" of the position", columns.position_derivatives, highest_position_derivative);
+  });
+}
+
+// THE order of the columns of CSV and NumPy: `column_names` and `RowNumbers::add_named` agree.
+
+std::vector<std::string> column_names(const SampleColumns& columns) {
+  std::vector<std::string> names{"t"};
+  std::ranges::copy(written_names(columns.form), std::back_inserter(names));
+  const auto append = [&names](std::string_view letters, std::string_view suffix) {
+    for (const char axis : {'x', 'y', 'z'}) names.push_back(fmt::format("{}{}{}", letters, axis, suffix));
+  };
+  if (columns.positions) append("p", "");
+  for (std::size_t order = 0; order < static_cast<std::size_t>(columns.derivatives); ++order)
+    append(rate_letters[order], columns.frame == Frame::world ? "_world" : "");
+  for (std::size_t order = 0; order < static_cast<std::size_t>(columns.position_derivatives); ++order)
+    append(position_rate_letters[order], "");
+  return names;
+}
+
+void RowNumbers::add_named(const Sample& sample, const SampleColumns& columns) {
+  const auto& [motion, travel] = sample;
+  for (const double number : numbers_of(motion.orientation, columns.form)) add(number);
+  if (columns.positions) add(travel.position);
+  for (int order = 1; order <= columns.derivatives; ++order) add(rate_of(motion, order, columns.frame));
+  if (columns.position_derivatives > 0) add(travel.velocity);
+  if (columns.position_derivatives > 1) add(travel.acceleration);
+}
+
+RowNumbers::RowNumbers(const Sample& sample, const SampleColumns& columns) {
+  if (holds_all_columns(columns.format)) {
+    add_named(sample, columns);
+    return;
+  }
+  const Eigen::Quaterniond& q = sample.motion.orientation;
+  add(sample.travel.position);
+  if (columns.format == FileFormat::euroc) add(q.w());
+  add(Eigen::Vector3d(q.vec()));
+  if (columns.format == FileFormat::tum) add(q.w());
+}
+
+void RowNumbers::add(const Eigen::Vector3d& v) noexcept {
+  for (const double number : v) add(number);
+}
+
+bool RowNumbers::are_finite() const noexcept {
+  return std::ranges::all_of(values(), [](double value) { return std::isfinite(value); });
+}
+
+}  // namespace orispline::io

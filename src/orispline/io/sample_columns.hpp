@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <orispline/base/expected.hpp>
+#include <orispline/curve/motion.hpp>
+#include <orispline/curve/path.hpp>
+#include <orispline/io/file_format.hpp>
+#include <orispline/io/frame.hpp>
+#include <orispline/io/orientation_form.hpp>
+
+namespace orispline::io {
+
+/// What a file of samples holds.
+struct SampleColumns {
+  FileFormat format = FileFormat::csv;
+  OrientationForm form{};        ///< of CSV and NumPy; TUM and EuRoC have quaternions
+  bool positions = false;        ///< TUM and EuRoC always have them: zeros if there are none
+  int derivatives = 0;           ///< highest order of the angular rates: 0 none, 1 ω, 2 and α, 3 and jerk
+  int position_derivatives = 0;  ///< highest order of the rates of position: 0 none, 1 velocity, 2 and acceleration
+  Frame frame = Frame::body;
+};
+
+/// A moving body.
+struct Sample {
+  Motion motion{};
+  Travel travel{};
+};
+
+/// Whether files of the format have columns for rates and for every form of orientation: CSV and NumPy.
+[[nodiscard]] bool holds_all_columns(FileFormat format) noexcept;
+/// Error (bad_argument): what the format cannot hold.
+[[nodiscard]] Expected<void> check_columns(const SampleColumns& columns);
+
+/// The names of the columns of CSV and NumPy: time, orientation, position, angular rates, rates of position.
+[[nodiscard]] std::vector<std::string> column_names(const SampleColumns& columns);
+
+/// The numbers of a row after its time.
+class RowNumbers {
+ public:
+  static constexpr std::size_t most = 9 + 3 + 9 + 6;  ///< a matrix, a position, three and two rates
+
+  /// Those of a sample, in the order of the columns.
+  RowNumbers(const Sample& sample, const SampleColumns& columns);
+
+  [[nodiscard]] std::span<const double> values() const noexcept { return std::span(values_).first(count_); }
+  [[nodiscard]] bool are_finite() const noexcept;
+
+ private:
+  void add(double value) noexcept { values_[count_++] = value; }
+  void add(const Eigen::Vector3d& v) noexcept;
+  void add_named(const Sample& sample, const SampleColumns& columns);
+
+  std::array<double, most> values_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace orispline::io

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <orispline/io/sample_columns.hpp>
+#include <orispline/io/time_origin.hpp>
+
+namespace orispline::io {
+
+/// Rows of samples as their file holds them, gathered in memory: several threads may each make some.
+class SampleRows {
+ public:
+  /// The columns are those that `check_columns` accepts.
+  explicit SampleRows(const SampleColumns& columns) : columns_(columns) {}
+
+  /// Appends the sample at a time [s]. Errors (bad_data), after which nothing is appended: a number that is not finite;
+  /// two EuRoC samples in succession that fall on the same nanosecond.
+  [[nodiscard]] Expected<void> append(const Decimal& time, const Sample& sample);
+  /// The same at an offset [s] from an origin.
+  [[nodiscard]] Expected<void> append(const TimeOrigin& origin, double offset, const Sample& sample);
+
+  /// Whether these rows may follow the others. Error (bad_data): they begin with the nanosecond that the others end
+  /// with.
+  [[nodiscard]] Expected<void> may_follow(const SampleRows& others) const;
+
+  [[nodiscard]] std::string_view bytes() const noexcept { return bytes_; }
+  [[nodiscard]] std::size_t size() const noexcept { return size_; }
+  /// Takes the rows out; what is appended next is still behind them.
+  void clear() noexcept;
+  /// Takes the place behind the others, as if they had been appended here and taken out.
+  void stand_behind(const SampleRows& others) noexcept;
+
+ private:
+  [[nodiscard]] Expected<void> append_text(const Decimal& time, const RowNumbers& numbers);
+  void append_binary(double time, const RowNumbers& numbers);
+  [[nodiscard]] Expected<Decimal> next_nanosecond(const Decimal& time);
+
+  SampleColumns columns_;
+  std::string bytes_;
+  std::size_t size_ = 0;
+  std::optional<Decimal> first_nanosecond_, last_nanosecond_;  // of EuRoC
+};
+
+}  // namespace orispline::io

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/io/time_origin.hpp>
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace orispline::io {
+namespace {
+
+TEST(TimeOrigin, GivesTheNearestDoubleOfTheExactSum) {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> digits(-1.0, 1.0);
+  for (const char* text :
+       {"0", "0.1", "-3.25", "1e-30", "1403636580.838555648", "1700000000.123456789", "218174919753",
+        "8589934592.0000000000001", "-8589934591.9999999999", "1e18", "4503599627370496.5", "1e140"}) {
+    const TimeOrigin origin(Decimal::parse(text).value());
+    for (int i = 0; i < 4000; ++i) {
+      const double offset = i % 2 == 0 ? i / 1000.0 : digits(random) * std::pow(10.0, i % 40 - 20);
+      EXPECT_EQ(origin.nearest_plus(offset), origin.plus(offset).to_double()) << text << " + " << offset;
+    }
+  }
+}
+
+TEST(TimeOrigin, RoundsOnceWhereTheSumIsHalfwayBetweenDoubles) {
+  const TimeOrigin even(Decimal::parse("4503599627.370496").value());  // between doubles that are 2^-20 apart
+  const double half = 0x1p-21;
+  const Decimal exact = even.plus(half);
+  EXPECT_EQ(even.nearest_plus(half), exact.to_double());
+  EXPECT_EQ(even.nearest_plus(-half), even.plus(-half).to_double());
+}
+
+}  // namespace
+}  // namespace orispline::io
