@@ -137,6 +137,23 @@ TEST(Chain, NamesTheEquationThatHasNoSolution) {
   }
 }
 
+TEST(Chain, GivesUpSoonWhereNothingMoreIsToBeGained) {
+  BreakingChain chain;
+  std::size_t passes = 0;  // over jets, nine to a Jacobian
+  const chain::Outcome outcome = chain::solve(
+      chain::Equations{.size = chain.size(),
+                       .closed = false,
+                       .residual = [&](const chain::Steps& steps) { return chain.residual<double>(steps); },
+                       .derivative =
+                           [&](const chain::JetSteps& steps) {
+                             ++passes;
+                             return chain.residual<Jet<double, 1>>(steps);
+                           },
+                       .move = [&](const chain::Steps& steps) { chain.move(steps); }});
+  EXPECT_FALSE(outcome.solved());
+  EXPECT_LE(passes, 9u * 30u);
+}
+
 TEST(Chain, IsRefusedWithKeyResidualAndTheShareThatWasReached) {
   const auto solved = solve_chain("some-method", [](double share, const BreakingChain*) {
     return BreakingChain{.share = share, .solvable_to = 0.6, .broken = 3};

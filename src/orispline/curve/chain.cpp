@@ -93,6 +93,8 @@ bool descend(const Equations& e, const Eigen::VectorXd& step, Steps& residual, O
 }
 
 constexpr int newton_steps = 60, marquardt_steps = 80;
+/// A step that leaves more than that of the sum of squares goes nowhere.
+constexpr double nothing_gained = 0.999;
 
 /// True when it has come as near as rounding lets it.
 bool newton(const Equations& e, Steps& residual, Outcome& now) {
@@ -121,6 +123,7 @@ void marquardt(const Equations& e, Steps& residual, Outcome& now) {
     const Matrix normal = j.transpose() * j;
     const Eigen::VectorXd gradient = j.transpose() * stacked(residual);
     const double before = stacked(residual).squaredNorm();
+    double after = before;
     bool better = false;
     for (; !better && damping < 1e12; damping *= better ? 0.1 : 4.0) {
       Matrix damped = normal;
@@ -129,13 +132,14 @@ void marquardt(const Equations& e, Steps& residual, Outcome& now) {
       if (solver.info() != Eigen::Success) continue;
       const Steps steps = unstacked(solver.solve(-gradient), 1.0);
       Steps there = e.residual(steps);
-      better = stacked(there).squaredNorm() < before;
+      after = stacked(there).squaredNorm();
+      better = after < before;
       if (!better) continue;
       e.move(steps);
       now = largest(there);
       residual = std::move(there);
     }
-    if (!better) return;
+    if (!better || after > nothing_gained * before) return;
   }
 }
 
