@@ -56,7 +56,10 @@ int main(int argc, char** argv) {
   const std::string method = argc > 1 ? argv[1] : "timed-c2";
   const std::size_t keys = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1'000'000;
   auto made = orispline::OnlineCurve::make(method, 64);
-  if (!made || keys < 10) return std::fprintf(stderr, "%s\n", made ? "too few keys" : describe(made.error()).c_str()), 1;
+  if (!made || keys < 10) {
+    std::fprintf(stderr, "%s\n", made ? "fewer than 10 keys" : describe(made.error()).c_str());
+    return 2;
+  }
   orispline::OnlineCurve& curve = *made;
 
   std::vector<float> clock(keys), append(keys), orientation(keys), motion(keys);

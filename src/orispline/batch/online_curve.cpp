@@ -128,6 +128,12 @@ std::size_t OnlineCurve::place_at(double t, Side side) const noexcept {
   const std::span<const double> all = starts();
   const bool newest = side == Side::right ? all.back() <= t : all.back() < t;
   if (newest) return place_of(all.size() - 1);
+  if (!(t > all.front())) return place_of(0);
+  // Keys come at a nearly even rate: look first where an even one would put the time. It lies before the last start.
+  const auto even =
+      static_cast<std::size_t>((t - all.front()) / (end_ - all.front()) * static_cast<double>(all.size()));
+  const std::size_t guess = std::min(even, all.size() - 2);
+  if (all[guess] < t && t < all[guess + 1]) return place_of(guess);
   const auto inner = all.subspan(1);
   const auto next = side == Side::right ? std::ranges::upper_bound(inner, t) : std::ranges::lower_bound(inner, t);
   return place_of(static_cast<std::size_t>(next - inner.begin()));

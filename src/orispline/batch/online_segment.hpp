@@ -1,9 +1,35 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <utility>
+
 #include <orispline/batch/recent_keys.hpp>
+#include <orispline/math/bernstein.hpp>
 
 namespace orispline {
+
+/// A basis on one knot span, its polynomials formed once.
+template <std::size_t M>
+struct SpanBlending {
+  static constexpr std::size_t increments = 3, stride = 1;
+  static constexpr int degree = static_cast<int>(M) - 1;
+  BernsteinRows<3, M> coefficients{};
+
+  template <Number T>
+  [[nodiscard]] std::array<T, 3> operator()(KnotSpan span, const T& t) const noexcept {
+    return bernstein_sums(coefficients, span.normalised(t));
+  }
+};
+
+/// What the span's blending functions are computed from at any time: their polynomials, or the basis itself.
+template <class B>
+[[nodiscard]] auto blending_on([[maybe_unused]] KnotSpan span, const B& basis) noexcept {
+  if constexpr (requires { basis.coefficients(span); })
+    return SpanBlending<std::tuple_size_v<typename decltype(basis.coefficients(span))::value_type>>{
+        basis.coefficients(span)};
+  else return basis;
+}
 
 /// A segment of a cumulative curve that holds all that it depends on: evaluated by the formulas of the whole curve, it
 /// gives the same bits.
@@ -15,6 +41,7 @@ struct OnlineSegment {
   Eigen::Quaterniond base = Eigen::Quaterniond::Identity();
   std::array<Eigen::Vector3d, B::increments> increments{};
   std::array<Eigen::Vector3d, B::increments + 1> points{};
+  decltype(blending_on(KnotSpan{}, std::declval<const B&>())) blending{};
 
   [[nodiscard]] KnotSpan span() const noexcept {
     return {std::span(times).first(knots), start, times[1] - times[0], times[knots - 1] - times[knots - 2]};
@@ -64,6 +91,7 @@ requires(B::increments == 3)
     segment.increments[2] = -ghost->turn;
     segment.points[3] = keys.positions[s + 1] - ghost->shift;
   }
+  segment.blending = blending_on(segment.span(), basis);
   return segment;
 }
 

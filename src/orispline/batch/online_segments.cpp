@@ -33,15 +33,15 @@ class SegmentsOf final : public OnlineSegments {
   }
   [[nodiscard]] Eigen::Quaterniond orientation(double t, std::size_t place) const noexcept override {
     const OnlineSegment<B>& s = ring_[place];
-    return cumulative_orientation(basis_, s.span(), t, s.base, std::span(s.increments));
+    return cumulative_orientation(s.blending, s.span(), t, s.base, std::span(s.increments));
   }
   [[nodiscard]] Motion motion(double t, std::size_t place) const noexcept override {
     const OnlineSegment<B>& s = ring_[place];
-    return cumulative_motion(basis_, s.span(), t, s.base, std::span(s.increments));
+    return cumulative_motion(s.blending, s.span(), t, s.base, std::span(s.increments));
   }
   [[nodiscard]] Travel travel(double t, std::size_t place) const noexcept override {
     const OnlineSegment<B>& s = ring_[place];
-    return travel_from_jet(cumulative_position(basis_, s.span(), Jet<double, 2>::variable(t), std::span(s.points)));
+    return travel_from_jet(cumulative_position(s.blending, s.span(), Jet<double, 2>::variable(t), std::span(s.points)));
   }
 
  private:

@@ -41,8 +41,10 @@ template <CumulativeBasis B, Number T>
     const B& basis, KnotSpan span, const T& t, const Eigen::Quaterniond& base,
     std::span<const Eigen::Vector3d, B::increments> increments) noexcept {
   const std::array<T, B::increments> b = basis(span, t);
+  std::array<Quaternion<T>, B::increments> factors;  // all of them first: they do not wait for one another
+  for (std::size_t k = 0; k < B::increments; ++k) factors[k] = exp<T>(constant<T>(increments[k]) * b[k]);
   Quaternion<T> q = constant<T>(base);
-  for (std::size_t k = 0; k < B::increments; ++k) q = q * exp<T>(constant<T>(increments[k]) * b[k]);
+  for (const Quaternion<T>& factor : factors) q = q * factor;
   return q;
 }
 

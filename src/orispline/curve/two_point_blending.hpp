@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 
+#include <orispline/math/bernstein.hpp>
+
 namespace orispline {
 
 /// Derivatives of orders 1…K of the two factors beside a key: φ of the increment before it, ψ of the one after it.
@@ -28,7 +30,7 @@ template <std::size_t K>
 
 /// Rows of Bernstein coefficients of degree 2K+1: β̃_1, β̃_2, β̃_3 of a four-key family.
 template <std::size_t K>
-using FourKeyBlending = std::array<std::array<double, 2 * K + 2>, 3>;
+using FourKeyBlending = BernsteinRows<3, 2 * K + 2>;
 
 /// The first K+1 Bernstein coefficients of degree 2K+1 of the polynomial with value and derivatives d at u = 0.
 template <std::size_t K, class Value>

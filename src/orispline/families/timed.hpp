@@ -32,12 +32,14 @@ struct Basis {
   static constexpr int degree = 2 * static_cast<int>(K) + 1;
   std::array<PerKey, K> tensions;
 
+  [[nodiscard]] FourKeyBlending<K> coefficients(KnotSpan span) const noexcept {
+    const double before = span.previous_step(), h = span.step(), after = span.next_step();
+    return two_point_blending<K>(scaled(at_key(span.i, before, h), h), scaled(at_key(span.i + 1, h, after), h));
+  }
+
   template <Number T>
   [[nodiscard]] std::array<T, 3> operator()(KnotSpan span, const T& t) const noexcept {
-    const double before = span.previous_step(), h = span.step(), after = span.next_step();
-    return bernstein_sums<3, 2 * K + 2>(
-        two_point_blending<K>(scaled(at_key(span.i, before, h), h), scaled(at_key(span.i + 1, h, after), h)),
-        span.normalised(t));
+    return bernstein_sums(coefficients(span), span.normalised(t));
   }
 
   [[nodiscard]] KnotDerivatives<K> at_key(std::size_t key, double before, double after) const noexcept {
@@ -137,17 +139,19 @@ struct TimedSextic {
     static constexpr int degree = 6;
     PerKey tension;
 
-    template <Number T>
-    [[nodiscard]] std::array<T, 3> operator()(KnotSpan span, const T& t) const noexcept {
+    [[nodiscard]] BernsteinRows<3, 7> coefficients(KnotSpan span) const noexcept {
       const double h = span.step();
       const auto l = scaled(at_key(span.i, span.previous_step(), h), h);
       const auto r = scaled(at_key(span.i + 1, h, span.next_step()), h);
-      return bernstein_sums<3, 7>(
-          {{{1.0, 1.0 + l.phi[0] / 6.0, 1.0 + l.phi[0] / 3.0 + l.phi[1] / 30.0, 1.0, 1.0, 1.0, 1.0},
-            {0.0, l.psi[0] / 6.0, l.psi[0] / 3.0 + l.psi[1] / 30.0, 0.5, 1.0 - r.phi[0] / 3.0 + r.phi[1] / 30.0,
-             1.0 - r.phi[0] / 6.0, 1.0},
-            {0.0, 0.0, 0.0, 0.0, -r.psi[0] / 3.0 + r.psi[1] / 30.0, -r.psi[0] / 6.0, 0.0}}},
-          span.normalised(t));
+      return {{{1.0, 1.0 + l.phi[0] / 6.0, 1.0 + l.phi[0] / 3.0 + l.phi[1] / 30.0, 1.0, 1.0, 1.0, 1.0},
+               {0.0, l.psi[0] / 6.0, l.psi[0] / 3.0 + l.psi[1] / 30.0, 0.5, 1.0 - r.phi[0] / 3.0 + r.phi[1] / 30.0,
+                1.0 - r.phi[0] / 6.0, 1.0},
+               {0.0, 0.0, 0.0, 0.0, -r.psi[0] / 3.0 + r.psi[1] / 30.0, -r.psi[0] / 6.0, 0.0}}};
+    }
+
+    template <Number T>
+    [[nodiscard]] std::array<T, 3> operator()(KnotSpan span, const T& t) const noexcept {
+      return bernstein_sums(coefficients(span), span.normalised(t));
     }
 
     [[nodiscard]] KnotDerivatives<2> at_key(std::size_t key, double before, double after) const noexcept {

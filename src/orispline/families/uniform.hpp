@@ -39,10 +39,13 @@ struct UniformFamily {
     static constexpr int degree = 2 * static_cast<int>(K) + 1;
     std::array<PerKey, K> tensions;
 
+    [[nodiscard]] FourKeyBlending<K> coefficients(KnotSpan span) const noexcept {
+      return two_point_blending<K>(at_key(span.i), at_key(span.i + 1));
+    }
+
     template <Number T>
     [[nodiscard]] std::array<T, 3> operator()(KnotSpan span, const T& t) const noexcept {
-      return bernstein_sums<3, 2 * K + 2>(two_point_blending<K>(at_key(span.i), at_key(span.i + 1)),
-                                          span.normalised(t));
+      return bernstein_sums(coefficients(span), span.normalised(t));
     }
 
     /// φ_m = ±t_m (plus for odd m), ψ_m = t_m.

@@ -24,12 +24,15 @@ struct XingQuartic {
   struct Basis {
     static constexpr std::size_t increments = 3, stride = 1;
     static constexpr int degree = 4;
+    [[nodiscard]] static constexpr BernsteinRows<3, 5> coefficients(KnotSpan) noexcept {
+      return {{{1.0, 9.0 / 8.0, 1.0, 1.0, 1.0},
+               {0.0, 1.0 / 8.0, 1.0 / 2.0, 7.0 / 8.0, 1.0},
+               {0.0, 0.0, 0.0, -1.0 / 8.0, 0.0}}};
+    }
+
     template <Number T>
     [[nodiscard]] std::array<T, 3> operator()(KnotSpan span, const T& t) const noexcept {
-      return bernstein_sums<3, 5>({{{1.0, 9.0 / 8.0, 1.0, 1.0, 1.0},
-                                    {0.0, 1.0 / 8.0, 1.0 / 2.0, 7.0 / 8.0, 1.0},
-                                    {0.0, 0.0, 0.0, -1.0 / 8.0, 0.0}}},
-                                  span.normalised(t));
+      return bernstein_sums(coefficients(span), span.normalised(t));
     }
   };
   [[nodiscard]] static Basis basis(const FamilySettings&) { return {}; }
@@ -50,12 +53,15 @@ struct XingQuintic {
   struct Basis {
     static constexpr std::size_t increments = 3, stride = 1;
     static constexpr int degree = 5;
+    [[nodiscard]] static constexpr BernsteinRows<3, 6> coefficients(KnotSpan) noexcept {
+      return {{{1.0, 17.0 / 16.0, 1.0, 1.0, 1.0, 1.0},
+               {0.0, 1.0 / 16.0, 1.0 / 4.0, 3.0 / 4.0, 15.0 / 16.0, 1.0},
+               {0.0, 0.0, 0.0, 0.0, -1.0 / 16.0, 0.0}}};
+    }
+
     template <Number T>
     [[nodiscard]] std::array<T, 3> operator()(KnotSpan span, const T& t) const noexcept {
-      return bernstein_sums<3, 6>({{{1.0, 17.0 / 16.0, 1.0, 1.0, 1.0, 1.0},
-                                    {0.0, 1.0 / 16.0, 1.0 / 4.0, 3.0 / 4.0, 15.0 / 16.0, 1.0},
-                                    {0.0, 0.0, 0.0, 0.0, -1.0 / 16.0, 0.0}}},
-                                  span.normalised(t));
+      return bernstein_sums(coefficients(span), span.normalised(t));
     }
   };
   [[nodiscard]] static Basis basis(const FamilySettings&) { return {}; }
