@@ -40,10 +40,6 @@ EndNeighbourhood positions_from(EndKey end, const Keyframes& keys) {
                       [p = keys.positions()](std::size_t i, std::size_t j) -> Eigen::Vector3d { return p[j] - p[i]; });
 }
 
-RateWeights mirrored(RateWeights w) { return {.before = w.after, .after = w.before}; }
-
-EndRule for_positions(EndRule rule) { return rule == EndRule::clamped ? EndRule::natural : rule; }
-
 /// The error of an end, at its key.
 tl::unexpected<Error> at_key(std::size_t key, Error error) {
   error.where.key = key;
@@ -80,7 +76,7 @@ Expected<ControlPolygon> ghosted_polygon(const Keyframes& keys, const FamilySett
                                       orientations_from(EndKey::first, keys));
   if (!before) return at_key(0, before.error());
   // Seen from the last key inwards time runs backwards: rates and increments change sign.
-  const auto after = ghost_increment(settings.end.rule, -settings.end.angular_velocity, mirrored(at_end),
+  const auto after = ghost_increment(settings.end.rule, -settings.end.angular_velocity, at_end.mirrored(),
                                      orientations_from(EndKey::last, keys));
   if (!after) return at_key(keys.size() - 1, after.error());
   const auto q = keys.orientations();
@@ -100,10 +96,10 @@ Expected<PathPolygon> ghosted_path(const Keyframes& keys, const FamilySettings& 
                                    RateWeights at_end) {
   const Eigen::Vector3d at_rest = Eigen::Vector3d::Zero();
   const auto before =
-      ghost_increment(for_positions(settings.start.rule), at_rest, at_start, positions_from(EndKey::first, keys));
+      ghost_increment(rule_for_positions(settings.start.rule), at_rest, at_start, positions_from(EndKey::first, keys));
   if (!before) return at_key(0, before.error());
-  const auto after =
-      ghost_increment(for_positions(settings.end.rule), at_rest, mirrored(at_end), positions_from(EndKey::last, keys));
+  const auto after = ghost_increment(rule_for_positions(settings.end.rule), at_rest, at_end.mirrored(),
+                                     positions_from(EndKey::last, keys));
   if (!after) return at_key(keys.size() - 1, after.error());
   const auto p = keys.positions();
   PathPolygon polygon;

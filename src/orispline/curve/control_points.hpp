@@ -19,7 +19,14 @@ inline constexpr std::array four_key_ends_natural{EndRule::natural, EndRule::rep
 /// How the increments before and after a knot make up its rate: ω = before · a + after · b [1/s].
 struct RateWeights {
   double before, after;
+  /// Seen backwards in time.
+  [[nodiscard]] RateWeights mirrored() const noexcept { return {.before = after, .after = before}; }
 };
+
+/// A clamped end, whose given rate is angular, continues naturally in space.
+[[nodiscard]] inline EndRule rule_for_positions(EndRule rule) noexcept {
+  return rule == EndRule::clamped ? EndRule::natural : rule;
+}
 
 /// The neighbourhood of an end key, looked at inwards from it: the same for orientations and positions, start and end.
 struct EndNeighbourhood {
@@ -39,21 +46,21 @@ struct EndNeighbourhood {
 [[nodiscard]] Expected<ControlPolygon> ghosted_polygon(const Keyframes& keys, const FamilySettings& settings,
                                                        RateWeights at_start, RateWeights at_end);
 
-/// The same for positions. A clamped end, whose given rate is angular, continues naturally.
+/// The same for positions, by their rule.
 [[nodiscard]] Expected<PathPolygon> ghosted_path(const Keyframes& keys, const FamilySettings& settings,
                                                  RateWeights at_start, RateWeights at_end);
 
 /// Weights of the first knot's rate in a four-key basis, read off the basis itself.
 template <CumulativeBasis B>
-[[nodiscard]] RateWeights start_weights(const B& basis, const Knots& knots) noexcept {
-  const auto b = basis(knots.span(0), Jet<double, 1>::variable(knots.front()));
+[[nodiscard]] RateWeights start_weights(const B& basis, KnotSpan first) noexcept {
+  const auto b = basis(first, Jet<double, 1>::variable(first.start()));
   return {.before = b[0].c[1], .after = b[1].c[1]};
 }
 
 /// Weights of the last knot's rate in a four-key basis.
 template <CumulativeBasis B>
-[[nodiscard]] RateWeights end_weights(const B& basis, const Knots& knots) noexcept {
-  const auto b = basis(knots.span(knots.segments() - 1), Jet<double, 1>::variable(knots.back()));
+[[nodiscard]] RateWeights end_weights(const B& basis, KnotSpan last) noexcept {
+  const auto b = basis(last, Jet<double, 1>::variable(last.end()));
   return {.before = b[1].c[1], .after = b[2].c[1]};
 }
 

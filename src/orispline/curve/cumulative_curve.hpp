@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include <orispline/curve/cumulative_basis.hpp>
@@ -37,6 +38,29 @@ struct ControlPolygon {
                           2.0 * b1 * carried_acceleration.cross(phi) - b1 * b1 * turn.cross(phi) + b3 * phi};
 }
 
+/// q(t) = base ∏ exp(β̃_k(t) φ_k) over any Number, on one knot span.
+template <CumulativeBasis B, Number T>
+[[nodiscard]] Quaternion<T> cumulative_orientation(
+    const B& basis, KnotSpan span, const T& t, const Eigen::Quaterniond& base,
+    std::span<const Eigen::Vector3d, B::increments> increments) noexcept {
+  const std::array<T, B::increments> b = basis(span, t);
+  std::array<Quaternion<T>, B::increments> factors;  // all of them first: they do not wait for one another
+  for (std::size_t k = 0; k < B::increments; ++k) factors[k] = exp<T>(constant<T>(increments[k]) * b[k]);
+  Quaternion<T> q = constant<T>(base);
+  for (const Quaternion<T>& factor : factors) q = q * factor;
+  return q;
+}
+
+/// The same with body rates, at t [s].
+template <CumulativeBasis B>
+[[nodiscard]] Motion cumulative_motion(const B& basis, KnotSpan span, double t, const Eigen::Quaterniond& base,
+                                       std::span<const Eigen::Vector3d, B::increments> increments) noexcept {
+  const auto b = basis(span, Jet<double, 3>::variable(t));
+  Motion m{.orientation = base};
+  for (std::size_t k = 0; k < B::increments; ++k) m = with_factor(m, increments[k], b[k]);
+  return m;
+}
+
 /// THE evaluator: any cumulative basis over control orientations becomes orientation, ω, α and jerk.
 ///
 /// q(t) = q₀ ∏ exp(β̃_k(t) φ_k). Each factor carries the rates of the product before it into its own frame and adds its
@@ -59,20 +83,12 @@ class CumulativeCurve {
   /// Orientation over any Number; with jets in t this is the whole-quaternion oracle of the recurrence.
   template <Number T>
   [[nodiscard]] Quaternion<T> orientation(const T& t, std::size_t segment) const noexcept {
-    const std::array<T, B::increments> b = basis_(knots_.span(segment), t);
-    const std::size_t first = segment * B::stride;
-    Quaternion<T> q = constant<T>(polygon_.bases[segment]);
-    for (std::size_t k = 0; k < B::increments; ++k) q = q * exp<T>(constant<T>(polygon_.increments[first + k]) * b[k]);
-    return q;
+    return cumulative_orientation(basis_, knots_.span(segment), t, polygon_.bases[segment], increments_of(segment));
   }
 
   /// Orientation and body rates at t [s] of the given segment.
   [[nodiscard]] Motion motion(double t, std::size_t segment) const noexcept {
-    const auto b = basis_(knots_.span(segment), Jet<double, 3>::variable(t));
-    const std::size_t first = segment * B::stride;
-    Motion m{.orientation = polygon_.bases[segment]};
-    for (std::size_t k = 0; k < B::increments; ++k) m = with_factor(m, polygon_.increments[first + k], b[k]);
-    return m;
+    return cumulative_motion(basis_, knots_.span(segment), t, polygon_.bases[segment], increments_of(segment));
   }
 
   /// The segment as polynomials, where it is of at most three factors of degree 7 at most.
@@ -96,6 +112,11 @@ class CumulativeCurve {
   }
 
  private:
+  [[nodiscard]] std::span<const Eigen::Vector3d, B::increments> increments_of(std::size_t segment) const noexcept {
+    return std::span<const Eigen::Vector3d, B::increments>(polygon_.increments.data() + segment * B::stride,
+                                                           B::increments);
+  }
+
   Knots knots_;
   [[no_unique_address]] B basis_;
   ControlPolygon polygon_;

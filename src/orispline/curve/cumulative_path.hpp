@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <orispline/curve/cumulative_basis.hpp>
@@ -10,6 +11,16 @@ namespace orispline {
 
 /// Control points of a cumulative curve in space [m].
 using PathPolygon = std::vector<Eigen::Vector3d>;
+
+/// p(t) = p₀ + Σ β̃_k(t) (p_k - p_{k-1}) over any Number, on one knot span.
+template <CumulativeBasis B, Number T>
+[[nodiscard]] Vector3<T> cumulative_position(const B& basis, KnotSpan span, const T& t,
+                                             std::span<const Eigen::Vector3d, B::increments + 1> points) noexcept {
+  const std::array<T, B::increments> b = basis(span, t);
+  Vector3<T> p = constant<T>(points[0]);
+  for (std::size_t k = 0; k < B::increments; ++k) p += constant<T>(Eigen::Vector3d(points[k + 1] - points[k])) * b[k];
+  return p;
+}
 
 /// The Euclidean curve of the same blending functions: p(t) = p₀ + Σ β̃_k(t) (p_k - p_{k-1}).
 ///
@@ -26,12 +37,9 @@ class CumulativePath {
 
   template <Number T>
   [[nodiscard]] Vector3<T> position(const T& t, std::size_t segment) const noexcept {
-    const std::array<T, B::increments> b = basis_(knots_.span(segment), t);
-    const std::size_t first = segment * B::stride;
-    Vector3<T> p = constant<T>(points_[first]);
-    for (std::size_t k = 0; k < B::increments; ++k)
-      p += constant<T>(Eigen::Vector3d(points_[first + k + 1] - points_[first + k])) * b[k];
-    return p;
+    constexpr std::size_t count = B::increments + 1;
+    return cumulative_position(basis_, knots_.span(segment), t,
+                               std::span<const Eigen::Vector3d, count>(points_.data() + segment * B::stride, count));
   }
 
  private:

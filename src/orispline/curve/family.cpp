@@ -18,10 +18,6 @@ Error argument_error(std::string message, std::optional<std::size_t> key = {}) {
   return {ErrorCode::bad_argument, std::move(message), {.key = key}};
 }
 
-std::size_t keys_needed(EndRule rule) noexcept {
-  return rule == EndRule::quadratic ? 3 : rule == EndRule::cubic ? 4 : 2;
-}
-
 std::string list_of_ends(const FamilyInfo& family) {
   std::vector<std::string_view> names;
   for (EndRule rule : family.ends) names.push_back(name_of(rule));
@@ -100,6 +96,10 @@ std::optional<Error> check_loop(const FamilyInfo& family, const CurveOptions& op
 }  // namespace
 
 std::string_view name_of(EndRule rule) noexcept { return end_rule_names[static_cast<std::size_t>(rule)]; }
+
+std::size_t keys_needed(EndRule rule) noexcept {
+  return rule == EndRule::quadratic ? 3 : rule == EndRule::cubic ? 4 : 2;
+}
 
 Expected<EndRule> end_rule_by_name(const FamilyInfo& family, std::string_view name) {
   for (EndRule rule : family.ends)

@@ -48,6 +48,9 @@ enum class EndRule {
 
 [[nodiscard]] std::string_view name_of(EndRule rule) noexcept;
 
+/// How many keys a rule extrapolates from, at least two.
+[[nodiscard]] std::size_t keys_needed(EndRule rule) noexcept;
+
 /// For FamilyInfo::support_keys: a segment depends on every key, because the curve solves equations over all of them.
 inline constexpr int all_keys = 0;
 

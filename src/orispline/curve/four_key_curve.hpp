@@ -16,9 +16,9 @@ template <CumulativeBasis B>
 [[nodiscard]] Expected<CumulativeCurve<B>> four_key_curve(const Keyframes& keys, const FamilySettings& settings,
                                                           B basis) {
   Knots knots = four_key_knots(keys, settings);
-  auto polygon = settings.closure
-                     ? Expected<ControlPolygon>(closed_polygon(keys, *settings.closure))
-                     : ghosted_polygon(keys, settings, start_weights(basis, knots), end_weights(basis, knots));
+  auto polygon = settings.closure ? Expected<ControlPolygon>(closed_polygon(keys, *settings.closure))
+                                  : ghosted_polygon(keys, settings, start_weights(basis, knots.span(0)),
+                                                    end_weights(basis, knots.span(knots.segments() - 1)));
   return std::move(polygon).map(
       [&](ControlPolygon&& p) { return CumulativeCurve<B>(std::move(knots), std::move(basis), std::move(p)); });
 }
@@ -28,9 +28,9 @@ template <CumulativeBasis B>
 [[nodiscard]] Expected<CumulativePath<B>> four_key_path(const Keyframes& keys, const FamilySettings& settings,
                                                         B basis) {
   Knots knots = four_key_knots(keys, settings);
-  auto polygon = settings.closure
-                     ? Expected<PathPolygon>(closed_path(keys))
-                     : ghosted_path(keys, settings, start_weights(basis, knots), end_weights(basis, knots));
+  auto polygon = settings.closure ? Expected<PathPolygon>(closed_path(keys))
+                                  : ghosted_path(keys, settings, start_weights(basis, knots.span(0)),
+                                                 end_weights(basis, knots.span(knots.segments() - 1)));
   return std::move(polygon).map(
       [&](PathPolygon&& p) { return CumulativePath<B>(std::move(knots), std::move(basis), std::move(p)); });
 }

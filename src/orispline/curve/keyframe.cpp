@@ -8,13 +8,10 @@
 #include <fmt/format.h>
 
 #include <orispline/base/expect.hpp>
+#include <orispline/curve/key_check.hpp>
 
 namespace orispline {
 namespace {
-
-Error key_error(std::size_t key, std::string message) {
-  return {ErrorCode::bad_data, std::move(message), {.key = key}};
-}
 
 /// What a key may have besides its time and orientation, with its name in the singular and in the plural.
 struct Optional {
@@ -39,21 +36,10 @@ std::optional<Error> check_lengths(const KeyframeData& data) {
   return std::nullopt;
 }
 
-std::optional<Error> check_key(const KeyframeData& data, std::size_t i) {
-  const double t = data.times[i];
-  if (!std::isfinite(t)) return key_error(i, fmt::format("time is {}, wanted a finite number", t));
-  if (i > 0 && t == data.times[i - 1])
-    return key_error(i, fmt::format("duplicate time {}, wanted strictly increasing times", t));
-  if (i > 0 && t < data.times[i - 1])
-    return key_error(i, fmt::format("time {} comes after {}, wanted strictly increasing times", t, data.times[i - 1]));
-  if (i > 0 && !(shortest_step <= t - data.times[i - 1] && t - data.times[i - 1] <= longest_step))
-    return key_error(i, fmt::format("the step from time {} to {} is {:g} s, wanted {:g} to {:g}", data.times[i - 1], t,
-                                    t - data.times[i - 1], shortest_step, longest_step));
-  if (!data.orientations[i].coeffs().allFinite())
-    return key_error(i, "the quaternion has a component that is not finite, wanted a unit quaternion");
+std::optional<Error> check_vectors(const KeyframeData& data, std::size_t i) {
   for (const Optional& some : optional_data)
-    if (const auto& values = data.*some.values; !values.empty() && !values[i].allFinite())
-      return key_error(i, fmt::format("the {} has a component that is not finite", some.one));
+    if (const auto& values = data.*some.values; !values.empty())
+      if (auto error = check_vector(i, some.one, values[i])) return error;
   return std::nullopt;
 }
 
@@ -64,16 +50,16 @@ Expected<Keyframes> Keyframes::make(KeyframeData data, Signs signs) {
   Keyframes keys;
   bool negated = false;  // whether the key before was
   for (std::size_t i = 0; i < data.times.size(); ++i) {
-    if (auto error = check_key(data, i)) return tl::unexpected(std::move(*error));
+    const auto before = i > 0 ? std::optional(data.times[i - 1]) : std::nullopt;
+    if (auto error = check_time(i, data.times[i], before)) return tl::unexpected(std::move(*error));
     Eigen::Quaterniond& q = data.orientations[i];
-    const double norm = q.coeffs().stableNorm();
-    const double norm_error = std::abs(norm - 1.0);
-    if (!(norm_error <= norm_error_limit))
-      return tl::unexpected(
-          key_error(i, fmt::format("the quaternion has norm {:.6g}, wanted 1 within {:g}", norm, norm_error_limit)));
+    const auto norm = checked_norm(i, q);
+    if (!norm) return tl::unexpected(norm.error());
+    if (auto error = check_vectors(data, i)) return tl::unexpected(std::move(*error));
+    const double norm_error = std::abs(*norm - 1.0);
     keys.report_.largest_norm_error = std::max(keys.report_.largest_norm_error, norm_error);
     if (norm_error > unit_norm_tolerance) ++keys.report_.non_unit_keys;
-    q.coeffs() /= norm;
+    q.coeffs() /= *norm;
     if (i == 0) continue;
     const bool against_previous = q.dot(data.orientations[i - 1]) < 0.0;  // which is aligned already
     if (against_previous != negated) ++keys.report_.sign_flips;

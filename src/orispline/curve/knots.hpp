@@ -22,6 +22,7 @@ struct KnotSpan {
   double before_first, after_last;  ///< h beyond the ends [s]
 
   [[nodiscard]] double start() const noexcept { return t[i]; }
+  [[nodiscard]] double end() const noexcept { return t[i + 1]; }
   /// h of this interval [s].
   [[nodiscard]] double step() const noexcept { return t[i + 1] - t[i]; }
   /// h of the interval before; at the first one that to the ghost key.

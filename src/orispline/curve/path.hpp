@@ -16,6 +16,14 @@ struct Travel {
   Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();  ///< [m/s²]
 };
 
+/// From a position given with its first two time derivatives.
+[[nodiscard]] inline Travel travel_from_jet(const Vector3<Jet<double, 2>>& p) noexcept {
+  const auto order = [&p](std::size_t k) {
+    return Eigen::Vector3d(p.x().derivative(k), p.y().derivative(k), p.z().derivative(k));
+  };
+  return {.position = order(0), .velocity = order(1), .acceleration = order(2)};
+}
+
 /// A curve of positions over knots, evaluated segment by segment over any Number.
 template <class P>
 concept Path = std::copyable<P> && requires(const P& p, double t, Jet<double, 2> jet, std::size_t segment) {
@@ -51,11 +59,7 @@ class AnyPath {
     explicit Model(P p) : path(std::move(p)) {}
     [[nodiscard]] const Knots& knots() const noexcept override { return path.knots(); }
     [[nodiscard]] Travel travel(double t, std::size_t segment) const noexcept override {
-      const Vector3<Jet<double, 2>> p = path.position(Jet<double, 2>::variable(t), segment);
-      const auto order = [&p](std::size_t k) {
-        return Eigen::Vector3d(p.x().derivative(k), p.y().derivative(k), p.z().derivative(k));
-      };
-      return {.position = order(0), .velocity = order(1), .acceleration = order(2)};
+      return travel_from_jet(path.position(Jet<double, 2>::variable(t), segment));
     }
     P path;
   };

@@ -6,6 +6,7 @@
 
 #include <orispline/curve/knots.hpp>
 #include <orispline/curve/segment_form.hpp>
+#include <orispline/math/bernstein.hpp>
 #include <orispline/math/jet.hpp>
 
 namespace orispline {
@@ -32,7 +33,7 @@ template <std::size_t K>
 
 /// Rows of Bernstein coefficients of degree 2K+1: β̃_1, β̃_2, β̃_3 of a four-key family.
 template <std::size_t K>
-using FourKeyBlending = std::array<std::array<double, 2 * K + 2>, 3>;
+using FourKeyBlending = BernsteinRows<3, 2 * K + 2>;
 
 /// The first K+1 Bernstein coefficients of degree 2K+1 of the polynomial with value and derivatives d at u = 0.
 template <std::size_t K, class Value>

@@ -29,13 +29,13 @@ struct Quintic {
     static constexpr int degree = 5;
     PerKey tension;
 
-    /// In Bernstein form.
-    [[nodiscard]] std::array<std::array<double, 6>, 3> coefficients(KnotSpan span) const noexcept {
+    [[nodiscard]] BernsteinRows<3, 6> coefficients(KnotSpan span) const noexcept {
       const double a = tension[span.i], b = tension[span.i + 1];
       return {{{1.0, 1.0 + a / 5.0, 1.0 + 7.0 * a / 20.0, 1.0, 1.0, 1.0},
                {0.0, a / 5.0, 9.0 * a / 20.0, 1.0 - 9.0 * b / 20.0, 1.0 - b / 5.0, 1.0},
                {0.0, 0.0, 0.0, -7.0 * b / 20.0, -b / 5.0, 0.0}}};
     }
+
     template <Number T>
     [[nodiscard]] std::array<T, 3> operator()(KnotSpan span, const T& t) const noexcept {
       return bernstein_sums(coefficients(span), span.normalised(t));

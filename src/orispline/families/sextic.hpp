@@ -30,14 +30,14 @@ struct Sextic {
     static constexpr int degree = 6;
     PerKey tension;
 
-    /// In Bernstein form.
-    [[nodiscard]] std::array<std::array<double, 7>, 3> coefficients(KnotSpan span) const noexcept {
+    [[nodiscard]] BernsteinRows<3, 7> coefficients(KnotSpan span) const noexcept {
       const double a = tension[span.i], b = tension[span.i + 1];
       constexpr double w = 1.0 / 12.0;
       return {{{1.0, 1.0 + a, 1.0 - w + 2.0 * a, 1.0, 1.0, 1.0, 1.0},
                {0.0, a, w + 2.0 * a, 0.5, 1.0 - w - 2.0 * b, 1.0 - b, 1.0},
                {0.0, 0.0, 0.0, 0.0, w - 2.0 * b, -b, 0.0}}};
     }
+
     template <Number T>
     [[nodiscard]] std::array<T, 3> operator()(KnotSpan span, const T& t) const noexcept {
       return bernstein_sums(coefficients(span), span.normalised(t));

@@ -32,11 +32,11 @@ struct Basis {
   static constexpr int degree = 2 * static_cast<int>(K) + 1;
   std::array<PerKey, K> tensions;
 
-  /// In Bernstein form.
   [[nodiscard]] FourKeyBlending<K> coefficients(KnotSpan span) const noexcept {
     const double before = span.previous_step(), h = span.step(), after = span.next_step();
     return two_point_blending<K>(scaled(at_key(span.i, before, h), h), scaled(at_key(span.i + 1, h, after), h));
   }
+
   template <Number T>
   [[nodiscard]] std::array<T, 3> operator()(KnotSpan span, const T& t) const noexcept {
     return bernstein_sums(coefficients(span), span.normalised(t));
@@ -139,8 +139,7 @@ struct TimedSextic {
     static constexpr int degree = 6;
     PerKey tension;
 
-    /// In Bernstein form.
-    [[nodiscard]] std::array<std::array<double, 7>, 3> coefficients(KnotSpan span) const noexcept {
+    [[nodiscard]] BernsteinRows<3, 7> coefficients(KnotSpan span) const noexcept {
       const double h = span.step();
       const auto l = scaled(at_key(span.i, span.previous_step(), h), h);
       const auto r = scaled(at_key(span.i + 1, h, span.next_step()), h);
@@ -149,6 +148,7 @@ struct TimedSextic {
                 1.0 - r.phi[0] / 6.0, 1.0},
                {0.0, 0.0, 0.0, 0.0, -r.psi[0] / 3.0 + r.psi[1] / 30.0, -r.psi[0] / 6.0, 0.0}}};
     }
+
     template <Number T>
     [[nodiscard]] std::array<T, 3> operator()(KnotSpan span, const T& t) const noexcept {
       return bernstein_sums(coefficients(span), span.normalised(t));

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
+#include <utility>
+
 #include <orispline/curve/curve.hpp>
 #include <orispline/curve/four_key_curve.hpp>
 #include <orispline/curve/path.hpp>
@@ -36,10 +39,10 @@ struct UniformFamily {
     static constexpr int degree = 2 * static_cast<int>(K) + 1;
     std::array<PerKey, K> tensions;
 
-    /// In Bernstein form.
     [[nodiscard]] FourKeyBlending<K> coefficients(KnotSpan span) const noexcept {
       return two_point_blending<K>(at_key(span.i), at_key(span.i + 1));
     }
+
     template <Number T>
     [[nodiscard]] std::array<T, 3> operator()(KnotSpan span, const T& t) const noexcept {
       return bernstein_sums(coefficients(span), span.normalised(t));
@@ -56,8 +59,37 @@ struct UniformFamily {
     }
   };
 
+  /// What `build` makes of the basis of the order that the settings ask for.
+  template <class Result, class Build>
+  [[nodiscard]] static Expected<Result> with_basis(const FamilySettings& settings, Build build) {
+    const auto order = settings.whole("order");
+    if (!order) return tl::unexpected(order.error());
+    const auto as_result = [](auto built) { return Result(std::move(built)); };
+    switch (*order) {
+      case 1:
+        return build(basis_of_order<1>(settings)).map(as_result);
+      case 2:
+        return build(basis_of_order<2>(settings)).map(as_result);
+      case 3:
+        return build(basis_of_order<3>(settings)).map(as_result);
+      case 4:
+        return build(basis_of_order<4>(settings)).map(as_result);
+      default:
+        return build(basis_of_order<5>(settings)).map(as_result);
+    }
+  }
+
   [[nodiscard]] static Expected<AnyCurve> curve(const Keyframes& keys, const FamilySettings& settings);
   [[nodiscard]] static Expected<AnyPath> path(const Keyframes& keys, const FamilySettings& settings);
+
+ private:
+  template <std::size_t K>
+  [[nodiscard]] static Basis<K> basis_of_order(const FamilySettings& settings) {
+    return [&]<std::size_t... M>(std::index_sequence<M...>) {
+      return Basis<K>{{settings.per_key("tension" + std::to_string(M + 1))...}};
+    }
+    (std::make_index_sequence<K>{});
+  }
 };
 
 }  // namespace orispline::families

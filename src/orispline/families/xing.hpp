@@ -24,12 +24,12 @@ struct XingQuartic {
   struct Basis {
     static constexpr std::size_t increments = 3, stride = 1;
     static constexpr int degree = 4;
-    /// In Bernstein form.
-    [[nodiscard]] std::array<std::array<double, 5>, 3> coefficients(KnotSpan) const noexcept {
+    [[nodiscard]] static constexpr BernsteinRows<3, 5> coefficients(KnotSpan) noexcept {
       return {{{1.0, 9.0 / 8.0, 1.0, 1.0, 1.0},
                {0.0, 1.0 / 8.0, 1.0 / 2.0, 7.0 / 8.0, 1.0},
                {0.0, 0.0, 0.0, -1.0 / 8.0, 0.0}}};
     }
+
     template <Number T>
     [[nodiscard]] std::array<T, 3> operator()(KnotSpan span, const T& t) const noexcept {
       return bernstein_sums(coefficients(span), span.normalised(t));
@@ -53,12 +53,12 @@ struct XingQuintic {
   struct Basis {
     static constexpr std::size_t increments = 3, stride = 1;
     static constexpr int degree = 5;
-    /// In Bernstein form.
-    [[nodiscard]] std::array<std::array<double, 6>, 3> coefficients(KnotSpan) const noexcept {
+    [[nodiscard]] static constexpr BernsteinRows<3, 6> coefficients(KnotSpan) noexcept {
       return {{{1.0, 17.0 / 16.0, 1.0, 1.0, 1.0, 1.0},
                {0.0, 1.0 / 16.0, 1.0 / 4.0, 3.0 / 4.0, 15.0 / 16.0, 1.0},
                {0.0, 0.0, 0.0, 0.0, -1.0 / 16.0, 0.0}}};
     }
+
     template <Number T>
     [[nodiscard]] std::array<T, 3> operator()(KnotSpan span, const T& t) const noexcept {
       return bernstein_sums(coefficients(span), span.normalised(t));

@@ -35,10 +35,13 @@ template <std::size_t N, Number T>
   return tails;
 }
 
+/// The Bernstein coefficients of K polynomials of degree M-1, one polynomial a row.
+template <std::size_t K, std::size_t M>
+using BernsteinRows = std::array<std::array<double, M>, K>;
+
 /// Polynomials in Bernstein form over one shared basis: row k of `coefficients` gives the k-th value.
 template <std::size_t K, std::size_t M, Number T>
-[[nodiscard]] std::array<T, K> bernstein_sums(const std::array<std::array<double, M>, K>& coefficients,
-                                              const T& u) noexcept {
+[[nodiscard]] std::array<T, K> bernstein_sums(const BernsteinRows<K, M>& coefficients, const T& u) noexcept {
   const auto basis = bernstein_basis<M - 1>(u);
   std::array<T, K> sums{};
   for (std::size_t k = 0; k < K; ++k)

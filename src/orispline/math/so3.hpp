@@ -1,12 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
 #include <numbers>
 
 #include <orispline/math/eigen.hpp>
 #include <orispline/math/series.hpp>
 
 namespace orispline {
+
+/// Euclidean norm, where squares would overflow or underflow too.
+template <std::floating_point T>
+[[nodiscard]] T norm_of(const Vector3<T>& v) noexcept {
+  using Limits = std::numeric_limits<T>;
+  const T square = v.x() * v.x() + v.y() * v.y() + v.z() * v.z();
+  const bool in_range = Limits::min() / Limits::epsilon() <= square && square <= Limits::max();
+  return in_range ? sqrt_of(square) : v.stableNorm();  // which takes several times as long
+}
 
 /// Unit quaternion of a rotation vector φ [rad, full angle]: cos(‖φ‖/2) + sin(‖φ‖/2) φ/‖φ‖.
 ///
@@ -16,7 +26,7 @@ template <Number T>
   const Vector3<T> half = phi * T(0.5);
   T s, c;
   if constexpr (std::floating_point<T>) {
-    const T angle = half.stableNorm();
+    const T angle = norm_of<T>(half);
     sin_cos(angle, s, c);
     s = angle > T(0) ? s / angle : T(1);
   } else {
@@ -36,7 +46,7 @@ template <Number T>
 [[nodiscard]] Vector3<T> log(const Quaternion<T>& q) noexcept {
   const Vector3<T> v = q.vec();
   if constexpr (std::floating_point<T>) {
-    const T sine = v.stableNorm();
+    const T sine = norm_of<T>(v);
     if (sine == T(0)) return q.w() < T(0) ? Vector3<T>(2 * std::numbers::pi_v<T>, T(0), T(0)) : Vector3<T>(v * T(2));
     return (2 * atan2_of(sine, q.w()) / sine) * v;
   } else {
