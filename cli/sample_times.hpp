@@ -71,8 +71,9 @@ class SampleTimes {
     io::TimesList list;
   };
 
-  SampleTimes(const io::Decimal& key_epoch, const io::Decimal& epoch, std::size_t size, std::variant<Grid, List> times)
-      : key_epoch_(key_epoch), origin_(epoch), size_(size), times_(std::move(times)) {}
+  template <class Times>
+  SampleTimes(const io::Decimal& key_epoch, const io::Decimal& epoch, std::size_t size, Times times)
+      : key_epoch_(key_epoch), origin_(epoch), size_(size), times_(std::in_place_type<Times>, std::move(times)) {}
   [[nodiscard]] static Expected<SampleTimes> grid(const TimeRequest& request, const io::Decimal& key_epoch,
                                                   const Domain& domain);
 
