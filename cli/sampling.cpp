@@ -2,7 +2,10 @@
 #include "sampling.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <vector>
+
+#include <orispline/batch/sample.hpp>
 
 #include "threads.hpp"
 
@@ -21,13 +24,19 @@ class Stretch {
     rows_.clear();
     held_ = 0;
     made_ = {};
+    instants_.clear();
+    times_.clear();
+    for (std::size_t k = begin; k < end; ++k) {
+      instants_.push_back(sampling.times[k]);
+      times_.push_back(instants_.back().t);
+    }
+    evaluate(sampling.curve.orientation);
     const Domain domain = sampling.curve.orientation.domain();
-    for (std::size_t k = begin; k < end && made_; ++k) {
-      const auto [t, offset] = sampling.times[k];
-      if (!domain.contains(t)) ++held_;
-      io::Sample sample{.motion = sampling.curve.orientation.motion(t)};
-      if (sampling.curve.position) sample.travel = sampling.curve.position->travel(t);
-      made_ = rows_.append(sampling.times.origin(), offset, sample);
+    for (std::size_t k = 0; k < times_.size() && made_; ++k) {
+      if (!domain.contains(times_[k])) ++held_;
+      io::Sample sample{.motion = motion(k)};
+      if (sampling.curve.position) sample.travel = sampling.curve.position->travel(times_[k]);
+      made_ = rows_.append(sampling.times.origin(), instants_[k].offset, sample);
     }
   }
 
@@ -38,6 +47,38 @@ class Stretch {
   }
 
  private:
+  void evaluate(const AnyCurve& curve) {
+    orientations_.resize(4 * times_.size());
+    velocities_.resize(3 * times_.size());
+    accelerations_.resize(3 * times_.size());
+    sort();
+    made_ = sample<double>(curve, sorted_, Samples<double>{orientations_, velocities_, accelerations_});
+  }
+
+  /// The times in rising order, and where each one stands in it: a file may list them as it likes.
+  void sort() {
+    std::vector<std::size_t> order(times_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    if (!std::ranges::is_sorted(times_))
+      std::ranges::stable_sort(order, {}, [this](std::size_t k) { return times_[k]; });
+    place_.resize(order.size());
+    sorted_.resize(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      place_[order[i]] = i;
+      sorted_[i] = times_[order[i]];
+    }
+  }
+
+  [[nodiscard]] Motion motion(std::size_t k) const {
+    const std::size_t at = place_[k];
+    return {.orientation = Eigen::Quaterniond(orientations_.data() + 4 * at),
+            .angular_velocity = Eigen::Vector3d(velocities_.data() + 3 * at),
+            .angular_acceleration = Eigen::Vector3d(accelerations_.data() + 3 * at)};
+  }
+
+  std::vector<Instant> instants_;
+  std::vector<std::size_t> place_;
+  std::vector<double> times_, sorted_, orientations_, velocities_, accelerations_;
   io::SampleRows rows_;
   std::size_t held_ = 0;
   Expected<void> made_;
