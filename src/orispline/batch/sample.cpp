@@ -132,7 +132,8 @@ void sample_one(const Source<T>& source, const double& t, std::size_t at, const 
 }
 
 /// Whole parts on as many threads as wanted.
-void in_parts(std::size_t samples, Work work, const std::function<void(std::size_t, std::size_t)>& part) {
+template <class Part>
+void in_parts(std::size_t samples, Work work, Part part) {
   const std::size_t parts = (samples + part_size - 1) / part_size;
   if (work.threads == 1 || parts < 2) return part(0, samples);
   parallel_for(parts, work.threads,
