@@ -161,11 +161,14 @@ Expected<void> sample_uniform_of(const Source<T>& source, double t0, double dt, 
 template <class T>
 Expected<void> sample_of(const Source<T>& source, std::span<const double> times, const Samples<T>& out, Work work) {
   if (auto error = check(out, times.size())) return tl::unexpected(std::move(*error));
-  for (std::size_t k = 1; k < times.size(); ++k)
-    if (times[k] < times[k - 1])
+  double latest = -std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    if (times[k] >= latest) latest = times[k];
+    else if (!std::isnan(times[k]))
       return failure(ErrorCode::bad_argument,
-                     fmt::format("time {} comes after {}, wanted times that do not decrease", times[k], times[k - 1]),
+                     fmt::format("time {} comes after {}, wanted times that do not decrease", times[k], latest),
                      {.key = k});
+  }
   in_parts(times.size(), work, [&](std::size_t from, std::size_t to) { sample_part(source, times, from, to, out); });
   return {};
 }
