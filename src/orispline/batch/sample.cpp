@@ -68,7 +68,7 @@ void sample_part(const Source<T>& source, double t0, double dt, std::size_t from
   const auto knots = source.knots();
   std::size_t k = first_that(from, knots.front(), reached);
   sampler.held(source.first(), from, k - from);
-  const std::size_t end = first_that(k, knots.back(), beyond);
+  const std::size_t end = knots.size() == 1 ? k : first_that(k, knots.back(), beyond);
   std::size_t segment = k < end ? source.curve.knots().segment_at(time(k)) : 0;
   while (k < end) {
     const bool last = segment + 2 >= knots.size();
