@@ -68,7 +68,7 @@ void sample_part(const Source<T>& source, double t0, double dt, std::size_t from
   const auto knots = source.knots();
   std::size_t k = first_that(from, knots.front(), reached);
   sampler.held(source.first(), from, k - from);
-  const std::size_t end = first_that(k, knots.back(), beyond);
+  const std::size_t end = knots.size() == 1 ? k : first_that(k, knots.back(), beyond);
   std::size_t segment = k < end ? source.curve.knots().segment_at(time(k)) : 0;
   while (k < end) {
     const bool last = segment + 2 >= knots.size();
@@ -132,7 +132,8 @@ void sample_one(const Source<T>& source, const double& t, std::size_t at, const 
 }
 
 /// Whole parts on as many threads as wanted.
-void in_parts(std::size_t samples, Work work, const std::function<void(std::size_t, std::size_t)>& part) {
+template <class Part>
+void in_parts(std::size_t samples, Work work, Part part) {
   const std::size_t parts = (samples + part_size - 1) / part_size;
   if (work.threads == 1 || parts < 2) return part(0, samples);
   parallel_for(parts, work.threads,
@@ -160,11 +161,14 @@ Expected<void> sample_uniform_of(const Source<T>& source, double t0, double dt, 
 template <class T>
 Expected<void> sample_of(const Source<T>& source, std::span<const double> times, const Samples<T>& out, Work work) {
   if (auto error = check(out, times.size())) return tl::unexpected(std::move(*error));
-  for (std::size_t k = 1; k < times.size(); ++k)
-    if (times[k] < times[k - 1])
+  double latest = -std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    if (times[k] >= latest) latest = times[k];
+    else if (!std::isnan(times[k]))
       return failure(ErrorCode::bad_argument,
-                     fmt::format("time {} comes after {}, wanted times that do not decrease", times[k], times[k - 1]),
+                     fmt::format("time {} comes after {}, wanted times that do not decrease", times[k], latest),
                      {.key = k});
+  }
   in_parts(times.size(), work, [&](std::size_t from, std::size_t to) { sample_part(source, times, from, to, out); });
   return {};
 }

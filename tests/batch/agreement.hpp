@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include <batch/sampled.hpp>
+
+namespace orispline::testing_support {
+
+/// How large the terms get of which a segment is made: bounds from its Bernstein coefficients. All zero for a segment
+/// that is left to the scalar evaluator, whose samples must be that evaluator's own.
+struct SegmentSize {
+  double angle = 0.0;         ///< of any factor [rad]
+  double velocity = 0.0;      ///< sum of the factors' own rates [rad/s]
+  double acceleration = 0.0;  ///< the same with the products of rates [rad/s²]
+};
+
+/// Largest coefficient of the derivative of that order in u, of a polynomial whose coefficients have a norm.
+template <class Coefficients, class Norm>
+[[nodiscard]] double largest_derivative(Coefficients c, std::size_t degree, std::size_t order, Norm norm) {
+  for (std::size_t d = 0; d < order; ++d)
+    for (std::size_t i = 0; i + d < degree; ++i) c[i] = static_cast<double>(degree - d) * (c[i + 1] - c[i]);
+  double largest = 0.0;
+  for (std::size_t i = 0; i + order <= degree; ++i) largest = std::max(largest, norm(c[i]));
+  return largest;
+}
+
+inline void add_factor(SegmentSize& size, double angle, double first, double second) {
+  size.angle = std::max(size.angle, angle);
+  size.velocity += first;
+  size.acceleration += second;
+}
+
+[[nodiscard]] inline SegmentSize size_of(const AnyCurve& curve, std::size_t segment) {
+  SegmentSize size;
+  if (curve.knots().segments() == 0) return size;
+  const SegmentForm form = curve.form(segment);
+  const double h = curve.knots().span(segment).step();
+  if (const auto* cumulative = std::get_if<CumulativeForm>(&form)) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto norm = [phi = cumulative->increments[k].norm()](double c) { return phi * std::abs(c); };
+      const auto bound = [&](std::size_t order) {
+        return largest_derivative(cumulative->blending[k].coefficients, cumulative->degree, order, norm);
+      };
+      add_factor(size, bound(0), bound(1) / h, bound(2) / (h * h));
+    }
+  } else if (const auto* chart = std::get_if<ChartForm>(&form)) {
+    std::array<Eigen::Vector3d, form_degree + 1> psi;
+    for (std::size_t i = 0; i <= form_degree; ++i)
+      psi[i] = {chart->rotation_vector[0].coefficients[i], chart->rotation_vector[1].coefficients[i],
+                chart->rotation_vector[2].coefficients[i]};
+    const auto norm = [](const Eigen::Vector3d& c) { return c.norm(); };
+    const auto bound = [&](std::size_t order) { return largest_derivative(psi, chart->degree, order, norm); };
+    add_factor(size, bound(0), bound(1) / h, bound(2) / (h * h));
+  }
+  size.acceleration += size.velocity * size.velocity;
+  return size;
+}
+
+/// Allowed differences from the scalar evaluator, per max(1, angle) and max(1, size of the rate).
+struct Limits {
+  double orientation, velocity, acceleration;
+};
+template <class T>
+[[nodiscard]] Limits limits();
+
+/// Orientation: the promise. ω and α: both evaluators sum some dozens of terms within the bounds; and where Bernstein
+/// coefficients differ little from each other, their differences keep the rounding of the coefficients themselves, of
+/// which the second derivative takes up to n (n - 1) = 42 times: measured at worst 14 and 55 units. In float only the
+/// polynomials' own rounding counts, the coefficients come from double.
+template <>
+[[nodiscard]] inline Limits limits<double>() {
+  constexpr double unit = std::numeric_limits<double>::epsilon();
+  return {4.0 * unit, 32.0 * unit, 128.0 * unit};
+}
+template <>
+[[nodiscard]] inline Limits limits<float>() {
+  return {3e-7, 6e-7, 12e-7};
+}
+
+/// A curve's samples against the scalar evaluator's at the same times, which lie in its domain or beside it.
+template <class T>
+[[nodiscard]] ::testing::AssertionResult agree(const Sampled<T>& samples, const AnyCurve& curve,
+                                               std::span<const double> times, Wanted wanted) {
+  const auto [q_limit, w_limit, a_limit] = limits<T>();
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const double t = times[i];
+    const SegmentSize size = size_of(curve, curve.knots().segment_at(t));
+    const Motion motion = wanted == Wanted::orientation ? Motion{.orientation = curve(t)} : curve.motion(t);
+    const double angle = std::max(1.0, size.angle);
+    const auto beyond = [&](const char* what, const auto& found, const auto& expected, double allowed) {
+      const double off = (found - expected).template lpNorm<Eigen::Infinity>();
+      if (off <= allowed) return ::testing::AssertionSuccess();
+      return ::testing::AssertionFailure()
+             << what << " at t = " << t << " off by " << off << ", allowed " << allowed << " (" << off / allowed
+             << " times)\n  found  " << found.transpose() << "\n  wanted " << expected.transpose();
+    };
+    if (auto ok = beyond("orientation", samples.orientation(i), motion.orientation.coeffs(), q_limit * angle); !ok)
+      return ok;
+    const double velocity = std::max({1.0, size.velocity, motion.angular_velocity.norm()});
+    if (wanted != Wanted::orientation)
+      if (auto ok = beyond("velocity", samples.velocity(i), motion.angular_velocity, w_limit * angle * velocity); !ok)
+        return ok;
+    const double acceleration = std::max({1.0, size.acceleration, motion.angular_acceleration.norm()});
+    if (wanted == Wanted::acceleration)
+      if (auto ok = beyond("acceleration", samples.acceleration(i), motion.angular_acceleration,
+                           a_limit * angle * acceleration);
+          !ok)
+        return ok;
+  }
+  return ::testing::AssertionSuccess();
+}
+
+/// The same for whatever can be asked of a sample.
+template <class T>
+[[nodiscard]] ::testing::AssertionResult agree(const AnyCurve& curve, std::span<const double> times) {
+  for (const Wanted wanted : {Wanted::orientation, Wanted::velocity, Wanted::acceleration}) {
+    Sampled<T> samples(times.size(), wanted);
+    if (const auto sampled = sample<T>(curve, times, samples.spans()); !sampled)
+      return ::testing::AssertionFailure() << describe(sampled.error());
+    if (auto ok = agree(samples, curve, times, wanted); !ok) return ok << (sizeof(T) == 8 ? "  (double)" : "  (float)");
+  }
+  return ::testing::AssertionSuccess();
+}
+
+}  // namespace orispline::testing_support

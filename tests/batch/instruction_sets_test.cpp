@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+// The loops of every instruction set give the same bits, and the same as every compiler's: all the way from keys to
+// samples.
+#include <cstdint>
+
+#include <gtest/gtest.h>
+
+#include <batch/sampled.hpp>
+#include <batch/specimen_curves.hpp>
+#include <orispline/batch/dispatch.hpp>
+
+namespace orispline {
+namespace {
+
+using namespace testing_support;
+using batch::Clock;
+using batch::Kernels;
+using batch::Target;
+
+constexpr std::size_t count = 173;  // a whole block and a part of one
+
+std::vector<const Kernels*> all_kernels() {
+  std::vector<const Kernels*> all;
+  for (const char* name : {"v2", "v3", "v4", "native"})
+    if (const Kernels* kernels = batch::kernels_named(name)) all.push_back(kernels);
+  return all;
+}
+
+template <class T>
+struct Results {
+  std::vector<T> orientations = std::vector<T>(4 * count), velocities = std::vector<T>(3 * count),
+                 accelerations = std::vector<T>(3 * count);
+
+  [[nodiscard]] Target<T> target(Wanted wanted, Layout layout) {
+    return {.orientation = orientations.data(),
+            .angular_velocity = wanted == Wanted::orientation ? nullptr : velocities.data(),
+            .angular_acceleration = wanted == Wanted::acceleration ? accelerations.data() : nullptr,
+            .planes = layout == Layout::planar ? static_cast<std::ptrdiff_t>(count) : 0};
+  }
+  [[nodiscard]] bool same_bits(const Results& other) const {
+    const auto same = [](const std::vector<T>& a, const std::vector<T>& b) {
+      return std::memcmp(a.data(), b.data(), sizeof(T) * a.size()) == 0;
+    };
+    return same(orientations, other.orientations) && same(velocities, other.velocities) &&
+           same(accelerations, other.accelerations);
+  }
+};
+
+void run(const Kernels& k, const batch::CumulativeRecord<double>& r, const Clock& clock, const Target<double>& to) {
+  k.cumulative(r, clock, count, to);
+}
+void run(const Kernels& k, const batch::CumulativeRecord<float>& r, const Clock& clock, const Target<float>& to) {
+  k.cumulative_float(r, clock, count, to);
+}
+void run(const Kernels& k, const batch::ChartRecord<double>& r, const Clock& clock, const Target<double>& to) {
+  k.chart(r, clock, count, to);
+}
+void run(const Kernels& k, const batch::ChartRecord<float>& r, const Clock& clock, const Target<float>& to) {
+  k.chart_float(r, clock, count, to);
+}
+template <class T>
+void run(const Kernels&, std::monostate, const Clock&, const Target<T>&) {}
+
+/// Every segment of a curve, at even times and at given ones, by every instruction set.
+template <class T>
+void expect_the_same_by_every_instruction_set(const AnyCurve& curve) {
+  const auto kernels = all_kernels();
+  for (std::size_t segment = 0; segment < curve.knots().segments(); ++segment) {
+    const batch::SegmentRecord<T> record = batch::record_of<T>(curve, segment);
+    const KnotSpan span = curve.knots().span(segment);
+    std::vector<double> times;
+    for (std::size_t k = 0; k < count; ++k)
+      times.push_back(span.start() + span.step() * static_cast<double>(k) / static_cast<double>(count));
+    for (const Wanted wanted : {Wanted::orientation, Wanted::velocity, Wanted::acceleration})
+      for (const Clock& clock : {Clock{.times = times.data(), .start = 0.0, .step = 0.0, .first = 0.0},
+                                 Clock{nullptr, span.start() - 3.0 * span.step(), span.step() / 173.0, 519.0}}) {
+        const Layout layout = clock.times ? Layout::interleaved : Layout::planar;
+        Results<T> first;
+        const auto into = [&](Results<T>& results, const Kernels& k) {
+          std::visit([&](const auto& r) { run(k, r, clock, results.target(wanted, layout)); }, record);
+        };
+        into(first, *kernels.front());
+        for (const Kernels* other : kernels) {
+          Results<T> results;
+          into(results, *other);
+          EXPECT_TRUE(results.same_bits(first)) << other->name << " differs from " << kernels.front()->name;
+        }
+      }
+  }
+}
+
+void expect_the_same(const std::string& name, const AnyCurve& curve) {
+  SCOPED_TRACE(name);
+  expect_the_same_by_every_instruction_set<double>(curve);
+  expect_the_same_by_every_instruction_set<float>(curve);
+}
+
+TEST(InstructionSets, OfThisProcessorAreFound) {
+  EXPECT_FALSE(all_kernels().empty());
+  EXPECT_EQ(batch::kernels_named("v9"), nullptr);
+  EXPECT_EQ(batch::kernels_named(batch::kernels().name), &batch::kernels());
+}
+
+TEST(InstructionSets, GiveTheSameBitsForEveryFamily) {
+  for (std::uint64_t seed = 91; seed < 101; ++seed)
+    for (const auto& [name, curve] : curve_of_every_family(seed)) expect_the_same(name, curve);
+}
+
+/// Angles that need folding.
+AnyCurve tense_curve(double tension) {
+  CurveOptions options;
+  options.parameters.emplace("tension", std::vector{tension});
+  return make_curve("quintic", keyframes(random_walk(103, 9, Spacing::uneven)), options).value();
+}
+
+TEST(InstructionSets, GiveTheSameBitsForAnyAngle) {
+  for (const double tension : {0.1, 0.5, 2.0, 20.0, -100.0})
+    expect_the_same(std::to_string(tension), tense_curve(tension));
+}
+
+/// FNV-1a over the bits.
+class Hash {
+ public:
+  void add(std::span<const double> values) {
+    for (const double value : values) add_bits(__builtin_bit_cast(std::uint64_t, value), 8);
+  }
+  void add(std::span<const float> values) {
+    for (const float value : values) add_bits(__builtin_bit_cast(std::uint32_t, value), 4);
+  }
+  [[nodiscard]] std::uint64_t value() const { return state_; }
+
+ private:
+  void add_bits(std::uint64_t bits, int bytes) {
+    for (int k = 0; k < bytes; ++k) state_ = (state_ ^ ((bits >> (8 * k)) & 0xffU)) * 0x100000001b3U;
+  }
+  std::uint64_t state_ = 0xcbf29ce484222325U;
+};
+
+template <class T>
+void add_samples(const AnyCurve& curve, Hash& hash) {
+  Sampled<T> samples(500, Wanted::acceleration);
+  const auto [start, end] = curve.domain();
+  ASSERT_TRUE(sample_uniform<T>(curve, start, (end - start) / 480.0, samples.spans()));
+  const Samples<T> spans = samples.spans();
+  hash.add(spans.orientations);
+  hash.add(spans.angular_velocities);
+  hash.add(spans.angular_accelerations);
+}
+
+/// Of all samples of all curves. Every processor, compiler and level of optimisation must come to this number; a change
+/// of the formulas may change it, on purpose.
+constexpr std::uint64_t hash_of_all_samples = 0xb1a2ce64879c57b4U;
+
+TEST(InstructionSets, AndCompilersGiveTheBitsThatAreWrittenHere) {
+  Hash hash;
+  std::vector<NamedCurve> curves = curve_of_every_family(107);
+  for (const double tension : {0.5, 20.0}) curves.push_back({std::to_string(tension), tense_curve(tension)});
+  for (const auto& [name, curve] : curves) {
+    add_samples<double>(curve, hash);
+    add_samples<float>(curve, hash);
+    RecordProperty(name, std::to_string(hash.value()));
+  }
+  EXPECT_EQ(hash.value(), hash_of_all_samples) << std::hex << "0x" << hash.value();
+}
+
+}  // namespace
+}  // namespace orispline
