@@ -16,7 +16,7 @@ void expect_no_allocation(const AnyCurve& curve) {
   constexpr std::size_t count = 300;
   const CompiledCurve<T> compiled(curve);
   const std::vector<CompiledCurve<T>> curves(count, compiled);
-  const auto [start, end] = curve.domain();
+  const double start = curve.domain().start, end = curve.domain().end;
   const double dt = (end - start) / 280.0;
   std::vector<double> times;
   for (std::size_t k = 0; k < count; ++k) times.push_back(static_cast<double>(k) * dt + start);

@@ -139,7 +139,7 @@ class Hash {
 template <class T>
 void add_samples(const AnyCurve& curve, Hash& hash) {
   Sampled<T> samples(500, Wanted::acceleration);
-  const auto [start, end] = curve.domain();
+  const double start = curve.domain().start, end = curve.domain().end;
   ASSERT_TRUE(sample_uniform<T>(curve, start, (end - start) / 480.0, samples.spans()));
   const Samples<T> spans = samples.spans();
   hash.add(spans.orientations);

@@ -17,7 +17,7 @@ struct Grid {
 
   /// Over the whole domain and a little beyond it.
   Grid(const AnyCurve& curve, std::size_t count) {
-    const auto [start, end] = curve.domain();
+    const double start = curve.domain().start, end = curve.domain().end;
     dt = 1.02 * (end - start) / static_cast<double>(count);
     t0 = start - 0.01 * (end - start);
     for (std::size_t k = 0; k < count; ++k) times.push_back(static_cast<double>(k) * dt + t0);

@@ -42,7 +42,7 @@ TEST(BatchThreads, ChangeNoBit) {
     SCOPED_TRACE(kind);
     const AnyCurve curve = specimen_curve(kind, 83, 40);
     const CompiledCurve<> compiled(curve);
-    const auto [start, end] = curve.domain();
+    const double start = curve.domain().start, end = curve.domain().end;
     const double dt = (end - start) / (0.9 * static_cast<double>(samples));
     std::vector<double> times;
     for (std::size_t k = 0; k < samples; ++k) times.push_back(start + dt * static_cast<double>(k));

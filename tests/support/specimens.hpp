@@ -62,7 +62,8 @@ enum class Spacing { even, uneven };
     data.times.push_back(t);
     data.orientations.push_back(q);
     t += spacing == Spacing::even ? 0.5 : i % 3 == 0 ? 1.0 : i % 3 == 1 ? 0.1 : dice.between(0.1, 1.0);
-    q = q * exp<double>(largest_step * dice.between(0.3, 1.0) * dice.vector().normalized());
+    const Eigen::Vector3d axis = dice.vector().normalized();  // first, whatever order a compiler takes operands in
+    q = q * exp<double>(largest_step * dice.between(0.3, 1.0) * axis);
   }
   return data;
 }

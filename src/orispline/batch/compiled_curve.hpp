@@ -22,7 +22,7 @@ template <class T>
 
 /// A curve with all its segments compiled for evaluation in bulk: for curves that are evaluated again and again.
 ///
-/// Half a kilobyte a segment in double. `sample…` take it in place of the curve, with the same results.
+/// 704 bytes a segment in double, 384 in float. `sample…` take it in place of the curve, with the same results.
 template <class T = double>
 class CompiledCurve {
  public:
