@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <vector>
+#include <workload/track.hpp>
+
+namespace orispline::bench {
+
+using Real = long double;
+using LongQuaternion = Eigen::Quaternion<Real>;
+using LongVector = Eigen::Matrix<Real, 3, 1>;
+
+/// A curve straight from its definition, in long double, by code of its own: what all contenders must agree with.
+class Definition {
+ public:
+  explicit Definition(const Track& track);
+
+  [[nodiscard]] LongQuaternion quintic(Real t) const { return quintic(t, segment_at(t)); }
+  [[nodiscard]] LongQuaternion slerp(Real t) const;
+
+  /// Body rates of the quintic curve [rad/s], [rad/s²]: differences of fourth order, good to about 1e-9.
+  [[nodiscard]] LongVector angular_velocity(Real t) const { return angular_velocity(t, segment_at(t)); }
+  [[nodiscard]] LongVector angular_acceleration(Real t) const;
+
+ private:
+  [[nodiscard]] std::size_t segment_at(Real t) const;
+  [[nodiscard]] Real local(Real t, std::size_t segment) const;
+  [[nodiscard]] LongQuaternion quintic(Real t, std::size_t segment) const;
+  [[nodiscard]] LongVector angular_velocity(Real t, std::size_t segment) const;
+
+  std::vector<Real> times_, tensions_;
+  std::vector<LongQuaternion> keys_;
+  std::vector<LongVector> half_angles_;  ///< from key to key, half the rotation vector [rad]; zero beyond the ends
+};
+
+}  // namespace orispline::bench
