@@ -10,6 +10,7 @@ AT_LEAST = [
     ("times an Eigen slerp with binary search", "vs_eigen_slerp", 8, 6, "×", True),
     ("times smooth's fitted cubic", "vs_smooth", 20, 16, "×", True),
     ("times SciPy's RotationSpline", "vs_scipy", 80, 60, "×", True),
+    ("times basalt's So3Spline<4>, with rates", "vs_basalt_rates", 70, 50, "×", True),
     ("of the peak of products and sums", "fma_fraction", 0.75, 0.65, "", True),
     ("times the formula with libm, many curves, double", "many_curves_vs_libm", 12, 10, "×", True),
     ("times the formula with libm, many curves, float", "many_curves_float_vs_libm", 12, 10, "×", True),

@@ -76,6 +76,7 @@ def resampling(run):
         "write_multiple": divided(run.ns(f"one_curve/ours/double/{most}"), min(writes, default=None)),
         "sample_ns": ours,
         "rates_ns": run.ns("rates/ours"),
+        "vs_basalt_rates": divided(run.ns("rates/basalt So3Spline<4>"), run.ns("rates/ours")),
         "vs_eigen_rates": divided(run.ns("rates/Eigen product"), run.ns("rates/ours")),
     }
 

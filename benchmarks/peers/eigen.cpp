@@ -86,28 +86,30 @@ std::vector<Peer<double>> eigen_peers(const Track& track) {
 
 /// Source: Sommer et al. 2020, the recurrence of the rates.
 RatesPeer eigen_rates_peer(const Track& track) {
-  return [curve = std::make_shared<const Curve>(track)](std::span<const double> times, std::span<double> orientations,
-                                                        std::span<double> velocities, std::span<double> accelerations) {
-    for (std::size_t k = 0; k < times.size(); ++k) {
-      const auto [i, u] = search(curve->times, times[k]);
-      const double rate = 1.0 / (curve->times[i + 1] - curve->times[i]);
-      const auto b = quintic_blending<Jet>(Jet(u, rate), curve->tensions[i], curve->tensions[i + 1]);
-      Quaterniond q = curve->keys[i];
-      Vector3d omega = Vector3d::Zero(), alpha = Vector3d::Zero();
-      for (std::size_t m = 0; m < 3; ++m) {
-        const Vector3d& half = curve->half_angles[i + m];
-        const Quaterniond factor = exp_of_half<double>(half * b[m].c[0]), back = factor.conjugate();
-        const Vector3d own = 2.0 * b[m].c[1] * half;
-        q = q * factor;
-        omega = back * omega;
-        alpha = back * alpha + 2.0 * b[m].c[2] * half + omega.cross(own);
-        omega += own;
-      }
-      put(q, orientations, k);
-      Vector3d::Map(&velocities[3 * k]) = omega;
-      Vector3d::Map(&accelerations[3 * k]) = alpha;
-    }
-  };
+  return {
+      "Eigen product", Shape::quintic,
+      [curve = std::make_shared<const Curve>(track)](std::span<const double> times, std::span<double> orientations,
+                                                     std::span<double> velocities, std::span<double> accelerations) {
+        for (std::size_t k = 0; k < times.size(); ++k) {
+          const auto [i, u] = search(curve->times, times[k]);
+          const double rate = 1.0 / (curve->times[i + 1] - curve->times[i]);
+          const auto b = quintic_blending<Jet>(Jet(u, rate), curve->tensions[i], curve->tensions[i + 1]);
+          Quaterniond q = curve->keys[i];
+          Vector3d omega = Vector3d::Zero(), alpha = Vector3d::Zero();
+          for (std::size_t m = 0; m < 3; ++m) {
+            const Vector3d& half = curve->half_angles[i + m];
+            const Quaterniond factor = exp_of_half<double>(half * b[m].c[0]), back = factor.conjugate();
+            const Vector3d own = 2.0 * b[m].c[1] * half;
+            q = q * factor;
+            omega = back * omega;
+            alpha = back * alpha + 2.0 * b[m].c[2] * half + omega.cross(own);
+            omega += own;
+          }
+          put(q, orientations, k);
+          Vector3d::Map(&velocities[3 * k]) = omega;
+          Vector3d::Map(&accelerations[3 * k]) = alpha;
+        }
+      }};
 }
 
 template <class T>

@@ -3,11 +3,10 @@
 #include <benchmark/benchmark.h>
 
 #include <memory>
-#include <peers/peers.hpp>
 #include <questions/questions.hpp>
+#include <questions/truth.hpp>
 #include <workload/buffer.hpp>
 #include <workload/keys.hpp>
-#include <workload/verify.hpp>
 
 namespace orispline::bench {
 namespace {
@@ -35,9 +34,7 @@ struct Scene {
     else return float_out.first(4 * samples);
   }
   [[nodiscard]] Truth truth(Shape shape, const EvenTimes& times) const {
-    return [this, shape, times](std::size_t k) {
-      return shape == Shape::slerp ? definition.slerp(times[k]) : definition.quintic(times[k]);
-    };
+    return [truth = ShapeTruth(shape, track, definition), times](std::size_t k) { return truth.orientation(times[k]); };
   }
 };
 
@@ -81,6 +78,9 @@ void enter_our_forms(const std::shared_ptr<Scene>& scene, const EvenTimes& t, Er
 template <class T>
 void enter_peer(const std::shared_ptr<Scene>& scene, Peer<T> peer, const EvenTimes& t) {
   const std::string name = name_of<T>(peer.name, t.count);
+  if constexpr (std::is_same_v<T, double>)
+    if (peer.shape == Shape::through_keys) accept_at_keys(peer, scene->track);
+  const Shape shape = peer.shape;
   const auto run = [scene, sample = std::move(peer.sample), times = std::make_shared<std::vector<double>>(t.all())] {
     const std::span<T> out = scene->room<T>(times->size());
     sample(*times, out);
@@ -88,8 +88,8 @@ void enter_peer(const std::shared_ptr<Scene>& scene, Peer<T> peer, const EvenTim
   };
   std::ranges::fill(scene->room<T>(t.count), T(7));
   run();
-  if (peer.shape != Shape::own)
-    accept(name, largest_error<T>(scene->room<T>(t.count), Layout::interleaved, scene->truth(peer.shape, t)),
+  if (shape != Shape::through_keys)
+    accept(name, largest_error<T>(scene->room<T>(t.count), Layout::interleaved, scene->truth(shape, t)),
            std::is_same_v<T, double> ? peer_limit : peer_float_limit);
   measure(name, t.count, run);
 }

@@ -3,11 +3,10 @@
 #include <benchmark/benchmark.h>
 
 #include <memory>
-#include <peers/peers.hpp>
 #include <questions/questions.hpp>
+#include <questions/truth.hpp>
 #include <workload/buffer.hpp>
 #include <workload/keys.hpp>
-#include <workload/verify.hpp>
 
 namespace orispline::bench {
 namespace {
@@ -30,19 +29,20 @@ struct Scene {
         velocities(3 * samples),
         accelerations(3 * samples) {}
 
-  void verify(const std::string& name, double limit, Errors* errors) {
+  /// The largest error of an orientation; ends the program when one of the rates is off.
+  double verify(const std::string& name, Shape shape, double limit) {
+    const ShapeTruth truth(shape, track, definition);
     const double error = largest_error<double>(orientations.all(), Layout::interleaved,
-                                               [this](std::size_t k) { return definition.quintic(t[k]); });
-    accept(name, error, limit);
-    if (errors) errors->add_double(error);
+                                               [&](std::size_t k) { return truth.orientation(t[k]); });
     double of_rates = 0.0;
     for (std::size_t k = 0; k < t.count; k += stride(t.count) * 17) {
       const Eigen::Map<const Eigen::Vector3d> omega(&velocities.all()[3 * k]), alpha(&accelerations.all()[3 * k]);
-      const double off = std::max((omega - definition.angular_velocity(t[k]).cast<double>()).norm(),
-                                  (alpha - definition.angular_acceleration(t[k]).cast<double>()).norm());
+      const double off = std::max((omega - truth.angular_velocity(t[k]).cast<double>()).norm(),
+                                  (alpha - truth.angular_acceleration(t[k]).cast<double>()).norm());
       if (!(off <= of_rates)) of_rates = off;
     }
     accept(name + " (ω, α)", of_rates, rates_limit);
+    return accept(name, error, limit);
   }
 };
 
@@ -51,20 +51,21 @@ struct Scene {
 void ask_rates(const Sizes& sizes, Errors& errors) {
   const std::size_t samples = std::min<std::size_t>(sizes.samples.back(), 1'000'000);
   const auto scene = std::make_shared<Scene>(random_track(sizes.keys, 42), samples);
-  const auto enter = [&](const std::string& name, double limit, Errors* of_ours, auto run) {
+  const auto enter = [&](const std::string& name, Shape shape, double limit, auto run) {
     run();
-    scene->verify(name, limit, of_ours);
     measure(name, samples, run);
+    return scene->verify(name, shape, limit);
   };
-  enter("rates/ours", 1.2 * our_limit, &errors, [scene] {
+  errors.add_double(enter("rates/ours", Shape::quintic, 1.2 * our_limit, [scene] {
     check(sample_uniform<double>(scene->curve, scene->t.t0, scene->t.dt,
                                  {.orientations = scene->orientations.all(),
                                   .angular_velocities = scene->velocities.all(),
                                   .angular_accelerations = scene->accelerations.all()}));
-  });
-  enter("rates/Eigen product", peer_limit, nullptr, [scene, peer = eigen_rates_peer(scene->track)] {
-    peer(scene->times, scene->orientations.all(), scene->velocities.all(), scene->accelerations.all());
-  });
+  }));
+  for (const RatesPeer& peer : rates_peers_of(scene->track))
+    enter("rates/" + peer.name, peer.shape, peer_limit, [scene, sample = peer.sample] {
+      sample(scene->times, scene->orientations.all(), scene->velocities.all(), scene->accelerations.all());
+    });
 }
 
 void ask_auto(const Sizes& sizes) {

@@ -24,6 +24,12 @@ auto slope(const F& f, Real t) {
   return ((8 * (f(t + h) - f(t - h)) - (f(t + 2 * h) - f(t - 2 * h))) / (12 * h)).eval();
 }
 
+template <class Q>
+LongVector body_rate(const Q& orientation, Real t) {
+  const auto rate = slope([&](Real at) { return orientation(at).coeffs(); }, t);
+  return 2 * (orientation(t).conjugate() * LongQuaternion(rate)).vec();
+}
+
 }  // namespace
 
 Definition::Definition(const Track& track)
@@ -52,9 +58,22 @@ LongQuaternion Definition::slerp(Real t) const {
   return keys_[i] * exp_of_half(local(t, i) * half_angles_[i + 1]);
 }
 
+LongQuaternion Definition::uniform_bspline(Real u, std::size_t i) const {
+  const Real v = 1 - u, b3 = u * u * u / 6, b2 = (1 + 3 * (u + u * u - u * u * u)) / 6, b0 = v * v * v / 6;
+  return keys_[i] * exp_of_half((1 - b0) * half_angles_[i + 1]) * exp_of_half((b2 + b3) * half_angles_[i + 2]) *
+         exp_of_half(b3 * half_angles_[i + 3]);
+}
+
+LongVector Definition::uniform_bspline_velocity(Real u, std::size_t i) const {
+  return body_rate([&](Real at) { return uniform_bspline(at, i); }, u);
+}
+
+LongVector Definition::uniform_bspline_acceleration(Real u, std::size_t i) const {
+  return slope([&](Real at) { return uniform_bspline_velocity(at, i); }, u);
+}
+
 LongVector Definition::angular_velocity(Real t, std::size_t i) const {
-  const auto rate = slope([&](Real at) { return quintic(at, i).coeffs(); }, t);
-  return 2 * (quintic(t, i).conjugate() * LongQuaternion(rate)).vec();
+  return body_rate([&](Real at) { return quintic(at, i); }, t);
 }
 
 LongVector Definition::angular_acceleration(Real t) const {

@@ -19,10 +19,15 @@ class Definition {
 
   [[nodiscard]] LongQuaternion quintic(Real t) const { return quintic(t, segment_at(t)); }
   [[nodiscard]] LongQuaternion slerp(Real t) const;
+  /// Cubic B-spline over the keys at even times, in the segment that blends the keys from that one on, u from 0 to 1.
+  [[nodiscard]] LongQuaternion uniform_bspline(Real u, std::size_t first_key) const;
 
   /// Body rates of the quintic curve [rad/s], [rad/s²]: differences of fourth order, good to about 1e-9.
   [[nodiscard]] LongVector angular_velocity(Real t) const { return angular_velocity(t, segment_at(t)); }
   [[nodiscard]] LongVector angular_acceleration(Real t) const;
+  /// Of the B-spline, per segment.
+  [[nodiscard]] LongVector uniform_bspline_velocity(Real u, std::size_t first_key) const;
+  [[nodiscard]] LongVector uniform_bspline_acceleration(Real u, std::size_t first_key) const;
 
  private:
   [[nodiscard]] std::size_t segment_at(Real t) const;
