@@ -56,15 +56,35 @@ def targets_table(results):
         yield f"| {text} | {shown(results[member], unit)} | stated | |"
 
 
+def columns_of(run, group):
+    return [(number, n) for number in ("double", "float") for n in run.sizes(f"{group}/ours/{number}")]
+
+
+def group_table(run, group, title, columns):
+    yield f"| {title} | " + " | ".join(f"{number}, {n}" for number, n in columns) + " |"
+    yield "|---" * (len(columns) + 1) + "|"
+    for name in run.contenders(group):
+        if "per segment" not in name:
+            cells = [run.ns(f"{group}/{name}/{number}/{n}") for number, n in columns]
+            yield f"| {name} | " + " | ".join("" if ns is None else shown(ns) for ns in cells) + " |"
+
+
+def losses(run):
+    """Where another one is faster."""
+    for group in ("one_curve", "many"):
+        for number, n in columns_of(run, group):
+            ours = run.ns(f"{group}/ours/{number}/{n}")
+            for name in run.contenders(group):
+                theirs = run.ns(f"{group}/{name}/{number}/{n}")
+                if not name.startswith("ours") and theirs is not None and theirs < ours:
+                    where = f"{group.replace('_', ' ')}, {number}, {n}"
+                    yield f"- {where}: {name} takes {shown(theirs)} ns, ours {shown(ours)} ns"
+
+
 def contenders_table(run, scipy):
     """ns per sample, contender after contender."""
-    columns = [(number, n) for number in ("double", "float") for n in run.sizes(f"one_curve/ours/{number}")]
-    yield "| ns per sample | " + " | ".join(f"{number}, {n:,}".replace(",", " ").replace("  ", ", ") for number, n in columns) + " |"
-    yield "|---" * (len(columns) + 1) + "|"
-    for name in run.contenders("one_curve"):
-        if "per segment" not in name:
-            cells = [run.ns(f"one_curve/{name}/{number}/{n}") for number, n in columns]
-            yield f"| {name} | " + " | ".join("" if ns is None else shown(ns) for ns in cells) + " |"
+    columns = columns_of(run, "one_curve")
+    yield from group_table(run, "one_curve", "ns per sample", columns)
     if "sample_ns" in scipy:
         cells = [shown(scipy["sample_ns"]) if column == ("double", 1_000_000) else "" for column in columns]
         yield f"| SciPy {scipy['version']} RotationSpline | " + " | ".join(cells) + " |"
@@ -72,24 +92,16 @@ def contenders_table(run, scipy):
 
 def segments_table(run):
     yield from ("| samples per segment | records made on the way | records kept |", "|---|---|---|")
-    for name in run.contenders("one_curve"):
-        if match := re.fullmatch(r"ours, samples per segment/(\d+)", name):
-            samples = run.sizes(f"one_curve/{name}/double")[-1]
-            kept = run.ns(f"one_curve/ours compiled, samples per segment/{match[1]}/double/{samples}")
-            yield f"| {match[1]} | {shown(run.ns(f'one_curve/{name}/double/{samples}'))} ns | {shown(kept)} ns |"
-
-
-def many_table(run):
-    columns = [(number, n) for number in ("double", "float") for n in run.sizes(f"many/ours/{number}")]
-    yield "| ns per curve | " + " | ".join(f"{number}, {n} curves" for number, n in columns) + " |"
-    yield "|---" * (len(columns) + 1) + "|"
-    for name in run.contenders("many"):
-        cells = [run.ns(f"many/{name}/{number}/{n}") for number, n in columns]
-        yield f"| {name} | " + " | ".join("" if ns is None else shown(ns) for ns in cells) + " |"
+    found = (re.fullmatch(r"ours, samples per segment/(\d+)", name) for name in run.contenders("one_curve"))
+    for count in sorted(int(match[1]) for match in found if match):
+        made, kept = (f"one_curve/{form}, samples per segment/{count}/double" for form in ("ours", "ours compiled"))
+        samples = run.sizes(made)[-1]
+        yield f"| {count} | {shown(run.ns(f'{made}/{samples}'))} ns | {shown(run.ns(f'{kept}/{samples}'))} ns |"
 
 
 def sets_table(runs):
-    yield from ("| instruction set | ours, double | ours, float | peak, 10⁹ products and sums/s | Eigen product |", "|---|---|---|---|---|")
+    yield from ("| instruction set | ours, double | ours, float | peak, 10⁹ products and sums/s | Eigen product |",
+                "|---|---|---|---|---|")
     for run in runs:
         cells = [run.ns(f"one_curve/{name}/1000000") for name in ("ours/double", "ours/float", "Eigen product/double")]
         peak = run.ns("limit/fma")
@@ -104,7 +116,8 @@ def limits(run):
     fresh = run.ns(f"fresh_pages/ours/double/{size}")
     faster = f"{one / two:.2f}" if one and two else "–"
     ours_faster = f"{ours[0] / ours[1]:.2f}" if None not in ours else "–"
-    return (f"Writing 32 B: plain {shown(run.ns('limit/write_plain'))} ns, streaming {shown(run.ns('limit/write_streaming'))} ns. "
+    plain, streaming = (shown(run.ns(f"limit/write_{kind}")) for kind in ("plain", "streaming"))
+    return (f"Writing 32 B: plain {plain} ns, streaming {streaming} ns. "
             f"Two threads are {faster} times as fast as one at products and sums, {ours_faster} times at sampling. "
             f"Into memory that was never touched a sample costs {shown(fresh)} ns.")
 
@@ -112,11 +125,15 @@ def limits(run):
 def page_text(results, runs, scipy):
     run = runs[0]
     kind = "with" if results["contraction"] else "without"
-    yield f"{results['machine']}; {results['date']}; {results['compiler']}; instruction set {results['isa']}, {kind} contraction "
-    yield f"into fused multiply-adds; load at the start {results['load']}. Times of other days differ; ratios are of one run."
+    yield f"{results['machine']}; {results['date']}; {results['compiler']}; instruction set {results['isa']},"
+    yield f"{kind} contraction into fused multiply-adds; load at the start {results['load']:.1f}, that is of other programs:"
+    yield "times would be shorter without them, ratios are of one run."
     yield from ("", *targets_table(results), "", limits(run), "")
+    slower = list(losses(run))
+    yield from (["Where another one is faster:", "", *slower, ""] if slower else [])
     for title, table in (("One curve", contenders_table(run, scipy)), ("Short segments", segments_table(run)),
-                         ("Many curves at one time", many_table(run)), ("Instruction sets", sets_table(runs))):
+                         ("Many curves", group_table(run, "many", "ns per curve", columns_of(run, "many"))),
+                         ("Instruction sets", sets_table(runs))):
         yield from (f"## {title}", "", *table, "")
 
 

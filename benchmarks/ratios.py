@@ -7,6 +7,7 @@ Reads the measurements that run.py left in FOLDER, writes FOLDER/ratios.json and
 import argparse
 import datetime
 import json
+import os
 import pathlib
 import platform
 import re
@@ -22,7 +23,7 @@ def machine():
               if (found := re.search(rf"^{name}\s*:(.*)$", text, re.M))}
     name = fields.get("model name") or platform.processor() or platform.machine()
     family = f" (family {fields['cpu family']}, model {fields['model']})" if "cpu family" in fields else ""
-    return f"{name}{family}, {text.count('processor	:') or 'unknown number of'} cores, {platform.system()}"
+    return f"{name}{family}, {os.cpu_count()} cores, {platform.system()}"
 
 
 class Run:
@@ -47,11 +48,12 @@ class Run:
 
     def sizes(self, start):
         """The numbers that end the names which start so."""
-        return sorted(int(name.rsplit("/", 1)[1]) for name in self.entries if re.fullmatch(re.escape(start) + r"/\d+", name))
+        found = (re.fullmatch(re.escape(start) + r"/(\d+)", name) for name in self.entries)
+        return sorted(int(match[1]) for match in found if match)
 
     def contenders(self, group):
         found = (re.fullmatch(rf"{group}/(.+)/(double|float)/(\d+)", name) for name in self.entries)
-        return list(dict.fromkeys(match[1] for match in found if match))
+        return sorted({match[1] for match in found if match}, key=lambda name: (not name.startswith("ours"), name))
 
 
 def divided(a, b):

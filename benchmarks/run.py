@@ -21,9 +21,10 @@ def bench(program, folder, name, sizes, isa=None, only="."):
     repetitions, seconds = REPETITIONS[sizes]
     file = folder / f"{name}.json"
     environment = os.environ | ({"ORISPLINE_ISA": isa} if isa else {})
-    subprocess.run([program, f"--sizes={sizes}", f"--benchmark_repetitions={repetitions}", f"--benchmark_min_time={seconds}",
-                    "--benchmark_enable_random_interleaving", "--benchmark_report_aggregates_only",
-                    f"--benchmark_filter={only}", f"--benchmark_out={file}", "--benchmark_out_format=json"],
+    subprocess.run([program, f"--sizes={sizes}", f"--benchmark_repetitions={repetitions}",
+                    f"--benchmark_min_time={seconds}", "--benchmark_enable_random_interleaving",
+                    "--benchmark_report_aggregates_only", f"--benchmark_filter={only}",
+                    f"--benchmark_out={file}", "--benchmark_out_format=json"],
                    env=environment, check=True, stdout=subprocess.DEVNULL if sizes == "smoke" else None)
     return file.name, json.loads(file.read_text("utf-8"))["context"]["isa"]
 
@@ -41,7 +42,8 @@ def main():
     names = [name]
     if chosen.sizes == "full":
         if "ORISPLINE_ISA" not in os.environ:
-            names += [bench(chosen.program, chosen.folder, f"measured_{s}", "quick", s, SHORT)[0] for s in SMALLER_SETS.get(isa, ())]
+            names += [bench(chosen.program, chosen.folder, f"measured_{smaller}", "quick", smaller, SHORT)[0]
+                      for smaller in SMALLER_SETS.get(isa, ())]
         subprocess.run([sys.executable, HERE / "scipy_peer.py", chosen.folder / "scipy.json"], check=True)
     (chosen.folder / "runs.json").write_text(json.dumps(names), "utf-8")
     document = ["--document", chosen.document] if chosen.document else []

@@ -40,8 +40,8 @@ Definition::Definition(const Track& track)
   for (std::size_t i = 1; i < keys_.size(); ++i) half_angles_[i] = half_log(keys_[i - 1].conjugate() * keys_[i]);
 }
 
-std::size_t Definition::segment_at(Real t) const {
-  const auto next = std::upper_bound(times_.begin() + 1, times_.end() - 1, t);
+std::size_t Definition::segment_at(double t) const {
+  const auto next = std::upper_bound(times_.begin() + 1, times_.end() - 1, Real(t));
   return static_cast<std::size_t>(next - times_.begin()) - 1;
 }
 
@@ -53,9 +53,9 @@ LongQuaternion Definition::quintic(Real t, std::size_t i) const {
          exp_of_half(b[2] * half_angles_[i + 2]);
 }
 
-LongQuaternion Definition::slerp(Real t) const {
+LongQuaternion Definition::slerp(double t) const {
   const std::size_t i = segment_at(t);
-  return keys_[i] * exp_of_half(local(t, i) * half_angles_[i + 1]);
+  return keys_[i] * exp_of_half(local(Real(t), i) * half_angles_[i + 1]);
 }
 
 LongQuaternion Definition::uniform_bspline(Real u, std::size_t i) const {
@@ -76,8 +76,8 @@ LongVector Definition::angular_velocity(Real t, std::size_t i) const {
   return body_rate([&](Real at) { return quintic(at, i); }, t);
 }
 
-LongVector Definition::angular_acceleration(Real t) const {
-  return slope([&, i = segment_at(t)](Real at) { return angular_velocity(at, i); }, t);
+LongVector Definition::angular_acceleration(double t) const {
+  return slope([&, i = segment_at(t)](Real at) { return angular_velocity(at, i); }, Real(t));
 }
 
 }  // namespace orispline::bench

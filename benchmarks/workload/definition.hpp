@@ -17,20 +17,20 @@ class Definition {
  public:
   explicit Definition(const Track& track);
 
-  [[nodiscard]] LongQuaternion quintic(Real t) const { return quintic(t, segment_at(t)); }
-  [[nodiscard]] LongQuaternion slerp(Real t) const;
+  [[nodiscard]] LongQuaternion quintic(double t) const { return quintic(Real(t), segment_at(t)); }
+  [[nodiscard]] LongQuaternion slerp(double t) const;
   /// Cubic B-spline over the keys at even times, in the segment that blends the keys from that one on, u from 0 to 1.
   [[nodiscard]] LongQuaternion uniform_bspline(Real u, std::size_t first_key) const;
 
   /// Body rates of the quintic curve [rad/s], [rad/s²]: differences of fourth order, good to about 1e-9.
-  [[nodiscard]] LongVector angular_velocity(Real t) const { return angular_velocity(t, segment_at(t)); }
-  [[nodiscard]] LongVector angular_acceleration(Real t) const;
+  [[nodiscard]] LongVector angular_velocity(double t) const { return angular_velocity(Real(t), segment_at(t)); }
+  [[nodiscard]] LongVector angular_acceleration(double t) const;
   /// Of the B-spline, per segment.
   [[nodiscard]] LongVector uniform_bspline_velocity(Real u, std::size_t first_key) const;
   [[nodiscard]] LongVector uniform_bspline_acceleration(Real u, std::size_t first_key) const;
 
  private:
-  [[nodiscard]] std::size_t segment_at(Real t) const;
+  [[nodiscard]] std::size_t segment_at(double t) const;
   [[nodiscard]] Real local(Real t, std::size_t segment) const;
   [[nodiscard]] LongQuaternion quintic(Real t, std::size_t segment) const;
   [[nodiscard]] LongVector angular_velocity(Real t, std::size_t segment) const;
