@@ -2,7 +2,7 @@
 # Every target does the set-up that it needs.
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 
-.PHONY: run build test check clang asan ubsan coverage docs format tidy clean
+.PHONY: run build test check clang asan ubsan coverage bench bench-quick docs format tidy clean
 .NOTPARALLEL:
 
 define build_and_test
@@ -35,6 +35,21 @@ coverage:
 	rm -rf build/coverage
 	$(call build_and_test,coverage)
 	gcovr --root . --filter src/ --txt build/coverage/lines.txt --print-summary --fail-under-line 95 build/coverage
+
+# Speed beside the peers; both write build/bench/ratios.json. Best on a machine that does nothing else.
+define build_and_measure
+	tools/setup.sh build bench
+	cmake --preset bench
+	cmake --build --preset bench -j $(JOBS)
+	benchmarks/run.py build/bench/benchmarks/orispline_bench build/bench $(1)
+endef
+
+# Fills docs/benchmarks.md too.
+bench:
+	$(call build_and_measure,--sizes full --document docs/benchmarks.md)
+
+bench-quick:
+	$(call build_and_measure,--sizes quick)
 
 docs:
 	tools/setup.sh docs
