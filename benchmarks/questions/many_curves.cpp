@@ -3,6 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include <memory>
+#include <orispline/batch/curve_bundle.hpp>
 #include <peers/peers.hpp>
 #include <questions/questions.hpp>
 #include <workload/buffer.hpp>
@@ -72,6 +73,10 @@ void enter_contenders(std::size_t count, Errors& errors) {
   enter_ours("ours", [scene] {
     check(sample_many<T>(std::span<const CompiledCurve<T>>(scene->curves), time, {.orientations = scene->out.all()}));
   });
+  std::vector<AnyCurve> curves;
+  for (const CompiledCurve<T>& compiled : scene->curves) curves.push_back(compiled.curve());
+  const auto bundle = std::make_shared<CurveBundle<T>>(CurveBundle<T>::make(std::move(curves)).value());
+  enter_ours("ours bundled", [scene, bundle] { check(bundle->sample(time, {.orientations = scene->out.all()})); });
   enter("formula", in_double ? peer_limit : peer_float_limit, [scene] {
     many_by_formula<T>(scene->segments, static_cast<T>(time - 1.0), static_cast<T>(tension), scene->out.all());
   });

@@ -121,28 +121,39 @@ AngleRange range_of(const std::array<double, 3>& largest) noexcept {
 
 }  // namespace
 
+FactoredSegment factored(const CumulativeForm& form, const KnotSpan& span) noexcept {
+  const auto [middle, per_step] = place_of(span);
+  FactoredSegment segment{
+      .middle = form.base, .vectors = {}, .factors = {}, .largest = {}, .middle_time = middle, .per_step = per_step};
+  Eigen::Quaterniond after = Eigen::Quaterniond::Identity();
+  for (std::size_t k = 3; k-- > 0;) {  // from the last: each vector is carried by the constant parts after it
+    Centred factor = without_offset(form.degree, form.blending[k]);
+    segment.vectors[k] = to_body<double>(after, 0.5 * form.increments[k]);
+    segment.largest[k] = factor.largest;
+    shift_to(middle, span, factor.powers);
+    segment.factors[k] = factor.powers;
+    if (factor.offset != 0.0) after = exp<double>(factor.offset * form.increments[k]) * after;
+  }
+  segment.middle = form.base * after;
+  return segment;
+}
+
 template <class T>
 CumulativeRecord<T> compile_segment(const CumulativeForm& form, const KnotSpan& span) noexcept {
-  const auto [middle, per_step] = place_of(span);
+  const FactoredSegment segment = factored(form, span);
   CumulativeRecord<T> record{};
-  record.middle = middle;
-  record.per_step = per_step;
+  record.middle = segment.middle_time;
+  record.per_step = segment.per_step;
   record.short_degree = form.degree <= 5;
-  std::array<Centred, 3> factors;
   std::array<Eigen::Vector3d, 3> axes;
   std::array<double, 3> largest;
-  Eigen::Quaterniond before = form.base, after = Eigen::Quaterniond::Identity();
-  for (std::size_t k = 3; k-- > 0;) {  // from the last: each axis is carried by the constant parts after it
-    factors[k] = without_offset(form.degree, form.blending[k]);
-    const double angle = form.increments[k].stableNorm();
-    axes[k] =
-        angle > 0.0 ? Eigen::Vector3d(to_body<double>(after, form.increments[k] / angle)) : Eigen::Vector3d::UnitX();
-    largest[k] = 0.5 * angle * factors[k].largest;
-    shift_to(middle, span, factors[k].powers);
-    store(factors[k].powers, 0.5 * angle, record.angles[k]);
-    if (factors[k].offset != 0.0) after = exp<double>(factors[k].offset * form.increments[k]) * after;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double angle = segment.vectors[k].stableNorm();
+    axes[k] = angle > 0.0 ? Eigen::Vector3d(segment.vectors[k] / angle) : Eigen::Vector3d::UnitX();
+    largest[k] = angle * segment.largest[k];
+    store(segment.factors[k], angle, record.angles[k]);
   }
-  store_products<T>(before * after, axes, record.products);
+  store_products<T>(segment.middle, axes, record.products);
   const Eigen::Vector3d along = axes[1].dot(axes[0]) * axes[1];
   store<T>(along, record.carried[0]);
   store<T>(axes[0] - along, record.carried[1]);
@@ -174,25 +185,9 @@ CompiledChart<T> compile_segment(const ChartForm& form, const KnotSpan& span) no
   return compiled;
 }
 
-template <class T>
-PathRecord<T> compile_segment(const PathForm& form, const KnotSpan& span) noexcept {
-  const auto [middle, per_step] = place_of(span);
-  PathRecord<T> record{};
-  record.middle = middle;
-  record.per_step = per_step;
-  for (std::size_t k = 0; k < 3; ++k) {
-    Powers powers = centred(form.degree, form.position[k].coefficients);
-    shift_to(middle, span, powers);
-    store(powers, 1.0, record.position[k]);
-  }
-  return record;
-}
-
 template CumulativeRecord<double> compile_segment<double>(const CumulativeForm&, const KnotSpan&) noexcept;
 template CumulativeRecord<float> compile_segment<float>(const CumulativeForm&, const KnotSpan&) noexcept;
 template CompiledChart<double> compile_segment<double>(const ChartForm&, const KnotSpan&) noexcept;
 template CompiledChart<float> compile_segment<float>(const ChartForm&, const KnotSpan&) noexcept;
-template PathRecord<double> compile_segment<double>(const PathForm&, const KnotSpan&) noexcept;
-template PathRecord<float> compile_segment<float>(const PathForm&, const KnotSpan&) noexcept;
 
 }  // namespace orispline::batch

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+
 #include <orispline/batch/record.hpp>
 #include <orispline/curve/knots.hpp>
 #include <orispline/curve/segment_form.hpp>
@@ -9,6 +11,17 @@ namespace orispline::batch {
 
 /// Half angles of a chart segment beyond this [rad] are left to the scalar evaluator.
 inline constexpr double largest_chart_half_angle = 1.0;
+
+/// A segment taken apart: q(s) = middle ∏ exp(vectors_k f_k(s)), the constant parts of the factors gone into the
+/// middle.
+struct FactoredSegment {
+  Eigen::Quaterniond middle;
+  std::array<Eigen::Vector3d, 3> vectors;                        ///< half rotation vectors [rad]
+  std::array<std::array<double, record_degree + 1>, 3> factors;  ///< f_k in powers of s = (t - middle_time) * per_step
+  std::array<double, 3> largest;                                 ///< bounds of |f_k|
+  double middle_time, per_step;                                  ///< [s], [1/s]
+};
+[[nodiscard]] FactoredSegment factored(const CumulativeForm& form, const KnotSpan& span) noexcept;
 
 /// A segment of a cumulative curve for the kernel.
 ///
@@ -25,8 +38,5 @@ struct CompiledChart {
 };
 template <class T>
 [[nodiscard]] CompiledChart<T> compile_segment(const ChartForm& form, const KnotSpan& span) noexcept;
-
-template <class T>
-[[nodiscard]] PathRecord<T> compile_segment(const PathForm& form, const KnotSpan& span) noexcept;
 
 }  // namespace orispline::batch

@@ -247,17 +247,25 @@ void chart(const ChartRecord<T>& r, const Clock& clock, std::size_t count, const
 }
 
 template <class T>
-void path(const PathRecord<T>& record, const Clock& clock, std::size_t count, T* positions, std::ptrdiff_t planes) {
-  const PathRecord<T> r = record;
-  alignas(64) Plane<T> s, p[3];
+void bundle(const BundleSegment<T>& segment, std::size_t count, const Target<T>& target) {
+  const std::size_t plane = segment.plane;
+  const T a = segment.factors[0], b = segment.factors[1], c = segment.factors[2];
+  alignas(64) Plane<T> q[4];
   for (std::size_t at = 0; at < count; at += block) {
     const int here = count - at < block ? static_cast<int>(count - at) : block;
     const int padded = (here + lanes - 1) / lanes * lanes;
-    local_times<T>(r, clock, at, here, padded, s);
-    for (int i = 0; i < padded; ++i)
-#pragma GCC unroll 3
-      for (int k = 0; k < 3; ++k) p[k][i] = value_of<record_degree>(r.position[k], s[i]);
-    lay_out(p, here, positions, at, planes);
+    const T* from = segment.planes + at;
+    for (int i = 0; i < padded; ++i) {
+      const T* m = from + i;
+      const Turn<T> product = ((Turn<T>{m[3 * plane], m[0], m[plane], m[2 * plane]} * turn(m + 4 * plane, plane, a)) *
+                               turn(m + 7 * plane, plane, b)) *
+                              turn(m + 10 * plane, plane, c);
+      q[0][i] = product.x;
+      q[1][i] = product.y;
+      q[2][i] = product.z;
+      q[3][i] = product.w;
+    }
+    lay_out(q, here, target.orientation, at, target.planes);
   }
 }
 
@@ -272,7 +280,7 @@ const Kernels ORISPLINE_KERNELS{ORISPLINE_TEXT(ORISPLINE_KERNELS),
                                 &cumulative<float>,
                                 &chart<double>,
                                 &chart<float>,
-                                &path<double>,
-                                &path<float>};
+                                &bundle<double>,
+                                &bundle<float>};
 
 }  // namespace orispline::batch

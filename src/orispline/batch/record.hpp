@@ -43,13 +43,6 @@ struct alignas(64) ChartRecord {
   bool short_degree;
 };
 
-/// One segment of a path: polynomials in s [m].
-template <class T>
-struct alignas(64) PathRecord {
-  T position[3][record_degree + 1];
-  double middle, per_step;
-};
-
 /// When samples are taken: at the times given, or sample k at k * step + start.
 struct Clock {
   const double* times;  ///< null for even times
@@ -66,16 +59,24 @@ struct Target {
   std::ptrdiff_t planes;  ///< 0: the components of a sample side by side; else the distance between planes
 };
 
-/// The loops of one instruction set. Each writes `count` samples of one segment.
+/// A segment that many curves share but for their orientations: component after component, each as long as there are
+/// curves. q = M exp(a s_a) exp(b s_b) exp(c s_c).
+template <class T>
+struct BundleSegment {
+  const T* planes;    ///< M (qx, qy, qz, qw) and the half rotation vectors a, b, c (x, y, z): 13 planes
+  std::size_t plane;  ///< the length of a plane, a multiple of 8 and at least the number of curves
+  T factors[3];       ///< s_a, s_b, s_c at the time of the samples; all angles stay within 1 rad
+};
+
+/// The loops of one instruction set. Each writes `count` samples, of one segment or of as many curves.
 struct Kernels {
   const char* name;
   void (*cumulative)(const CumulativeRecord<double>&, const Clock&, std::size_t count, const Target<double>&);
   void (*cumulative_float)(const CumulativeRecord<float>&, const Clock&, std::size_t count, const Target<float>&);
   void (*chart)(const ChartRecord<double>&, const Clock&, std::size_t count, const Target<double>&);
   void (*chart_float)(const ChartRecord<float>&, const Clock&, std::size_t count, const Target<float>&);
-  void (*path)(const PathRecord<double>&, const Clock&, std::size_t count, double* positions, std::ptrdiff_t planes);
-  void (*path_float)(const PathRecord<float>&, const Clock&, std::size_t count, float* positions,
-                     std::ptrdiff_t planes);
+  void (*bundle)(const BundleSegment<double>&, std::size_t count, const Target<double>&);
+  void (*bundle_float)(const BundleSegment<float>&, std::size_t count, const Target<float>&);
 };
 
 }  // namespace orispline::batch

@@ -34,10 +34,4 @@ struct ChartForm {
 /// What a segment is made of, where it is made of polynomials: for evaluation in bulk.
 using SegmentForm = std::variant<std::monostate, CumulativeForm, ChartForm>;
 
-/// A segment of a path p(u), by component; no degree: not a polynomial of degree 7 at most.
-struct PathForm {
-  std::size_t degree = 0;
-  std::array<BernsteinForm, 3> position{};
-};
-
 }  // namespace orispline
