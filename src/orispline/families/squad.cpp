@@ -17,7 +17,9 @@ Neighbours neighbours_of(const Keyframes& keys, std::size_t i, const FamilySetti
     return j > i ? increment<double>(q[i], q[j]) : Eigen::Vector3d(-increment<double>(q[j], q[i]));
   };
   const auto ghost = [](EndRule rule, const Eigen::Vector3d& inward) -> Eigen::Vector3d {
-    return rule == EndRule::reflect ? Eigen::Vector3d(-inward) : Eigen::Vector3d::Zero();
+    const bool continued =
+        rule == EndRule::reflect || rule == EndRule::natural;  // with one key inwards they are one rule
+    return continued ? Eigen::Vector3d(-inward) : Eigen::Vector3d::Zero();
   };
   if (i == 0) return {.next = to(1), .previous = ghost(settings.start.rule, to(1))};
   if (i == last) return {.next = ghost(settings.end.rule, to(last - 1)), .previous = to(last - 1)};

@@ -82,7 +82,7 @@ struct Squad {
 struct SquadTimed {
   static constexpr std::array<std::string_view, 2> variants{"geier", "boyle"};
   static constexpr std::array choices{Choice{"variant", variants}};
-  static constexpr std::array ends{EndRule::reflect, EndRule::repeat};
+  static constexpr std::array ends{EndRule::reflect, EndRule::natural, EndRule::repeat};
   static constexpr FamilyInfo info{
       .name = "squad-timed",
       .title = "Squad made C1 for uneven key times",
