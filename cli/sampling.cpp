@@ -14,6 +14,8 @@ namespace {
 
 constexpr std::size_t stretch_size = 16384;  // samples that a thread makes at a time: far dearer than the thread
 
+constexpr int most_bulk_derivatives = 2;  // the jerk comes from the scalar evaluator
+
 /// Successive samples that one thread makes.
 class Stretch {
  public:
@@ -30,11 +32,12 @@ class Stretch {
       instants_.push_back(sampling.times[k]);
       times_.push_back(instants_.back().t);
     }
-    evaluate(sampling.curve.orientation);
+    const bool in_bulk = sampling.columns.derivatives <= most_bulk_derivatives;
+    if (in_bulk) evaluate(sampling.curve.orientation, sampling.columns.derivatives);
     const Domain domain = sampling.curve.orientation.domain();
     for (std::size_t k = 0; k < times_.size() && made_; ++k) {
       if (!domain.contains(times_[k])) ++held_;
-      io::Sample sample{.motion = motion(k)};
+      io::Sample sample{.motion = in_bulk ? motion(k) : sampling.curve.orientation.motion(times_[k])};
       if (sampling.curve.position) sample.travel = sampling.curve.position->travel(times_[k]);
       made_ = rows_.append(sampling.times.origin(), instants_[k].offset, sample);
     }
@@ -47,10 +50,10 @@ class Stretch {
   }
 
  private:
-  void evaluate(const AnyCurve& curve) {
+  void evaluate(const AnyCurve& curve, int derivatives) {
     orientations_.resize(4 * times_.size());
-    velocities_.resize(3 * times_.size());
-    accelerations_.resize(3 * times_.size());
+    velocities_.resize(derivatives >= 1 ? 3 * times_.size() : 0);
+    accelerations_.resize(derivatives >= 2 ? 3 * times_.size() : 0);
     sort();
     made_ = sample<double>(curve, sorted_, Samples<double>{orientations_, velocities_, accelerations_});
   }
@@ -71,9 +74,10 @@ class Stretch {
 
   [[nodiscard]] Motion motion(std::size_t k) const {
     const std::size_t at = place_[k];
-    return {.orientation = Eigen::Quaterniond(orientations_.data() + 4 * at),
-            .angular_velocity = Eigen::Vector3d(velocities_.data() + 3 * at),
-            .angular_acceleration = Eigen::Vector3d(accelerations_.data() + 3 * at)};
+    Motion motion{.orientation = Eigen::Quaterniond(orientations_.data() + 4 * at)};
+    if (!velocities_.empty()) motion.angular_velocity = Eigen::Vector3d(velocities_.data() + 3 * at);
+    if (!accelerations_.empty()) motion.angular_acceleration = Eigen::Vector3d(accelerations_.data() + 3 * at);
+    return motion;
   }
 
   std::vector<Instant> instants_;

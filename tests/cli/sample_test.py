@@ -165,6 +165,22 @@ class Shape(CommandTest):
         self.assertAlmostEqual(rates[0], 0, delta=1e-13)
         self.assertAlmostEqual(rates[3], 1, delta=1e-13)
 
+    def test_every_order_of_rates_is_the_derivative_of_the_one_below(self):
+        self.write("keys.csv", KEYS)
+        h = 1e-4
+        self.write("times.txt", "".join(f"{t}\n" for t in (0.7 - h, 0.7, 0.7 + h)))
+        before, here, after = rows_of(self.output_of("sample keys.csv --times times.txt --method timed-c3 --derivatives 3"))
+        for order in (1, 2):  # columns t,q,w,a,j
+            for axis in range(3):
+                below, at = 5 + 3 * (order - 1) + axis, 5 + 3 * order + axis
+                self.assertAlmostEqual((after[below] - before[below]) / (2 * h), here[at], delta=1e-5 * max(1, abs(here[at])))
+        self.assertGreater(max(map(abs, here[11:14])), 1e-3)
+        for order in (0, 1, 2):
+            fewer = rows_of(self.output_of(f"sample keys.csv --times times.txt --method timed-c3 --derivatives {order}"))[1]
+            self.assertEqual(len(fewer), 5 + 3 * order)
+            for found, wanted in zip(fewer, here):
+                self.assertAlmostEqual(found, wanted, delta=1e-12)
+
     def test_a_column_of_the_file_sets_a_parameter(self):
         lines = KEYS.splitlines()
         self.write("keys.csv", "\n".join([lines[0] + ",tension"] + [line + ",-0.1" for line in lines[1:]]))
