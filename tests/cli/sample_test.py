@@ -168,7 +168,7 @@ class Shape(CommandTest):
     def test_every_order_of_rates_is_the_derivative_of_the_one_below(self):
         self.write("keys.csv", KEYS)
         h = 1e-4
-        self.write("times.txt", "".join(f"{t}\n" for t in (0.7 - h, 0.7, 0.7 + h)))
+        self.write("times.txt", f"{0.7 - h}\n0.7\n{0.7 + h}\n")
         before, here, after = rows_of(self.output_of("sample keys.csv --times times.txt --method timed-c3 --derivatives 3"))
         for order in (1, 2):  # columns t,q,w,a,j
             for axis in range(3):
@@ -178,8 +178,7 @@ class Shape(CommandTest):
         for order in (0, 1, 2):
             fewer = rows_of(self.output_of(f"sample keys.csv --times times.txt --method timed-c3 --derivatives {order}"))[1]
             self.assertEqual(len(fewer), 5 + 3 * order)
-            for found, wanted in zip(fewer, here):
-                self.assertAlmostEqual(found, wanted, delta=1e-12)
+            self.assertLess(max(abs(found - wanted) for found, wanted in zip(fewer, here)), 1e-12)
 
     def test_a_column_of_the_file_sets_a_parameter(self):
         lines = KEYS.splitlines()
