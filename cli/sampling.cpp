@@ -5,9 +5,8 @@
 #include <numeric>
 #include <vector>
 
+#include <orispline/batch/parallel.hpp>
 #include <orispline/batch/sample.hpp>
-
-#include "threads.hpp"
 
 namespace orispline::cli {
 namespace {
@@ -99,8 +98,9 @@ Expected<std::size_t> write_samples(io::SampleWriter& writer, const Sampling& sa
   std::size_t held = 0;
   for (std::size_t first = 0; first < stretches; first += made.size()) {
     const std::size_t count = std::min(made.size(), stretches - first);
-    on_threads(count,
-               [&](std::size_t i) { made[i].make(sampling, stretch_begin(first + i), stretch_begin(first + i + 1)); });
+    parallel_for(count, static_cast<unsigned>(count), [&](std::size_t i) {
+      made[i].make(sampling, stretch_begin(first + i), stretch_begin(first + i + 1));
+    });
     for (std::size_t i = 0; i < count; ++i) {
       const auto written = made[i].write(writer);
       if (!written) return tl::unexpected(written.error());

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -14,8 +15,12 @@ void parallel_for(std::size_t count, unsigned threads, const std::function<void(
   const auto run = [&] {
     for (std::size_t i = next++; i < count; i = next++) work(i);
   };
-  std::vector<std::jthread> helpers;  // joined when they go out of scope
-  for (std::size_t i = 1; i < std::min<std::size_t>(threads, count); ++i) helpers.emplace_back(run);
+  std::vector<std::jthread> others;  // joined when they go out of scope
+  try {
+    for (std::size_t i = 1; i < std::min<std::size_t>(threads, count); ++i) others.emplace_back(run);
+  } catch (const std::system_error&) {
+    // The system has no more threads: those that there are do the rest.
+  }
   run();
 }
 
