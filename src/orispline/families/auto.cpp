@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include <orispline/curve/increments.hpp>
+#include <orispline/curve/key_knots.hpp>
 #include <orispline/curve/window.hpp>
 #include <orispline/math/elementary.hpp>
 
@@ -179,8 +180,6 @@ Track position_track(const Keyframes& keys, std::size_t reach) {
           .reach = reach};
 }
 
-Knots key_times(const Keyframes& keys) { return Knots({keys.times().begin(), keys.times().end()}); }
-
 Expected<bool> holds(const FamilySettings& settings) {
   return settings.whole("hold").map([](int hold) { return hold == 1; });
 }
@@ -201,14 +200,14 @@ Expected<ChartCurve<5>> curve_of_reach(const Keyframes& keys, std::size_t reach,
     const Eigen::Quaterniond middle = keys.orientations()[i] * exp<double>(half);
     pieces.push_back(hermite_piece<2>(middle, -half, half, at(i), at(i + 1), track.step(i)));
   }
-  return ChartCurve<5>(key_times(keys), std::move(pieces));
+  return ChartCurve<5>(key_knots(keys), std::move(pieces));
 }
 
 Expected<HermitePath<5>> path_of_reach(const Keyframes& keys, std::size_t reach, const FamilySettings& settings) {
   return holds(settings).map([&](bool hold) {
     std::vector<HermitePath<5>::Derivatives> derivatives;
     for (const Rates& r : rates_at_keys(position_track(keys, reach), hold)) derivatives.push_back({r.first, r.second});
-    return HermitePath<5>(key_times(keys), {keys.positions().begin(), keys.positions().end()}, std::move(derivatives));
+    return HermitePath<5>(key_knots(keys), {keys.positions().begin(), keys.positions().end()}, std::move(derivatives));
   });
 }
 

@@ -6,14 +6,13 @@
 
 #include <fmt/format.h>
 
+#include <orispline/curve/key_knots.hpp>
 #include <orispline/curve/motion.hpp>
 #include <orispline/curve/points_through.hpp>
 #include <orispline/curve/reflected.hpp>
 
 namespace orispline::families {
 namespace {
-
-Knots key_times(const Keyframes& keys) { return Knots({keys.times().begin(), keys.times().end()}); }
 
 BSplineBasis<3> basis_on(std::span<const double> key_times) {
   const auto t = reflected(key_times);
@@ -55,7 +54,7 @@ Expected<std::vector<P>> control_points(const Keyframes& keys, std::span<const P
     return list;
   };
   if (settings.choice("points") == "control") return with_ghosts(points);
-  return control_points_through(points, Averages::info.name, AverageToKey(key_times(keys), basis_on(keys.times())))
+  return control_points_through(points, Averages::info.name, AverageToKey(key_knots(keys), basis_on(keys.times())))
       .map([&](const std::vector<P>& solved) { return with_ghosts(solved); });
 }
 
@@ -128,7 +127,7 @@ std::optional<Error> beside_average(const AverageCurve& curve, std::span<const E
 Expected<AverageCurve> Averages::curve(const Keyframes& keys, const FamilySettings& settings) {
   auto points = control_points(keys, keys.orientations(), settings);
   if (!points) return tl::unexpected(std::move(points.error()));
-  AverageCurve curve(key_times(keys), basis_on(keys.times()), std::move(*points));
+  AverageCurve curve(key_knots(keys), basis_on(keys.times()), std::move(*points));
   if (auto error = without_average(curve)) return tl::unexpected(std::move(*error));
   if (settings.choice("points") == "through")
     if (auto error = beside_average(curve, keys.orientations())) return tl::unexpected(std::move(*error));
@@ -137,7 +136,7 @@ Expected<AverageCurve> Averages::curve(const Keyframes& keys, const FamilySettin
 
 Expected<CumulativePath<BSplineBasis<3>>> Averages::path(const Keyframes& keys, const FamilySettings& settings) {
   return control_points(keys, keys.positions(), settings).map([&](PathPolygon points) {
-    return CumulativePath<BSplineBasis<3>>(key_times(keys), basis_on(keys.times()), std::move(points));
+    return CumulativePath<BSplineBasis<3>>(key_knots(keys), basis_on(keys.times()), std::move(points));
   });
 }
 

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include <orispline/curve/beta_polygon.hpp>
+#include <orispline/curve/key_knots.hpp>
 #include <orispline/curve/points_through.hpp>
 
 namespace orispline::families {
@@ -133,8 +134,6 @@ Expected<HandleChain<P>> solved_handles(std::span<const P> keys, const Betas& be
 }
 
 bool is_global(const FamilySettings& settings) { return settings.choice("form") == "global"; }
-
-Knots key_times(const Keyframes& keys) { return Knots({keys.times().begin(), keys.times().end()}); }
 Knots joint_times(const Keyframes& keys) { return Knots({keys.times().begin() + 1, keys.times().end() - 1}); }
 
 }  // namespace
@@ -154,7 +153,7 @@ Expected<CumulativeCurve<BetaG2::Basis>> BetaG2::curve(const Keyframes& keys, co
     for (std::size_t i = 0; i + 1 < q.size(); ++i)
       cubic.increments.insert(cubic.increments.end(), {chain.leaving(i), chain.middle(i), chain.handles()[i + 1]});
     const std::vector<Eigen::Vector3d> none(q.size() - 1, Eigen::Vector3d::Zero());
-    return CumulativeCurve<Basis>(key_times(keys), Basis{}, with_corrections(cubic, none));
+    return CumulativeCurve<Basis>(key_knots(keys), Basis{}, with_corrections(cubic, none));
   });
 }
 
@@ -173,7 +172,7 @@ Expected<CubicBezierPath> BetaG2::path(const Keyframes& keys, const FamilySettin
       polygon.push_back(p[i + 1] - unit.extent * chain.handles()[i + 1]);
       polygon.push_back(p[i + 1]);
     }
-    return CubicBezierPath(key_times(keys), CubicBezierBasis{}, std::move(polygon));
+    return CubicBezierPath(key_knots(keys), CubicBezierBasis{}, std::move(polygon));
   });
 }
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include <orispline/curve/beta_polygon.hpp>
+#include <orispline/curve/key_knots.hpp>
 #include <orispline/curve/points_through.hpp>
 #include <orispline/curve/reflected.hpp>
 
@@ -44,15 +45,13 @@ auto polygon_through(std::span<const P> keys, const BetaShape& shape) {
       });
 }
 
-Knots key_times(const Keyframes& keys) { return Knots({keys.times().begin(), keys.times().end()}); }
-
 }  // namespace
 
 Expected<CubicBezierCurve> BetaThrough::curve(const Keyframes& keys, const FamilySettings& settings) {
   return shape_of(keys.size(), settings)
       .and_then([&](const BetaShape& shape) { return polygon_through(keys.orientations(), shape); })
       .map([&](ControlPolygon polygon) {
-        return CubicBezierCurve(key_times(keys), CubicBezierBasis{}, std::move(polygon));
+        return CubicBezierCurve(key_knots(keys), CubicBezierBasis{}, std::move(polygon));
       });
 }
 
@@ -60,7 +59,7 @@ Expected<CubicBezierPath> BetaThrough::path(const Keyframes& keys, const FamilyS
   return shape_of(keys.size(), settings)
       .and_then([&](const BetaShape& shape) { return polygon_through(keys.positions(), shape); })
       .map([&](PathPolygon polygon) {
-        return CubicBezierPath(key_times(keys), CubicBezierBasis{}, std::move(polygon));
+        return CubicBezierPath(key_knots(keys), CubicBezierBasis{}, std::move(polygon));
       });
 }
 

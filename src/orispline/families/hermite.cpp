@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <orispline/curve/key_knots.hpp>
 #include <orispline/curve/window.hpp>
 
 namespace orispline::families {
@@ -14,8 +15,6 @@ namespace {
 constexpr double full_turn_margin = 1e-6;
 
 std::size_t reach_of(const FamilySettings& settings) { return settings.choice("stencil") == "3" ? 1 : 2; }
-
-Knots key_times(const Keyframes& keys) { return Knots({keys.times().begin(), keys.times().end()}); }
 
 /// The key's orientation with its own rates where it has them, else with those of the stencil.
 KeyMotion motion_at(const Keyframes& keys, std::size_t i, std::size_t reach) {
@@ -40,7 +39,7 @@ std::vector<KeyMotion> motions_at_keys(const Keyframes& keys, const FamilySettin
 
 template <std::size_t K>
 Expected<ChartCurve<2 * K + 1>> Hermite<K>::chart(const Keyframes& keys, const FamilySettings& settings) {
-  Knots knots = key_times(keys);
+  Knots knots = key_knots(keys);
   const auto motions = motions_at_keys(keys, settings);
   std::vector<ChartPiece<2 * K + 1>> pieces;
   pieces.reserve(knots.segments());
@@ -61,7 +60,7 @@ Expected<ChartCurve<2 * K + 1>> Hermite<K>::chart(const Keyframes& keys, const F
 
 template <std::size_t K>
 typename Hermite<K>::Cumulative Hermite<K>::cumulative(const Keyframes& keys, const FamilySettings& settings) {
-  Knots knots = key_times(keys);
+  Knots knots = key_knots(keys);
   const auto motions = motions_at_keys(keys, settings);
   ControlPolygon polygon{.bases = {keys.orientations().begin(), keys.orientations().end() - 1}, .increments = {}};
   polygon.increments.reserve((2 * K + 1) * knots.segments());
@@ -87,7 +86,7 @@ Expected<HermitePath<2 * K + 1>> Hermite<K>::path(const Keyframes& keys, const F
     const auto all = polynomial_derivatives(shifted_window(keys.times(), i, reach_of(settings), displacement));
     std::copy_n(all.begin(), K, derivatives[i].begin());
   }
-  return HermitePath<2 * K + 1>(key_times(keys), {p.begin(), p.end()}, std::move(derivatives));
+  return HermitePath<2 * K + 1>(key_knots(keys), {p.begin(), p.end()}, std::move(derivatives));
 }
 
 template struct Hermite<1>;

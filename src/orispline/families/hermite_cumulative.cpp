@@ -2,6 +2,7 @@
 #include <orispline/families/hermite_cumulative.hpp>
 
 #include <orispline/curve/increments.hpp>
+#include <orispline/curve/key_knots.hpp>
 #include <orispline/curve/three_key_rates.hpp>
 
 namespace orispline::families {
@@ -18,7 +19,7 @@ Expected<CubicBezierCurve> HermiteCumulative::curve(const Keyframes& keys, const
   const PerKey tension = settings.per_key("tension");
   std::vector<Eigen::Vector3d> rates = key_rates(keys);
   for (std::size_t i = 0; i < rates.size(); ++i) rates[i] *= tension[i];
-  return hermite_curve(Knots({keys.times().begin(), keys.times().end()}), keys.orientations(), rates);
+  return hermite_curve(key_knots(keys), keys.orientations(), rates);
 }
 
 }  // namespace orispline::families

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <orispline/curve/key_knots.hpp>
 #include <orispline/curve/points_through.hpp>
 #include <orispline/curve/rate_chain.hpp>
 
@@ -103,7 +104,7 @@ SlerpBezierCurve curve_of(const Keyframes& keys, const std::vector<Eigen::Quater
   for (std::size_t i = 0; i + 1 < q.size(); ++i)
     segments.push_back(slerp_bezier_segment({q[i], slerp<double>(d[i], d[i + 1], ratios.after[i]),
                                              slerp<double>(d[i], d[i + 1], ratios.before[i + 1]), q[i + 1]}));
-  return {Knots({keys.times().begin(), keys.times().end()}), std::move(segments)};
+  return {key_knots(keys), std::move(segments)};
 }
 
 }  // namespace

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/families/shoemake.hpp>
 
+#include <orispline/curve/handle_rates.hpp>
+#include <orispline/curve/key_knots.hpp>
 #include <orispline/curve/reflected.hpp>
 #include <orispline/math/geodesic.hpp>
 
 namespace orispline::families {
 namespace {
-
-struct HandleRates {
-  std::vector<Eigen::Vector3d> leaving, arriving;
-};
 
 /// The rates with which the handles of every key lie, for orientations or positions.
 ///
@@ -36,14 +34,12 @@ HandleRates handle_rates(std::span<const Point> points, std::span<const double> 
 
 Expected<SlerpBezierCurve> Shoemake::curve(const Keyframes& keys, const FamilySettings& settings) {
   const HandleRates rates = handle_rates(keys.orientations(), keys.times(), settings.choice("timing"));
-  return slerp_bezier_curve(Knots({keys.times().begin(), keys.times().end()}), keys.orientations(), rates.leaving,
-                            rates.arriving);
+  return slerp_bezier_curve(key_knots(keys), keys.orientations(), rates.leaving, rates.arriving);
 }
 
 Expected<CubicBezierPath> Shoemake::path(const Keyframes& keys, const FamilySettings& settings) {
   const HandleRates rates = handle_rates(keys.positions(), keys.times(), settings.choice("timing"));
-  return handle_path(Knots({keys.times().begin(), keys.times().end()}), keys.positions(), rates.leaving,
-                     rates.arriving);
+  return handle_path(key_knots(keys), keys.positions(), rates.leaving, rates.arriving);
 }
 
 }  // namespace orispline::families

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/families/tcb.hpp>
 
+#include <orispline/curve/handle_rates.hpp>
+#include <orispline/curve/key_knots.hpp>
 #include <orispline/curve/reflected.hpp>
 #include <orispline/math/geodesic.hpp>
 
 namespace orispline::families {
 namespace {
-
-struct HandleRates {
-  std::vector<Eigen::Vector3d> leaving, arriving;
-};
 
 /// Orientations or positions with what Kochanek and Bartels make of them.
 template <class Point>
@@ -71,14 +69,12 @@ class TangentRule {
 
 Expected<SlerpBezierCurve> Tcb::curve(const Keyframes& keys, const FamilySettings& settings) {
   const HandleRates rates = TangentRule(keys.orientations(), keys.times(), settings).rates(settings);
-  return slerp_bezier_curve(Knots({keys.times().begin(), keys.times().end()}), keys.orientations(), rates.leaving,
-                            rates.arriving);
+  return slerp_bezier_curve(key_knots(keys), keys.orientations(), rates.leaving, rates.arriving);
 }
 
 Expected<CubicBezierPath> Tcb::path(const Keyframes& keys, const FamilySettings& settings) {
   const HandleRates rates = TangentRule(keys.positions(), keys.times(), settings).rates(settings);
-  return handle_path(Knots({keys.times().begin(), keys.times().end()}), keys.positions(), rates.leaving,
-                     rates.arriving);
+  return handle_path(key_knots(keys), keys.positions(), rates.leaving, rates.arriving);
 }
 
 }  // namespace orispline::families
