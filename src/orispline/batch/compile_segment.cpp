@@ -90,9 +90,10 @@ void shift_to(double middle, const KnotSpan& span, Powers& p) noexcept {
     for (std::size_t k = record_degree; k-- > r;) p[k] += off * p[k + 1];
 }
 
+/// Column `lane` of the rows that the kernel reads.
 template <class T>
-void store(const Powers& from, double scale, T (&to)[record_degree + 1]) noexcept {
-  for (std::size_t k = 0; k < from.size(); ++k) to[k] = static_cast<T>(scale * from[k]);
+void store(const Powers& from, double scale, std::size_t lane, T (&to)[record_degree + 1][4]) noexcept {
+  for (std::size_t k = 0; k < from.size(); ++k) to[k][lane] = static_cast<T>(scale * from[k]);
 }
 
 template <class T>
@@ -151,7 +152,7 @@ CumulativeRecord<T> compile_segment(const CumulativeForm& form, const KnotSpan& 
     const double angle = segment.vectors[k].stableNorm();
     axes[k] = angle > 0.0 ? Eigen::Vector3d(segment.vectors[k] / angle) : Eigen::Vector3d::UnitX();
     largest[k] = angle * segment.largest[k];
-    store(segment.factors[k], angle, record.angles[k]);
+    store(segment.factors[k], angle, k, record.angles);
   }
   store_products<T>(segment.middle, axes, record.products);
   const Eigen::Vector3d along = axes[1].dot(axes[0]) * axes[1];
@@ -175,7 +176,7 @@ CompiledChart<T> compile_segment(const ChartForm& form, const KnotSpan& span) no
   for (std::size_t k = 0; k < 3; ++k) {
     Powers powers = centred(form.degree, form.rotation_vector[k].coefficients);
     shift_to(middle, span, powers);
-    store(powers, 1.0, compiled.record.rotation_vector[k]);
+    store(powers, 1.0, k, compiled.record.rotation_vector);
   }
   for (std::size_t i = 0; i <= form.degree; ++i) {
     const auto& v = form.rotation_vector;

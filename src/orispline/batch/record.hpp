@@ -26,7 +26,7 @@ inline constexpr int record_degree = 7;
 template <class T>
 struct alignas(64) CumulativeRecord {
   T products[8][4];  ///< M {1,a} {1,b} {1,c}, components qx, qy, qz, qw; bit k of the index takes factor k
-  T angles[3][record_degree + 1];  ///< x_a, x_b, x_c [rad]
+  T angles[record_degree + 1][4];  ///< row k: the coefficients of s^k in x_a, x_b, x_c [rad], and 0
   T carried[3][3];  ///< axis a in the frame after b: carried₀ + cos 2x_b carried₁ + sin 2x_b carried₂
   T axis_b[3], axis_c[3];
   double middle, per_step;  ///< [s], [1/s]
@@ -38,7 +38,7 @@ struct alignas(64) CumulativeRecord {
 template <class T>
 struct alignas(64) ChartRecord {
   T base[4];  ///< qx, qy, qz, qw
-  T rotation_vector[3][record_degree + 1];
+  T rotation_vector[record_degree + 1][4];  ///< row k: the coefficients of s^k in φ [rad], and 0
   double middle, per_step;
   bool short_degree;
 };
@@ -54,9 +54,9 @@ struct Clock {
 template <class T>
 struct Target {
   T* orientation;
-  T* angular_velocity;
-  T* angular_acceleration;
-  std::ptrdiff_t planes;  ///< 0: the components of a sample side by side; else the distance between planes
+  T* angular_velocity = nullptr;
+  T* angular_acceleration = nullptr;
+  std::ptrdiff_t planes = 0;  ///< 0: the components of a sample side by side; else the distance between planes
 };
 
 /// A segment that many curves share but for their orientations: component after component, each as long as there are

@@ -120,8 +120,7 @@ void sample_part(const Source<T>& source, std::span<const double> times, std::si
 
 /// One sample at any time.
 template <class T>
-void sample_one(const Source<T>& source, const double& t, std::size_t at, const Samples<T>& out) {
-  SegmentSampler<T> sampler(source.curve, source.compiled, out);
+void sample_one(const Source<T>& source, const double& t, std::size_t at, SegmentSampler<T>& sampler) {
   const Domain domain = source.curve.domain();
   if (std::isnan(t)) sampler.held(unknown(), at, 1);
   else if (t < domain.start) sampler.held(source.first(), at, 1);
@@ -200,7 +199,9 @@ Expected<void> sample_at(const CompiledCurve<T>& curve, std::span<const double> 
                          Work work) {
   if (auto error = check(out, times.size())) return tl::unexpected(std::move(*error));
   in_parts(times.size(), work, [&](std::size_t from, std::size_t to) {
-    for (std::size_t k = from; k < to; ++k) sample_one(Source<T>{curve.curve(), &curve}, times[k], k, out);
+    const Source<T> source{curve.curve(), &curve};
+    SegmentSampler<T> sampler(source.curve, source.compiled, out);
+    for (std::size_t k = from; k < to; ++k) sample_one(source, times[k], k, sampler);
   });
   return {};
 }
@@ -209,7 +210,11 @@ template <class T>
 Expected<void> sample_many(std::span<const CompiledCurve<T>> curves, double t, const Samples<T>& out, Work work) {
   if (auto error = check(out, curves.size())) return tl::unexpected(std::move(*error));
   in_parts(curves.size(), work, [&](std::size_t from, std::size_t to) {
-    for (std::size_t k = from; k < to; ++k) sample_one(Source<T>{curves[k].curve(), &curves[k]}, t, k, out);
+    for (std::size_t k = from; k < to; ++k) {
+      const Source<T> source{curves[k].curve(), &curves[k]};
+      SegmentSampler<T> sampler(source.curve, source.compiled, out);
+      sample_one(source, t, k, sampler);
+    }
   });
   return {};
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/batch/segment_sampler.hpp>
 
-#include <orispline/batch/dispatch.hpp>
-
 namespace orispline::batch {
 namespace {
 
@@ -11,11 +9,6 @@ constexpr std::size_t no_segment = static_cast<std::size_t>(-1);
 double time_of(const Clock& clock, std::size_t k) noexcept {
   return clock.times ? clock.times[k] : (clock.first + static_cast<double>(k)) * clock.step + clock.start;
 }
-
-const auto& cumulative_kernel(const Kernels& k, double) noexcept { return k.cumulative; }
-const auto& cumulative_kernel(const Kernels& k, float) noexcept { return k.cumulative_float; }
-const auto& chart_kernel(const Kernels& k, double) noexcept { return k.chart; }
-const auto& chart_kernel(const Kernels& k, float) noexcept { return k.chart_float; }
 
 /// One sample's components of a span in either layout.
 template <class T, int Components, class Vector>
@@ -60,11 +53,7 @@ const SegmentRecord<T>& SegmentSampler<T>::record(std::size_t segment) noexcept 
 template <class T>
 void SegmentSampler<T>::on_segment(std::size_t segment, const Clock& clock, std::size_t at,
                                    std::size_t count) noexcept {
-  const SegmentRecord<T>& r = record(segment);
-  if (const auto* cumulative = std::get_if<CumulativeRecord<T>>(&r))
-    return cumulative_kernel(kernels(), T())(*cumulative, clock, count, target_from(at));
-  if (const auto* chart = std::get_if<ChartRecord<T>>(&r))
-    return chart_kernel(kernels(), T())(*chart, clock, count, target_from(at));
+  if (by_kernel(record(segment), clock, count, target_from(at))) return;
   const bool rates = !out_.angular_velocities.empty() || !out_.angular_accelerations.empty();
   for (std::size_t k = 0; k < count; ++k) {
     const double t = time_of(clock, k);

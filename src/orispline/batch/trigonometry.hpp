@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include <orispline/batch/polynomial.hpp>
+
 // Sine and cosine for the kernel's loops: no branches, no calls. In an anonymous namespace, so that every instruction
 // set has its own.
 //
@@ -84,54 +86,86 @@ struct Series<float> {
   static constexpr float quarter_turn[] = {1.5703125f, 4.837512969970703125e-4f, 7.549789954891882e-8f};
 };
 
-template <class T, int N>
-[[gnu::always_inline]] inline T polynomial(const T (&c)[N], T x) {
-  T sum = c[N - 1];
-#pragma GCC unroll 16
-  for (int k = N - 2; k >= 0; --k) sum = sum * x + c[k];
-  return sum;
-}
-
-template <class T>
-struct Circle {
-  T sine, cosine;
+/// The integers that hold the bits of a number or of its lanes.
+template <class V>
+struct BitsOf {
+  using Type = typename Series<V>::Bits;
 };
+template <>
+struct BitsOf<Lanes<double>> {
+  using Type [[gnu::vector_size(32)]] = std::uint64_t;
+};
+template <>
+struct BitsOf<Lanes<float>> {
+  using Type [[gnu::vector_size(16)]] = std::uint32_t;
+};
+template <class V>
+using SeriesOf = Series<Element<V>>;
+
+template <class V>
+struct Circle {
+  V sine, cosine;
+};
+
+template <class V>
+[[gnu::always_inline]] inline Circle<V> circle(const V& x, const V& u, const V& sine_tail, const V& cosine_tail) {
+  return {x + x * u * sine_tail, Element<V>(1) + u * cosine_tail};
+}
 
 /// |x| ≤ 0.25
 struct Narrow {
-  template <class T>
-  [[gnu::always_inline]] static inline Circle<T> at(T x) {
-    const T u = x * x;
-    return {x + x * u * polynomial(Series<T>::sin_narrow, u), T(1) + u * polynomial(Series<T>::cos_narrow, u)};
+  template <class V>
+  [[gnu::always_inline]] static inline Circle<V> at(const V& x) {
+    const V u = x * x;
+    return circle<V>(x, u, polynomial(SeriesOf<V>::sin_narrow, u), polynomial(SeriesOf<V>::cos_narrow, u));
   }
 };
 
 /// |x| ≤ 1
 struct Wide {
-  template <class T>
-  [[gnu::always_inline]] static inline Circle<T> at(T x) {
-    const T u = x * x;
-    return {x + x * u * polynomial(Series<T>::sin_wide, u), T(1) + u * polynomial(Series<T>::cos_wide, u)};
+  template <class V>
+  [[gnu::always_inline]] static inline Circle<V> at(const V& x) {
+    const V u = x * x;
+    return circle<V>(x, u, polynomial(SeriesOf<V>::sin_wide, u), polynomial(SeriesOf<V>::cos_wide, u));
+  }
+};
+
+/// Lanes 0 and 2 narrow, lane 1 wide: a short series with zeros on top gives the same bits.
+struct NarrowWideNarrow {
+  template <class V>
+  [[gnu::always_inline]] static inline Circle<V> at(const V& x) {
+    using S = SeriesOf<V>;
+    const V u = x * x;
+    return circle<V>(x, u, mixed(S::sin_narrow, S::sin_wide, u), mixed(S::cos_narrow, S::cos_wide, u));
+  }
+
+ private:
+  template <class T, int Short, int Long, class V>
+  [[gnu::always_inline]] static inline V mixed(const T (&narrow)[Short], const T (&wide)[Long], const V& u) {
+    return value<Long - 1>(u, [&](int k) __attribute__((always_inline)) {
+      const T outer = k < Short ? narrow[k] : T(0);
+      return V{outer, wide[k], outer, T(0)};
+    });
   }
 };
 
 /// Any angle up to some 10⁵: the nearest quarter turn is taken off, sine and cosine change places as it says.
 struct Any {
-  template <class T>
-  [[gnu::always_inline]] static inline Circle<T> at(T x) {
-    using S = Series<T>;
-    using Bits = typename S::Bits;
-    const T shifted = x * T(0.63661977236758134308) + S::round;
+  template <class V>
+  [[gnu::always_inline]] static inline Circle<V> at(const V& x) {
+    using S = SeriesOf<V>;
+    using Bits = typename BitsOf<V>::Type;
+    const V shifted = x * Element<V>(0.63661977236758134308) + S::round;
     const Bits quarter = __builtin_bit_cast(Bits, shifted);
-    const T turns = shifted - S::round;
-    const T r = ((x - turns * S::quarter_turn[0]) - turns * S::quarter_turn[1]) - turns * S::quarter_turn[2];
-    const Circle<T> folded = Wide::at(r);
-    const Bits swap = Bits(0) - (quarter & 1);
+    const V turns = shifted - S::round;
+    const V r = ((x - turns * S::quarter_turn[0]) - turns * S::quarter_turn[1]) - turns * S::quarter_turn[2];
+    const Circle<V> folded = Wide::at(r);
+    const Bits swap = Bits{} - (quarter & 1);
     Bits sine = __builtin_bit_cast(Bits, folded.sine), cosine = __builtin_bit_cast(Bits, folded.cosine);
     const Bits difference = (sine ^ cosine) & swap;
     sine = (sine ^ difference) ^ ((quarter & 2) << S::sign_shift);
     cosine = (cosine ^ difference) ^ (((quarter + 1) & 2) << S::sign_shift);
-    return {__builtin_bit_cast(T, sine), __builtin_bit_cast(T, cosine)};
+    return {__builtin_bit_cast(V, sine), __builtin_bit_cast(V, cosine)};
   }
 };
 

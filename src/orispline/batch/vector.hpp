@@ -40,6 +40,12 @@ template <class T>
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+/// Angular velocity and acceleration of a sample.
+template <class T>
+struct BodyRates {
+  Vector<T> omega, alpha;
+};
+
 /// exp of a half rotation vector v times s by even series: neither root nor division.
 template <class T>
 struct Turn {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -42,10 +44,11 @@ class Knots {
  public:
   /// At least one time; finite, strictly increasing. Ghost keys stand at the mirrored distance beyond the ends.
   explicit Knots(std::vector<double> t) : t_(std::move(t)) {
-    ORISPLINE_EXPECT(!t_.empty());
+    ORISPLINE_EXPECT(!t_.empty() && t_.size() <= std::numeric_limits<std::uint32_t>::max());
     if (segments() == 0) return;
     before_first_ = t_[1] - t_[0];
     after_last_ = t_[segments()] - t_[segments() - 1];
+    if (t_.size() > 2) fill_slots();
   }
 
   /// The knots of a loop: at least two times, the last being the first again; the steps beyond the ends wrap around.
@@ -65,16 +68,42 @@ class Knots {
   /// Outside the domain the first or the last.
   [[nodiscard]] std::size_t segment_at(double time, Side side = Side::right) const noexcept {
     if (t_.size() < 3) return 0;
-    const auto inner_begin = t_.begin() + 1;
-    const auto inner_end = t_.end() - 1;
-    const auto next = side == Side::right ? std::upper_bound(inner_begin, inner_end, time)
-                                          : std::lower_bound(inner_begin, inner_end, time);
-    return static_cast<std::size_t>(next - inner_begin);
+    return side == Side::right ? inner_knots_that([time](double knot) { return knot <= time; }, time)
+                               : inner_knots_that([time](double knot) { return knot < time; }, time);
   }
 
  private:
+  /// The domain is cut into as many even slots as there are segments; a time's slot says nearly where it belongs.
+  [[nodiscard]] std::size_t slot_of(double time) const noexcept {
+    const double place = (time - front()) * slots_per_second_;
+    return place > 0.0 ? static_cast<std::size_t>(std::min(place, static_cast<double>(segments() - 1))) : 0;
+  }
+
+  void fill_slots() {
+    slots_per_second_ = static_cast<double>(segments()) / (back() - front());
+    knots_before_slot_.assign(segments() + 1, 0);
+    for (std::size_t i = 1; i < segments(); ++i) ++knots_before_slot_[slot_of(t_[i]) + 1];
+    for (std::size_t i = 1; i < knots_before_slot_.size(); ++i) knots_before_slot_[i] += knots_before_slot_[i - 1];
+  }
+
+  /// How many inner knots are passed at `time`; `passed` is true for those up to it.
+  template <class Passed>
+  [[nodiscard]] std::size_t inner_knots_that(Passed passed, double time) const noexcept {
+    const std::size_t slot = slot_of(time);
+    std::size_t known = knots_before_slot_[slot], open = knots_before_slot_[slot + 1] - known;
+    while (open > 0) {
+      const std::size_t half = open / 2;
+      const bool beyond = passed(t_[1 + known + half]);
+      known = beyond ? known + half + 1 : known;
+      open = beyond ? open - half - 1 : half;
+    }
+    return known;
+  }
+
   std::vector<double> t_;
   double before_first_ = 0.0, after_last_ = 0.0;
+  double slots_per_second_ = 0.0;
+  std::vector<std::uint32_t> knots_before_slot_;  ///< inner knots in earlier slots; at the end all of them
 };
 
 }  // namespace orispline

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/batch/segment_record.hpp>
+
+#include <orispline/batch/compile_segment.hpp>
+#include <orispline/batch/dispatch.hpp>
+
+namespace orispline::batch {
+namespace {
+
+const auto& cumulative_kernel(const Kernels& k, double) noexcept { return k.cumulative; }
+const auto& cumulative_kernel(const Kernels& k, float) noexcept { return k.cumulative_float; }
+const auto& chart_kernel(const Kernels& k, double) noexcept { return k.chart; }
+const auto& chart_kernel(const Kernels& k, float) noexcept { return k.chart_float; }
+
+}  // namespace
+
+template <class T>
+SegmentRecord<T> record_of(const AnyCurve& curve, std::size_t segment) noexcept {
+  if (curve.knots().segments() == 0) return {};
+  const SegmentForm form = curve.form(segment);
+  const KnotSpan span = curve.knots().span(segment);
+  if (const auto* cumulative = std::get_if<CumulativeForm>(&form)) return compile_segment<T>(*cumulative, span);
+  if (const auto* chart = std::get_if<ChartForm>(&form))
+    if (const auto compiled = compile_segment<T>(*chart, span); compiled.half_angle <= largest_chart_half_angle)
+      return compiled.record;
+  return {};
+}
+
+template <class T>
+bool by_kernel(const SegmentRecord<T>& record, const Clock& clock, std::size_t count,
+               const Target<T>& target) noexcept {
+  if (const auto* cumulative = std::get_if<CumulativeRecord<T>>(&record))
+    cumulative_kernel(kernels(), T())(*cumulative, clock, count, target);
+  else if (const auto* chart = std::get_if<ChartRecord<T>>(&record))
+    chart_kernel(kernels(), T())(*chart, clock, count, target);
+  else return false;
+  return true;
+}
+
+template SegmentRecord<double> record_of<double>(const AnyCurve&, std::size_t) noexcept;
+template SegmentRecord<float> record_of<float>(const AnyCurve&, std::size_t) noexcept;
+template bool by_kernel<double>(const SegmentRecord<double>&, const Clock&, std::size_t,
+                                const Target<double>&) noexcept;
+template bool by_kernel<float>(const SegmentRecord<float>&, const Clock&, std::size_t, const Target<float>&) noexcept;
+
+}  // namespace orispline::batch

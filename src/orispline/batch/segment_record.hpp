@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <variant>
+
+#include <orispline/batch/record.hpp>
+#include <orispline/curve/curve.hpp>
+
+namespace orispline::batch {
+
+/// A segment ready for the kernel; empty: left to the scalar evaluator.
+template <class T>
+using SegmentRecord = std::variant<std::monostate, CumulativeRecord<T>, ChartRecord<T>>;
+
+template <class T>
+[[nodiscard]] SegmentRecord<T> record_of(const AnyCurve& curve, std::size_t segment) noexcept;
+
+/// Has the kernel write `count` samples of the segment; false where it cannot.
+template <class T>
+[[nodiscard]] bool by_kernel(const SegmentRecord<T>& record, const Clock& clock, std::size_t count,
+                             const Target<T>& target) noexcept;
+
+}  // namespace orispline::batch
