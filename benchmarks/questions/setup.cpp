@@ -37,7 +37,7 @@ void ask_setup(const Sizes& sizes) {
   data.orientations.assign(keys.orientations().begin(), keys.orientations().end());
   const AnyCurve curve = value_or_give_up(make_curve("timed-c2", keys));
   measure_making("keyframes", sizes, [data] { return value_or_give_up(Keyframes::make(data)); });
-  for (const char* method : {"timed-c2", "quintic", "auto"})
+  for (const char* method : {"timed-c2", "quintic", "auto", "auto5"})
     measure_making(method, sizes, [keys, method] { return value_or_give_up(make_curve(method, keys)); });
   measure_making("compile", sizes, [curve] { return CompiledCurve<double>(curve); });
 }

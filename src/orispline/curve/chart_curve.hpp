@@ -29,9 +29,11 @@ template <Number T, int N>
 /// Time derivatives of orders 1…3 of a rotation vector.
 using ChartDerivatives = std::array<Eigen::Vector3d, 3>;
 
-/// The derivatives that p(t) must have at p for exp(p(t)) to have the given body rates: ω, α, jerk.
+/// The derivatives of orders 1…K that p(t) must have at p for exp(p(t)) to have the given body rates: ω, α, jerk. Those
+/// of higher order are zero, or unused.
 ///
 /// ‖p‖ < 2π. The exact change of chart: two segments that ask for the same rates join smoothly whatever their charts.
+template <std::size_t K>
 [[nodiscard]] ChartDerivatives chart_derivatives(const Eigen::Vector3d& p, const std::array<Eigen::Vector3d, 3>& rates);
 
 /// The body rates ω, α, jerk of exp(p(t)), p(t) with these derivatives at p: the inverse of the above.
@@ -110,8 +112,8 @@ template <std::size_t K>
     for (std::size_t m = 0; m < K; ++m) scaled[m] = (power *= h) * d[m];
     return scaled;
   };
-  const auto left = bernstein_from_taylor(start, local(chart_derivatives(start, leaving)));
-  const auto right = bernstein_from_taylor(end, inwards(local(chart_derivatives(end, arriving))));
+  const auto left = bernstein_from_taylor(start, local(chart_derivatives<K>(start, leaving)));
+  const auto right = bernstein_from_taylor(end, inwards(local(chart_derivatives<K>(end, arriving))));
   ChartPiece<2 * K + 1> piece{.base = base, .coefficients = {}};
   for (std::size_t i = 0; i <= K; ++i) {
     piece.coefficients[i] = left[i];

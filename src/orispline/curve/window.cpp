@@ -32,19 +32,22 @@ WindowRates polynomial_rates(const Window& window) noexcept {
 WindowRates natural_spline_rates(const Window& window) noexcept {
   ORISPLINE_EXPECT(window.size >= 2 && window.size <= Window::capacity);
   // Second derivatives M: h₋M₋ + 2(h₋ + h₊)M + h₊M₊ = 6 (secant₊ - secant₋), zero at both ends; Thomas' algorithm.
-  const std::size_t last = window.size - 1;
-  std::array<double, Window::capacity> upper{};
-  std::array<Eigen::Vector3d, Window::capacity> second{};
+  const std::size_t last = window.size - 1, c = window.centre;
+  std::array<double, Window::capacity> upper;
+  std::array<Eigen::Vector3d, Window::capacity> second;
+  upper[0] = 0.0;
   second[0].setZero();
   second[last].setZero();
+  Eigen::Vector3d secant = window.secant(0);
   for (std::size_t i = 1; i < last; ++i) {
     const double before = window.step(i - 1), after = window.step(i);
     const double pivot = 2.0 * (before + after) - before * upper[i - 1];
+    const Eigen::Vector3d next = window.secant(i);
     upper[i] = after / pivot;
-    second[i] = (6.0 * (window.secant(i) - window.secant(i - 1)) - before * second[i - 1]) / pivot;
+    second[i] = (6.0 * (next - secant) - before * second[i - 1]) / pivot;
+    secant = next;
   }
-  for (std::size_t i = last; i-- > 1;) second[i] -= upper[i] * second[i + 1];
-  const std::size_t c = window.centre;
+  for (std::size_t i = last; i-- > std::max<std::size_t>(c, 1);) second[i] -= upper[i] * second[i + 1];
   const Eigen::Vector3d slope =
       c < last ? Eigen::Vector3d(window.secant(c) - window.step(c) / 6.0 * (2.0 * second[c] + second[c + 1]))
                : Eigen::Vector3d(window.secant(c - 1) + window.step(c - 1) / 6.0 * (2.0 * second[c] + second[c - 1]));

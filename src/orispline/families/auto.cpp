@@ -3,10 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
 
-#include <orispline/curve/increments.hpp>
 #include <orispline/curve/key_knots.hpp>
 #include <orispline/curve/window.hpp>
 #include <orispline/math/elementary.hpp>
@@ -33,32 +31,32 @@ double gap_share(double roughness, double step_ratio) {
   return switched(roughness, 0.8, 1.0) * switched(elementary::natural_logarithm(step_ratio), log_of_5, log_of_15);
 }
 
-/// The keys as the method sees them: the same for orientations and for positions.
-struct Track {
-  std::span<const double> times;
-  std::function<Eigen::Vector3d(std::size_t, std::size_t)> displacement;  ///< increment from key i to key j
-  std::vector<Eigen::Vector3d> increments;                                ///< between neighbours
-  std::vector<double> turns;                                              ///< their angles; zeros for positions
-  std::size_t reach;                                                      ///< 3 for auto, 2 for auto5
-
-  [[nodiscard]] std::size_t size() const { return times.size(); }
-  [[nodiscard]] double step(std::size_t i) const { return times[i + 1] - times[i]; }
-  [[nodiscard]] Eigen::Vector3d secant(std::size_t i) const { return increments[i] / step(i); }
-
-  /// Up to `reach` keys on either side, fewer at the ends.
-  [[nodiscard]] Window cut_window(std::size_t centre, std::size_t reach_) const {
-    const std::size_t first = centre - std::min(centre, reach_);
-    return window_of(times, centre, first, std::min(size() - 1, centre + reach_) - first + 1, displacement);
+/// Orientations as the method sees them: increments between keys and the angles of these.
+struct OrientationSteps {
+  std::span<const Eigen::Quaterniond> keys;
+  [[nodiscard]] Eigen::Vector3d increment(std::size_t i, std::size_t j) const {
+    return orispline::increment<double>(keys[i], keys[j]);
   }
+  [[nodiscard]] static double turn(const Eigen::Vector3d& increment) { return increment.norm(); }
+};
+
+/// Positions, which turn by nothing.
+struct PositionSteps {
+  std::span<const Eigen::Vector3d> keys;
+  [[nodiscard]] Eigen::Vector3d increment(std::size_t i, std::size_t j) const { return keys[j] - keys[i]; }
+  [[nodiscard]] static double turn(const Eigen::Vector3d&) { return 0.0; }
 };
 
 /// (1) How far five keys are from a cubic: 0 for one, 1 for a kick or alternating noise.
 double roughness_of(const Window& w) {
   std::array<Eigen::Vector3d, 3> bend;  // second divided differences
   std::array<double, 3> at;
+  Eigen::Vector3d before = w.secant(0);
   for (std::size_t m = 0; m < 3; ++m) {
-    bend[m] = 2.0 * (w.secant(m + 1) - w.secant(m)) / (w.times[m + 2] - w.times[m]);
+    const Eigen::Vector3d after = w.secant(m + 1);
+    bend[m] = (2.0 / (w.times[m + 2] - w.times[m])) * (after - before);
     at[m] = (w.times[m] + w.times[m + 1] + w.times[m + 2]) / 3.0;
+    before = after;
   }
   const double share = (at[2] - at[1]) / (at[2] - at[0]);
   const double size = bend[1].norm() + share * bend[0].norm() + (1.0 - share) * bend[2].norm();
@@ -66,67 +64,16 @@ double roughness_of(const Window& w) {
   return (bend[1] - share * bend[0] - (1.0 - share) * bend[2]).norm() / size;
 }
 
-std::vector<double> roughness_at_keys(const Track& track) {
-  const std::size_t n = track.size();
-  std::vector<double> r(n, 1.0);
-  if (n < 5) return r;
-  for (std::size_t i = 2; i + 2 < n; ++i) r[i] = roughness_of(track.cut_window(i, 2));
-  r[0] = r[1] = r[2];
-  r[n - 1] = r[n - 2] = r[n - 3];
-  return r;
-}
-
-/// The largest roughness whose five keys lie in the seven-key window of key i.
-double widest_roughness(const std::vector<double>& r, std::size_t i) {
-  const std::size_t n = r.size();
-  if (n < 5) return 1.0;
-  const std::size_t centre = std::clamp<std::size_t>(i, 3, std::max<std::size_t>(3, n - 4));
-  const auto at = [&](std::size_t k) { return r[std::clamp<std::size_t>(k, 2, std::max<std::size_t>(2, n - 3))]; };
-  return std::max({at(centre - 1), at(centre), at(centre + 1)});
-}
-
-/// (2) Natural spline and polynomial over the window of that reach, mixed by `smooth`.
-Rates mixed_rates(const Track& track, std::size_t i, std::size_t reach, double smooth) {
-  const Rates natural = natural_spline_rates(track.cut_window(i, reach));
-  if (!(smooth > 0.0)) return natural;
-  return blended(natural, polynomial_rates(shifted_window(track.times, i, reach, track.displacement)), smooth);
-}
-
-/// The larger turn on one side of key i within the shifted window [rad].
-double turn_beside(const Track& track, std::size_t i, std::size_t reach) {
-  const std::size_t first = std::min(i - std::min(i, reach), track.size() - 1 - std::min(track.size() - 1, 2 * reach));
-  const std::size_t last = std::min(track.size() - 1, first + 2 * reach);
-  const auto sum = [&](std::size_t from, std::size_t to) {
-    double turn = 0.0;
-    for (std::size_t k = from; k < to; ++k) turn += track.turns[k];
-    return turn;
-  };
-  return std::max(sum(first, i), sum(i, last));
-}
-
-/// (3) The widest window that the steps allow, blended with the narrower ones.
-Rates windowed_rates(const Track& track, std::size_t i, double smooth) {
-  const double wide = track.reach == 3 ? window_share(turn_beside(track, i, 3)) : 0.0;
-  const double middle = (1.0 - wide) * window_share(turn_beside(track, i, 2));
-  const double narrow = 1.0 - wide - middle;
-  Rates rates;
-  const auto add = [&](double share, std::size_t reach, double smooth_here) {
-    if (!(share > 0.0)) return;
-    const Rates part = mixed_rates(track, i, reach, smooth_here);
-    rates.first += share * part.first;
-    rates.second += share * part.second;
-  };
-  add(wide, 3, smooth);
-  add(middle, 2, smooth);
-  add(narrow, 1, 0.0);
-  return rates;
-}
+/// The two intervals beside a key: their lengths [s] and secants.
+struct Beside {
+  double before, after;
+  Eigen::Vector3d d_before, d_after;
+};
 
 /// (4) The rates whose quintics stay nearest to the two geodesics beside key i, in the mean square.
-Rates geodesic_rates(const Track& track, std::size_t i) {
+Rates geodesic_rates(const Beside& beside) {
   constexpr double a = 52.0 / 3465.0, b = 23.0 / 18480.0, c = 1.0 / 9240.0;  // Gram matrix of the Hermite quintics
-  const double before = track.step(i - 1), after = track.step(i);
-  const Eigen::Vector3d d_before = track.secant(i - 1), d_after = track.secant(i);
+  const auto& [before, after, d_before, d_after] = beside;
   const double after3 = after * after * after, after4 = after3 * after;
   const double before3 = before * before * before, before4 = before3 * before;
   const double fifth = after4 * after + before4 * before;
@@ -138,47 +85,128 @@ Rates geodesic_rates(const Track& track, std::size_t i) {
   return {first, second};
 }
 
-std::vector<Rates> rates_at_keys(const Track& track, bool hold) {
-  const std::size_t n = track.size();
-  std::vector<Rates> rates(n);
-  if (n == 2) {
-    rates[0].first = rates[1].first = track.secant(0);
-  } else {
-    const std::vector<double> roughness = roughness_at_keys(track);
-    for (std::size_t i = 0; i < n; ++i) {
-      const double rough = track.reach == 3 ? widest_roughness(roughness, i) : roughness[i];
-      rates[i] = windowed_rates(track, i, smooth_share(rough));
-      if (i == 0 || i + 1 == n) continue;
-      const double ratio = track.step(i) / track.step(i - 1);
-      const double gap = gap_share(roughness[i], std::max(ratio, 1.0 / ratio));
-      if (gap > 0.0) rates[i] = blended(rates[i], geodesic_rates(track, i), gap);
-    }
+/// Rates at the keys of a track, asked for key after key, from the first to the last. What several keys need, the
+/// increments between near keys above all, is found once and kept while it is near.
+template <class Steps>
+class RatesAlong {
+ public:
+  /// `reach` is 3 for auto, 2 for auto5.
+  RatesAlong(std::span<const double> times, Steps steps, std::size_t reach, bool hold)
+      : times_(times), steps_(steps), reach_(reach), hold_(hold) {}
+
+  [[nodiscard]] Rates next() {
+    const std::size_t i = next_++;
+    for (; found_ < std::min(size(), i + ahead); ++found_) find(found_);
+    if (hold_ && ((i > 0 && rests_after(i - 1)) || (i + 1 < size() && rests_after(i)))) return {};
+    if (size() == 2) return {secant(0), Eigen::Vector3d::Zero()};
+    const Rates rates = windowed_rates(i);
+    if (i == 0 || i + 1 == size()) return rates;
+    const double before = step(i - 1), after = step(i);
+    const double gap = gap_share(roughness(i), std::max(after / before, before / after));
+    return gap > 0.0 ? blended(rates, geodesic_rates({before, after, secant(i - 1), secant(i)}), gap) : rates;
   }
-  if (hold)
-    for (std::size_t i = 0; i + 1 < n; ++i)
-      if (track.increments[i].isZero(0.0)) rates[i] = rates[i + 1] = Rates{};
-  return rates;
-}
 
-Track orientation_track(const Keyframes& keys, std::size_t reach) {
-  const auto q = keys.orientations();
-  Track track{.times = keys.times(),
-              .displacement = [q](std::size_t i, std::size_t j) { return increment<double>(q[i], q[j]); },
-              .increments = increments_between(q),
-              .turns = {},
-              .reach = reach};
-  for (const Eigen::Vector3d& phi : track.increments) track.turns.push_back(phi.norm());
-  return track;
-}
+  /// From key i to the next; key i + 1 is the last that was asked for, or near to it.
+  [[nodiscard]] const Eigen::Vector3d& step_from(std::size_t i) const { return known(i).to[0]; }
 
-Track position_track(const Keyframes& keys, std::size_t reach) {
-  const auto p = keys.positions();
-  return {.times = keys.times(),
-          .displacement = [p](std::size_t i, std::size_t j) -> Eigen::Vector3d { return p[j] - p[i]; },
-          .increments = increments_between(p),
-          .turns = std::vector<double>(p.size() - 1, 0.0),
-          .reach = reach};
-}
+ private:
+  static constexpr std::size_t ahead = 7;    ///< the seven keys of a window may be those that follow
+  static constexpr std::size_t places = 16;  ///< at least twice as many
+
+  struct Key {
+    std::array<Eigen::Vector3d, 3> to;  ///< increments to the next keys
+    double turn;                        ///< to the next one [rad]
+    double roughness;                   ///< of the five keys whose last is this one
+  };
+
+  [[nodiscard]] std::size_t size() const { return times_.size(); }
+  [[nodiscard]] double step(std::size_t i) const { return times_[i + 1] - times_[i]; }
+  [[nodiscard]] Eigen::Vector3d secant(std::size_t i) const { return known(i).to[0] / step(i); }
+  [[nodiscard]] bool rests_after(std::size_t i) const { return known(i).to[0].isZero(0.0); }
+  [[nodiscard]] const Key& known(std::size_t i) const { return keys_[i % places]; }
+
+  void find(std::size_t i) {
+    Key& key = keys_[i % places];
+    for (std::size_t k = 1; k <= std::min(reach_, size() - 1 - i); ++k) key.to[k - 1] = steps_.increment(i, i + k);
+    key.turn = i + 1 < size() ? Steps::turn(key.to[0]) : 0.0;
+    key.roughness = i >= 4 ? roughness_of(window(i - 2, i - 4, 5)) : 1.0;
+  }
+
+  /// From key i to key j; the increment back is the opposite one.
+  [[nodiscard]] Eigen::Vector3d increment(std::size_t i, std::size_t j) const {
+    if (i == j) return Eigen::Vector3d::Zero();
+    const std::size_t first = std::min(i, j), apart = std::max(i, j) - first;
+    if (apart > reach_) return steps_.increment(i, j);
+    return i < j ? known(first).to[apart - 1] : Eigen::Vector3d(-known(first).to[apart - 1]);
+  }
+
+  [[nodiscard]] Window window(std::size_t centre, std::size_t first, std::size_t count) const {
+    return window_of(times_, centre, first, count, [this](std::size_t i, std::size_t j) { return increment(i, j); });
+  }
+  /// Up to `reach` keys on either side, fewer at the ends.
+  [[nodiscard]] Window cut_window(std::size_t centre, std::size_t reach) const {
+    const std::size_t first = centre - std::min(centre, reach);
+    return window(centre, first, std::min(size() - 1, centre + reach) - first + 1);
+  }
+
+  /// At the ends that of the nearest key with two on either side; 1 for fewer than five keys.
+  [[nodiscard]] double roughness(std::size_t i) const {
+    return size() < 5 ? 1.0 : known(std::clamp<std::size_t>(i, 2, size() - 3) + 2).roughness;
+  }
+  /// The largest whose five keys lie in the shifted window of key i.
+  [[nodiscard]] double widest_roughness(std::size_t i) const {
+    if (reach_ == 2 || size() < 5) return roughness(i);
+    const std::size_t centre = std::clamp<std::size_t>(i, 3, std::max<std::size_t>(3, size() - 4));
+    return std::max({roughness(centre - 1), roughness(centre), roughness(centre + 1)});
+  }
+
+  /// (2) Natural spline and polynomial over the window of that reach, mixed by `smooth`.
+  [[nodiscard]] Rates mixed_rates(std::size_t i, std::size_t reach, double smooth) const {
+    const Rates natural = natural_spline_rates(cut_window(i, reach));
+    if (!(smooth > 0.0)) return natural;
+    const auto between = [this](std::size_t from, std::size_t to) { return increment(from, to); };
+    return blended(natural, polynomial_rates(shifted_window(times_, i, reach, between)), smooth);
+  }
+
+  /// The larger turn on one side of key i within the shifted window [rad].
+  [[nodiscard]] double turn_beside(std::size_t i, std::size_t reach) const {
+    const std::size_t last_key = size() - 1;
+    const std::size_t first = std::min(i - std::min(i, reach), last_key - std::min(last_key, 2 * reach));
+    const std::size_t last = std::min(last_key, first + 2 * reach);
+    const auto sum = [&](std::size_t from, std::size_t to) {
+      double turn = 0.0;
+      for (std::size_t k = from; k < to; ++k) turn += known(k).turn;
+      return turn;
+    };
+    return std::max(sum(first, i), sum(i, last));
+  }
+
+  /// (3) Narrower windows where the keys turn far.
+  [[nodiscard]] Rates windowed_rates(std::size_t i) const {
+    const double smooth = smooth_share(widest_roughness(i));
+    const double wide = reach_ == 3 ? window_share(turn_beside(i, 3)) : 0.0;
+    const double middle = (1.0 - wide) * window_share(turn_beside(i, 2));
+    const double narrow = 1.0 - wide - middle;
+    Rates rates;
+    const auto add = [&](double share, std::size_t reach, double smooth_here) {
+      if (!(share > 0.0)) return;
+      const Rates part = mixed_rates(i, reach, smooth_here);
+      rates.first += share * part.first;
+      rates.second += share * part.second;
+    };
+    add(wide, 3, smooth);
+    add(middle, 2, smooth);
+    add(narrow, 1, 0.0);
+    return rates;
+  }
+
+  std::span<const double> times_;
+  Steps steps_;
+  std::size_t reach_;
+  bool hold_;
+  std::array<Key, places> keys_;
+  std::size_t found_ = 0, next_ = 0;  ///< keys whose increments are known, and whose rates were asked for
+};
 
 Expected<bool> holds(const FamilySettings& settings) {
   return settings.whole("hold").map([](int hold) { return hold == 1; });
@@ -188,25 +216,32 @@ Expected<bool> holds(const FamilySettings& settings) {
 Expected<ChartCurve<5>> curve_of_reach(const Keyframes& keys, std::size_t reach, const FamilySettings& settings) {
   const auto hold = holds(settings);
   if (!hold) return tl::unexpected(hold.error());
-  const Track track = orientation_track(keys, reach);
-  const std::vector<Rates> rates = rates_at_keys(track, *hold);
-  const auto at = [&rates](std::size_t i) {
-    return std::array<Eigen::Vector3d, 3>{rates[i].first, rates[i].second, Eigen::Vector3d::Zero()};
+  RatesAlong along(keys.times(), OrientationSteps{keys.orientations()}, reach, *hold);
+  const auto next = [&along] {
+    const Rates rates = along.next();
+    return std::array<Eigen::Vector3d, 3>{rates.first, rates.second, Eigen::Vector3d::Zero()};
   };
   std::vector<ChartPiece<5>> pieces;
   pieces.reserve(keys.size() - 1);
+  auto leaving = next();
   for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
-    const Eigen::Vector3d half = 0.5 * track.increments[i];
+    const auto arriving = next();
+    const Eigen::Vector3d half = 0.5 * along.step_from(i);
     const Eigen::Quaterniond middle = keys.orientations()[i] * exp<double>(half);
-    pieces.push_back(hermite_piece<2>(middle, -half, half, at(i), at(i + 1), track.step(i)));
+    pieces.push_back(hermite_piece<2>(middle, -half, half, leaving, arriving, keys.times()[i + 1] - keys.times()[i]));
+    leaving = arriving;
   }
   return ChartCurve<5>(key_knots(keys), std::move(pieces));
 }
 
 Expected<HermitePath<5>> path_of_reach(const Keyframes& keys, std::size_t reach, const FamilySettings& settings) {
   return holds(settings).map([&](bool hold) {
-    std::vector<HermitePath<5>::Derivatives> derivatives;
-    for (const Rates& r : rates_at_keys(position_track(keys, reach), hold)) derivatives.push_back({r.first, r.second});
+    RatesAlong along(keys.times(), PositionSteps{keys.positions()}, reach, hold);
+    std::vector<HermitePath<5>::Derivatives> derivatives(keys.size());
+    for (auto& derivative : derivatives) {
+      const Rates rates = along.next();
+      derivative = {rates.first, rates.second};
+    }
     return HermitePath<5>(key_knots(keys), {keys.positions().begin(), keys.positions().end()}, std::move(derivatives));
   });
 }

@@ -17,6 +17,7 @@ Expected<ChartCurve<3>> RotationSpline::curve(const Keyframes& keys, const Famil
   return solve_rates<LeftChartPiece>(info.name, increments, knots, rate_conditions(settings, increments, knots))
       .map([&](const std::vector<Eigen::Vector3d>& rates) {
         std::vector<ChartPiece<3>> pieces;
+        pieces.reserve(increments.size());
         for (std::size_t i = 0; i < increments.size(); ++i)
           pieces.push_back(hermite_piece<1>(joints[i], Eigen::Vector3d::Zero(), increments[i], only(rates[i]),
                                             only(rates[i + 1]), knots.span(i).step()));

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include <orispline/math/number.hpp>
+#include <orispline/math/jet.hpp>
 
 // Entire functions of the squared angle, smooth through zero: what exp and the Jacobians are made of.
 // Each takes x = θ². Below its threshold a Taylor polynomial in x is used, above it the closed form. The polynomials
@@ -17,6 +17,21 @@ template <Number T, std::size_t N>
 [[nodiscard]] T horner(const std::array<double, N>& coefficients, const T& x) noexcept {
   T sum = T(coefficients[N - 1]);
   for (std::size_t k = N - 1; k-- > 0;) sum = sum * x + T(coefficients[k]);
+  return sum;
+}
+
+/// The same by way of the polynomial's own Taylor series at the value of x: a third of the products of power series.
+template <class T, int K, std::size_t N>
+[[nodiscard]] Jet<T, K> horner(const std::array<double, N>& coefficients, const Jet<T, K>& x) noexcept {
+  constexpr std::size_t orders = Jet<T, K>::size;
+  std::array<T, orders> taylor{};
+  for (std::size_t k = N; k-- > 0;) {
+    for (std::size_t m = orders - 1; m > 0; --m) taylor[m] = taylor[m] * x.c[0] + taylor[m - 1];
+    taylor[0] = taylor[0] * x.c[0] + T(coefficients[k]);
+  }
+  Jet<T, K> sum(taylor[orders - 1]), moved = x;
+  moved.c[0] = T(0.0);
+  for (std::size_t m = orders - 1; m-- > 0;) sum = sum * moved + Jet<T, K>(taylor[m]);
   return sum;
 }
 
