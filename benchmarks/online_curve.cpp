@@ -33,8 +33,8 @@ struct Keys {
   explicit Keys(std::size_t count) : times(count), orientations(count) {
     for (std::size_t i = 0; i < count; ++i) {
       const double k = static_cast<double>(i), t = times[i] = 0.01 * (k + 0.2 * std::sin(k));
-      orientations[i] = orispline::exp(
-          Eigen::Vector3d(2.0 * std::sin(3.0 * t), std::sin(5.0 * t + 1.0), 1.5 * std::cos(4.0 * t)));
+      orientations[i] =
+          orispline::exp(Eigen::Vector3d(2.0 * std::sin(3.0 * t), std::sin(5.0 * t + 1.0), 1.5 * std::cos(4.0 * t)));
     }
   }
 };
@@ -98,10 +98,10 @@ bool measure(std::string_view method, const Keys& keys, Stream& stream) {
                   motion = Quantiles::of(stream.motion);
   const double clock = Quantiles::of(stream.clock).p50;
   const Domain domain = *curve->available();
-  std::printf("%-13.*s %6.0f %6.0f %6.0f %9.0f %6.0f %6.0f %6.0f %6.0f %9.1f %9.1f\n",
-              static_cast<int>(method.size()), method.data(), clock, append.p50 - clock, append.p999 - clock,
-              append.most - clock, orientation.p50 - clock, orientation.p999 - clock, motion.p50 - clock,
-              motion.p999 - clock, mean(domain, [&](double t) { return (*curve)(t).w(); }),
+  std::printf("%-13.*s %6.0f %6.0f %6.0f %9.0f %6.0f %6.0f %6.0f %6.0f %9.1f %9.1f\n", static_cast<int>(method.size()),
+              method.data(), clock, append.p50 - clock, append.p999 - clock, append.most - clock,
+              orientation.p50 - clock, orientation.p999 - clock, motion.p50 - clock, motion.p999 - clock,
+              mean(domain, [&](double t) { return (*curve)(t).w(); }),
               mean(domain, [&](double t) { return curve->motion(t).angular_jerk.x(); }));
   return true;
 }

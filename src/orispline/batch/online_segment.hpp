@@ -75,7 +75,7 @@ requires(B::increments == 1) [[nodiscard]] OnlineSegment<B> two_key_segment(cons
 template <CumulativeBasis B>
 requires(B::increments == 3)
     [[nodiscard]] Expected<OnlineSegment<B>> end_segment(const B& basis, const RecentKeys& keys, std::size_t s,
-                                                              const End& curve_start, const End& curve_end) {
+                                                         const End& curve_start, const End& curve_end) {
   const bool has_before = s > 0, has_after = s + 2 < keys.size;
   const std::size_t first = has_before ? s - 1 : s, last = has_after ? s + 2 : s + 1;
   OnlineSegment<B> segment{.knots = last - first + 1, .start = s - first};

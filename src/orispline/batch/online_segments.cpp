@@ -45,8 +45,8 @@ class SegmentsOf final : public OnlineSegments {
   }
 
  private:
-  [[nodiscard]] Expected<void> store_end(std::size_t place, const RecentKeys& keys, std::size_t s)
-      requires(B::increments == 3) {
+  [[nodiscard]] Expected<void> store_end(std::size_t place, const RecentKeys& keys,
+                                         std::size_t s) requires(B::increments == 3) {
     auto segment = end_segment(basis_, keys, s, start_, end_);
     if (!segment) return tl::unexpected(std::move(segment.error()));
     ring_[place] = *segment;
