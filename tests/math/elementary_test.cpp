@@ -97,6 +97,24 @@ TEST(Elementary, ArcTangentReturnsTheAngle) {
   }
 }
 
+TEST(Elementary, SinesAndCosinesOfThreeAnglesHaveTheBitsOfEach) {
+  const std::array angles{0.0, 1e-300, 0x1p-27, 0.3,  -0.3, 0.785398163397448, 0.7853981633974484,
+                          1.6, -4.0,   999.0,   1e10, 0.1,  infinity,          nan};
+  for (const double a : angles)
+    for (const double b : angles)
+      for (const double c : angles) {
+        const auto found = sines_cosines({a, b, c});
+        for (const auto& [angle, of_three] : {std::pair(a, found[0]), std::pair(b, found[1]), std::pair(c, found[2])}) {
+          if (!std::isfinite(angle)) {
+            ASSERT_TRUE(std::isnan(of_three.sine) && std::isnan(of_three.cosine)) << angle;
+            continue;
+          }
+          ASSERT_EQ(bits(of_three.sine), bits(sine_cosine(angle).sine)) << a << " " << b << " " << c;
+          ASSERT_EQ(bits(of_three.cosine), bits(sine_cosine(angle).cosine)) << a << " " << b << " " << c;
+        }
+      }
+}
+
 TEST(Elementary, SineAndCosineAnswerLimitsLikeTheSystem) {
   for (const double x : {0.0, -0.0, std::numeric_limits<double>::denorm_min(), -std::numeric_limits<double>::min()}) {
     EXPECT_EQ(bits(sine_cosine(x).sine), bits(x));

@@ -27,6 +27,17 @@ double purely_relative_error(const Eigen::Vector3d& found, const Eigen::Vector3d
   return (found - wanted).stableNorm() / wanted.stableNorm();
 }
 
+TEST(Exp, OfThreeAtOnceHasTheBitsOfEach) {
+  const DataTable table("so3.csv");
+  const auto rows = table.rows_where("function", "exp");
+  for (std::size_t i = 0; i + 2 < rows.size(); ++i) {
+    const std::array phi{argument_vector(rows[i]), argument_vector(rows[i + 1]), argument_vector(rows[i + 2])};
+    const auto found = exp_of_each(phi);
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_EQ(found[k].coeffs(), exp<double>(phi[k]).coeffs()) << "phi = " << phi[k].transpose();
+  }
+}
+
 TEST(Exp, IsAccurateFromTinyToFullTurns) {
   const DataTable table("so3.csv");
   const auto rows = table.rows_where("function", "exp");

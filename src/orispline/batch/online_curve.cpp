@@ -126,14 +126,16 @@ std::span<const double> OnlineCurve::starts() const noexcept { return std::span(
 
 std::size_t OnlineCurve::place_at(double t, Side side) const noexcept {
   const std::span<const double> all = starts();
-  const bool newest = side == Side::right ? all.back() <= t : all.back() < t;
-  if (newest) return place_of(all.size() - 1);
+  const auto has_begun = [&](std::size_t i) { return side == Side::right ? all[i] <= t : all[i] < t; };
+  if (has_begun(all.size() - 1)) return place_of(all.size() - 1);
   if (!(t > all.front())) return place_of(0);
-  // Keys come at a nearly even rate: look first where an even one would put the time. It lies before the last start.
+  // Keys come at a nearly even rate: look first where an even one would put the time, or one place beside it, chosen
+  // without a branch that could be guessed wrong. The time lies before the last start.
   const auto even =
       static_cast<std::size_t>((t - all.front()) / (end_ - all.front()) * static_cast<double>(all.size()));
-  const std::size_t guess = std::min(even, all.size() - 2);
-  if (all[guess] < t && t < all[guess + 1]) return place_of(guess);
+  const std::size_t near = std::min(even, all.size() - 2);
+  const std::size_t guess = near + (has_begun(near + 1) ? 1 : 0) - (has_begun(near) ? 0 : 1);
+  if (guess + 1 < all.size() && has_begun(guess) && !has_begun(guess + 1)) return place_of(guess);
   const auto inner = all.subspan(1);
   const auto next = side == Side::right ? std::ranges::upper_bound(inner, t) : std::ranges::lower_bound(inner, t);
   return place_of(static_cast<std::size_t>(next - inner.begin()));
@@ -146,13 +148,12 @@ std::optional<Domain> OnlineCurve::available() const noexcept {
 }
 
 Eigen::Quaterniond OnlineCurve::operator()(double t) const noexcept {
-  const auto domain = available();
-  if (!domain) {
+  if (keys_ == 0) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     return {nan, nan, nan, nan};
   }
   if (final_segments_ == 0) return recent_.orientations[0];
-  const double held = std::clamp(t, domain->start, domain->end);
+  const double held = std::clamp(t, starts_[place_of(0)], end_);
   return segments_->orientation(held, place_at(held, Side::right));
 }
 

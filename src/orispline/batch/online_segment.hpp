@@ -46,6 +46,18 @@ struct OnlineSegment {
   [[nodiscard]] KnotSpan span() const noexcept {
     return {std::span(times).first(knots), start, times[1] - times[0], times[knots - 1] - times[knots - 2]};
   }
+
+  /// Becomes, in place, the segment between the inner two of four keys.
+  void blend(const B& basis, const RecentKeys& four_keys) noexcept {
+    static_assert(B::increments == RecentKeys::most - 1);
+    times = four_keys.times;
+    knots = RecentKeys::most;
+    start = 1;
+    base = four_keys.orientations[0];
+    increments = four_keys.increments;
+    points = four_keys.positions;
+    blending = blending_on(span(), basis);
+  }
 };
 
 /// The segment from key `s` of these to the next one, two keys blended: slerp.
@@ -58,12 +70,12 @@ requires(B::increments == 1) [[nodiscard]] OnlineSegment<B> two_key_segment(cons
           .points = {keys.positions[s], keys.positions[s + 1]}};
 }
 
-/// The segment from key `s` of these to the next one, four keys blended. A key that is not there is beyond an end of
-/// the curve: its ghost stands in. Errors: those of the ghosts.
+/// The segment from key `s` of these to the next one at an end of the curve, four keys blended. The ghosts of the ends
+/// stand in for the keys that are not there. Errors: those of the ghosts.
 template <CumulativeBasis B>
 requires(B::increments == 3)
-    [[nodiscard]] Expected<OnlineSegment<B>> four_key_segment(const B& basis, const RecentKeys& keys, std::size_t s,
-                                                              const End& curve_start, const End& curve_end) {
+    [[nodiscard]] Expected<OnlineSegment<B>> end_segment(const B& basis, const RecentKeys& keys, std::size_t s,
+                                                         const End& curve_start, const End& curve_end) {
   const bool has_before = s > 0, has_after = s + 2 < keys.size;
   const std::size_t first = has_before ? s - 1 : s, last = has_after ? s + 2 : s + 1;
   OnlineSegment<B> segment{.knots = last - first + 1, .start = s - first};

@@ -24,10 +24,10 @@ class SegmentsOf final : public OnlineSegments {
   [[nodiscard]] Expected<void> store(std::size_t place, const RecentKeys& keys, std::size_t s) override {
     if constexpr (B::increments == 1) {
       ring_[place] = two_key_segment<B>(keys, s);
+    } else if (s > 0 && s + 2 < keys.size) {
+      ring_[place].blend(basis_, keys);
     } else {
-      auto segment = four_key_segment(basis_, keys, s, start_, end_);
-      if (!segment) return tl::unexpected(std::move(segment.error()));
-      ring_[place] = *segment;
+      return store_end(place, keys, s);
     }
     return {};
   }
@@ -45,6 +45,14 @@ class SegmentsOf final : public OnlineSegments {
   }
 
  private:
+  [[nodiscard]] Expected<void> store_end(std::size_t place, const RecentKeys& keys,
+                                         std::size_t s) requires(B::increments == 3) {
+    auto segment = end_segment(basis_, keys, s, start_, end_);
+    if (!segment) return tl::unexpected(std::move(segment.error()));
+    ring_[place] = *segment;
+    return {};
+  }
+
   B basis_;
   End start_, end_;
   std::vector<OnlineSegment<B>> ring_;

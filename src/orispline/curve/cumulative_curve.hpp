@@ -44,10 +44,10 @@ template <CumulativeBasis B, Number T>
     const B& basis, KnotSpan span, const T& t, const Eigen::Quaterniond& base,
     std::span<const Eigen::Vector3d, B::increments> increments) noexcept {
   const std::array<T, B::increments> b = basis(span, t);
-  std::array<Quaternion<T>, B::increments> factors;  // all of them first: they do not wait for one another
-  for (std::size_t k = 0; k < B::increments; ++k) factors[k] = exp<T>(constant<T>(increments[k]) * b[k]);
+  std::array<Vector3<T>, B::increments> parts;
+  for (std::size_t k = 0; k < B::increments; ++k) parts[k] = constant<T>(increments[k]) * b[k];
   Quaternion<T> q = constant<T>(base);
-  for (const Quaternion<T>& factor : factors) q = q * factor;
+  for (const Quaternion<T>& factor : exp_of_each(parts)) q = q * factor;
   return q;
 }
 

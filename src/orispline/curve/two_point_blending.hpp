@@ -35,20 +35,27 @@ template <std::size_t K>
 template <std::size_t K>
 using FourKeyBlending = BernsteinRows<3, 2 * K + 2>;
 
+/// C(i, m) (n - m)!/n!, n = 2K+1: what the derivative of order m adds to Bernstein coefficient i, in row i, column m-1.
+template <std::size_t K>
+inline constexpr std::array<std::array<double, K>, K + 1> taylor_weights = [] {
+  std::array<std::array<double, K>, K + 1> weights{};
+  for (std::size_t i = 1; i <= K; ++i) {
+    double weight = 1.0;
+    for (std::size_t m = 1; m <= i; ++m)
+      weights[i][m - 1] = weight *=
+          static_cast<double>(i - m + 1) / (static_cast<double>(m) * static_cast<double>(2 * K + 2 - m));
+  }
+  return weights;
+}();
+
 /// The first K+1 Bernstein coefficients of degree 2K+1 of the polynomial with value and derivatives d at u = 0.
 template <std::size_t K, class Value>
 [[nodiscard]] std::array<Value, K + 1> bernstein_from_taylor(const Value& value,
                                                              const std::array<Value, K>& d) noexcept {
-  constexpr std::size_t n = 2 * K + 1;
   std::array<Value, K + 1> c;
   c.fill(value);
-  for (std::size_t i = 1; i <= K; ++i) {
-    double weight = 1.0;  // C(i, m) (n - m)!/n!
-    for (std::size_t m = 1; m <= i; ++m) {
-      weight *= static_cast<double>(i - m + 1) / (static_cast<double>(m) * static_cast<double>(n - m + 1));
-      c[i] += weight * d[m - 1];
-    }
-  }
+  for (std::size_t i = 1; i <= K; ++i)
+    for (std::size_t m = 0; m < i; ++m) c[i] += taylor_weights<K>[i][m] * d[m];
   return c;
 }
 

@@ -14,6 +14,8 @@ namespace {
 constexpr double round_to_even =
     0x1.8p52;  // added and taken away it rounds to an integer, which stands in the low bits
 
+constexpr double cosine_is_1 = 0x1p-27, eighth_turn = 0.5 * half_pi[0];
+
 /// A number in two parts, the second small beside the first.
 struct Sum {
   double high, low;
@@ -98,7 +100,7 @@ Reduced reduced_exactly(double angle) {
 
 /// Sine and cosine of a reduced angle. What is added last to the leading term is small: it brings less than half an
 /// ulp.
-SineCosine in_first_octants(Sum angle) {
+inline SineCosine in_first_octants(Sum angle) {
   const double r = angle.high, z = r * r, z2 = z * z, half = 0.5 * z, complement = 1.0 - half;
   std::array<double, 2> terms;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -169,12 +171,20 @@ double arctangent_at_the_limits(double y, double x) {
 }  // namespace
 
 SineCosine sine_cosine(double angle) noexcept {
-  constexpr double cosine_is_1 = 0x1p-27, eighth_turn = 0.5 * half_pi[0], by_parts = 1000.0;
+  constexpr double by_parts = 1000.0;
   const double size = std::abs(angle);
   if (size < cosine_is_1) return {angle, 1.0};
   if (size <= eighth_turn) return in_first_octants({angle, 0.0});
   if (!(size <= by_parts)) return of_large_or_no_angle(angle);
   return turned(reduced_by_parts(angle));
+}
+
+std::array<SineCosine, 3> sines_cosines(const std::array<double, 3>& angles) noexcept {
+  const auto needs_no_turn = [](double angle) { return cosine_is_1 <= angle && angle <= eighth_turn; };
+  const auto [a, b, c] = angles;
+  if (needs_no_turn(a) && needs_no_turn(b) && needs_no_turn(c))
+    return {in_first_octants({a, 0.0}), in_first_octants({b, 0.0}), in_first_octants({c, 0.0})};
+  return {sine_cosine(a), sine_cosine(b), sine_cosine(c)};
 }
 
 double arctangent(double y, double x) noexcept {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+
 /// Elementary functions with the same bits on every processor and from every compiler: IEEE operations alone, where the
 /// system's library takes other paths on processors with fused multiply-add.
 ///
@@ -14,6 +16,9 @@ struct SineCosine {
 
 /// Sine and cosine of an angle [rad] of any size.
 [[nodiscard]] SineCosine sine_cosine(double angle) noexcept;
+
+/// Of three angles at once: none waits for another.
+[[nodiscard]] std::array<SineCosine, 3> sines_cosines(const std::array<double, 3>& angles) noexcept;
 
 /// Angle of the vector (x, y) from the x axis [rad], in [-π, π], with the sign of y.
 [[nodiscard]] double arctangent(double y, double x) noexcept;

@@ -18,23 +18,43 @@ template <std::floating_point T>
   return in_range ? sqrt_of(square) : v.stableNorm();  // which takes several times as long
 }
 
+/// Unit quaternion of half a rotation vector, of its length and of that angle's sine and cosine.
+template <std::floating_point T>
+[[nodiscard]] Quaternion<T> unit_quaternion(const Vector3<T>& half, T angle, T sine, T cosine) noexcept {
+  const T s = angle > T(0) ? sine / angle : T(1);
+  return Quaternion<T>(cosine, s * half.x(), s * half.y(), s * half.z());
+}
+
 /// Unit quaternion of a rotation vector φ [rad, full angle]: cos(‖φ‖/2) + sin(‖φ‖/2) φ/‖φ‖.
 ///
 /// Source: Eberly, (10), there with half-angle vectors.
 template <Number T>
 [[nodiscard]] Quaternion<T> exp(const Vector3<T>& phi) noexcept {
   const Vector3<T> half = phi * T(0.5);
-  T s, c;
   if constexpr (std::floating_point<T>) {
     const T angle = norm_of<T>(half);
-    sin_cos(angle, s, c);
-    s = angle > T(0) ? s / angle : T(1);
+    T sine, cosine;
+    sin_cos(angle, sine, cosine);
+    return unit_quaternion(half, angle, sine, cosine);
   } else {
-    const T x = half.squaredNorm();
-    s = series::sinc_sqrt(x);
-    c = series::cos_sqrt(x);
+    const T x = half.squaredNorm(), s = series::sinc_sqrt(x);
+    return Quaternion<T>(series::cos_sqrt(x), s * half.x(), s * half.y(), s * half.z());
   }
-  return Quaternion<T>(c, s * half.x(), s * half.y(), s * half.z());
+}
+
+/// The same of several rotation vectors at once: none waits for another.
+template <std::size_t N, Number T>
+[[nodiscard]] std::array<Quaternion<T>, N> exp_of_each(const std::array<Vector3<T>, N>& phi) noexcept {
+  std::array<Quaternion<T>, N> q;
+  if constexpr (N == 3 && std::same_as<T, double>) {
+    const std::array half{Vector3<T>(phi[0] * 0.5), Vector3<T>(phi[1] * 0.5), Vector3<T>(phi[2] * 0.5)};
+    const std::array angles{norm_of<T>(half[0]), norm_of<T>(half[1]), norm_of<T>(half[2])};
+    const auto found = elementary::sines_cosines(angles);
+    for (std::size_t k = 0; k < N; ++k) q[k] = unit_quaternion(half[k], angles[k], found[k].sine, found[k].cosine);
+  } else {
+    for (std::size_t k = 0; k < N; ++k) q[k] = exp<T>(phi[k]);
+  }
+  return q;
 }
 
 /// Rotation vector of a unit quaternion [rad, full angle]: the inverse of exp, ‖φ‖ in [0, 2π] as the sign of q says.
