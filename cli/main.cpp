@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include <orispline/base/version.hpp>
+#include <orispline/batch/dispatch.hpp>
 
 #include "command_options.hpp"
 #include "completion.hpp"
@@ -161,7 +162,9 @@ class CommandLine {
   template <class Action>
   CLI::App& command(const std::string& name, const std::string& description, Action action) {
     CLI::App& command = *app_.add_subcommand(name, description);
-    command.final_callback([this, action] { result_ = action(); });
+    command.final_callback([this, action] {
+      result_ = batch::forced_kernels().and_then([&](const batch::Kernels*) { return action(); });
+    });
     return command;
   }
 

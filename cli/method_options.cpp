@@ -108,6 +108,15 @@ Expected<std::optional<Loop>> loop_in(const FamilyInfo& family, const MethodOpti
   return Loop{.period = *seconds};
 }
 
+/// What the command line says and, where it is silent, the columns of the file.
+CurveOptions completed(const MethodRequest& request, const io::KeyFile& file) {
+  CurveOptions shape = request.options;
+  for (const std::string& name : open_parameters(request))
+    if (const auto column = file.parameters.find(name); column != file.parameters.end())
+      shape.parameters.insert(*column);
+  return shape;
+}
+
 /// With the place in the file, unless the command line alone is at fault.
 Error placed(const io::KeyFile& file, Error error) {
   const bool concerns_file = error.code == ErrorCode::bad_data || error.where.key;
@@ -151,6 +160,17 @@ std::optional<std::string> closing_step_warning(const MethodRequest& request, co
       closing_step, shortest);
 }
 
+std::optional<std::string> wound_handle_warning(const MethodRequest& request, const Keyframes& keys,
+                                                const io::KeyFile& file) {
+  const auto wound = wound_handle(request.family->name, keys, completed(request, file));
+  if (!wound || !*wound) return std::nullopt;
+  const std::string what = fmt::format(
+      "a handle of {} turns by {:.4g} degrees, wanted less than a full turn: the angular velocity may jump "
+      "there; timed-c1 has no such limit",
+      request.family->name, (*wound)->turn / full_turn * 360.0);
+  return describe(located(file, {ErrorCode::bad_data, what, {.key = (*wound)->key}}));
+}
+
 std::vector<std::string> known_settings() {
   std::set<std::string> settings;
   for (const FamilyInfo& family : families_info()) {
@@ -172,13 +192,8 @@ Expected<PoseCurve> shaped_curve(const MethodRequest& request, const Keyframes& 
   // The command line answers for itself first; what fails after that is the fault of the file's columns.
   const auto settled = settle(*request.family, request.options, keys.size());
   if (!settled) return tl::unexpected(placed(file, settled.error()));
-  CurveOptions shape = request.options;
-  bool has_columns = false;
-  for (const std::string& name : open_parameters(request))
-    if (const auto column = file.parameters.find(name); column != file.parameters.end()) {
-      shape.parameters.insert(*column);
-      has_columns = true;
-    }
+  const CurveOptions shape = completed(request, file);
+  const bool has_columns = shape.parameters.size() > request.options.parameters.size();
   return make_pose_curve(request.family->name, keys, shape).map_error([&](Error error) {
     if (has_columns) error.code = ErrorCode::bad_data;
     return placed(file, std::move(error));

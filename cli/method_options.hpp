@@ -39,6 +39,11 @@ struct MethodRequest {
 /// nothing.
 [[nodiscard]] std::optional<std::string> closing_step_warning(const MethodRequest& request, const Keyframes& keys);
 
+/// A line about a handle that turns a full turn or more away from its key, where a curve of slerps loses its
+/// continuity; else nothing.
+[[nodiscard]] std::optional<std::string> wound_handle_warning(const MethodRequest& request, const Keyframes& keys,
+                                                              const io::KeyFile& file);
+
 /// Every `NAME=` or `NAME=WORD` that some method takes.
 [[nodiscard]] std::vector<std::string> known_settings();
 /// Every end rule that some method has.

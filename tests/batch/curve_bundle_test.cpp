@@ -69,13 +69,13 @@ TEST(CurveBundle, NamesTheCurveThatDoesNotBelong) {
   EXPECT_EQ(CurveBundle<double>::make({}).error().code, ErrorCode::bad_argument);
   auto other_times = curves;
   other_times.push_back(curve_of("timed-c2", 1, {0.0, 0.7, 1.9, 2.4, 4.0}));
-  EXPECT_EQ(CurveBundle<double>::make(other_times).error().where.key, 3U);
+  EXPECT_EQ(CurveBundle<double>::make(other_times).error().where.curve, 3U);
   auto other_method = curves;
   other_method[1] = curve_of("timed-c3", 1, uneven);
-  EXPECT_EQ(CurveBundle<double>::make(other_method).error().where.key, 1U);
+  EXPECT_EQ(CurveBundle<double>::make(other_method).error().where.curve, 1U);
   auto other_kind = curves;
   other_kind[2] = curve_of("auto", 1, uneven);
-  EXPECT_EQ(CurveBundle<double>::make(other_kind).error().where.key, 2U);
+  EXPECT_EQ(CurveBundle<double>::make(other_kind).error().where.curve, 2U);
 }
 
 TEST(CurveBundle, RefusesRoomForAnotherNumberAndRates) {

@@ -21,7 +21,7 @@ constexpr std::size_t count = 173;  // a whole block and a part of one
 
 std::vector<const Kernels*> all_kernels() {
   std::vector<const Kernels*> all;
-  for (const char* name : {"v2", "v3", "v4", "native"})
+  for (const char* name : {"v2", "v3", "v4", "neon", "simd128", "native"})
     if (const Kernels* kernels = batch::kernels_named(name)) all.push_back(kernels);
   return all;
 }
@@ -99,6 +99,31 @@ TEST(InstructionSets, OfThisProcessorAreFound) {
   EXPECT_FALSE(all_kernels().empty());
   EXPECT_EQ(batch::kernels_named("v9"), nullptr);
   EXPECT_EQ(batch::kernels_named(batch::kernels().name), &batch::kernels());
+}
+
+TEST(InstructionSets, AreForcedByNameOrNotAtAll) {
+  Kernels wide = batch::kernels(), narrow = wide;
+  wide.name = "wide";
+  narrow.name = "narrow";
+  const std::array candidates{batch::Candidate{&wide, false}, batch::Candidate{&narrow, true}};
+  const auto message = [&](const char* text) { return describe(batch::forced_kernels(candidates, text).error()); };
+  EXPECT_EQ(batch::forced_kernels(candidates, nullptr).value(), nullptr);
+  EXPECT_EQ(batch::forced_kernels(candidates, "").value(), nullptr);
+  EXPECT_EQ(batch::forced_kernels(candidates, "narrow").value(), &narrow);
+  EXPECT_EQ(message("wide"), "ORISPLINE_ISA: found 'wide', which this processor lacks, wanted one of narrow");
+  EXPECT_EQ(message("Narrow"), "ORISPLINE_ISA: found 'Narrow', wanted one of narrow");
+}
+
+TEST(InstructionSets, FallBackToTheBestWhereAnUnknownOneIsForced) {
+  // Chosen once in a process, so that a process of its own tries it.
+  const auto choose = [](const char* name) {
+    setenv("ORISPLINE_ISA", name, 1);
+    std::fputs(batch::kernels().name, stderr);
+    std::exit(batch::forced_kernels().has_value() ? 0 : 1);
+  };
+  testing::FLAGS_gtest_death_test_style = "threadsafe";
+  EXPECT_EXIT(choose("v9"), testing::ExitedWithCode(1), all_kernels().back()->name);
+  EXPECT_EXIT(choose(all_kernels().front()->name), testing::ExitedWithCode(0), all_kernels().front()->name);
 }
 
 TEST(InstructionSets, GiveTheSameBitsForEveryFamily) {

@@ -32,7 +32,7 @@ TEST(OnlineCurve, RefusesOptionsWithWhatWasWanted) {
   EXPECT_EQ(refusal(OnlineCurve::make("quintic", 8, {.parameters = {{"tension", {nan}}}})),
             "quintic: tension is nan, wanted -100 to 100");
   EXPECT_EQ(refusal(OnlineCurve::make("family", 8, {.parameters = {{"order", {2.5}}}})),
-            "order is 2.5, wanted a whole number");
+            "family: order is 2.5, wanted a whole number");
 }
 
 TEST(OnlineCurve, RefusesEndsThatNoKeysCanHaveBeforeThereAreAny) {

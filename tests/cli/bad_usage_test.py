@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Command lines that are refused: exit code 2, one line that says what is wrong, one that says where to read on."""
 import json
+import os
 
-from command import BAD_USAGE, CommandTest, main
+from command import BAD_USAGE, HINT, CommandTest, main
 
 METHODS = ("auto, auto5, slerp, squad, squad-timed, shoemake, tcb, barry-goldman, circular, log-parabola, "
            "quintic, sextic, timed-c1, timed-c2, timed-c3, timed-sextic, xing-quartic, xing-quintic, family, "
@@ -159,6 +160,24 @@ class BadUsage(CommandTest):
         self.assertIn("'orispline --help'", done.stderr)
         self.assertLess(done.stderr.count("\n"), 10)
         self.assertLessEqual(max(map(len, done.stderr.splitlines())), 100)
+
+
+class Environment(CommandTest):
+    def test_an_instruction_set_that_is_not_there_is_refused(self):
+        done = self.run_command("sample keys.csv --rate 1", env=os.environ | {"ORISPLINE_ISA": "v9"})
+        self.assertEqual((done.returncode, done.stdout), (BAD_USAGE, ""))
+        self.assertRegex(done.stderr, r"\Aorispline: ORISPLINE_ISA: found 'v9', wanted one of [a-z0-9, ]+\n" + HINT)
+
+    def test_without_a_value_it_says_nothing(self):
+        self.output_of("sample keys.csv --rate 1", env=os.environ | {"ORISPLINE_ISA": ""})
+
+    def test_every_one_that_is_offered_makes_the_same_samples(self):
+        offer = self.run_command("methods", env=os.environ | {"ORISPLINE_ISA": "?"}).stderr.splitlines()[0]
+        plain = self.output_of("sample keys.csv --rate 100")
+        for name in offer.split(" one of ")[1].split(", "):
+            with self.subTest(name):
+                forced = self.output_of("sample keys.csv --rate 100", env=os.environ | {"ORISPLINE_ISA": name})
+                self.assertEqual(forced, plain)
 
 
 if __name__ == "__main__":

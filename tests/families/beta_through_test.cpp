@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The Beta curve through its keys: what is solved for, what stays of the published one, what is refused.
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include <orispline/families/registry.hpp>
@@ -119,8 +121,23 @@ TEST(BetaThrough, RefusesPolesWithTheKeyThatTheyBelongTo) {
   };
   EXPECT_EQ(key_of({0, 0, -4, 0}), 2u);
   EXPECT_EQ(key_of({0, 0, 0, -4, 0, 0}), 2u);
-  EXPECT_EQ(key_of({-4, 0, 0, 0, 0, 0}), 0u);
-  EXPECT_EQ(key_of({0, 0, 0, 0, 0, -4}), 3u);
+  EXPECT_EQ(key_of({-4, 0, 0, 0}), 0u);
+  EXPECT_EQ(key_of({0, 0, 0, -4}), 3u);
+}
+
+TEST(BetaThrough, NamesTheGhostKeyThatAValueBelongsTo) {
+  const Keyframes keys = keyframes(random_walk(415, 4, Spacing::even));
+  const auto place_of = [&](std::vector<double> beta2) {
+    const auto c = make_curve("beta-through", keys, {.parameters = {{"beta2", std::move(beta2)}}});
+    const std::string text = describe(c.error());
+    return text.substr(0, text.find(": beta-through"));
+  };
+  for (const double refused : {-4.0, std::numeric_limits<double>::quiet_NaN()}) {  // a pole, and out of range
+    EXPECT_EQ(place_of({refused, 0, 0, 0, 0, 0}), "ghost key before key 0");
+    EXPECT_EQ(place_of({0, refused, 0, 0, 0, 0}), "key 0");
+    EXPECT_EQ(place_of({0, 0, 0, 0, refused, 0}), "key 3");
+    EXPECT_EQ(place_of({0, 0, 0, 0, 0, refused}), "ghost key after key 3");
+  }
 }
 
 TEST(BetaThrough, TellsWhereItsEquationsHaveNoSolution) {

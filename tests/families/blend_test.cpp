@@ -68,7 +68,7 @@ TYPED_TEST(Blend, RefusesOrdersThatAreNotOneTwoOrThree) {
   const std::string name(TypeParam::info.name);
   EXPECT_EQ(message(4), name + ": order is 4, wanted 1 to 3");
   EXPECT_EQ(message(0), name + ": order is 0, wanted 1 to 3");
-  EXPECT_EQ(message(1.5), "order is 1.5, wanted a whole number");
+  EXPECT_EQ(message(1.5), name + ": order is 1.5, wanted a whole number");
 }
 
 TYPED_TEST(Blend, KeepsAConstantAccelerationAboutOneAxisAwayFromTheEnds) {

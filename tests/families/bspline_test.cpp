@@ -166,7 +166,7 @@ TEST(BSpline, RefusesADegreeThatItHasNot) {
     const auto c = make_curve("bspline", keys, {.parameters = {{"degree", {degree}}}});
     return c ? std::string() : c.error().message;
   };
-  EXPECT_EQ(message(3.5), "degree is 3.5, wanted a whole number");
+  EXPECT_EQ(message(3.5), "bspline: degree is 3.5, wanted a whole number");
   EXPECT_EQ(message(1.0), "bspline: degree is 1, wanted 2 to 5");
   EXPECT_EQ(message(6.0), "bspline: degree is 6, wanted 2 to 5");
   for (const double degree : {2.0, 3.0, 4.0, 5.0}) EXPECT_EQ(message(degree), "");

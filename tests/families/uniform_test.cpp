@@ -161,7 +161,7 @@ TEST(UniformFamily, RefusesAnOrderThatIsNotAWholeNumber) {
   const auto half = make_curve("family", keys, {.parameters = {{"order", {2.5}}}});
   ASSERT_FALSE(half);
   EXPECT_EQ(half.error().code, ErrorCode::bad_argument);
-  EXPECT_EQ(half.error().message, "order is 2.5, wanted a whole number");
+  EXPECT_EQ(half.error().message, "family: order is 2.5, wanted a whole number");
   for (const double order : {0.0, 6.0, -1.0}) {
     const auto refused = make_curve("family", keys, {.parameters = {{"order", {order}}}});
     ASSERT_FALSE(refused) << order;

@@ -53,7 +53,7 @@ Expected<CurveBundle<T>> CurveBundle<T>::make(std::vector<AnyCurve> curves) {
   for (std::size_t i = 1; i < curves.size(); ++i)
     if (!std::ranges::equal(curves[i].knots().times(), times))
       return failure(ErrorCode::bad_argument, "the key times differ from those of the first curve, wanted the same",
-                     {.key = i});
+                     {.curve = i});
   CurveBundle bundle(std::move(curves));
   bundle.plane_ = (bundle.size() + plane_step - 1) / plane_step * plane_step;
   for (std::size_t segment = 0; segment < bundle.curves_.front().knots().segments(); ++segment)
@@ -75,12 +75,12 @@ std::optional<Error> CurveBundle<T>::add_segment(std::size_t index) {
     if (!cumulative)
       return Error{ErrorCode::bad_argument,
                    "a bundle takes curves of up to three cumulative factors, found another kind",
-                   {.key = i}};
+                   {.curve = i}};
     if (!first) first = *cumulative;
     if (!same_blending(*first, *cumulative))
       return Error{ErrorCode::bad_argument,
                    "the blending differs from that of the first curve, wanted the same tensions",
-                   {.key = i}};
+                   {.curve = i}};
     const batch::FactoredSegment factored = batch::factored(*cumulative, curves_[i].knots().span(index));
     for (std::size_t k = 0; k < 3; ++k)
       if (!(factored.vectors[k].norm() * factored.largest[k] <= 1.0)) segment.within_range = false;

@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/batch/dispatch.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cstdlib>
-#include <cstring>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace orispline::batch {
 
 #if defined(ORISPLINE_X86_KERNELS)
 extern const Kernels v2, v3, v4;
 #else
-extern const Kernels native;
+extern const Kernels ORISPLINE_ONLY_KERNELS;
 #endif
 
 namespace {
-
-struct Candidate {
-  const Kernels* kernels;
-  bool (*usable)();
-};
 
 #if defined(ORISPLINE_X86_KERNELS)
 // By single features: Clang 14 does not know the levels x86-64-v3 and x86-64-v4 here.
@@ -31,31 +32,49 @@ bool has_v4() {
 }
 #endif
 
-// The best one first.
+/// The best one first; the last one is always usable.
+auto all_candidates() noexcept {
 #if defined(ORISPLINE_X86_KERNELS)
-const Candidate candidates[] = {{&v4, has_v4}, {&v3, has_v3}, {&v2, [] { return true; }}};
+  return std::array{Candidate{&v4, has_v4()}, Candidate{&v3, has_v3()}, Candidate{&v2, true}};
 #else
-const Candidate candidates[] = {{&native, [] { return true; }}};
+  return std::array{Candidate{&ORISPLINE_ONLY_KERNELS, true}};
 #endif
+}
 
 const Kernels& best() noexcept {
-  if (const char* forced = std::getenv("ORISPLINE_ISA"))
-    if (const Kernels* named = kernels_named(forced)) return *named;
-  for (const Candidate& candidate : candidates)
-    if (candidate.usable()) return *candidate.kernels;
-  return *candidates[0].kernels;
+  const auto candidates = all_candidates();
+  return *std::ranges::find_if(candidates, &Candidate::usable)->kernels;
 }
 
 }  // namespace
 
 const Kernels* kernels_named(const char* name) noexcept {
-  for (const Candidate& candidate : candidates)
-    if (std::strcmp(candidate.kernels->name, name) == 0) return candidate.usable() ? candidate.kernels : nullptr;
+  for (const Candidate& candidate : all_candidates())
+    if (std::string_view(name) == candidate.kernels->name) return candidate.usable ? candidate.kernels : nullptr;
   return nullptr;
 }
 
+Expected<const Kernels*> forced_kernels(std::span<const Candidate> candidates, const char* text) {
+  if (text == nullptr || *text == '\0') return nullptr;
+  std::vector<std::string_view> usable;
+  std::string_view lacking = "";
+  for (const Candidate& candidate : candidates) {
+    const std::string_view name = candidate.kernels->name;
+    if (candidate.usable && name == text) return candidate.kernels;
+    if (candidate.usable) usable.push_back(name);
+    else if (name == text) lacking = ", which this processor lacks";
+  }
+  return failure(ErrorCode::bad_argument,
+                 fmt::format("ORISPLINE_ISA: found '{}'{}, wanted one of {}", text, lacking, fmt::join(usable, ", ")));
+}
+
+Expected<const Kernels*> forced_kernels() { return forced_kernels(all_candidates(), std::getenv("ORISPLINE_ISA")); }
+
 const Kernels& kernels() noexcept {
-  static const Kernels& chosen = best();
+  static const Kernels& chosen = []() -> const Kernels& {
+    const Kernels* forced = forced_kernels().value_or(nullptr);
+    return forced ? *forced : best();
+  }();
   return chosen;
 }
 

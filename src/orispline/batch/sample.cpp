@@ -165,8 +165,8 @@ Expected<void> sample_of(const Source<T>& source, std::span<const double> times,
     if (times[k] >= latest) latest = times[k];
     else if (!std::isnan(times[k]))
       return failure(ErrorCode::bad_argument,
-                     fmt::format("time {} comes after {}, wanted times that do not decrease", times[k], latest),
-                     {.key = k});
+                     fmt::format("{} s comes after {} s, wanted times that do not decrease", times[k], latest),
+                     {.time = k});
   }
   in_parts(times.size(), work, [&](std::size_t from, std::size_t to) { sample_part(source, times, from, to, out); });
   return {};

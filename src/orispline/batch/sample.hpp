@@ -14,9 +14,10 @@ enum class Layout {
   planar,       ///< component after component: all qx, then all qy, …
 };
 
-/// Where samples go: memory of the caller, 4 numbers a sample for orientations, 3 for rates. Empty: not wanted.
+/// Where samples go: memory of the caller, 4 numbers a sample for orientations, 3 for rates.
 ///
-/// Rates are in the **body** frame, [rad/s] and [rad/s²].
+/// Orientations are always wanted, rates only where their span is not empty. Rates are in the **body** frame, [rad/s]
+/// and [rad/s²].
 template <class T>
 struct Samples {
   std::span<T> orientations;
@@ -38,7 +39,8 @@ struct Work {
 // right-hand segment. Before the first and after the last key the end orientation is held, at rest; a time that is NaN
 // gives NaN. Nothing is allocated on one thread.
 //
-// Errors (bad_argument): spans whose sizes do not belong together; times that decrease, with their index as the key.
+// Errors (bad_argument): spans whose sizes do not belong together; times that decrease, with the index of the first
+// one that does.
 
 /// Evenly spaced: sample k at k * dt + t0, computed as written. dt may not be negative.
 template <class T>

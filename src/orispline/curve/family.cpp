@@ -39,10 +39,11 @@ std::optional<Error> check_values(const FamilyInfo& family, const Parameter& par
     return argument_error(fmt::format("{}: found {} values of {}, wanted {}", family.name, values.size(),
                                       parameter.name, wanted_values(parameter, keys, with_ghosts)));
   for (std::size_t i = 0; i < values.size(); ++i)
-    if (!(parameter.lowest <= values[i] && values[i] <= parameter.highest))
-      return argument_error(fmt::format("{}: {} is {}, wanted {} to {}", family.name, parameter.name, values[i],
-                                        parameter.lowest, parameter.highest),
-                            values.size() == 1 ? std::nullopt : std::optional(i));
+    if (!(parameter.lowest <= values[i] && values[i] <= parameter.highest)) {
+      Error error = argument_error(fmt::format("{}: {} is {}, wanted {} to {}", family.name, parameter.name, values[i],
+                                               parameter.lowest, parameter.highest));
+      return values.size() == 1 ? error : at_value(std::move(error), i, values.size(), keys);
+    }
   return std::nullopt;
 }
 
@@ -111,11 +112,23 @@ Expected<EndRule> end_rule_by_name(const FamilyInfo& family, std::string_view na
 Expected<int> FamilySettings::whole(std::string_view name) const {
   const double value = per_key(name)[0];
   if (value == std::round(value)) return static_cast<int>(value);
-  return tl::unexpected(argument_error(fmt::format("{} is {}, wanted a whole number", name, value)));
+  return tl::unexpected(argument_error(fmt::format("{}: {} is {}, wanted a whole number", method, name, value)));
+}
+
+Error at_value(Error error, std::size_t value, std::size_t values, std::size_t keys) {
+  const std::size_t ghosts = (values - keys) / 2;  // beyond either end
+  if (ghosts <= value && value < ghosts + keys) {
+    error.where.key = value - ghosts;
+  } else {
+    error.where.key.reset();
+    error.message = fmt::format("ghost key {} key {}: {}", value < ghosts ? "before" : "after",
+                                value < ghosts ? 0 : keys - 1, error.message);
+  }
+  return error;
 }
 
 Expected<FamilySettings> settle(const FamilyInfo& family, const CurveOptions& options, std::size_t keys) {
-  FamilySettings settings;
+  FamilySettings settings{.method = family.name};
   for (const auto& [name, values] : options.parameters)
     if (!has_name(family.parameters, name)) return tl::unexpected(unknown_parameter(family, name));
   for (const auto& [name, word] : options.choices)

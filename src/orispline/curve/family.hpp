@@ -129,6 +129,7 @@ struct Closure {
 
 /// Options completed and checked against a family: every parameter present, the ends chosen.
 struct FamilySettings {
+  std::string_view method{};  ///< the family's name
   std::map<std::string, PerKey, std::less<>> parameters{};
   std::map<std::string_view, std::string_view> choices{};
   End start{};
@@ -152,6 +153,11 @@ struct FamilySettings {
   /// A parameter that must be a whole number, such as a degree or an order; else bad_argument.
   [[nodiscard]] Expected<int> whole(std::string_view name) const;
 };
+
+/// The error with its place: the key of the value at that index, or in words the ghost key, which has no index.
+///
+/// There are as many values as keys, or those of ghost keys before and after them as well.
+[[nodiscard]] Error at_value(Error error, std::size_t value, std::size_t values, std::size_t keys);
 
 /// Checks the options against what the family accepts and fills in its defaults.
 ///

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <numbers>
+#include <span>
 #include <vector>
 
 #include <orispline/math/eigen.hpp>
@@ -11,5 +13,33 @@ namespace orispline {
 struct HandleRates {
   std::vector<Eigen::Vector3d> leaving, arriving;
 };
+
+/// How far a handle turns away from its key.
+struct HandleTurn {
+  std::size_t key = 0;
+  double turn = 0.0;  ///< [rad]
+};
+
+/// A handle as far from its key as this [rad] is where one that turns the other way round would be: its logarithm
+/// wraps.
+inline constexpr double full_turn = 2.0 * std::numbers::pi;
+
+[[nodiscard]] inline HandleTurn wider_of(const HandleTurn& a, const HandleTurn& b) { return b.turn > a.turn ? b : a; }
+
+/// The handle that turns farthest, of all that the segments between keys have; `handles(i)` are the rotation vectors of
+/// key i on leaving it and on arriving at it [rad].
+template <class HandlesOf>
+[[nodiscard]] HandleTurn widest_handle(std::size_t keys, HandlesOf handles) {
+  HandleTurn widest;
+  for (std::size_t i = 0; i < keys; ++i) {
+    const auto [leaving, arriving] = handles(i);
+    if (i + 1 < keys) widest = wider_of(widest, {i, leaving.norm()});
+    if (i > 0) widest = wider_of(widest, {i, arriving.norm()});
+  }
+  return widest;
+}
+
+/// The same of Bézier handles, from their rates.
+[[nodiscard]] HandleTurn widest_handle(std::span<const double> times, const HandleRates& rates);
 
 }  // namespace orispline

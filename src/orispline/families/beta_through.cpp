@@ -24,11 +24,14 @@ struct JointToKey {
 };
 
 Expected<BetaShape> shape_of(std::size_t keys, const FamilySettings& settings) {
-  return beta_shape(BetaThrough::info.name, settings.per_key("beta1").all_with_ghosts(keys),
-                    settings.per_key("beta2").all_with_ghosts(keys))
-      .map_error([keys](Error error) {
-        if (error.where.key) error.where.key = std::clamp<std::size_t>(*error.where.key, 1, keys) - 1;
-        return error;
+  const PerKey beta1 = settings.per_key("beta1"), beta2 = settings.per_key("beta2");
+  const bool ghosts_have_their_own = std::max(beta1.values().size(), beta2.values().size()) == keys + 2;
+  return beta_shape(BetaThrough::info.name, beta1.all_with_ghosts(keys), beta2.all_with_ghosts(keys))
+      .map_error([&](Error error) {
+        const std::size_t point = *error.where.key;
+        return ghosts_have_their_own
+                   ? at_value(std::move(error), point, keys + 2, keys)
+                   : at_value(std::move(error), std::clamp<std::size_t>(point, 1, keys) - 1, keys, keys);
       });
 }
 

@@ -31,16 +31,23 @@ Expected<AnyPath> build_path(const Keyframes& keys, const FamilySettings& settin
   else return F::path(keys, settings).map(as_any);
 }
 
+template <class F>
+HandleTurn widest_handle_of(const Keyframes& keys, const FamilySettings& settings) {
+  if constexpr (requires { F::widest_handle(keys, settings); }) return F::widest_handle(keys, settings);
+  else return {};
+}
+
 struct Entry {
   Expected<AnyCurve> (*curve)(const Keyframes&, const FamilySettings&);
   Expected<AnyPath> (*path)(const Keyframes&, const FamilySettings&);
+  HandleTurn (*widest_handle)(const Keyframes&, const FamilySettings&);
 };
 
 constexpr auto infos = []<class... F>(std::tuple<F...>*) {
   return std::array{F::info...};
 }(static_cast<Families*>(nullptr));
 constexpr auto entries = []<class... F>(std::tuple<F...>*) {
-  return std::array{Entry{build_curve<F>, build_path<F>}...};
+  return std::array{Entry{build_curve<F>, build_path<F>, widest_handle_of<F>}...};
 }(static_cast<Families*>(nullptr));
 
 Expected<std::size_t> index_of(std::string_view name) {
@@ -103,6 +110,15 @@ Expected<const FamilyInfo*> find_family(std::string_view name) {
 
 Expected<AnyCurve> make_curve(std::string_view family, const Keyframes& keys, const CurveOptions& options) {
   return choose(family, keys, options).and_then([](const Settled& settled) { return settled.curve(); });
+}
+
+Expected<std::optional<HandleTurn>> wound_handle(std::string_view family, const Keyframes& keys,
+                                                 const CurveOptions& options) {
+  return choose(family, keys, options).map([](const Settled& settled) -> std::optional<HandleTurn> {
+    if (settled.keys.size() == 1) return std::nullopt;
+    const HandleTurn widest = entries[settled.index].widest_handle(settled.keys, settled.settings);
+    return widest.turn >= full_turn ? std::optional(widest) : std::nullopt;
+  });
 }
 
 Expected<PoseCurve> make_pose_curve(std::string_view family, const Keyframes& keys, const CurveOptions& options) {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string_view>
 
 #include <orispline/curve/curve.hpp>
 #include <orispline/curve/family.hpp>
+#include <orispline/curve/handle_rates.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/pose_curve.hpp>
 
@@ -27,5 +29,11 @@ namespace orispline {
 /// The same with the path of the same kind through the keys' positions, if they have any.
 [[nodiscard]] Expected<PoseCurve> make_pose_curve(std::string_view family, const Keyframes& keys,
                                                   const CurveOptions& options = {});
+
+/// The handle that turns farthest away from its key, where that is a full turn or more: there a curve of slerps
+/// (`squad-timed`, `shoemake`, `tcb`) is no longer C1, or goes another way than its formula means. Absent for other
+/// families. Errors: those of make_curve() before anything is solved.
+[[nodiscard]] Expected<std::optional<HandleTurn>> wound_handle(std::string_view family, const Keyframes& keys,
+                                                               const CurveOptions& options = {});
 
 }  // namespace orispline

@@ -9,6 +9,11 @@
 namespace orispline::families {
 namespace {
 
+/// The step after a key to the step before it, as the rule has it.
+double ratio_of(double before, double after, std::string_view timing) {
+  return timing == "time" ? after / before : 1.0;
+}
+
 /// The rates with which the handles of every key lie, for orientations or positions.
 ///
 /// a_i = slerp(slerp(p_{i-1}, p_i; 1 + h₊/h₋), p_{i+1}; h₋/(h₋+h₊)) is where the leaving handle points; the arriving
@@ -20,7 +25,7 @@ HandleRates handle_rates(std::span<const Point> points, std::span<const double> 
   HandleRates rates;
   for (std::ptrdiff_t i = 0; i < std::ssize(points); ++i) {
     const double before = t[i] - t[i - 1], after = t[i + 1] - t[i];
-    const double ratio = timing == "time" ? after / before : 1.0;
+    const double ratio = ratio_of(before, after, timing);
     const Point continued = displaced<double>(p[i], ratio * displacement<double>(p[i - 1], p[i]));
     const Point target = on_geodesic<double>(continued, p[i + 1], 1.0 / (1.0 + ratio));
     const Eigen::Vector3d way = displacement<double>(p[i], target);
@@ -35,6 +40,18 @@ HandleRates handle_rates(std::span<const Point> points, std::span<const double> 
 Expected<SlerpBezierCurve> Shoemake::curve(const Keyframes& keys, const FamilySettings& settings) {
   const HandleRates rates = handle_rates(keys.orientations(), keys.times(), settings.choice("timing"));
   return slerp_bezier_curve(key_knots(keys), keys.orientations(), rates.leaving, rates.arriving);
+}
+
+HandleTurn Shoemake::widest_handle(const Keyframes& keys, const FamilySettings& settings) {
+  const auto q = keys.orientations();
+  const auto t = keys.times();
+  const std::string_view timing = settings.choice("timing");
+  HandleTurn widest = orispline::widest_handle(t, handle_rates(q, t, timing));
+  for (std::size_t i = 1; i + 1 < keys.size(); ++i) {
+    const double ratio = ratio_of(t[i] - t[i - 1], t[i + 1] - t[i], timing);
+    widest = wider_of(widest, {i, ratio * increment<double>(q[i - 1], q[i]).norm()});
+  }
+  return widest;
 }
 
 Expected<CubicBezierPath> Shoemake::path(const Keyframes& keys, const FamilySettings& settings) {

@@ -3,6 +3,7 @@
 
 #include <orispline/curve/cumulative_bezier.hpp>
 #include <orispline/curve/family.hpp>
+#include <orispline/curve/handle_rates.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/slerp_bezier.hpp>
 
@@ -28,6 +29,9 @@ struct Shoemake {
                                    .choices = choices,
                                    .ends = ends};
   [[nodiscard]] static Expected<SlerpBezierCurve> curve(const Keyframes& keys, const FamilySettings& settings);
+  /// The handle that turns farthest, or the step continued to find one; from a full turn on the curve goes elsewhere or
+  /// C1 is lost.
+  [[nodiscard]] static HandleTurn widest_handle(const Keyframes& keys, const FamilySettings& settings);
   [[nodiscard]] static Expected<CubicBezierPath> path(const Keyframes& keys, const FamilySettings& settings);
 };
 

@@ -40,11 +40,14 @@ Expected<SquadCurve> Squad::curve(const Keyframes& keys, const FamilySettings& s
   });
 }
 
-Expected<SquadCurve> SquadTimed::curve(const Keyframes& keys, const FamilySettings& settings) {
+namespace {
+
+/// The handles of key i.
+auto timed_handles(const Keyframes& keys, const FamilySettings& settings) {
   const auto t = keys.times();
   const std::size_t last = keys.size() - 1;
   const bool boyle = settings.choice("variant") == "boyle";
-  return SquadCurve(keys, [&](std::size_t i) -> SquadCurve::Handles {
+  return [=, &keys, &settings](std::size_t i) -> SquadCurve::Handles {
     const Neighbours n = neighbours_of(keys, i, settings);
     const double before = i == 0 ? t[1] - t[0] : t[i] - t[i - 1];  // ghosts stand at the mirrored distance
     const double after = i == last ? before : t[i + 1] - t[i];
@@ -52,7 +55,17 @@ Expected<SquadCurve> SquadTimed::curve(const Keyframes& keys, const FamilySettin
     const double arriving = boyle ? 0.25 : 0.5 * before / (before + after);
     return {.leaving = -leaving * (n.next + after / before * n.previous),
             .arriving = -arriving * (before / after * n.next + n.previous)};
-  });
+  };
+}
+
+}  // namespace
+
+Expected<SquadCurve> SquadTimed::curve(const Keyframes& keys, const FamilySettings& settings) {
+  return SquadCurve(keys, timed_handles(keys, settings));
+}
+
+HandleTurn SquadTimed::widest_handle(const Keyframes& keys, const FamilySettings& settings) {
+  return orispline::widest_handle(keys.size(), timed_handles(keys, settings));
 }
 
 }  // namespace orispline::families

@@ -3,6 +3,7 @@
 
 #include <orispline/curve/catmull_rom_path.hpp>
 #include <orispline/curve/family.hpp>
+#include <orispline/curve/handle_rates.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/math/slerp.hpp>
 
@@ -95,6 +96,8 @@ struct SquadTimed {
       .choices = choices,
       .ends = ends};
   [[nodiscard]] static Expected<SquadCurve> curve(const Keyframes& keys, const FamilySettings& settings);
+  /// The handle that turns farthest; C1 is lost from a full turn on.
+  [[nodiscard]] static HandleTurn widest_handle(const Keyframes& keys, const FamilySettings& settings);
   [[nodiscard]] static Expected<CatmullRomPath> path(const Keyframes& keys, const FamilySettings&) {
     return CatmullRomPath(keys);
   }

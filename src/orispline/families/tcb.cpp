@@ -72,6 +72,11 @@ Expected<SlerpBezierCurve> Tcb::curve(const Keyframes& keys, const FamilySetting
   return slerp_bezier_curve(key_knots(keys), keys.orientations(), rates.leaving, rates.arriving);
 }
 
+HandleTurn Tcb::widest_handle(const Keyframes& keys, const FamilySettings& settings) {
+  return orispline::widest_handle(keys.times(),
+                                  TangentRule(keys.orientations(), keys.times(), settings).rates(settings));
+}
+
 Expected<CubicBezierPath> Tcb::path(const Keyframes& keys, const FamilySettings& settings) {
   const HandleRates rates = TangentRule(keys.positions(), keys.times(), settings).rates(settings);
   return handle_path(key_knots(keys), keys.positions(), rates.leaving, rates.arriving);

@@ -3,6 +3,7 @@
 
 #include <orispline/curve/cumulative_bezier.hpp>
 #include <orispline/curve/family.hpp>
+#include <orispline/curve/handle_rates.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/slerp_bezier.hpp>
 
@@ -27,6 +28,8 @@ struct Tcb {
                                    .parameters = parameters,
                                    .ends = ends};
   [[nodiscard]] static Expected<SlerpBezierCurve> curve(const Keyframes& keys, const FamilySettings& settings);
+  /// The handle that turns farthest; C1 is lost from a full turn on.
+  [[nodiscard]] static HandleTurn widest_handle(const Keyframes& keys, const FamilySettings& settings);
   [[nodiscard]] static Expected<CubicBezierPath> path(const Keyframes& keys, const FamilySettings& settings);
 };
 

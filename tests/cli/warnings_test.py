@@ -1,0 +1,30 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Curves that are made, but are not what the method's name promises: one line on standard error."""
+import math
+
+from command import SUCCESS, CommandTest, main
+
+
+class Warnings(CommandTest):
+    def warnings_of(self, turn, method):
+        """On a turn about z within 1 s and rest for 10 s: squad-timed's handle turns by 10/2 * 10/11 of it."""
+        self.write("rest.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n" + "".join(
+            f"{t},{math.cos(turn / 2)},0,0,{math.sin(turn / 2)}\n" for t in (1, 11)))
+        done = self.run_command(f"sample rest.csv --method {method} --count 2 --quiet")
+        self.assertEqual((done.returncode, done.stdout.count("\n")), (SUCCESS, 3))
+        return done.stderr
+
+    def test_a_handle_that_turns_a_full_turn_is_named(self):
+        self.assertEqual(self.warnings_of(1.4, "squad-timed"),
+                         "orispline: warning: rest.csv:3: key 1: a handle of squad-timed turns by 364.6 degrees, wanted "
+                         "less than a full turn: the angular velocity may jump there; timed-c1 has no such limit\n")
+
+    def test_a_narrower_one_is_not(self):
+        for turn, method in ((1.37, "squad-timed"), (1.4, "tcb"), (3.0, "timed-c1")):
+            with self.subTest(method):
+                self.assertEqual(self.warnings_of(turn, method), "")
+
+
+if __name__ == "__main__":
+    main()
