@@ -3,19 +3,23 @@
 
 #include <cstdlib>
 #include <cstring>
+#include <iterator>
 
 namespace orispline::batch {
 
 #if defined(ORISPLINE_X86_KERNELS)
 extern const Kernels v2, v3, v4;
+extern const PolynomialKernels polynomials_v2, polynomials_v3, polynomials_v4;
 #else
 extern const Kernels native;
+extern const PolynomialKernels polynomials_native;
 #endif
 
 namespace {
 
 struct Candidate {
   const Kernels* kernels;
+  const PolynomialKernels* polynomials;
   bool (*usable)();
 };
 
@@ -33,9 +37,10 @@ bool has_v4() {
 
 // The best one first.
 #if defined(ORISPLINE_X86_KERNELS)
-const Candidate candidates[] = {{&v4, has_v4}, {&v3, has_v3}, {&v2, [] { return true; }}};
+const Candidate candidates[] = {
+    {&v4, &polynomials_v4, has_v4}, {&v3, &polynomials_v3, has_v3}, {&v2, &polynomials_v2, [] { return true; }}};
 #else
-const Candidate candidates[] = {{&native, [] { return true; }}};
+const Candidate candidates[] = {{&native, &polynomials_native, [] { return true; }}};
 #endif
 
 const Kernels& best() noexcept {
@@ -57,6 +62,12 @@ const Kernels* kernels_named(const char* name) noexcept {
 const Kernels& kernels() noexcept {
   static const Kernels& chosen = best();
   return chosen;
+}
+
+const PolynomialKernels& polynomial_kernels(const Kernels& of) noexcept {
+  for (const Candidate& candidate : candidates)
+    if (candidate.kernels == &of) return *candidate.polynomials;
+  return *candidates[std::size(candidates) - 1].polynomials;
 }
 
 }  // namespace orispline::batch

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <orispline/batch/record.hpp>
+#include <orispline/batch/polynomial_record.hpp>
 
 namespace orispline::batch {
 
@@ -13,5 +13,8 @@ namespace orispline::batch {
 
 /// The same by name; null where this build or this processor does not have it.
 [[nodiscard]] const Kernels* kernels_named(const char* name) noexcept;
+
+/// The loops over polynomials for the instruction set of these kernels.
+[[nodiscard]] const PolynomialKernels& polynomial_kernels(const Kernels& of = kernels()) noexcept;
 
 }  // namespace orispline::batch
