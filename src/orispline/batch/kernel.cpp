@@ -13,20 +13,22 @@ void bundle(const BundleSegment<T>& segment, std::size_t count, const Target<T>&
   const std::size_t plane = segment.plane;
   const T a = segment.factors[0], b = segment.factors[1], c = segment.factors[2];
   alignas(64) Plane<T> q[4];
-  in_blocks(count, [&](std::size_t at, int here, int padded) __attribute__((always_inline)) {
-    const T* from = segment.planes + at;
-    for (int i = 0; i < padded; ++i) {
-      const T* m = from + i;
-      const Turn<T> product = ((Turn<T>{m[3 * plane], m[0], m[plane], m[2 * plane]} * turn(m + 4 * plane, plane, a)) *
-                               turn(m + 7 * plane, plane, b)) *
-                              turn(m + 10 * plane, plane, c);
-      q[0][i] = product.x;
-      q[1][i] = product.y;
-      q[2][i] = product.z;
-      q[3][i] = product.w;
-    }
-    lay_out(q, here, target.orientation, at, target.planes);
-  });
+  in_blocks(
+      count, [&](std::size_t at, int here, int padded) __attribute__((always_inline)) {
+        const T* from = segment.planes + at;
+        for (int i = 0; i < padded; ++i) {
+          const T* m = from + i;
+          const Turn<T> product =
+              ((Turn<T>{m[3 * plane], m[0], m[plane], m[2 * plane]} * turn(m + 4 * plane, plane, a)) *
+               turn(m + 7 * plane, plane, b)) *
+              turn(m + 10 * plane, plane, c);
+          q[0][i] = product.x;
+          q[1][i] = product.y;
+          q[2][i] = product.z;
+          q[3][i] = product.w;
+        }
+        lay_out(q, here, target.orientation, at, target.planes);
+      });
 }
 
 }  // namespace
@@ -34,6 +36,7 @@ void bundle(const BundleSegment<T>& segment, std::size_t count, const Target<T>&
 #define ORISPLINE_TEXT_OF(name) #name
 #define ORISPLINE_TEXT(name) ORISPLINE_TEXT_OF(name)
 
+extern const PolynomialKernels ORISPLINE_POLYNOMIAL_KERNELS;
 extern const Kernels ORISPLINE_KERNELS;
 const Kernels ORISPLINE_KERNELS{ORISPLINE_TEXT(ORISPLINE_KERNELS),
                                 &cumulative<double>,
@@ -41,6 +44,7 @@ const Kernels ORISPLINE_KERNELS{ORISPLINE_TEXT(ORISPLINE_KERNELS),
                                 &chart<double>,
                                 &chart<float>,
                                 &bundle<double>,
-                                &bundle<float>};
+                                &bundle<float>,
+                                &ORISPLINE_POLYNOMIAL_KERNELS};
 
 }  // namespace orispline::batch

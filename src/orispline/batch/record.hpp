@@ -37,7 +37,7 @@ struct alignas(64) CumulativeRecord {
 /// One segment of a chart curve: q(s) = base exp(φ(s)), φ a rotation vector of polynomials in s, ‖φ‖ ≤ 2 rad.
 template <class T>
 struct alignas(64) ChartRecord {
-  T base[4];  ///< qx, qy, qz, qw
+  T base[4];                                ///< qx, qy, qz, qw
   T rotation_vector[record_degree + 1][4];  ///< row k: the coefficients of s^k in φ [rad], and 0
   double middle, per_step;
   bool short_degree;
@@ -68,6 +68,8 @@ struct BundleSegment {
   T factors[3];       ///< s_a, s_b, s_c at the time of the samples; all angles stay within 1 rad
 };
 
+struct PolynomialKernels;
+
 /// The loops of one instruction set. Each writes `count` samples, of one segment or of as many curves.
 struct Kernels {
   const char* name;
@@ -77,6 +79,7 @@ struct Kernels {
   void (*chart_float)(const ChartRecord<float>&, const Clock&, std::size_t count, const Target<float>&);
   void (*bundle)(const BundleSegment<double>&, std::size_t count, const Target<double>&);
   void (*bundle_float)(const BundleSegment<float>&, std::size_t count, const Target<float>&);
+  const PolynomialKernels* polynomials;
 };
 
 }  // namespace orispline::batch
