@@ -58,9 +58,11 @@ class OrientationSampler {
     segments_.on_segment(segment, clock, at, count);
   }
   void hold(Held held, std::size_t at, std::size_t count) noexcept {
+    if (count == 0) return;
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    segments_.held(held == Held::nothing ? Eigen::Quaterniond(nan, nan, nan, nan)
-                                         : curve_(held == Held::first ? knots().front() : knots().back()),
+    segments_.held(held == Held::nothing
+                       ? Eigen::Quaterniond(nan, nan, nan, nan)
+                       : segments_.orientation_at(held == Held::first ? knots().front() : knots().back()),
                    at, count);
   }
 

@@ -45,6 +45,13 @@ void SegmentSampler<T>::on_segment(std::size_t segment, const Clock& clock, std:
 }
 
 template <class T>
+Eigen::Quaterniond SegmentSampler<T>::orientation_at(double t) noexcept {
+  if (curve_.knots().segments() == 0) return curve_(t);
+  const std::size_t segment = curve_.knots().segment_at(t);
+  return orientation_by(record(segment), curve_, segment, t).template cast<double>();
+}
+
+template <class T>
 void SegmentSampler<T>::held(const Eigen::Quaterniond& orientation, std::size_t at, std::size_t count) noexcept {
   Motion motion{.orientation = orientation};
   if (orientation.coeffs().hasNaN())
