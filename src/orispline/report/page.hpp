@@ -43,6 +43,7 @@ struct PageSamples {
   std::vector<Eigen::Vector3d> angular_velocities{};     ///< [rad/s], body; as many as times
   std::vector<Eigen::Vector3d> angular_accelerations{};  ///< [rad/s²], body; as many as times
   std::vector<Eigen::Vector3d> angular_jerks{};          ///< [rad/s³], body; as many as times
+  std::vector<Eigen::Vector3d> positions{};              ///< [m], world; none or as many as times
   std::vector<double> errors{};  ///< [deg], angle to the reference; none or as many as times; NaN where it has no value
 };
 
@@ -73,7 +74,7 @@ struct Page {
 /// The page as one HTML file that needs nothing else, no network either.
 ///
 /// Numbers are rounded to 7 significant digits. The text may hold any characters; what is not UTF-8 shows as U+FFFD.
-/// The content of the embedded JSON is described in studio/report/README.md.
+/// The content of the embedded JSON is described in studio/report/README.md. 35 methods of 600 samples make about 4 MB.
 [[nodiscard]] std::string document(const Page& page);
 
 }  // namespace orispline::report
