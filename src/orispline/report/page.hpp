@@ -27,7 +27,7 @@ struct PageColumn {
 
 /// Orientations over time; as many of each.
 struct PagePath {
-  std::vector<double> times;                     ///< [s], increasing
+  std::vector<double> times;                     ///< [s]; a time twice: the left side of a jump, then the right one
   std::vector<Eigen::Quaterniond> orientations;  ///< body to world
 };
 
