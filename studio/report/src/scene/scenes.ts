@@ -18,7 +18,8 @@ const axes: [Axis, string][] = [
   ['z', 'z'],
 ];
 const places: [State['place'], string][] = [
-  ['path', 'along the path'],
+  ['follow', 'near by, on its path'],
+  ['path', 'with the whole path'],
   ['fixed', 'in one place'],
 ];
 
