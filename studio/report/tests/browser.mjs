@@ -9,7 +9,7 @@ export const executable = process.env.CHROMIUM ?? '/usr/bin/chromium';
 const quiet = ['--disable-background-networking', '--disable-component-update', '--disable-sync', '--disable-quic', '--no-first-run'];
 const software = ['--disable-gpu', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 
-export const launch = () => chromium.launch({ executablePath: executable, args: ['--no-sandbox', ...quiet, ...software] });
+export const launch = (...more) => chromium.launch({ executablePath: executable, args: ['--no-sandbox', ...quiet, ...software, ...more] });
 
 /** Opens a file; the page's complaints and what it asks of the network are collected in it. */
 export async function open(browser, file, options = {}) {

@@ -210,6 +210,16 @@ onPage('fits on a phone, and follows a finger', { viewport: { width: 390, height
   assert.ok(Math.abs((await clock(page)) - (timeStart + 0.6 * (timeEnd - timeStart))) < 0.3);
 });
 
+test('shows the rest where there is no WebGL', async () => {
+  const plain = await launch('--disable-3d-apis');
+  const page = await open(plain, file);
+  assert.equal(await page.locator('.stages').count(), 0);
+  assert.match(await page.locator('#scenes').textContent(), /no WebGL/);
+  assert.equal(await page.locator('#plots figure:visible').count(), 6);
+  await page.finish();
+  await plain.close();
+});
+
 const pictures = { light: { height: 1690 }, dark: { height: 1690, colorScheme: 'dark' }, phone: { width: 390, height: 844 } };
 test('has its picture taken', { skip: !process.env.PICTURES }, async () => {
   for (const [name, { width = 1400, height, colorScheme }] of Object.entries(pictures)) {
