@@ -76,6 +76,15 @@ reportWith('sorts missing values to the end both ways', { methods: scattered, so
   assert.equal(await page.locator('td.number', { hasText: '–' }).count(), 2);
 });
 
+const count = 20000;
+const times = Array.from({ length: count }, (_, k) => k / 100);
+const crowd = { t: times, q: times.flatMap((t) => [Math.cos(t), 0, Math.sin(t), 0]), p: [] };
+const long = { ...samples, t: [0, times.at(-1)] };
+reportWith('of very many keys opens and plays', { keys: crowd, methods: [method('a', { samples: long })] }, async (page) => {
+  await page.getByRole('button', { name: 'Play' }).click();
+  await page.waitForFunction(() => Number.parseFloat(document.querySelector('output').textContent) > 0.5, null, { timeout: 5000 });
+});
+
 const later = { ...samples, t: [0.25, 0.75], error_deg: [1, null] };
 reportWith('of methods at other times shows both', { methods: [method('a'), method('b', { samples: later })] }, async (page) => {
   assert.match(await page.locator('[data-quantity=w] figcaption').textContent(), /a 1\.000/);

@@ -113,6 +113,6 @@ export function axes(colours: Colours, length: number): Group {
 
 /** Solid bodies have axes of their own; ghosts are only outlines of the past and the future. */
 export function body(shape: BodyShape, look: Look, colours: Colours): Group {
-  if (shape === 'axes') return axes(colours, look.opacity < 1 ? 0.5 : 0.9);
+  if (shape === 'axes') return axes(colours, look.opacity < 1 ? 0.35 : 0.55);
   return new Group().add(shape === 'box' ? box(look) : aircraft(look));
 }

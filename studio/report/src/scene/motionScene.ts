@@ -2,7 +2,7 @@
 // The body of one method in space, with ghosts of it at the keys.
 import { Group, Vector3, type Object3D } from 'three';
 import { element } from '../element';
-import { orientationAt, quaternionAt, type Quaternion } from '../motion';
+import { orientationAt, quaternionAt, spanAt, type Quaternion } from '../motion';
 import { methodNamed, report, type Method } from '../report';
 import { subscribe, type State } from '../state';
 import { coloursOf } from '../theme';
@@ -31,7 +31,7 @@ export class MotionScene {
   private content?: Group;
   private moving?: Object3D;
   private track = new Group(); // what stands still in the world
-  private ghosts: { object: Object3D; key: number }[] = [];
+  private ghosts: Object3D[] = [];
   private path?: FlightPath;
 
   constructor(private readonly which: 'first' | 'second') {
@@ -76,22 +76,21 @@ export class MotionScene {
     this.moving = body(state.body, { colour: colours[this.which], opacity: 1 }, colours);
     this.moving.scale.setScalar(look.body);
     this.ghosts = this.makeGhosts(look.ghost, () => body(state.body, { colour: colours.faint, opacity: look.opacity }, colours));
-    this.track = new Group().add(...this.ghosts.map(({ object }) => object));
+    this.track = new Group().add(...this.ghosts);
     if (this.path) this.track.add(this.path.line(colours[this.which]));
-    else this.track.add(axes({ ...colours, x: colours.faint, y: colours.faint, z: colours.faint }, 1));
+    else this.track.add(axes({ ...colours, x: colours.faint, y: colours.faint, z: colours.faint }, 0.8));
     content.add(this.track, this.moving);
   }
 
-  private makeGhosts(scale: number, make: () => Object3D): { object: Object3D; key: number }[] {
+  private makeGhosts(scale: number, make: () => Object3D): Object3D[] {
     const keys = report.keys.t.length;
     const every = this.path ? Math.ceil(keys / mostGhosts) : 1;
-    return Array.from({ length: Math.ceil(keys / every) }, (_, k) => {
-      const key = k * every;
+    return Array.from({ length: this.path ? Math.ceil(keys / every) : Math.min(2 * ghostsAround, keys) }, (_, k) => {
       const object = make();
       object.scale.setScalar(scale);
-      turn(object, quaternionAt(report.keys, key));
-      if (this.path) object.position.copy(this.path.atKey(key));
-      return { object, key };
+      turn(object, quaternionAt(report.keys, k * every));
+      if (this.path) object.position.copy(this.path.atKey(k * every));
+      return object;
     });
   }
 
@@ -99,15 +98,18 @@ export class MotionScene {
     const method = methodNamed(state[this.which]);
     if (!method || !this.moving) return;
     turn(this.moving, orientationAt(method.samples, time));
-    if (!this.path) this.showNearGhosts(time);
+    if (!this.path) this.turnGhosts(time);
     else if (place === 'follow') this.track.position.copy(this.path.atTime(time)).negate();
     else this.moving.position.copy(this.path.atTime(time));
     this.stage.draw();
   }
 
-  private showNearGhosts(time: number): void {
-    const next = report.keys.t.findIndex((t) => t > time);
-    const middle = next < 0 ? report.keys.t.length : next;
-    for (const { object, key } of this.ghosts) object.visible = key >= middle - ghostsAround && key < middle + ghostsAround;
+  /** To the keys around the time. */
+  private turnGhosts(time: number): void {
+    const first = spanAt(report.keys.t, time) + 1 - ghostsAround;
+    this.ghosts.forEach((ghost, k) => {
+      ghost.visible = first + k >= 0 && first + k < report.keys.t.length;
+      if (ghost.visible) turn(ghost, quaternionAt(report.keys, first + k));
+    });
   }
 }

@@ -24,6 +24,7 @@ import { coloursOf, type Colours } from '../theme';
 import { Stage } from './stage';
 
 const lift = 1.004; // paths lie on the sphere, not in it
+const mostDots = 400; // of more keys some are left out, evenly
 const towardsEye = { reference: 0, second: -600, first: -1200, keys: -1800 }; // steps of the depth buffer: which path hides which
 
 function pathOf(path: Path, axis: Axis, { colour, width, offset }: { colour: string; width: number; offset: number }): Line2 {
@@ -57,7 +58,8 @@ function globe(colours: Colours): Group {
 function keyDots(axis: Axis, colours: Colours): Group {
   const dots = new Group();
   const material = new MeshBasicMaterial({ color: colours.ink, polygonOffset: true, polygonOffsetUnits: towardsEye.keys });
-  for (let key = 0; key < report.keys.t.length; ++key) {
+  const every = Math.ceil(report.keys.t.length / mostDots);
+  for (let key = 0; key < report.keys.t.length; key += every) {
     const direction = new Vector3(...bodyAxis(quaternionAt(report.keys, key), axis));
     const dot = new Mesh(new CircleGeometry(0.024, 16), material);
     dot.position.copy(direction.clone().multiplyScalar(lift));
