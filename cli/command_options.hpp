@@ -5,6 +5,7 @@
 
 #include "convert.hpp"
 #include "inspect.hpp"
+#include "plot.hpp"
 #include "sample.hpp"
 
 // Which options the larger commands have, and what the help says about them.
@@ -20,5 +21,6 @@ inline constexpr auto method_type = "METHOD", methods_type = "METHOD,...", ends_
 void add_sample_options(CLI::App& app, SampleOptions& options);
 void add_convert_options(CLI::App& app, ConvertOptions& options);
 void add_inspect_options(CLI::App& app, InspectOptions& options);
+void add_plot_options(CLI::App& app, PlotOptions& options);
 
 }  // namespace orispline::cli

@@ -14,6 +14,7 @@
 #include "inspect.hpp"
 #include "method_options.hpp"
 #include "methods.hpp"
+#include "plot.hpp"
 #include "reproduce.hpp"
 #include "sample.hpp"
 #include "standard_output.hpp"
@@ -129,6 +130,8 @@ class CommandLine {
     add_inspect_options(command("inspect", "Say what a file of keyframes is like, and how continuous curves are on it",
                                 [this] { return inspect(inspect_); }),
                         inspect_);
+    add_plot_options(command("plot", "Draw the motion of methods over time, as SVG", [this] { return plot(plot_); }),
+                     plot_);
     command("methods", "List the methods", [this] { return methods(methods_); })
         .footer(methods_footer)
         ->add_flag("--json", methods_.json, "Print one JSON array");
@@ -181,6 +184,7 @@ class CommandLine {
   SampleOptions sample_;
   ConvertOptions convert_;
   InspectOptions inspect_;
+  PlotOptions plot_;
   MethodsOptions methods_;
   ReproduceOptions reproduce_;
   std::string shell_;
