@@ -2,8 +2,6 @@
 // THE list of the measures that `orispline compare` prints.
 #include "compare_report.hpp"
 
-#include <algorithm>
-#include <limits>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -15,7 +13,6 @@ using report::Better;
 using report::Notation;
 
 constexpr double degrees = 180.0 / std::numbers::pi;
-constexpr std::string_view rate_word = "rate", torque_word = "torque";
 
 double time_in_file(const ComparedData& data, double t) {
   return (data.epoch + io::Decimal::from_double(t)).to_double();
@@ -131,7 +128,7 @@ std::vector<CompareFigure> distance_figures() {
 std::vector<CompareFigure> rate_figures() {
   using D = DistanceStatistics;
   return {{"rate_rms_rad_s",
-           rate_word,
+           "rate",
            {"ω RMS [rad/s]", Notation::shortest, 4},
            "ω RMS",
            "rad/s",
@@ -229,7 +226,7 @@ std::vector<CompareFigure> shape_figures() {
 
 std::vector<CompareFigure> torque_figures() {
   return {{"torque_energy",
-           torque_word,
+           "torque",
            {"∫|torque|² [N²m²s]", Notation::shortest, 5},
            "∫|torque|²",
            "N²m²s",
@@ -267,17 +264,6 @@ std::vector<CompareFigure> joined(std::initializer_list<std::vector<CompareFigur
   return all;
 }
 
-/// Rates of the first order that a curve needs to be continuous for its energy to be finite, by the word of the energy.
-int order_for(std::string_view word) { return word == "energy" || word == torque_word ? 1 : word == "jerk" ? 2 : 0; }
-
-/// Rising from the best; infinite where nothing can be said.
-double rank_of(const ComparedMethod& method, const CompareFigure& figure, const ComparedData& data) {
-  constexpr double last = std::numeric_limits<double>::infinity();
-  if (!method.measures || method.measures->continuity.order() < order_for(figure.word)) return last;
-  const double value = figure.value(*method.measures, data).value_or(last);
-  return figure.better == Better::more ? -value : value;
-}
-
 }  // namespace
 
 std::vector<CompareFigure> compare_figures(const CompareReport& report) {
@@ -287,34 +273,8 @@ std::vector<CompareFigure> compare_figures(const CompareReport& report) {
                  shape_figures(), report.inertia ? torque_figures() : std::vector<CompareFigure>(), cost_figures()});
 }
 
-std::string sort_words() {
-  std::string words;
-  for (const CompareFigure& figure :
-       joined({distance_figures(), rate_figures(), shape_figures(), torque_figures(), cost_figures()}))
-    if (!figure.word.empty()) words.append(words.empty() ? "" : "|").append(figure.word);
-  return words;
-}
-
-Expected<std::string> sort_word_in(OptionText option) {
-  const std::string words = sort_words();
-  const auto known = pieces_of(words, '|');
-  if (std::ranges::find(known, option.text) == known.end()) return wanted(option, words);
-  return std::string(option.text);
-}
-
-Expected<void> sort(CompareReport& report) {
-  const auto figures = compare_figures(report);
-  const auto figure = std::ranges::find(figures, report.sort, &CompareFigure::word);
-  if (figure == figures.end())
-    return usage_failure(fmt::format(
-        "--sort {}: wanted {}", report.sort,
-        report.sort == rate_word ? "columns wx,wy,wz in " + report.data.reference : std::string("--inertia as well")));
-  std::ranges::stable_sort(report.methods, [&](const ComparedMethod& a, const ComparedMethod& b) {
-    if (a.key_set != b.key_set) return a.key_set < b.key_set;
-    if (a.measures.has_value() != b.measures.has_value()) return a.measures.has_value();
-    return rank_of(a, *figure, report.data) < rank_of(b, *figure, report.data);
-  });
-  return {};
+std::vector<CompareFigure> all_compare_figures() {
+  return joined({distance_figures(), rate_figures(), shape_figures(), torque_figures(), cost_figures()});
 }
 
 }  // namespace orispline::cli

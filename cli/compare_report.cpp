@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "sample_report.hpp"
 
@@ -22,8 +23,20 @@ report::Cell cell_of(const ComparedMethod& method, const CompareFigure& figure, 
   return std::string(none);
 }
 
-std::vector<std::string> notes_of(const CompareReport& report, bool some_jump) {
+/// Methods that are told the rates at the keys.
+std::vector<std::string> methods_with_rates(const CompareReport& report, std::size_t key_set) {
+  std::vector<std::string> names;
+  if (report.data.key_sets[key_set].keys.angular_velocities().empty()) return names;
+  for (const ComparedMethod& method : report.methods)
+    if (method.key_set == key_set && method.measures && find_family(method.candidate.method).value()->rate_orders > 0)
+      names.push_back(method.label);
+  return names;
+}
+
+std::vector<std::string> notes_of(const CompareReport& report, std::size_t key_set, bool some_jump) {
   std::vector<std::string> notes;
+  if (const auto names = methods_with_rates(report, key_set); !names.empty())
+    notes.push_back(fmt::format("{} took the logged rates at the keys too.", fmt::join(names, ", ")));
   if (some_jump) notes.emplace_back("∫|α|² is that inside the segments: with C0 the true one is infinite.");
   if (report.leave_out == LeaveOut::yes)
     notes.emplace_back("Left out: an estimate of the error from the keys alone; it is not fit for choosing a method.");
@@ -44,7 +57,7 @@ report::Table table_of(const CompareReport& report, std::size_t key_set) {
     if (!method.measures) row.push_back(describe(method.measures.error()));
     else some_jump |= method.measures->continuity.order() == 0;
   }
-  table.notes = notes_of(report, some_jump);
+  table.notes = notes_of(report, key_set, some_jump);
   return table;
 }
 

@@ -41,6 +41,9 @@ struct CompareFigure {
 /// The measures that the report has: of rates where they are logged, of torques where the inertia is known.
 [[nodiscard]] std::vector<CompareFigure> compare_figures(const CompareReport& report);
 
+/// All that can be sorted by.
+[[nodiscard]] std::vector<CompareFigure> all_compare_figures();
+
 /// A word of `--sort`.
 [[nodiscard]] Expected<std::string> sort_word_in(OptionText option);
 /// `rms|mean|…`

@@ -73,6 +73,14 @@ TEST(RateError, IsTheLengthOfTheDifferenceWithinTheDomain) {
   EXPECT_NEAR(d.rms, 0.5 / std::sqrt(3.0), 1e-15);
 }
 
+TEST(RateError, TakesTheMeanOfBothSidesWhereTheRateJumps) {
+  const auto keys =
+      Keyframes::make({.times = {0.0, 1.0, 3.0}, .orientations = {about_x(0.0), about_x(0.8), about_x(1.2)}}).value();
+  const std::vector<double> times{1.0};
+  const std::vector<Eigen::Vector3d> logged{{0.5, 0.0, 0.0}};
+  EXPECT_NEAR(rate_error(make_curve("slerp", keys).value(), {times, logged}).rms, 0.0, 1e-15);  // 0.8 and 0.2
+}
+
 TEST(Distance, OfNothingIsZero) {
   const DistanceStatistics d = distance_to_reference(steady_turn(), {});
   EXPECT_EQ(d.count, 0u);

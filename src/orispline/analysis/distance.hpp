@@ -45,8 +45,8 @@ struct RateSeries {
   std::span<const Eigen::Vector3d> angular_velocities;  ///< [rad/s], body frame, one per time
 };
 
-/// How far ω of the curve is from the logged one, at those of its times that lie in the curve's domain [rad/s]. At a
-/// key of a curve that jumps, that on leaving the key counts.
+/// How far ω of the curve is from the logged one, at those of its times that lie in the curve's domain [rad/s]. Where ω
+/// jumps at a key, the mean of both sides counts.
 [[nodiscard]] DistanceStatistics rate_error(const AnyCurve& curve, RateSeries logged);
 
 }  // namespace orispline
