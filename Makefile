@@ -2,7 +2,7 @@
 # Every target does the set-up that it needs.
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 
-.PHONY: run build test check clang asan ubsan coverage bench bench-quick docs format tidy clean
+.PHONY: run build test check clang asan ubsan coverage bench bench-quick docs page format tidy clean
 .NOTPARALLEL:
 
 define build_and_test
@@ -55,6 +55,12 @@ docs:
 	tools/setup.sh docs
 	mkdir -p build/docs
 	doxygen docs/Doxyfile
+
+# Builds the page of the reports anew, which is part of the library.
+page:
+	tools/setup.sh build test
+	tests/page/prepare.sh $(CURDIR)/studio/report $(CURDIR)/build/page
+	cp build/page/dist/index.html src/orispline/report/page_template.html
 
 format:
 	tools/setup.sh test

@@ -45,6 +45,14 @@ constexpr auto inspect_footer = R"(Examples:
 Faults that 'sample' refuses (duplicate or decreasing times, rows that are not numbers, norms far from 1) are repaired
 and counted. The JSON is described in docs/inspect-json.md.)";
 
+constexpr auto plot_footer = R"(Examples:
+  orispline plot keys.csv -o motion.svg
+  orispline plot keys.csv --method auto,quintic --method slerp -o methods.svg
+  orispline plot robot.csv --set hold=1 --axis z -o tool.svg
+
+Over time: the angle from the start, |w|, |alpha| and |jerk|, the keys marked; and the way of a body axis over the unit
+sphere. At most 6 methods, each in a colour of its own.)";
+
 void add_method_options(CLI::App& app, MethodOptions& o) {
   const std::string group = "Shape of the curve";
   app.add_option("--tension", o.tension, "Short for --set tension=X[,X...]")->type_name("X[,X...]")->group(group);
@@ -188,6 +196,25 @@ void add_inspect_options(CLI::App& app, InspectOptions& o) {
   add_loop_options(app, o.shape);
   app.add_flag("--json", o.json, "Print one JSON document");
   app.footer(inspect_footer);
+}
+
+void add_plot_options(CLI::App& app, PlotOptions& o) {
+  add_input_options(app, o.input);
+  app.add_option("--method", o.methods,
+                 fmt::format("Methods to draw [{}]; repeatable, or a list with commas", default_method))
+      ->allow_extra_args(false)
+      ->type_name(methods_type)
+      ->group("Shape of the curve");
+  add_method_options(app, o.shape);
+  add_loop_options(app, o.shape);
+  const std::string group = "Output";
+  app.add_option("-o,--output", o.path, "SVG file to write, complete or not at all [standard output]")
+      ->type_name(file_type)
+      ->group(group);
+  app.add_option("--axis", o.axis, "Body axis whose way over the sphere is drawn [x]")
+      ->type_name(one_of(axis_choices))
+      ->group(group);
+  app.footer(plot_footer);
 }
 
 }  // namespace orispline::cli

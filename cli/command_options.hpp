@@ -6,6 +6,7 @@
 #include "compare.hpp"
 #include "convert.hpp"
 #include "inspect.hpp"
+#include "plot.hpp"
 #include "sample.hpp"
 
 // Which options the larger commands have, and what the help says about them.
@@ -25,5 +26,6 @@ void add_sample_options(CLI::App& app, SampleOptions& options);
 void add_convert_options(CLI::App& app, ConvertOptions& options);
 void add_inspect_options(CLI::App& app, InspectOptions& options);
 void add_compare_options(CLI::App& app, CompareOptions& options);
+void add_plot_options(CLI::App& app, PlotOptions& options);
 
 }  // namespace orispline::cli

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 #include "inspect_report.hpp"
@@ -12,17 +11,6 @@
 
 namespace orispline::cli {
 namespace {
-
-Expected<std::vector<MethodRequest>> method_requests(const InspectOptions& options) {
-  std::vector<MethodRequest> requests;
-  for (const std::string& list : options.methods)
-    for (const std::string_view name : pieces_of(list, ',')) {
-      auto request = method_request(std::string(name), options.shape);
-      if (!request) return tl::unexpected(std::move(request.error()));
-      requests.push_back(std::move(*request));
-    }
-  return requests;
-}
 
 /// Read with every repair, so that a faulty file is reported instead of refused.
 Expected<io::KeyFile> read_leniently(const InputRequest& input) {
@@ -63,14 +51,6 @@ ScaledKeys scaled_to_unit(KeyframeData data) {
   return scaled;
 }
 
-std::vector<std::string> all_open_parameters(const std::vector<MethodRequest>& methods) {
-  std::vector<std::string> names;
-  for (const MethodRequest& method : methods) std::ranges::move(open_parameters(method), std::back_inserter(names));
-  std::ranges::sort(names);
-  names.erase(std::unique(names.begin(), names.end()), names.end());
-  return names;
-}
-
 Expected<InspectReport> inspected(const InputRequest& input, const std::vector<MethodRequest>& methods) {
   auto file = read_leniently(input);
   if (!file) return tl::unexpected(std::move(file.error()));
@@ -104,13 +84,9 @@ Expected<void> inspect(const InspectOptions& options) {
   if (!input) return tl::unexpected(std::move(input.error()));
   if (options.methods.empty() && any_given(options.shape))
     return usage_failure("options that shape a curve want --method as well");
-  const auto methods = method_requests(options);
+  const auto methods = method_requests(options.methods, options.shape);
   if (!methods) return tl::unexpected(methods.error());
-  input->read.parameters = all_open_parameters(*methods);
-  input->read.rate_orders = 0;
-  for (const MethodRequest& method : *methods)
-    input->read.rate_orders = std::max(input->read.rate_orders, method.family->rate_orders);
-  input->read.world_rates = true;
+  input->read = read_for(*methods, std::move(input->read));
   return inspected(*input, *methods).and_then([&](const InspectReport& report) {
     return print_document(options.json ? json_of(report) : text_of(report));
   });

@@ -15,6 +15,7 @@
 #include "inspect.hpp"
 #include "method_options.hpp"
 #include "methods.hpp"
+#include "plot.hpp"
 #include "reproduce.hpp"
 #include "sample.hpp"
 #include "standard_output.hpp"
@@ -145,6 +146,8 @@ class CommandLine {
     add_compare_options(command("compare", "Compare the methods on a recording: errors, smoothness, cost",
                                 [this] { return compare(compare_); }),
                         compare_);
+    add_plot_options(command("plot", "Draw the motion of methods over time, as SVG", [this] { return plot(plot_); }),
+                     plot_);
     command("methods", "List the methods", [this] { return methods(methods_); })
         .footer(methods_footer)
         ->add_flag("--json", methods_.json, "Print one JSON array");
@@ -199,6 +202,7 @@ class CommandLine {
   ConvertOptions convert_;
   InspectOptions inspect_;
   CompareOptions compare_;
+  PlotOptions plot_;
   MethodsOptions methods_;
   ReproduceOptions reproduce_;
   std::string shell_;

@@ -131,6 +131,30 @@ Expected<MethodRequest> method_request(const std::string& method, const MethodOp
   return std::move(checked).or_else(MethodRequest{*family, std::move(shape)});
 }
 
+Expected<std::vector<MethodRequest>> method_requests(const std::vector<std::string>& lists,
+                                                     const MethodOptions& options) {
+  std::vector<MethodRequest> requests;
+  for (const std::string& list : lists)
+    for (const std::string_view name : pieces_of(list, ',')) {
+      auto request = method_request(std::string(name), options);
+      if (!request) return tl::unexpected(std::move(request.error()));
+      requests.push_back(std::move(*request));
+    }
+  return requests;
+}
+
+io::ReadOptions read_for(std::span<const MethodRequest> methods, io::ReadOptions read) {
+  std::set<std::string> parameters;
+  read.rate_orders = 0;
+  for (const MethodRequest& method : methods) {
+    for (std::string& name : open_parameters(method)) parameters.insert(std::move(name));
+    read.rate_orders = std::max(read.rate_orders, method.family->rate_orders);
+  }
+  read.parameters = {parameters.begin(), parameters.end()};
+  read.world_rates = true;
+  return read;
+}
+
 std::vector<std::string> open_parameters(const MethodRequest& request) {
   std::vector<std::string> names;
   for (const Parameter& parameter : request.family->parameters)

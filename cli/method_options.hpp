@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,13 @@ struct MethodRequest {
 };
 
 [[nodiscard]] Expected<MethodRequest> method_request(const std::string& method, const MethodOptions& options);
+
+/// Several methods, by names or lists of names with commas between them, all shaped alike.
+[[nodiscard]] Expected<std::vector<MethodRequest>> method_requests(const std::vector<std::string>& lists,
+                                                                   const MethodOptions& options);
+
+/// How a file is read for these methods: with the columns that one of them takes.
+[[nodiscard]] io::ReadOptions read_for(std::span<const MethodRequest> methods, io::ReadOptions read);
 
 /// Parameters of the method that the command line leaves to the columns of the key file.
 [[nodiscard]] std::vector<std::string> open_parameters(const MethodRequest& request);

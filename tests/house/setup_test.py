@@ -83,7 +83,7 @@ class Setup(unittest.TestCase):
         self.machine.add_command("python3")
         run = self.machine.setup("test")
         self.assertEqual((run.returncode, run.stderr),
-                         (0, "setup: not here (Debian's names of the packages): pkg-config clang-format-14\n"))
+                         (0, "setup: not here (Debian's names of the packages): pkg-config clang-format-14 nodejs npm chromium\n"))
 
 
 if __name__ == "__main__":

@@ -48,7 +48,7 @@ Expected<report::Page> flight_page(const char* keys_path, const char* truth_path
   const auto keys = Keyframes::make(std::move(file->data));
   if (!keys) return tl::unexpected(keys.error());
   const report::PagePath truth{truth_file->data.times, truth_file->data.orientations};
-  report::Page page{.title = "Which curve for this flight? </script><b>&",
+  report::Page page{.title = "Which curve for this flight?",
                     .command = "flight_page flight_keys.csv flight_truth.csv",
                     .date = "2026-01-02 03:04",
                     .version = std::string(version),
@@ -62,7 +62,7 @@ Expected<report::Page> flight_page(const char* keys_path, const char* truth_path
                   {"peak_acceleration", "Peak |α|", "rad/s²", "Largest angular acceleration"}};
   page.sorted_by = "rms_deg";
   for (const FamilyInfo& family : families_info()) page.methods.push_back(method_on(family, *keys, truth));
-  page.methods.push_back({.name = "impossible", .failure = "key 3: found <NaN>, wanted a number"});
+  page.methods.push_back({.name = "impossible", .failure = "key 3: found </script><b>NaN</b>, wanted a number"});
   const auto first = std::ranges::find(page.methods, "auto", &report::PageMethod::name);
   std::rotate(page.methods.begin(), first, first + 1);
   const auto second = std::ranges::find(page.methods, "quintic", &report::PageMethod::name);

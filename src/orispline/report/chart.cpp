@@ -58,7 +58,7 @@ void draw_grid(Drawing& drawing, const Axes& axes, const Chart& chart) {
     drawing.line(std::array{Point{x, axes.box.top}, Point{x, axes.bottom()}}, {color::frame, 1.0, "3 3"});
     drawing.text({x, axes.bottom() + 16.0}, mark.label);
   }
-  if (!chart.marks.empty()) return;
+  if (std::ranges::any_of(chart.marks, [](const Mark& mark) { return !mark.label.empty(); })) return;
   for (const double value : round_values(axes.x))
     drawing.text({axes.at(value, 0.0).x, axes.bottom() + 16.0}, fmt::format("{:g}{}", value, chart.x_unit));
 }

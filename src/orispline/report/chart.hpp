@@ -39,7 +39,7 @@ struct Mark {
 struct Chart {
   std::string title;  ///< what the vertical axis shows, and its unit
   std::vector<Series> series;
-  std::vector<Mark> marks{};  ///< upright lines; none: round values of x
+  std::vector<Mark> marks{};  ///< upright lines; where none has a label, round values of x stand below
   std::optional<Range> y{};   ///< absent: from the series and 0, with a margin
   std::string x_unit{};       ///< behind the round values of x
 };

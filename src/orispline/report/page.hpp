@@ -27,13 +27,13 @@ struct PageColumn {
 
 /// Orientations over time; as many of each.
 struct PagePath {
-  std::vector<double> times;                     ///< [s]; a time twice: the left side of a jump, then the right one
-  std::vector<Eigen::Quaterniond> orientations;  ///< body to world
+  std::vector<double> times{};                     ///< [s]; a time twice: the left side of a jump, then the right one
+  std::vector<Eigen::Quaterniond> orientations{};  ///< body to world
 };
 
 /// The keyframes that every method of the page was given.
 struct PageKeys {
-  PagePath path;
+  PagePath path{};
   std::vector<Eigen::Vector3d> positions{};  ///< [m], world; none or as many as keys
 };
 
@@ -58,13 +58,13 @@ struct PageMethod {
 
 /// Everything that the page of a report shows: plain data, in the order in which it is shown.
 struct Page {
-  std::string title;
+  std::string title{};
   std::string command{};     ///< the command line that makes this page again
   std::string date{};        ///< of the making, as it is to be read
   std::string version{};     ///< of orispline
   std::string time_start{};  ///< the input's own time at t = 0, as text; empty: it is 0
   PageBody body = PageBody::aircraft;
-  PageKeys keys;
+  PageKeys keys{};
   std::optional<PagePath> reference{};  ///< what the methods are compared with
   std::vector<PageColumn> columns{};
   std::string sorted_by{};  ///< id of the column by which the table is sorted at first; empty: as the methods stand

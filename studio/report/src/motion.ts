@@ -52,16 +52,20 @@ export function bodyAxis([w, x, y, z]: Quaternion, axis: Axis): Vector {
   return [2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)];
 }
 
-/** Angle of the rotation from the first orientation [deg], 0 to 180. */
-export function anglesFromStart(path: Path): number[] {
-  const [w, x, y, z] = quaternionAt(path, 0);
-  return path.t.map((_, i) => {
-    const [a, b, c, d] = quaternionAt(path, i);
-    const scalar = w * a + x * b + y * c + z * d;
-    const vector = Math.hypot(w * b - x * a - y * d + z * c, w * c + x * d - y * a - z * b, w * d - x * c + y * b - z * a);
-    return (2 * Math.atan2(vector, Math.abs(scalar)) * 180) / Math.PI;
-  });
+/** Angle of the rotation from one orientation to the other [deg], 0 to 180. */
+function angleBetween([w, x, y, z]: Quaternion, [a, b, c, d]: Quaternion): number {
+  const scalar = w * a + x * b + y * c + z * d;
+  const vector = Math.hypot(w * b - x * a - y * d + z * c, w * c + x * d - y * a - z * b, w * d - x * c + y * b - z * a);
+  return (2 * Math.atan2(vector, Math.abs(scalar)) * 180) / Math.PI;
 }
+
+export function anglesFromStart(path: Path): number[] {
+  const start = quaternionAt(path, 0);
+  return path.t.map((_, i) => angleBetween(start, quaternionAt(path, i)));
+}
+
+/** At the times of the first. */
+export const anglesApart = (path: Path, other: Path) => path.t.map((t, i) => angleBetween(quaternionAt(path, i), orientationAt(other, t)));
 
 export const component = (values: number[], k: number) => Array.from({ length: values.length / 3 }, (_, i) => values[3 * i + k]);
 

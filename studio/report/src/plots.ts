@@ -88,11 +88,13 @@ function followFinger(plot: uPlot): void {
 class Plot {
   private readonly caption = element('figcaption');
   private readonly frame = element('div', { className: 'frame' });
+  private readonly figure: HTMLElement;
   private plot?: uPlot;
   private lines: Line[] = [];
 
   constructor(private readonly quantity: Quantity) {
-    place('plots').append(element('figure', { attributes: { 'data-quantity': quantity.id } }, this.caption, this.frame));
+    this.figure = element('figure', { attributes: { 'data-quantity': quantity.id } }, this.caption, this.frame);
+    place('plots').append(this.figure);
     new ResizeObserver(() => this.plot?.setSize({ width: this.frame.clientWidth, height })).observe(this.frame);
   }
 
@@ -100,6 +102,7 @@ class Plot {
     this.plot?.destroy();
     const colours = coloursOf(state);
     this.lines = this.quantity.lines(state, colours);
+    this.figure.hidden = this.lines.length === 0;
     this.plot = new uPlot(optionsOf(this.lines, this.frame.clientWidth, colours), aligned(this.lines), this.frame);
     followFinger(this.plot);
     this.showWindow(state);

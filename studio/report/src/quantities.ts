@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the plots show: each quantity as lines over the times of the methods that are shown.
-import { anglesFromStart, component, magnitudes } from './motion';
+import { anglesApart, anglesFromStart, component, magnitudes } from './motion';
 import { methodNamed, report, shownMethods, type Path, type Samples } from './report';
 import type { State } from './state';
 import type { Colours } from './theme';
@@ -33,11 +33,11 @@ function valuesOnce<Of extends object>(samples: Of, id: string, compute: (sample
   return byId.get(id)!;
 }
 
-/** One line for each of the two methods. */
+/** One line for each of the two methods, the first on top. */
 function ofBoth(state: State, colours: Colours, id: string, valuesOf: ValuesOf): Line[] {
   const chosen = [
-    { method: methodNamed(state.first), colour: colours.first, width: 2 },
     { method: state.second === state.first ? undefined : methodNamed(state.second), colour: colours.second, width: 1.5 },
+    { method: methodNamed(state.first), colour: colours.first, width: 2 },
   ];
   return chosen.flatMap(({ method, colour, width }) =>
     method ? [{ label: method.name, colour, width, t: method.samples.t, values: valuesOnce(method.samples, id, valuesOf) }] : [],
@@ -85,6 +85,18 @@ const error: Quantity = {
   lines: (state, colours) => ofBoth(state, colours, 'error', (samples) => samples.error_deg),
 };
 
+const apart: Quantity = {
+  id: 'apart',
+  title: 'Angle between the two methods',
+  unit: 'deg',
+  lines: (state, colours) => {
+    const [first, second] = [methodNamed(state.first), methodNamed(state.second)];
+    if (!first || !second || first === second) return [];
+    const { t } = first.samples;
+    return [{ label: `${first.name}, ${second.name}`, colour: colours.ink, width: 1.5, t, values: anglesApart(first.samples, second.samples) }];
+  },
+};
+
 const hasErrors = shownMethods.some((method) => method.samples.error_deg.length > 0);
 
 export const quantities: Quantity[] = [
@@ -93,4 +105,5 @@ export const quantities: Quantity[] = [
   rate('w', 'Angular velocity |ω|', 'rad/s'),
   rate('a', 'Angular acceleration |α|', 'rad/s²'),
   rate('j', 'Angular jerk', 'rad/s³'),
+  apart,
 ];

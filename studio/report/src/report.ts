@@ -48,6 +48,14 @@ export interface Report {
 
 export const report: Report = JSON.parse(document.getElementById('report-data')!.textContent!);
 
+/** Methods that were sampled at the same times share them, so that their lines need not be joined. */
+const seen = new Map<string, number[]>();
+for (const { samples } of report.methods) {
+  const key = samples.t.join();
+  samples.t = seen.get(key) ?? samples.t;
+  seen.set(key, samples.t);
+}
+
 export const hasSamples = (method: Method) => method.samples.t.length > 1;
 export const shownMethods = report.methods.filter(hasSamples);
 export const methodNamed = (name: string | null) => shownMethods.find((method) => method.name === name);

@@ -12,7 +12,7 @@ export interface State {
   speed: number; // seconds of the motion per second
   axis: Axis;
   body: BodyShape;
-  place: 'fixed' | 'path';
+  place: 'follow' | 'path' | 'fixed';
   components: boolean;
   theme: 'light' | 'dark';
 }
@@ -29,7 +29,7 @@ let state: State = {
   speed: 1,
   axis: 'x',
   body: report.body,
-  place: hasPositions ? 'path' : 'fixed',
+  place: hasPositions ? 'follow' : 'fixed',
   components: true,
   theme: darkDisplay.matches ? 'dark' : 'light',
 };

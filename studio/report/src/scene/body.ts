@@ -9,11 +9,13 @@ import {
   EdgesGeometry,
   ExtrudeGeometry,
   Group,
+  LatheGeometry,
   LineBasicMaterial,
   LineSegments,
   Mesh,
   MeshStandardMaterial,
   Shape,
+  Vector2,
   Vector3,
 } from 'three';
 import type { BodyShape } from '../report';
@@ -44,6 +46,18 @@ function plate(outline: [number, number][], thickness: number): ExtrudeGeometry 
   return new ExtrudeGeometry(shape, { depth: thickness, bevelEnabled: false }).translate(0, 0, -thickness / 2);
 }
 
+/** Radius and place along x, from the nose to the tail. */
+const fuselage: [number, number][] = [
+  [0, 0.56],
+  [0.028, 0.53],
+  [0.052, 0.46],
+  [0.07, 0.34],
+  [0.076, 0.18],
+  [0.074, -0.1],
+  [0.052, -0.38],
+  [0.028, -0.56],
+  [0, -0.57],
+];
 const wings: [number, number][] = [
   [0.2, 0],
   [-0.12, 0.58],
@@ -68,10 +82,10 @@ const fin: [number, number][] = [
 ];
 
 function aircraft(look: Look): Group {
-  const fuselage = part(new CapsuleGeometry(0.075, 0.9, 6, 20).rotateZ(Math.PI / 2), look);
-  const canopy = part(new CapsuleGeometry(0.05, 0.14, 4, 12).rotateZ(Math.PI / 2).translate(0.2, 0, 0.055), look, 0.35);
+  const hull = new LatheGeometry(fuselage.map(([radius, x]) => new Vector2(radius, x)).reverse(), 24).rotateZ(-Math.PI / 2);
+  const canopy = part(new CapsuleGeometry(0.045, 0.14, 4, 12).rotateZ(Math.PI / 2).translate(0.22, 0, 0.055), look, 0.3);
   return new Group().add(
-    fuselage,
+    part(hull, look),
     ...(look.opacity < 1 ? [] : [canopy]),
     part(plate(wings, 0.025), look, 0.92),
     part(plate(tailplane, 0.02), look, 0.92),

@@ -1,48 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
 // The body of one method in space, with ghosts of it at the keys.
-import { BufferAttribute, BufferGeometry, Group, Line, LineBasicMaterial, Vector3, type Object3D } from 'three';
+import { Group, Vector3, type Object3D } from 'three';
 import { element } from '../element';
-import { orientationAt, quaternionAt, vectorAt, type Quaternion } from '../motion';
+import { orientationAt, quaternionAt, type Quaternion } from '../motion';
 import { methodNamed, report, type Method } from '../report';
 import { subscribe, type State } from '../state';
 import { coloursOf } from '../theme';
 import { axes, body } from './body';
+import { FlightPath, hasPositions } from './flightPath';
 import { Stage } from './stage';
 
+/** How the body and its ghosts are drawn; lengths of the scene. */
+const looks = {
+  follow: { body: 0.75, ghost: 0.6, opacity: 0.3, path: { step: 0.8 }, view: 1.75 },
+  path: { body: 0.3, ghost: 0.13, opacity: 0.5, path: { whole: 2.6 }, view: 2.6 },
+  fixed: { body: 1.3, ghost: 1.3, opacity: 0.14 },
+};
+const mostGhosts = 200; // of more keys some are left out, evenly
+const ghostsAround = 2; // in one place: this many keys before and after the time
+
 const turn = (object: Object3D, [w, x, y, z]: Quaternion) => object.quaternion.set(x, y, z, w);
-const mostGhosts = 60; // keys beyond this are left out evenly
-const ghostsAround = 2; // of the fixed body: this many keys before and after the time
-const bodyLength = 0.045; // of the path's extent
 
-/** The positions of the motion, scaled to fit into the view. */
-class FlightPath {
-  private readonly center: Vector3;
-  readonly unit: number; // lengths of the scene per metre
-
-  constructor(private readonly method: Method) {
-    const points = Array.from({ length: method.samples.t.length }, (_, i) => new Vector3().fromArray(method.samples.p, 3 * i));
-    const low = points.reduce((least, p) => least.min(p), points[0].clone());
-    const high = points.reduce((most, p) => most.max(p), points[0].clone());
-    this.center = low.clone().add(high).multiplyScalar(0.5);
-    this.unit = 2.6 / Math.max(high.distanceTo(low), 1e-9);
-  }
-
-  at = (position: number[]) => new Vector3().fromArray(position).sub(this.center).multiplyScalar(this.unit);
-  atTime = (t: number) => this.at(vectorAt(this.method.samples.t, this.method.samples.p, t));
-
-  line(colour: string): Line {
-    const { t, p } = this.method.samples;
-    const points = new Float32Array(t.flatMap((_, i) => this.at(p.slice(3 * i, 3 * i + 3)).toArray()));
-    return new Line(new BufferGeometry().setAttribute('position', new BufferAttribute(points, 3)), new LineBasicMaterial({ color: colour }));
-  }
-}
+/** What a body that turns in one place may fill. */
+const fixedOutline = [1, -1].flatMap((end) => [new Vector3(0.65 * end, -0.45 * end, 0), new Vector3(0, 0, 0.72 * end)]);
 
 export class MotionScene {
   readonly figure: HTMLElement;
   private readonly name = element('strong');
   private readonly stage: Stage;
   private content?: Group;
-  private moving?: Group;
+  private moving?: Object3D;
+  private track = new Group(); // what stands still in the world
   private ghosts: { object: Object3D; key: number }[] = [];
   private path?: FlightPath;
 
@@ -51,6 +39,7 @@ export class MotionScene {
     this.figure = element('figure', { className: which }, element('figcaption', {}, this.name), frame);
     this.stage = new Stage(frame);
     subscribe([which, 'theme', 'body', 'place'], (state) => this.rebuild(state));
+    subscribe(['place'], ({ place }) => this.stage.lookAt(place !== 'fixed' && this.path ? this.path.outline(looks[place].view) : fixedOutline));
     subscribe(['time'], (state) => this.showTime(state));
   }
 
@@ -71,38 +60,48 @@ export class MotionScene {
     this.figure.hidden = !method;
     this.name.textContent = method?.name ?? '';
     const content = new Group();
-    this.ghosts = [];
     this.moving = undefined;
+    this.path = undefined;
     if (method) this.fill(content, method, state);
     this.stage.replace(this.content, content);
     this.content = content;
     this.showTime(state);
   }
 
-  private fill(content: Group, method: Method, state: State): void {
+  private fill(content: Group, { samples }: Method, state: State): void {
     const colours = coloursOf(state);
-    this.path = state.place === 'path' && method.samples.p.length > 0 && report.keys.p.length > 0 ? new FlightPath(method) : undefined;
-    const scale = this.path ? 2.6 * bodyLength * 2.2 : 1.3;
+    const place = hasPositions(samples) ? state.place : 'fixed';
+    const look = looks[place];
+    if (place !== 'fixed') this.path = new FlightPath(samples, looks[place].path);
     this.moving = body(state.body, { colour: colours[this.which], opacity: 1 }, colours);
-    this.moving.scale.setScalar(this.path ? 1.5 * scale : scale);
-    content.add(this.moving, this.path ? this.path.line(colours[this.which]) : axes({ ...colours, x: colours.grid, y: colours.grid, z: colours.grid }, 1.15));
-    const every = this.path ? Math.ceil(report.keys.t.length / mostGhosts) : 1;
-    for (let key = 0; key < report.keys.t.length; key += every) {
-      const object = body(state.body, { colour: colours.faint, opacity: this.path ? 0.45 : 0.16 }, colours);
-      object.scale.setScalar(scale);
-      turn(object, quaternionAt(report.keys, key));
-      if (this.path) object.position.copy(this.path.at(report.keys.p.slice(3 * key, 3 * key + 3)));
-      this.ghosts.push({ object, key });
-      content.add(object);
-    }
+    this.moving.scale.setScalar(look.body);
+    this.ghosts = this.makeGhosts(look.ghost, () => body(state.body, { colour: colours.faint, opacity: look.opacity }, colours));
+    this.track = new Group().add(...this.ghosts.map(({ object }) => object));
+    if (this.path) this.track.add(this.path.line(colours[this.which]));
+    else this.track.add(axes({ ...colours, x: colours.faint, y: colours.faint, z: colours.faint }, 1));
+    content.add(this.track, this.moving);
   }
 
-  private showTime(state: State): void {
+  private makeGhosts(scale: number, make: () => Object3D): { object: Object3D; key: number }[] {
+    const keys = report.keys.t.length;
+    const every = this.path ? Math.ceil(keys / mostGhosts) : 1;
+    return Array.from({ length: Math.ceil(keys / every) }, (_, k) => {
+      const key = k * every;
+      const object = make();
+      object.scale.setScalar(scale);
+      turn(object, quaternionAt(report.keys, key));
+      if (this.path) object.position.copy(this.path.atKey(key));
+      return { object, key };
+    });
+  }
+
+  private showTime({ time, place, ...state }: State): void {
     const method = methodNamed(state[this.which]);
     if (!method || !this.moving) return;
-    turn(this.moving, orientationAt(method.samples, state.time));
-    if (this.path) this.moving.position.copy(this.path.atTime(state.time));
-    else this.showNearGhosts(state.time);
+    turn(this.moving, orientationAt(method.samples, time));
+    if (!this.path) this.showNearGhosts(time);
+    else if (place === 'follow') this.track.position.copy(this.path.atTime(time)).negate();
+    else this.moving.position.copy(this.path.atTime(time));
     this.stage.draw();
   }
 

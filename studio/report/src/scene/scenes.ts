@@ -18,7 +18,8 @@ const axes: [Axis, string][] = [
   ['z', 'z'],
 ];
 const places: [State['place'], string][] = [
-  ['path', 'along the path'],
+  ['follow', 'near by, on its path'],
+  ['path', 'with the whole path'],
   ['fixed', 'in one place'],
 ];
 
@@ -37,7 +38,13 @@ function controls(): HTMLElement {
   return element('div', { className: 'controls' }, bodyChoice, ...(canFollowPath ? [placeChoice] : []), axisChoice, componentsChoice);
 }
 
+const canDraw = () => document.createElement('canvas').getContext('webgl2') !== null;
+
 export function showScenes(): void {
+  if (!canDraw()) {
+    place('scenes').append(element('p', { className: 'facts' }, 'The scenes in space are not shown: this browser has no WebGL.'), controls());
+    return;
+  }
   const [first, second] = [new MotionScene('first'), new MotionScene('second')];
   first.linkCamera(second);
   place('scenes').append(controls(), element('div', { className: 'stages' }, first.figure, second.figure, new SphereScene().figure));

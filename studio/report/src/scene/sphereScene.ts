@@ -24,11 +24,17 @@ import { coloursOf, type Colours } from '../theme';
 import { Stage } from './stage';
 
 const lift = 1.004; // paths lie on the sphere, not in it
+const towardsEye = { reference: 0, second: -600, first: -1200, keys: -1800 }; // steps of the depth buffer: which path hides which
 
-function pathOf(path: Path, axis: Axis, colour: string, width: number): Line2 {
+function pathOf(path: Path, axis: Axis, { colour, width, offset }: { colour: string; width: number; offset: number }): Line2 {
   const points = path.t.flatMap((_, i) => bodyAxis(quaternionAt(path, i), axis).map((v) => lift * v));
-  return new Line2(new LineGeometry().setPositions(points), new LineMaterial({ color: colour, linewidth: width }));
+  return new Line2(new LineGeometry().setPositions(points), new LineMaterial({ color: colour, linewidth: width, polygonOffset: true, polygonOffsetUnits: offset }));
 }
+
+const directions = (path: Path, axis: Axis) => path.t.map((_, i) => new Vector3(...bodyAxis(quaternionAt(path, i), axis)));
+
+/** The whole sphere is to be in the picture. */
+const outline = [1, -1].flatMap((end) => [new Vector3(end, 0, 0), new Vector3(0, end, 0), new Vector3(0, 0, end)]);
 
 /** Parallels and meridians every 30 degrees. */
 function graticule(colour: string): LineSegments {
@@ -44,17 +50,17 @@ function graticule(colour: string): LineSegments {
 }
 
 function globe(colours: Colours): Group {
-  const ground = new MeshBasicMaterial({ color: colours.ground, transparent: true, opacity: 0.82 });
+  const ground = new MeshBasicMaterial({ color: colours.ground, transparent: true, opacity: 0.65 });
   return new Group().add(new Mesh(new SphereGeometry(0.995, 48, 32), ground), graticule(colours.grid));
 }
 
 function keyDots(axis: Axis, colours: Colours): Group {
   const dots = new Group();
-  const material = new MeshBasicMaterial({ color: colours.ink });
+  const material = new MeshBasicMaterial({ color: colours.ink, polygonOffset: true, polygonOffsetUnits: towardsEye.keys });
   for (let key = 0; key < report.keys.t.length; ++key) {
     const direction = new Vector3(...bodyAxis(quaternionAt(report.keys, key), axis));
-    const dot = new Mesh(new CircleGeometry(0.022, 16), material);
-    dot.position.copy(direction.clone().multiplyScalar(1.008));
+    const dot = new Mesh(new CircleGeometry(0.024, 16), material);
+    dot.position.copy(direction.clone().multiplyScalar(lift));
     dot.lookAt(direction.multiplyScalar(2));
     dots.add(dot);
   }
@@ -95,18 +101,19 @@ export class SphereScene {
     this.stage = new Stage(frame);
     subscribe(['first', 'second', 'axis', 'theme'], (state) => this.rebuild(state));
     subscribe(['time'], (state) => this.showTime(state));
+    subscribe(['axis'], ({ first, axis }) => this.stage.lookAt([...outline, ...directions(methodNamed(first)?.samples ?? report.keys, axis)]));
   }
 
   private rebuild(state: State): void {
     const colours = coloursOf(state);
     const content = new Group().add(globe(colours), keyDots(state.axis, colours));
-    if (report.reference && report.reference.t.length > 1) content.add(pathOf(report.reference, state.axis, colours.reference, 4));
+    if (report.reference && report.reference.t.length > 1) content.add(pathOf(report.reference, state.axis, { colour: colours.reference, width: 5, offset: towardsEye.reference }));
     this.pointers = [];
     for (const which of ['second', 'first'] as const) {
       const method = methodNamed(state[which]);
       if (!method) continue;
       const pointer = new Pointer(colours[which]);
-      content.add(pathOf(method.samples, state.axis, colours[which], which === 'first' ? 2.5 : 2), pointer.object);
+      content.add(pathOf(method.samples, state.axis, { colour: colours[which], width: which === 'first' ? 2.5 : 2, offset: towardsEye[which] }), pointer.object);
       this.pointers.push({ pointer, path: method.samples });
     }
     this.caption.textContent = `Body axis ${state.axis} on the unit sphere`;

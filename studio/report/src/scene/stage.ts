@@ -1,23 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 // A canvas with a camera that the user turns; drawn when something has changed, not all the time.
-import { AmbientLight, DirectionalLight, PerspectiveCamera, Scene, WebGLRenderer, type Object3D } from 'three';
+import { AmbientLight, DirectionalLight, PerspectiveCamera, Scene, WebGLRenderer, type Object3D, type Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { viewOf } from './view';
 
 export class Stage {
   readonly scene = new Scene();
-  readonly camera = new PerspectiveCamera(35, 1, 0.01, 100);
+  readonly camera = new PerspectiveCamera(35, 1, 0.1, 100);
   readonly controls: OrbitControls;
   private readonly renderer = new WebGLRenderer({ antialias: true, alpha: true });
   private awaited = false;
+  private seen: Vector3[] = []; // until the user turns the camera
 
   constructor(frame: HTMLElement) {
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     frame.append(this.renderer.domElement);
     this.camera.up.set(0, 0, 1);
-    this.camera.position.set(-2.6, -3.4, 2.0);
     this.controls = new OrbitControls(this.camera, this.renderer.domElement);
     this.controls.enablePan = false;
     this.controls.addEventListener('change', () => this.draw());
+    this.controls.addEventListener('start', () => (this.seen = []));
     const sun = new DirectionalLight(0xffffff, 2.2);
     sun.position.set(-1, -2, 4);
     this.scene.add(new AmbientLight(0xffffff, 1.6), sun);
@@ -32,6 +34,14 @@ export class Stage {
       this.awaited = false;
       this.renderer.render(this.scene, this.camera);
     });
+  }
+
+  /** Turns the camera to where the points are seen best, all of them. */
+  lookAt(points: Vector3[]): void {
+    this.seen = points;
+    this.camera.position.copy(viewOf(points, this.camera));
+    this.controls.update();
+    this.draw();
   }
 
   replace(before: Object3D | undefined, after: Object3D): void {
@@ -49,6 +59,7 @@ export class Stage {
     this.renderer.setSize(width, height);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
+    if (this.seen.length > 0) this.lookAt(this.seen);
     this.draw();
   }
 }

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/report/motion_drawing.hpp>
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+#include <orispline/math/so3.hpp>
+#include <orispline/report/chart.hpp>
+#include <orispline/report/sphere.hpp>
+
+namespace orispline::report {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+constexpr double width = 1180.0, chart_height = 130.0, chart_pitch = 185.0, charts_top = 85.0;
+constexpr double charts_left = 70.0, charts_width = 660.0;
+constexpr Point sphere_center{970.0, 400.0};
+constexpr double sphere_radius = 175.0;
+constexpr std::size_t most_marked_keys = 200;  // more would be a grey field
+constexpr std::array<std::string_view, most_drawn_methods> colors{color::blue,   color::red,  color::green,
+                                                                  color::purple, color::gold, color::sky};
+
+using Values = std::vector<double>;
+
+Values angles_from_start(const PageSamples& samples) {
+  Values angles;
+  for (const Eigen::Quaterniond& q : samples.path.orientations)
+    angles.push_back(angular_distance(samples.path.orientations.front(), q) / degree);
+  return angles;
+}
+
+Values norms(const std::vector<Eigen::Vector3d>& vectors) {
+  Values values;
+  for (const Eigen::Vector3d& v : vectors) values.push_back(v.norm());
+  return values;
+}
+
+/// What one chart shows.
+struct Quantity {
+  std::string_view title;
+  Values (*of)(const PageSamples&);
+};
+
+const std::array<Quantity, 4> quantities{
+    Quantity{"angle from the start [deg]", angles_from_start},
+    Quantity{"angular velocity |ω| [rad/s]", [](const PageSamples& s) { return norms(s.angular_velocities); }},
+    Quantity{"angular acceleration |α| [rad/s²]", [](const PageSamples& s) { return norms(s.angular_accelerations); }},
+    Quantity{"angular jerk [rad/s³]", [](const PageSamples& s) { return norms(s.angular_jerks); }}};
+
+std::vector<Mark> marks_at(const std::vector<double>& times) {
+  std::vector<Mark> marks;
+  if (times.size() <= most_marked_keys)
+    for (const double t : times) marks.push_back({t});
+  return marks;
+}
+
+Chart chart_of(const Quantity& quantity, const MotionPicture& picture) {
+  Chart chart{.title = std::string(quantity.title), .series = {}, .marks = marks_at(picture.keys.path.times)};
+  chart.x_unit = " s";
+  for (std::size_t i = picture.methods.size(); i-- > 0;)  // the first one on top
+    chart.series.push_back({picture.methods[i].name, picture.methods[i].samples.path.times,
+                            quantity.of(picture.methods[i].samples), Stroke{colors[i], i == 0 ? 2.0 : 1.4}});
+  return chart;
+}
+
+std::vector<Eigen::Vector3d> axis_path(const PagePath& path, const Eigen::Vector3d& axis) {
+  std::vector<Eigen::Vector3d> directions;
+  for (const Eigen::Quaterniond& q : path.orientations) directions.push_back(to_world<double>(q, axis));
+  return directions;
+}
+
+void draw_sphere(Drawing& drawing, const MotionPicture& picture) {
+  SpherePicture sphere;
+  for (std::size_t i = picture.methods.size(); i-- > 0;)
+    sphere.paths.push_back({axis_path(picture.methods[i].samples.path, picture.body_axis), {colors[i], 2.0}});
+  const auto keys = axis_path(picture.keys.path, picture.body_axis);
+  if (keys.size() <= most_marked_keys)
+    for (const Eigen::Vector3d& key : keys) sphere.dots.push_back({key});
+  drawing.text({sphere_center.x, sphere_center.y - sphere_radius - 25.0},
+               "body axis " + picture.axis_name + " on the unit sphere");
+  draw(drawing, facing(keys), sphere_center, sphere_radius, sphere);
+}
+
+}  // namespace
+
+Drawing motion_drawing(const MotionPicture& picture) {
+  Drawing drawing(width, charts_top + chart_pitch * static_cast<double>(quantities.size()));
+  drawing.text({charts_left, 28.0}, picture.title, {Anchor::start, color::ink, 16.0});
+  std::vector<Series> legend;
+  for (std::size_t i = 0; i < picture.methods.size(); ++i)
+    legend.push_back({picture.methods[i].name, {}, {}, Stroke{colors[i]}});
+  draw_legend(drawing, {charts_left, 50.0}, legend);
+  double top = charts_top;
+  for (const Quantity& quantity : quantities) {
+    draw(drawing, {charts_left, top, charts_width, chart_height}, chart_of(quantity, picture));
+    top += chart_pitch;
+  }
+  draw_sphere(drawing, picture);
+  return drawing;
+}
+
+}  // namespace orispline::report

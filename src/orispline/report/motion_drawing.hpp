@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+
+#include <orispline/report/page.hpp>
+#include <orispline/report/svg.hpp>
+
+namespace orispline::report {
+
+/// As many methods have a colour of their own in one drawing.
+inline constexpr std::size_t most_drawn_methods = 6;
+
+/// The motions of methods in one picture.
+struct MotionPicture {
+  std::string title;
+  PageKeys keys;
+  std::vector<PageMethod> methods{};                     ///< sampled, at most `most_drawn_methods`
+  Eigen::Vector3d body_axis = Eigen::Vector3d::UnitX();  ///< whose way over the unit sphere is drawn
+  std::string axis_name = "x";
+};
+
+/// Charts over time [s] of the angle from the start [deg], |ω| [rad/s], |α| [rad/s²] and |jerk| [rad/s³], the keys
+/// marked, and beside them the path of a body axis on the unit sphere.
+[[nodiscard]] Drawing motion_drawing(const MotionPicture& picture);
+
+}  // namespace orispline::report

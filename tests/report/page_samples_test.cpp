@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/report/page_samples.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include <orispline/families/registry.hpp>
+
+namespace orispline::report {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+
+Eigen::Quaterniond about_z(double angle) { return exp<double>({0.0, 0.0, angle * degree}); }
+
+/// 45° about z in 1 s, then 45° in 2 s; 1 m a second along x.
+Keyframes turning_keys() {
+  return *Keyframes::make({.times = {0.0, 1.0, 3.0},
+                           .orientations = {about_z(0.0), about_z(45.0), about_z(90.0)},
+                           .positions = {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {3.0, 0.0, 0.0}}});
+}
+
+TEST(PageSamples, HaveBothSidesOfTheJumpAtAKey) {
+  const PageSamples samples = sampled(*make_pose_curve("slerp", turning_keys()), 30);
+  const auto at = std::ranges::find(samples.path.times, 1.0) - samples.path.times.begin();
+  const auto left = static_cast<std::size_t>(at);
+  ASSERT_EQ(samples.path.times[left + 1], 1.0);
+  EXPECT_NEAR(samples.angular_velocities[left].z(), 45.0 * degree, 1e-13);
+  EXPECT_NEAR(samples.angular_velocities[left + 1].z(), 22.5 * degree, 1e-13);
+}
+
+TEST(PageSamples, CoverTheCurveEvenlyWithAllThatItHas) {
+  const PageSamples samples = sampled(*make_pose_curve("auto", turning_keys()), 30);
+  const std::vector<double>& t = samples.path.times;
+  EXPECT_EQ(t.size(), 32U);
+  EXPECT_EQ(t.front(), 0.0);
+  EXPECT_EQ(t.back(), 3.0);
+  EXPECT_TRUE(std::ranges::is_sorted(t));
+  for (std::size_t i = 1; i < t.size(); ++i) EXPECT_LE(t[i] - t[i - 1], 0.1 + 1e-12);
+  for (const std::size_t size : {samples.path.orientations.size(), samples.angular_velocities.size(),
+                                 samples.angular_accelerations.size(), samples.angular_jerks.size()})
+    EXPECT_EQ(size, t.size());
+  ASSERT_EQ(samples.positions.size(), t.size());
+  for (std::size_t i = 0; i < t.size(); ++i) EXPECT_NEAR(samples.positions[i].x(), t[i], 1e-12);
+}
+
+TEST(PageSamples, OfManySegmentsAreAsManyAsWanted) {
+  KeyframeData data;
+  for (int k = 0; k < 1000; ++k) {
+    data.times.push_back(k);
+    data.orientations.push_back(about_z(k));
+  }
+  const PageSamples samples = sampled(*make_pose_curve("slerp", *Keyframes::make(data)), 100);
+  EXPECT_EQ(samples.path.times.size(), 100U);
+  EXPECT_EQ(samples.path.times.back(), 999.0);
+}
+
+TEST(PageSamples, OfOneKeyAreOne) {
+  const Keyframes key = *Keyframes::make({.times = {2.0}, .orientations = {about_z(10.0)}});
+  EXPECT_EQ(sampled(*make_pose_curve("auto", key)).path.times, std::vector{2.0});
+}
+
+TEST(PageSamples, ErrorsAreAnglesToTheReferenceWhateverItsSigns) {
+  Eigen::Quaterniond negated = about_z(40.0);
+  negated.coeffs() = -negated.coeffs();
+  const PagePath reference{{0.0, 2.0}, {about_z(0.0), negated}};
+  const PagePath path{{-1.0, 0.0, 1.0, 2.0, 2.5}, std::vector(5, about_z(5.0))};
+  const std::vector<double> errors = errors_to(reference, path);
+  EXPECT_TRUE(std::isnan(errors[0]));
+  EXPECT_NEAR(errors[1], 5.0, 1e-12);
+  EXPECT_NEAR(errors[2], 15.0, 1e-12);
+  EXPECT_NEAR(errors[3], 35.0, 1e-12);
+  EXPECT_TRUE(std::isnan(errors[4]));
+  EXPECT_TRUE(std::isnan(errors_to({{0.0}, {about_z(0.0)}}, path)[1]));
+}
+
+TEST(PageSamples, ThinnedPathsKeepTheirEnds) {
+  PagePath path;
+  for (int k = 0; k < 1001; ++k) {
+    path.times.push_back(k);
+    path.orientations.push_back(about_z(0.1 * k));
+  }
+  const PagePath few = thinned(path, 11);
+  ASSERT_EQ(few.times.size(), 11U);
+  for (std::size_t k = 0; k < 11; ++k) EXPECT_EQ(few.times[k], 100.0 * static_cast<double>(k));
+  EXPECT_EQ(few.orientations.size(), 11U);
+  EXPECT_EQ(thinned(few, 11).times, few.times);
+}
+
+TEST(PageSamples, KeysAreTakenAsTheyAre) {
+  const PageKeys keys = page_keys(turning_keys());
+  EXPECT_EQ(keys.path.times, (std::vector{0.0, 1.0, 3.0}));
+  EXPECT_EQ(keys.path.orientations.size(), 3U);
+  EXPECT_EQ(keys.positions[2].x(), 3.0);
+}
+
+}  // namespace
+}  // namespace orispline::report

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/report/page.hpp>
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include <orispline/report/page_json.hpp>
+#include <orispline/report/page_template.hpp>
+#include <support/counted.hpp>
+
+namespace orispline::report {
+namespace {
+
+using testing_support::count_of;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+TEST(Page, IsTheTemplateWithTheDataInTheMarkersPlace) {
+  std::string parts;
+  for (const std::string_view piece : page_template()) parts += piece;
+  ASSERT_EQ(count_of(data_marker, parts), 1U);
+  const Page page{.title = "A title"};
+  const std::size_t at = parts.find(data_marker);
+  EXPECT_EQ(document(page), parts.substr(0, at) + json_of(page) + parts.substr(at + data_marker.size()));
+}
+
+TEST(Page, KeepsTheLicencesOfWhatItContains) {
+  const std::string html = document({.title = "A title"});
+  EXPECT_EQ(count_of("Copyright © 2010-", html), 1U);  // three.js
+  EXPECT_EQ(count_of("Leon Sorokin", html), 1U);       // uPlot
+  EXPECT_GE(count_of("Permission is hereby granted, free of charge", html), 2U);
+}
+
+TEST(Page, NoTextEndsTheScriptOrTheString) {
+  const std::string json = json_of({.title = "</script> \"a\\b\"\n\x01 ω"});
+  EXPECT_EQ(count_of("<", json), 0U);
+  EXPECT_EQ(count_of(R"("title":"\u003c/script> \u0022a\u005cb\u0022\u000a\u0001 ω")", json), 1U);
+}
+
+TEST(Page, WritesQuaternionsScalarFirstAndVectorsFlat) {
+  const Eigen::Quaterniond first(1.0, 0.0, 0.0, 0.0), second(0.5, -0.5, 0.5, 0.25);
+  const std::string json = json_of({.keys = {{{0.0, 1.5}, {first, second}}, {{1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}}}});
+  EXPECT_EQ(count_of(R"("keys":{"t":[0,1.5],"q":[1,0,0,0,0.5,-0.5,0.5,0.25],"p":[1,2,3,4,5,6]})", json), 1U);
+  EXPECT_EQ(count_of(R"("reference":null)", json), 1U);
+}
+
+TEST(Page, RoundsToSevenDigitsAndHasNullForNoNumber) {
+  PageMethod method{.name = "m", .continuity = "C2"};
+  method.measures = {{"big", 123456789.0}, {"none", nan}, {"third", 1.0 / 3.0}};
+  method.samples = {.path = {{0.0}, {Eigen::Quaterniond::Identity()}},
+                    .angular_velocities = {{1e-9, -2.0 / 3.0, 1e300}},
+                    .errors = {nan}};
+  const std::string json = json_of({.methods = {method}});
+  EXPECT_EQ(count_of(R"("measures":{"big":1.234568e+08,"none":null,"third":0.3333333})", json), 1U);
+  EXPECT_EQ(count_of(R"("w":[1e-09,-0.6666667,1e+300])", json), 1U);
+  EXPECT_EQ(count_of(R"("error_deg":[null])", json), 1U);
+}
+
+TEST(Page, NamesColumnsBodiesAndFailures) {
+  Page page{.body = PageBody::axes, .sorted_by = "rms"};
+  page.columns = {{"rms", "RMS", "deg", "why", Better::less}, {"n", "N", "", "", Better::neither}};
+  page.methods = {{.name = "a", .failure = "no"}, {.name = "b"}};
+  const std::string json = json_of(page);
+  EXPECT_EQ(count_of(R"("body":"axes")", json), 1U);
+  EXPECT_EQ(count_of(R"({"id":"rms","label":"RMS","unit":"deg","explanation":"why","better":"less"})", json), 1U);
+  EXPECT_EQ(
+      count_of(R"("better":"neither"}],"sorted_by":"rms","methods":[{"name":"a","continuity":"","failure":"no")", json),
+      1U);
+}
+
+}  // namespace
+}  // namespace orispline::report
