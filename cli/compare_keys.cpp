@@ -1,12 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compare_keys.hpp"
 
+#include <string_view>
+
 #include <fmt/format.h>
 
 #include <orispline/analysis/sampled.hpp>
 
 namespace orispline::cli {
 namespace {
+
+/// With the name that the option for the rows has here, where `--sort` is for the table.
+Error in_words_of_compare(Error error) {
+  constexpr std::string_view hint = "(--sort ";
+  if (const std::size_t at = error.message.find(hint); at != std::string::npos)
+    error.message.replace(at, hint.size(), "(--sort-rows ");
+  return error;
+}
 
 /// A file and its keys, which are at least two.
 struct Read {
@@ -16,7 +26,7 @@ struct Read {
 
 Expected<Read> read_two_keys(const std::string& path, const io::ReadOptions& options, Signs signs) {
   auto file = io::read_keys(path, options);
-  if (!file) return tl::unexpected(std::move(file.error()));
+  if (!file) return tl::unexpected(in_words_of_compare(std::move(file.error())));
   auto keys = Keyframes::make(file->data, signs);
   if (!keys) return tl::unexpected(located(*file, keys.error()));
   if (keys->size() < 2)

@@ -30,7 +30,8 @@ bool is_in_page(const CompareFigure& figure, std::size_t key_set) {
 std::vector<report::PageColumn> columns_of(const CompareReport& report) {
   std::vector<report::PageColumn> columns;
   auto figures = compare_figures(report);
-  std::ranges::stable_partition(figures, [](const CompareFigure& figure) { return !figure.column.name.empty(); });
+  std::stable_partition(figures.begin(), figures.end(),
+                        [](const CompareFigure& figure) { return !figure.column.name.empty(); });
   for (std::size_t i = 0; i < report.data.key_sets.size(); ++i)
     for (const CompareFigure& figure : figures) {
       if (!is_in_page(figure, i) || figure.id == "continuity") continue;  // which has a column of its own

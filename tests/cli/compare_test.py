@@ -161,6 +161,17 @@ class Refused(CommandTest):
         self.assert_fails("compare keys.csv --reference one.csv", BAD_DATA,
                           "one.csv: found 1 key, wanted 2 at least to compare curves")
 
+    def test_rows_out_of_order_are_sorted_where_asked_for(self):
+        self.write("mixed.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n2,1,0,0,0\n1,1,0,0,0\n3,1,0,0,0\n")
+        self.assert_fails("compare mixed.csv --keep-every 2", BAD_DATA,
+                          "mixed.csv:4: key 2: time 1 comes after 2, wanted increasing times (--sort-rows orders the rows)")
+        self.output_of("compare mixed.csv --keep-every 2 --sort-rows --methods slerp --sort max")
+
+    def test_standard_input_is_read_once(self):
+        self.output_of("compare - --keep-every 2 --methods slerp", input=self.read("keys.csv"))
+        self.assert_fails("compare - --reference -", BAD_USAGE,
+                          "found '-' for INPUT and --reference, wanted it for one at most", input=self.read("keys.csv"))
+
     def test_requests_that_make_no_sense(self):
         for arguments, message in (
                 ("--keep-every 1", "--keep-every: found '1', wanted a whole number from 2 on"),
