@@ -30,14 +30,19 @@ Expected<NamedMethod> named_method(std::string_view text) {
   });
 }
 
+std::vector<std::string> with_all_methods(std::vector<std::string> names) {
+  for (const FamilyInfo& family : families_info()) names.emplace_back(family.name);
+  return names;
+}
+
 Expected<std::vector<NamedMethod>> methods_in(const CompareOptions& options) {
   std::vector<std::string> names;
   for (const std::string& list : options.methods)
-    for (const std::string_view name : pieces_of(list, ',')) names.emplace_back(name);
-  if (names.empty() || (names.size() == 1 && names.front() == all_methods)) {
-    names.clear();
-    for (const FamilyInfo& family : families_info()) names.emplace_back(family.name);
-  }
+    for (const std::string_view name : pieces_of(list, ',')) {
+      if (name == all_methods) names = with_all_methods(std::move(names));
+      else names.emplace_back(name);
+    }
+  if (names.empty()) names = with_all_methods({});
   std::vector<NamedMethod> methods;
   for (const std::string& name : names) {
     auto method = named_method(name);

@@ -137,6 +137,7 @@ class Compare(CommandTest):
         methods = json.loads(self.output_of("methods --json"))
         self.assertEqual(sorted(row["method"] for row in rows), sorted(method["name"] for method in methods))
         self.assertEqual({row["keep_every"] for row in rows}, {8})
+        self.assertEqual(len(self.compared("cubic.csv --methods all,quintic:tension=0.3")), len(methods) + 1)
 
     def test_the_report_is_one_page_with_the_curves(self):
         self.output_of("compare cubic.csv --keep-every 10,20 --methods auto,slerp --report out.html")
