@@ -10,8 +10,8 @@ import sys
 
 GROUND = {"base", "math", "curve"}
 FLOORS = {  # folder of src/orispline -> what it may include besides itself
-    "base": set(), "math": set(), "curve": GROUND, "families": GROUND, "analysis": GROUND, "io": GROUND, "report": GROUND,
-    "optimise": GROUND | {"families", "analysis"}, "batch": GROUND | {"families"}}
+    "base": set(), "math": set(), "curve": GROUND, "families": GROUND, "io": GROUND, "report": GROUND, "batch": GROUND | {"families"},
+    "analysis": GROUND | {"families", "batch"}, "optimise": GROUND | {"families", "analysis"}}
 GUESTS = {"fast_float/": "src/orispline/io/", "CLI/": "cli/", "nlohmann/": "cli/", "benchmark/": "benchmarks/", "glm/": "benchmarks/",
           "smooth/": "benchmarks/", "sophus/": "benchmarks/", "basalt/": "benchmarks/"}  # third party -> its only room
 ROOMS = ("src", "cli", "tests", "examples", "tools", "bindings", "benchmarks")
