@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/optimise/segment_residuals.hpp>
+
+#include <cmath>
+
+#include <orispline/curve/cumulative_curve.hpp>
+#include <orispline/curve/slerp_bezier.hpp>
+#include <orispline/math/bernstein.hpp>
+#include <orispline/math/gauss_legendre.hpp>
+
+namespace orispline::optimise {
+namespace {
+
+constexpr std::size_t exact_nodes = 6;  // of the square of a second derivative, whose degree is 10
+constexpr std::size_t nodes = 20;
+
+/// The Bernstein polynomials of degree `form_degree` at one place, as Taylor series in u.
+using BasisAt = std::array<Jet<double, 3>, form_degree + 1>;
+
+struct Node {
+  double u, weight;
+  BasisAt basis;
+};
+
+BasisAt basis_at(double u) { return bernstein_basis<form_degree>(Jet<double, 3>::variable(u)); }
+
+template <std::size_t N>
+std::array<Node, N> quadrature() {
+  std::array<Node, N> result;
+  const auto rule = gauss_legendre<N>();
+  for (std::size_t i = 0; i < N; ++i) result[i] = {rule[i].u, rule[i].weight, basis_at(rule[i].u)};
+  return result;
+}
+
+std::span<const Node> quadrature_of(Objective objective) {
+  static const auto exact = quadrature<exact_nodes>();
+  static const auto fine = quadrature<nodes>();
+  return objective == Objective::linearised ? std::span<const Node>(exact) : std::span<const Node>(fine);
+}
+
+/// Bernstein coefficients over a number that knows how they change along one variable.
+template <Number T>
+using RowsOver = std::array<std::array<T, form_degree + 1>, 3>;
+
+BlendingRows rows_at(const TensionSegment& segment, std::span<const double> values) {
+  BlendingRows rows = segment.constant;
+  for (std::size_t v = 0; v < values.size(); ++v)
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      for (std::size_t j = 0; j <= form_degree; ++j)
+        rows[k].coefficients[j] += values[v] * segment.slopes[v][k].coefficients[j];
+  return rows;
+}
+
+RowsOver<double> plain(const BlendingRows& rows) {
+  return {rows[0].coefficients, rows[1].coefficients, rows[2].coefficients};
+}
+
+RowsOver<Jet<double, 1>> along(const BlendingRows& rows, const BlendingRows& slope) {
+  RowsOver<Jet<double, 1>> result;
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    for (std::size_t j = 0; j <= form_degree; ++j)
+      result[k][j].c = {rows[k].coefficients[j], slope[k].coefficients[j]};
+  return result;
+}
+
+/// β̃ in time, from the Taylor series of the Bernstein polynomials in u.
+template <Number T>
+Jet<T, 3> blending(const std::array<T, form_degree + 1>& row, const BasisAt& basis, double step) {
+  Jet<T, 3> b;
+  double scale = 1.0;
+  for (std::size_t m = 0; m < 4; ++m) {
+    for (std::size_t j = 0; j <= form_degree; ++j) b.c[m] += row[j] * (basis[j].c[m] * scale);
+    scale /= step;
+  }
+  return b;
+}
+
+/// The three arcs of a cubic of slerps, from the slopes of its chart at the two keys.
+template <Number T>
+MotionOver<T> slerp_motion(const TensionSegment& s, const RowsOver<T>& rows, const Jet<T, 3>& u) {
+  const double third = static_cast<double>(form_degree) / 3.0;
+  const Quaternion<T> from = constant<T>(s.from), to = constant<T>(s.to);
+  const Quaternion<T> leaving = from * exp<T>(constant<T>(s.increments[0]) * T(rows[0][1] * third));
+  const Quaternion<T> arriving = to * exp<T>(constant<T>(s.increments[2]) * T(rows[2][form_degree - 1] * third));
+  using J = Jet<T, 3>;
+  const auto in_time = [](const auto& q) { return Quaternion<J>(J(q.w()), J(q.x()), J(q.y()), J(q.z())); };
+  const auto arc = [](const auto& a, const auto& b) -> Vector3<J> { return increment<T>(a, b).template cast<J>(); };
+  return motion_from_jet<T>(slerp_cubic<J>({in_time(from), in_time(leaving), in_time(arriving)},
+                                           {arc(from, leaving), arc(leaving, arriving), arc(arriving, to)}, u));
+}
+
+template <Number T>
+MotionOver<T> motion_at(const TensionSegment& s, const RowsOver<T>& rows, const BasisAt& basis, double u) {
+  if (s.product == TensionSegment::Product::slerps) {
+    Jet<T, 3> time(T{u});
+    time.c[1] = T(1.0 / s.step);
+    return slerp_motion<T>(s, rows, time);
+  }
+  MotionOver<T> m{.orientation = constant<T>(s.from)};
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    m = with_factor<T>(m, constant<T>(s.increments[k]), blending<T>(rows[k], basis, s.step));
+  return m;
+}
+
+/// Σ β̃_k'' φ_k.
+template <Number T>
+Vector3<T> linearised(const TensionSegment& s, const RowsOver<T>& rows, const BasisAt& basis) {
+  Vector3<T> sum = Vector3<T>::Zero();
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    T second(0.0);
+    for (std::size_t j = 0; j <= form_degree; ++j) second += rows[k][j] * (2.0 * basis[j].c[2] / (s.step * s.step));
+    sum += constant<T>(s.increments[k]) * second;
+  }
+  return sum;
+}
+
+template <Number T>
+Vector3<T> measured(const Goal& goal, const MotionOver<T>& m) {
+  if (goal.objective == Objective::acceleration) return m.angular_acceleration;
+  if (goal.objective == Objective::jerk) return m.angular_jerk;
+  const Matrix3<T> inertia = goal.inertia.cast<T>();
+  const Vector3<T> momentum = inertia * m.angular_velocity;
+  return inertia * m.angular_acceleration + m.angular_velocity.cross(momentum);
+}
+
+/// Calls `take(i, residual)` for every triple of residuals.
+template <Number T, class Take>
+void each_residual(const TensionSegment& s, const Goal& goal, std::size_t index, const RowsOver<T>& rows, Take take) {
+  std::size_t i = 0;
+  if (goal.objective == Objective::fit) {
+    const double weight = 1.0 / std::sqrt(static_cast<double>(goal.sighting_count));
+    for (const Sighting& seen : goal.sightings[index]) {
+      const Quaternion<T> q = motion_at<T>(s, rows, basis_at(seen.u), seen.u).orientation;
+      const Quaternion<T> from = constant<T>(seen.orientation);
+      const bool same_side = value_of(q.dot(from)) >= 0.0;
+      const Quaternion<T> nearer = same_side ? from : Quaternion<T>(-from.coeffs());
+      take(i++, Vector3<T>(increment<T>(nearer, q) * T(weight)));
+    }
+    return;
+  }
+  for (const Node& node : quadrature_of(goal.objective)) {
+    const T weight(std::sqrt(node.weight * s.step));
+    const Vector3<T> value = goal.objective == Objective::linearised
+                                 ? linearised<T>(s, rows, node.basis)
+                                 : measured<T>(goal, motion_at<T>(s, rows, node.basis, node.u));
+    take(i++, Vector3<T>(value * weight));
+  }
+}
+
+Eigen::Index first_of(std::size_t triple) { return 3 * static_cast<Eigen::Index>(triple); }
+
+}  // namespace
+
+std::size_t residual_count(const Goal& goal, std::size_t segment) {
+  return 3 * (goal.objective == Objective::fit ? goal.sightings[segment].size()
+                                               : quadrature_of(goal.objective).size());
+}
+
+Eigen::VectorXd residual_values(const TensionSegment& segment, const Goal& goal, std::size_t index,
+                                std::span<const double> values) {
+  Eigen::VectorXd result(static_cast<Eigen::Index>(residual_count(goal, index)));
+  each_residual<double>(segment, goal, index, plain(rows_at(segment, values)),
+                        [&](std::size_t i, const Eigen::Vector3d& r) { result.segment<3>(first_of(i)) = r; });
+  return result;
+}
+
+Eigen::MatrixXd residual_jacobian(const TensionSegment& segment, const Goal& goal, std::size_t index,
+                                  std::span<const double> values) {
+  Eigen::MatrixXd result(static_cast<Eigen::Index>(residual_count(goal, index)),
+                         static_cast<Eigen::Index>(values.size()));
+  const BlendingRows rows = rows_at(segment, values);
+  for (std::size_t v = 0; v < values.size(); ++v)
+    each_residual<Jet<double, 1>>(
+        segment, goal, index, along(rows, segment.slopes[v]), [&](std::size_t i, const Vector3<Jet<double, 1>>& r) {
+          for (Eigen::Index axis = 0; axis < 3; ++axis)
+            result(first_of(i) + axis, static_cast<Eigen::Index>(v)) = r[axis].c[1];
+        });
+  return result;
+}
+
+}  // namespace orispline::optimise
