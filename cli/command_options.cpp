@@ -45,42 +45,6 @@ constexpr auto inspect_footer = R"(Examples:
 Faults that 'sample' refuses (duplicate or decreasing times, rows that are not numbers, norms far from 1) are repaired
 and counted. The JSON is described in docs/inspect-json.md.)";
 
-void add_input_options(CLI::App& app, InputOptions& o, std::string_view default_signs = "shortest") {
-  app.add_option("INPUT", o.path, "CSV, TUM or EuRoC file of keyframes; '-' is standard input")
-      ->required()
-      ->type_name(file_type);
-  const std::string group = "Reading";
-  app.add_option("--input-format", o.format, "Format of INPUT [by extension and content]")
-      ->type_name(one_of(format_choices))
-      ->group(group);
-  app.add_option("--columns", o.columns, "Other names of columns: t=sclk_ticks,qw=q0_w,...")
-      ->allow_extra_args(false)
-      ->type_name("NAME=COLUMN,...")
-      ->group(group);
-  app.add_option("--order", o.order, "Order of the quaternion columns when there is no header")
-      ->type_name(one_of(order_choices))
-      ->group(group);
-  app.add_option("--input-orientation", o.orientation, "What states the orientation [quaternion, else what is there]")
-      ->type_name(one_of(orientation_choices))
-      ->group(group);
-  app.add_option("--euler", o.euler, "Order of Euler angles: ZYX, XYZ, ZXZ, ... body axes; zyx, ... world axes [ZYX]")
-      ->type_name("ORDER")
-      ->group(group);
-  app.add_option("--angle-unit", o.angle_unit, "Of Euler angles whose column does not end in _deg or _rad")
-      ->type_name(one_of(angle_unit_choices))
-      ->group(group);
-  app.add_option("--time-scale", o.time_scale, "Seconds per unit of the time column [by its name, else 1]")
-      ->type_name("X")
-      ->group(group);
-  app.add_flag("--conjugate", o.conjugate, "The file holds world to body (SPICE, CCSDS)")->group(group);
-  app.add_option("--signs", o.signs, fmt::format("Negate quaternions for the shortest way, or not [{}]", default_signs))
-      ->type_name(one_of(sign_choices))
-      ->group(group);
-  app.add_flag("--drop-duplicates", o.drop_duplicates, "Of equal times keep the first row")->group(group);
-  app.add_flag("--drop-invalid", o.drop_invalid, "Drop rows with NaN, infinite or empty cells")->group(group);
-  app.add_flag("--sort", o.sort, "Sort the rows by time")->group(group);
-}
-
 void add_method_options(CLI::App& app, MethodOptions& o) {
   const std::string group = "Shape of the curve";
   app.add_option("--tension", o.tension, "Short for --set tension=X[,X...]")->type_name("X[,X...]")->group(group);
@@ -138,6 +102,42 @@ void add_output_options(CLI::App& app, OutputOptions& o) {
 }
 
 }  // namespace
+
+void add_input_options(CLI::App& app, InputOptions& o, std::string_view default_signs) {
+  app.add_option("INPUT", o.path, "CSV, TUM or EuRoC file of keyframes; '-' is standard input")
+      ->required()
+      ->type_name(file_type);
+  const std::string group = "Reading";
+  app.add_option("--input-format", o.format, "Format of INPUT [by extension and content]")
+      ->type_name(one_of(format_choices))
+      ->group(group);
+  app.add_option("--columns", o.columns, "Other names of columns: t=sclk_ticks,qw=q0_w,...")
+      ->allow_extra_args(false)
+      ->type_name("NAME=COLUMN,...")
+      ->group(group);
+  app.add_option("--order", o.order, "Order of the quaternion columns when there is no header")
+      ->type_name(one_of(order_choices))
+      ->group(group);
+  app.add_option("--input-orientation", o.orientation, "What states the orientation [quaternion, else what is there]")
+      ->type_name(one_of(orientation_choices))
+      ->group(group);
+  app.add_option("--euler", o.euler, "Order of Euler angles: ZYX, XYZ, ZXZ, ... body axes; zyx, ... world axes [ZYX]")
+      ->type_name("ORDER")
+      ->group(group);
+  app.add_option("--angle-unit", o.angle_unit, "Of Euler angles whose column does not end in _deg or _rad")
+      ->type_name(one_of(angle_unit_choices))
+      ->group(group);
+  app.add_option("--time-scale", o.time_scale, "Seconds per unit of the time column [by its name, else 1]")
+      ->type_name("X")
+      ->group(group);
+  app.add_flag("--conjugate", o.conjugate, "The file holds world to body (SPICE, CCSDS)")->group(group);
+  app.add_option("--signs", o.signs, fmt::format("Negate quaternions for the shortest way, or not [{}]", default_signs))
+      ->type_name(one_of(sign_choices))
+      ->group(group);
+  app.add_flag("--drop-duplicates", o.drop_duplicates, "Of equal times keep the first row")->group(group);
+  app.add_flag("--drop-invalid", o.drop_invalid, "Drop rows with NaN, infinite or empty cells")->group(group);
+  app.add_flag("--sort", o.sort, "Sort the rows by time")->group(group);
+}
 
 void add_sample_options(CLI::App& app, SampleOptions& o) {
   add_input_options(app, o.input);

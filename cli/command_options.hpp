@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "compare.hpp"
 #include "convert.hpp"
 #include "inspect.hpp"
 #include "sample.hpp"
@@ -17,8 +18,12 @@ inline constexpr auto file_type = "FILE", folder_type = "FOLDER";
 inline constexpr auto method_type = "METHOD", methods_type = "METHOD,...", ends_type = "RULE|START,END",
                       setting_type = "NAME=VALUE";
 
+/// INPUT and how it is read, part of several commands.
+void add_input_options(CLI::App& app, InputOptions& options, std::string_view default_signs = "shortest");
+
 void add_sample_options(CLI::App& app, SampleOptions& options);
 void add_convert_options(CLI::App& app, ConvertOptions& options);
 void add_inspect_options(CLI::App& app, InspectOptions& options);
+void add_compare_options(CLI::App& app, CompareOptions& options);
 
 }  // namespace orispline::cli

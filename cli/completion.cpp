@@ -21,13 +21,6 @@ std::string words_of_commands(const Commands& commands) {
   return fmt::format("{}", fmt::join(names, " "));
 }
 
-/// The text inside single quotes of a shell.
-std::string quoted(std::string_view text) {
-  std::string result = "'";
-  for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return result + "'";
-}
-
 // bash: the word before the cursor decides, then the command.
 
 /// `NAME=WORD` is one word of the line, but two for readline, which wants what follows the `=` only.
@@ -173,6 +166,12 @@ std::string fish_script(const Commands& commands) {
 }
 
 }  // namespace
+
+std::string quoted(std::string_view text) {
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return result + "'";
+}
 
 Expected<void> completion(const std::string& shell, const Commands& commands) {
   return choice_of(shell_choices)({"completion", shell}).and_then([&](Shell choice) {

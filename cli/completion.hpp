@@ -31,6 +31,9 @@ enum class Shell { bash, zsh, fish };
 inline constexpr std::array shell_choices{Choice<Shell>{"bash", Shell::bash}, Choice<Shell>{"zsh", Shell::zsh},
                                           Choice<Shell>{"fish", Shell::fish}};
 
+/// The text inside single quotes of a shell.
+[[nodiscard]] std::string quoted(std::string_view text);
+
 /// `orispline completion SHELL`: a script for that shell, made from the commands themselves.
 [[nodiscard]] Expected<void> completion(const std::string& shell, const std::vector<CommandOutline>& commands);
 

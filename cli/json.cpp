@@ -206,6 +206,26 @@ std::string json_of(const ConvertReport& report) {
   return document(json);
 }
 
+std::string json_of(const CompareReport& report) {
+  Json list = Json::array();
+  const auto figures = compare_figures(report);
+  for (const ComparedMethod& method : report.methods) {
+    const KeySet& keys = report.data.key_sets[method.key_set];
+    Json json{{"method", method.label},
+              {"keep_every", keys.decimation ? Json(keys.decimation->keep_every) : Json(nullptr)},
+              {"keys", keys.keys.size()},
+              {"samples", keys.compared}};
+    for (const CompareFigure& figure : figures) {
+      const auto value = method.measures ? figure.value(*method.measures, report.data) : std::nullopt;
+      const bool whole = figure.id == "continuity";
+      json[std::string(figure.id)] = !value ? Json(nullptr) : whole ? Json(static_cast<int>(*value)) : Json(*value);
+    }
+    json["error"] = method.measures ? Json(nullptr) : Json(describe(method.measures.error()));
+    list.push_back(std::move(json));
+  }
+  return document(list);
+}
+
 std::string json_of(std::span<const Experiment> experiments) {
   Json list = Json::array();
   for (const Experiment& experiment : experiments)

@@ -6,6 +6,7 @@
 
 #include <orispline/curve/family.hpp>
 
+#include "compare_report.hpp"
 #include "convert_report.hpp"
 #include "inspect_report.hpp"
 #include "reproduce_report.hpp"
@@ -19,6 +20,7 @@ namespace orispline::cli {
 [[nodiscard]] std::string json_of(const InspectReport& report);
 [[nodiscard]] std::string json_of(const SampleReport& report);
 [[nodiscard]] std::string json_of(const ConvertReport& report);
+[[nodiscard]] std::string json_of(const CompareReport& report);
 [[nodiscard]] std::string json_of(std::span<const Experiment> experiments);
 [[nodiscard]] std::string json_of(const std::vector<ExperimentReport>& reports);
 

@@ -8,6 +8,7 @@
 #include <orispline/batch/dispatch.hpp>
 
 #include "command_options.hpp"
+#include "compare.hpp"
 #include "completion.hpp"
 #include "convert.hpp"
 #include "exit_code.hpp"
@@ -30,6 +31,7 @@ constexpr auto app_footer = R"(Examples:
   orispline sample keys.csv --rate 100 -o motion.csv
   orispline convert keys.csv -o keys.tum
   orispline inspect keys.csv --method auto,quintic
+  orispline compare flight.csv --keep-every 8
   orispline methods
 
 Exit codes: 0 success, 1 bad data, 2 bad usage, 3 file missing, unreadable or not writable.)";
@@ -90,6 +92,7 @@ std::vector<CommandOutline> outlines(const CLI::App& app) {
 constexpr auto first_steps = R"(orispline makes smooth motions from orientation keyframes. Some beginnings:
   orispline sample keys.csv --rate 100 -o motion.csv   a motion through the keys, with exact rates
   orispline inspect keys.csv --method auto             what the keys are like, and where rates jump
+  orispline compare flight.csv --keep-every 8          which method follows a recording best
   orispline convert keys.csv -o keys.tum               the same keys in another format
   orispline methods                                    all methods, what they promise and take
 keys.csv has the columns t,qw,qx,qy,qz. 'orispline --help' and 'orispline sample --help' say more.
@@ -114,6 +117,16 @@ std::optional<Error> empty_value(std::span<char*> arguments) {
   return std::nullopt;
 }
 
+/// `orispline compare keys.csv …`, as a shell takes it.
+std::string command_line(std::span<char*> arguments) {
+  std::string line = "orispline";
+  for (const std::string_view argument : arguments) {
+    const bool plain = !argument.empty() && argument.find_first_of(" \t\n'\"\\$&|;<>()*?[]#~`!{}") == argument.npos;
+    line += plain ? fmt::format(" {}", argument) : fmt::format(" {}", quoted(argument));
+  }
+  return line;
+}
+
 /// Defines the commands; each stands for a function to call when it was chosen.
 class CommandLine {
  public:
@@ -129,6 +142,9 @@ class CommandLine {
     add_inspect_options(command("inspect", "Say what a file of keyframes is like, and how continuous curves are on it",
                                 [this] { return inspect(inspect_); }),
                         inspect_);
+    add_compare_options(command("compare", "Compare the methods on a recording: errors, smoothness, cost",
+                                [this] { return compare(compare_); }),
+                        compare_);
     command("methods", "List the methods", [this] { return methods(methods_); })
         .footer(methods_footer)
         ->add_flag("--json", methods_.json, "Print one JSON array");
@@ -148,6 +164,7 @@ class CommandLine {
       if (arguments.size() < 2) return tell(first_steps), ExitCode::bad_usage;
       if (const auto error = unknown_command(app_, arguments)) return report(*error);
       if (const auto error = empty_value(arguments)) return report(*error);
+      compare_.command_line = command_line(arguments.subspan(1));
       app_.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
       if (error.get_exit_code() != 0) return report({ErrorCode::bad_argument, error.what(), {}});
@@ -181,6 +198,7 @@ class CommandLine {
   SampleOptions sample_;
   ConvertOptions convert_;
   InspectOptions inspect_;
+  CompareOptions compare_;
   MethodsOptions methods_;
   ReproduceOptions reproduce_;
   std::string shell_;

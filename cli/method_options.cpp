@@ -108,15 +108,6 @@ Expected<std::optional<Loop>> loop_in(const FamilyInfo& family, const MethodOpti
   return Loop{.period = *seconds};
 }
 
-/// What the command line says and, where it is silent, the columns of the file.
-CurveOptions completed(const MethodRequest& request, const io::KeyFile& file) {
-  CurveOptions shape = request.options;
-  for (const std::string& name : open_parameters(request))
-    if (const auto column = file.parameters.find(name); column != file.parameters.end())
-      shape.parameters.insert(*column);
-  return shape;
-}
-
 /// With the place in the file, unless the command line alone is at fault.
 Error placed(const io::KeyFile& file, Error error) {
   const bool concerns_file = error.code == ErrorCode::bad_data || error.where.key;
@@ -145,6 +136,14 @@ std::vector<std::string> open_parameters(const MethodRequest& request) {
   for (const Parameter& parameter : request.family->parameters)
     if (!request.options.parameters.contains(parameter.name)) names.emplace_back(parameter.name);
   return names;
+}
+
+CurveOptions completed(const MethodRequest& request, const io::KeyFile& file) {
+  CurveOptions shape = request.options;
+  for (const std::string& name : open_parameters(request))
+    if (const auto column = file.parameters.find(name); column != file.parameters.end())
+      shape.parameters.insert(*column);
+  return shape;
 }
 
 std::optional<std::string> closing_step_warning(const MethodRequest& request, const Keyframes& keys) {

@@ -35,6 +35,9 @@ struct MethodRequest {
 /// Parameters of the method that the command line leaves to the columns of the key file.
 [[nodiscard]] std::vector<std::string> open_parameters(const MethodRequest& request);
 
+/// What the command line says and, where it is silent, the columns of the file.
+[[nodiscard]] CurveOptions completed(const MethodRequest& request, const io::KeyFile& file);
+
 /// A line about a loop whose closing step is so much shorter than every other one that its rates are huge; else
 /// nothing.
 [[nodiscard]] std::optional<std::string> closing_step_warning(const MethodRequest& request, const Keyframes& keys);

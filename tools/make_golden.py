@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Turns the 60-digit reference values into the compact tables that the family tests read.
 
-Reads golden.json, golden_methods.json and golden_auto.json of the reference (by default ../shared/math beside the
-checkout) and writes tests/data/golden/: keys.csv (the sequences), cases.csv (what to build from them), one table of
-expected motions per family and not_converged.csv (what the reference could not solve). Every double is written by repr,
+Reads golden.json, golden_methods.json, golden_auto.json and energies_golden.json of the reference (by default
+../shared/math beside the checkout) and writes tests/data/golden/: keys.csv (the sequences), cases.csv (what to build
+from them), one table of expected motions per family, not_converged.csv (what the reference could not solve) and
+energies.csv. Every double is written by repr,
 so it reads back exactly; the output depends on the input only.
 
     tools/make_golden.py [--source FOLDER]            write the tables
@@ -41,6 +42,12 @@ NOT_CONVERGED_NOTE = """\
 # Curves for which the reference's solvers found no solution; columns as in cases.csv."""
 ROWS_NOTE = """\
 # side left is the limit at the right end of the segment, right the limit at its left end or a point inside."""
+ENERGIES_NOTE = """\
+# acceleration is the integral of |alpha|^2 [rad^2/s^3], torque that of |J alpha + omega x J omega|^2 [N^2 m^2 s] for the
+# principal moments of inertia J; empty where the reference does not state it."""
+ENERGY_FAMILIES = {"tan": ("quintic", "repeat"), "sextic": ("sextic", "repeat"), "c2": ("timed-c2", "natural")}
+ENERGIES = {"default": ("acc_default", "torque_default"), "closed_form": ("acc_closed_form", "torque_closed_form"),
+            "acc_opt": ("acc_min", "torque_at_acc_opt"), "torque_opt": (None, "torque_min")}  # tensions -> energies
 KEY_RATES = ("key_rates", "key_accelerations", "key_jerks")
 CURVE_COLUMNS = ("family,sequence,signs,ends,start_rate,end_rate,choices,parameters,period," + ",".join(KEY_RATES))
 
@@ -251,6 +258,21 @@ def auto_tables(g):
             "auto.csv": head + note + "sequence,t,qw,qx,qy,qz,wx,wy,wz,ax,ay,az\n" + "\n".join(rows) + "\n"}
 
 
+def energy_table(cases):
+    """The energies of energies_golden.json at its tensions."""
+    lines = []
+    for case in cases:
+        family, ends = ENERGY_FAMILIES[case["family"]]
+        for tensions_of, (acceleration, torque) in ENERGIES.items():
+            per_key = [list(values) for values in zip(*case[tensions_of], strict=True)]
+            parameters = named(tensions(per_key, "tension", "tension2"))
+            lines.append(",".join([family, case["seq"], SIGNS[case["sign"]], ends, "", "", "", parameters, "", "", "", "",
+                                   text(case["J"]), text(case.get(acceleration)), text(case[torque])]))
+    head = "# Made by tools/make_golden.py from energies_golden.json.\n" + CONVENTIONS.splitlines()[1] + "\n"
+    return {"energies.csv": head + ENERGIES_NOTE + "\n" + f"{CURVE_COLUMNS},inertia,acceleration,torque\n"
+            + "\n".join(lines) + "\n"}
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--source", type=pathlib.Path, default=ROOT.parent / "shared" / "math")
@@ -260,7 +282,8 @@ def main():
     folder = ROOT / "tests" / "data" / "golden"
     stale = []
     auto = json.loads((arguments.source / "golden_auto.json").read_text())
-    for name, content in (tables(sources) | auto_tables(auto)).items():
+    energies = json.loads((arguments.source / "energies_golden.json").read_text())
+    for name, content in (tables(sources) | auto_tables(auto) | energy_table(energies)).items():
         if not arguments.check:
             (folder / name).write_text(content)
         elif not (folder / name).is_file() or (folder / name).read_text() != content:

@@ -48,6 +48,31 @@ TEST(Distance, LeavesOutTimesBeyondTheCurve) {
   EXPECT_EQ(d.largest_at, 1u);
 }
 
+TEST(Distance, HasPercentilesBetweenTheNeighboursInRisingOrder) {
+  const DistanceStatistics d = distance_statistics({4.0, 1.0, 3.0, 2.0, 5.0}, 10);
+  EXPECT_EQ(d.median, 3.0);
+  EXPECT_NEAR(d.percentile_95, 4.8, 1e-15);  // as numpy.percentile
+  EXPECT_NEAR(d.percentile_99, 4.96, 1e-15);
+  EXPECT_EQ(d.largest_at, 14u);
+  EXPECT_NEAR(d.mean_square(), 11.0, 1e-14);
+}
+
+TEST(Distance, OnTheSphereOfQuaternionsIsHalfTheAngle) {
+  EXPECT_NEAR(spherical_distance(about_x(0.2), Eigen::Quaterniond(-about_x(1.0).coeffs())), 0.4, 1e-15);
+}
+
+TEST(RateError, IsTheLengthOfTheDifferenceWithinTheDomain) {
+  const std::vector<double> times{-1.0, 0.5, 1.5, 2.0};
+  const std::vector<Eigen::Vector3d> logged{{9, 9, 9}, {1.0, 0.3, 0.4}, {1.0, 0.0, 0.0}, {1.0, 0.0, 0.0}};
+
+  const DistanceStatistics d = rate_error(steady_turn(), {times, logged});
+
+  EXPECT_EQ(d.count, 3u);
+  EXPECT_NEAR(d.largest, 0.5, 1e-15);
+  EXPECT_EQ(d.largest_at, 1u);
+  EXPECT_NEAR(d.rms, 0.5 / std::sqrt(3.0), 1e-15);
+}
+
 TEST(Distance, OfNothingIsZero) {
   const DistanceStatistics d = distance_to_reference(steady_turn(), {});
   EXPECT_EQ(d.count, 0u);

@@ -1,29 +1,63 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/analysis/distance.hpp>
 
+#include <algorithm>
 #include <cmath>
 
-namespace orispline {
+#include <orispline/analysis/sampled.hpp>
+#include <orispline/base/expect.hpp>
 
-DistanceStatistics distance_to_reference(const AnyCurve& curve, OrientationSeries reference) {
-  ORISPLINE_EXPECT(reference.times.size() == reference.orientations.size());
-  DistanceStatistics statistics;
+namespace orispline {
+namespace {
+
+double percentile(std::span<const double> rising, double part) {
+  const double at = part * static_cast<double>(rising.size() - 1);
+  const auto below = static_cast<std::size_t>(at);
+  const std::size_t above = std::min(below + 1, rising.size() - 1);
+  return std::lerp(rising[below], rising[above], at - static_cast<double>(below));
+}
+
+}  // namespace
+
+DistanceStatistics distance_statistics(std::vector<double> distances, std::size_t first) {
+  if (distances.empty()) return {};
+  DistanceStatistics statistics{.count = distances.size()};
   double sum = 0.0, sum_of_squares = 0.0;
-  for (std::size_t i = 0; i < reference.times.size(); ++i) {
-    if (!curve.domain().contains(reference.times[i])) continue;
-    const double distance = angular_distance(curve(reference.times[i]), reference.orientations[i]);
-    if (++statistics.count == 1 || distance > statistics.largest) {
-      statistics.largest = distance;
-      statistics.largest_at = i;
-    }
+  for (const double distance : distances) {
     sum += distance;
     sum_of_squares += distance * distance;
   }
-  if (statistics.count == 0) return statistics;
+  const auto largest = std::ranges::max_element(distances);
+  statistics.largest = *largest;
+  statistics.largest_at = first + static_cast<std::size_t>(largest - distances.begin());
   const auto count = static_cast<double>(statistics.count);
   statistics.mean = sum / count;
   statistics.rms = std::sqrt(sum_of_squares / count);
+  std::ranges::sort(distances);
+  statistics.median = percentile(distances, 0.50);
+  statistics.percentile_95 = percentile(distances, 0.95);
+  statistics.percentile_99 = percentile(distances, 0.99);
   return statistics;
+}
+
+DistanceStatistics distance_to_reference(const AnyCurve& curve, OrientationSeries reference) {
+  ORISPLINE_EXPECT(reference.times.size() == reference.orientations.size());
+  const auto [first, count] = times_within(reference.times, curve.domain());
+  const auto samples = sampled(curve, reference.times.subspan(first, count), Sampled::orientations);
+  std::vector<double> distances(count);
+  for (std::size_t i = 0; i < count; ++i)
+    distances[i] = angular_distance(samples.orientations[i], reference.orientations[first + i]);
+  return distance_statistics(std::move(distances), first);
+}
+
+DistanceStatistics rate_error(const AnyCurve& curve, RateSeries logged) {
+  ORISPLINE_EXPECT(logged.times.size() == logged.angular_velocities.size());
+  const auto [first, count] = times_within(logged.times, curve.domain());
+  const auto samples = sampled(curve, logged.times.subspan(first, count), Sampled::orientations_and_rates);
+  std::vector<double> errors(count);
+  for (std::size_t i = 0; i < count; ++i)
+    errors[i] = (samples.angular_velocities[i] - logged.angular_velocities[first + i]).norm();
+  return distance_statistics(std::move(errors), first);
 }
 
 }  // namespace orispline

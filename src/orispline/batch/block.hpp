@@ -42,8 +42,7 @@ struct OutputPlanes {
 /// The local parameter of sample i.
 template <class T, class Record>
 [[gnu::always_inline]] inline T local_time(const Record& r, const Clock& clock, std::size_t i) {
-  const double t =
-      clock.times ? clock.times[i] : (clock.first + static_cast<double>(i)) * clock.step + clock.start;
+  const double t = clock.times ? clock.times[i] : (clock.first + static_cast<double>(i)) * clock.step + clock.start;
   return static_cast<T>((t - r.middle) * r.per_step);
 }
 
@@ -90,8 +89,7 @@ template <Rates Wanted, class T>
   lay_out(planes.q, count, target.orientation, at, target.planes);
   if constexpr (Wanted != Rates::none)
     if (target.angular_velocity) lay_out(planes.omega, count, target.angular_velocity, at, target.planes);
-  if constexpr (Wanted == Rates::second)
-    lay_out(planes.alpha, count, target.angular_acceleration, at, target.planes);
+  if constexpr (Wanted == Rates::second) lay_out(planes.alpha, count, target.angular_acceleration, at, target.planes);
 }
 
 /// One sample to the caller's layout.

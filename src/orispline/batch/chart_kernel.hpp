@@ -53,23 +53,27 @@ void chart_block(const ChartRecord<T>& r, const Clock& clock, std::size_t count,
   const T per_step = static_cast<T>(r.per_step);
   alignas(64) Plane<T> s;
   OutputPlanes<T> out;
-  in_blocks(count, [&](std::size_t at, int here, int padded) __attribute__((always_inline)) {
-    local_times<T>(r, clock, at, here, padded, s);
-    for (int i = 0; i < padded; ++i) {
-      Taylor<T> phi[3]{};
+  in_blocks(
+      count, [&](std::size_t at, int here, int padded) __attribute__((always_inline)) {
+        local_times<T>(r, clock, at, here, padded, s);
+        for (int i = 0; i < padded; ++i) {
+          Taylor<T> phi[3]{};
 #pragma GCC unroll 3
-      for (int k = 0; k < 3; ++k) {
-        const auto coefficient = [&](int power) __attribute__((always_inline)) { return r.rotation_vector[power][k]; };
-        if constexpr (Wanted == Rates::none) phi[k].value = value<Degree, T>(s[i], coefficient);
-        else phi[k] = taylor<Degree, T>(s[i], coefficient);
-      }
-      const ChartSample<T> sample = chart_sample(r.base, {phi[0].value, phi[1].value, phi[2].value});
+          for (int k = 0; k < 3; ++k) {
+            const auto coefficient = [&](int power) __attribute__((always_inline)) {
+              return r.rotation_vector[power][k];
+            };
+            if constexpr (Wanted == Rates::none) phi[k].value = value<Degree, T>(s[i], coefficient);
+            else phi[k] = taylor<Degree, T>(s[i], coefficient);
+          }
+          const ChartSample<T> sample = chart_sample(r.base, {phi[0].value, phi[1].value, phi[2].value});
 #pragma GCC unroll 4
-      for (int k = 0; k < 4; ++k) out.q[k][i] = sample.q[k];
-      if constexpr (Wanted != Rates::none) out.template store<Wanted>(i, chart_rates<Wanted>(phi, sample.x, per_step));
-    }
-    lay_out<Wanted>(out, here, target, at);
-  });
+          for (int k = 0; k < 4; ++k) out.q[k][i] = sample.q[k];
+          if constexpr (Wanted != Rates::none)
+            out.template store<Wanted>(i, chart_rates<Wanted>(phi, sample.x, per_step));
+        }
+        lay_out<Wanted>(out, here, target, at);
+      });
 }
 
 /// One sample: the three components of φ are lanes.

@@ -42,7 +42,8 @@ template <class V, class T, class Row>
   return c.sine * turned + c.cosine * straight;
 }
 
-/// Twice the half rates of exp(a x_a) exp(b x_b) exp(c x_c), first in the frame after b, then turned by the last factor.
+/// Twice the half rates of exp(a x_a) exp(b x_b) exp(c x_c), first in the frame after b, then turned by the last
+/// factor.
 template <Rates Wanted, class T>
 [[gnu::always_inline]] inline BodyRates<T> rates(const CumulativeRecord<T>& r, const Taylor<T>& a, const Taylor<T>& b,
                                                  const Taylor<T>& c, Circle<T> cb, Circle<T> cc, T per_step) {
@@ -59,8 +60,8 @@ template <Rates Wanted, class T>
   if constexpr (Wanted == Rates::second) {
     const Vector<T> axis_a_rate = (T(2) * b.first) * (cos_b * p2 - sin_b * p1);
     const Vector<T> rate = (a.second * axis_a + a.first * axis_a_rate) + b.second * axis_b;
-    body.alpha = (T(2) * per_step * per_step) *
-                 (turned(rate) + ((T(2) * c.first) * cross(before, axis_c) + c.second * axis_c));
+    body.alpha =
+        (T(2) * per_step * per_step) * (turned(rate) + ((T(2) * c.first) * cross(before, axis_c) + c.second * axis_c));
   }
   return body;
 }
@@ -85,24 +86,26 @@ template <int Degree, class Outer, class Inner, Rates Wanted, class T>
 void cumulative_block(const CumulativeRecord<T>& r, const Clock& clock, std::size_t count, const Target<T>& target) {
   CumulativePlanes<T> p;
   const T per_step = static_cast<T>(r.per_step);
-  in_blocks(count, [&](std::size_t at, int here, int padded) __attribute__((always_inline)) {
-    local_times<T>(r, clock, at, here, padded, p.s);
-    turn_factor<Degree, Outer, Wanted>(r, 0, p.s, padded, p.factors[0]);
-    turn_factor<Degree, Inner, Wanted>(r, 1, p.s, padded, p.factors[1]);
-    turn_factor<Degree, Outer, Wanted>(r, 2, p.s, padded, p.factors[2]);
-    for (int i = 0; i < padded; ++i) {
-      const Circle<T> a = p.circle(0, i), b = p.circle(1, i), c = p.circle(2, i);
+  in_blocks(
+      count, [&](std::size_t at, int here, int padded) __attribute__((always_inline)) {
+        local_times<T>(r, clock, at, here, padded, p.s);
+        turn_factor<Degree, Outer, Wanted>(r, 0, p.s, padded, p.factors[0]);
+        turn_factor<Degree, Inner, Wanted>(r, 1, p.s, padded, p.factors[1]);
+        turn_factor<Degree, Outer, Wanted>(r, 2, p.s, padded, p.factors[2]);
+        for (int i = 0; i < padded; ++i) {
+          const Circle<T> a = p.circle(0, i), b = p.circle(1, i), c = p.circle(2, i);
 #pragma GCC unroll 4
-      for (int k = 0; k < 4; ++k)
-        p.out.q[k][i] =
-            product<T>(a, b, c, [&](int j) __attribute__((always_inline)) { return r.products[j][k]; });
-    }
-    if constexpr (Wanted != Rates::none)
-      for (int i = 0; i < padded; ++i)
-        p.out.template store<Wanted>(i, rates<Wanted>(r, p.template angle<Wanted>(0, i), p.template angle<Wanted>(1, i),
-                                             p.template angle<Wanted>(2, i), p.circle(1, i), p.circle(2, i), per_step));
-    lay_out<Wanted>(p.out, here, target, at);
-  });
+          for (int k = 0; k < 4; ++k)
+            p.out.q[k][i] = product<T>(
+                a, b, c, [&](int j) __attribute__((always_inline)) { return r.products[j][k]; });
+        }
+        if constexpr (Wanted != Rates::none)
+          for (int i = 0; i < padded; ++i)
+            p.out.template store<Wanted>(
+                i, rates<Wanted>(r, p.template angle<Wanted>(0, i), p.template angle<Wanted>(1, i),
+                                 p.template angle<Wanted>(2, i), p.circle(1, i), p.circle(2, i), per_step));
+        lay_out<Wanted>(p.out, here, target, at);
+      });
 }
 
 /// One sample: the three factors are lanes.
@@ -117,8 +120,9 @@ template <class Range, Rates Wanted, class T>
   const Circle<V> all = Range::at(x.value);
   const auto circle = [&](int k) __attribute__((always_inline)) { return Circle<T>{all.sine[k], all.cosine[k]}; };
   const Circle<T> a = circle(0), b = circle(1), c = circle(2);
-  put<T>(product<V>(a, b, c, [&](int j) __attribute__((always_inline)) { return lanes_at(r.products[j]); }), at,
-         target);
+  put<T>(product<V>(
+             a, b, c, [&](int j) __attribute__((always_inline)) { return lanes_at(r.products[j]); }),
+         at, target);
   if constexpr (Wanted != Rates::none) {
     const auto angle = [&](int k) __attribute__((always_inline)) { return Taylor<T>{T(0), x.first[k], x.second[k]}; };
     put(rates<Wanted>(r, angle(0), angle(1), angle(2), b, c, static_cast<T>(r.per_step)), at, target);
@@ -126,8 +130,7 @@ template <class Range, Rates Wanted, class T>
 }
 
 template <int Degree, Rates Wanted, class T>
-void cumulative_block_of(const CumulativeRecord<T>& r, const Clock& clock, std::size_t count,
-                         const Target<T>& target) {
+void cumulative_block_of(const CumulativeRecord<T>& r, const Clock& clock, std::size_t count, const Target<T>& target) {
   if (r.range == AngleRange::any) cumulative_block<Degree, Any, Any, Wanted>(r, clock, count, target);
   else if (Wanted == Rates::none && r.range == AngleRange::narrow)
     cumulative_block<Degree, Narrow, Wide, Rates::none>(r, clock, count, target);

@@ -13,20 +13,22 @@ void bundle(const BundleSegment<T>& segment, std::size_t count, const Target<T>&
   const std::size_t plane = segment.plane;
   const T a = segment.factors[0], b = segment.factors[1], c = segment.factors[2];
   alignas(64) Plane<T> q[4];
-  in_blocks(count, [&](std::size_t at, int here, int padded) __attribute__((always_inline)) {
-    const T* from = segment.planes + at;
-    for (int i = 0; i < padded; ++i) {
-      const T* m = from + i;
-      const Turn<T> product = ((Turn<T>{m[3 * plane], m[0], m[plane], m[2 * plane]} * turn(m + 4 * plane, plane, a)) *
-                               turn(m + 7 * plane, plane, b)) *
-                              turn(m + 10 * plane, plane, c);
-      q[0][i] = product.x;
-      q[1][i] = product.y;
-      q[2][i] = product.z;
-      q[3][i] = product.w;
-    }
-    lay_out(q, here, target.orientation, at, target.planes);
-  });
+  in_blocks(
+      count, [&](std::size_t at, int here, int padded) __attribute__((always_inline)) {
+        const T* from = segment.planes + at;
+        for (int i = 0; i < padded; ++i) {
+          const T* m = from + i;
+          const Turn<T> product =
+              ((Turn<T>{m[3 * plane], m[0], m[plane], m[2 * plane]} * turn(m + 4 * plane, plane, a)) *
+               turn(m + 7 * plane, plane, b)) *
+              turn(m + 10 * plane, plane, c);
+          q[0][i] = product.x;
+          q[1][i] = product.y;
+          q[2][i] = product.z;
+          q[3][i] = product.w;
+        }
+        lay_out(q, here, target.orientation, at, target.planes);
+      });
 }
 
 }  // namespace

@@ -58,8 +58,7 @@ template <class V>
 struct Powers {
   V one, two, four, eight;
 
-  [[gnu::always_inline]] explicit Powers(const V& x)
-      : one(x), two(one * one), four(two * two), eight(four * four) {}
+  [[gnu::always_inline]] explicit Powers(const V& x) : one(x), two(one * one), four(two * two), eight(four * four) {}
   template <int Exponent>
   [[gnu::always_inline]] const V& to() const {
     if constexpr (Exponent == 1) return one;
@@ -94,7 +93,8 @@ template <int Degree, class V, class Coefficient>
   using T = Element<V>;
   const Powers<V> x(s);
   return {estrin<Degree>(x, coefficient),
-          estrin<Degree - 1>(x, [&](int k) __attribute__((always_inline)) { return coefficient(k + 1) * T(k + 1); }),
+          estrin<Degree - 1>(
+              x, [&](int k) __attribute__((always_inline)) { return coefficient(k + 1) * T(k + 1); }),
           estrin<Degree - 2>(
               x, [&](int k) __attribute__((always_inline)) { return coefficient(k + 2) * T((k + 1) * (k + 2)); })};
 }
@@ -106,7 +106,8 @@ template <int Degree, class V, class Coefficient>
 
 template <class T, int N, class V>
 [[gnu::always_inline]] inline V polynomial(const T (&c)[N], const V& x) {
-  return value<N - 1>(x, [&c](int k) __attribute__((always_inline)) { return c[k]; });
+  return value<N - 1>(
+      x, [&c](int k) __attribute__((always_inline)) { return c[k]; });
 }
 
 }  // namespace

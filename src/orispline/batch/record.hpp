@@ -37,7 +37,7 @@ struct alignas(64) CumulativeRecord {
 /// One segment of a chart curve: q(s) = base exp(φ(s)), φ a rotation vector of polynomials in s, ‖φ‖ ≤ 2 rad.
 template <class T>
 struct alignas(64) ChartRecord {
-  T base[4];  ///< qx, qy, qz, qw
+  T base[4];                                ///< qx, qy, qz, qw
   T rotation_vector[record_degree + 1][4];  ///< row k: the coefficients of s^k in φ [rad], and 0
   double middle, per_step;
   bool short_degree;

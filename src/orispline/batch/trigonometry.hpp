@@ -142,10 +142,11 @@ struct NarrowWideNarrow {
  private:
   template <class T, int Short, int Long, class V>
   [[gnu::always_inline]] static inline V mixed(const T (&narrow)[Short], const T (&wide)[Long], const V& u) {
-    return value<Long - 1>(u, [&](int k) __attribute__((always_inline)) {
-      const T outer = k < Short ? narrow[k] : T(0);
-      return V{outer, wide[k], outer, T(0)};
-    });
+    return value<Long - 1>(
+        u, [&](int k) __attribute__((always_inline)) {
+          const T outer = k < Short ? narrow[k] : T(0);
+          return V{outer, wide[k], outer, T(0)};
+        });
   }
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <thread>
 
 #include <ceres/ceres.h>
 
@@ -56,6 +57,7 @@ ceres::Solver::Options solver_options() {
   options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
   options.logging_type = ceres::SILENT;
   options.max_num_iterations = most_iterations;
+  options.num_threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   options.function_tolerance = rest;
   options.gradient_tolerance = 0.0;
   options.parameter_tolerance = 0.0;

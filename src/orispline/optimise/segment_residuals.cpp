@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include <orispline/analysis/torque.hpp>
 #include <orispline/curve/cumulative_curve.hpp>
 #include <orispline/curve/slerp_bezier.hpp>
 #include <orispline/math/bernstein.hpp>
@@ -118,9 +119,7 @@ template <Number T>
 Vector3<T> measured(const Goal& goal, const MotionOver<T>& m) {
   if (goal.objective == Objective::acceleration) return m.angular_acceleration;
   if (goal.objective == Objective::jerk) return m.angular_jerk;
-  const Matrix3<T> inertia = goal.inertia.cast<T>();
-  const Vector3<T> momentum = inertia * m.angular_velocity;
-  return inertia * m.angular_acceleration + m.angular_velocity.cross(momentum);
+  return torque<T>(m, goal.inertia);
 }
 
 /// Calls `take(i, residual)` for every triple of residuals.

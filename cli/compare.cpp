@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compare.hpp"
+
+#include <fmt/format.h>
+
+#include <orispline/io/output_file.hpp>
+
+#include "compare_page.hpp"
+#include "interruption.hpp"
+#include "json.hpp"
+#include "progress.hpp"
+#include "standard_output.hpp"
+
+namespace orispline::cli {
+namespace {
+
+/// Progress looks at the clock only once in so many steps.
+constexpr std::size_t steps_per_method = 4096;
+
+std::vector<ComparedMethod> methods_to_compare(const CompareRequest& request, const ComparedData& data) {
+  std::vector<ComparedMethod> methods;
+  for (std::size_t i = 0; i < data.key_sets.size(); ++i)
+    for (const NamedMethod& method : request.methods)
+      methods.push_back({.label = method.label,
+                         .key_set = i,
+                         .candidate = {.method = std::string(method.request.family->name),
+                                       .options = completed(method.request, data.key_sets[i].file),
+                                       .keys = data.key_sets[i].keys}});
+  return methods;
+}
+
+void measure_all(CompareReport& report, const CompareRequest& request, Progress::Show show) {
+  std::vector<Candidate> candidates;
+  for (const ComparedMethod& method : report.methods) candidates.push_back(method.candidate);
+  const MeasureOptions measures{.inertia = request.inertia.value_or(Eigen::Matrix3d::Identity()),
+                                .leave_out = request.leave_out};
+  Progress progress(steps_per_method * candidates.size(), show);
+  Comparison comparison =
+      orispline::compare(candidates, report.data.recording(), measures, static_cast<unsigned>(request.threads),
+                         [&](std::size_t done) { progress.advance_to(steps_per_method * done); });
+  for (std::size_t i = 0; i < report.methods.size(); ++i) {
+    ComparedMethod& method = report.methods[i];
+    method.measures = std::move(comparison.measures[i]).map_error([&](Error error) {
+      return io::located(report.data.key_sets[method.key_set].file, std::move(error));
+    });
+  }
+}
+
+/// Exit code 0 wants one method that worked.
+Expected<void> any_worked(const CompareReport& report) {
+  for (const ComparedMethod& method : report.methods)
+    if (method.measures) return {};
+  return failure(ErrorCode::bad_data,
+                 fmt::format("none of the methods could be compared; {}: {}", report.methods.front().label,
+                             describe(report.methods.front().measures.error())));
+}
+
+Expected<void> write_page(io::OutputFile& file, const CompareReport& report, const CompareOptions& options,
+                          std::size_t threads) {
+  return file.write(report::document(page_of(report, options.command_line, threads))).and_then([&] {
+    return file.finish();
+  });
+}
+
+Expected<CompareReport> compared(const CompareOptions& options, const CompareRequest& request) {
+  auto data = compared_data(request, options.reference);
+  if (!data) return tl::unexpected(std::move(data.error()));
+  CompareReport report{.data = std::move(*data),
+                       .methods = {},
+                       .inertia = request.inertia,
+                       .leave_out = request.leave_out,
+                       .sort = request.sort};
+  if (const auto sortable = sort(report); !sortable) return tl::unexpected(sortable.error());
+  report.methods = methods_to_compare(request, report.data);
+  measure_all(report, request, options.quiet ? Progress::Show::never : Progress::Show::on_terminal);
+  return sort(report).map([&] { return std::move(report); });
+}
+
+Expected<void> print(const CompareReport& report, const CompareOptions& options) {
+  return print_document(options.json  ? json_of(report)
+                        : options.csv ? csv_of(report)
+                                      : text_of(report))
+      .and_then([&] { return any_worked(report); });
+}
+
+}  // namespace
+
+Expected<void> compare(const CompareOptions& options) {
+  const auto request = compare_request(options);
+  if (!request) return tl::unexpected(request.error());
+  if (!options.report)
+    return compared(options, *request).and_then([&](const CompareReport& report) { return print(report, options); });
+  auto file = io::OutputFile::open(*options.report);  // before the work, so that a wrong path is told at once
+  if (!file) return tl::unexpected(std::move(file.error()));
+  const RemovedWhenInterrupted unfinished(file->part());
+  return compared(options, *request).and_then([&](const CompareReport& report) {
+    return write_page(*file, report, options, request->threads).and_then([&] { return print(report, options); });
+  });
+}
+
+}  // namespace orispline::cli

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "input_options.hpp"
+
+namespace orispline::cli {
+
+/// `orispline compare`, as typed.
+struct CompareOptions {
+  InputOptions input;
+  std::vector<std::string> keep_every;  ///< whole numbers, or lists of them with commas between them
+  std::vector<std::string> methods;     ///< names with settings, or lists with commas between them; none: all
+  std::optional<std::string> random, reference, inertia, sort, threads, report;
+  bool jitter = false, leave_out = false, json = false, csv = false, quiet = false;
+  std::string command_line;  ///< to make the report again
+};
+
+/// Says how near the curves of the methods come to a recording, how smooth they are and what they cost.
+[[nodiscard]] Expected<void> compare(const CompareOptions& options);
+
+}  // namespace orispline::cli

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "compare_request.hpp"
+
+namespace orispline::cli {
+
+/// One set of keys that every method is given.
+struct KeySet {
+  std::optional<Decimation> decimation;  ///< absent: the keys are INPUT itself
+  io::KeyFile file;                      ///< for the lines and the parameters of these keys; without the keyframes
+  Keyframes keys;
+  std::size_t compared = 0;  ///< samples of the recording between the first and the last key
+};
+
+/// What is compared with what.
+struct ComparedData {
+  std::string reference;      ///< path of the recording
+  io::Decimal epoch;          ///< of all times [s]
+  Keyframes samples;          ///< of the recording
+  std::vector<double> times;  ///< of the recording, from the epoch [s]
+  std::vector<KeySet> key_sets;
+  io::RepairReport repairs;
+
+  [[nodiscard]] Recording recording() const { return {times, samples.orientations(), samples.angular_velocities()}; }
+};
+
+/// Reads the recording and the keys. Errors: those of reading; bad_data for fewer than two keys and for a reference
+/// that does not overlap them.
+[[nodiscard]] Expected<ComparedData> compared_data(const CompareRequest& request,
+                                                   const std::optional<std::string>& reference);
+
+}  // namespace orispline::cli

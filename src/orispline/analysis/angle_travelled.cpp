@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/analysis/angle_travelled.hpp>
+
+#include <orispline/analysis/quadrature.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace orispline {
+namespace {
+
+constexpr double rounding = 256.0 * std::numeric_limits<double>::epsilon();  // [rad]
+constexpr int most_steps = 80;                                               // bisection alone needs fewer than 64
+
+}  // namespace
+
+AngleTravelled::AngleTravelled(AnyCurve curve) : curve_(std::move(curve)) {
+  const auto knots = curve_.knots().times();
+  at_knots_.reserve(knots.size());
+  at_knots_.push_back(0.0);
+  for (std::size_t segment = 0; segment + 1 < knots.size(); ++segment)
+    at_knots_.push_back(at_knots_.back() + within(segment, knots[segment], knots[segment + 1]));
+}
+
+double AngleTravelled::within(std::size_t segment, double start, double end) const {
+  const auto speed = [&](double t) { return Figures<1>(curve_.motion_on(segment, t).angular_velocity.norm()); };
+  return adaptive_integral<1>(speed, start, end, Figures<1>(rounding))[0];
+}
+
+double AngleTravelled::at(double t) const {
+  const Domain domain = curve_.domain();
+  if (!(t > domain.start)) return 0.0;
+  if (t >= domain.end) return total();
+  const std::size_t segment = curve_.knots().segment_at(t);
+  return at_knots_[segment] + within(segment, curve_.knots().times()[segment], t);
+}
+
+double AngleTravelled::time_at(double angle) const {
+  const auto knots = curve_.knots().times();
+  if (!(angle > 0.0)) return knots.front();
+  const auto beyond = std::ranges::lower_bound(at_knots_, angle);
+  if (beyond == at_knots_.end()) return time_at(total());
+  const auto segment = static_cast<std::size_t>(beyond - at_knots_.begin()) - 1;
+  const double wanted = angle - at_knots_[segment], start = knots[segment];
+  double low = start, high = knots[segment + 1];
+  double t = std::lerp(low, high, wanted / (at_knots_[segment + 1] - at_knots_[segment]));
+  for (int step = 0; step < most_steps && low < high; ++step) {  // Newton's method, kept between low and high
+    const double excess = within(segment, start, t) - wanted;
+    if (std::abs(excess) <= rounding) return t;
+    (excess > 0.0 ? high : low) = t;
+    const double next = t - excess / curve_.motion_on(segment, t).angular_velocity.norm();
+    t = low < next && next < high ? next : 0.5 * (low + high);
+    if (t <= low || t >= high) break;
+  }
+  return t;
+}
+
+}  // namespace orispline

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/analysis/comparison.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <mutex>
+
+#include <fmt/format.h>
+
+#include <orispline/analysis/angle_travelled.hpp>
+#include <orispline/analysis/leave_out.hpp>
+#include <orispline/analysis/sampled.hpp>
+#include <orispline/base/expect.hpp>
+#include <orispline/batch/parallel.hpp>
+#include <orispline/families/registry.hpp>
+
+namespace orispline {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// The part of a recording that lies between the first and the last key.
+struct Overlap {
+  std::size_t first;
+  std::span<const double> times;
+  std::span<const Eigen::Quaterniond> orientations;
+  std::span<const Eigen::Vector3d> angular_velocities;
+};
+
+Expected<Overlap> overlap_of(const Recording& recording, Domain domain) {
+  const auto [first, count] = times_within(recording.times, domain);
+  if (count == 0)
+    return failure(ErrorCode::bad_data, fmt::format("none of the {} reference times lies between the keys, {} to {} s",
+                                                    recording.times.size(), domain.start, domain.end));
+  const bool has_rates = !recording.angular_velocities.empty();
+  return Overlap{first, recording.times.subspan(first, count), recording.orientations.subspan(first, count),
+                 has_rates ? recording.angular_velocities.subspan(first, count) : recording.angular_velocities};
+}
+
+void measure_errors(Measures& measures, const SampledCurve& samples, const Overlap& truth) {
+  std::vector<double> distances(truth.times.size());
+  for (std::size_t i = 0; i < distances.size(); ++i)
+    distances[i] = angular_distance(samples.orientations[i], truth.orientations[i]);
+  measures.distance = distance_statistics(distances, truth.first);
+  if (truth.angular_velocities.empty()) return;
+  for (std::size_t i = 0; i < distances.size(); ++i)
+    distances[i] = (samples.angular_velocities[i] - truth.angular_velocities[i]).norm();
+  measures.rate_error = distance_statistics(std::move(distances), truth.first);
+}
+
+void measure_shape(Measures& measures, const AnyCurve& curve, const MeasureOptions& options) {
+  measures.continuity = continuity_at_keys(curve);
+  measures.energies = energies(curve, options.inertia);
+  measures.peaks = peaks(curve, options.inertia);
+  measures.angle_travelled = AngleTravelled(curve).total();
+}
+
+}  // namespace
+
+Expected<Measures> measure(const Candidate& candidate, const Recording& recording, const MeasureOptions& options) {
+  ORISPLINE_EXPECT(recording.times.size() == recording.orientations.size());
+  const auto truth = overlap_of(recording, {candidate.keys.times().front(), candidate.keys.times().back()});
+  if (!truth) return tl::unexpected(truth.error());
+  Measures measures;
+  const Clock::time_point start = Clock::now();
+  const auto curve = make_curve(candidate.method, candidate.keys, candidate.options);
+  if (!curve) return tl::unexpected(curve.error());
+  measures.build_seconds = seconds_since(start);
+  const bool has_rates = !truth->angular_velocities.empty();
+  const auto samples =
+      sampled(*curve, truth->times, has_rates ? Sampled::orientations_and_rates : Sampled::orientations);
+  measures.seconds = seconds_since(start);
+  measure_errors(measures, samples, *truth);
+  measure_shape(measures, *curve, options);
+  if (options.leave_out == LeaveOut::yes)
+    if (const auto error = leave_out_error(candidate.method, candidate.keys, candidate.options))
+      measures.leave_out = *error;
+  return measures;
+}
+
+bool Comparison::any() const noexcept {
+  return std::ranges::any_of(measures, [](const Expected<Measures>& m) { return m.has_value(); });
+}
+
+Comparison compare(std::span<const Candidate> candidates, const Recording& recording, const MeasureOptions& options,
+                   unsigned threads, const std::function<void(std::size_t)>& measured) {
+  Comparison comparison{std::vector<Expected<Measures>>(candidates.size())};
+  std::mutex one_at_a_time;
+  std::size_t done = 0;
+  parallel_for(candidates.size(), threads, [&](std::size_t i) {
+    comparison.measures[i] = measure(candidates[i], recording, options);
+    const std::lock_guard lock(one_at_a_time);
+    if (measured) measured(++done);
+  });
+  return comparison;
+}
+
+}  // namespace orispline

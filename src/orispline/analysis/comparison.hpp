@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <orispline/analysis/continuity.hpp>
+#include <orispline/analysis/distance.hpp>
+#include <orispline/analysis/energy.hpp>
+#include <orispline/analysis/peaks.hpp>
+#include <orispline/curve/family.hpp>
+#include <orispline/curve/keyframe.hpp>
+
+namespace orispline {
+
+/// A motion known densely. The caller's memory.
+struct Recording {
+  std::span<const double> times;                             ///< [s], they do not decrease
+  std::span<const Eigen::Quaterniond> orientations;          ///< body to world, one per time
+  std::span<const Eigen::Vector3d> angular_velocities = {};  ///< [rad/s], body frame; empty where none were logged
+};
+
+/// A method at keys: one curve to be measured.
+struct Candidate {
+  std::string method;  ///< a name of the registry
+  CurveOptions options{};
+  Keyframes keys;
+};
+
+enum class LeaveOut { no, yes };
+
+/// What is measured.
+struct MeasureOptions {
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Identity();  ///< J [kg m²], body frame
+  LeaveOut leave_out = LeaveOut::no;
+};
+
+/// How one curve follows a recording, how smooth it is, and what it costs.
+struct Measures {
+  DistanceStatistics distance{};                   ///< full rotation angles to the recording [rad]
+  std::optional<DistanceStatistics> rate_error{};  ///< ω against the logged one [rad/s]; absent where none is
+  Continuity continuity{};                         ///< at the keys
+  Energies energies{};
+  Peaks peaks{};
+  double angle_travelled = 0.0;                   ///< ∫|ω| dt [rad]
+  std::optional<DistanceStatistics> leave_out{};  ///< at keys that were left out [rad], where asked for and possible
+  double build_seconds = 0.0;                     ///< from keys to the curve, wall clock
+  double seconds = 0.0;  ///< that and the samples at the recording's times, wall clock on one thread
+};
+
+/// Builds the curve and measures it. Errors: those of make_curve(); bad_data where no time of the recording lies
+/// between the first and the last key.
+[[nodiscard]] Expected<Measures> measure(const Candidate& candidate, const Recording& recording,
+                                         const MeasureOptions& options = {});
+
+/// The measures of each candidate, or why it has none: one that fails does not hinder the others.
+struct Comparison {
+  std::vector<Expected<Measures>> measures;  ///< one per candidate, in their order
+
+  /// False where all failed.
+  [[nodiscard]] bool any() const noexcept;
+};
+
+/// Measures the candidates on up to `threads` threads (0: one per core). `measured` is called after each, with how many
+/// there are by then, from one thread at a time.
+[[nodiscard]] Comparison compare(std::span<const Candidate> candidates, const Recording& recording,
+                                 const MeasureOptions& options = {}, unsigned threads = 1,
+                                 const std::function<void(std::size_t)>& measured = {});
+
+}  // namespace orispline

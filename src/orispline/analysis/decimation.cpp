@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/analysis/decimation.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+
+#include <fmt/format.h>
+
+#include <orispline/base/expect.hpp>
+
+namespace orispline {
+namespace {
+
+constexpr double largest_jitter = 0.35;  // of the step: neighbours never meet
+
+/// Numbers in [0, 1) that are the same on every machine, as those of std::uniform_real_distribution are not.
+class Dice {
+ public:
+  explicit Dice(std::uint64_t seed) : engine_(seed) {}
+  double operator()() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+std::size_t moved(std::size_t index, std::size_t step, Dice& dice) {
+  const double shift = largest_jitter * static_cast<double>(step) * (2.0 * dice() - 1.0);
+  return static_cast<std::size_t>(std::lround(static_cast<double>(index) + shift));
+}
+
+std::size_t random_step(std::size_t step, Dice& dice) {
+  const std::array steps{step / 4, step / 2, step, 2 * step};
+  return std::max<std::size_t>(1, steps[static_cast<std::size_t>(4.0 * dice())]);
+}
+
+template <class T>
+std::vector<T> kept_of(const std::vector<T>& values, std::span<const std::size_t> kept) {
+  std::vector<T> result;
+  if (values.empty()) return result;
+  result.reserve(kept.size());
+  for (const std::size_t i : kept) result.push_back(values[i]);
+  return result;
+}
+
+std::string ordinal(std::size_t n) {
+  const std::size_t last = n % 10;
+  const bool teen = n % 100 / 10 == 1;
+  return fmt::format("{}{}", n, teen ? "th" : last == 1 ? "st" : last == 2 ? "nd" : last == 3 ? "rd" : "th");
+}
+
+}  // namespace
+
+std::vector<std::size_t> kept_samples(const Decimation& decimation, std::size_t samples) {
+  ORISPLINE_EXPECT(decimation.keep_every >= 1);
+  Dice dice(decimation.seed);
+  std::vector<std::size_t> kept;
+  for (std::size_t next = 0; next < samples;) {
+    const bool moves = decimation.spacing == Spacing::jittered && next > 0;
+    const std::size_t index = moves ? moved(next, decimation.keep_every, dice) : next;
+    if (index < samples) kept.push_back(index);
+    next += decimation.spacing == Spacing::random ? random_step(decimation.keep_every, dice) : decimation.keep_every;
+  }
+  return kept;
+}
+
+KeyframeData kept_keys(const KeyframeData& data, std::span<const std::size_t> kept) {
+  return {.times = kept_of(data.times, kept),
+          .orientations = kept_of(data.orientations, kept),
+          .positions = kept_of(data.positions, kept),
+          .angular_velocities = kept_of(data.angular_velocities, kept),
+          .angular_accelerations = kept_of(data.angular_accelerations, kept),
+          .angular_jerks = kept_of(data.angular_jerks, kept)};
+}
+
+std::string name_of(const Decimation& decimation) {
+  const std::string every = fmt::format("every {}", ordinal(decimation.keep_every));
+  switch (decimation.spacing) {
+    case Spacing::jittered:
+      return fmt::format("{}, jittered (seed {})", every, decimation.seed);
+    case Spacing::random:
+      return fmt::format("{} in the mean, at random (seed {})", every, decimation.seed);
+    case Spacing::even:
+      break;
+  }
+  return every;
+}
+
+}  // namespace orispline

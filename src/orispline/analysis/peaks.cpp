@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/analysis/peaks.hpp>
+
+#include <orispline/analysis/torque.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace orispline {
+namespace {
+
+constexpr std::size_t steps_per_segment = 16;
+constexpr int most_bisections = 60;
+/// Between two steps |rate|² does not rise by more than this share: lower maxima need no search.
+constexpr double worth_searching = 0.8;
+
+/// Half the derivative of |rate|² beside |rate|² itself.
+struct Height {
+  double square = 0.0, slope = 0.0;
+};
+using Heights = std::array<Height, 3>;
+
+Height height_of(const Eigen::Vector3d& rate, const Eigen::Vector3d& derivative) {
+  return {rate.squaredNorm(), rate.dot(derivative)};
+}
+
+struct Searched {
+  const AnyCurve& curve;
+  const Eigen::Matrix3d& inertia;
+
+  [[nodiscard]] Heights at(std::size_t segment, double t) const {
+    const Motion m = curve.motion_on(segment, t);
+    return {height_of(m.angular_velocity, m.angular_acceleration), height_of(m.angular_acceleration, m.angular_jerk),
+            height_of(torque(m, inertia), torque_rate(m, inertia))};
+  }
+};
+
+/// A step within a segment, at whose ends a rate rises and falls: a maximum lies between.
+struct Summit {
+  std::size_t segment;
+  double start, end;
+  double square;  ///< the larger one at the ends
+};
+
+struct Search {
+  double square = -1.0, time = 0.0;
+  std::vector<Summit> summits;
+
+  void see(double found, double at) {
+    if (found <= square) return;
+    square = found;
+    time = at;
+  }
+};
+
+void climb(Search& search, const Summit& summit, const Searched& searched, std::size_t rate) {
+  double low = summit.start, high = summit.end;
+  for (int i = 0; i < most_bisections; ++i) {
+    const double middle = 0.5 * (low + high);
+    if (middle <= low || middle >= high) break;
+    (searched.at(summit.segment, middle)[rate].slope > 0.0 ? low : high) = middle;
+  }
+  search.see(searched.at(summit.segment, low)[rate].square, low);
+}
+
+Peak peak_of(Search& search, const Searched& searched, std::size_t rate) {
+  const double floor = worth_searching * search.square;
+  for (const Summit& summit : search.summits)
+    if (summit.square >= floor) climb(search, summit, searched, rate);
+  return {std::sqrt(std::max(search.square, 0.0)), search.time};
+}
+
+}  // namespace
+
+Peaks peaks(const AnyCurve& curve, const Eigen::Matrix3d& inertia) {
+  const Searched searched{curve, inertia};
+  const auto knots = curve.knots().times();
+  if (knots.size() < 2) return {{0.0, knots.front()}, {0.0, knots.front()}, {0.0, knots.front()}};
+  std::array<Search, 3> searches;
+  for (std::size_t segment = 0; segment + 1 < knots.size(); ++segment) {
+    double before = knots[segment];
+    Heights last = searched.at(segment, before);
+    for (std::size_t step = 0; step <= steps_per_segment; ++step) {
+      const double t =
+          std::lerp(knots[segment], knots[segment + 1], static_cast<double>(step) / double{steps_per_segment});
+      const Heights now = searched.at(segment, t);
+      for (std::size_t rate = 0; rate < searches.size(); ++rate) {
+        searches[rate].see(now[rate].square, t);
+        if (last[rate].slope > 0.0 && now[rate].slope < 0.0)
+          searches[rate].summits.push_back({segment, before, t, std::max(last[rate].square, now[rate].square)});
+      }
+      last = now;
+      before = t;
+    }
+  }
+  return {peak_of(searches[0], searched, 0), peak_of(searches[1], searched, 1), peak_of(searches[2], searched, 2)};
+}
+
+}  // namespace orispline

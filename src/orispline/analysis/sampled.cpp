@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/analysis/sampled.hpp>
+
+#include <algorithm>
+
+#include <orispline/base/expect.hpp>
+#include <orispline/batch/sample.hpp>
+
+namespace orispline {
+
+SampledCurve sampled(const AnyCurve& curve, std::span<const double> times, Sampled what) {
+  static_assert(sizeof(Eigen::Quaterniond) == 4 * sizeof(double) && sizeof(Eigen::Vector3d) == 3 * sizeof(double));
+  SampledCurve samples{.orientations = std::vector<Eigen::Quaterniond>(times.size()), .angular_velocities = {}};
+  if (times.empty()) return samples;
+  Samples<double> out{.orientations = {samples.orientations.data()->coeffs().data(), 4 * times.size()}};
+  if (what == Sampled::orientations_and_rates) {
+    samples.angular_velocities.resize(times.size());
+    out.angular_velocities = {samples.angular_velocities.data()->data(), 3 * times.size()};
+  }
+  const auto made = sample<double>(curve, times, out);
+  ORISPLINE_EXPECT(made.has_value());
+  return samples;
+}
+
+TimesWithin times_within(std::span<const double> times, Domain domain) {
+  const auto first = std::ranges::lower_bound(times, domain.start), last = std::ranges::upper_bound(times, domain.end);
+  return {static_cast<std::size_t>(first - times.begin()), static_cast<std::size_t>(std::max(last - first, {}))};
+}
+
+}  // namespace orispline

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/report/page.hpp>
+
+#include <orispline/report/page_json.hpp>
+#include <orispline/report/page_template.hpp>
+
+namespace orispline::report {
+
+std::string document(const Page& page) {
+  std::string html;
+  for (const std::string_view piece : page_template()) html += piece;
+  return html.replace(html.find(data_marker), data_marker.size(), json_of(page));
+}
+
+}  // namespace orispline::report

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <orispline/math/eigen.hpp>
+
+namespace orispline::report {
+
+/// Which of two values of a measure is the better one.
+enum class Better { less, more, neither };
+
+/// The body that the page shows in space.
+enum class PageBody { aircraft, box, axes };
+
+/// A measure: one column of the page's table.
+struct PageColumn {
+  std::string id;             ///< the key of `PageMethod::measures`
+  std::string label;          ///< the head of the column, such as `RMS`
+  std::string unit{};         ///< such as `deg` or `rad²/s³`; empty: a pure number
+  std::string explanation{};  ///< one sentence, shown where the cursor rests on the head
+  Better better = Better::less;
+};
+
+/// Orientations over time; as many of each.
+struct PagePath {
+  std::vector<double> times;                     ///< [s]; a time twice: the left side of a jump, then the right one
+  std::vector<Eigen::Quaterniond> orientations;  ///< body to world
+};
+
+/// The keyframes that every method of the page was given.
+struct PageKeys {
+  PagePath path;
+  std::vector<Eigen::Vector3d> positions{};  ///< [m], world; none or as many as keys
+};
+
+/// A curve sampled so densely that straight lines between the samples show it: a few hundred are enough.
+struct PageSamples {
+  PagePath path{};
+  std::vector<Eigen::Vector3d> angular_velocities{};     ///< [rad/s], body; as many as times
+  std::vector<Eigen::Vector3d> angular_accelerations{};  ///< [rad/s²], body; as many as times
+  std::vector<Eigen::Vector3d> angular_jerks{};          ///< [rad/s³], body; as many as times
+  std::vector<Eigen::Vector3d> positions{};              ///< [m], world; none or as many as times
+  std::vector<double> errors{};  ///< [deg], angle to the reference; none or as many as times; NaN where it has no value
+};
+
+/// What one method did.
+struct PageMethod {
+  std::string name;
+  std::string continuity{};  ///< in time on these keys, such as `C2`
+  std::string failure{};     ///< one line that says why there is no curve; empty: there is one
+  std::map<std::string, double, std::less<>> measures{};  ///< by the id of the column; absent or not finite: a dash
+  PageSamples samples{};                                  ///< empty where the method failed
+};
+
+/// Everything that the page of a report shows: plain data, in the order in which it is shown.
+struct Page {
+  std::string title;
+  std::string command{};     ///< the command line that makes this page again
+  std::string date{};        ///< of the making, as it is to be read
+  std::string version{};     ///< of orispline
+  std::string time_start{};  ///< the input's own time at t = 0, as text; empty: it is 0
+  PageBody body = PageBody::aircraft;
+  PageKeys keys;
+  std::optional<PagePath> reference{};  ///< what the methods are compared with
+  std::vector<PageColumn> columns{};
+  std::string sorted_by{};  ///< id of the column by which the table is sorted at first; empty: as the methods stand
+  std::vector<PageMethod> methods{};  ///< the first one with samples is shown at first, the second one beside it
+};
+
+/// The page as one HTML file that needs nothing else, no network either.
+///
+/// Numbers are rounded to 7 significant digits. The text may hold any characters; what is not UTF-8 shows as U+FFFD.
+/// The content of the embedded JSON is described in studio/report/README.md. 35 methods of 600 samples make about 4 MB.
+[[nodiscard]] std::string document(const Page& page);
+
+}  // namespace orispline::report

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace orispline::report {
+
+/// Where the JSON document of a page goes in the template.
+inline constexpr std::string_view data_marker = "__ORISPLINE_REPORT_DATA__";
+
+/// The page without its data, in pieces to be joined: page_template.html, which studio/report builds.
+[[nodiscard]] std::span<const std::string_view> page_template();
+
+}  // namespace orispline::report

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// The bar at the foot: which methods are shown, and the time.
+import { element, menu, place } from './element';
+import { seconds } from './number';
+import { shownMethods, timeEnd, timeStart } from './report';
+import { choose, current, moveTo, subscribe } from './state';
+
+const speeds = [0.1, 0.25, 0.5, 1, 2, 5, 10];
+
+/** Moves the time on with the clock while it plays; begins again at the end. */
+function run(): void {
+  let before = 0;
+  const step = (now: number) => {
+    const { playing, speed, time } = current();
+    if (!playing) return;
+    const next = time + (speed * (now - before)) / 1000;
+    before = now;
+    moveTo(next > timeEnd ? timeStart : next);
+    requestAnimationFrame(step);
+  };
+  subscribe(['playing'], ({ playing }) => {
+    if (!playing) return;
+    before = performance.now();
+    requestAnimationFrame(step);
+  });
+}
+
+function methodMenus(): HTMLElement[] {
+  const names: [string, string][] = shownMethods.map(({ name }) => [name, name]);
+  const [first, firstSelect] = menu('Method', names, (name) => choose({ first: name }));
+  const [second, secondSelect] = menu('beside', [['', 'none'], ...names], (name) => choose({ second: name || null }));
+  firstSelect.classList.add('first');
+  secondSelect.classList.add('second');
+  subscribe(['first', 'second'], (state) => {
+    firstSelect.value = state.first ?? '';
+    secondSelect.value = state.second ?? '';
+  });
+  return [first, second];
+}
+
+function timeControls(): HTMLElement[] {
+  const play = element('button', { type: 'button', className: 'play', onclick: () => choose({ playing: !current().playing }) });
+  const scrub = element('input', {
+    type: 'range',
+    min: String(timeStart),
+    max: String(timeEnd),
+    step: 'any',
+    oninput: () => moveTo(Number(scrub.value)),
+    attributes: { 'aria-label': 'Time' },
+  });
+  const clock = element('output', {});
+  const [speed, speedSelect] = menu('Speed', speeds.map((value) => [String(value), `${value}×`]), (value) => choose({ speed: Number(value) }));
+  subscribe(['playing'], ({ playing }) => {
+    play.textContent = playing ? '❚❚' : '▶';
+    play.setAttribute('aria-label', playing ? 'Pause' : 'Play');
+  });
+  subscribe(['time'], ({ time }) => {
+    scrub.value = String(time);
+    clock.textContent = seconds(time);
+  });
+  subscribe(['speed'], (state) => (speedSelect.value = String(state.speed)));
+  return [play, scrub, clock, speed];
+}
+
+export function showPlayback(): void {
+  place('playback').append(element('div', { className: 'methods' }, ...methodMenus()), element('div', { className: 'time' }, ...timeControls()));
+  document.addEventListener('keydown', (event) => {
+    const target = event.target as HTMLElement;
+    if (event.key !== ' ' || target.closest('button, select, input')) return;
+    event.preventDefault();
+    choose({ playing: !current().playing });
+  });
+  run();
+}

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// Plots over time with one cursor: it follows the time of the page, and moves it.
+import uPlot from 'uplot';
+import 'uplot/dist/uPlot.min.css';
+import { element, place } from './element';
+import { spanAt } from './motion';
+import { shown } from './number';
+import { quantities, type Line, type Quantity } from './quantities';
+import { report, timeEnd, timeStart } from './report';
+import { choose, current, moveTo, subscribe, type State } from './state';
+import { coloursOf, type Colours } from './theme';
+
+const height = 190;
+const closestKeys = 5; // [px] keys nearer to each other than this are not marked
+const font = '12px system-ui, sans-serif';
+
+function markKeys(plot: uPlot, colours: Colours): void {
+  const { ctx, bbox } = plot;
+  const ratio = devicePixelRatio;
+  let last = -Infinity;
+  ctx.save();
+  ctx.lineWidth = ratio;
+  for (const t of report.keys.t) {
+    const x = plot.valToPos(t, 'x', true);
+    if (x < bbox.left - 1 || x > bbox.left + bbox.width + 1 || x - last < closestKeys * ratio) continue;
+    last = x;
+    ctx.strokeStyle = colours.grid;
+    ctx.beginPath();
+    ctx.moveTo(x, bbox.top);
+    ctx.lineTo(x, bbox.top + bbox.height);
+    ctx.stroke();
+    ctx.fillStyle = colours.faint;
+    ctx.beginPath();
+    ctx.moveTo(x - 3 * ratio, bbox.top - 4 * ratio);
+    ctx.lineTo(x + 3 * ratio, bbox.top - 4 * ratio);
+    ctx.lineTo(x, bbox.top + ratio);
+    ctx.fill();
+  }
+  ctx.restore();
+}
+
+/** The lines over all their times. */
+function aligned(lines: Line[]): uPlot.AlignedData {
+  if (lines.length === 0) return [[timeStart, timeEnd]];
+  const sameTimes = lines.every((line) => line.t === lines[0].t);
+  if (sameTimes) return [lines[0].t, ...lines.map((line) => line.values)] as uPlot.AlignedData;
+  return uPlot.join(lines.map((line) => [line.t, line.values] as uPlot.AlignedData));
+}
+
+function optionsOf(lines: Line[], width: number, colours: Colours): uPlot.Options {
+  const axis = { stroke: colours.faint, font, ticks: { stroke: colours.grid, size: 4 } };
+  return {
+    width,
+    height,
+    padding: [10, 12, 0, 0],
+    legend: { show: false },
+    scales: { x: { time: false }, y: { range: (_, low, high) => uPlot.rangeNum(Math.min(low ?? 0, 0), Math.max(high ?? 1, 1e-12), 0.06, true) } },
+    axes: [
+      { ...axis, grid: { show: false }, size: 28, values: (_, ticks) => ticks.map((t) => `${t} s`) },
+      { ...axis, grid: { stroke: colours.grid, width: 1 }, size: 52 },
+    ],
+    series: [{}, ...lines.map(({ label, colour, width, dashes }) => ({ label, stroke: colour, width, dash: dashes, spanGaps: true, points: { show: false } }))],
+    cursor: { y: false, points: { size: 7 }, drag: { x: true, y: false, setScale: true }, bind: { mouseleave: () => null } },
+    hooks: {
+      drawClear: [(plot) => markKeys(plot, colours)],
+      setCursor: [(plot) => plot.cursor.event && !current().playing && moveTo(plot.posToVal(plot.cursor.left!, 'x'))],
+      setScale: [(plot, key) => key === 'x' && chooseWindow(plot)],
+    },
+  };
+}
+
+function chooseWindow({ scales: { x } }: uPlot): void {
+  const [from, to] = current().window;
+  if (x.min !== undefined && x.max !== undefined && (x.min !== from || x.max !== to)) choose({ window: [x.min, x.max] });
+}
+
+/** A finger moves the time along, and the page up and down. */
+function followFinger(plot: uPlot): void {
+  const move = (event: PointerEvent) => {
+    if (event.pointerType === 'mouse') return;
+    moveTo(plot.posToVal(event.clientX - plot.over.getBoundingClientRect().left, 'x'));
+  };
+  plot.over.addEventListener('pointerdown', move);
+  plot.over.addEventListener('pointermove', move);
+  plot.over.addEventListener('click', (event) => moveTo(plot.posToVal(event.offsetX, 'x')));
+}
+
+class Plot {
+  private readonly caption = element('figcaption');
+  private readonly frame = element('div', { className: 'frame' });
+  private plot?: uPlot;
+  private lines: Line[] = [];
+
+  constructor(private readonly quantity: Quantity) {
+    place('plots').append(element('figure', { attributes: { 'data-quantity': quantity.id } }, this.caption, this.frame));
+    new ResizeObserver(() => this.plot?.setSize({ width: this.frame.clientWidth, height })).observe(this.frame);
+  }
+
+  rebuild(state: State): void {
+    this.plot?.destroy();
+    const colours = coloursOf(state);
+    this.lines = this.quantity.lines(state, colours);
+    this.plot = new uPlot(optionsOf(this.lines, this.frame.clientWidth, colours), aligned(this.lines), this.frame);
+    followFinger(this.plot);
+    this.showWindow(state);
+    this.showTime(state);
+  }
+
+  showWindow({ window: [min, max] }: State): void {
+    this.plot?.setScale('x', { min, max });
+  }
+
+  showTime({ time }: State): void {
+    const plot = this.plot!;
+    if (!plot.cursor.event || plot.posToVal(plot.cursor.left!, 'x') !== time)
+      plot.setCursor({ left: plot.valToPos(time, 'x'), top: 1 }, false);
+    const values = this.lines.map(({ label, colour, t, values }) => {
+      const i = spanAt(t, time);
+      const nearest = t[i + 1] - time < time - t[i] ? i + 1 : i;
+      const swatch = element('i');
+      swatch.style.background = colour;
+      return element('span', {}, swatch, `${label} `, element('b', {}, shown(values[nearest])));
+    });
+    this.caption.replaceChildren(element('strong', {}, this.quantity.title), element('small', {}, ` [${this.quantity.unit}] `), ...values);
+  }
+}
+
+export function showPlots(): void {
+  const plots = quantities.map((quantity) => new Plot(quantity));
+  const every = (update: (plot: Plot, state: State) => void) => (state: State) => plots.forEach((plot) => update(plot, state));
+  subscribe(['first', 'second', 'theme', 'components'], every((plot, state) => plot.rebuild(state)));
+  subscribe(['window'], every((plot, state) => plot.showWindow(state)));
+  subscribe(['time'], every((plot, state) => plot.showTime(state)));
+}

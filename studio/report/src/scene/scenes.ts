@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// The scenes side by side, and how they are to be seen.
+import { element, menu, place } from '../element';
+import type { BodyShape } from '../report';
+import { canFollowPath, choose, current, subscribe, type State } from '../state';
+import type { Axis } from '../motion';
+import { MotionScene } from './motionScene';
+import { SphereScene } from './sphereScene';
+
+const shapes: [BodyShape, string][] = [
+  ['aircraft', 'aircraft'],
+  ['box', 'box'],
+  ['axes', 'axes'],
+];
+const axes: [Axis, string][] = [
+  ['x', 'x'],
+  ['y', 'y'],
+  ['z', 'z'],
+];
+const places: [State['place'], string][] = [
+  ['path', 'along the path'],
+  ['fixed', 'in one place'],
+];
+
+function controls(): HTMLElement {
+  const [bodyChoice, bodySelect] = menu('Body', shapes, (shape) => choose({ body: shape as BodyShape }));
+  const [placeChoice, placeSelect] = menu('Seen', places, (where) => choose({ place: where as State['place'] }));
+  const [axisChoice, axisSelect] = menu('Axis on the sphere', axes, (axis) => choose({ axis: axis as Axis }));
+  const components = element('input', { type: 'checkbox', onchange: () => choose({ components: !current().components }) });
+  subscribe(['body', 'place', 'axis', 'components'], (state) => {
+    bodySelect.value = state.body;
+    placeSelect.value = state.place;
+    axisSelect.value = state.axis;
+    components.checked = state.components;
+  });
+  const componentsChoice = element('label', { className: 'choice' }, components, element('span', {}, 'Components x, y, z'));
+  return element('div', { className: 'controls' }, bodyChoice, ...(canFollowPath ? [placeChoice] : []), axisChoice, componentsChoice);
+}
+
+export function showScenes(): void {
+  const [first, second] = [new MotionScene('first'), new MotionScene('second')];
+  first.linkCamera(second);
+  place('scenes').append(controls(), element('div', { className: 'stages' }, first.figure, second.figure, new SphereScene().figure));
+}

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// A canvas with a camera that the user turns; drawn when something has changed, not all the time.
+import { AmbientLight, DirectionalLight, PerspectiveCamera, Scene, WebGLRenderer, type Object3D } from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+
+export class Stage {
+  readonly scene = new Scene();
+  readonly camera = new PerspectiveCamera(35, 1, 0.01, 100);
+  readonly controls: OrbitControls;
+  private readonly renderer = new WebGLRenderer({ antialias: true, alpha: true });
+  private awaited = false;
+
+  constructor(frame: HTMLElement) {
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    frame.append(this.renderer.domElement);
+    this.camera.up.set(0, 0, 1);
+    this.camera.position.set(-2.6, -3.4, 2.0);
+    this.controls = new OrbitControls(this.camera, this.renderer.domElement);
+    this.controls.enablePan = false;
+    this.controls.addEventListener('change', () => this.draw());
+    const sun = new DirectionalLight(0xffffff, 2.2);
+    sun.position.set(-1, -2, 4);
+    this.scene.add(new AmbientLight(0xffffff, 1.6), sun);
+    new ResizeObserver(() => this.fit(frame)).observe(frame);
+  }
+
+  /** In the next frame, once, however often it is asked for. */
+  draw(): void {
+    if (this.awaited) return;
+    this.awaited = true;
+    requestAnimationFrame(() => {
+      this.awaited = false;
+      this.renderer.render(this.scene, this.camera);
+    });
+  }
+
+  replace(before: Object3D | undefined, after: Object3D): void {
+    if (before) {
+      this.scene.remove(before);
+      release(before);
+    }
+    this.scene.add(after);
+    this.draw();
+  }
+
+  private fit(frame: HTMLElement): void {
+    const { clientWidth: width, clientHeight: height } = frame;
+    if (width === 0 || height === 0) return;
+    this.renderer.setSize(width, height);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    this.draw();
+  }
+}
+
+/** Frees what the graphics memory holds of an object. */
+export function release(object: Object3D): void {
+  object.traverse((part) => {
+    const { geometry, material } = part as { geometry?: { dispose(): void }; material?: { dispose(): void } };
+    geometry?.dispose();
+    material?.dispose();
+  });
+}

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/analysis/comparison.hpp>
+
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include <orispline/analysis/leave_out.hpp>
+#include <orispline/families/registry.hpp>
+#include <orispline/math/slerp.hpp>
+
+namespace orispline {
+namespace {
+
+Eigen::Quaterniond about_x(double angle) { return exp<double>({angle, 0.0, 0.0}); }
+
+/// The angle t³ about x at 41 times from 0 to 2 s, with its rate.
+struct Motions {
+  std::vector<double> times;
+  std::vector<Eigen::Quaterniond> orientations;
+  std::vector<Eigen::Vector3d> rates;
+
+  [[nodiscard]] Recording recording() const { return {times, orientations, rates}; }
+  [[nodiscard]] Keyframes every(std::size_t step) const {
+    KeyframeData data;
+    for (std::size_t i = 0; i < times.size(); i += step) {
+      data.times.push_back(times[i]);
+      data.orientations.push_back(orientations[i]);
+    }
+    return Keyframes::make(std::move(data)).value();
+  }
+};
+
+Motions cubic_motion() {
+  Motions m;
+  for (int i = 0; i <= 40; ++i) {
+    const double t = 0.05 * i;
+    m.times.push_back(t);
+    m.orientations.push_back(about_x(t * t * t / 4.0));
+    m.rates.emplace_back(0.75 * t * t, 0.0, 0.0);
+  }
+  return m;
+}
+
+TEST(Measure, FindsAMethodThatReproducesTheMotionWithoutError) {
+  const Motions motion = cubic_motion();
+  const auto measures = measure({.method = "auto", .keys = motion.every(4)}, motion.recording());
+  ASSERT_TRUE(measures) << describe(measures.error());
+  EXPECT_EQ(measures->distance.count, 41u);
+  EXPECT_LT(measures->distance.largest, 1e-12);
+  EXPECT_LT(measures->rate_error->largest, 1e-11);
+  EXPECT_NEAR(measures->energies.acceleration, 2.25 * 8.0 / 3.0, 1e-9);  // ∫ (1.5 t)² dt
+  EXPECT_NEAR(measures->peaks.angular_velocity.value, 3.0, 1e-10);
+  EXPECT_NEAR(measures->angle_travelled, 2.0, 1e-10);
+  EXPECT_GE(measures->seconds, measures->build_seconds);
+}
+
+TEST(Measure, CountsOnlyWhatLiesBetweenTheKeysAndTheKeysThemselves) {
+  const Motions motion = cubic_motion();
+  KeyframeData data{.times = {0.5, 1.0}, .orientations = {motion.orientations[10], motion.orientations[20]}};
+  const auto measures =
+      measure({.method = "slerp", .keys = Keyframes::make(std::move(data)).value()}, motion.recording());
+  EXPECT_EQ(measures->distance.count, 11u);
+  const double largest = measures->distance.largest;
+  EXPECT_NEAR(largest,
+              angular_distance(motion.orientations[measures->distance.largest_at],
+                               slerp<double>(motion.orientations[10], motion.orientations[20],
+                                             (motion.times[measures->distance.largest_at] - 0.5) / 0.5)),
+              1e-14);
+}
+
+TEST(Measure, RefusesAReferenceThatDoesNotOverlap) {
+  const Motions motion = cubic_motion();
+  KeyframeData data{.times = {5.0, 6.0}, .orientations = {about_x(0.0), about_x(1.0)}};
+  const auto measures =
+      measure({.method = "slerp", .keys = Keyframes::make(std::move(data)).value()}, motion.recording());
+  ASSERT_FALSE(measures);
+  EXPECT_EQ(measures.error().message, "none of the 41 reference times lies between the keys, 5 to 6 s");
+}
+
+TEST(Compare, GoesOnAfterAMethodThatFailsAndGivesTheSameOnAnyNumberOfThreads) {
+  const Motions motion = cubic_motion();
+  std::vector<Candidate> candidates;
+  for (const char* method : {"slerp", "no-such-method", "auto", "timed-c2"})
+    candidates.push_back({.method = method, .keys = motion.every(8)});
+  std::vector<std::size_t> counts;
+  const Comparison one = compare(candidates, motion.recording());
+  const Comparison four =
+      compare(candidates, motion.recording(), {}, 4, [&](std::size_t done) { counts.push_back(done); });
+  EXPECT_TRUE(one.any());
+  ASSERT_FALSE(one.measures[1]);
+  EXPECT_EQ(one.measures[1].error().code, ErrorCode::bad_argument);
+  for (const std::size_t i : {0u, 2u, 3u}) {
+    ASSERT_TRUE(one.measures[i] && four.measures[i]);
+    EXPECT_EQ(one.measures[i]->distance.rms, four.measures[i]->distance.rms);
+    EXPECT_EQ(one.measures[i]->energies.jerk, four.measures[i]->energies.jerk);
+  }
+  EXPECT_EQ(counts, (std::vector<std::size_t>{1, 2, 3, 4}));
+}
+
+TEST(LeaveOut, IsTheDistanceOfSlerpsToTheKeysThatTheySkip) {
+  // Steps of 0.1, 0.3: a slerp over two of them passes the middle by 0.1.
+  const auto keys =
+      Keyframes::make({.times = {0, 1, 2, 3, 4},
+                       .orientations = {about_x(0.0), about_x(0.1), about_x(0.4), about_x(0.5), about_x(0.8)}})
+          .value();
+  const auto error = leave_out_error("slerp", keys);
+  ASSERT_TRUE(error);
+  EXPECT_EQ(error->count, 3u);
+  EXPECT_NEAR(error->rms, 0.1, 1e-15);
+  EXPECT_NEAR(error->largest, 0.1, 1e-15);
+}
+
+TEST(LeaveOut, WantsThreeKeys) {
+  const auto keys = Keyframes::make({.times = {0, 1}, .orientations = {about_x(0.0), about_x(0.1)}}).value();
+  EXPECT_EQ(leave_out_error("slerp", keys).error().message, "found 2 keys, wanted 3 to leave one out");
+}
+
+}  // namespace
+}  // namespace orispline

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/analysis/decimation.hpp>
+
+#include <gtest/gtest.h>
+
+namespace orispline {
+namespace {
+
+using Indices = std::vector<std::size_t>;
+
+TEST(Decimation, KeepsTheLastSampleOnlyWhereItFallsOnTheGrid) {
+  EXPECT_EQ(kept_samples({.keep_every = 4}, 9), (Indices{0, 4, 8}));
+  EXPECT_EQ(kept_samples({.keep_every = 4}, 10), (Indices{0, 4, 8}));
+  EXPECT_EQ(kept_samples({.keep_every = 4}, 1), (Indices{0}));
+}
+
+TEST(Decimation, JittersByUpToAThirdOfTheStepAndKeepsTheFirst) {
+  const auto kept = kept_samples({.keep_every = 20, .spacing = Spacing::jittered, .seed = 7}, 2000);
+  ASSERT_GE(kept.size(), 99u);
+  std::size_t moved = 0;
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    const auto shift = static_cast<double>(kept[i]) - 20.0 * static_cast<double>(i);
+    EXPECT_LE(std::abs(shift), 7.0) << i;
+    moved += shift != 0.0 ? 1 : 0;
+  }
+  EXPECT_EQ(kept.front(), 0u);
+  EXPECT_GT(moved, 80u);
+}
+
+TEST(Decimation, DrawsStepsOfAQuarterToTwiceAtRandom) {
+  const auto kept = kept_samples({.keep_every = 8, .spacing = Spacing::random, .seed = 3}, 4000);
+  std::array<std::size_t, 17> steps{};
+  for (std::size_t i = 1; i < kept.size(); ++i) ++steps.at(kept[i] - kept[i - 1]);
+  for (const std::size_t step : {2u, 4u, 8u, 16u}) EXPECT_GT(steps.at(step), 80u) << step;
+  EXPECT_EQ(steps[2] + steps[4] + steps[8] + steps[16], kept.size() - 1);
+}
+
+TEST(Decimation, DependsOnTheSeedAlone) {
+  const Decimation first{.keep_every = 16, .spacing = Spacing::random, .seed = 1};
+  Decimation second = first;
+  EXPECT_EQ(kept_samples(first, 500), kept_samples(second, 500));
+  second.seed = 2;
+  EXPECT_NE(kept_samples(first, 500), kept_samples(second, 500));
+}
+
+TEST(Decimation, NeverStandsStill) {
+  const auto kept = kept_samples({.keep_every = 2, .spacing = Spacing::random}, 100);
+  for (std::size_t i = 1; i < kept.size(); ++i) EXPECT_GT(kept[i], kept[i - 1]);
+}
+
+TEST(Decimation, KeepsWhatTheKeysCarry) {
+  KeyframeData data{.times = {0, 1, 2}, .orientations = std::vector(3, Eigen::Quaterniond::Identity())};
+  data.angular_velocities = {{1, 0, 0}, {2, 0, 0}, {3, 0, 0}};
+  const Indices kept{0, 2};
+  const KeyframeData result = kept_keys(data, kept);
+  EXPECT_EQ(result.times, (std::vector<double>{0, 2}));
+  EXPECT_EQ(result.angular_velocities[1], Eigen::Vector3d(3, 0, 0));
+  EXPECT_TRUE(result.positions.empty());
+}
+
+TEST(Decimation, HasAName) {
+  EXPECT_EQ(name_of({.keep_every = 2}), "every 2nd");
+  EXPECT_EQ(name_of({.keep_every = 11}), "every 11th");
+  EXPECT_EQ(name_of({.keep_every = 21}), "every 21st");
+  EXPECT_EQ(name_of({.keep_every = 8, .spacing = Spacing::jittered, .seed = 5}), "every 8th, jittered (seed 5)");
+}
+
+}  // namespace
+}  // namespace orispline

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/analysis/energy.hpp>
+
+#include <gtest/gtest.h>
+
+#include <orispline/families/registry.hpp>
+#include <support/data_table.hpp>
+#include <support/golden_case.hpp>
+
+namespace orispline {
+namespace {
+
+using testing_support::DataTable;
+
+Eigen::Quaterniond about_x(double angle) { return exp<double>({angle, 0.0, 0.0}); }
+
+void expect_relative(double found, double wanted, double limit, const std::string& label) {
+  EXPECT_NEAR(found, wanted, limit * std::abs(wanted)) << label;
+}
+
+TEST(Energies, AreThoseOfTheReferenceAtItsTensions) {
+  const DataTable keys("golden/keys.csv"), table("golden/energies.csv");
+  ASSERT_EQ(table.size(), 36u);
+  for (const auto& row : table.rows()) {
+    const auto curve =
+        make_curve(row.text("family"), testing_support::keys_of(keys, row), testing_support::options_of(row));
+    ASSERT_TRUE(curve) << describe(curve.error());
+    const auto moments = row.numbers("inertia");
+    const Energies found =
+        energies(*curve, Eigen::Vector3d(moments[0], moments[1], moments[2]).asDiagonal().toDenseMatrix());
+    const std::string label = testing_support::label_of(row);
+    if (!row.text("acceleration").empty())
+      expect_relative(found.acceleration, row.number("acceleration"), 1e-11, label);
+    expect_relative(found.torque, row.number("torque"), 1e-11, label);
+  }
+}
+
+/// One segment about x with the angle 3u² - 2u³ of h = 2 s: α = 6/h² (1 - 2u), jerk = -12/h³.
+AnyCurve cubic_turn() {
+  KeyframeData data{.times = {1.0, 3.0}, .orientations = {about_x(0.0), about_x(1.0)}};
+  data.angular_velocities = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+  return make_curve("hermite-c1", Keyframes::make(std::move(data)).value()).value();
+}
+
+TEST(Energies, OfACubicTurnAboutAnAxisAreThoseOfItsPolynomials) {
+  const Energies e = energies(cubic_turn(), 3.0 * Eigen::Matrix3d::Identity());
+
+  EXPECT_NEAR(e.acceleration, 36.0 / 16.0 / 3.0 * 2.0, 1e-13);  // ∫ (6/h²)² (1 - 2u)² h du
+  EXPECT_NEAR(e.jerk, 144.0 / 64.0 * 2.0, 1e-12);
+  EXPECT_NEAR(e.torque, 9.0 * e.acceleration, 1e-12);
+}
+
+TEST(Energies, OfSteadyTurnsAreNoneButForTheTorqueThatHoldsTheAxis) {
+  const Eigen::Vector3d rate(0.3, -0.4, 0.5);
+  KeyframeData data;
+  for (const double t : {0.0, 0.7, 1.0, 3.1}) {
+    data.times.push_back(t);
+    data.orientations.push_back(exp<double>(Eigen::Vector3d(t * rate)));
+  }
+  const Eigen::Matrix3d inertia = Eigen::Vector3d(1.0, 2.0, 4.0).asDiagonal();
+
+  const Energies e = energies(make_curve("timed-c3", Keyframes::make(std::move(data)).value()).value(), inertia);
+
+  EXPECT_NEAR(e.acceleration, 0.0, 1e-25);
+  EXPECT_NEAR(e.torque, 3.1 * rate.cross(inertia * rate).squaredNorm(), 1e-13);
+}
+
+TEST(Energies, OfOneKeyAreNone) {
+  const auto key = Keyframes::make({.times = {4.0}, .orientations = {about_x(1.0)}}).value();
+  EXPECT_EQ(energies(make_curve("auto", key).value()).acceleration, 0.0);
+}
+
+}  // namespace
+}  // namespace orispline
