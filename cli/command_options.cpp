@@ -45,24 +45,6 @@ constexpr auto inspect_footer = R"(Examples:
 Faults that 'sample' refuses (duplicate or decreasing times, rows that are not numbers, norms far from 1) are repaired
 and counted. The JSON is described in docs/inspect-json.md.)";
 
-void add_method_options(CLI::App& app, MethodOptions& o) {
-  const std::string group = "Shape of the curve";
-  app.add_option("--tension", o.tension, "Short for --set tension=X[,X...]")->type_name("X[,X...]")->group(group);
-  app.add_option("--set", o.settings, "A number, or one per key with commas; or a word where it is a choice")
-      ->allow_extra_args(false)
-      ->type_name(setting_type)
-      ->group(group);
-  app.add_option("--ends", o.ends, "End rule for both ends, or for each; see 'orispline methods'")
-      ->type_name(ends_type)
-      ->group(group);
-  app.add_option("--start-rate", o.start_rate, "Body rate at the first key [rad/s]; means --ends clamped there")
-      ->type_name("WX,WY,WZ")
-      ->group(group);
-  app.add_option("--end-rate", o.end_rate, "Body rate at the last key [rad/s]; means --ends clamped there")
-      ->type_name("WX,WY,WZ")
-      ->group(group);
-}
-
 void add_loop_options(CLI::App& app, MethodOptions& o) {
   const std::string group = "Shape of the curve";
   app.add_flag("--closed", o.closed, "A loop: the last key is the first one again, and joins it smoothly")
@@ -137,6 +119,24 @@ void add_input_options(CLI::App& app, InputOptions& o, std::string_view default_
   app.add_flag("--drop-duplicates", o.drop_duplicates, "Of equal times keep the first row")->group(group);
   app.add_flag("--drop-invalid", o.drop_invalid, "Drop rows with NaN, infinite or empty cells")->group(group);
   app.add_flag("--sort", o.sort, "Sort the rows by time")->group(group);
+}
+
+void add_method_options(CLI::App& app, MethodOptions& o) {
+  const std::string group = "Shape of the curve";
+  app.add_option("--tension", o.tension, "Short for --set tension=X[,X...]")->type_name("X[,X...]")->group(group);
+  app.add_option("--set", o.settings, "A number, or one per key with commas; or a word where it is a choice")
+      ->allow_extra_args(false)
+      ->type_name(setting_type)
+      ->group(group);
+  app.add_option("--ends", o.ends, "End rule for both ends, or for each; see 'orispline methods'")
+      ->type_name(ends_type)
+      ->group(group);
+  app.add_option("--start-rate", o.start_rate, "Body rate at the first key [rad/s]; means --ends clamped there")
+      ->type_name("WX,WY,WZ")
+      ->group(group);
+  app.add_option("--end-rate", o.end_rate, "Body rate at the last key [rad/s]; means --ends clamped there")
+      ->type_name("WX,WY,WZ")
+      ->group(group);
 }
 
 void add_sample_options(CLI::App& app, SampleOptions& o) {

@@ -18,6 +18,7 @@
 #include "reproduce.hpp"
 #include "sample.hpp"
 #include "standard_output.hpp"
+#include "tune.hpp"
 
 #include <algorithm>
 #include <csignal>
@@ -145,6 +146,9 @@ class CommandLine {
     add_compare_options(command("compare", "Compare the methods on a recording: errors, smoothness, cost",
                                 [this] { return compare(compare_); }),
                         compare_);
+    add_tune_options(command("tune", "Find the tensions that make a curve smoothest, or nearest to a recording",
+                             [this] { return tune(tune_); }),
+                     tune_);
     command("methods", "List the methods", [this] { return methods(methods_); })
         .footer(methods_footer)
         ->add_flag("--json", methods_.json, "Print one JSON array");
@@ -199,6 +203,7 @@ class CommandLine {
   ConvertOptions convert_;
   InspectOptions inspect_;
   CompareOptions compare_;
+  TuneOptions tune_;
   MethodsOptions methods_;
   ReproduceOptions reproduce_;
   std::string shell_;

@@ -59,8 +59,7 @@ RowsOver<double> plain(const BlendingRows& rows) {
 RowsOver<Jet<double, 1>> along(const BlendingRows& rows, const BlendingRows& slope) {
   RowsOver<Jet<double, 1>> result;
   for (std::size_t k = 0; k < rows.size(); ++k)
-    for (std::size_t j = 0; j <= form_degree; ++j)
-      result[k][j].c = {rows[k].coefficients[j], slope[k].coefficients[j]};
+    for (std::size_t j = 0; j <= form_degree; ++j) result[k][j].c = {rows[k].coefficients[j], slope[k].coefficients[j]};
   return result;
 }
 
@@ -151,8 +150,7 @@ Eigen::Index first_of(std::size_t triple) { return 3 * static_cast<Eigen::Index>
 }  // namespace
 
 std::size_t residual_count(const Goal& goal, std::size_t segment) {
-  return 3 * (goal.objective == Objective::fit ? goal.sightings[segment].size()
-                                               : quadrature_of(goal.objective).size());
+  return 3 * (goal.objective == Objective::fit ? goal.sightings[segment].size() : quadrature_of(goal.objective).size());
 }
 
 Eigen::VectorXd residual_values(const TensionSegment& segment, const Goal& goal, std::size_t index,
@@ -169,11 +167,11 @@ Eigen::MatrixXd residual_jacobian(const TensionSegment& segment, const Goal& goa
                          static_cast<Eigen::Index>(values.size()));
   const BlendingRows rows = rows_at(segment, values);
   for (std::size_t v = 0; v < values.size(); ++v)
-    each_residual<Jet<double, 1>>(
-        segment, goal, index, along(rows, segment.slopes[v]), [&](std::size_t i, const Vector3<Jet<double, 1>>& r) {
-          for (Eigen::Index axis = 0; axis < 3; ++axis)
-            result(first_of(i) + axis, static_cast<Eigen::Index>(v)) = r[axis].c[1];
-        });
+    each_residual<Jet<double, 1>>(segment, goal, index, along(rows, segment.slopes[v]),
+                                  [&](std::size_t i, const Vector3<Jet<double, 1>>& r) {
+                                    for (Eigen::Index axis = 0; axis < 3; ++axis)
+                                      result(first_of(i) + axis, static_cast<Eigen::Index>(v)) = r[axis].c[1];
+                                  });
   return result;
 }
 

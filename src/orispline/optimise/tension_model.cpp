@@ -27,8 +27,7 @@ BernsteinForm elevated(BernsteinForm form, std::size_t degree) {
 BlendingRows combined(const BlendingRows& a, double factor, const BlendingRows& b) {
   BlendingRows rows = a;
   for (std::size_t k = 0; k < rows.size(); ++k)
-    for (std::size_t j = 0; j <= form_degree; ++j)
-      rows[k].coefficients[j] += factor * b[k].coefficients[j];
+    for (std::size_t j = 0; j <= form_degree; ++j) rows[k].coefficients[j] += factor * b[k].coefficients[j];
   return rows;
 }
 

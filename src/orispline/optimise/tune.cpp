@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <Eigen/Eigenvalues>
 
 #include <orispline/families/registry.hpp>
 #include <orispline/optimise/tension_sum.hpp>
@@ -48,9 +48,10 @@ Expected<Goal> goal_of(const Keyframes& keys, const TuneOptions& options) {
     ++goal.sighting_count;
   }
   if (goal.sighting_count > 0) return goal;
-  return failure(ErrorCode::bad_data,
-                 fmt::format("the reference has no time between the first and the last key, wanted some from {} to {} s",
-                             knots.front(), knots.back()));
+  return failure(
+      ErrorCode::bad_data,
+      fmt::format("the reference has no time between the first and the last key, wanted some from {} to {} s",
+                  knots.front(), knots.back()));
 }
 
 Expected<void> check_request(const FamilyInfo& family, const Keyframes& keys, const CurveOptions& curve,
@@ -58,7 +59,8 @@ Expected<void> check_request(const FamilyInfo& family, const Keyframes& keys, co
   if (keys.size() < fewest_keys)
     return failure(ErrorCode::bad_data, fmt::format("found {} key{}, wanted at least {} to tune tensions", keys.size(),
                                                     keys.size() == 1 ? "" : "s", fewest_keys));
-  if (curve.loop) return failure(ErrorCode::bad_argument, fmt::format("{}: tensions of a loop are not tuned", family.name));
+  if (curve.loop)
+    return failure(ErrorCode::bad_argument, fmt::format("{}: tensions of a loop are not tuned", family.name));
   if (options.bounds && !(options.bounds->lowest < options.bounds->highest))
     return failure(ErrorCode::bad_argument, fmt::format("the bounds are {} and {}, wanted the lower one first",
                                                         options.bounds->lowest, options.bounds->highest));
@@ -74,9 +76,9 @@ std::vector<double> initial_values(const TensionModel& model) {
 std::vector<Interval> bounds_of(const TensionModel& model, const std::optional<Interval>& bounds) {
   std::vector<Interval> all;
   for (const Variable& variable : model.variables)
-    all.push_back(bounds ? Interval{std::max(bounds->lowest, variable.lowest),
-                                    std::min(bounds->highest, variable.highest)}
-                         : Interval{variable.lowest, variable.highest});
+    all.push_back(bounds
+                      ? Interval{std::max(bounds->lowest, variable.lowest), std::min(bounds->highest, variable.highest)}
+                      : Interval{variable.lowest, variable.highest});
   return all;
 }
 
@@ -137,8 +139,8 @@ Expected<Eigen::Matrix3d> checked_inertia(const Eigen::Matrix3d& inertia) {
   if (!inertia.allFinite() || (inertia - inertia.transpose()).norm() > rounding * inertia.norm())
     return refused("the inertia is not symmetric, wanted a symmetric tensor");
   const Eigen::Vector3d moments = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia).eigenvalues();
-  const std::string found = fmt::format("the inertia has the principal moments {:.6g}, {:.6g}, {:.6g}", moments[0],
-                                        moments[1], moments[2]);
+  const std::string found =
+      fmt::format("the inertia has the principal moments {:.6g}, {:.6g}, {:.6g}", moments[0], moments[1], moments[2]);
   if (!(moments[0] > 0.0)) return refused(found + ", wanted all of them greater than 0");
   return inertia;
 }
