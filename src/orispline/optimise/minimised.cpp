@@ -61,6 +61,7 @@ ceres::Solver::Options solver_options() {
   options.function_tolerance = rest;
   options.gradient_tolerance = 0.0;
   options.parameter_tolerance = 0.0;
+  options.max_num_consecutive_invalid_steps = 50;  // of curves that cannot be made
   options.initial_trust_region_radius = 1e8;  // the start is near
   return options;
 }

@@ -99,8 +99,7 @@ Expected<Probe> cumulative_probe(const FamilyInfo& family, const Keyframes& keys
   });
 }
 
-/// In the chart of the tangent space the cubic's control points are 0, the first handle, the increment less the second
-/// handle, and the increment. The handles are of tension 0; `options` scales them by 1 - tension.
+/// The handles are of tension 0; `options` scales them by 1 - tension.
 Expected<Probe> slerp_probe(const FamilyInfo& family, const Keyframes& keys, CurveOptions options) {
   const std::vector<double> tension = std::exchange(options.parameters["tension"], {0.0});
   return settle(family, options, keys.size()).map([&](const FamilySettings& settings) {
@@ -109,17 +108,11 @@ Expected<Probe> slerp_probe(const FamilyInfo& family, const Keyframes& keys, Cur
     const auto t = keys.times();
     Probe probe;
     for (std::size_t i = 0; i + 1 < q.size(); ++i) {
-      const double step = t[i + 1] - t[i], leaving = 1.0 - tension[i], arriving = 1.0 - tension[i + 1];
-      TensionSegment segment{.product = TensionSegment::Product::slerps,
-                             .start = t[i],
-                             .step = step,
-                             .from = q[i],
-                             .to = q[i + 1],
-                             .increments = {step / 3.0 * rates.leaving[i], increment<double>(q[i], q[i + 1]),
-                                            step / 3.0 * rates.arriving[i + 1]},
-                             .constant = {BernsteinForm{{0.0, leaving}}, BernsteinForm{{0.0, 0.0, 1.0, 1.0}},
-                                          BernsteinForm{{0.0, 0.0, -arriving}}}};
-      for (BernsteinForm& row : segment.constant) row = elevated(row, 3);
+      const double step = t[i + 1] - t[i];
+      TensionSegment segment =
+          slerp_segment(t[i], step, q[i], q[i + 1], step / 3.0 * rates.leaving[i], step / 3.0 * rates.arriving[i + 1]);
+      for (double& c : segment.constant[0].coefficients) c *= 1.0 - tension[i];
+      for (double& c : segment.constant[2].coefficients) c *= 1.0 - tension[i + 1];
       probe.push_back(std::move(segment));
     }
     return probe;
@@ -216,6 +209,20 @@ TensionModel model_of(Probe segments, const Candidates& candidates) {
 }
 
 }  // namespace
+
+TensionSegment slerp_segment(double start, double step, const Eigen::Quaterniond& from, const Eigen::Quaterniond& to,
+                             const Eigen::Vector3d& leaving, const Eigen::Vector3d& arriving) {
+  // In the tangent space the cubic's control points are 0, the first handle, the increment less the second one, and the
+  // increment.
+  return {.product = TensionSegment::Product::slerps,
+          .start = start,
+          .step = step,
+          .from = from,
+          .to = to,
+          .increments = {leaving, increment<double>(from, to), arriving},
+          .constant = {elevated(BernsteinForm{{0.0, 1.0}}, 3), elevated(BernsteinForm{{0.0, 0.0, 1.0, 1.0}}, 3),
+                       elevated(BernsteinForm{{0.0, 0.0, -1.0}}, 3)}};
+}
 
 CurveOptions TensionModel::with(const std::vector<double>& values) const {
   CurveOptions changed = options;

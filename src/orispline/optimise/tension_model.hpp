@@ -13,6 +13,9 @@ namespace orispline::optimise {
 /// Bernstein coefficients of degree `form_degree` of a segment's blending functions β̃_1, β̃_2, β̃_3.
 using BlendingRows = std::array<BernsteinForm, 3>;
 
+/// The rotation vectors of a segment's factors [rad].
+using Increments = std::array<Eigen::Vector3d, 3>;
+
 /// A segment whose blending functions are affine in the tensions of its two keys.
 struct TensionSegment {
   enum class Product {
@@ -22,7 +25,7 @@ struct TensionSegment {
   Product product = Product::cumulative;
   double start = 0.0, step = 0.0;  ///< [s]
   Eigen::Quaterniond from, to;     ///< the base of the product; of slerps the two keys
-  std::array<Eigen::Vector3d, 3> increments;
+  Increments increments;
   BlendingRows constant;                 ///< with all variables zero
   std::vector<std::size_t> variables{};  ///< that it depends on, increasing
   std::vector<BlendingRows> slopes{};    ///< what a unit of each of them adds
@@ -44,6 +47,11 @@ struct TensionModel {
   /// The options with other values of the variables.
   [[nodiscard]] CurveOptions with(const std::vector<double>& values) const;
 };
+
+/// A cubic of slerps between two keys with the given handles [rad] on leaving and on arriving, without variables.
+[[nodiscard]] TensionSegment slerp_segment(double start, double step, const Eigen::Quaterniond& from,
+                                           const Eigen::Quaterniond& to, const Eigen::Vector3d& leaving,
+                                           const Eigen::Vector3d& arriving);
 
 /// The parameters of a family that tuning can free, in the order of the family; empty for other families.
 [[nodiscard]] std::vector<std::string> tunable_parameters(std::string_view family);

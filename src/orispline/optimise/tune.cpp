@@ -7,7 +7,9 @@
 #include <fmt/ranges.h>
 #include <Eigen/Eigenvalues>
 
+#include <orispline/families/nu.hpp>
 #include <orispline/families/registry.hpp>
+#include <orispline/optimise/nu_sum.hpp>
 #include <orispline/optimise/tension_sum.hpp>
 
 namespace orispline::optimise {
@@ -88,6 +90,14 @@ bool inside(std::span<const double> values, std::span<const Interval> bounds) {
   return true;
 }
 
+/// The closed form of `nu` is ν = 0: no curve through the keys has a smaller ∫|x''|² than the cubic spline (Holladay
+/// 1957).
+std::vector<double> least_nu(std::span<const Interval> bounds) {
+  std::vector<double> values;
+  for (const Interval& b : bounds) values.push_back(std::clamp(0.0, b.lowest, b.highest));
+  return values;
+}
+
 /// The least linearised energy within the bounds.
 std::vector<double> closed_form(const TensionModel& model, std::span<const Interval> bounds) {
   const Goal linearised{.objective = Objective::linearised};
@@ -100,22 +110,21 @@ std::vector<double> closed_form(const TensionModel& model, std::span<const Inter
 }
 
 /// The least energy near the closed form: free where that stays within the bounds.
-Minimum refined(TensionSum& sum, const std::vector<double>& start, std::span<const Interval> bounds) {
+Minimum refined(SumOfSquares& sum, const std::vector<double>& start, std::span<const Interval> bounds) {
   const std::vector<Interval> free(start.size());
   Minimum minimum = minimised(sum, start, free);
   return inside(minimum.values, bounds) ? minimum : minimised(sum, start, bounds);
 }
 
-Expected<Tuning> tuned(const FamilyInfo& family, const TensionModel& model, const Goal& goal,
-                       const TuneOptions& options) {
-  TensionSum sum(model, goal);
+/// From the closed form `start` on.
+Expected<Tuning> tuned(const FamilyInfo& family, const TensionModel& model, SumOfSquares& sum,
+                       const std::vector<double>& start, std::span<const Interval> bounds, Objective objective) {
   Tuning tuning{.options = {}, .parameters = {}, .energy_before = value_of(sum)};
-  const std::vector<Interval> bounds = bounds_of(model, options.bounds);
-  Minimum minimum{closed_form(model, bounds), 0};
-  if (goal.objective != Objective::linearised) minimum = refined(sum, minimum.values, bounds);
+  Minimum minimum{start, 0};
+  if (objective != Objective::linearised) minimum = refined(sum, start, bounds);
   sum.move_to(minimum.values);
   tuning.energy_after = value_of(sum);
-  tuning.stationarity = stationarity(sum, minimum.values, bounds);
+  if (objective != Objective::linearised) tuning.stationarity = stationarity(sum, minimum.values, bounds);
   tuning.iterations = minimum.iterations;
   tuning.options = model.with(minimum.values);
   if (tuning.stationarity <= wanted_stationarity) return tuning;
@@ -123,6 +132,20 @@ Expected<Tuning> tuned(const FamilyInfo& family, const TensionModel& model, cons
                  fmt::format("{}: tuning came to rest where a step would lower the energy by {:.2g} of itself, wanted "
                              "{:.2g} at most",
                              family.name, tuning.stationarity, wanted_stationarity));
+}
+
+Expected<Tuning> tuned_affine(const FamilyInfo& family, const TensionModel& model, const Goal& goal,
+                              const TuneOptions& options) {
+  TensionSum sum(model, goal);
+  const std::vector<Interval> bounds = bounds_of(model, options.bounds);
+  return tuned(family, model, sum, closed_form(model, bounds), bounds, goal.objective);
+}
+
+Expected<Tuning> tuned_nu(const FamilyInfo& family, const Keyframes& keys, const TensionModel& model, const Goal& goal,
+                          const TuneOptions& options) {
+  NuSum sum(keys, model, goal);
+  const std::vector<Interval> bounds = bounds_of(model, options.bounds);
+  return tuned(family, model, sum, least_nu(bounds), bounds, goal.objective);
 }
 
 }  // namespace
@@ -160,8 +183,11 @@ Expected<Tuning> tune(std::string_view family, const Keyframes& keys, const Curv
     return tl::unexpected(std::move(checked.error()));
   const auto goal = goal_of(keys, options);
   if (!goal) return tl::unexpected(goal.error());
-  return tension_model(**info, keys, curve, *parameters)
-      .and_then([&](const TensionModel& model) { return tuned(**info, model, *goal, options); })
+  const auto model = family == families::Nu::info.name ? nu_model(keys, curve)
+                                                       : tension_model(**info, keys, curve, *parameters);
+  if (!model) return tl::unexpected(model.error());
+  const bool is_nu = model->segments.empty();
+  return (is_nu ? tuned_nu(**info, keys, *model, *goal, options) : tuned_affine(**info, *model, *goal, options))
       .map([&](Tuning tuning) {
         tuning.parameters = *parameters;
         return tuning;
