@@ -53,24 +53,6 @@ constexpr auto plot_footer = R"(Examples:
 Over time: the angle from the start, |w|, |alpha| and |jerk|, the keys marked; and the way of a body axis over the unit
 sphere. At most 6 methods, each in a colour of its own.)";
 
-void add_method_options(CLI::App& app, MethodOptions& o) {
-  const std::string group = "Shape of the curve";
-  app.add_option("--tension", o.tension, "Short for --set tension=X[,X...]")->type_name("X[,X...]")->group(group);
-  app.add_option("--set", o.settings, "A number, or one per key with commas; or a word where it is a choice")
-      ->allow_extra_args(false)
-      ->type_name(setting_type)
-      ->group(group);
-  app.add_option("--ends", o.ends, "End rule for both ends, or for each; see 'orispline methods'")
-      ->type_name(ends_type)
-      ->group(group);
-  app.add_option("--start-rate", o.start_rate, "Body rate at the first key [rad/s]; means --ends clamped there")
-      ->type_name("WX,WY,WZ")
-      ->group(group);
-  app.add_option("--end-rate", o.end_rate, "Body rate at the last key [rad/s]; means --ends clamped there")
-      ->type_name("WX,WY,WZ")
-      ->group(group);
-}
-
 void add_loop_options(CLI::App& app, MethodOptions& o) {
   const std::string group = "Shape of the curve";
   app.add_flag("--closed", o.closed, "A loop: the last key is the first one again, and joins it smoothly")
@@ -145,6 +127,24 @@ void add_input_options(CLI::App& app, InputOptions& o, std::string_view default_
   app.add_flag("--drop-duplicates", o.drop_duplicates, "Of equal times keep the first row")->group(group);
   app.add_flag("--drop-invalid", o.drop_invalid, "Drop rows with NaN, infinite or empty cells")->group(group);
   app.add_flag("--sort", o.sort, "Sort the rows by time")->group(group);
+}
+
+void add_method_options(CLI::App& app, MethodOptions& o) {
+  const std::string group = "Shape of the curve";
+  app.add_option("--tension", o.tension, "Short for --set tension=X[,X...]")->type_name("X[,X...]")->group(group);
+  app.add_option("--set", o.settings, "A number, or one per key with commas; or a word where it is a choice")
+      ->allow_extra_args(false)
+      ->type_name(setting_type)
+      ->group(group);
+  app.add_option("--ends", o.ends, "End rule for both ends, or for each; see 'orispline methods'")
+      ->type_name(ends_type)
+      ->group(group);
+  app.add_option("--start-rate", o.start_rate, "Body rate at the first key [rad/s]; means --ends clamped there")
+      ->type_name("WX,WY,WZ")
+      ->group(group);
+  app.add_option("--end-rate", o.end_rate, "Body rate at the last key [rad/s]; means --ends clamped there")
+      ->type_name("WX,WY,WZ")
+      ->group(group);
 }
 
 void add_sample_options(CLI::App& app, SampleOptions& o) {

@@ -8,6 +8,7 @@
 
 #include "input_options.hpp"
 #include "sample.hpp"
+#include "tune.hpp"
 
 namespace orispline::cli {
 namespace {
@@ -224,6 +225,23 @@ std::string json_of(const CompareReport& report) {
     list.push_back(std::move(json));
   }
   return document(list);
+}
+
+std::string json_of(const TuneReport& report) {
+  Json json{{"input", report.input},
+            {"output", report.output},
+            {"method", report.method},
+            {"objective", word_of(objective_choices, report.objective)},
+            {"unit", unit_of(report.objective)},
+            {"keys", report.times.size()},
+            {"energy_before", report.tuning.energy_before},
+            {"energy_after", report.tuning.energy_after},
+            {"iterations", report.tuning.iterations},
+            {"stationarity", report.tuning.stationarity},
+            {"t", report.times}};
+  for (const std::string& name : report.tuning.parameters)
+    json[name] = report.tuning.options.parameters.find(name)->second;
+  return document(json);
 }
 
 std::string json_of(std::span<const Experiment> experiments) {

@@ -11,6 +11,7 @@
 #include "inspect_report.hpp"
 #include "reproduce_report.hpp"
 #include "sample_report.hpp"
+#include "tune_report.hpp"
 
 // The JSON documents that the commands print, described in docs/inspect-json.md.
 
@@ -20,6 +21,7 @@ namespace orispline::cli {
 [[nodiscard]] std::string json_of(const InspectReport& report);
 [[nodiscard]] std::string json_of(const SampleReport& report);
 [[nodiscard]] std::string json_of(const ConvertReport& report);
+[[nodiscard]] std::string json_of(const TuneReport& report);
 [[nodiscard]] std::string json_of(const CompareReport& report);
 [[nodiscard]] std::string json_of(std::span<const Experiment> experiments);
 [[nodiscard]] std::string json_of(const std::vector<ExperimentReport>& reports);

@@ -19,6 +19,7 @@
 #include "reproduce.hpp"
 #include "sample.hpp"
 #include "standard_output.hpp"
+#include "tune.hpp"
 
 #include <algorithm>
 #include <csignal>
@@ -148,6 +149,9 @@ class CommandLine {
                         compare_);
     add_plot_options(command("plot", "Draw the motion of methods over time, as SVG", [this] { return plot(plot_); }),
                      plot_);
+    add_tune_options(command("tune", "Find the tensions that make a curve smoothest, or nearest to a recording",
+                             [this] { return tune(tune_); }),
+                     tune_);
     command("methods", "List the methods", [this] { return methods(methods_); })
         .footer(methods_footer)
         ->add_flag("--json", methods_.json, "Print one JSON array");
@@ -203,6 +207,7 @@ class CommandLine {
   InspectOptions inspect_;
   CompareOptions compare_;
   PlotOptions plot_;
+  TuneOptions tune_;
   MethodsOptions methods_;
   ReproduceOptions reproduce_;
   std::string shell_;

@@ -12,7 +12,8 @@ GROUND = {"base", "math", "curve"}
 FLOORS = {  # folder of src/orispline -> what it may include besides itself
     "base": set(), "math": set(), "curve": GROUND, "families": GROUND, "io": GROUND, "report": GROUND, "batch": GROUND | {"families"},
     "analysis": GROUND | {"families", "batch"}, "optimise": GROUND | {"families", "analysis"}}
-GUESTS = {"fast_float/": "src/orispline/io/", "CLI/": "cli/", "nlohmann/": "cli/", "benchmark/": "benchmarks/", "glm/": "benchmarks/",
+GUESTS = {"fast_float/": "src/orispline/io/", "ceres/": "src/orispline/optimise/", "CLI/": "cli/", "nlohmann/": "cli/",
+          "benchmark/": "benchmarks/", "glm/": "benchmarks/",
           "smooth/": "benchmarks/", "sophus/": "benchmarks/", "basalt/": "benchmarks/"}  # third party -> its only room
 ROOMS = ("src", "cli", "tests", "examples", "tools", "bindings", "benchmarks")
 FILE_LINES, FUNCTION_LINES, MEDIAN_LINES = 300, 60, 200

@@ -8,8 +8,11 @@ namespace orispline {
 /// What turns a free rigid body so: J α + ω × J ω [N m], body frame (Euler's equation).
 ///
 /// `inertia`: J [kg m²] about the centre of mass, body frame, symmetric and positive definite.
-[[nodiscard]] inline Eigen::Vector3d torque(const Motion& m, const Eigen::Matrix3d& inertia) noexcept {
-  return inertia * m.angular_acceleration + m.angular_velocity.cross(inertia * m.angular_velocity);
+template <Number T>
+[[nodiscard]] Vector3<T> torque(const MotionOver<T>& m, const Eigen::Matrix3d& inertia) noexcept {
+  const Matrix3<T> J = inertia.cast<T>();
+  const Vector3<T> momentum = J * m.angular_velocity;
+  return J * m.angular_acceleration + m.angular_velocity.cross(momentum);
 }
 
 /// Its derivative as seen from the body [N m/s]: J jerk + α × J ω + ω × J α.

@@ -24,18 +24,19 @@ struct ControlPolygon {
 ///
 /// ω ← Rᵀω + b'φ, α ← Rᵀα + b'(ω×φ) + b''φ, jerk likewise. Cross products with φ leave out the parts along φ: they are
 /// zero, and exactly so for a single factor.
-[[nodiscard]] inline Motion with_factor(const Motion& m, const Eigen::Vector3d& phi, const Jet<double, 3>& b) noexcept {
-  using Vector = Eigen::Vector3d;
-  const double b1 = b.derivative(1), b2 = b.derivative(2), b3 = b.derivative(3);
-  const Eigen::Quaterniond factor = exp<double>(b.c[0] * phi);
-  const Vector carried_velocity = to_body<double>(factor, m.angular_velocity);
+template <Number T>
+[[nodiscard]] MotionOver<T> with_factor(const MotionOver<T>& m, const Vector3<T>& phi, const Jet<T, 3>& b) noexcept {
+  using Vector = Vector3<T>;
+  const T b1 = b.derivative(1), b2 = b.derivative(2), b3 = b.derivative(3);
+  const Quaternion<T> factor = exp<T>(b.c[0] * phi);
+  const Vector carried_velocity = to_body<T>(factor, m.angular_velocity);
   const Vector turn = carried_velocity.cross(phi);
-  const Vector carried_acceleration = to_body<double>(factor, m.angular_acceleration) + b1 * turn;
+  const Vector carried_acceleration = to_body<T>(factor, m.angular_acceleration) + b1 * turn;
   return {.orientation = m.orientation * factor,
           .angular_velocity = carried_velocity + b1 * phi,
           .angular_acceleration = carried_acceleration + b2 * phi,
-          .angular_jerk = to_body<double>(factor, m.angular_jerk) + b2 * turn +
-                          2.0 * b1 * carried_acceleration.cross(phi) - b1 * b1 * turn.cross(phi) + b3 * phi};
+          .angular_jerk = to_body<T>(factor, m.angular_jerk) + b2 * turn +
+                          T(2.0) * b1 * carried_acceleration.cross(phi) - b1 * b1 * turn.cross(phi) + b3 * phi};
 }
 
 /// q(t) = base ∏ exp(β̃_k(t) φ_k) over any Number, on one knot span.

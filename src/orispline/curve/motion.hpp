@@ -5,13 +5,15 @@
 
 namespace orispline {
 
-/// Orientation with its rates at one time. The rates are in the **body** frame.
-struct Motion {
-  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< body to world
-  Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();       ///< ω = 2 vec(q̄ q̇) [rad/s]
-  Eigen::Vector3d angular_acceleration = Eigen::Vector3d::Zero();   ///< α = dω/dt [rad/s²]
-  Eigen::Vector3d angular_jerk = Eigen::Vector3d::Zero();           ///< dα/dt [rad/s³]
+/// Orientation with its rates at one time, over any Number. The rates are in the **body** frame.
+template <Number T>
+struct MotionOver {
+  Quaternion<T> orientation = Quaternion<T>::Identity();  ///< body to world
+  Vector3<T> angular_velocity = Vector3<T>::Zero();       ///< ω = 2 vec(q̄ q̇) [rad/s]
+  Vector3<T> angular_acceleration = Vector3<T>::Zero();   ///< α = dω/dt [rad/s²]
+  Vector3<T> angular_jerk = Vector3<T>::Zero();           ///< dα/dt [rad/s³]
 };
+using Motion = MotionOver<double>;
 
 /// ω in the world frame [rad/s]: R ω.
 [[nodiscard]] inline Eigen::Vector3d angular_velocity_world(const Motion& m) noexcept {
@@ -38,15 +40,16 @@ struct Motion {
 /// Orientation and body rates from a quaternion given with its first three time derivatives.
 ///
 /// ω = 2 vec(q̄ q̇) as a power series; its next two coefficients are α and half the jerk.
-[[nodiscard]] inline Motion motion_from_jet(const Quaternion<Jet<double, 3>>& q) noexcept {
-  const auto order = [&q](std::size_t k) { return Eigen::Quaterniond(q.w().c[k], q.x().c[k], q.y().c[k], q.z().c[k]); };
-  const auto term = [&order](std::size_t conjugated, std::size_t plain) -> Eigen::Vector3d {
-    return 2.0 * static_cast<double>(plain) * (order(conjugated).conjugate() * order(plain)).vec();
+template <Number T>
+[[nodiscard]] MotionOver<T> motion_from_jet(const Quaternion<Jet<T, 3>>& q) noexcept {
+  const auto order = [&q](std::size_t k) { return Quaternion<T>(q.w().c[k], q.x().c[k], q.y().c[k], q.z().c[k]); };
+  const auto term = [&order](std::size_t conjugated, std::size_t plain) -> Vector3<T> {
+    return T(2.0 * static_cast<double>(plain)) * (order(conjugated).conjugate() * order(plain)).vec();
   };
   return {.orientation = order(0),
           .angular_velocity = term(0, 1),
           .angular_acceleration = term(0, 2) + term(1, 1),
-          .angular_jerk = 2.0 * (term(0, 3) + term(1, 2) + term(2, 1))};
+          .angular_jerk = T(2.0) * (term(0, 3) + term(1, 2) + term(2, 1))};
 }
 
 }  // namespace orispline

@@ -9,6 +9,15 @@
 
 namespace orispline {
 
+/// The cubic at u by de Casteljau's algorithm with slerps, from the three arcs of its control polygon.
+template <Number T>
+[[nodiscard]] Quaternion<T> slerp_cubic(const std::array<Quaternion<T>, 3>& starts,
+                                        const std::array<Vector3<T>, 3>& increments, const T& u) noexcept {
+  const auto arc = [&](std::size_t k) -> Quaternion<T> { return starts[k] * exp<T>(increments[k] * u); };
+  const Quaternion<T> first = arc(0), middle = arc(1), last = arc(2);
+  return slerp<T>(slerp<T>(first, middle, u), slerp<T>(middle, last, u), u);
+}
+
 /// Composite cubic by de Casteljau's algorithm with slerps: segment i has its own four control orientations.
 ///
 /// Symmetric in time and bi-invariant, not cumulative: rates come from jets. At u = 0 the rate is 3 log(c₀⁻¹c₁)/h.
@@ -31,11 +40,9 @@ class SlerpBezierCurve {
   [[nodiscard]] Quaternion<T> orientation(const T& t, std::size_t segment) const noexcept {
     const T u = knots_.span(segment).normalised(t);
     const Segment& s = segments_[segment];
-    const auto arc = [&](std::size_t k) -> Quaternion<T> {
-      return constant<T>(s.starts[k]) * exp<T>(constant<T>(s.increments[k]) * u);
-    };
-    const Quaternion<T> first = arc(0), middle = arc(1), last = arc(2);
-    return slerp<T>(slerp<T>(first, middle, u), slerp<T>(middle, last, u), u);
+    return slerp_cubic<T>({constant<T>(s.starts[0]), constant<T>(s.starts[1]), constant<T>(s.starts[2])},
+                          {constant<T>(s.increments[0]), constant<T>(s.increments[1]), constant<T>(s.increments[2])},
+                          u);
   }
 
  private:

@@ -5,6 +5,7 @@
 #include <orispline/curve/hermite_path.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/slerp_bezier.hpp>
+#include <orispline/families/nu_construction.hpp>
 
 namespace orispline::families {
 
@@ -26,6 +27,13 @@ struct Nu {
                                    .support_keys = all_keys,
                                    .parameters = parameters,
                                    .ends = ends};
+  /// What the curve is made of: one control orientation per key, and where the inner points of the cubics lie between.
+  struct Construction {
+    NuRule<double> rule;
+    std::vector<Eigen::Quaterniond> controls;
+  };
+  /// Errors: those of `curve`.
+  [[nodiscard]] static Expected<Construction> construction(const Keyframes& keys, const FamilySettings& settings);
   /// Errors: bad_argument where ν is so negative that the construction has a pole, or where an end rate makes a handle
   /// of a full turn; not_converged.
   [[nodiscard]] static Expected<SlerpBezierCurve> curve(const Keyframes& keys, const FamilySettings& settings);

@@ -68,13 +68,16 @@ class TangentRule {
 }  // namespace
 
 Expected<SlerpBezierCurve> Tcb::curve(const Keyframes& keys, const FamilySettings& settings) {
-  const HandleRates rates = TangentRule(keys.orientations(), keys.times(), settings).rates(settings);
+  const HandleRates rates = handle_rates(keys, settings);
   return slerp_bezier_curve(key_knots(keys), keys.orientations(), rates.leaving, rates.arriving);
 }
 
 HandleTurn Tcb::widest_handle(const Keyframes& keys, const FamilySettings& settings) {
-  return orispline::widest_handle(keys.times(),
-                                  TangentRule(keys.orientations(), keys.times(), settings).rates(settings));
+  return orispline::widest_handle(keys.times(), handle_rates(keys, settings));
+}
+
+HandleRates Tcb::handle_rates(const Keyframes& keys, const FamilySettings& settings) {
+  return TangentRule(keys.orientations(), keys.times(), settings).rates(settings);
 }
 
 Expected<CubicBezierPath> Tcb::path(const Keyframes& keys, const FamilySettings& settings) {

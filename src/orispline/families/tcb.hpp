@@ -30,6 +30,8 @@ struct Tcb {
   [[nodiscard]] static Expected<SlerpBezierCurve> curve(const Keyframes& keys, const FamilySettings& settings);
   /// The handle that turns farthest; C1 is lost from a full turn on.
   [[nodiscard]] static HandleTurn widest_handle(const Keyframes& keys, const FamilySettings& settings);
+  /// The rates on leaving and on arriving at every key [rad/s], affine in the tension of that key under natural ends.
+  [[nodiscard]] static HandleRates handle_rates(const Keyframes& keys, const FamilySettings& settings);
   [[nodiscard]] static Expected<CubicBezierPath> path(const Keyframes& keys, const FamilySettings& settings);
 };
 

@@ -114,6 +114,19 @@ Expected<Layout> layout_of(const TextTable& table, const ReadOptions& options, s
   return order_layout(table, options);
 }
 
+/// The names of the columns: those of the header, else such as `read_keys` would understand in one.
+std::vector<std::string> names_of(const TextTable& table, const Layout& layout, const ReadOptions& options) {
+  std::vector<std::string> names;
+  if (layout.format == FileFormat::tum) names = {"t", "px", "py", "pz", "qx", "qy", "qz", "qw"};
+  else if (layout.format == FileFormat::euroc) names = {"t_ns", "px", "py", "pz", "qw", "qx", "qy", "qz"};
+  else if (layout.first_row == Layout::FirstRow::header) return {table.cells().begin(), table.cells().end()};
+  else if (options.order == QuaternionOrder::xyzw) names = {"t", "qx", "qy", "qz", "qw", "px", "py", "pz"};
+  else names = {"t", "qw", "qx", "qy", "qz", "px", "py", "pz"};
+  for (std::size_t i = names.size(); i < layout.columns.width; ++i) names.push_back(fmt::format("column{}", i + 1));
+  names.resize(layout.columns.width);
+  return names;
+}
+
 }  // namespace
 
 Expected<KeyFile> read_keys(const std::string& path, const ReadOptions& options) {
@@ -138,12 +151,16 @@ Expected<KeyFile> read_keys(const std::string& path, const ReadOptions& options)
     layout->columns.whole_times = false;
   }
 
+  std::vector<std::string> names = names_of(*table, *layout, options);
   KeyRows rows(path, layout->format, std::move(layout->columns), options);
   auto more = layout->first_row == Layout::FirstRow::header ? table->next() : first;
   for (; more && *more; more = table->next())
     if (auto added = rows.add(*table); !added) return tl::unexpected(std::move(added.error()));
   if (!more) return tl::unexpected(more.error());
-  return std::move(rows).finish();
+  return std::move(rows).finish().map([&](KeyFile&& file) {
+    if (options.keep_table) file.table.names = std::move(names);
+    return std::move(file);
+  });
 }
 
 Error located(const KeyFile& file, Error error) {

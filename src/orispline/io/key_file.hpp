@@ -10,6 +10,7 @@
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/io/file_format.hpp>
 #include <orispline/io/key_columns.hpp>
+#include <orispline/io/key_table.hpp>
 
 namespace orispline::io {
 
@@ -38,6 +39,7 @@ struct ReadOptions {
   bool drop_invalid = false;     ///< drop rows where a cell that is needed is empty, NaN or infinite
   bool sort = false;             ///< by time; rows of equal time keep their order
   bool keep_exact_times = false;
+  bool keep_table = false;
   /// Parameters that are read where a column has their name.
   std::vector<std::string> parameters{};
 };
@@ -59,6 +61,7 @@ struct KeyFile {
   std::map<std::string, std::vector<double>, std::less<>> parameters{};  ///< one value per key
   RepairReport repairs{};
   std::vector<Decimal> exact_times{};                 ///< [s], of each key; only if asked for
+  KeyTable table{};                                   ///< the cells of each key; only if asked for
   std::vector<std::string> ignored_columns{};         ///< that nothing was read from
   std::vector<std::string> rates_of_unknown_frame{};  ///< those of them that are angular velocities in no known frame
 };

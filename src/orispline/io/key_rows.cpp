@@ -170,6 +170,10 @@ Expected<void> KeyRows::add(const TextTable& table) {
     if (!*appended) return {};
   }
   file_.lines.push_back(static_cast<std::uint32_t>(table.line()));
+  if (options_.keep_table) {
+    const auto cells = table.cells().first(columns_.width);
+    file_.table.rows.emplace_back(cells.begin(), cells.end());
+  }
   const Eigen::Quaterniond orientation = options_.conjugate ? key.orientation.conjugate() : key.orientation;
   file_.data.orientations.push_back(orientation);
   if (columns_.position) file_.data.positions.push_back(key.position);
@@ -228,6 +232,7 @@ Expected<void> KeyRows::sort() {
     if (*appended) kept.push_back(place);
   }
   file_.lines = gathered(file_.lines, kept);
+  file_.table.rows = gathered(file_.table.rows, kept);
   file_.data.orientations = gathered(file_.data.orientations, kept);
   file_.data.positions = gathered(file_.data.positions, kept);
   for (const auto rates : rates_of_keys) file_.data.*rates = gathered(file_.data.*rates, kept);

@@ -69,6 +69,16 @@ struct Jet {
     for (T& x : a.c) x /= s;
     return a;
   }
+  // In a jet of jets a plain number scales every coefficient as well.
+  friend constexpr Jet operator*(Jet a, Plain<T> s) requires(!std::is_same_v<Plain<T>, T>) {
+    for (T& x : a.c) x = x * s;
+    return a;
+  }
+  friend constexpr Jet operator*(Plain<T> s, const Jet& a) requires(!std::is_same_v<Plain<T>, T>) { return a * s; }
+  friend constexpr Jet operator/(Jet a, Plain<T> s) requires(!std::is_same_v<Plain<T>, T>) {
+    for (T& x : a.c) x = x / s;
+    return a;
+  }
   friend constexpr Jet operator/(const Jet& a, const Jet& b) {
     Jet r;
     for (std::size_t k = 0; k < size; ++k) {

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tune.hpp"
+
+#include <orispline/optimise/tension_model.hpp>
+#include <orispline/optimise/tune.hpp>
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <orispline/io/output_file.hpp>
+
+#include "compare_request.hpp"
+#include "interruption.hpp"
+#include "json.hpp"
+#include "standard_output.hpp"
+#include "tune_report.hpp"
+
+namespace orispline::cli {
+namespace {
+
+constexpr auto default_objective = optimise::Objective::acceleration;
+
+/// The command line, understood.
+struct Request {
+  InputRequest input;
+  MethodRequest method;
+  optimise::TuneOptions tuning;
+};
+
+Expected<optimise::Interval> bounds_in(OptionText option) {
+  const auto numbers = numbers_in(option);
+  if (!numbers || numbers->size() != 2 || !((*numbers)[0] < (*numbers)[1]))
+    return wanted(option, "LOWEST,HIGHEST, the lower one first");
+  return optimise::Interval{(*numbers)[0], (*numbers)[1]};
+}
+
+Expected<std::vector<std::string>> names_in(OptionText option) {
+  std::vector<std::string> names;
+  for (const std::string_view name : pieces_of(option.text, ',')) names.emplace_back(name);
+  return names;
+}
+
+/// What the options ask of each other.
+Expected<void> agree(const TuneOptions& options, const Request& request) {
+  using optimise::Objective;
+  if (optimise::tunable_parameters(request.method.family->name).empty())
+    return usage_failure(fmt::format("--method: {} has no tensions to tune, wanted one of {}",
+                                     request.method.family->name, optimise::tunable_families()));
+  const bool fits = request.tuning.objective == Objective::fit;
+  if (fits && !options.reference) return usage_failure("--objective fit: wanted --reference FILE as well");
+  if (!fits && options.reference) return usage_failure("--reference: wanted --objective fit as well");
+  if (request.tuning.objective == Objective::torque && !options.inertia)
+    return usage_failure("--objective torque: wanted --inertia JX,JY,JZ as well");
+  if (options.output.empty()) return usage_failure("-o: found an empty name, wanted FILE or -");
+  if (options.json && options.output == io::standard_stream)
+    return usage_failure("--json: the summary goes to standard output, wanted -o FILE for the keys");
+  if (options.input.path == io::standard_stream && options.reference == io::standard_stream)
+    return usage_failure("found '-' for INPUT and --reference, wanted it for one at most");
+  return {};
+}
+
+Expected<Request> request_in(const TuneOptions& options) {
+  FirstError checked;
+  Request request{.input = checked(input_request(options.input)),
+                  .method = checked(method_request(options.method, options.shape)),
+                  .tuning = {}};
+  request.tuning = {
+      .objective =
+          checked(if_given("--objective", options.objective, choice_of(objective_choices))).value_or(default_objective),
+      .inertia = checked(if_given("--inertia", options.inertia, inertia_in)).value_or(Eigen::Matrix3d::Identity()),
+      .bounds = checked(if_given("--bounds", options.bounds, bounds_in)),
+      .parameters = checked(if_given("--free", options.free, names_in)).value_or(std::vector<std::string>())};
+  auto read = std::move(checked).or_else(std::move(request));
+  if (!read) return read;
+  if (auto agreed = agree(options, *read); !agreed) return tl::unexpected(std::move(agreed.error()));
+  read->input.read.parameters = open_parameters(read->method);
+  read->input.read.rate_orders = read->method.family->rate_orders;
+  read->input.read.keep_table = true;
+  return read;
+}
+
+/// A recording in the times of the keys.
+struct Reference {
+  std::vector<double> times;
+  std::vector<Eigen::Quaterniond> orientations;
+};
+
+Expected<Reference> read_reference(const std::string& path, const io::KeyFile& keys, InputRequest reading) {
+  reading.read.parameters.clear();
+  reading.read.keep_table = false;
+  auto file = io::read_keys(path, reading.read);
+  if (!file) return tl::unexpected(std::move(file.error()));
+  const double shift = (file->epoch - keys.epoch).to_double();
+  const auto samples = Keyframes::make(std::exchange(file->data, {}), reading.signs);
+  if (!samples) return tl::unexpected(located(*file, samples.error()));
+  Reference reference{{samples->times().begin(), samples->times().end()},
+                      {samples->orientations().begin(), samples->orientations().end()}};
+  for (double& t : reference.times) t += shift;
+  return reference;
+}
+
+Expected<optimise::Tuning> tuned(Request request, const TuneOptions& options, const io::KeyFile& file,
+                                 const Keyframes& keys) {
+  Reference reference;
+  if (options.reference) {
+    auto read = read_reference(*options.reference, file, request.input);
+    if (!read) return tl::unexpected(std::move(read.error()));
+    reference = std::move(*read);
+    request.tuning.reference = {reference.times, reference.orientations};
+  }
+  return optimise::tune(request.method.family->name, keys, completed(request.method, file), request.tuning)
+      .map_error([&](Error error) {
+        const bool concerns_file = error.code == ErrorCode::bad_data || error.where.key;
+        return concerns_file ? located(file, std::move(error)) : error;
+      });
+}
+
+Expected<void> write_keys(const std::string& path, const io::KeyTable& table, const optimise::Tuning& tuning) {
+  io::NumberColumns columns;
+  for (const std::string& name : tuning.parameters) columns[name] = tuning.options.parameters.find(name)->second;
+  return io::OutputFile::open(path).and_then([&](io::OutputFile file) {
+    const RemovedWhenInterrupted unfinished(file.part());
+    return file.write(io::csv_with_columns(table, columns)).and_then([&] { return file.finish(); });
+  });
+}
+
+}  // namespace
+
+Expected<void> tune(const TuneOptions& options) {
+  const auto request = request_in(options);
+  if (!request) return tl::unexpected(request.error());
+  const bool by_torque = request->tuning.objective == optimise::Objective::torque;
+  if (by_torque && !optimise::is_of_a_rigid_body(request->tuning.inertia))
+    warn("--inertia: one principal moment is greater than the sum of the two others, as no rigid body has it");
+  auto file = io::read_keys(request->input.path, request->input.read);
+  if (!file) return tl::unexpected(std::move(file.error()));
+  const auto keys = Keyframes::make(std::exchange(file->data, {}), request->input.signs);
+  if (!keys) return tl::unexpected(located(*file, keys.error()));
+  auto tuning = tuned(*request, options, *file, *keys);
+  if (!tuning) return tl::unexpected(std::move(tuning.error()));
+  TuneReport report{.input = options.input.path,
+                    .output = options.output,
+                    .method = options.method,
+                    .objective = request->tuning.objective,
+                    .times = {keys->times().begin(), keys->times().end()},
+                    .tuning = std::move(*tuning)};
+  for (double& t : report.times) t += file->epoch.to_double();
+  return write_keys(options.output, file->table, report.tuning).and_then([&]() -> Expected<void> {
+    if (options.json) return print_document(json_of(report));
+    if (!options.quiet) tell(text_of(report));
+    return {};
+  });
+}
+
+}  // namespace orispline::cli

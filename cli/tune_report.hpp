@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <orispline/optimise/tune.hpp>
+
+namespace orispline::cli {
+
+/// What `orispline tune` did.
+struct TuneReport {
+  std::string input{}, output{}, method{};
+  optimise::Objective objective{};
+  std::vector<double> times{};  ///< of the keys [s], in the file's own time
+  optimise::Tuning tuning{};
+};
+
+/// The unit of an objective.
+[[nodiscard]] std::string_view unit_of(optimise::Objective objective);
+
+/// A few lines for people.
+[[nodiscard]] std::string text_of(const TuneReport& report);
+
+}  // namespace orispline::cli

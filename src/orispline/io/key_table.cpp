@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/io/key_table.hpp>
+
+#include <algorithm>
+
+#include <orispline/io/number_text.hpp>
+
+namespace orispline::io {
+namespace {
+
+/// In quotes where it holds what separates cells.
+std::string cell_of(std::string_view text) {
+  if (text.find_first_of(",;\t\"") == std::string_view::npos) return std::string(text);
+  std::string cell = "\"";
+  for (const char c : text) cell.append(c == '"' ? 2 : 1, c);
+  return cell + "\"";
+}
+
+}  // namespace
+
+std::string csv_with_columns(const KeyTable& table, const NumberColumns& columns) {
+  std::vector<std::string_view> added;
+  for (const auto& [name, values] : columns)
+    if (std::ranges::find(table.names, name) == table.names.end()) added.push_back(name);
+  std::string text;
+  const auto end_cell = [&text](bool last) { text += last ? '\n' : ','; };
+  const std::size_t width = table.names.size() + added.size();
+  for (std::size_t i = 0; i < width; ++i) {
+    text += i < table.names.size() ? cell_of(table.names[i]) : std::string(added[i - table.names.size()]);
+    end_cell(i + 1 == width);
+  }
+  ShortestText number;
+  for (std::size_t key = 0; key < table.rows.size(); ++key)
+    for (std::size_t i = 0; i < width; ++i) {
+      const std::string_view name = i < table.names.size() ? table.names[i] : added[i - table.names.size()];
+      const auto column = columns.find(name);
+      text += column == columns.end() ? cell_of(table.rows[key][i]) : std::string(number.of(column->second[key]));
+      end_cell(i + 1 == width);
+    }
+  return text;
+}
+
+}  // namespace orispline::io
