@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <orispline/io/output_file.hpp>
+#include <orispline/optimise/tension_model.hpp>
+#include <orispline/optimise/tune.hpp>
 
 #include "compare_page.hpp"
 #include "interruption.hpp"
@@ -17,15 +19,28 @@ namespace {
 /// Progress looks at the clock only once in so many steps.
 constexpr std::size_t steps_per_method = 4096;
 
+/// The same with the tensions that make ∫|α|² least, or with the reason why there are none.
+ComparedMethod tuned(ComparedMethod method, const std::string& file) {
+  Candidate& candidate = method.candidate;
+  method.label += ":tuned";
+  auto tuning = optimise::tune(candidate.method, candidate.keys, candidate.options, {});
+  if (tuning) candidate.options = std::move(tuning->options);
+  else method.measures = tl::unexpected(io::located(file, std::move(tuning.error())));
+  return method;
+}
+
 std::vector<ComparedMethod> methods_to_compare(const CompareRequest& request, const ComparedData& data) {
   std::vector<ComparedMethod> methods;
   for (std::size_t i = 0; i < data.key_sets.size(); ++i)
-    for (const NamedMethod& method : request.methods)
+    for (const NamedMethod& method : request.methods) {
       methods.push_back({.label = method.label,
                          .key_set = i,
                          .candidate = {.method = std::string(method.request.family->name),
                                        .options = completed(method.request, data.key_sets[i].file),
                                        .keys = data.key_sets[i].keys}});
+      if (request.tune && !optimise::tunable_parameters(method.request.family->name).empty())
+        methods.push_back(tuned(methods.back(), data.key_sets[i].file));
+    }
   return methods;
 }
 
@@ -40,6 +55,7 @@ void measure_all(CompareReport& report, const CompareRequest& request, Progress:
                          [&](std::size_t done) { progress.advance_to(steps_per_method * done); });
   for (std::size_t i = 0; i < report.methods.size(); ++i) {
     ComparedMethod& method = report.methods[i];
+    if (!method.measures) continue;  // it could not be tuned
     method.measures = std::move(comparison.measures[i]).map_error([&](Error error) {
       return io::located(report.data.key_sets[method.key_set].file, std::move(error));
     });

@@ -11,7 +11,7 @@ struct CompareOptions {
   std::vector<std::string> keep_every;  ///< whole numbers, or lists of them with commas between them
   std::vector<std::string> methods;     ///< names with settings, or lists with commas between them; none: all
   std::optional<std::string> random, reference, inertia, sort, threads, report;
-  bool jitter = false, leave_out = false, json = false, csv = false, quiet = false;
+  bool jitter = false, tune = false, leave_out = false, json = false, csv = false, quiet = false;
   std::string command_line;  ///< to make the report again
 };
 

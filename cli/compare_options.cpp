@@ -42,6 +42,8 @@ void add_compare_options(CLI::App& app, CompareOptions& o) {
       ->allow_extra_args(false)
       ->type_name(methods_type)
       ->group(measures);
+  app.add_flag("--tune", o.tune, "Each method that has tensions also with those of the least angular acceleration")
+      ->group(measures);
   app.add_option("--inertia", o.inertia,
                  "Principal moments [kg m^2], or JXX,JYY,JZZ,JXY,JXZ,JYZ: torques are measured too")
       ->type_name("JX,JY,JZ")

@@ -119,6 +119,7 @@ Expected<CompareRequest> compare_request(const CompareOptions& options) {
                          .decimations = checked(decimations_in(options)),
                          .methods = checked(methods_in(options)),
                          .inertia = checked(if_given("--inertia", options.inertia, inertia_in)),
+                         .tune = options.tune,
                          .leave_out = options.leave_out ? LeaveOut::yes : LeaveOut::no,
                          .sort = checked(sort_word_in({"--sort", options.sort.value_or(std::string(default_sort))})),
                          .threads = checked(threads_in(options.threads))};

@@ -126,6 +126,12 @@ class Compare(CommandTest):
         row, = self.compared("cubic.csv --keep-every 20 --methods slerp --leave-out")
         self.assertAlmostEqual(row["leave_out_rms_deg"], math.degrees(1 - 0.25), delta=1e-9)  # half way to 2 rad
 
+    def test_tuned_methods_stand_beside_untuned_ones(self):
+        keys = "cubic.csv --keep-every 10 --methods slerp,timed-c2 --tune"
+        energies = {row["method"]: row["energy"] for row in self.compared(keys)}
+        self.assertEqual(sorted(energies), ["slerp", "timed-c2", "timed-c2:tuned"])
+        self.assertLess(energies["timed-c2:tuned"], energies["timed-c2"])
+
     def test_csv_has_the_members_of_the_json(self):
         rows = list(csv.DictReader(io.StringIO(self.output_of("compare cubic.csv --keep-every 10 --methods auto,bezier --csv"))))
         members = self.compared("cubic.csv --keep-every 10 --methods auto,bezier")
