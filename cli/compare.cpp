@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t steps_per_method = 4096;
 
 /// The same with the tensions that make ∫|α|² least, or with the reason why there are none.
-ComparedMethod tuned(ComparedMethod method, const std::string& file) {
+ComparedMethod tuned(ComparedMethod method, const io::KeyFile& file) {
   Candidate& candidate = method.candidate;
   method.label += ":tuned";
   auto tuning = optimise::tune(candidate.method, candidate.keys, candidate.options, {});
