@@ -32,7 +32,8 @@ void bundle(const BundleSegment<T>& segment, std::size_t count, const Target<T>&
   in_blocks(
       count, [&](std::size_t at, int here, int padded) __attribute__((always_inline)) {
         const T* from = segment.planes + at;
-        for (std::size_t k = 0; k < 3; ++k) turns(from + (4 + 3 * k) * plane, plane, segment.factors[k], padded, turned[k]);
+        for (std::size_t k = 0; k < 3; ++k)
+          turns(from + (4 + 3 * k) * plane, plane, segment.factors[k], padded, turned[k]);
         for (int i = 0; i < padded; ++i) {
           const auto factor = [&](int k) __attribute__((always_inline)) {
             return Turn<T>{turned[k].w[i], turned[k].x[i], turned[k].y[i], turned[k].z[i]};
