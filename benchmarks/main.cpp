@@ -62,6 +62,7 @@ void ask_everything(const Sizes& sizes) {
   ask_random_access(sizes, errors);
   ask_setup(sizes);
   ask_auto(sizes);
+  ask_baked(sizes);
 #if defined(ORISPLINE_BENCH_ONLINE)
   ask_online(sizes);
 #endif

@@ -99,6 +99,14 @@ def segments_table(run):
         yield f"| {count} | {shown(run.ns(f'{made}/{samples}'))} ns | {shown(run.ns(f'{kept}/{samples}'))} ns |"
 
 
+def baked_table(run):
+    forms = ("itself", "baked", "baked float")
+    yield from ("| method | the curve itself | baked, 10⁻⁹ rad | baked, `float`, 10⁻⁶ rad |", "|---|---|---|---|")
+    for method in sorted({name.split("/")[1] for name in run.entries if name.startswith("baked/")}):
+        cells = [run.ns(f"baked/{method}/{form}") for form in forms]
+        yield f"| `{method}` | " + " | ".join("" if cell is None else shown(cell) + " ns" for cell in cells) + " |"
+
+
 def sets_table(runs):
     yield from ("| instruction set | ours, double | ours, float | peak, 10⁹ products and sums/s | Eigen product |",
                 "|---|---|---|---|---|")
@@ -133,7 +141,7 @@ def page_text(results, runs, scipy):
     yield from (["Where another one is faster:", "", *slower, ""] if slower else [])
     for title, table in (("One curve", contenders_table(run, scipy)), ("Short segments", segments_table(run)),
                          ("Many curves", group_table(run, "many", "ns per curve", columns_of(run, "many"))),
-                         ("Instruction sets", sets_table(runs))):
+                         ("Baked curves", baked_table(run)), ("Instruction sets", sets_table(runs))):
         yield from (f"## {title}", "", *table, "")
 
 

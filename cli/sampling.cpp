@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t stretch_size = 16384;  // samples that a thread makes at a time: far dearer than the thread
 
-constexpr int most_bulk_derivatives = 2;  // the jerk comes from the scalar evaluator
+constexpr int most_bulk_derivatives = 2;  // angular ones: the jerk comes from the scalar evaluator
 
 /// Successive samples that one thread makes.
 class Stretch {
@@ -32,12 +32,12 @@ class Stretch {
       times_.push_back(instants_.back().t);
     }
     const bool in_bulk = sampling.columns.derivatives <= most_bulk_derivatives;
-    if (in_bulk) evaluate(sampling.curve.orientation, sampling.columns.derivatives);
+    evaluate(sampling, in_bulk ? sampling.columns.derivatives : 0);
     const Domain domain = sampling.curve.orientation.domain();
     for (std::size_t k = 0; k < times_.size() && made_; ++k) {
       if (!domain.contains(times_[k])) ++held_;
       io::Sample sample{.motion = in_bulk ? motion(k) : sampling.curve.orientation.motion(times_[k])};
-      if (sampling.curve.position) sample.travel = sampling.curve.position->travel(times_[k]);
+      if (sampling.curve.position) sample.travel = travel(k);
       made_ = rows_.append(sampling.times.origin(), instants_[k].offset, sample);
     }
   }
@@ -49,12 +49,25 @@ class Stretch {
   }
 
  private:
-  void evaluate(const AnyCurve& curve, int derivatives) {
+  void evaluate(const Sampling& sampling, int derivatives) {
+    const int of_position = sampling.curve.position ? sampling.columns.position_derivatives : -1;
+    const auto room = [this](std::vector<double>& numbers, bool wanted) {
+      numbers.resize(wanted ? 3 * times_.size() : 0);
+    };
     orientations_.resize(4 * times_.size());
-    velocities_.resize(derivatives >= 1 ? 3 * times_.size() : 0);
-    accelerations_.resize(derivatives >= 2 ? 3 * times_.size() : 0);
+    room(angular_velocities_, derivatives >= 1);
+    room(angular_accelerations_, derivatives >= 2);
+    room(positions_, of_position >= 0);
+    room(velocities_, of_position >= 1);
+    room(accelerations_, of_position >= 2);
     sort();
-    made_ = sample<double>(curve, sorted_, Samples<double>{orientations_, velocities_, accelerations_});
+    made_ = sample<double>(sampling.curve, sorted_,
+                           Samples<double>{.orientations = orientations_,
+                                           .angular_velocities = angular_velocities_,
+                                           .angular_accelerations = angular_accelerations_,
+                                           .positions = positions_,
+                                           .velocities = velocities_,
+                                           .accelerations = accelerations_});
   }
 
   /// The times in rising order, and where each one stands in it: a file may list them as it likes.
@@ -72,16 +85,24 @@ class Stretch {
   }
 
   [[nodiscard]] Motion motion(std::size_t k) const {
-    const std::size_t at = place_[k];
-    Motion motion{.orientation = Eigen::Quaterniond(orientations_.data() + 4 * at)};
-    if (!velocities_.empty()) motion.angular_velocity = Eigen::Vector3d(velocities_.data() + 3 * at);
-    if (!accelerations_.empty()) motion.angular_acceleration = Eigen::Vector3d(accelerations_.data() + 3 * at);
-    return motion;
+    return {.orientation = Eigen::Quaterniond(orientations_.data() + 4 * place_[k]),
+            .angular_velocity = vector_of(angular_velocities_, k),
+            .angular_acceleration = vector_of(angular_accelerations_, k)};
+  }
+  [[nodiscard]] Travel travel(std::size_t k) const {
+    return {.position = vector_of(positions_, k),
+            .velocity = vector_of(velocities_, k),
+            .acceleration = vector_of(accelerations_, k)};
+  }
+  [[nodiscard]] Eigen::Vector3d vector_of(const std::vector<double>& numbers, std::size_t k) const {
+    if (numbers.empty()) return Eigen::Vector3d::Zero();
+    return Eigen::Vector3d(numbers.data() + 3 * place_[k]);
   }
 
   std::vector<Instant> instants_;
   std::vector<std::size_t> place_;
-  std::vector<double> times_, sorted_, orientations_, velocities_, accelerations_;
+  std::vector<double> times_, sorted_, orientations_, angular_velocities_, angular_accelerations_, positions_,
+      velocities_, accelerations_;
   io::SampleRows rows_;
   std::size_t held_ = 0;
   Expected<void> made_;

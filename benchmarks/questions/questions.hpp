@@ -40,6 +40,7 @@ void ask_many_curves(const Sizes& sizes, Errors& errors);          ///< what do 
 void ask_random_access(const Sizes& sizes, Errors& errors);        ///< what does one sample anywhere cost?
 void ask_setup(const Sizes& sizes);                                ///< what does a curve cost before its first sample?
 void ask_auto(const Sizes& sizes);                                 ///< what do samples of `auto` cost?
+void ask_baked(const Sizes& sizes);                                ///< what do samples of baked curves cost?
 void ask_online(const Sizes& sizes);                               ///< what does a key cost in a stream?
 
 }  // namespace orispline::bench

@@ -20,7 +20,10 @@ class Guarded {
       : samples_(samples), offset_(offset), layout_(layout) {
     for (std::size_t k = 0; k < 3; ++k) memory_[k].assign(components(k) * samples + 2 * guards, T(untouched));
   }
-  [[nodiscard]] Samples<T> spans() { return {span(0), span(1), span(2), layout_}; }
+  [[nodiscard]] Samples<T> spans() {
+    return {
+        .orientations = span(0), .angular_velocities = span(1), .angular_accelerations = span(2), .layout = layout_};
+  }
 
   [[nodiscard]] bool guards_are_untouched() {
     for (std::size_t k = 0; k < 3; ++k)

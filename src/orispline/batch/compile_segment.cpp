@@ -149,7 +149,7 @@ CumulativeRecord<T> compile_segment(const CumulativeForm& form, const KnotSpan& 
   std::array<Eigen::Vector3d, 3> axes;
   std::array<double, 3> largest;
   for (std::size_t k = 0; k < 3; ++k) {
-    const double angle = segment.vectors[k].stableNorm();
+    const double angle = norm_of<double>(segment.vectors[k]);
     axes[k] = angle > 0.0 ? Eigen::Vector3d(segment.vectors[k] / angle) : Eigen::Vector3d::UnitX();
     largest[k] = angle * segment.largest[k];
     store(segment.factors[k], angle, k, record.angles);

@@ -23,7 +23,6 @@ class CompiledCurve {
 
  private:
   AnyCurve curve_;
-  Eigen::Quaternion<T> first_, last_;  ///< held before and after the keys
   std::vector<batch::SegmentRecord<T>> records_;
 };
 

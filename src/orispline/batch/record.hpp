@@ -68,6 +68,8 @@ struct BundleSegment {
   T factors[3];       ///< s_a, s_b, s_c at the time of the samples; all angles stay within 1 rad
 };
 
+struct PolynomialKernels;
+
 /// The loops of one instruction set. Each writes `count` samples, of one segment or of as many curves.
 struct Kernels {
   const char* name;
@@ -77,6 +79,7 @@ struct Kernels {
   void (*chart_float)(const ChartRecord<float>&, const Clock&, std::size_t count, const Target<float>&);
   void (*bundle)(const BundleSegment<double>&, std::size_t count, const Target<double>&);
   void (*bundle_float)(const BundleSegment<float>&, std::size_t count, const Target<float>&);
+  const PolynomialKernels* polynomials;
 };
 
 }  // namespace orispline::batch

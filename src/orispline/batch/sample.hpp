@@ -4,7 +4,9 @@
 #include <span>
 
 #include <orispline/base/expected.hpp>
+#include <orispline/batch/baked_curve.hpp>
 #include <orispline/batch/compiled_curve.hpp>
+#include <orispline/curve/pose_curve.hpp>
 
 namespace orispline {
 
@@ -14,19 +16,28 @@ enum class Layout {
   planar,       ///< component after component: all qx, then all qy, …
 };
 
-/// Where samples go: memory of the caller, 4 numbers a sample for orientations, 3 for rates.
+/// Where samples go: memory of the caller, 4 numbers a sample for orientations, 3 for all else. Empty: not wanted, but
+/// for the orientations, which are always given.
 ///
-/// Orientations are always wanted, rates only where their span is not empty. Rates are in the **body** frame, [rad/s]
-/// and [rad/s²].
+/// Angular rates are in the **body** frame, [rad/s] and [rad/s²]; positions with their rates, which only a PoseCurve
+/// has, in the world frame, [m], [m/s] and [m/s²].
 template <class T>
 struct Samples {
   std::span<T> orientations;
   std::span<T> angular_velocities{};
   std::span<T> angular_accelerations{};
+  std::span<T> positions{};
+  std::span<T> velocities{};
+  std::span<T> accelerations{};
   Layout layout = Layout::interleaved;
 
   [[nodiscard]] std::size_t size() const noexcept { return orientations.size() / 4; }
 };
+
+template <class T>
+[[nodiscard]] bool wants_positions(const Samples<T>& out) noexcept {
+  return !out.positions.empty() || !out.velocities.empty() || !out.accelerations.empty();
+}
 
 /// How sampling uses the machine; the samples do not depend on it.
 struct Work {
@@ -39,8 +50,13 @@ struct Work {
 // right-hand segment. Before the first and after the last key the end orientation is held, at rest; a time that is NaN
 // gives NaN. Nothing is allocated on one thread.
 //
-// Errors (bad_argument): spans whose sizes do not belong together; times that decrease, with the index of the first
-// one that does.
+// A PoseCurve gives positions too: paths of polynomials of degree 7 at most by the kernel, within some units of
+// rounding of the largest coordinate [m] of its control points, others by the scalar evaluator.
+//
+// A BakedCurve gives orientations only: within its tolerance of the curve's own, and as fast as it gets.
+//
+// Errors (bad_argument): spans whose sizes do not belong together; what the curve does not give; times that decrease,
+// with the index of the first one that does.
 
 /// Evenly spaced: sample k at k * dt + t0, computed as written. dt may not be negative.
 template <class T>
@@ -48,6 +64,12 @@ template <class T>
                                             Work work = {});
 template <class T>
 [[nodiscard]] Expected<void> sample_uniform(const CompiledCurve<T>& curve, double t0, double dt, const Samples<T>& out,
+                                            Work work = {});
+template <class T>
+[[nodiscard]] Expected<void> sample_uniform(const PoseCurve& curve, double t0, double dt, const Samples<T>& out,
+                                            Work work = {});
+template <class T>
+[[nodiscard]] Expected<void> sample_uniform(const BakedCurve<T>& curve, double t0, double dt, const Samples<T>& out,
                                             Work work = {});
 
 /// At times that do not decrease.
@@ -57,11 +79,20 @@ template <class T>
 template <class T>
 [[nodiscard]] Expected<void> sample(const CompiledCurve<T>& curve, std::span<const double> times, const Samples<T>& out,
                                     Work work = {});
+template <class T>
+[[nodiscard]] Expected<void> sample(const PoseCurve& curve, std::span<const double> times, const Samples<T>& out,
+                                    Work work = {});
+template <class T>
+[[nodiscard]] Expected<void> sample(const BakedCurve<T>& curve, std::span<const double> times, const Samples<T>& out,
+                                    Work work = {});
 
 /// At times in any order.
 template <class T>
 [[nodiscard]] Expected<void> sample_at(const CompiledCurve<T>& curve, std::span<const double> times,
                                        const Samples<T>& out, Work work = {});
+template <class T>
+[[nodiscard]] Expected<void> sample_at(const BakedCurve<T>& curve, std::span<const double> times, const Samples<T>& out,
+                                       Work work = {});
 
 /// Many curves at one time, a sample each.
 template <class T>

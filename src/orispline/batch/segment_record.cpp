@@ -37,8 +37,21 @@ bool by_kernel(const SegmentRecord<T>& record, const Clock& clock, std::size_t c
   return true;
 }
 
+template <class T>
+Eigen::Quaternion<T> orientation_by(const SegmentRecord<T>& record, const AnyCurve& curve, std::size_t segment,
+                                    double t) noexcept {
+  Eigen::Quaternion<T> q;
+  const Clock clock{.times = &t, .start = 0.0, .step = 0.0, .first = 0.0};
+  if (by_kernel(record, clock, 1, Target<T>{.orientation = q.coeffs().data()})) return q;
+  return curve.orientation_on(segment, t).template cast<T>();
+}
+
 template SegmentRecord<double> record_of<double>(const AnyCurve&, std::size_t) noexcept;
 template SegmentRecord<float> record_of<float>(const AnyCurve&, std::size_t) noexcept;
+template Eigen::Quaternion<double> orientation_by<double>(const SegmentRecord<double>&, const AnyCurve&, std::size_t,
+                                                          double) noexcept;
+template Eigen::Quaternion<float> orientation_by<float>(const SegmentRecord<float>&, const AnyCurve&, std::size_t,
+                                                        double) noexcept;
 template bool by_kernel<double>(const SegmentRecord<double>&, const Clock&, std::size_t,
                                 const Target<double>&) noexcept;
 template bool by_kernel<float>(const SegmentRecord<float>&, const Clock&, std::size_t, const Target<float>&) noexcept;

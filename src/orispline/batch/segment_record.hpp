@@ -15,6 +15,11 @@ using SegmentRecord = std::variant<std::monostate, CumulativeRecord<T>, ChartRec
 template <class T>
 [[nodiscard]] SegmentRecord<T> record_of(const AnyCurve& curve, std::size_t segment) noexcept;
 
+/// Orientation at t [s] on a segment, with the bits of a sample.
+template <class T>
+[[nodiscard]] Eigen::Quaternion<T> orientation_by(const SegmentRecord<T>& record, const AnyCurve& curve,
+                                                  std::size_t segment, double t) noexcept;
+
 /// Has the kernel write `count` samples of the segment; false where it cannot.
 template <class T>
 [[nodiscard]] bool by_kernel(const SegmentRecord<T>& record, const Clock& clock, std::size_t count,

@@ -1,25 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/batch/segment_sampler.hpp>
 
+#include <orispline/batch/sample_layout.hpp>
+
 namespace orispline::batch {
 namespace {
 
 constexpr std::size_t no_segment = static_cast<std::size_t>(-1);
-
-double time_of(const Clock& clock, std::size_t k) noexcept {
-  return clock.times ? clock.times[k] : (clock.first + static_cast<double>(k)) * clock.step + clock.start;
-}
-
-/// One sample's components of a span in either layout.
-template <class T, int Components, class Vector>
-void put(std::span<T> to, Layout layout, std::size_t samples, std::size_t at, const Vector& v) noexcept {
-  if (to.empty()) return;
-  for (int k = 0; k < Components; ++k) {
-    const auto component = static_cast<std::size_t>(k);
-    const std::size_t index = layout == Layout::planar ? component * samples + at : Components * at + component;
-    to[index] = static_cast<T>(v[k]);
-  }
-}
 
 }  // namespace
 
@@ -30,14 +17,10 @@ SegmentSampler<T>::SegmentSampler(const AnyCurve& curve, const CompiledCurve<T>*
 
 template <class T>
 Target<T> SegmentSampler<T>::target_from(std::size_t at) const noexcept {
-  const bool planar = out_.layout == Layout::planar;
-  const auto from = [&](std::span<T> span, std::size_t components) -> T* {
-    return span.empty() ? nullptr : span.data() + (planar ? at : components * at);
-  };
-  return {.orientation = from(out_.orientations, 4),
-          .angular_velocity = from(out_.angular_velocities, 3),
-          .angular_acceleration = from(out_.angular_accelerations, 3),
-          .planes = planar ? static_cast<std::ptrdiff_t>(out_.size()) : 0};
+  return {.orientation = place_of(out_.orientations, out_.layout, 4, at),
+          .angular_velocity = place_of(out_.angular_velocities, out_.layout, 3, at),
+          .angular_acceleration = place_of(out_.angular_accelerations, out_.layout, 3, at),
+          .planes = plane_distance(out_)};
 }
 
 template <class T>
@@ -59,6 +42,13 @@ void SegmentSampler<T>::on_segment(std::size_t segment, const Clock& clock, std:
     const double t = time_of(clock, k);
     store(rates ? curve_.motion_on(segment, t) : Motion{.orientation = curve_.orientation_on(segment, t)}, at + k);
   }
+}
+
+template <class T>
+Eigen::Quaterniond SegmentSampler<T>::orientation_at(double t) noexcept {
+  if (curve_.knots().segments() == 0) return curve_(t);
+  const std::size_t segment = curve_.knots().segment_at(t);
+  return orientation_by(record(segment), curve_, segment, t).template cast<double>();
 }
 
 template <class T>

@@ -16,6 +16,9 @@ class SegmentSampler {
   /// `count` samples from `clock` on, written from sample `at` on.
   void on_segment(std::size_t segment, const Clock& clock, std::size_t at, std::size_t count) noexcept;
 
+  /// Orientation at t [s] in the domain, with the bits of a sample.
+  [[nodiscard]] Eigen::Quaterniond orientation_at(double t) noexcept;
+
   /// The same outside the domain, or for times that are not numbers: held and at rest, or NaN.
   void held(const Eigen::Quaterniond& orientation, std::size_t at, std::size_t count) noexcept;
 

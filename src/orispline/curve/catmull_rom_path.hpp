@@ -14,6 +14,8 @@ namespace orispline {
 /// neighbours, at the ends that of the chord. C1 on any key times, exact at constant velocity.
 class CatmullRomPath {
  public:
+  static constexpr int degree = 3;
+
   /// At least two keys, with positions. `tension` scales the velocities.
   explicit CatmullRomPath(const Keyframes& keys, const PerKey& tension = PerKey({1.0}));
 

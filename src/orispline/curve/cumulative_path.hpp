@@ -28,6 +28,8 @@ template <CumulativeBasis B, Number T>
 template <CumulativeBasis B>
 class CumulativePath {
  public:
+  static constexpr int degree = B::degree;
+
   CumulativePath(Knots knots, B basis, PathPolygon points)
       : knots_(std::move(knots)), basis_(std::move(basis)), points_(std::move(points)) {
     ORISPLINE_EXPECT(points_.size() > (knots_.segments() - 1) * B::stride + B::increments);

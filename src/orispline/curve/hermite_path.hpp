@@ -15,6 +15,7 @@ namespace orispline {
 template <std::size_t Degree>
 class HermitePath {
  public:
+  static constexpr int degree = static_cast<int>(Degree);
   static constexpr std::size_t orders = (Degree - 1) / 2;
   using Derivatives = std::array<Eigen::Vector3d, orders>;  ///< [m/s], [m/s²], …
 

@@ -32,6 +32,13 @@ concept Path = std::copyable<P> && requires(const P& p, double t, Jet<double, 2>
   { p.position(jet, segment) } -> std::convertible_to<Vector3<Jet<double, 2>>>;
 };
 
+/// The degree of the polynomials in t that a path states its segments to be; 0 where it states none.
+template <Path P>
+[[nodiscard]] constexpr int degree_of() noexcept {
+  if constexpr (requires { P::degree; }) return P::degree;
+  else return 0;
+}
+
 /// Any path by value: immutable, cheap to copy, evaluation allocates nothing. Outside its knots the end position is
 /// held at rest.
 class AnyPath {
@@ -48,11 +55,23 @@ class AnyPath {
     return model_->travel(t, knots.segment_at(t, side));
   }
 
+  [[nodiscard]] const Knots& knots() const noexcept { return model_->knots(); }
+
+  /// On one segment, whatever the time: what sampling in bulk falls back on.
+  [[nodiscard]] Travel travel_on(std::size_t segment, double t) const noexcept { return model_->travel(t, segment); }
+  [[nodiscard]] Eigen::Vector3d position_on(std::size_t segment, double t) const noexcept {
+    return model_->position(t, segment);
+  }
+  /// The degree of the polynomials in t that all segments are; 0 where they are none.
+  [[nodiscard]] int degree() const noexcept { return model_->degree(); }
+
  private:
   struct Interface {
     virtual ~Interface() = default;
     [[nodiscard]] virtual const Knots& knots() const noexcept = 0;
     [[nodiscard]] virtual Travel travel(double t, std::size_t segment) const noexcept = 0;
+    [[nodiscard]] virtual Eigen::Vector3d position(double t, std::size_t segment) const noexcept = 0;
+    [[nodiscard]] virtual int degree() const noexcept = 0;
   };
   template <Path P>
   struct Model final : Interface {
@@ -61,6 +80,10 @@ class AnyPath {
     [[nodiscard]] Travel travel(double t, std::size_t segment) const noexcept override {
       return travel_from_jet(path.position(Jet<double, 2>::variable(t), segment));
     }
+    [[nodiscard]] Eigen::Vector3d position(double t, std::size_t segment) const noexcept override {
+      return path.position(t, segment);
+    }
+    [[nodiscard]] int degree() const noexcept override { return degree_of<P>(); }
     P path;
   };
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -22,14 +21,6 @@ namespace orispline::io {
 namespace {
 
 Integer magnitude(Integer value) { return value < 0 ? -value : value; }
-
-/// Number of decimal digits; 0 for 0.
-int digits_of(Integer value) {
-  const Integer size = magnitude(value);
-  const auto bits = high_half(size) != 0 ? 64 + std::bit_width(high_half(size)) : std::bit_width(low_half(size));
-  const int digits = static_cast<int>(bits) * 1233 >> 12;  // times log10(2): the digits, or one less
-  return digits + (size >= integer_power_of_ten(digits) ? 1 : 0);
-}
 
 /// A number that is not 0 without the zeros that it ends in.
 template <class Whole>
@@ -144,7 +135,7 @@ std::optional<Written> scan(std::string_view text) {
 
 Decimal::Decimal(Integer coefficient, int exponent) noexcept : coefficient_(coefficient), exponent_(exponent) {
   if (coefficient_ == 0) exponent_ = 0;
-  if (const int excess = digits_of(coefficient_) - max_digits; excess > 0) {
+  if (const int excess = digits_of(magnitude(coefficient_)) - max_digits; excess > 0) {
     coefficient_ = cut(coefficient_, excess);
     exponent_ += excess;
   }
@@ -177,11 +168,11 @@ Expected<Decimal> Decimal::parse(std::string_view text) {
 
 Decimal Decimal::from_double(double value) {
   ORISPLINE_EXPECT(std::isfinite(value));
-  ShortestText text;
-  const Written written = scan(text.of(value)).value_or(Written{});
+  const ShortestDecimal shortest = shortest_decimal(std::abs(value));
   Decimal number;
-  number.coefficient_ = written.sign * written.significand.value();
-  if (number.coefficient_ != 0) number.exponent_ = static_cast<int>(written.exponent);
+  number.coefficient_ = shortest.significand;
+  if (value < 0.0) number.coefficient_ = -number.coefficient_;
+  if (value != 0.0) number.exponent_ = shortest.exponent;
   return number;
 }
 
@@ -240,7 +231,7 @@ Decimal::Aligned Decimal::aligned(const Decimal& a, const Decimal& b) noexcept {
     return {swapped.b, swapped.a, swapped.exponent};
   }
   const int distance = a.exponent_ - b.exponent_;
-  const int shift = std::min(distance, max_digits - digits_of(a.coefficient_));
+  const int shift = std::min(distance, max_digits - digits_of(magnitude(a.coefficient_)));
   return {a.coefficient_ * integer_power_of_ten(shift), cut(b.coefficient_, distance - shift), a.exponent_ - shift};
 }
 
@@ -252,7 +243,8 @@ Decimal Decimal::operator+(const Decimal& other) const noexcept {
 Decimal Decimal::operator*(const Decimal& other) const noexcept {
   Integer a = coefficient_, b = other.coefficient_;
   int exponent = exponent_ + other.exponent_;
-  for (int a_digits = digits_of(a), b_digits = digits_of(b); a_digits + b_digits > max_digits; ++exponent) {
+  for (int a_digits = digits_of(magnitude(a)), b_digits = digits_of(magnitude(b)); a_digits + b_digits > max_digits;
+       ++exponent) {
     if (a_digits > b_digits) a /= 10, --a_digits;
     else b /= 10, --b_digits;
   }

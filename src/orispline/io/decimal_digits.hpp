@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <string_view>
 
@@ -21,6 +22,13 @@ inline constexpr auto powers_of_ten = [] {
 
 [[nodiscard]] constexpr std::uint64_t high_half(Integer value) { return static_cast<std::uint64_t>(value >> 64); }
 [[nodiscard]] constexpr std::uint64_t low_half(Integer value) { return static_cast<std::uint64_t>(value); }
+
+/// Number of decimal digits of a number that is not negative; 0 for 0.
+[[nodiscard]] constexpr int digits_of(Integer size) {
+  const auto bits = high_half(size) != 0 ? 64 + std::bit_width(high_half(size)) : std::bit_width(low_half(size));
+  const int digits = static_cast<int>(bits) * 1233 >> 12;  // times log10(2): the digits, or one less
+  return digits + (size >= integer_power_of_ten(digits) ? 1 : 0);
+}
 
 /// The decimal digits of a whole number that is not negative, at least one.
 class Digits {

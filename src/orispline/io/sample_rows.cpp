@@ -55,12 +55,12 @@ Expected<void> SampleRows::append_text(const Decimal& time, const RowNumbers& nu
   const auto written_time = columns_.format == FileFormat::euroc ? next_nanosecond(time) : Expected<Decimal>(time);
   if (!written_time) return tl::unexpected(written_time.error());
   written_time->append_to(bytes_);
-  std::array<char, RowNumbers::most*(1 + ShortestText::longest) + 1> row;
+  std::array<char, RowNumbers::most*(1 + longest_shortest_text) + shortest_text_room> row;
   const char separator = columns_.format == FileFormat::tum ? ' ' : ',';
   char* end = row.data();
   for (const double value : numbers.values()) {
     *end++ = separator;
-    end = ShortestText::write(end, value);
+    end = write_shortest_text(end, value);
   }
   *end++ = '\n';
   bytes_.append(row.data(), end);

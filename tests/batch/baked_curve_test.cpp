@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+// Baked curves stay within their tolerance, whatever the curve is.
+#include <limits>
+
+#include <batch/agreement.hpp>
+#include <batch/specimen_curves.hpp>
+#include <curve/counting_new.hpp>
+#include <support/tracks.hpp>
+
+namespace orispline {
+namespace {
+
+using namespace testing_support;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+/// Twice the largest distance in R⁴ from the curve's own quaternions, signs and all, at many times of every segment.
+template <class T>
+double largest_difference(const BakedCurve<T>& baked, const AnyCurve& curve, std::size_t per_segment = 97) {
+  double largest = 0.0;
+  const Knots& knots = curve.knots();
+  for (const double knot : knots.times())
+    largest = std::max(largest, 2.0 * (baked(knot).coeffs().template cast<double>() - curve(knot).coeffs()).norm());
+  for (std::size_t i = 0; i < knots.segments(); ++i)
+    for (std::size_t k = 1; k < per_segment; ++k) {
+      const double t =
+          knots.span(i).start() + knots.span(i).step() * static_cast<double>(k) / static_cast<double>(per_segment);
+      const double off = 2.0 * (baked(t).coeffs().template cast<double>() - curve(t).coeffs()).norm();
+      if (!(off <= largest)) largest = off;
+    }
+  return largest;
+}
+
+TEST(BakedCurve, OfEveryFamilyIsWithinItsTolerance) {
+  for (const std::uint64_t seed : {111U, 112U})
+    for (const auto& [name, curve] : curve_of_every_family(seed))
+      for (const double tolerance : {1e-6, 1e-9, 1e-12}) {
+        SCOPED_TRACE(name);
+        const auto baked = bake(curve, tolerance);
+        ASSERT_TRUE(baked) << describe(baked.error());
+        EXPECT_LE(largest_difference(*baked, curve), tolerance);
+        EXPECT_LE(baked->largest_difference(), 0.5 * tolerance);
+        EXPECT_LE(baked->knots().segments(), 64 * curve.knots().segments());
+      }
+}
+
+TEST(BakedCurve, InFloatIsWithinItsTolerance) {
+  for (const auto& [name, curve] : curve_of_every_family(113))
+    for (const double tolerance : {1e-6, 1e-4}) {
+      SCOPED_TRACE(name);
+      const auto baked = bake<float>(curve, tolerance);
+      ASSERT_TRUE(baked) << describe(baked.error());
+      EXPECT_LE(largest_difference(*baked, curve), tolerance);
+    }
+}
+
+TEST(BakedCurve, AtItsLeastToleranceExistsForEveryFamily) {
+  for (const auto& [name, curve] : curve_of_every_family(114)) {
+    SCOPED_TRACE(name);
+    const auto baked = bake(curve, least_bake_tolerance<double>);
+    ASSERT_TRUE(baked) << describe(baked.error());
+    EXPECT_LE(largest_difference(*baked, curve), least_bake_tolerance<double>);
+  }
+}
+
+TEST(BakedCurve, TakesMorePiecesWhereTheToleranceIsSmaller) {
+  const AnyCurve curve = specimen_curve("squad");
+  const auto pieces = [&](double tolerance) { return bake(curve, tolerance)->knots().segments(); };
+  EXPECT_EQ(pieces(1.0), curve.knots().segments());
+  EXPECT_LT(pieces(1e-6), pieces(1e-9));
+  EXPECT_LT(pieces(1e-9), pieces(1e-12));
+}
+
+TEST(BakedCurve, OfALoopOrWithLargeAnglesIsWithinItsTolerance) {
+  CurveOptions loop;
+  const KeyframeData walk = random_walk(115, 9, Spacing::uneven);
+  loop.loop = Loop{.period = walk.times.back() - walk.times.front() + 1.0};
+  CurveOptions tense;
+  tense.parameters.emplace("tension", std::vector{20.0});
+  const Keyframes keys = keyframes(walk);
+  std::vector<AnyCurve> curves{make_curve("quintic", keys, tense).value()};
+  for (const FamilyInfo& family : families_info())
+    if (family.closes)
+      if (auto closed = make_curve(family.name, keys, loop)) curves.push_back(*std::move(closed));
+  EXPECT_GT(curves.size(), 5U);
+  for (const AnyCurve& curve : curves) {
+    const auto baked = bake(curve, 1e-10);
+    ASSERT_TRUE(baked) << describe(baked.error());
+    EXPECT_LE(largest_difference(*baked, curve), 1e-10);
+  }
+}
+
+TEST(BakedCurve, AtLargeTimesIsWithinItsTolerance) {
+  for (const double scale : {1.0, 1e-3}) {  // keys a second or a millisecond apart, that is some 4000 doubles
+    KeyframeData data = random_walk(117, 12, Spacing::uneven, 0.7);
+    for (double& t : data.times) t = 1.7e9 + scale * t;
+    for (const char* name : {"timed-c2", "squad", "auto"}) {
+      const AnyCurve curve = make_curve(name, keyframes(data)).value();
+      const auto baked = bake(curve, 1e-11);
+      ASSERT_TRUE(baked) << name << ": " << describe(baked.error());
+      EXPECT_LE(largest_difference(*baked, curve), 1e-11) << name;
+    }
+  }
+}
+
+TEST(BakedCurve, RefusesTolerancesThatCannotBe) {
+  const AnyCurve curve = specimen_curve("squad");
+  for (const double tolerance : {0.0, -1e-6, 9e-14, not_a_number, infinity, -infinity}) {
+    const auto baked = bake(curve, tolerance);
+    ASSERT_FALSE(baked) << tolerance;
+    EXPECT_EQ(baked.error().code, ErrorCode::bad_argument);
+    EXPECT_NE(baked.error().message.find("wanted a number from 1e-13 on"), std::string::npos) << baked.error().message;
+  }
+  EXPECT_FALSE(bake<float>(curve, 9e-7));
+  EXPECT_NE(bake<float>(curve, 0.0).error().message.find("wanted a number from 1e-06 on"), std::string::npos);
+}
+
+/// Jumps within its only segment, where no polynomials can follow.
+class JumpingCurve {
+ public:
+  [[nodiscard]] const Knots& knots() const noexcept { return knots_; }
+  template <Number T>
+  [[nodiscard]] Quaternion<T> orientation(const T& t, std::size_t) const noexcept {
+    return constant<T>(value_of(t) < 0.3 ? Eigen::Quaterniond::Identity() : Eigen::Quaterniond(0.0, 1.0, 0.0, 0.0));
+  }
+
+ private:
+  Knots knots_{{0.0, 1.0}};
+};
+
+TEST(BakedCurve, NamesTheSegmentWhereTheToleranceCannotBeReached) {
+  const auto baked = bake(AnyCurve(JumpingCurve()), 1e-3);
+  ASSERT_FALSE(baked);
+  EXPECT_EQ(baked.error().code, ErrorCode::bad_argument);
+  EXPECT_EQ(baked.error().where.key, 0U);
+  EXPECT_NE(baked.error().message.find("ask for a larger tolerance"), std::string::npos) << baked.error().message;
+}
+
+template <class T>
+void expect_the_same_by_every_door(const AnyCurve& curve) {
+  const BakedCurve<T> baked = bake<T>(curve, 1e-6).value();
+  constexpr std::size_t count = 1000;
+  const double start = curve.domain().start, length = curve.domain().end - start;
+  const double dt = 1.02 * length / count, t0 = start - 0.01 * length;
+  std::vector<double> times;
+  for (std::size_t k = 0; k < count; ++k) times.push_back(static_cast<double>(k) * dt + t0);
+  Sampled<T> given(count, Wanted::orientation), even = given, any = given, threads = given;
+  Sampled<T> planar(count, Wanted::orientation, Layout::planar);
+  const std::size_t before = allocations_of_this_thread();
+  EXPECT_TRUE(sample<T>(baked, times, given.spans()));
+  EXPECT_TRUE(sample_uniform<T>(baked, t0, dt, even.spans()));
+  EXPECT_TRUE(sample_at<T>(baked, times, any.spans()));
+  EXPECT_TRUE(sample<T>(baked, times, planar.spans()));
+  EXPECT_EQ(allocations_of_this_thread(), before);
+  EXPECT_TRUE(sample<T>(baked, times, threads.spans(), {.threads = 2}));
+  EXPECT_TRUE(even.same_bits(given));
+  EXPECT_TRUE(any.same_bits(given));
+  EXPECT_TRUE(threads.same_bits(given));
+  for (std::size_t i = 0; i < count; ++i) {
+    EXPECT_EQ(planar.orientation(i), given.orientation(i)) << i;
+    EXPECT_EQ(baked(times[i]).coeffs().template cast<double>(), given.orientation(i)) << i;
+  }
+}
+
+TEST(BakedCurve, GivesTheSameBitsByEveryDoorAndAllocatesNothing) {
+  for (const char* kind : kinds_of_curves) {
+    SCOPED_TRACE(kind);
+    expect_the_same_by_every_door<double>(specimen_curve(kind));
+    expect_the_same_by_every_door<float>(specimen_curve(kind));
+  }
+}
+
+TEST(BakedCurve, HoldsItsEndsAndAnswersNaNByNaN) {
+  const AnyCurve curve = specimen_curve("squad");
+  const BakedCurve<> baked = bake(curve, 1e-9).value();
+  const auto [start, end] = baked.domain();
+  for (const double t : {-infinity, start - 1.0, std::nextafter(start, -infinity)})
+    EXPECT_EQ(baked(t).coeffs(), baked(start).coeffs()) << t;
+  for (const double t : {infinity, end + 1.0, std::nextafter(end, infinity)})
+    EXPECT_EQ(baked(t).coeffs(), baked(end).coeffs()) << t;
+  EXPECT_TRUE(baked(not_a_number).coeffs().array().isNaN().all());
+}
+
+TEST(BakedCurve, OfOneKeyIsThatKey) {
+  const KeyframeData data = random_walk(119, 1, Spacing::even);
+  const BakedCurve<> baked = bake(make_curve("squad", keyframes(data)).value(), 1e-9).value();
+  for (const double t : {-infinity, data.times[0] - 1.0, data.times[0], data.times[0] + 1.0, infinity})
+    EXPECT_EQ(baked(t).coeffs(), data.orientations[0].coeffs()) << t;
+}
+
+TEST(BakedCurve, GivesOrientationsOnly) {
+  const BakedCurve<> baked = bake(specimen_curve("squad"), 1e-9).value();
+  Sampled<double> samples(3, Wanted::velocity);
+  const auto sampled = sample_uniform<double>(baked, 0.0, 0.1, samples.spans());
+  ASSERT_FALSE(sampled);
+  EXPECT_EQ(sampled.error().code, ErrorCode::bad_argument);
+  EXPECT_EQ(sampled.error().message, "a baked curve gives orientations only, found room for more");
+}
+
+}  // namespace
+}  // namespace orispline

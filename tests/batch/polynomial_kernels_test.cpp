@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+// The loops over polynomials give the same bits by every instruction set, and from every compiler.
+#include <algorithm>
+#include <cstdint>
+
+#include <gtest/gtest.h>
+
+#include <batch/sampled.hpp>
+#include <batch/specimen_curves.hpp>
+#include <orispline/batch/dispatch.hpp>
+#include <orispline/batch/path_sampler.hpp>
+#include <support/tracks.hpp>
+
+namespace orispline {
+namespace {
+
+using namespace testing_support;
+using batch::Clock;
+using batch::PolynomialKernels;
+
+constexpr std::size_t count = 173;  // a whole block and a part of one
+
+std::vector<const PolynomialKernels*> all_kernels() {
+  std::vector<const PolynomialKernels*> all;
+  for (const char* name : {"v2", "v3", "v4", "native"})
+    if (const batch::Kernels* kernels = batch::kernels_named(name)) all.push_back(kernels->polynomials);
+  return all;
+}
+
+template <class T>
+using Numbers = std::vector<T>;
+
+void run(const PolynomialKernels& k, const batch::BakedRecord<double>& r, const Clock& clock, Numbers<double>& to) {
+  k.baked(r, clock, count, {to.data(), nullptr, nullptr, 0});
+}
+void run(const PolynomialKernels& k, const batch::BakedRecord<float>& r, const Clock& clock, Numbers<float>& to) {
+  k.baked_float(r, clock, count, {to.data(), nullptr, nullptr, 0});
+}
+template <class T>
+batch::PathTarget<T> path_target(Numbers<T>& to) {
+  return {to.data(), to.data() + 3 * count, to.data() + 6 * count, 0};
+}
+void run(const PolynomialKernels& k, const batch::PathRecord<double>& r, const Clock& clock, Numbers<double>& to) {
+  k.path(r, clock, count, path_target(to));
+}
+void run(const PolynomialKernels& k, const batch::PathRecord<float>& r, const Clock& clock, Numbers<float>& to) {
+  k.path_float(r, clock, count, path_target(to));
+}
+
+/// At even times and at given ones.
+template <class T, class Record>
+void expect_the_same_by_every_instruction_set(const Record& record, const KnotSpan& span) {
+  std::vector<double> times;
+  for (std::size_t k = 0; k < count; ++k)
+    times.push_back(span.start() + span.step() * static_cast<double>(k) / static_cast<double>(count));
+  for (const Clock& clock : {Clock{times.data(), 0.0, 0.0, 0.0},
+                             Clock{nullptr, span.start() - 3.0 * span.step(), span.step() / 173.0, 519.0}}) {
+    Numbers<T> first(9 * count);
+    run(*all_kernels().front(), record, clock, first);
+    for (const PolynomialKernels* other : all_kernels()) {
+      Numbers<T> numbers(9 * count);
+      run(*other, record, clock, numbers);
+      EXPECT_EQ(std::memcmp(numbers.data(), first.data(), sizeof(T) * numbers.size()), 0);
+    }
+  }
+}
+
+template <class T>
+void expect_the_same(const PoseCurve& curve) {
+  const BakedCurve<T> baked = bake<T>(curve.orientation, 1e-6).value();
+  for (std::size_t i = 0; i < baked.knots().segments(); ++i)
+    expect_the_same_by_every_instruction_set<T>(baked.piece(i), baked.knots().span(i));
+  for (std::size_t i = 0; i < curve.position->knots().segments(); ++i)
+    if (const auto record = batch::record_of<T>(*curve.position, i))
+      expect_the_same_by_every_instruction_set<T>(*record, curve.position->knots().span(i));
+}
+
+std::vector<PoseCurve> curves() {
+  std::vector<PoseCurve> all;
+  for (const char* name : kinds_of_curves)
+    all.push_back(make_pose_curve(name, keyframes(posed_walk(141, 9, Spacing::uneven, 0.7))).value());
+  return all;
+}
+
+TEST(PolynomialKernels, GiveTheSameBitsByEveryInstructionSet) {
+  ASSERT_FALSE(all_kernels().empty());
+  for (const PoseCurve& curve : curves()) {
+    expect_the_same<double>(curve);
+    expect_the_same<float>(curve);
+  }
+}
+
+TEST(PolynomialKernels, TakeThePathsOfTheseMethods) {
+  for (const PoseCurve& curve : curves())  // but for the blended one of barry-goldman
+    EXPECT_EQ(batch::record_of<double>(*curve.position, 0).has_value(), curve.position->degree() > 0);
+  EXPECT_GT(std::ranges::count_if(curves(), [](const PoseCurve& c) { return c.position->degree() > 0; }), 3);
+}
+
+/// FNV-1a over the bits of numbers.
+class Hash {
+ public:
+  template <class T, class Bits>
+  void add(const std::vector<T>& numbers) {
+    for (const T number : numbers) {
+      const Bits bits = __builtin_bit_cast(Bits, number);
+      for (std::size_t k = 0; k < sizeof(T); ++k) state_ = (state_ ^ ((bits >> (8 * k)) & 0xffU)) * 0x100000001b3U;
+    }
+  }
+  [[nodiscard]] std::uint64_t value() const { return state_; }
+
+ private:
+  std::uint64_t state_ = 0xcbf29ce484222325U;
+};
+
+template <class T, class Bits>
+void add_samples(const PoseCurve& curve, Hash& hash) {
+  const auto [start, end] = curve.orientation.domain();
+  Numbers<T> orientations(4 * 500), positions(3 * 500), velocities(positions), accelerations(positions);
+  const double dt = (end - start) / 480.0;
+  ASSERT_TRUE(
+      sample_uniform<T>(bake<T>(curve.orientation, 1e-6).value(), start, dt, Samples<T>{.orientations = orientations}));
+  hash.add<T, Bits>(orientations);
+  ASSERT_TRUE(sample_uniform<T>(curve, start, dt,
+                                Samples<T>{.orientations = orientations,
+                                           .positions = positions,
+                                           .velocities = velocities,
+                                           .accelerations = accelerations}));
+  for (const Numbers<T>& numbers : {positions, velocities, accelerations}) hash.add<T, Bits>(numbers);
+}
+
+/// All the way from keys to samples, where the methods are free of the system's own functions.
+constexpr std::uint64_t hash_of_all_samples = 0xed7cf5640315448bU;
+
+TEST(PolynomialKernels, AndCompilersGiveTheBitsThatAreWrittenHere) {
+  Hash hash;
+  for (const PoseCurve& curve : curves()) {
+    add_samples<double, std::uint64_t>(curve, hash);
+    add_samples<float, std::uint32_t>(curve, hash);
+  }
+  EXPECT_EQ(hash.value(), hash_of_all_samples) << std::hex << "0x" << hash.value();
+}
+
+}  // namespace
+}  // namespace orispline
