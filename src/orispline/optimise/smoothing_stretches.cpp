@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/optimise/smoothing_stretches.hpp>
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include <orispline/optimise/smoothing_noise.hpp>
+
+namespace orispline::optimise {
+namespace {
+
+constexpr std::size_t shortest_run = 3;  // of far samples that are rather motion than faults
+
+/// As many as tell noise from motion.
+std::size_t fewest_samples(Penalty penalty) { return static_cast<std::size_t>(order_of(penalty)) + 1; }
+
+template <class T>
+std::vector<T> in_stretch(std::span<const T> all, const Stretch& stretch) {
+  const auto part = all.subspan(stretch.first, stretch.count);
+  return {part.begin(), part.end()};
+}
+
+}  // namespace
+
+RecordingScale scale_of(const Keyframes& recording) {
+  std::vector<double> intervals;
+  const auto t = recording.times();
+  for (std::size_t i = 1; i < t.size(); ++i) intervals.push_back(t[i] - t[i - 1]);
+  return {.interval = median_of(std::move(intervals)),
+          .noise = std::max(least_noise, local_noise(t, recording.orientations()))};
+}
+
+Expected<std::vector<Stretch>> stretches_of(const Keyframes& recording, Penalty penalty, std::optional<double> gap) {
+  const auto t = recording.times();
+  std::vector<Stretch> stretches{{0, 1}};
+  for (std::size_t i = 1; i < t.size(); ++i)
+    if (gap && t[i] - t[i - 1] > *gap) stretches.push_back({i, 1});
+    else ++stretches.back().count;
+  for (const Stretch& stretch : stretches)
+    if (stretch.count < fewest_samples(penalty))
+      return failure(ErrorCode::bad_data,
+                     fmt::format("found {} from here to the next gap or end, wanted at least {} to smooth",
+                                 stretch.count == 1 ? "1 sample" : fmt::format("{} samples", stretch.count),
+                                 fewest_samples(penalty)),
+                     {.key = stretch.first});
+  return stretches;
+}
+
+Stretches problems_of(const Keyframes& recording, const std::vector<Stretch>& stretches, double noise) {
+  Stretches problems;
+  for (const Stretch& stretch : stretches)
+    problems.push_back({.times = in_stretch(recording.times(), stretch),
+                        .orientations = in_stretch(recording.orientations(), stretch),
+                        .weights = std::vector<double>(stretch.count, 1.0 / (noise * noise))});
+  return problems;
+}
+
+void add_gyro(Stretches& problems, const Keyframes& recording, const std::vector<Stretch>& stretches, double noise) {
+  for (std::size_t k = 0; k < stretches.size(); ++k) {
+    problems[k].gyro = in_stretch(recording.angular_velocities(), stretches[k]);
+    problems[k].gyro_weights.assign(stretches[k].count, 1.0 / (noise * noise));
+  }
+}
+
+FarSamples far_samples(const StretchFits& fits, const std::vector<Stretch>& stretches, double limit) {
+  FarSamples far;
+  for (std::size_t k = 0; k < stretches.size(); ++k) {
+    const auto& residuals = fits.fits[k].residuals;
+    for (std::size_t begin = 0, end; begin < residuals.size(); begin = end + 1) {
+      end = begin;
+      while (end < residuals.size() && residuals[end].norm() > limit) ++end;
+      auto& samples = end - begin >= shortest_run ? far.in_runs : far.single;
+      for (std::size_t i = begin; i < end; ++i) samples.push_back(stretches[k].first + i);
+    }
+  }
+  return far;
+}
+
+Expected<void> reject(Stretches& problems, const std::vector<Stretch>& stretches,
+                      const std::vector<std::size_t>& samples, Penalty penalty) {
+  for (std::size_t k = 0; k < stretches.size(); ++k) {
+    const Stretch& stretch = stretches[k];
+    for (const std::size_t i : samples)
+      if (stretch.first <= i && i < stretch.first + stretch.count) problems[k].weights[i - stretch.first] = 0.0;
+    if (const std::size_t left = observations({problems[k]}); left < fewest_samples(penalty))
+      return failure(ErrorCode::bad_data,
+                     fmt::format("of {} samples from here on {} are outliers, wanted at least {} others", stretch.count,
+                                 stretch.count - left, fewest_samples(penalty)),
+                     {.key = stretch.first});
+  }
+  return {};
+}
+
+}  // namespace orispline::optimise

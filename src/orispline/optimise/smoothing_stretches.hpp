@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <orispline/optimise/smooth.hpp>
+
+namespace orispline::optimise {
+
+/// What can be read off a recording before anything is fitted.
+struct RecordingScale {
+  double interval = 0.0;  ///< median one [s]
+  double noise = 0.0;     ///< local_noise() [rad], at least `least_noise`
+};
+
+/// Rounding of orientations in single precision [rad]: noise below it is not told apart.
+inline constexpr double least_noise = 1e-7;
+
+[[nodiscard]] RecordingScale scale_of(const Keyframes& recording);
+
+/// The recording cut at its gaps. Error (bad_data, with the key): a stretch with too few samples for the penalty.
+[[nodiscard]] Expected<std::vector<Stretch>> stretches_of(const Keyframes& recording, Penalty penalty,
+                                                          std::optional<double> gap);
+
+/// The problems of the stretches, all samples with the same σ [rad], without a gyro.
+[[nodiscard]] Stretches problems_of(const Keyframes& recording, const std::vector<Stretch>& stretches, double noise);
+
+/// Adds the angular velocities as those of a gyro with that σ [rad/s].
+void add_gyro(Stretches& problems, const Keyframes& recording, const std::vector<Stretch>& stretches, double noise);
+
+/// Samples whose residual is longer than a limit.
+struct FarSamples {
+  std::vector<std::size_t> single{};   ///< indices into the recording
+  std::vector<std::size_t> in_runs{};  ///< of which three or more follow each other
+};
+[[nodiscard]] FarSamples far_samples(const StretchFits& fits, const std::vector<Stretch>& stretches, double limit);
+
+/// Takes the weight of the samples. Error (bad_data, with the key): a stretch would keep too few.
+[[nodiscard]] Expected<void> reject(Stretches& problems, const std::vector<Stretch>& stretches,
+                                    const std::vector<std::size_t>& samples, Penalty penalty);
+
+}  // namespace orispline::optimise
