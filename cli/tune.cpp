@@ -130,7 +130,8 @@ Expected<void> write_keys(const std::string& path, const io::KeyTable& table, co
 Expected<void> tune(const TuneOptions& options) {
   const auto request = request_in(options);
   if (!request) return tl::unexpected(request.error());
-  if (options.inertia && !optimise::is_of_a_rigid_body(request->tuning.inertia))
+  const bool by_torque = request->tuning.objective == optimise::Objective::torque;
+  if (by_torque && !optimise::is_of_a_rigid_body(request->tuning.inertia))
     warn("--inertia: one principal moment is greater than the sum of the two others, as no rigid body has it");
   auto file = io::read_keys(request->input.path, request->input.read);
   if (!file) return tl::unexpected(std::move(file.error()));

@@ -20,6 +20,9 @@ if(orispline_type STREQUAL "SHARED_LIBRARY")
   set(orispline_pc_requires_private fmt)
 else() # who links the archive links what it needs
   set(orispline_pc_requires "eigen3 fmt")
+  if(ORISPLINE_OPTIMISE) # which has no .pc file of its own
+    set(orispline_pc_libraries " -lceres -lglog")
+  endif()
 endif()
 configure_file(cmake/orispline.pc.in ${PROJECT_BINARY_DIR}/orispline.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/orispline.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

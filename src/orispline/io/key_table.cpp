@@ -2,6 +2,7 @@
 #include <orispline/io/key_table.hpp>
 
 #include <algorithm>
+#include <array>
 
 #include <orispline/io/number_text.hpp>
 
@@ -29,12 +30,13 @@ std::string csv_with_columns(const KeyTable& table, const NumberColumns& columns
     text += i < table.names.size() ? cell_of(table.names[i]) : std::string(added[i - table.names.size()]);
     end_cell(i + 1 == width);
   }
-  ShortestText number;
+  std::array<char, shortest_text_room> number;
   for (std::size_t key = 0; key < table.rows.size(); ++key)
     for (std::size_t i = 0; i < width; ++i) {
       const std::string_view name = i < table.names.size() ? table.names[i] : added[i - table.names.size()];
       const auto column = columns.find(name);
-      text += column == columns.end() ? cell_of(table.rows[key][i]) : std::string(number.of(column->second[key]));
+      if (column == columns.end()) text += cell_of(table.rows[key][i]);
+      else text.append(number.data(), write_shortest_text(number.data(), column->second[key]));
       end_cell(i + 1 == width);
     }
   return text;

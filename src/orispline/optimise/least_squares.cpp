@@ -8,6 +8,10 @@
 namespace orispline::optimise {
 namespace {
 
+constexpr std::size_t most_iterations = 1000;
+constexpr double at_rest = 1e-14;  // a step that lowers the sum by a smaller share of it is not made
+constexpr double smallest_share = 1e-6;
+
 BandedSystem normal_equations(const SumOfSquares& sum, std::size_t variables) {
   std::size_t band = 0;
   for (std::size_t block = 0; block < sum.blocks(); ++block)
@@ -32,19 +36,38 @@ std::vector<double> newton_step(const SumOfSquares& sum, std::size_t variables, 
   return normal_equations(sum, variables).solved(held);
 }
 
-double stationarity(const SumOfSquares& sum, std::span<const double> values, std::span<const Interval> bounds) {
-  const double value = value_of(sum);
-  if (!(value > 0.0)) return 0.0;
+Descent descent(const SumOfSquares& sum, std::span<const double> values, std::span<const Interval> bounds) {
   const BandedSystem system = normal_equations(sum, values.size());
   std::vector<std::size_t> held;
   for (std::size_t v = 0; v < values.size(); ++v)
     if ((values[v] <= bounds[v].lowest && system.gradient()[v] > 0.0) ||
         (values[v] >= bounds[v].highest && system.gradient()[v] < 0.0))
       held.push_back(v);
-  const std::vector<double> step = system.solved(held);
-  double decrease = 0.0;
-  for (std::size_t v = 0; v < step.size(); ++v) decrease -= step[v] * system.gradient()[v];
-  return decrease / value;
+  Descent found{system.solved(held), 0.0};
+  for (std::size_t v = 0; v < values.size(); ++v) found.decrease -= found.step[v] * system.gradient()[v];
+  return found;
+}
+
+Minimum polished(SumOfSquares& sum, Minimum minimum, std::span<const Interval> bounds) {
+  sum.move_to(minimum.values);
+  for (double value = value_of(sum); minimum.iterations < most_iterations; ++minimum.iterations) {
+    const Descent found = descent(sum, minimum.values, bounds);
+    if (!(found.decrease > at_rest * value)) break;
+    double lower = value;
+    std::vector<double> next;
+    for (double share = 1.0; share > smallest_share && !(lower < value); share *= 0.5) {
+      next = minimum.values;
+      for (std::size_t v = 0; v < next.size(); ++v)
+        next[v] = std::clamp(next[v] + share * found.step[v], bounds[v].lowest, bounds[v].highest);
+      sum.move_to(next);
+      lower = value_of(sum);
+    }
+    if (!(lower < value)) break;
+    value = lower;
+    minimum.values = std::move(next);
+  }
+  sum.move_to(minimum.values);
+  return minimum;
 }
 
 }  // namespace orispline::optimise

@@ -38,10 +38,15 @@ struct Interval {
 [[nodiscard]] std::vector<double> newton_step(const SumOfSquares& sum, std::size_t variables,
                                               std::span<const std::size_t> held = {});
 
-/// By how much a Gauss–Newton step would lower the sum, relative to the sum, at these values, which are the present
-/// state. Variables at a bound that keeps them from going down do not count.
-[[nodiscard]] double stationarity(const SumOfSquares& sum, std::span<const double> values,
-                                  std::span<const Interval> bounds);
+/// A Gauss–Newton step, and by how much it lowers the sum to second order. Variables at a bound that keeps them from
+/// going down stay.
+struct Descent {
+  std::vector<double> step;
+  double decrease;
+};
+/// From these values, which are the present state.
+[[nodiscard]] Descent descent(const SumOfSquares& sum, std::span<const double> values,
+                              std::span<const Interval> bounds);
 
 /// Where the sum has its least value near the start, within the bounds, by Ceres (trust region with exact
 /// derivatives), and how far it went.
@@ -50,5 +55,8 @@ struct Minimum {
   std::size_t iterations;
 };
 [[nodiscard]] Minimum minimised(SumOfSquares& sum, std::vector<double> start, std::span<const Interval> bounds);
+
+/// The minimum brought to rest by damped Gauss–Newton steps that stop at the bounds; moves the sum there.
+[[nodiscard]] Minimum polished(SumOfSquares& sum, Minimum minimum, std::span<const Interval> bounds);
 
 }  // namespace orispline::optimise

@@ -131,8 +131,8 @@ Vector3<T> linearised(const Shape<T>& shape, const BasisAt& basis, double step) 
   Vector3<T> sum = Vector3<T>::Zero();
   for (std::size_t k = 0; k < shape.rows.size(); ++k) {
     T second(0.0);
-    for (std::size_t j = 0; j <= form_degree; ++j) second += shape.rows[k][j] * (2.0 * basis[j].c[2] / (step * step));
-    sum += shape.increments[k] * second;
+    for (std::size_t j = 0; j <= form_degree; ++j) second += shape.rows[k][j] * basis[j].c[2];
+    sum += shape.increments[k] * T(second * (2.0 / (step * step)));
   }
   return sum;
 }

@@ -18,6 +18,8 @@ namespace {
 constexpr std::size_t fewest_keys = 3;
 /// Asked of the result: a Gauss–Newton step may lower the energy by no more than this share.
 constexpr double wanted_stationarity = 1e-8;
+/// An energy of this share of what it was is rounding.
+constexpr double rounding_energy = 1e-16;
 constexpr double rounding = 1e-12;  // of an inertia tensor that was computed
 
 /// The parameters to vary.
@@ -106,14 +108,14 @@ std::vector<double> closed_form(const TensionModel& model, std::span<const Inter
   const std::vector<double> step = newton_step(sum, values.size());
   for (std::size_t v = 0; v < values.size(); ++v) values[v] += step[v];
   if (inside(values, bounds)) return values;
-  return minimised(sum, std::move(values), bounds).values;
+  return polished(sum, minimised(sum, std::move(values), bounds), bounds).values;
 }
 
 /// The least energy near the closed form: free where that stays within the bounds.
 Minimum refined(SumOfSquares& sum, const std::vector<double>& start, std::span<const Interval> bounds) {
   const std::vector<Interval> free(start.size());
-  Minimum minimum = minimised(sum, start, free);
-  return inside(minimum.values, bounds) ? minimum : minimised(sum, start, bounds);
+  const Minimum minimum = polished(sum, minimised(sum, start, free), free);
+  return inside(minimum.values, bounds) ? minimum : polished(sum, minimised(sum, start, bounds), bounds);
 }
 
 /// From the closed form `start` on.
@@ -124,7 +126,9 @@ Expected<Tuning> tuned(const FamilyInfo& family, const TensionModel& model, SumO
   if (objective != Objective::linearised) minimum = refined(sum, start, bounds);
   sum.move_to(minimum.values);
   tuning.energy_after = value_of(sum);
-  if (objective != Objective::linearised) tuning.stationarity = stationarity(sum, minimum.values, bounds);
+  const double scale = std::max(tuning.energy_after, rounding_energy * tuning.energy_before);
+  if (objective != Objective::linearised && scale > 0.0)
+    tuning.stationarity = descent(sum, minimum.values, bounds).decrease / scale;
   tuning.iterations = minimum.iterations;
   tuning.options = model.with(minimum.values);
   if (tuning.stationarity <= wanted_stationarity) return tuning;

@@ -1,0 +1,92 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""orispline tune: what it prints and writes, that 'sample' reads it, and what it refuses."""
+import json
+
+from command import BAD_DATA, BAD_USAGE, CommandTest, main
+
+KEYS = """t,qw,qx,qy,qz,note
+0,1,0,0,0,"take off, level"
+1,0.9,0.3,0.2,0.2449489742783178,
+2.5,0.6,0.5,0.4,0.4795831523312719,x
+3,0.3,0.7,0.1,0.6403124237432849,x
+4,0.1,0.8,-0.3,0.5099019513592785,x
+"""
+
+
+class Tune(CommandTest):
+    def setUp(self):
+        super().setUp()
+        self.write("keys.csv", KEYS)
+
+    def tuned(self, arguments):
+        return json.loads(self.output_of(f"tune keys.csv {arguments} --json -o tuned.csv"))
+
+    def test_writes_the_keys_as_they_are_with_their_tensions(self):
+        summary = self.tuned("--method timed-c2 --objective acceleration")
+        lines, keys = self.read("tuned.csv").splitlines(), KEYS.splitlines()
+        self.assertEqual(lines[0], keys[0] + ",tension,tension2")
+        for line, key, first, second in zip(lines[1:], keys[1:], summary["tension"], summary["tension2"], strict=True):
+            self.assertEqual(line, f"{key},{first!r},{second!r}".replace(".0,", ",").removesuffix(".0"))
+        self.assertLess(summary["energy_after"], summary["energy_before"])
+        self.assertEqual((summary["tension2"][0], summary["tension2"][-1]), (1, 1))
+
+    def test_finds_nothing_more_to_tune_in_what_it_wrote(self):
+        for method in ("quintic", "sextic", "timed-c2", "timed-c3", "timed-sextic", "tcb", "nu"):
+            first = self.tuned(f"--method {method} --objective torque --inertia=2,2,3")
+            again = json.loads(self.output_of(f"tune tuned.csv --method {method} --objective torque --inertia=2,2,3 "
+                                              "--json -o again.csv"))
+            self.assertAlmostEqual(again["energy_before"] / first["energy_after"], 1, delta=1e-12)
+            self.assertAlmostEqual(again["energy_after"] / first["energy_after"], 1, delta=1e-12)
+            self.assertEqual(self.read("again.csv").splitlines()[0], self.read("tuned.csv").splitlines()[0])
+
+    def test_writes_what_sample_reads(self):
+        self.tuned("--method quintic --objective linearised --inertia=1,2,4")
+        plain = self.output_of("sample keys.csv --method quintic --count 9 --quiet")
+        tuned = self.output_of("sample tuned.csv --method quintic --count 9 --quiet")
+        self.assertNotEqual(plain, tuned)
+
+    def test_fits_a_reference(self):
+        self.output_of("sample keys.csv --method sextic --tension=0.1 --rate 20 --ends repeat -o reference.csv")
+        summary = self.tuned("--method sextic --objective fit --reference reference.csv")
+        self.assertLess(summary["energy_after"], 1e-20)
+        for tension in summary["tension"]:
+            self.assertAlmostEqual(tension, 0.1, delta=1e-8)
+
+    def test_keeps_bounds(self):
+        summary = self.tuned("--method quintic --bounds=0.48,0.52")
+        self.assertEqual(max(summary["tension"]), 0.52)
+        self.assertGreaterEqual(min(summary["tension"]), 0.48)
+
+    def test_makes_a_csv_of_a_tum_file(self):
+        self.output_of("convert keys.csv -o keys.tum --quiet")
+        self.output_of("tune keys.tum --method quintic -o tuned.csv --quiet")
+        self.assertEqual(self.read("tuned.csv").splitlines()[0], "t,px,py,pz,qx,qy,qz,qw,tension")
+        self.output_of("sample tuned.csv --method quintic --count 3 --quiet")
+
+    def test_refuses_what_it_cannot_tune(self):
+        self.write("two.csv", "\n".join(KEYS.splitlines()[:3]) + "\n")
+        self.write("one.csv", "\n".join(KEYS.splitlines()[:2]) + "\n")
+        self.write("late.csv", "t,qw,qx,qy,qz\n10,1,0,0,0\n11,1,0,0,0\n")
+        refused = lambda arguments, code, message: self.assert_fails(f"tune {arguments} -o tuned.csv", code, message)
+        refused("one.csv", BAD_DATA, "one.csv: found 1 key, wanted at least 3 to tune tensions")
+        refused("two.csv", BAD_DATA, "two.csv: found 2 keys, wanted at least 3 to tune tensions")
+        refused("keys.csv --method slerp", BAD_USAGE, "--method: slerp has no tensions to tune, wanted one of tcb, "
+                "quintic, sextic, timed-c2, timed-c3, timed-sextic, nu")
+        refused("keys.csv --objective fit --reference late.csv", BAD_DATA, "keys.csv: the reference has no time between "
+                "the first and the last key, wanted some from 0 to 4 s")
+        refused("keys.csv --objective torque --inertia=1,-2,4", BAD_USAGE,
+                "--inertia: found '1,-2,4', wanted a positive definite inertia")
+        refused("keys.csv --objective torque", BAD_USAGE, "--objective torque: wanted --inertia JX,JY,JZ as well")
+        refused("keys.csv --bounds=1,0", BAD_USAGE, "--bounds: found '1,0', wanted LOWEST,HIGHEST, the lower one first")
+        self.assertFalse((self.folder / "tuned.csv").exists())
+
+    def test_warns_of_an_inertia_that_no_rigid_body_has(self):
+        done = self.run_command("tune keys.csv --objective torque --inertia=1,2,4 --quiet -o tuned.csv")
+        self.assertEqual(done.stderr, "orispline: warning: --inertia: one principal moment is greater than the sum of "
+                         "the two others, as no rigid body has it\n")
+        self.assertEqual(done.returncode, 0)
+
+
+if __name__ == "__main__":
+    main()
