@@ -17,6 +17,7 @@
 #include "methods.hpp"
 #include "reproduce.hpp"
 #include "sample.hpp"
+#include "smooth.hpp"
 #include "standard_output.hpp"
 #include "tune.hpp"
 
@@ -146,6 +147,9 @@ class CommandLine {
     add_compare_options(command("compare", "Compare the methods on a recording: errors, smoothness, cost",
                                 [this] { return compare(compare_); }),
                         compare_);
+    add_smooth_options(
+        command("smooth", "Turn noisy samples into a smooth motion with rates", [this] { return smooth(smooth_); }),
+        smooth_);
     add_tune_options(command("tune", "Find the tensions that make a curve smoothest, or nearest to a recording",
                              [this] { return tune(tune_); }),
                      tune_);
@@ -203,6 +207,7 @@ class CommandLine {
   ConvertOptions convert_;
   InspectOptions inspect_;
   CompareOptions compare_;
+  SmoothOptions smooth_;
   TuneOptions tune_;
   MethodsOptions methods_;
   ReproduceOptions reproduce_;

@@ -15,6 +15,7 @@ namespace {
 
 constexpr double huber_threshold = 2.5, tukey_threshold = 6.0;  // in units of σ
 constexpr double rejection_threshold = 5.0;                     // likewise
+constexpr SmoothingIteration to_find_outliers{.tolerance = 1e-4};
 constexpr double largest_noise = 0.5;  // [rad] per axis: residuals of this size are those of no motion at all
 
 Expected<void> check_number(const char* name, const char* unit, std::optional<double> value) {
@@ -57,7 +58,7 @@ class Smoother {
         objective_(objective_of(options)) {}
 
   [[nodiscard]] Expected<Smoothing> run() {
-    fit();
+    fit(options_.outliers == Outliers::reject ? to_find_outliers : SmoothingIteration{});
     if (options_.outliers == Outliers::tukey) fit_with_tukey();
     if (options_.outliers == Outliers::reject)
       if (auto done = fit_without_outliers(); !done) return tl::unexpected(std::move(done.error()));
@@ -72,18 +73,19 @@ class Smoother {
 
  private:
   /// Chooses λ and fits, from the present fit if there is one.
-  void fit() {
+  void fit(const SmoothingIteration& iteration) {
     if (options_.smoothing_time) {
       objective_.lambda = lambda_of(*options_.smoothing_time, options_.penalty, noise_, scale_.interval);
     } else {
       choose(options_.noise ? SmoothingCriterion::ubre : SmoothingCriterion::gcv);
     }
-    refit();
+    refit(iteration);
   }
 
   void choose(SmoothingCriterion criterion) {
     const Stretches parts = representative_parts(problems_, most_times_for_choice);
-    const LambdaChoice choice = chosen_lambda(parts, objective_, criterion, noise_, scale_.interval);
+    const auto near = result_.criterion == criterion ? std::optional(smoothing_time()) : std::nullopt;
+    const LambdaChoice choice = chosen_lambda(parts, objective_, criterion, noise_, scale_.interval, near);
     objective_.lambda = choice.lambda;
     result_.criterion = criterion;
     result_.edge = choice.edge;
@@ -91,7 +93,13 @@ class Smoother {
     for (const SmoothingProblem& part : parts) result_.chosen_on += part.size();
   }
 
-  void refit() { fits_ = fit_stretches(problems_, objective_, {}, fits_.fits.empty() ? nullptr : &fits_); }
+  void refit(const SmoothingIteration& iteration = {}) {
+    fits_ = fit_stretches(problems_, objective_, iteration, fits_.fits.empty() ? nullptr : &fits_);
+  }
+
+  [[nodiscard]] double smoothing_time() const {
+    return smoothing_time_of(objective_.lambda, options_.penalty, noise_, scale_.interval);
+  }
 
   void fit_with_tukey() {
     objective_.loss = Loss::tukey;
@@ -107,9 +115,9 @@ class Smoother {
     FarSamples far = far_samples(fits_, stretches_, limit);
     result_.rejected = std::move(far.single);
     result_.kept_runs = std::move(far.in_runs);
-    if (result_.rejected.empty()) return {};
+    if (result_.rejected.empty()) return refit(), Expected<void>();
     if (auto done = reject(problems_, stretches_, result_.rejected, options_.penalty); !done) return done;
-    fit();
+    fit({});
     return {};
   }
 
@@ -155,7 +163,7 @@ class Smoother {
 
   [[nodiscard]] Smoothing finished() {
     result_.lambda = objective_.lambda;
-    result_.smoothing_time = smoothing_time_of(objective_.lambda, options_.penalty, noise_, scale_.interval);
+    result_.smoothing_time = smoothing_time();
     result_.interval = scale_.interval;
     result_.local_noise = scale_.noise;
     for (SmoothingFit& fit : fits_.fits) {
@@ -189,9 +197,9 @@ Expected<Smoothing> smooth(const Keyframes& recording, const SmoothOptions& opti
       .and_then([&] { return stretches_of(recording, options.penalty, options.gap); })
       .and_then([&](std::vector<Stretch> stretches) -> Expected<Smoothing> {
         if (const double interval = scale_of(recording).interval; options.gap && *options.gap < interval)
-          return failure(ErrorCode::bad_argument,
-                         fmt::format("gap: found {} s, wanted more than the median interval of {:.6g} s", *options.gap,
-                                     interval));
+          return failure(
+              ErrorCode::bad_argument,
+              fmt::format("gap: found {} s, wanted more than the median interval of {:.6g} s", *options.gap, interval));
         return Smoother(recording, options, std::move(stretches)).run();
       });
 }

@@ -35,12 +35,12 @@ struct Stretch {
 
 /// A smoothed recording.
 struct Smoothing {
-  SmoothedNodes nodes{};              ///< at the times of the recording
-  std::vector<Stretch> stretches{};   ///< one, without gaps
-  double smoothing_time = 0.0;        ///< τ [s]
-  double lambda = 0.0;                ///< weight of the penalty against |r|²/σ²
-  double noise = 0.0;                 ///< σ of the orientations per axis [rad], estimated from the residuals, or as stated
-  double local_noise = 0.0;           ///< estimated from neighbouring samples [rad]
+  SmoothedNodes nodes{};             ///< at the times of the recording
+  std::vector<Stretch> stretches{};  ///< one, without gaps
+  double smoothing_time = 0.0;       ///< τ [s]
+  double lambda = 0.0;               ///< weight of the penalty against |r|²/σ²
+  double noise = 0.0;        ///< σ of the orientations per axis [rad], estimated from the residuals, or as stated
+  double local_noise = 0.0;  ///< estimated from neighbouring samples [rad]
   std::optional<double> degrees_of_freedom{};  ///< effective ones of the curve, 3 tr; absent with a gyro
   std::optional<double> gyro_noise{};          ///< σ per axis [rad/s], with a gyro
   std::vector<std::size_t> rejected{};         ///< samples that do not count
@@ -54,7 +54,7 @@ struct Smoothing {
 };
 
 /// Of the times that it is shown, the choice of τ sees about this many at most.
-inline constexpr std::size_t most_times_for_choice = 20000;
+inline constexpr std::size_t most_times_for_choice = 10000;
 
 /// A noisy recording as a smooth motion: orientations with body rates ω and α at its times, of which `hermite-c2` makes
 /// a C2 curve.

@@ -16,7 +16,8 @@ using elementary::natural_logarithm;
 constexpr double shortest_relative_time = 0.5;   // τ over the interval, where the scan begins
 constexpr double longest_relative_time = 500.0;  // beyond it the conditioning spoils the last digits
 constexpr double scan_ratio = 1.3;
-constexpr std::size_t rises_until_sure = 5;
+constexpr double steps_before = scan_ratio * scan_ratio * scan_ratio;  // in τ, where its place is known already
+constexpr std::size_t rises_until_sure = 4;
 constexpr SmoothingIteration scan_iteration{.tolerance = 1e-5, .most = 60};
 constexpr std::size_t part_size = 2500;
 
@@ -38,8 +39,7 @@ double restricted_likelihood(const StretchFits& fits, Penalty penalty, double la
 
 double criterion_value(const Stretches& stretches, const StretchFits& fits, SmoothingCriterion criterion,
                        const SmoothingObjective& objective) {
-  if (criterion == SmoothingCriterion::reml)
-    return restricted_likelihood(fits, objective.penalty, objective.lambda);
+  if (criterion == SmoothingCriterion::reml) return restricted_likelihood(fits, objective.penalty, objective.lambda);
   const double trace = hat_trace(stretches, fits, objective.penalty, objective.lambda);
   if (criterion == SmoothingCriterion::ubre) return fits.data() + 6.0 * trace;
   const auto count = static_cast<double>(observations(stretches));
@@ -84,8 +84,7 @@ StretchFits fit_stretches(const Stretches& stretches, const SmoothingObjective& 
                           const SmoothingIteration& iteration, const StretchFits* start) {
   StretchFits result;
   for (std::size_t i = 0; i < stretches.size(); ++i)
-    result.fits.push_back(
-        fit_smoothing(stretches[i], objective, iteration, start ? &start->fits[i].nodes : nullptr));
+    result.fits.push_back(fit_smoothing(stretches[i], objective, iteration, start ? &start->fits[i].nodes : nullptr));
   return result;
 }
 
@@ -107,12 +106,13 @@ double hat_trace(const Stretches& stretches, const StretchFits& fits, Penalty pe
 }
 
 LambdaChoice chosen_lambda(const Stretches& stretches, SmoothingObjective objective, SmoothingCriterion criterion,
-                           double noise, double interval) {
-  const double longest = longest_smoothing_time(stretches, interval);
+                           double noise, double interval, std::optional<double> near) {
+  const double longest = longest_smoothing_time(stretches, interval), shortest = shortest_relative_time * interval;
+  const double begin = near ? std::max(shortest, *near / steps_before) : shortest;
   std::vector<double> times, values;
   StretchFits fits;
   std::size_t least = 0;
-  for (double time = shortest_relative_time * interval; time <= longest || times.empty(); time *= scan_ratio) {
+  for (double time = begin; time <= longest || times.empty(); time *= scan_ratio) {
     objective.lambda = lambda_of(time, objective.penalty, noise, interval);
     fits = fit_stretches(stretches, objective, scan_iteration, times.empty() ? nullptr : &fits);
     times.push_back(time);
@@ -120,13 +120,14 @@ LambdaChoice chosen_lambda(const Stretches& stretches, SmoothingObjective object
     if (values.back() < values[least]) least = values.size() - 1;
     if (values.size() - 1 - least >= rises_until_sure) break;
   }
+  if (least == 0 && begin > shortest) return chosen_lambda(stretches, objective, criterion, noise, interval);
   double time = times[least];
   LambdaChoice choice{.tried = times.size()};
   if (least == 0) choice.edge = LambdaChoice::Edge::shortest;
   else if (least + 1 == times.size()) choice.edge = LambdaChoice::Edge::longest;
   else
-    time *= std::exp(natural_logarithm(scan_ratio) *
-                     parabola_minimum(values[least - 1], values[least], values[least + 1]));
+    time *=
+        std::exp(natural_logarithm(scan_ratio) * parabola_minimum(values[least - 1], values[least], values[least + 1]));
   choice.lambda = lambda_of(time, objective.penalty, noise, interval);
   return choice;
 }

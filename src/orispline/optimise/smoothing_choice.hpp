@@ -43,15 +43,18 @@ struct LambdaChoice {
   std::size_t tried = 0;  ///< values of λ
   enum class Edge {
     none,
-    shortest,  ///< the least value stands at the shortest smoothing time: hardly any noise, or no motion to tell it from
+    shortest,  ///< the least value stands at the shortest smoothing time: hardly any noise, or no motion to tell it
+               ///< from
     longest,   ///< it stands at the longest one: as good as no motion
   } edge = Edge::none;
 };
 
 /// Scans τ upward from half the interval by factors of 1.3, until the criterion has risen for some steps, and refines
-/// the least value by a parabola in log τ. `noise`, `interval`: as of lambda_of(); the objective's λ is not used.
+/// the least value by a parabola in log τ. `noise`, `interval`: as of lambda_of(). The objective's λ is not used, but
+/// where `near` is given the scan begins a few steps before that τ, unless the least value turns out to lie there.
 [[nodiscard]] LambdaChoice chosen_lambda(const Stretches& stretches, SmoothingObjective objective,
-                                         SmoothingCriterion criterion, double noise, double interval);
+                                         SmoothingCriterion criterion, double noise, double interval,
+                                         std::optional<double> near = std::nullopt);
 
 /// Parts of the stretches, evenly spread, with `most` times altogether, or a little more; the stretches themselves
 /// where they have no more: for a choice of λ that need not see everything.
