@@ -82,39 +82,59 @@ Expected<Request> request_in(const SmoothOptions& options) {
 }
 
 /// The smoothed recording as keys with rates.
-Expected<Keyframes> smoothed_keys(const Keyframes& recording, const optimise::SmoothedNodes& nodes) {
-  return Keyframes::make({.times = {recording.times().begin(), recording.times().end()},
-                          .orientations = nodes.orientations,
-                          .positions = {recording.positions().begin(), recording.positions().end()},
-                          .angular_velocities = nodes.angular_velocities,
-                          .angular_accelerations = nodes.angular_accelerations});
+Expected<Keyframes> smoothed_keys(const Keyframes& recording, const optimise::Smoothing& smoothing) {
+  const optimise::SmoothedNodes& nodes = smoothing.nodes;
+  KeyframeData data;
+  data.orientations = nodes.orientations;
+  data.angular_velocities = nodes.angular_velocities;
+  data.angular_accelerations = nodes.angular_accelerations;
+  for (const std::size_t key : smoothing.keys) {
+    data.times.push_back(recording.times()[key]);
+    if (!recording.positions().empty()) data.positions.push_back(recording.positions()[key]);
+  }
+  return Keyframes::make(std::move(data));
 }
 
-Expected<std::size_t> write_keys(io::SampleWriter& writer, const Keyframes& keys, const io::KeyFile& file) {
+/// Smoothed keys and where they come from.
+struct Smoothed {
+  const Keyframes& keys;
+  const io::KeyFile& file;
+  const optimise::Smoothing& smoothing;
+
+  /// Whether the curve at this time [s] is one through a stretch, and not over a gap.
+  [[nodiscard]] bool covers(double t) const {
+    std::size_t first = 0;
+    for (const optimise::Stretch& stretch : smoothing.stretches) {
+      if (keys.times()[first] <= t && t <= keys.times()[first + stretch.count - 1]) return true;
+      first += stretch.count;
+    }
+    return false;
+  }
+};
+
+Expected<std::size_t> write_keys(io::SampleWriter& writer, const Smoothed& smoothed) {
+  const Keyframes& keys = smoothed.keys;
   for (std::size_t i = 0; i < keys.size(); ++i) {
     io::Sample sample{.motion = {.orientation = keys.orientations()[i],
                                  .angular_velocity = keys.angular_velocities()[i],
                                  .angular_acceleration = keys.angular_accelerations()[i]}};
     if (!keys.positions().empty()) sample.travel.position = keys.positions()[i];
-    if (auto written = writer.write(file.exact_times[i], sample); !written)
+    if (auto written = writer.write(smoothed.file.exact_times[smoothed.smoothing.keys[i]], sample); !written)
       return tl::unexpected(std::move(written.error()));
   }
   return keys.size();
 }
 
 /// Samples of the curve through the keys, but none between two stretches.
-Expected<std::size_t> write_samples(io::SampleWriter& writer, const Keyframes& keys, const io::KeyFile& file,
-                                    const TimeRequest& request, const std::vector<optimise::Stretch>& stretches) {
-  const auto curve = make_pose_curve(smoothed_method, keys);
+Expected<std::size_t> write_samples(io::SampleWriter& writer, const Smoothed& smoothed, const TimeRequest& request) {
+  const auto curve = make_pose_curve(smoothed_method, smoothed.keys);
   if (!curve) return tl::unexpected(curve.error());
-  const auto times = SampleTimes::make(request, file.epoch, curve->orientation.domain());
+  const auto times = SampleTimes::make(request, smoothed.file.epoch, curve->orientation.domain());
   if (!times) return tl::unexpected(times.error());
-  std::size_t stretch = 0, count = 0;
+  std::size_t count = 0;
   for (std::size_t k = 0; k < times->size(); ++k) {
     const Instant instant = (*times)[k];
-    const auto last_of = [&](std::size_t s) { return keys.times()[stretches[s].first + stretches[s].count - 1]; };
-    while (stretch + 1 < stretches.size() && instant.t > last_of(stretch)) ++stretch;
-    if (stretch > 0 && instant.t < keys.times()[stretches[stretch].first]) continue;
+    if (!smoothed.covers(instant.t)) continue;
     io::Sample sample{.motion = curve->orientation.motion(instant.t)};
     if (curve->position) sample.travel = curve->position->travel(instant.t);
     if (auto written = writer.write(times->origin().plus(instant.offset), sample); !written)
@@ -124,15 +144,13 @@ Expected<std::size_t> write_samples(io::SampleWriter& writer, const Keyframes& k
   return count;
 }
 
-Expected<std::size_t> write(const std::string& path, const Request& request, const Keyframes& keys,
-                            const io::KeyFile& file, const std::vector<optimise::Stretch>& stretches) {
+Expected<std::size_t> write(const std::string& path, const Request& request, const Smoothed& smoothed) {
   io::SampleColumns columns = request.columns;
   columns.derivatives = io::holds_all_columns(columns.format) ? 2 : 0;
-  columns.positions = !keys.positions().empty();
-  return io::SampleWriter::open(path, columns, keys.size()).and_then([&](io::SampleWriter writer) {
+  columns.positions = !smoothed.keys.positions().empty();
+  return io::SampleWriter::open(path, columns, smoothed.keys.size()).and_then([&](io::SampleWriter writer) {
     const RemovedWhenInterrupted unfinished(writer.part());
-    const auto written =
-        request.times ? write_samples(writer, keys, file, *request.times, stretches) : write_keys(writer, keys, file);
+    const auto written = request.times ? write_samples(writer, smoothed, *request.times) : write_keys(writer, smoothed);
     return written.and_then([&](std::size_t count) { return writer.finish().map([count] { return count; }); });
   });
 }
@@ -149,8 +167,8 @@ Expected<void> smooth(const SmoothOptions& options) {
   auto smoothing = optimise::smooth(*recording, request->smoothing);
   if (!smoothing) return tl::unexpected(located(*file, std::move(smoothing.error())));
   if (const std::string remark = remark_on(*smoothing); !remark.empty()) warn(remark);
-  const auto rows = smoothed_keys(*recording, smoothing->nodes).and_then([&](const Keyframes& keys) {
-    return write(options.output.path, *request, keys, *file, smoothing->stretches);
+  const auto rows = smoothed_keys(*recording, *smoothing).and_then([&](const Keyframes& keys) {
+    return write(options.output.path, *request, {keys, *file, *smoothing});
   });
   if (!rows) return tl::unexpected(rows.error());
   const SmoothReport report{.file = std::move(*file),

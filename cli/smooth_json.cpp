@@ -64,6 +64,7 @@ std::string json_of(const SmoothReport& report) {
   json["gyro_bias_rad_s"] = smoothing.gyro_noise ? Json{bias.x(), bias.y(), bias.z()} : Json(nullptr);
   json["rejected"] = places(report, smoothing.rejected);
   json["kept_runs"] = places(report, smoothing.kept_runs);
+  json["left_out"] = places(report, smoothing.left_out);
   json["stretches"] = stretches(report);
   json["iterations"] = smoothing.iterations;
   json["last_step_rad"] = smoothing.last_step;

@@ -26,7 +26,7 @@ std::string reason_of(const SmoothReport& report) {
   std::string reason = *smoothing.criterion == SmoothingCriterion::gcv    ? "by generalised cross-validation"
                        : *smoothing.criterion == SmoothingCriterion::ubre ? "by the stated noise (UBRE)"
                                                                           : "by restricted likelihood (REML)";
-  const std::size_t all = smoothing.nodes.orientations.size();
+  const std::size_t all = smoothing.keys.size();
   if (smoothing.chosen_on < all) reason += fmt::format(", on {} of {} samples", smoothing.chosen_on, all);
   return reason;
 }
@@ -66,8 +66,12 @@ std::string outlier_lines(const SmoothReport& report) {
 
 std::string stretch_lines(const SmoothReport& report) {
   const auto& stretches = report.smoothing.stretches;
-  if (stretches.size() == 1) return "";
-  std::string text = fmt::format("stretches       {}, begun at", stretches.size());
+  const auto& left_out = report.smoothing.left_out;
+  std::string text;
+  if (!left_out.empty())
+    text += fmt::format("left out        {}{}; too few between two gaps\n", left_out.size(), places(report, left_out));
+  if (stretches.size() == 1) return text;
+  text += fmt::format("stretches       {}, begun at", stretches.size());
   for (std::size_t i = 0; i < std::min(stretches.size(), places_shown); ++i)
     text += fmt::format("{} {} s", i == 0 ? "" : ",", report.file.exact_times[stretches[i].first].to_string());
   return text + (stretches.size() > places_shown ? ", …\n" : "\n");

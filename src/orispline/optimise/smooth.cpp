@@ -175,6 +175,15 @@ class Smoother {
       result_.last_step = std::max(result_.last_step, fit.last_step);
       result_.iterations = std::max(result_.iterations, fit.iterations);
     }
+    std::size_t next = 0;
+    const auto leave_out_until = [&](std::size_t key) {
+      for (; next < key; ++next) result_.left_out.push_back(next);
+    };
+    for (const Stretch& stretch : stretches_) {
+      leave_out_until(stretch.first);
+      for (; next < stretch.first + stretch.count; ++next) result_.keys.push_back(next);
+    }
+    leave_out_until(recording_.size());
     result_.stretches = std::move(stretches_);
     return std::move(result_);
   }
@@ -195,13 +204,8 @@ class Smoother {
 Expected<Smoothing> smooth(const Keyframes& recording, const SmoothOptions& options) {
   return check(recording, options)
       .and_then([&] { return stretches_of(recording, options.penalty, options.gap); })
-      .and_then([&](std::vector<Stretch> stretches) -> Expected<Smoothing> {
-        if (const double interval = scale_of(recording).interval; options.gap && *options.gap < interval)
-          return failure(
-              ErrorCode::bad_argument,
-              fmt::format("gap: found {} s, wanted more than the median interval of {:.6g} s", *options.gap, interval));
-        return Smoother(recording, options, std::move(stretches)).run();
-      });
+      .and_then(
+          [&](std::vector<Stretch> stretches) { return Smoother(recording, options, std::move(stretches)).run(); });
 }
 
 }  // namespace orispline::optimise

@@ -35,10 +35,12 @@ struct Stretch {
 
 /// A smoothed recording.
 struct Smoothing {
-  SmoothedNodes nodes{};             ///< at the times of the recording
-  std::vector<Stretch> stretches{};  ///< one, without gaps
-  double smoothing_time = 0.0;       ///< τ [s]
-  double lambda = 0.0;               ///< weight of the penalty against |r|²/σ²
+  std::vector<std::size_t> keys{};      ///< of the recording, increasing: all but those left out
+  SmoothedNodes nodes{};                ///< at the times of these keys
+  std::vector<Stretch> stretches{};     ///< one, without gaps
+  std::vector<std::size_t> left_out{};  ///< keys of stretches too short to tell noise from motion
+  double smoothing_time = 0.0;          ///< τ [s]
+  double lambda = 0.0;                  ///< weight of the penalty against |r|²/σ²
   double noise = 0.0;        ///< σ of the orientations per axis [rad], estimated from the residuals, or as stated
   double local_noise = 0.0;  ///< estimated from neighbouring samples [rad]
   std::optional<double> degrees_of_freedom{};  ///< effective ones of the curve, 3 tr; absent with a gyro
@@ -60,8 +62,9 @@ inline constexpr std::size_t most_times_for_choice = 10000;
 /// a C2 curve.
 ///
 /// The weight of the penalty follows from `smoothing_time`; else it is chosen: by GCV where nothing is known, by UBRE
-/// where the noise is stated, by REML with a gyro. Errors: bad_data (with the key) for a stretch of too few samples, or
-/// where no smooth motion is near to the samples; bad_argument for options that contradict each other.
+/// where the noise is stated, by REML with a gyro. Errors: bad_data for too few samples (fewer than three in every
+/// stretch, four for the jerk), or where no smooth motion is near to them; bad_argument for options that contradict
+/// each other.
 [[nodiscard]] Expected<Smoothing> smooth(const Keyframes& recording, const SmoothOptions& options = {});
 
 }  // namespace orispline::optimise

@@ -10,6 +10,7 @@
 namespace orispline::optimise {
 namespace {
 
+constexpr double time_rounding = 1e-6;   // relative, of intervals
 constexpr std::size_t shortest_run = 3;  // of far samples that are rather motion than faults
 
 /// As many as tell noise from motion.
@@ -32,19 +33,20 @@ RecordingScale scale_of(const Keyframes& recording) {
 }
 
 Expected<std::vector<Stretch>> stretches_of(const Keyframes& recording, Penalty penalty, std::optional<double> gap) {
+  const double interval = scale_of(recording).interval;
+  if (gap && *gap <= interval * (1.0 + time_rounding))
+    return failure(ErrorCode::bad_argument,
+                   fmt::format("gap: found {} s, wanted more than the median interval of {:.6g} s", *gap, interval));
   const auto t = recording.times();
   std::vector<Stretch> stretches{{0, 1}};
   for (std::size_t i = 1; i < t.size(); ++i)
     if (gap && t[i] - t[i - 1] > *gap) stretches.push_back({i, 1});
     else ++stretches.back().count;
-  for (const Stretch& stretch : stretches)
-    if (stretch.count < fewest_samples(penalty))
-      return failure(ErrorCode::bad_data,
-                     fmt::format("found {} from here to the next gap or end, wanted at least {} to smooth",
-                                 stretch.count == 1 ? "1 sample" : fmt::format("{} samples", stretch.count),
-                                 fewest_samples(penalty)),
-                     {.key = stretch.first});
-  return stretches;
+  std::erase_if(stretches, [&](const Stretch& stretch) { return stretch.count < fewest_samples(penalty); });
+  if (!stretches.empty()) return stretches;
+  return failure(ErrorCode::bad_data, fmt::format("found {} {}, wanted at least {} {}to smooth", t.size(),
+                                                  t.size() == 1 ? "sample" : "samples", fewest_samples(penalty),
+                                                  gap ? "without a gap " : ""));
 }
 
 Stretches problems_of(const Keyframes& recording, const std::vector<Stretch>& stretches, double noise) {

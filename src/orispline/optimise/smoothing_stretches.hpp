@@ -16,7 +16,8 @@ inline constexpr double least_noise = 1e-7;
 
 [[nodiscard]] RecordingScale scale_of(const Keyframes& recording);
 
-/// The recording cut at its gaps. Error (bad_data, with the key): a stretch with too few samples for the penalty.
+/// The recording cut at its gaps; stretches with too few samples for the penalty are left out. Errors: bad_argument for
+/// a gap not longer than the median interval; bad_data where no stretch is left.
 [[nodiscard]] Expected<std::vector<Stretch>> stretches_of(const Keyframes& recording, Penalty penalty,
                                                           std::optional<double> gap);
 
