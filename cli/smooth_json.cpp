@@ -60,8 +60,8 @@ std::string json_of(const SmoothReport& report) {
             {"local_noise_rad", smoothing.local_noise},
             {"degrees_of_freedom", or_null(smoothing.degrees_of_freedom)},
             {"gyro_noise_rad_s", or_null(smoothing.gyro_noise)}};
-  const Eigen::Vector3d& bias = smoothing.nodes.gyro_bias;
-  json["gyro_bias_rad_s"] = smoothing.gyro_noise ? Json{bias.x(), bias.y(), bias.z()} : Json(nullptr);
+  const Eigen::Vector3d& bias = smoothing.nodes.gyro_correction;
+  json["gyro_correction_rad_s"] = smoothing.gyro_noise ? Json{bias.x(), bias.y(), bias.z()} : Json(nullptr);
   json["rejected"] = places(report, smoothing.rejected);
   json["kept_runs"] = places(report, smoothing.kept_runs);
   json["left_out"] = places(report, smoothing.left_out);

@@ -39,8 +39,8 @@ std::string noise_line(const SmoothReport& report) {
 
 std::string gyro_lines(const Smoothing& smoothing) {
   if (!smoothing.gyro_noise) return "";
-  const Eigen::Vector3d bias = smoothing.nodes.gyro_bias * degrees;
-  return fmt::format("gyro            noise {:.4g} °/s per axis, bias {:.4g}, {:.4g}, {:.4g} °/s\n",
+  const Eigen::Vector3d bias = smoothing.nodes.gyro_correction * degrees;
+  return fmt::format("gyro            noise {:.4g} °/s per axis, correction {:.4g}, {:.4g}, {:.4g} °/s\n",
                      *smoothing.gyro_noise * degrees, bias.x(), bias.y(), bias.z());
 }
 

@@ -42,7 +42,7 @@ TEST(SmoothingGolden, NodesAreThoseOfTheReference) {
       EXPECT_LT(relative_error(fit.nodes.angular_velocities[i], node.vector("wx", "wy", "wz")), golden) << i;
       EXPECT_LT(relative_error(fit.nodes.angular_accelerations[i], node.vector("ax", "ay", "az")), 10 * golden) << i;
     }
-    EXPECT_LT(relative_error(fit.nodes.gyro_bias, test.row.vector("bx", "by", "bz")), golden);
+    EXPECT_LT(relative_error(fit.nodes.gyro_correction, test.row.vector("bx", "by", "bz")), golden);
   }
 }
 

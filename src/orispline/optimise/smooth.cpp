@@ -112,11 +112,11 @@ class Smoother {
 
   [[nodiscard]] Expected<void> fit_without_outliers() {
     const double limit = rejection_threshold * std::max(noise_, noise_by_median());
-    FarSamples far = far_samples(fits_, stretches_, limit);
-    result_.rejected = std::move(far.single);
-    result_.kept_runs = std::move(far.in_runs);
+    auto far = reject(problems_, stretches_, far_samples(fits_, stretches_, limit), options_.penalty);
+    if (!far) return tl::unexpected(std::move(far.error()));
+    result_.rejected = std::move(far->single);
+    result_.kept_runs = std::move(far->in_runs);
     if (result_.rejected.empty()) return refit(), Expected<void>();
-    if (auto done = reject(problems_, stretches_, result_.rejected, options_.penalty); !done) return done;
     fit({});
     return {};
   }
@@ -171,7 +171,7 @@ class Smoother {
       append(result_.nodes.orientations, fit.nodes.orientations);
       append(result_.nodes.angular_velocities, fit.nodes.angular_velocities);
       append(result_.nodes.angular_accelerations, fit.nodes.angular_accelerations);
-      result_.nodes.gyro_bias = fit.nodes.gyro_bias;
+      result_.nodes.gyro_correction = fit.nodes.gyro_correction;
       result_.last_step = std::max(result_.last_step, fit.last_step);
       result_.iterations = std::max(result_.iterations, fit.iterations);
     }

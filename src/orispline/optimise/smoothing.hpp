@@ -58,9 +58,9 @@ struct SmoothingIteration {
 /// The unknowns: orientations and body rates at the times of the recording.
 struct SmoothedNodes {
   std::vector<Eigen::Quaterniond> orientations{};
-  std::vector<Eigen::Vector3d> angular_velocities{};     ///< [rad/s]
-  std::vector<Eigen::Vector3d> angular_accelerations{};  ///< [rad/s²]
-  Eigen::Vector3d gyro_bias = Eigen::Vector3d::Zero();   ///< [rad/s]
+  std::vector<Eigen::Vector3d> angular_velocities{};          ///< [rad/s]
+  std::vector<Eigen::Vector3d> angular_accelerations{};       ///< [rad/s²]
+  Eigen::Vector3d gyro_correction = Eigen::Vector3d::Zero();  ///< b [rad/s]: the gyro, b added, has no bias
 };
 
 /// The minimum and what is known about it.

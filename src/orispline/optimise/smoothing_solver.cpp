@@ -107,7 +107,7 @@ class Minimisation {
   }
 
   [[nodiscard]] static State taken_from(const SmoothedNodes& nodes) {
-    State state{nodes.orientations, {}, nodes.gyro_bias};
+    State state{nodes.orientations, {}, nodes.gyro_correction};
     for (std::size_t i = 0; i < nodes.orientations.size(); ++i) {
       Rates& rates = state.rates.emplace_back();
       rates.template head<3>() = nodes.angular_velocities[i];
@@ -231,7 +231,7 @@ class Minimisation {
       if constexpr (P == 3) fit.nodes.angular_accelerations.push_back(rates.template tail<3>());
     }
     fit.nodes.orientations = std::move(state_.orientations);
-    fit.nodes.gyro_bias = state_.bias;
+    fit.nodes.gyro_correction = state_.bias;
     fit.residuals = std::move(now.residuals);
     fit.loss_weights = std::move(now.loss_weights);
     fit.data = now.data;

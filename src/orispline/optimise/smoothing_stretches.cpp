@@ -79,19 +79,24 @@ FarSamples far_samples(const StretchFits& fits, const std::vector<Stretch>& stre
   return far;
 }
 
-Expected<void> reject(Stretches& problems, const std::vector<Stretch>& stretches,
-                      const std::vector<std::size_t>& samples, Penalty penalty) {
+Expected<FarSamples> reject(Stretches& problems, const std::vector<Stretch>& stretches, FarSamples far,
+                            Penalty penalty) {
+  FarSamples done{.single = {}, .in_runs = std::move(far.in_runs)};
   for (std::size_t k = 0; k < stretches.size(); ++k) {
-    const Stretch& stretch = stretches[k];
-    for (const std::size_t i : samples)
-      if (stretch.first <= i && i < stretch.first + stretch.count) problems[k].weights[i - stretch.first] = 0.0;
-    if (const std::size_t left = observations({problems[k]}); left < fewest_samples(penalty))
-      return failure(ErrorCode::bad_data,
-                     fmt::format("of {} samples from here on {} are outliers, wanted at least {} others", stretch.count,
-                                 stretch.count - left, fewest_samples(penalty)),
-                     {.key = stretch.first});
+    const auto& [first, count] = stretches[k];
+    const auto begin = std::ranges::lower_bound(far.single, first);
+    const auto end = std::ranges::lower_bound(far.single, first + count);
+    const auto left = count - static_cast<std::size_t>(end - begin);
+    const bool enough = left >= fewest_samples(penalty);
+    if (!enough && stretches.size() == 1)
+      return failure(ErrorCode::bad_data, fmt::format("of {} samples {} are outliers, wanted at least {} others", count,
+                                                      count - left, fewest_samples(penalty)));
+    auto& samples = enough ? done.single : done.in_runs;
+    samples.insert(samples.end(), begin, end);
+    for (auto sample = begin; enough && sample != end; ++sample) problems[k].weights[*sample - first] = 0.0;
   }
-  return {};
+  std::ranges::sort(done.in_runs);
+  return done;
 }
 
 }  // namespace orispline::optimise

@@ -30,12 +30,13 @@ void add_gyro(Stretches& problems, const Keyframes& recording, const std::vector
 /// Samples whose residual is longer than a limit.
 struct FarSamples {
   std::vector<std::size_t> single{};   ///< indices into the recording
-  std::vector<std::size_t> in_runs{};  ///< of which three or more follow each other
+  std::vector<std::size_t> in_runs{};  ///< of which three or more follow each other, or fill a stretch
 };
 [[nodiscard]] FarSamples far_samples(const StretchFits& fits, const std::vector<Stretch>& stretches, double limit);
 
-/// Takes the weight of the samples. Error (bad_data, with the key): a stretch would keep too few.
-[[nodiscard]] Expected<void> reject(Stretches& problems, const std::vector<Stretch>& stretches,
-                                    const std::vector<std::size_t>& samples, Penalty penalty);
+/// Takes the weight of the single samples, and gives them back, but for stretches that would keep too few: theirs are
+/// added to those in runs. Error (bad_data): the only stretch would keep too few.
+[[nodiscard]] Expected<FarSamples> reject(Stretches& problems, const std::vector<Stretch>& stretches, FarSamples far,
+                                          Penalty penalty);
 
 }  // namespace orispline::optimise
