@@ -8,6 +8,7 @@
 #include "inspect.hpp"
 #include "plot.hpp"
 #include "sample.hpp"
+#include "smooth.hpp"
 #include "tune.hpp"
 
 // Which options the larger commands have, and what the help says about them.
@@ -27,6 +28,7 @@ void add_sample_options(CLI::App& app, SampleOptions& options);
 void add_convert_options(CLI::App& app, ConvertOptions& options);
 void add_inspect_options(CLI::App& app, InspectOptions& options);
 void add_method_options(CLI::App& app, MethodOptions& options);
+void add_smooth_options(CLI::App& app, SmoothOptions& options);
 void add_tune_options(CLI::App& app, TuneOptions& options);
 void add_compare_options(CLI::App& app, CompareOptions& options);
 void add_plot_options(CLI::App& app, PlotOptions& options);

@@ -18,6 +18,7 @@
 #include "plot.hpp"
 #include "reproduce.hpp"
 #include "sample.hpp"
+#include "smooth.hpp"
 #include "standard_output.hpp"
 #include "tune.hpp"
 
@@ -149,6 +150,9 @@ class CommandLine {
                         compare_);
     add_plot_options(command("plot", "Draw the motion of methods over time, as SVG", [this] { return plot(plot_); }),
                      plot_);
+    add_smooth_options(
+        command("smooth", "Turn noisy samples into a smooth motion with rates", [this] { return smooth(smooth_); }),
+        smooth_);
     add_tune_options(command("tune", "Find the tensions that make a curve smoothest, or nearest to a recording",
                              [this] { return tune(tune_); }),
                      tune_);
@@ -207,6 +211,7 @@ class CommandLine {
   InspectOptions inspect_;
   CompareOptions compare_;
   PlotOptions plot_;
+  SmoothOptions smooth_;
   TuneOptions tune_;
   MethodsOptions methods_;
   ReproduceOptions reproduce_;

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "smooth.hpp"
+
+#include <numbers>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <orispline/families/registry.hpp>
+#include <orispline/io/key_file.hpp>
+
+#include "interruption.hpp"
+#include "sample_times.hpp"
+#include "smooth_report.hpp"
+#include "standard_output.hpp"
+
+namespace orispline::cli {
+namespace {
+
+/// The command line, understood.
+struct Request {
+  InputRequest input;
+  optimise::SmoothOptions smoothing;
+  io::SampleColumns columns;
+  std::optional<TimeRequest> times;  ///< of samples
+};
+
+Expected<double> positive_in(OptionText option) {
+  const auto number = number_in(option);
+  if (!number || !(*number > 0.0)) return wanted(option, "a number greater than 0");
+  return *number;
+}
+
+/// `1deg`, `0.02rad`, in radians.
+Expected<double> positive_angle_in(OptionText option) {
+  const bool in_degrees = option.text.ends_with("deg");
+  const auto number = in_degrees || option.text.ends_with("rad")
+                          ? positive_in({option.option, option.text.substr(0, option.text.size() - 3)})
+                          : wanted(option, "");
+  if (!number) return wanted(option, "an angle greater than 0 with its unit, such as 1deg or 0.02rad");
+  return in_degrees ? *number * std::numbers::pi / 180.0 : *number;
+}
+
+/// What the options ask of each other.
+Expected<void> agree(const SmoothOptions& options) {
+  const int stated = options.noise.has_value() + options.smoothing_time.has_value() + options.cutoff.has_value();
+  if (stated > 1)
+    return usage_failure("found several of --noise, --smoothing-time and --cutoff, wanted one: each says how smooth");
+  if (options.gyro_noise && !options.gyro) return usage_failure("--gyro-noise: wanted --gyro as well");
+  if (options.gyro && options.gap) return usage_failure("--gap: wanted no --gyro, which bridges gaps");
+  if (options.json && options.output.path == io::standard_stream)
+    return usage_failure("--json: the summary goes to standard output, wanted -o FILE for the keys");
+  return {};
+}
+
+Expected<Request> request_in(const SmoothOptions& options) {
+  if (auto agreed = agree(options); !agreed) return tl::unexpected(std::move(agreed.error()));
+  FirstError checked;
+  Request request{.input = checked(input_request(options.input)),
+                  .smoothing = {},
+                  .columns = checked(output_columns(options.output)),
+                  .times = {}};
+  optimise::SmoothOptions& smoothing = request.smoothing;
+  smoothing.penalty =
+      checked(if_given("--penalty", options.penalty, choice_of(penalty_choices))).value_or(smoothing.penalty);
+  smoothing.noise = checked(if_given("--noise", options.noise, positive_angle_in));
+  smoothing.smoothing_time = checked(if_given("--smoothing-time", options.smoothing_time, positive_in));
+  if (const auto cutoff = checked(if_given("--cutoff", options.cutoff, positive_in)))
+    smoothing.smoothing_time = 1.0 / (2.0 * std::numbers::pi * *cutoff);
+  smoothing.outliers = checked(if_given("--loss", options.loss, choice_of(loss_choices))).value_or(smoothing.outliers);
+  smoothing.gap = checked(if_given("--gap", options.gap, positive_in));
+  smoothing.gyro = options.gyro;
+  smoothing.gyro_noise = checked(if_given("--gyro-noise", options.gyro_noise, positive_angle_in));
+  if (TimeOptions times; options.rate) {
+    times.rate = options.rate;
+    request.times = checked(time_request(times));
+  }
+  request.input.read.rate_orders = options.gyro ? 1 : 0;
+  request.input.read.world_rates = true;
+  request.input.read.keep_exact_times = true;
+  return std::move(checked).or_else(std::move(request));
+}
+
+/// The smoothed recording as keys with rates.
+Expected<Keyframes> smoothed_keys(const Keyframes& recording, const optimise::Smoothing& smoothing) {
+  const optimise::SmoothedNodes& nodes = smoothing.nodes;
+  KeyframeData data;
+  data.orientations = nodes.orientations;
+  data.angular_velocities = nodes.angular_velocities;
+  data.angular_accelerations = nodes.angular_accelerations;
+  for (const std::size_t key : smoothing.keys) {
+    data.times.push_back(recording.times()[key]);
+    if (!recording.positions().empty()) data.positions.push_back(recording.positions()[key]);
+  }
+  return Keyframes::make(std::move(data));
+}
+
+/// Smoothed keys and where they come from.
+struct Smoothed {
+  const Keyframes& keys;
+  const io::KeyFile& file;
+  const optimise::Smoothing& smoothing;
+
+  /// Whether the curve at this time [s] is one through a stretch, and not over a gap.
+  [[nodiscard]] bool covers(double t) const {
+    std::size_t first = 0;
+    for (const optimise::Stretch& stretch : smoothing.stretches) {
+      if (keys.times()[first] <= t && t <= keys.times()[first + stretch.count - 1]) return true;
+      first += stretch.count;
+    }
+    return false;
+  }
+};
+
+Expected<std::size_t> write_keys(io::SampleWriter& writer, const Smoothed& smoothed) {
+  const Keyframes& keys = smoothed.keys;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    io::Sample sample{.motion = {.orientation = keys.orientations()[i],
+                                 .angular_velocity = keys.angular_velocities()[i],
+                                 .angular_acceleration = keys.angular_accelerations()[i]}};
+    if (!keys.positions().empty()) sample.travel.position = keys.positions()[i];
+    if (auto written = writer.write(smoothed.file.exact_times[smoothed.smoothing.keys[i]], sample); !written)
+      return tl::unexpected(std::move(written.error()));
+  }
+  return keys.size();
+}
+
+/// Samples of the curve through the keys, but none between two stretches.
+Expected<std::size_t> write_samples(io::SampleWriter& writer, const Smoothed& smoothed, const TimeRequest& request) {
+  const auto curve = make_pose_curve(smoothed_method, smoothed.keys);
+  if (!curve) return tl::unexpected(curve.error());
+  const auto times = SampleTimes::make(request, smoothed.file.epoch, curve->orientation.domain());
+  if (!times) return tl::unexpected(times.error());
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < times->size(); ++k) {
+    const Instant instant = (*times)[k];
+    if (!smoothed.covers(instant.t)) continue;
+    io::Sample sample{.motion = curve->orientation.motion(instant.t)};
+    if (curve->position) sample.travel = curve->position->travel(instant.t);
+    if (auto written = writer.write(times->origin().plus(instant.offset), sample); !written)
+      return tl::unexpected(std::move(written.error()));
+    ++count;
+  }
+  return count;
+}
+
+Expected<std::size_t> write(const std::string& path, const Request& request, const Smoothed& smoothed) {
+  io::SampleColumns columns = request.columns;
+  columns.derivatives = io::holds_all_columns(columns.format) ? 2 : 0;
+  columns.positions = !smoothed.keys.positions().empty();
+  return io::SampleWriter::open(path, columns, smoothed.keys.size()).and_then([&](io::SampleWriter writer) {
+    const RemovedWhenInterrupted unfinished(writer.part());
+    const auto written = request.times ? write_samples(writer, smoothed, *request.times) : write_keys(writer, smoothed);
+    return written.and_then([&](std::size_t count) { return writer.finish().map([count] { return count; }); });
+  });
+}
+
+}  // namespace
+
+Expected<void> smooth(const SmoothOptions& options) {
+  const auto request = request_in(options);
+  if (!request) return tl::unexpected(request.error());
+  auto file = io::read_keys(request->input.path, request->input.read);
+  if (!file) return tl::unexpected(std::move(file.error()));
+  const auto recording = Keyframes::make(std::exchange(file->data, {}), request->input.signs);
+  if (!recording) return tl::unexpected(located(*file, recording.error()));
+  auto smoothing = optimise::smooth(*recording, request->smoothing);
+  if (!smoothing) return tl::unexpected(located(*file, std::move(smoothing.error())));
+  if (const std::string remark = remark_on(*smoothing); !remark.empty()) warn(remark);
+  const auto rows = smoothed_keys(*recording, *smoothing).and_then([&](const Keyframes& keys) {
+    return write(options.output.path, *request, {keys, *file, *smoothing});
+  });
+  if (!rows) return tl::unexpected(rows.error());
+  const SmoothReport report{.file = std::move(*file),
+                            .output = options.output.path,
+                            .penalty = request->smoothing.penalty,
+                            .outliers = request->smoothing.outliers,
+                            .positions = !recording->positions().empty(),
+                            .samples = request->times.has_value(),
+                            .rows = *rows,
+                            .smoothing = std::move(*smoothing)};
+  if (options.json) return print_document(json_of(report));
+  if (!options.quiet) tell(text_of(report));
+  return {};
+}
+
+}  // namespace orispline::cli

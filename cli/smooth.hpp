@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <orispline/optimise/smooth.hpp>
+
+#include "input_options.hpp"
+#include "output_options.hpp"
+
+namespace orispline::cli {
+
+inline constexpr std::array penalty_choices{Choice<optimise::Penalty>{"acceleration", optimise::Penalty::acceleration},
+                                            Choice<optimise::Penalty>{"jerk", optimise::Penalty::jerk}};
+inline constexpr std::array loss_choices{Choice<optimise::Outliers>{"robust", optimise::Outliers::reject},
+                                         Choice<optimise::Outliers>{"l2", optimise::Outliers::none},
+                                         Choice<optimise::Outliers>{"huber", optimise::Outliers::huber},
+                                         Choice<optimise::Outliers>{"tukey", optimise::Outliers::tukey}};
+
+/// The method that makes the C2 curve of smoothed keys.
+inline constexpr std::string_view smoothed_method = "hermite-c2";
+
+/// `orispline smooth`, as typed.
+struct SmoothOptions {
+  InputOptions input;
+  std::optional<std::string> penalty, noise, smoothing_time, cutoff, loss, gyro_noise, gap, rate;
+  bool gyro = false;
+  OutputOptions output;
+  bool json = false, quiet = false;
+};
+
+/// A noisy recording in, smooth keys with rates, or samples, out.
+[[nodiscard]] Expected<void> smooth(const SmoothOptions& options);
+
+}  // namespace orispline::cli

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+#include "smooth.hpp"
+#include "smooth_report.hpp"
+
+namespace orispline::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;  // members stay in the order in which they are documented
+
+Json places(const SmoothReport& report, const std::vector<std::size_t>& samples) {
+  Json list = Json::array();
+  for (const std::size_t i : samples)
+    list.push_back({{"key", i}, {"line", report.file.lines[i]}, {"time_s", report.file.exact_times[i].to_string()}});
+  return list;
+}
+
+Json stretches(const SmoothReport& report) {
+  Json list = Json::array();
+  for (const auto& [first, count] : report.smoothing.stretches)
+    list.push_back({{"key", first}, {"line", report.file.lines[first]}, {"samples", count}});
+  return list;
+}
+
+Json criterion_of(const optimise::Smoothing& smoothing) {
+  if (!smoothing.criterion) return nullptr;
+  constexpr std::array names{"gcv", "ubre", "reml"};
+  return names[static_cast<std::size_t>(*smoothing.criterion)];
+}
+
+template <class T>
+Json or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+template <class T, std::size_t N>
+std::string_view word_of(const std::array<Choice<T>, N>& choices, T value) {
+  return std::ranges::find(choices, value, &Choice<T>::second)->first;
+}
+
+}  // namespace
+
+std::string json_of(const SmoothReport& report) {
+  const optimise::Smoothing& smoothing = report.smoothing;
+  Json json{{"input", report.file.path},
+            {"output", report.output},
+            {"samples", report.file.lines.size()},
+            {"rows_written", report.rows},
+            {"penalty", word_of(penalty_choices, report.penalty)},
+            {"loss", word_of(loss_choices, report.outliers)},
+            {"smoothing_time_s", smoothing.smoothing_time},
+            {"cutoff_hz", cutoff_of(smoothing)},
+            {"lambda", smoothing.lambda},
+            {"criterion", criterion_of(smoothing)},
+            {"chosen_on", smoothing.chosen_on},
+            {"noise_rad", smoothing.noise},
+            {"local_noise_rad", smoothing.local_noise},
+            {"degrees_of_freedom", or_null(smoothing.degrees_of_freedom)},
+            {"gyro_noise_rad_s", or_null(smoothing.gyro_noise)}};
+  const Eigen::Vector3d& bias = smoothing.nodes.gyro_correction;
+  json["gyro_correction_rad_s"] = smoothing.gyro_noise ? Json{bias.x(), bias.y(), bias.z()} : Json(nullptr);
+  json["rejected"] = places(report, smoothing.rejected);
+  json["kept_runs"] = places(report, smoothing.kept_runs);
+  json["left_out"] = places(report, smoothing.left_out);
+  json["stretches"] = stretches(report);
+  json["iterations"] = smoothing.iterations;
+  json["last_step_rad"] = smoothing.last_step;
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace orispline::cli

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "smooth_report.hpp"
+
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include <orispline/io/output_file.hpp>
+
+#include "sample_report.hpp"
+
+namespace orispline::cli {
+namespace {
+
+using optimise::LambdaChoice;
+using optimise::Smoothing;
+using optimise::SmoothingCriterion;
+
+constexpr double degrees = 180.0 / std::numbers::pi;
+constexpr std::size_t places_shown = 10;
+constexpr double wanted_step = 1e-6;  // [rad] of the last step of the iteration
+
+std::string reason_of(const SmoothReport& report) {
+  const auto& smoothing = report.smoothing;
+  if (!smoothing.criterion) return "as stated";
+  std::string reason = *smoothing.criterion == SmoothingCriterion::gcv    ? "by generalised cross-validation"
+                       : *smoothing.criterion == SmoothingCriterion::ubre ? "by the stated noise (UBRE)"
+                                                                          : "by restricted likelihood (REML)";
+  const std::size_t all = smoothing.keys.size();
+  if (smoothing.chosen_on < all) reason += fmt::format(", on {} of {} samples", smoothing.chosen_on, all);
+  return reason;
+}
+
+std::string noise_line(const SmoothReport& report) {
+  const Smoothing& smoothing = report.smoothing;
+  return fmt::format("noise           {:.4g}° per axis in the residuals; {:.4g}° between neighbours\n",
+                     smoothing.noise * degrees, smoothing.local_noise * degrees);
+}
+
+std::string gyro_lines(const Smoothing& smoothing) {
+  if (!smoothing.gyro_noise) return "";
+  const Eigen::Vector3d bias = smoothing.nodes.gyro_correction * degrees;
+  return fmt::format("gyro            noise {:.4g} °/s per axis, correction {:.4g}, {:.4g}, {:.4g} °/s\n",
+                     *smoothing.gyro_noise * degrees, bias.x(), bias.y(), bias.z());
+}
+
+/// `: line 6 (5.2 s), line 9 (5.8 s)`, some of them.
+std::string places(const SmoothReport& report, const std::vector<std::size_t>& samples) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(samples.size(), places_shown); ++i)
+    text += fmt::format("{}line {} ({} s)", i == 0 ? ": " : ", ", report.file.lines[samples[i]],
+                        report.file.exact_times[samples[i]].to_string());
+  return text + (samples.size() > places_shown ? ", …" : "");
+}
+
+std::string outlier_lines(const SmoothReport& report) {
+  std::string text;
+  const auto& [rejected, kept] = std::tie(report.smoothing.rejected, report.smoothing.kept_runs);
+  if (report.outliers == optimise::Outliers::reject || report.outliers == optimise::Outliers::tukey)
+    text += fmt::format("rejected        {}{}\n", rejected.size(), places(report, rejected));
+  if (!kept.empty())
+    text += fmt::format("far, but kept   {}{}; three or more in a row are rather motion than outliers\n", kept.size(),
+                        places(report, kept));
+  return text;
+}
+
+std::string stretch_lines(const SmoothReport& report) {
+  const auto& stretches = report.smoothing.stretches;
+  const auto& left_out = report.smoothing.left_out;
+  std::string text;
+  if (!left_out.empty())
+    text += fmt::format("left out        {}{}; too few between two gaps\n", left_out.size(), places(report, left_out));
+  if (stretches.size() == 1) return text;
+  text += fmt::format("stretches       {}, begun at", stretches.size());
+  for (std::size_t i = 0; i < std::min(stretches.size(), places_shown); ++i)
+    text += fmt::format("{} {} s", i == 0 ? "" : ",", report.file.exact_times[stretches[i].first].to_string());
+  return text + (stretches.size() > places_shown ? ", …\n" : "\n");
+}
+
+}  // namespace
+
+double cutoff_of(const Smoothing& smoothing) { return 1.0 / (2.0 * std::numbers::pi * smoothing.smoothing_time); }
+
+std::string remark_on(const Smoothing& smoothing) {
+  if (smoothing.edge == LambdaChoice::Edge::shortest)
+    return "hardly any noise was found beside the motion: the least smoothing was taken";
+  if (smoothing.edge == LambdaChoice::Edge::longest)
+    return "no motion was found beside the noise: the most smoothing was taken; state --smoothing-time to have less";
+  if (smoothing.last_step > wanted_step)
+    return fmt::format("the last step of the iteration still moved by {:.2g} rad", smoothing.last_step);
+  return "";
+}
+
+std::string text_of(const SmoothReport& report) {
+  const Smoothing& smoothing = report.smoothing;
+  std::string text = fmt::format("{} from {}", counted(report.file.lines.size(), "sample"), report.file.path);
+  if (const std::string repairs = text_of(report.file.repairs); !repairs.empty()) text += "; " + repairs;
+  text += fmt::format("\nsmoothing time  {:.4g} s (cut-off {:.4g} Hz), {}\n", smoothing.smoothing_time,
+                      cutoff_of(smoothing), reason_of(report));
+  text += noise_line(report);
+  if (smoothing.degrees_of_freedom)
+    text += fmt::format("freedom         {:.4g} effective degrees of {}\n", *smoothing.degrees_of_freedom,
+                        3 * smoothing.nodes.orientations.size());
+  text += gyro_lines(smoothing) + outlier_lines(report) + stretch_lines(report);
+  if (report.positions) text += "positions are as they were: only orientations are smoothed\n";
+  return text + fmt::format("{} written to {}\n", counted(report.rows, report.samples ? "sample" : "key"),
+                            report.output == io::standard_stream ? "standard output" : report.output);
+}
+
+}  // namespace orispline::cli

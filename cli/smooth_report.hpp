@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include <orispline/io/key_file.hpp>
+#include <orispline/optimise/smooth.hpp>
+
+namespace orispline::cli {
+
+/// What `orispline smooth` did.
+struct SmoothReport {
+  io::KeyFile file{};  ///< for the lines, the exact times and the repairs; without the keyframes
+  std::string output{};
+  optimise::Penalty penalty{};
+  optimise::Outliers outliers{};
+  bool positions = false, samples = false;
+  std::size_t rows = 0;  ///< written
+  optimise::Smoothing smoothing{};
+};
+
+/// The frequency at which the smoother's gain is one half [Hz].
+[[nodiscard]] double cutoff_of(const optimise::Smoothing& smoothing);
+
+/// What is noteworthy about the choice of the smoothing time, as a sentence; empty when nothing.
+[[nodiscard]] std::string remark_on(const optimise::Smoothing& smoothing);
+
+/// A page for people.
+[[nodiscard]] std::string text_of(const SmoothReport& report);
+
+/// One JSON document, described in docs/smooth.md.
+[[nodiscard]] std::string json_of(const SmoothReport& report);
+
+}  // namespace orispline::cli

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/optimise/smooth.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include <orispline/optimise/smoothing_noise.hpp>
+#include <orispline/optimise/smoothing_stretches.hpp>
+
+namespace orispline::optimise {
+namespace {
+
+constexpr double huber_threshold = 2.5, tukey_threshold = 6.0;  // in units of σ
+constexpr double rejection_threshold = 5.0;                     // likewise
+constexpr SmoothingIteration to_find_outliers{.tolerance = 1e-4};
+constexpr double largest_noise = 0.5;  // [rad] per axis: residuals of this size are those of no motion at all
+
+Expected<void> check_number(const char* name, const char* unit, std::optional<double> value) {
+  if (!value || (std::isfinite(*value) && *value > 0.0)) return {};
+  return failure(ErrorCode::bad_argument, fmt::format("{}: found {}, wanted {} greater than 0", name, *value, unit));
+}
+
+Expected<void> check(const Keyframes& recording, const SmoothOptions& options) {
+  if (auto checked = check_number("noise", "radians", options.noise); !checked) return checked;
+  if (auto checked = check_number("smoothing time", "seconds", options.smoothing_time); !checked) return checked;
+  if (auto checked = check_number("gap", "seconds", options.gap); !checked) return checked;
+  if (auto checked = check_number("gyro noise", "radians per second", options.gyro_noise); !checked) return checked;
+  const auto contradiction = [](std::string message) { return failure(ErrorCode::bad_argument, std::move(message)); };
+  if (options.noise && options.smoothing_time)
+    return contradiction("found a noise and a smoothing time, wanted one of them: each determines how smooth");
+  if (options.gyro_noise && !options.gyro) return contradiction("found a gyro noise without a gyro");
+  if (options.gyro && options.gap)
+    return contradiction("found a gyro and a gap, wanted one of them: the gyro bridges gaps");
+  if (options.gyro && recording.angular_velocities().empty())
+    return failure(ErrorCode::bad_data, "found no angular velocities, wanted those of the gyro");
+  return {};
+}
+
+SmoothingObjective objective_of(const SmoothOptions& options) {
+  return {.penalty = options.penalty,
+          .loss = options.outliers == Outliers::none ? Loss::squares : Loss::huber,
+          .threshold = huber_threshold};
+}
+
+/// The steps from a recording to its smoothed motion, each of which refines what is known.
+class Smoother {
+ public:
+  Smoother(const Keyframes& recording, const SmoothOptions& options, std::vector<Stretch> stretches)
+      : recording_(recording),
+        options_(options),
+        scale_(scale_of(recording)),
+        noise_(options.noise.value_or(scale_.noise)),
+        stretches_(std::move(stretches)),
+        problems_(problems_of(recording, stretches_, noise_)),
+        objective_(objective_of(options)) {}
+
+  [[nodiscard]] Expected<Smoothing> run() {
+    fit(options_.outliers == Outliers::reject ? to_find_outliers : SmoothingIteration{});
+    if (options_.outliers == Outliers::tukey) fit_with_tukey();
+    if (options_.outliers == Outliers::reject)
+      if (auto done = fit_without_outliers(); !done) return tl::unexpected(std::move(done.error()));
+    measure_noise();
+    if (const double noise = result_.noise; noise > largest_noise)
+      return failure(ErrorCode::bad_data,
+                     fmt::format("no smooth motion is near to the samples: they are {:.3g}° per axis off the best one",
+                                 noise * 180.0 / std::numbers::pi));
+    if (options_.gyro) fit_with_gyro();
+    return finished();
+  }
+
+ private:
+  /// Chooses λ and fits, from the present fit if there is one.
+  void fit(const SmoothingIteration& iteration) {
+    if (options_.smoothing_time) {
+      objective_.lambda = lambda_of(*options_.smoothing_time, options_.penalty, noise_, scale_.interval);
+    } else {
+      choose(options_.noise ? SmoothingCriterion::ubre : SmoothingCriterion::gcv);
+    }
+    refit(iteration);
+  }
+
+  void choose(SmoothingCriterion criterion) {
+    const Stretches parts = representative_parts(problems_, most_times_for_choice);
+    const auto near = result_.criterion == criterion ? std::optional(smoothing_time()) : std::nullopt;
+    const LambdaChoice choice = chosen_lambda(parts, objective_, criterion, noise_, scale_.interval, near);
+    objective_.lambda = choice.lambda;
+    result_.criterion = criterion;
+    result_.edge = choice.edge;
+    result_.chosen_on = 0;
+    for (const SmoothingProblem& part : parts) result_.chosen_on += part.size();
+  }
+
+  void refit(const SmoothingIteration& iteration = {}) {
+    fits_ = fit_stretches(problems_, objective_, iteration, fits_.fits.empty() ? nullptr : &fits_);
+  }
+
+  [[nodiscard]] double smoothing_time() const {
+    return smoothing_time_of(objective_.lambda, options_.penalty, noise_, scale_.interval);
+  }
+
+  void fit_with_tukey() {
+    objective_.loss = Loss::tukey;
+    objective_.threshold = tukey_threshold;
+    refit();
+    for (std::size_t k = 0; k < stretches_.size(); ++k)
+      for (std::size_t i = 0; i < stretches_[k].count; ++i)
+        if (fits_.fits[k].loss_weights[i] == 0.0) result_.rejected.push_back(stretches_[k].first + i);
+  }
+
+  [[nodiscard]] Expected<void> fit_without_outliers() {
+    const double limit = rejection_threshold * std::max(noise_, noise_by_median());
+    auto far = reject(problems_, stretches_, far_samples(fits_, stretches_, limit), options_.penalty);
+    if (!far) return tl::unexpected(std::move(far.error()));
+    result_.rejected = std::move(far->single);
+    result_.kept_runs = std::move(far->in_runs);
+    if (result_.rejected.empty()) return refit(), Expected<void>();
+    fit({});
+    return {};
+  }
+
+  [[nodiscard]] double trace() const { return hat_trace(problems_, fits_, options_.penalty, objective_.lambda); }
+
+  /// The share of the data that is left to tell the noise.
+  [[nodiscard]] double free_share() const {
+    const auto count = static_cast<double>(observations(problems_));
+    return std::max(0.0, (count - trace()) / count);
+  }
+
+  [[nodiscard]] double noise_by_median() const {
+    std::vector<double> lengths;
+    for (const SmoothingFit& fit : fits_.fits)
+      for (const Eigen::Vector3d& r : fit.residuals) lengths.push_back(r.norm());
+    const double share = free_share();
+    return share > 0.0 ? median_of(std::move(lengths)) / (median_length * std::sqrt(share)) : 0.0;
+  }
+
+  void measure_noise() {
+    const auto count = static_cast<double>(observations(problems_));
+    const double freedom = 3.0 * count * free_share();
+    result_.noise = freedom > 0.0 ? noise_ * std::sqrt(fits_.data() / freedom) : 0.0;
+    result_.degrees_of_freedom = 3.0 * trace();
+  }
+
+  void fit_with_gyro() {
+    const double orientation_noise = options_.noise.value_or(std::max(least_noise, result_.noise));
+    const double ratio = noise_ / orientation_noise;
+    for (SmoothingProblem& problem : problems_)
+      for (double& weight : problem.weights) weight *= ratio * ratio;
+    noise_ = orientation_noise;
+    result_.gyro_noise = options_.gyro_noise.value_or(
+        std::max(least_noise, local_noise(recording_.times(), recording_.angular_velocities())));
+    result_.degrees_of_freedom.reset();
+    add_gyro(problems_, recording_, stretches_, *result_.gyro_noise);
+    objective_.bias = SmoothingObjective::Bias::constant;
+    if (options_.smoothing_time)
+      objective_.lambda = lambda_of(*options_.smoothing_time, options_.penalty, noise_, scale_.interval);
+    else choose(SmoothingCriterion::reml);
+    refit();
+  }
+
+  [[nodiscard]] Smoothing finished() {
+    result_.lambda = objective_.lambda;
+    result_.smoothing_time = smoothing_time();
+    result_.interval = scale_.interval;
+    result_.local_noise = scale_.noise;
+    for (SmoothingFit& fit : fits_.fits) {
+      const auto append = [](auto& all, const auto& part) { all.insert(all.end(), part.begin(), part.end()); };
+      append(result_.nodes.orientations, fit.nodes.orientations);
+      append(result_.nodes.angular_velocities, fit.nodes.angular_velocities);
+      append(result_.nodes.angular_accelerations, fit.nodes.angular_accelerations);
+      result_.nodes.gyro_correction = fit.nodes.gyro_correction;
+      result_.last_step = std::max(result_.last_step, fit.last_step);
+      result_.iterations = std::max(result_.iterations, fit.iterations);
+    }
+    std::size_t next = 0;
+    const auto leave_out_until = [&](std::size_t key) {
+      for (; next < key; ++next) result_.left_out.push_back(next);
+    };
+    for (const Stretch& stretch : stretches_) {
+      leave_out_until(stretch.first);
+      for (; next < stretch.first + stretch.count; ++next) result_.keys.push_back(next);
+    }
+    leave_out_until(recording_.size());
+    result_.stretches = std::move(stretches_);
+    return std::move(result_);
+  }
+
+  const Keyframes& recording_;
+  const SmoothOptions& options_;
+  RecordingScale scale_;
+  double noise_;  // that the weights stand for [rad]
+  std::vector<Stretch> stretches_;
+  Stretches problems_;
+  SmoothingObjective objective_;
+  StretchFits fits_;
+  Smoothing result_;
+};
+
+}  // namespace
+
+Expected<Smoothing> smooth(const Keyframes& recording, const SmoothOptions& options) {
+  return check(recording, options)
+      .and_then([&] { return stretches_of(recording, options.penalty, options.gap); })
+      .and_then(
+          [&](std::vector<Stretch> stretches) { return Smoother(recording, options, std::move(stretches)).run(); });
+}
+
+}  // namespace orispline::optimise

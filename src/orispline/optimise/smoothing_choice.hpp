@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <orispline/optimise/smoothing.hpp>
+
+namespace orispline::optimise {
+
+/// How the weight of the penalty is chosen where nobody states it.
+enum class SmoothingCriterion {
+  gcv,   ///< generalised cross-validation (Craven and Wahba 1979): the noise may be unknown
+  ubre,  ///< unbiased risk estimate (Mallows' C_p): the noise is what the weights say
+  reml,  ///< restricted likelihood by Laplace's method: likewise, and for the gyro too
+};
+
+/// λ of a smoothing time τ [s]: the smoother's gain at the frequency f is 1/(1 + (2π f τ)^2p), one half at 1/(2π τ).
+/// `noise`: σ per axis [rad]; `interval`: between samples [s].
+[[nodiscard]] double lambda_of(double smoothing_time, Penalty penalty, double noise, double interval);
+[[nodiscard]] double smoothing_time_of(double lambda, Penalty penalty, double noise, double interval);
+
+/// Stretches of a recording that share λ and no motion.
+using Stretches = std::vector<SmoothingProblem>;
+
+/// Fits of all stretches.
+struct StretchFits {
+  std::vector<SmoothingFit> fits{};
+
+  [[nodiscard]] double data() const noexcept;
+};
+
+/// Fits every stretch. `start`: fits of the same stretches, or nothing.
+[[nodiscard]] StretchFits fit_stretches(const Stretches& stretches, const SmoothingObjective& objective,
+                                        const SmoothingIteration& iteration = {}, const StretchFits* start = nullptr);
+
+/// Times with an orientation that counts.
+[[nodiscard]] std::size_t observations(const Stretches& stretches);
+
+/// The trace of the hat matrix per axis, over all stretches, with the weights that the loss leaves.
+[[nodiscard]] double hat_trace(const Stretches& stretches, const StretchFits& fits, Penalty penalty, double lambda);
+
+/// λ of least criterion.
+struct LambdaChoice {
+  double lambda = 0.0;
+  std::size_t tried = 0;  ///< values of λ
+  enum class Edge {
+    none,
+    shortest,  ///< the least value stands at the shortest smoothing time: hardly any noise, or no motion to tell it
+               ///< from
+    longest,   ///< it stands at the longest one: as good as no motion
+  } edge = Edge::none;
+};
+
+/// Scans τ upward from half the interval by factors of 1.3, until the criterion has risen for some steps, and refines
+/// the least value by a parabola in log τ. `noise`, `interval`: as of lambda_of(). The objective's λ is not used, but
+/// where `near` is given the scan begins a few steps before that τ, unless the least value turns out to lie there.
+[[nodiscard]] LambdaChoice chosen_lambda(const Stretches& stretches, SmoothingObjective objective,
+                                         SmoothingCriterion criterion, double noise, double interval,
+                                         std::optional<double> near = std::nullopt);
+
+/// Parts of the stretches, evenly spread, with `most` times altogether, or a little more; the stretches themselves
+/// where they have no more: for a choice of λ that need not see everything.
+[[nodiscard]] Stretches representative_parts(const Stretches& stretches, std::size_t most);
+
+}  // namespace orispline::optimise
