@@ -2,6 +2,7 @@
 #include <orispline/io/key_table.hpp>
 
 #include <algorithm>
+#include <array>
 
 #include <orispline/io/number_text.hpp>
 
@@ -14,6 +15,11 @@ std::string cell_of(std::string_view text) {
   std::string cell = "\"";
   for (const char c : text) cell.append(c == '"' ? 2 : 1, c);
   return cell + "\"";
+}
+
+std::string number_cell(double value) {
+  std::array<char, shortest_text_room> text;
+  return {text.data(), write_shortest_text(text.data(), value)};
 }
 
 }  // namespace
@@ -29,12 +35,11 @@ std::string csv_with_columns(const KeyTable& table, const NumberColumns& columns
     text += i < table.names.size() ? cell_of(table.names[i]) : std::string(added[i - table.names.size()]);
     end_cell(i + 1 == width);
   }
-  ShortestText number;
   for (std::size_t key = 0; key < table.rows.size(); ++key)
     for (std::size_t i = 0; i < width; ++i) {
       const std::string_view name = i < table.names.size() ? table.names[i] : added[i - table.names.size()];
       const auto column = columns.find(name);
-      text += column == columns.end() ? cell_of(table.rows[key][i]) : std::string(number.of(column->second[key]));
+      text += column == columns.end() ? cell_of(table.rows[key][i]) : number_cell(column->second[key]);
       end_cell(i + 1 == width);
     }
   return text;
