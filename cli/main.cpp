@@ -15,6 +15,7 @@
 #include "inspect.hpp"
 #include "method_options.hpp"
 #include "methods.hpp"
+#include "reduce.hpp"
 #include "reproduce.hpp"
 #include "sample.hpp"
 #include "standard_output.hpp"
@@ -33,6 +34,7 @@ constexpr auto app_footer = R"(Examples:
   orispline convert keys.csv -o keys.tum
   orispline inspect keys.csv --method auto,quintic
   orispline compare flight.csv --keep-every 8
+  orispline reduce flight.csv --tolerance 0.1deg -o keys.csv
   orispline methods
 
 Exit codes: 0 success, 1 bad data, 2 bad usage, 3 file missing, unreadable or not writable.)";
@@ -149,6 +151,9 @@ class CommandLine {
     add_tune_options(command("tune", "Find the tensions that make a curve smoothest, or nearest to a recording",
                              [this] { return tune(tune_); }),
                      tune_);
+    add_reduce_options(command("reduce", "Keep the fewest keys that reproduce a recording within a tolerance",
+                               [this] { return reduce(reduce_); }),
+                       reduce_);
     command("methods", "List the methods", [this] { return methods(methods_); })
         .footer(methods_footer)
         ->add_flag("--json", methods_.json, "Print one JSON array");
@@ -204,6 +209,7 @@ class CommandLine {
   InspectOptions inspect_;
   CompareOptions compare_;
   TuneOptions tune_;
+  ReduceOptions reduce_;
   MethodsOptions methods_;
   ReproduceOptions reproduce_;
   std::string shell_;

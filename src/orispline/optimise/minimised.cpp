@@ -62,7 +62,7 @@ ceres::Solver::Options solver_options() {
   options.gradient_tolerance = 0.0;
   options.parameter_tolerance = 0.0;
   options.max_num_consecutive_invalid_steps = 50;  // of curves that cannot be made
-  options.initial_trust_region_radius = 1e8;  // the start is near
+  options.initial_trust_region_radius = 1e8;       // the start is near
   return options;
 }
 

@@ -79,8 +79,7 @@ struct Handles {
   Vector3<J> leaving, arriving;
 };
 
-Handles handles(const Controls& d, const NuRatios<J>& ratios, std::span<const Eigen::Quaterniond> keys,
-                std::size_t i) {
+Handles handles(const Controls& d, const NuRatios<J>& ratios, std::span<const Eigen::Quaterniond> keys, std::size_t i) {
   return {increment<J>(constant<J>(keys[i]), slerp<J>(d[i], d[i + 1], ratios.after[i])),
           increment<J>(slerp<J>(d[i], d[i + 1], ratios.before[i + 1]), constant<J>(keys[i + 1]))};
 }

@@ -174,8 +174,7 @@ Eigen::Index first_of(std::size_t triple) { return 3 * static_cast<Eigen::Index>
 template <class ShapeAlong>
 Eigen::MatrixXd jacobian_of(const TensionSegment& segment, const Goal& goal, std::size_t index, std::size_t variables,
                             ShapeAlong shape_along) {
-  Eigen::MatrixXd result(static_cast<Eigen::Index>(residual_count(goal, index)),
-                         static_cast<Eigen::Index>(variables));
+  Eigen::MatrixXd result(static_cast<Eigen::Index>(residual_count(goal, index)), static_cast<Eigen::Index>(variables));
   for (std::size_t v = 0; v < variables; ++v)
     each_residual<Jet<double, 1>>(segment, goal, index, shape_along(v),
                                   [&](std::size_t i, const Vector3<Jet<double, 1>>& r) {
@@ -194,8 +193,10 @@ std::size_t residual_count(const Goal& goal, std::size_t segment) {
 Eigen::VectorXd residual_values(const TensionSegment& segment, const Goal& goal, std::size_t index,
                                 std::span<const double> values) {
   Eigen::VectorXd result(static_cast<Eigen::Index>(residual_count(goal, index)));
-  each_residual<double>(segment, goal, index, Shape<double>{constant_rows<double>(rows_at(segment, values)), constant_increments<double>(segment)},
-                        [&](std::size_t i, const Eigen::Vector3d& r) { result.segment<3>(first_of(i)) = r; });
+  each_residual<double>(
+      segment, goal, index,
+      Shape<double>{constant_rows<double>(rows_at(segment, values)), constant_increments<double>(segment)},
+      [&](std::size_t i, const Eigen::Vector3d& r) { result.segment<3>(first_of(i)) = r; });
   return result;
 }
 

@@ -183,8 +183,8 @@ Expected<Tuning> tune(std::string_view family, const Keyframes& keys, const Curv
     return tl::unexpected(std::move(checked.error()));
   const auto goal = goal_of(keys, options);
   if (!goal) return tl::unexpected(goal.error());
-  const auto model = family == families::Nu::info.name ? nu_model(keys, curve)
-                                                       : tension_model(**info, keys, curve, *parameters);
+  const auto model =
+      family == families::Nu::info.name ? nu_model(keys, curve) : tension_model(**info, keys, curve, *parameters);
   if (!model) return tl::unexpected(model.error());
   const bool is_nu = model->segments.empty();
   return (is_nu ? tuned_nu(**info, keys, *model, *goal, options) : tuned_affine(**info, *model, *goal, options))
