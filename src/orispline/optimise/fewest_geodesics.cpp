@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include <orispline/math/geodesic.hpp>
 
@@ -57,7 +58,11 @@ class Unreached {
 class Chains {
  public:
   explicit Chains(const Recording& recording)
-      : recording_(recording), unreached_(recording.size()), before_(recording.size(), 0) {}
+      : recording_(recording),
+        unreached_(recording.size()),
+        before_(recording.size(), 0),
+        turns_(recording.size()),
+        turned_from_(recording.size(), recording.size()) {}
 
   std::vector<std::size_t> shortest() {
     unreached_.reach(0);
@@ -79,10 +84,11 @@ class Chains {
   [[nodiscard]] Eigen::Quaterniond orientation(std::size_t i) const { return recording_.samples().orientations()[i]; }
 
   /// The shorter way from sample i to sample k [rad].
-  [[nodiscard]] Eigen::Vector3d turn(std::size_t i, std::size_t k) const {
+  [[nodiscard]] const Eigen::Vector3d& turn(std::size_t i, std::size_t k) {
+    if (std::exchange(turned_from_[k], i) == i) return turns_[k];
     Eigen::Quaterniond to = orientation(k);
     if (orientation(i).dot(to) < 0.0) to.coeffs() = -to.coeffs();
-    return increment<double>(orientation(i), to);
+    return turns_[k] = increment<double>(orientation(i), to);
   }
 
   /// Reaches what can be reached from sample i.
@@ -115,9 +121,13 @@ class Chains {
       if (!holds_at(i, j, whole, k)) return failed_ = k, false;
     return true;
   }
-  [[nodiscard]] bool holds_at(std::size_t i, std::size_t j, const Eigen::Vector3d& whole, std::size_t k) const {
+  [[nodiscard]] bool holds_at(std::size_t i, std::size_t j, const Eigen::Vector3d& whole, std::size_t k) {
     const double share = (time(k) - time(i)) / (time(j) - time(i));
-    if (recording_.excess(k, displaced<double>(orientation(i), whole * share)) > 1.0) return false;
+    // Rotations are not farther from each other than their rotation vectors: most samples need no sines.
+    const double bound = recording_.tolerance().angle - 2.0 * angle_rounding;
+    if ((whole * share - turn(i, k)).squaredNorm() > bound * bound &&
+        recording_.excess(k, displaced<double>(orientation(i), whole * share)) > 1.0)
+      return false;
     if (!recording_.bounds_positions()) return true;
     const auto positions = recording_.samples().positions();
     return recording_.excess(k, on_geodesic<double>(positions[i], positions[j], share)) <= 1.0;
@@ -125,7 +135,9 @@ class Chains {
 
   const Recording& recording_;
   Unreached unreached_;
-  std::vector<std::size_t> before_;  ///< the sample before in the shortest chain
+  std::vector<std::size_t> before_;       ///< the sample before in the shortest chain
+  std::vector<Eigen::Vector3d> turns_;    ///< from the sample that was asked for last [rad]
+  std::vector<std::size_t> turned_from_;  ///< that sample
   std::size_t failed_ = 0;
 };
 

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include <orispline/math/geodesic.hpp>
-#include <orispline/optimise/trial_keys.hpp>
 
 namespace orispline::optimise {
 namespace {
@@ -60,83 +59,28 @@ void move(const Recording& recording, const std::vector<Miss>& misses, Range ran
   }
 }
 
-class Refit {
- public:
-  Refit(const LocalMethod& method, const Recording& recording, KeySet keys)
-      : method_(method), recording_(recording), keys_(std::move(keys)), trials_(keys_.size(), apart()) {}
-
-  Expected<KeySet> run() && {
-    for (auto tried = trials_.next(); !tried.empty(); tried = trials_.next()) {
-      const auto done = attempt(std::move(tried));
-      if (!done) return tl::unexpected(done.error());
-    }
-    return std::move(keys_);
+/// Moves the keys around those that were removed until the curve is within the tolerance, or the rounds are over.
+Expected<void> refit(const LocalMethod& method, const Recording& recording, const std::vector<std::size_t>& removed,
+                     KeySet& rest) {
+  for (std::size_t round = 0; round < rounds; ++round) {
+    const auto misses = recording.misses(method.name, rest);
+    if (!misses) return tl::unexpected(misses.error());
+    const auto broken = missed_keys(removed, worst_of_segments(rest, *misses));
+    if (broken.empty()) break;
+    for (std::size_t m = 0; m < removed.size(); ++m)
+      if (std::ranges::binary_search(broken, removed[m]))
+        move(recording, *misses, around(merged_segment(removed, m), keys_moved, rest.size()), rest);
   }
-
- private:
-  [[nodiscard]] std::size_t apart() const { return 2 * (keys_moved + method_.reach) + 1; }
-
-  /// Takes out those of the keys without which it can be done.
-  Expected<void> attempt(std::vector<std::size_t> tried) {
-    KeySet trial = without(keys_, tried);
-    for (std::size_t round = 0; round < rounds; ++round) {
-      const auto misses = recording_.misses(method_.name, trial);
-      if (!misses) return tl::unexpected(misses.error());
-      const auto broken = missed_keys(tried, worst_of_segments(trial, *misses));
-      if (broken.empty()) break;
-      for (std::size_t m = 0; m < tried.size(); ++m)
-        if (std::ranges::binary_search(broken, tried[m]))
-          move(recording_, *misses, around(merged_segment(tried, m), keys_moved, trial.size()), trial);
-    }
-    return settle(std::move(tried), std::move(trial));
-  }
-
-  /// Keeps what holds and gives back the other keys where they were, with their neighbours.
-  Expected<void> settle(std::vector<std::size_t> tried, KeySet trial) {
-    while (!tried.empty()) {
-      const auto misses = recording_.misses(method_.name, trial);
-      if (!misses) return tl::unexpected(misses.error());
-      const auto broken = missed_keys(tried, worst_of_segments(trial, *misses));
-      if (broken.empty()) break;
-      std::vector<std::size_t> rest;
-      KeySet next = keys_;
-      for (std::size_t m = 0; m < tried.size(); ++m) {
-        if (std::ranges::binary_search(broken, tried[m])) {
-          trials_.keep(tried[m]);
-          continue;
-        }
-        rest.push_back(tried[m]);
-        take(trial, around(merged_segment(tried, m), keys_moved, trial.size()), m, next);
-      }
-      tried = std::move(rest);
-      trial = without(next, tried);
-    }
-    if (tried.empty()) return {};
-    keys_ = std::move(trial);
-    trials_.remove(tried);
-    return {};
-  }
-
-  /// The values of a range of the trial's keys, before which m keys are missing and in which one is.
-  static void take(const KeySet& trial, Range range, std::size_t m, KeySet& keys) {
-    for (std::size_t k = range.first; k < range.end; ++k) {
-      std::size_t full = k + m;
-      if (keys.samples[full] != trial.samples[k]) ++full;
-      keys.orientations[full] = trial.orientations[k];
-      if (!keys.positions.empty()) keys.positions[full] = trial.positions[k];
-    }
-  }
-
-  LocalMethod method_;
-  const Recording& recording_;
-  KeySet keys_;
-  TrialKeys trials_;
-};
+  return {};
+}
 
 }  // namespace
 
 Expected<KeySet> with_keys_refitted(const LocalMethod& method, const Recording& recording, KeySet keys) {
-  return Refit(method, recording, std::move(keys)).run();
+  const auto apply = [&](const std::vector<std::size_t>& removed, KeySet& rest) {
+    return refit(method, recording, removed, rest);
+  };
+  return with_keys_removed(method, recording, std::move(keys), {.keys_moved = keys_moved, .apply = apply});
 }
 
 }  // namespace orispline::optimise

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <orispline/optimise/key_selection.hpp>
+#include <orispline/optimise/key_removal.hpp>
 
 namespace orispline::optimise {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/optimise/key_selection.hpp>
 
-#include <algorithm>
-
-#include <orispline/optimise/trial_keys.hpp>
+#include <array>
+#include <cmath>
 
 namespace orispline::optimise {
+namespace {
 
 Expected<KeySet> with_keys_added(const LocalMethod& method, const Recording& recording, KeySet keys) {
   for (;;) {
@@ -14,7 +14,8 @@ Expected<KeySet> with_keys_added(const LocalMethod& method, const Recording& rec
     std::vector<std::size_t> samples;
     for (std::size_t s = 0; s < worst->size(); ++s) {
       samples.push_back(keys.samples[s]);
-      if ((*worst)[s].excess > 1.0) samples.push_back((*worst)[s].sample);
+      const std::size_t found = (*worst)[s].sample;
+      if ((*worst)[s].excess > 1.0 && keys.samples[s] < found && found < keys.samples[s + 1]) samples.push_back(found);
     }
     samples.push_back(keys.samples.back());
     if (samples.size() == keys.size()) return keys;
@@ -22,20 +23,37 @@ Expected<KeySet> with_keys_added(const LocalMethod& method, const Recording& rec
   }
 }
 
-Expected<KeySet> with_keys_pruned(const LocalMethod& method, const Recording& recording, KeySet keys) {
-  TrialKeys trials(keys.size(), 2 * method.reach + 1);
-  for (std::vector<std::size_t> tried = trials.next(); !tried.empty(); tried = trials.next()) {
-    while (!tried.empty()) {
-      const auto worst = recording.worst_samples(method.name, without(keys, tried));
-      if (!worst) return tl::unexpected(worst.error());
-      const std::vector<std::size_t> needed = missed_keys(tried, *worst);
-      if (needed.empty()) break;
-      for (const std::size_t key : needed) trials.keep(key);
-      std::erase_if(tried, [&](std::size_t key) { return std::ranges::binary_search(needed, key); });
+/// By which shares of the gap that a removed key leaves its two neighbours move inwards.
+struct Shares {
+  double before, after;
+};
+constexpr std::array exchanges{Shares{0.25, 0.0}, Shares{0.0, 0.25},  Shares{0.125, 0.125}, Shares{0.5, 0.0},
+                               Shares{0.0, 0.5},  Shares{0.125, 0.0}, Shares{0.0, 0.125},   Shares{0.25, 0.25}};
+
+Repair exchange(const Recording& recording, Shares shares) {
+  const auto apply = [&recording, shares](const std::vector<std::size_t>& removed, KeySet& rest) -> Expected<void> {
+    for (std::size_t m = 0; m < removed.size(); ++m) {
+      const std::size_t before = merged_segment(removed, m), after = before + 1;
+      const auto gap = static_cast<double>(rest.samples[after] - rest.samples[before]);
+      const auto part = [gap](double share) { return static_cast<std::size_t>(std::floor(share * gap)); };
+      if (before > 0) rest.samples[before] += part(shares.before);
+      if (after + 1 < rest.size()) rest.samples[after] -= part(shares.after);
     }
-    keys = without(keys, tried);
-    trials.remove(tried);
-  }
+    rest = recording.keys_at(std::move(rest.samples));
+    return {};
+  };
+  return {.keys_moved = 1, .apply = apply};
+}
+
+}  // namespace
+
+Expected<KeySet> selected_keys(const LocalMethod& method, const Recording& recording) {
+  auto keys = with_keys_added(method, recording, recording.keys_at({0, recording.size() - 1}));
+  const auto reduce_by = [&](const Repair& repair) {
+    keys = keys.and_then([&](KeySet k) { return with_keys_removed(method, recording, std::move(k), repair); });
+  };
+  reduce_by({});
+  for (const Shares& shares : exchanges) reduce_by(exchange(recording, shares));
   return keys;
 }
 

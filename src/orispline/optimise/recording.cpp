@@ -12,8 +12,6 @@
 namespace orispline::optimise {
 namespace {
 
-constexpr double rounding = 4e-15;  // of an orientation that is evaluated in another order of operations [rad]
-
 double per_square(double bound) { return 1.0 / (bound * bound); }
 
 }  // namespace
@@ -22,7 +20,7 @@ Recording::Recording(Keyframes samples, Tolerance tolerance)
     : samples_(std::move(samples)),
       tolerance_(tolerance),
       per_square_sine_(
-          per_square(elementary::sine_cosine(0.5 * std::min(tolerance.angle - rounding, std::numbers::pi)).sine)),
+          per_square(elementary::sine_cosine(0.5 * std::min(tolerance.angle - angle_rounding, std::numbers::pi)).sine)),
       per_square_distance_(std::isinf(tolerance.position) ? 0.0 : per_square(tolerance.position)) {}
 
 bool Recording::bounds_positions() const noexcept { return has_positions() && per_square_distance_ > 0.0; }
@@ -56,7 +54,7 @@ Expected<std::vector<WorstSample>> Recording::worst_samples(std::string_view met
   const SampledCurve at = sampled(curve->orientation, samples_.times(), Sampled::orientations);
   std::vector<WorstSample> worst(keys.size() - 1);
   for (std::size_t s = 0; s < worst.size(); ++s)
-    for (std::size_t i = keys.samples[s] + 1; i < keys.samples[s + 1]; ++i) {
+    for (std::size_t i = keys.samples[s]; i <= keys.samples[s + 1]; ++i) {
       double found = excess(i, at.orientations[i]);
       if (bounds_positions()) found = std::max(found, excess(i, curve->position->position_on(s, samples_.times()[i])));
       if (found > worst[s].excess) worst[s] = {found, i};

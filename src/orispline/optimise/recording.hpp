@@ -11,6 +11,9 @@
 
 namespace orispline::optimise {
 
+/// Between an orientation and the same one evaluated in another order of operations [rad].
+inline constexpr double angle_rounding = 4e-15;
+
 /// How far a curve may be from every sample of a recording.
 struct Tolerance {
   double angle;                                               ///< of the rotation from one to the other [rad]
@@ -34,7 +37,7 @@ struct KeySet {
   [[nodiscard]] std::size_t size() const noexcept { return samples.size(); }
 };
 
-/// The sample that a segment misses most, of those between its keys.
+/// The sample that a segment misses most, its keys among them.
 struct WorstSample {
   double excess = 0.0;  ///< square of the distance by the tolerance, small angles by their sines: above 1 it is broken
   std::size_t sample = 0;  ///< its index

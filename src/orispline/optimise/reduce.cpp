@@ -44,9 +44,7 @@ Expected<void> check(const Keyframes& recording, const Tolerance& tolerance) {
 
 Expected<KeySet> chosen_keys(const LocalMethod& method, const Recording& recording) {
   if (method.name == families::Slerp::info.name) return recording.keys_at(fewest_geodesics(recording));
-  return with_keys_added(method, recording, recording.keys_at({0, recording.size() - 1})).and_then([&](KeySet keys) {
-    return with_keys_pruned(method, recording, std::move(keys));
-  });
+  return selected_keys(method, recording);
 }
 
 /// With the deviation of what was found, measured anew.
