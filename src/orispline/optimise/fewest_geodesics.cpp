@@ -26,8 +26,9 @@ class RateBox {
     highest_ = highest_.cwiseMin((turn / elapsed).array() + radius);
   }
   [[nodiscard]] bool is_empty() const { return (lowest_ > highest_).any(); }
-  [[nodiscard]] bool holds(const Eigen::Vector3d& rate) const {
-    return (lowest_ <= rate.array() && rate.array() <= highest_).all();
+  /// How far a rate is outside, in the worst component [rad/s].
+  [[nodiscard]] double distance(const Eigen::Vector3d& rate) const {
+    return (lowest_ - rate.array()).cwiseMax(rate.array() - highest_).cwiseMax(0.0).maxCoeff();
   }
 
  private:
@@ -62,7 +63,11 @@ class Chains {
         unreached_(recording.size()),
         before_(recording.size(), 0),
         turns_(recording.size()),
-        turned_from_(recording.size(), recording.size()) {}
+        turned_from_(recording.size(), recording.size()),
+        path_(recording.size(), 0.0) {
+    for (std::size_t i = 1; i < path_.size(); ++i)
+      path_[i] = path_[i - 1] + angular_distance(orientation(i - 1), orientation(i));
+  }
 
   std::vector<std::size_t> shortest() {
     unreached_.reach(0);
@@ -93,44 +98,71 @@ class Chains {
 
   /// Reaches what can be reached from sample i.
   void extend(std::size_t i, std::vector<std::size_t>& reached) {
-    constexpr std::size_t looks_per_doubling = 16;  // fewer make the boxes wider, more cost logarithms
     RateBox box;
     std::size_t looked = i;
-    for (std::size_t j = unreached_.from(i + 1); j < recording_.size(); j = unreached_.from(j + 1)) {
-      for (; looked + stride_after(looked - i, looks_per_doubling) < j && !box.is_empty();) {
-        looked += stride_after(looked - i, looks_per_doubling);
+    for (std::size_t j = unreached_.from(i + 1); j < recording_.size();) {
+      for (std::size_t next = looked_after(i, looked); next < j && !box.is_empty(); next = looked_after(i, looked)) {
+        looked = next;
         box.narrow(turn(i, looked), time(looked) - time(i), recording_.tolerance().angle);
       }
       if (box.is_empty()) return;
-      const Eigen::Vector3d whole = turn(i, j);
-      if (!box.holds(whole / (time(j) - time(i))) || !holds_between(i, j, whole)) continue;
-      unreached_.reach(j);
-      before_[j] = i;
-      reached.push_back(j);
+      const double outside = box.distance(turn(i, j) / (time(j) - time(i)));
+      const double lacking = outside > 0.0 ? outside : rate_lacking(i, j);
+      if (lacking < 0.0) {
+        unreached_.reach(j);
+        before_[j] = i;
+        reached.push_back(j);
+      }
+      j = unreached_.from(lacking > 0.0 ? next_worth_a_look(i, j, lacking) : j + 1);
     }
   }
-  static std::size_t stride_after(std::size_t passed, std::size_t per_doubling) { return 1 + passed / per_doubling; }
 
-  /// Whether the span from i to j passes near all samples between; the one that failed last comes first.
-  bool holds_between(std::size_t i, std::size_t j, const Eigen::Vector3d& whole) {
-    if (i < failed_ && failed_ < j && !holds_at(i, j, whole, failed_)) return false;
+  /// The sample that narrows the rates next: 16 for every doubling of the span; fewer leave the boxes wider, more cost
+  /// logarithms.
+  static std::size_t looked_after(std::size_t i, std::size_t looked) { return looked + 1 + (looked - i) / 16; }
+
+  /// The first sample after j for which the mean rate from sample i may differ by `lacking` [rad/s] from that for j.
+  [[nodiscard]] std::size_t next_worth_a_look(std::size_t i, std::size_t j, double lacking) const {
+    constexpr double stretch = 1.1107207345395916;  // of the logarithm up to a quarter turn: (π/4)/sin(π/4)
+    constexpr double rounding = 1e-9;
+    const double angle = turns_[j].norm(), elapsed = time(j) - time(i);
+    std::size_t passed = j;
+    for (std::size_t step = 1; j + step < recording_.size(); step *= 2) {
+      const double path = path_[j + step] - path_[j], later = time(j + step) - time(i);
+      const double change = stretch * path / later + angle * (1.0 / elapsed - 1.0 / later);
+      if (angle + path > 0.5 * std::numbers::pi || change * (1.0 + rounding) >= lacking) break;
+      passed = j + step;
+    }
+    return passed + 1;
+  }
+
+  /// By how much at least the rate of the span from i to j differs from any that passes near the samples between
+  /// [rad/s]; negative where it passes near all of them. The sample that failed last comes first.
+  double rate_lacking(std::size_t i, std::size_t j) {
+    if (i < failed_ && failed_ < j)
+      if (const double lacking = rate_lacking_at(i, j, failed_); lacking >= 0.0) return lacking;
     constexpr std::size_t coarse = 16;
     for (std::size_t k = j - 1; k > i; k -= std::min(k - i, coarse))
-      if (!holds_at(i, j, whole, k)) return failed_ = k, false;
+      if (const double lacking = rate_lacking_at(i, j, k); lacking >= 0.0) return failed_ = k, lacking;
     for (std::size_t k = i + 1; k < j; ++k)
-      if (!holds_at(i, j, whole, k)) return failed_ = k, false;
-    return true;
+      if (const double lacking = rate_lacking_at(i, j, k); lacking >= 0.0) return failed_ = k, lacking;
+    return -1.0;
   }
-  [[nodiscard]] bool holds_at(std::size_t i, std::size_t j, const Eigen::Vector3d& whole, std::size_t k) {
-    const double share = (time(k) - time(i)) / (time(j) - time(i));
+
+  /// The same for one sample: at rates that differ by δ, orientations differ by δΔt at most.
+  double rate_lacking_at(std::size_t i, std::size_t j, std::size_t k) {
+    const double elapsed = time(k) - time(i), share = elapsed / (time(j) - time(i));
+    const double tolerance = recording_.tolerance().angle, bound = tolerance - 2.0 * angle_rounding;
+    const Eigen::Vector3d turned = turn(i, j) * share;
     // Rotations are not farther from each other than their rotation vectors: most samples need no sines.
-    const double bound = recording_.tolerance().angle - 2.0 * angle_rounding;
-    if ((whole * share - turn(i, k)).squaredNorm() > bound * bound &&
-        recording_.excess(k, displaced<double>(orientation(i), whole * share)) > 1.0)
-      return false;
-    if (!recording_.bounds_positions()) return true;
+    if ((turned - turn(i, k)).squaredNorm() > bound * bound) {
+      const Eigen::Quaterniond at = displaced<double>(orientation(i), turned);
+      if (recording_.excess(k, at) > 1.0)
+        return std::max(0.0, angular_distance(at, orientation(k)) - tolerance) / elapsed;
+    }
+    if (!recording_.bounds_positions()) return -1.0;
     const auto positions = recording_.samples().positions();
-    return recording_.excess(k, on_geodesic<double>(positions[i], positions[j], share)) <= 1.0;
+    return recording_.excess(k, on_geodesic<double>(positions[i], positions[j], share)) > 1.0 ? 0.0 : -1.0;
   }
 
   const Recording& recording_;
@@ -138,6 +170,7 @@ class Chains {
   std::vector<std::size_t> before_;       ///< the sample before in the shortest chain
   std::vector<Eigen::Vector3d> turns_;    ///< from the sample that was asked for last [rad]
   std::vector<std::size_t> turned_from_;  ///< that sample
+  std::vector<double> path_;              ///< angle travelled up to each sample [rad]
   std::size_t failed_ = 0;
 };
 
