@@ -7,6 +7,7 @@
 #include "convert.hpp"
 #include "inspect.hpp"
 #include "reduce.hpp"
+#include "retime.hpp"
 #include "sample.hpp"
 #include "tune.hpp"
 
@@ -32,6 +33,7 @@ void add_inspect_options(CLI::App& app, InspectOptions& options);
 void add_method_options(CLI::App& app, MethodOptions& options);
 void add_tune_options(CLI::App& app, TuneOptions& options);
 void add_reduce_options(CLI::App& app, ReduceOptions& options);
+void add_retime_options(CLI::App& app, RetimeOptions& options);
 void add_compare_options(CLI::App& app, CompareOptions& options);
 
 }  // namespace orispline::cli

@@ -17,6 +17,7 @@
 #include "methods.hpp"
 #include "reduce.hpp"
 #include "reproduce.hpp"
+#include "retime.hpp"
 #include "sample.hpp"
 #include "standard_output.hpp"
 #include "tune.hpp"
@@ -154,6 +155,9 @@ class CommandLine {
     add_reduce_options(command("reduce", "Keep the fewest keys that reproduce a recording within a tolerance",
                                [this] { return reduce(reduce_); }),
                        reduce_);
+    add_retime_options(command("retime", "Slow a motion until it is within limits of rate, acceleration or torque",
+                               [this] { return retime(retime_); }),
+                       retime_);
     command("methods", "List the methods", [this] { return methods(methods_); })
         .footer(methods_footer)
         ->add_flag("--json", methods_.json, "Print one JSON array");
@@ -210,6 +214,7 @@ class CommandLine {
   CompareOptions compare_;
   TuneOptions tune_;
   ReduceOptions reduce_;
+  RetimeOptions retime_;
   MethodsOptions methods_;
   ReproduceOptions reproduce_;
   std::string shell_;
