@@ -9,9 +9,9 @@
 namespace orispline::optimise {
 namespace {
 
-constexpr double gap = 1e-4;        // of a bound above the largest value found, relative
-constexpr double rounding = 1e-12;  // of evaluation, relative
-constexpr std::size_t most_halvings = 40;
+constexpr double gap = 1e-4;               // of a bound above the largest value found, relative
+constexpr double rounding = 1e-12;         // of evaluation, relative
+constexpr std::size_t most_halvings = 14;  // of an interval; there a bound may stay farther above
 
 using Coefficients = std::array<Eigen::Vector3d, form_degree + 1>;
 

@@ -31,8 +31,8 @@ struct PeakFloors {
 ///
 /// A bound G of the jerk on the segment turns the motion at the middle of an interval of half length r into bounds on
 /// all of it, |ω| ≤ |ω_m| + |α_m| r + G r²/2 and |α| ≤ |α_m| + G r; intervals are halved until no bound is more than
-/// 1e-4 of the largest value above it, or all are below the floors. For q = ∏ exp(X_k) of pure quaternions X_k, all
-/// exponentials are of norm 1, so that with A_n = Σ_k |X_k^(n)|, bounded by the Bernstein coefficients of the
+/// 1e-4 of the largest value above it, or all are below the floors, or 14 times. For q = ∏ exp(X_k) of pure quaternions
+/// X_k, all exponentials are of norm 1, so that with A_n = Σ_k |X_k^(n)|, bounded by the Bernstein coefficients of the
 /// derivatives, |q'| ≤ A_1, |q''| ≤ A_2 + A_1², |q'''| ≤ A_3 + 3 A_1 A_2 + A_1³, and G = 2 (A_3 + 6 A_1 A_2 + 4 A_1³)
 /// from ω = 2 q̄ q'. Source: our own derivation, docs/retime.md.
 [[nodiscard]] std::optional<std::vector<SegmentPeaks>> certified_peaks(const AnyCurve& curve,
