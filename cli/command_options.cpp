@@ -71,26 +71,6 @@ void add_time_options(CLI::App& app, TimeOptions& o) {
   app.add_option("--to", o.to, "End [s], in the time of INPUT [of the curve]")->type_name("T")->group(group);
 }
 
-void add_output_options(CLI::App& app, OutputOptions& o) {
-  const std::string group = "Output";
-  app.add_option("-o,--output", o.path, "File to write, complete or not at all [standard output]")
-      ->type_name(file_type)
-      ->group(group);
-  app.add_option("--output-format", o.format, "Format of the output [tum for .tum, npy for .npy, else csv]")
-      ->type_name(one_of(output_format_choices))
-      ->group(group);
-  app.add_option("--output-orientation", o.orientation,
-                 "Columns that state the orientation, in CSV and npy [quaternion]")
-      ->type_name(one_of(orientation_choices))
-      ->group(group);
-  app.add_option("--output-euler", o.euler, "Order of Euler angles that are written [ZYX: roll, pitch, yaw]")
-      ->type_name("ORDER")
-      ->group(group);
-  app.add_option("--output-angle-unit", o.angle_unit, "Unit of Euler angles that are written [deg]")
-      ->type_name(one_of(angle_unit_choices))
-      ->group(group);
-}
-
 }  // namespace
 
 void add_input_options(CLI::App& app, InputOptions& o, std::string_view default_signs) {
@@ -144,6 +124,26 @@ void add_method_options(CLI::App& app, MethodOptions& o) {
       ->group(group);
   app.add_option("--end-rate", o.end_rate, "Body rate at the last key [rad/s]; means --ends clamped there")
       ->type_name("WX,WY,WZ")
+      ->group(group);
+}
+
+void add_output_options(CLI::App& app, OutputOptions& o) {
+  const std::string group = "Output";
+  app.add_option("-o,--output", o.path, "File to write, complete or not at all [standard output]")
+      ->type_name(file_type)
+      ->group(group);
+  app.add_option("--output-format", o.format, "Format of the output [tum for .tum, npy for .npy, else csv]")
+      ->type_name(one_of(output_format_choices))
+      ->group(group);
+  app.add_option("--output-orientation", o.orientation,
+                 "Columns that state the orientation, in CSV and npy [quaternion]")
+      ->type_name(one_of(orientation_choices))
+      ->group(group);
+  app.add_option("--output-euler", o.euler, "Order of Euler angles that are written [ZYX: roll, pitch, yaw]")
+      ->type_name("ORDER")
+      ->group(group);
+  app.add_option("--output-angle-unit", o.angle_unit, "Unit of Euler angles that are written [deg]")
+      ->type_name(one_of(angle_unit_choices))
       ->group(group);
 }
 

@@ -7,6 +7,8 @@
 #include "convert.hpp"
 #include "inspect.hpp"
 #include "plot.hpp"
+#include "reduce.hpp"
+#include "retime.hpp"
 #include "sample.hpp"
 #include "smooth.hpp"
 #include "tune.hpp"
@@ -24,12 +26,17 @@ inline constexpr auto method_type = "METHOD", methods_type = "METHOD,...", ends_
 /// INPUT and how it is read, part of several commands.
 void add_input_options(CLI::App& app, InputOptions& options, std::string_view default_signs = "shortest");
 
+/// Where the output goes and in which form, part of several commands.
+void add_output_options(CLI::App& app, OutputOptions& options);
+
 void add_sample_options(CLI::App& app, SampleOptions& options);
 void add_convert_options(CLI::App& app, ConvertOptions& options);
 void add_inspect_options(CLI::App& app, InspectOptions& options);
 void add_method_options(CLI::App& app, MethodOptions& options);
 void add_smooth_options(CLI::App& app, SmoothOptions& options);
 void add_tune_options(CLI::App& app, TuneOptions& options);
+void add_reduce_options(CLI::App& app, ReduceOptions& options);
+void add_retime_options(CLI::App& app, RetimeOptions& options);
 void add_compare_options(CLI::App& app, CompareOptions& options);
 void add_plot_options(CLI::App& app, PlotOptions& options);
 

@@ -4,21 +4,15 @@
 #include <algorithm>
 #include <numbers>
 
-#include <nlohmann/json.hpp>
-
 #include "input_options.hpp"
+#include "json_document.hpp"
 #include "sample.hpp"
 #include "tune.hpp"
 
 namespace orispline::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;  // members stay in the order in which they are documented
-
 constexpr double degrees = 180.0 / std::numbers::pi;
-
-/// Text that is not UTF-8, as file names may be, is shown with replacement characters.
-std::string document(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
 Json parameters_of(const FamilyInfo& family) {
   Json parameters = Json::array();

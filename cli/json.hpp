@@ -9,7 +9,9 @@
 #include "compare_report.hpp"
 #include "convert_report.hpp"
 #include "inspect_report.hpp"
+#include "reduce_report.hpp"
 #include "reproduce_report.hpp"
+#include "retime_report.hpp"
 #include "sample_report.hpp"
 #include "tune_report.hpp"
 
@@ -22,6 +24,8 @@ namespace orispline::cli {
 [[nodiscard]] std::string json_of(const SampleReport& report);
 [[nodiscard]] std::string json_of(const ConvertReport& report);
 [[nodiscard]] std::string json_of(const TuneReport& report);
+[[nodiscard]] std::string json_of(const ReduceReport& report);
+[[nodiscard]] std::string json_of(const RetimeReport& report);
 [[nodiscard]] std::string json_of(const CompareReport& report);
 [[nodiscard]] std::string json_of(std::span<const Experiment> experiments);
 [[nodiscard]] std::string json_of(const std::vector<ExperimentReport>& reports);

@@ -16,7 +16,9 @@
 #include "method_options.hpp"
 #include "methods.hpp"
 #include "plot.hpp"
+#include "reduce.hpp"
 #include "reproduce.hpp"
+#include "retime.hpp"
 #include "sample.hpp"
 #include "smooth.hpp"
 #include "standard_output.hpp"
@@ -35,6 +37,7 @@ constexpr auto app_footer = R"(Examples:
   orispline convert keys.csv -o keys.tum
   orispline inspect keys.csv --method auto,quintic
   orispline compare flight.csv --keep-every 8
+  orispline reduce flight.csv --tolerance 0.1deg -o keys.csv
   orispline methods
 
 Exit codes: 0 success, 1 bad data, 2 bad usage, 3 file missing, unreadable or not writable.)";
@@ -156,6 +159,12 @@ class CommandLine {
     add_tune_options(command("tune", "Find the tensions that make a curve smoothest, or nearest to a recording",
                              [this] { return tune(tune_); }),
                      tune_);
+    add_reduce_options(command("reduce", "Keep the fewest keys that reproduce a recording within a tolerance",
+                               [this] { return reduce(reduce_); }),
+                       reduce_);
+    add_retime_options(command("retime", "Slow a motion until it is within limits of rate, acceleration or torque",
+                               [this] { return retime(retime_); }),
+                       retime_);
     command("methods", "List the methods", [this] { return methods(methods_); })
         .footer(methods_footer)
         ->add_flag("--json", methods_.json, "Print one JSON array");
@@ -213,6 +222,8 @@ class CommandLine {
   PlotOptions plot_;
   SmoothOptions smooth_;
   TuneOptions tune_;
+  ReduceOptions reduce_;
+  RetimeOptions retime_;
   MethodsOptions methods_;
   ReproduceOptions reproduce_;
   std::string shell_;

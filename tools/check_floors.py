@@ -11,7 +11,7 @@ import sys
 GROUND = {"base", "math", "curve"}
 FLOORS = {  # folder of src/orispline -> what it may include besides itself
     "base": set(), "math": set(), "curve": GROUND, "families": GROUND, "io": GROUND, "report": GROUND, "batch": GROUND | {"families"},
-    "analysis": GROUND | {"families", "batch"}, "optimise": GROUND | {"families", "analysis"}}
+    "analysis": GROUND | {"families", "batch"}, "optimise": GROUND | {"families", "batch", "analysis"}}
 GUESTS = {"fast_float/": "src/orispline/io/", "ceres/": "src/orispline/optimise/", "CLI/": "cli/", "nlohmann/": "cli/",
           "benchmark/": "benchmarks/", "glm/": "benchmarks/",
           "smooth/": "benchmarks/", "sophus/": "benchmarks/", "basalt/": "benchmarks/"}  # third party -> its only room

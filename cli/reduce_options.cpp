@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command_options.hpp"
+
+#include <fmt/format.h>
+
+namespace orispline::cli {
+namespace {
+
+constexpr auto reduce_footer = R"(Examples:
+  orispline reduce flight.csv --tolerance 0.1deg -o keys.csv
+  orispline reduce poses.tum --tolerance 0.5deg --position-tolerance 1mm -o keys.tum
+  orispline reduce flight.csv --tolerance 0.1deg --method auto --refit -o keys.csv --json
+  orispline sample keys.csv --method auto --rate 100 -o motion.csv
+
+The curve of the method that is named in the summary is within the tolerance at every sample. slerp needs no fewer keys
+among the samples; auto and timed-c2 are found by insertion and pruning. docs/reduce.md says more.)";
+
+}  // namespace
+
+void add_reduce_options(CLI::App& app, ReduceOptions& o) {
+  add_input_options(app, o.input);
+  const std::string group = "Reduction";
+  app.add_option("--tolerance", o.tolerance, "Largest angle between the curve and a sample, such as 0.1deg or 2e-3rad")
+      ->required()
+      ->type_name("ANGLE")
+      ->group(group);
+  app.add_option("--position-tolerance", o.position_tolerance,
+                 "Largest distance between the path and a sample, such as 1mm or 0.5m [positions are not bounded]")
+      ->type_name("LENGTH")
+      ->group(group);
+  app.add_option("--method", o.method, fmt::format("Method of the curve [{}]", default_reduce_method))
+      ->type_name(one_of(reduce_choices))
+      ->group(group);
+  app.add_flag("--refit", o.refit, "Move keys where that saves some; else they are samples")->group(group);
+  add_output_options(app, o.output);
+  app.add_flag("--json", o.json, "Print the summary as JSON on standard output; needs -o")->group("Output");
+  app.add_flag("--quiet", o.quiet, "No summary")->group("Output");
+  app.footer(reduce_footer);
+}
+
+}  // namespace orispline::cli

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "retime.hpp"
+
+#include <utility>
+
+#include <orispline/optimise/tune.hpp>
+
+#include "compare_request.hpp"
+#include "interruption.hpp"
+#include "json.hpp"
+#include "quantity.hpp"
+#include "standard_output.hpp"
+
+namespace orispline::cli {
+namespace {
+
+/// The command line, understood.
+struct Request {
+  InputRequest input;
+  io::SampleColumns columns;
+  optimise::MotionLimits limits;
+  optimise::Slowing slowing;
+};
+
+Expected<void> agree(const RetimeOptions& options) {
+  if (!options.rate && !options.acceleration && !options.torque)
+    return usage_failure("found no limit, wanted --max-rate, --max-acceleration or --max-torque");
+  if (options.torque && !options.inertia) return usage_failure("--max-torque: wanted --inertia JX,JY,JZ as well");
+  if (options.json && options.output.path == io::standard_stream)
+    return usage_failure("--json: the summary goes to standard output, wanted -o FILE for the keys");
+  return {};
+}
+
+Expected<Request> request_in(const RetimeOptions& options) {
+  FirstError checked;
+  Request request{.input = checked(input_request(options.input)),
+                  .columns = checked(output_columns(options.output)),
+                  .limits = {.rate = checked(if_given("--max-rate", options.rate, quantity_of(rate_units))),
+                             .acceleration = checked(
+                                 if_given("--max-acceleration", options.acceleration, quantity_of(acceleration_units))),
+                             .torque = checked(if_given("--max-torque", options.torque, quantity_of(torque_units))),
+                             .inertia = checked(if_given("--inertia", options.inertia, inertia_in))},
+                  .slowing = options.per_interval ? optimise::Slowing::per_interval : optimise::Slowing::uniform};
+  request.input.read.rate_orders = 0;
+  auto read = std::move(checked).or_else(std::move(request));
+  if (!read) return read;
+  if (auto agreed = agree(options); !agreed) return tl::unexpected(std::move(agreed.error()));
+  return read;
+}
+
+Expected<void> write_keys(io::SampleWriter& writer, const io::KeyFile& file, const Keyframes& keys,
+                          const optimise::Retiming& retiming) {
+  for (std::size_t key = 0; key < keys.size(); ++key) {
+    io::Sample sample{.motion = {.orientation = keys.orientations()[key]}};
+    if (!keys.positions().empty()) sample.travel.position = keys.positions()[key];
+    auto written = writer.write(file.epoch + io::Decimal::from_double(retiming.times[key]), sample);
+    if (!written) return written;
+  }
+  return writer.finish();
+}
+
+}  // namespace
+
+Expected<void> retime(const RetimeOptions& options) {
+  auto request = request_in(options);
+  if (!request) return tl::unexpected(std::move(request.error()));
+  auto file = io::read_keys(request->input.path, request->input.read);
+  if (!file) return tl::unexpected(std::move(file.error()));
+  const auto keys = Keyframes::make(std::exchange(file->data, {}), request->input.signs);
+  if (!keys) return tl::unexpected(located(*file, keys.error()));
+  auto retiming = optimise::retime(options.method, *keys, request->limits, request->slowing);
+  if (!retiming)
+    return tl::unexpected(retiming.error().code == ErrorCode::bad_data ? located(*file, std::move(retiming.error()))
+                                                                       : std::move(retiming.error()));
+  const RetimeReport report{.input = options.input.path,
+                            .output = options.output.path,
+                            .method = options.method,
+                            .limits = request->limits,
+                            .slowing = request->slowing,
+                            .duration_before = keys->times().back() - keys->times().front(),
+                            .retiming = std::move(*retiming)};
+  request->columns.positions = !keys->positions().empty();
+  request->columns.derivatives = 0;
+  return io::SampleWriter::open(options.output.path, request->columns, keys->size())
+      .and_then([&](io::SampleWriter writer) {
+        const RemovedWhenInterrupted unfinished(writer.part());
+        return write_keys(writer, *file, *keys, report.retiming);
+      })
+      .and_then([&]() -> Expected<void> {
+        if (options.json) return print_document(json_of(report));
+        if (!options.quiet) tell(text_of(report));
+        return {};
+      });
+}
+
+}  // namespace orispline::cli

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "retime_report.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <orispline/io/output_file.hpp>
+
+#include "json.hpp"
+#include "json_document.hpp"
+#include "sample_report.hpp"
+
+namespace orispline::cli {
+namespace {
+
+using optimise::CertifiedPeak;
+using optimise::SegmentPeaks;
+
+/// A limited quantity in the units that are shown, at the segment where its bound is largest.
+struct Certificate {
+  std::string_view name, unit, json_unit;
+  double limit, bound, found, time;
+  std::size_t segment;
+};
+
+std::vector<Certificate> certificates_of(const RetimeReport& report) {
+  constexpr double degrees = 180.0 / std::numbers::pi;
+  std::vector<Certificate> certificates;
+  const auto add = [&](std::string_view name, std::string_view unit, std::string_view json_unit, double scale,
+                       const std::optional<double>& limit, CertifiedPeak SegmentPeaks::*member) {
+    if (!limit) return;
+    const auto& peaks = report.retiming.peaks;
+    const auto worst = std::ranges::max_element(peaks, {}, [&](const SegmentPeaks& p) { return (p.*member).bound; });
+    const CertifiedPeak& peak = (*worst).*member;
+    certificates.push_back({name, unit, json_unit, *limit * scale, peak.bound * scale, peak.found * scale, peak.time,
+                            static_cast<std::size_t>(worst - peaks.begin())});
+  };
+  add("rate", "°/s", "deg_s", degrees, report.limits.rate, &SegmentPeaks::rate);
+  add("acceleration", "°/s²", "deg_s2", degrees, report.limits.acceleration, &SegmentPeaks::acceleration);
+  add("torque", "N m", "nm", 1.0, report.limits.torque, &SegmentPeaks::torque);
+  return certificates;
+}
+
+double duration_of(const RetimeReport& report) { return report.retiming.times.back() - report.retiming.times.front(); }
+
+}  // namespace
+
+std::string text_of(const RetimeReport& report) {
+  std::string text = fmt::format("{} from {}, {}: {:.6g} s before, {:.6g} s after, slowed by {:.6g}\n",
+                                 counted(report.retiming.times.size(), "key"), report.input, report.method,
+                                 report.duration_before, duration_of(report), report.retiming.stretch);
+  for (const Certificate& c : certificates_of(report))
+    text +=
+        fmt::format("{}: nowhere above {:.6g} {} (limit {:.6g}), largest found {:.6g} at {:.6g} s after the start\n",
+                    c.name, c.bound, c.unit, c.limit, c.found, c.time);
+  return text +
+         fmt::format("keys written to {}\n", report.output == io::standard_stream ? "standard output" : report.output);
+}
+
+std::string json_of(const RetimeReport& report) {
+  Json json{{"input", report.input},
+            {"output", report.output},
+            {"method", report.method},
+            {"slowing", report.slowing == optimise::Slowing::uniform ? "uniform" : "per-interval"},
+            {"keys", report.retiming.times.size()},
+            {"duration_before_s", report.duration_before},
+            {"duration_after_s", duration_of(report)},
+            {"stretch", report.retiming.stretch}};
+  for (const Certificate& c : certificates_of(report)) {
+    const auto name = [&c](std::string_view part) { return fmt::format("{}_{}_{}", c.name, part, c.json_unit); };
+    json[name("limit")] = c.limit;
+    json[name("bound")] = c.bound;
+    json[name("max")] = c.found;
+    json[fmt::format("{}_max_after_s", c.name)] = c.time;
+    json[fmt::format("{}_bound_after_key", c.name)] = c.segment;
+  }
+  return document(json);
+}
+
+}  // namespace orispline::cli

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/optimise/reduce.hpp>
+
+#include <algorithm>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include <orispline/batch/parallel.hpp>
+#include <orispline/families/registry.hpp>
+#include <orispline/families/slerp.hpp>
+#include <orispline/optimise/fewest_geodesics.hpp>
+#include <orispline/optimise/key_refit.hpp>
+#include <orispline/optimise/key_selection.hpp>
+
+namespace orispline::optimise {
+namespace {
+
+constexpr double smallest_tolerance = 1e-12;  // [rad]: far above the rounding of orientations
+
+Expected<LocalMethod> local_method(std::string_view name) {
+  const auto family = find_family(name);
+  if (!family) return tl::unexpected(family.error());
+  const FamilyInfo& info = **family;
+  if (info.support_keys == all_keys || !info.interpolates)
+    return failure(ErrorCode::bad_argument,
+                   fmt::format("{}: found a method {}, wanted a local one through its keys, such as auto", name,
+                               info.interpolates ? "that depends on all keys" : "that passes near its keys"));
+  return LocalMethod{info.name, static_cast<std::size_t>(info.support_keys + 1) / 2};
+}
+
+Expected<void> check(const Keyframes& recording, const Tolerance& tolerance) {
+  if (!(tolerance.angle >= smallest_tolerance))
+    return failure(ErrorCode::bad_argument, fmt::format("the tolerance is {:.6g} rad, wanted {:.0e} rad at least: the "
+                                                        "rounding of orientations is not much smaller",
+                                                        tolerance.angle, smallest_tolerance));
+  if (!(tolerance.position > 0.0))
+    return failure(ErrorCode::bad_argument,
+                   fmt::format("the tolerance of positions is {:.6g} m, wanted more than 0", tolerance.position));
+  if (recording.size() < 2)
+    return failure(ErrorCode::bad_data, "found 1 sample, wanted 2 at least to keep the fewest that suffice");
+  return {};
+}
+
+Expected<KeySet> chosen_keys(const LocalMethod& method, const Recording& recording) {
+  if (method.name == families::Slerp::info.name) return recording.keys_at(fewest_geodesics(recording));
+  return selected_keys(method, recording);
+}
+
+/// With the deviation of what was found, measured anew.
+Expected<Reduction> certified(const LocalMethod& method, const Recording& recording, KeySet found) {
+  auto keys = recording.keyframes(found);
+  if (!keys) return tl::unexpected(std::move(keys.error()));
+  const auto deviation = recording.deviation(method.name, *keys);
+  if (!deviation) return tl::unexpected(deviation.error());
+  const Tolerance tolerance = recording.tolerance();
+  if (deviation->angle > tolerance.angle || deviation->position.value_or(0.0) > tolerance.position)
+    return failure(ErrorCode::bad_argument,
+                   fmt::format("{}: the curve is {:.6g} rad and {:.6g} m from the samples, wanted {:.6g} rad and "
+                               "{:.6g} m: the tolerance is below rounding",
+                               method.name, deviation->angle, deviation->position.value_or(0.0), tolerance.angle,
+                               tolerance.position));
+  return Reduction{method.name, std::move(found.samples), std::move(*keys), *deviation};
+}
+
+}  // namespace
+
+Expected<Reduction> reduce(std::string_view method, const Keyframes& samples, const ReduceOptions& options) {
+  const auto local = local_method(method);
+  if (!local) return tl::unexpected(local.error());
+  if (const auto checked = check(samples, options.tolerance); !checked) return tl::unexpected(checked.error());
+  const Recording recording(samples, options.tolerance);
+  return chosen_keys(*local, recording)
+      .and_then([&](KeySet keys) -> Expected<KeySet> {
+        if (options.values == KeyValues::sampled) return keys;
+        return with_keys_refitted(*local, recording, std::move(keys));
+      })
+      .and_then([&](KeySet keys) { return certified(*local, recording, std::move(keys)); });
+}
+
+Expected<std::vector<Reduction>> reduce_by_each(std::span<const std::string_view> methods, const Keyframes& recording,
+                                                const ReduceOptions& options) {
+  std::vector<std::optional<Expected<Reduction>>> found(methods.size());
+  parallel_for(methods.size(), static_cast<unsigned>(methods.size()),
+               [&](std::size_t m) { found[m] = reduce(methods[m], recording, options); });
+  std::vector<Reduction> reductions;
+  for (auto& reduction : found) {
+    if (!*reduction) return tl::unexpected(std::move(reduction->error()));
+    reductions.push_back(std::move(**reduction));
+  }
+  return reductions;
+}
+
+std::size_t smallest(std::span<const Reduction> reductions) {
+  const auto size = [](const Reduction& reduction) { return reduction.samples.size(); };
+  return static_cast<std::size_t>(std::ranges::min_element(reductions, {}, size) - reductions.begin());
+}
+
+}  // namespace orispline::optimise

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include <orispline/base/expected.hpp>
+#include <orispline/curve/keyframe.hpp>
+#include <orispline/optimise/rate_bounds.hpp>
+
+namespace orispline::optimise {
+
+/// What the body that follows the motion can do, everywhere and always; absent: not limited.
+struct MotionLimits {
+  std::optional<double> rate{};              ///< |ω| [rad/s]
+  std::optional<double> acceleration{};      ///< |α| [rad/s²]
+  std::optional<double> torque{};            ///< |I α + ω × I ω| [N m]
+  std::optional<Eigen::Matrix3d> inertia{};  ///< I [kg m²], body frame; for the torque
+};
+
+/// Which intervals between keys are slowed.
+enum class Slowing {
+  uniform,      ///< all by one factor s: the same path, ω/s and α/s² everywhere
+  per_interval  ///< each by its own: the method's curve through the keys at their new times
+};
+
+/// Keys at later times.
+struct Retiming {
+  std::vector<double> times{};        ///< of the keys [s], the first as it was
+  double stretch = 1.0;               ///< of the whole duration, at least 1
+  std::vector<SegmentPeaks> peaks{};  ///< of the slowed curve, segment by segment: no bound above its limit
+};
+
+/// The least slowing, to 1e-4, with which the method's curve through the keys stays within the limits everywhere.
+///
+/// Certified by certified_peaks() on the curve through the keys at their new times. A motion within the limits stays as
+/// it is. `per_interval` slows the intervals that break a limit, round after round, and makes up for the rest by one
+/// factor; it is the uniform slowing where that is the shorter. The curve is as smooth as the method makes it.
+/// Errors: bad_argument for limits that are not greater than 0 or that are absent, a torque without an inertia, a
+/// method that takes rates from the keys, does not state its segments as polynomials, or whose ω jumps where
+/// acceleration is limited: no slowing helps; bad_data for fewer than two keys.
+[[nodiscard]] Expected<Retiming> retime(std::string_view method, const Keyframes& keys, const MotionLimits& limits,
+                                        Slowing slowing);
+
+}  // namespace orispline::optimise

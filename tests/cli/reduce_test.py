@@ -1,0 +1,121 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""`orispline reduce`: what it certifies, the counts on recordings that lie beside the project, what it refuses."""
+import itertools
+import json
+import math
+import os
+import pathlib
+
+from command import BAD_DATA, BAD_USAGE, CommandTest, main, rows_of
+
+SHARED = pathlib.Path(os.environ.get("ORISPLINE_SHARED_DATA", "shared/data"))
+SPACECRAFT = ["--columns", "t=sclk_ticks,qw=q0_w,qx=q1,qy=q2,qz=q3", "--time-scale", "0.00390625"]
+
+
+def angle(p, q):
+    """Degrees between the orientations of two rows; by the chord, which small angles survive."""
+    chord = min(math.dist(p, q), math.dist(p, [-c for c in q]))
+    return math.degrees(4 * math.asin(chord / 2))
+
+
+def turning(count, slope_after):
+    """Angles [deg] at whole seconds: 1 a second, from the middle on `slope_after` a second."""
+    middle = count // 2
+    return [k + (slope_after - 1) * max(0, k - middle) for k in range(count)]
+
+
+def csv_of(angles):
+    return "t,qw,qx,qy,qz\n" + "".join(
+        f"{t},{math.cos(math.radians(a) / 2)!r},0,0,{math.sin(math.radians(a) / 2)!r}\n" for t, a in enumerate(angles))
+
+
+class Reduce(CommandTest):
+    def reduced(self, *arguments):
+        return json.loads(self.output_of(["reduce", *arguments, "-o", "reduced.csv", "--json"]))
+
+    def counts(self, *arguments):
+        return {method["method"]: method["keys"] for method in self.reduced(*arguments)["methods"]}
+
+    def test_a_kink_needs_three_geodesics_keys_and_their_digits_are_kept(self):
+        self.write("dense.csv", csv_of(turning(41, 3)))
+        report = self.reduced("dense.csv", "--tolerance", "0.01deg", "--method", "slerp")
+        self.assertEqual((report["samples"], report["keys"], report["method"]), (41, 3, "slerp"))
+        rows = rows_of(self.read("dense.csv"))
+        self.assertEqual(rows_of(self.read("reduced.csv")), [rows[0], rows[20], rows[40]])
+
+    def test_slerp_is_optimal_by_all_subsets(self):
+        angles = [0, 2, 1, 3, 7, 6, 6.5, 2, 1, 0]
+        self.write("dense.csv", csv_of(angles))
+
+        def holds(keys):
+            return all(abs(a + (b - a) * (k - i) / (j - i) - angles[k]) <= 1
+                       for i, j in zip(keys, keys[1:]) for a, b in [(angles[i], angles[j])] for k in range(i, j))
+
+        fewest = next(n + 2 for n in range(9) for inner in itertools.combinations(range(1, 9), n)
+                      if holds((0, *inner, 9)))
+        report = self.reduced("dense.csv", "--tolerance", "1.0000001deg", "--method", "slerp")
+        self.assertEqual(report["keys"], fewest)
+
+    def test_the_written_keys_reproduce_every_sample(self):
+        angles = [20 * math.sin(0.05 * k) + 5 * math.sin(0.31 * k) for k in range(400)]
+        self.write("dense.csv", csv_of(angles))
+        self.write("times.txt", "".join(f"{t}\n" for t in range(400)))
+        for extra in ([], ["--refit"]):
+            for method in ("auto", "timed-c2", "slerp"):
+                report = self.reduced("dense.csv", "--tolerance", "0.2deg", "--method", method, *extra)
+                curve = rows_of(self.output_of(f"sample reduced.csv --method {method} --times times.txt"))
+                largest = max(angle(a[1:5], b[1:5]) for a, b in zip(curve, rows_of(self.read("dense.csv"))))
+                self.assertLess(report["keys"], 300)
+                self.assertLessEqual(report["error_max_deg"], 0.2)
+                self.assertAlmostEqual(report["error_max_deg"], largest, delta=1e-9)
+
+    def test_positions_are_bounded_where_that_is_asked_for(self):
+        rows = "".join(f"{t},1,0,0,0,{math.sin(0.1 * t)!r},0,0\n" for t in range(100))
+        self.write("poses.csv", "t,qw,qx,qy,qz,px,py,pz\n" + rows)
+        report = self.reduced("poses.csv", "--tolerance", "1deg", "--position-tolerance", "1mm")
+        self.assertTrue(all(m["position_error_max_m"] <= 1e-3 for m in report["methods"]))
+        self.assertGreater(report["keys"], 2)
+        self.assertEqual(self.reduced("poses.csv", "--tolerance", "1deg")["keys"], 2)
+
+    def test_the_smallest_wins_and_the_smooth_one_of_equals(self):
+        self.write("dense.csv", csv_of(turning(41, 1)))
+        report = self.reduced("dense.csv", "--tolerance", "0.01deg")
+        self.assertEqual((report["method"], [m["keys"] for m in report["methods"]]), ("auto", [2, 2, 2]))
+
+    def test_a_half_turn_between_samples(self):
+        self.write("dense.csv", csv_of([0, 180, 360]))
+        self.assertEqual(self.reduced("dense.csv", "--tolerance", "1deg", "--method", "slerp")["keys"], 3)
+
+    def test_recordings_need_no_more_keys_than_measured_before(self):
+        if not SHARED.exists():
+            self.skipTest(f"no {SHARED}")
+        flight = str(SHARED / "flight/px4_quad_sample_attitude.csv")
+        for tolerance, timed, auto in (("0.1deg", 131, 128), ("0.5deg", 62, 63), ("1deg", 38, 41)):
+            counts = self.counts(flight, "--tolerance", tolerance)
+            self.assertLessEqual(counts["timed-c2"], timed)
+            self.assertLessEqual(counts["auto"], auto)
+        craft = [str(SHARED / "spacecraft/mro_ck_sliced_-74000.csv"), *SPACECRAFT]
+        for tolerance, slerp, timed, auto in (("0.001deg", 167, 318, 381), ("0.01deg", 32, 23, 21),
+                                              ("0.1deg", 10, 11, 9)):
+            counts = self.counts(*craft, "--tolerance", tolerance)
+            self.assertEqual(counts["slerp"], slerp)
+            self.assertLessEqual(counts["timed-c2"], timed)
+            self.assertLessEqual(counts["auto"], auto)
+
+    def test_refused(self):
+        unit = "wanted a number above 0 and its unit, deg or rad, such as 1deg"
+        for text in ("0deg", "-1deg", "1", "nandeg", "1m"):
+            self.assert_fails(f"reduce keys.csv --tolerance={text}", BAD_USAGE, f"--tolerance: found '{text}', {unit}")
+        self.assert_fails("reduce keys.csv --tolerance 1e-13rad", BAD_USAGE,
+                          "the tolerance is 1e-13 rad, wanted 1e-12 rad at least: the rounding of orientations is not "
+                          "much smaller")
+        self.assert_fails("reduce keys.csv --tolerance 1deg --position-tolerance 1mm", BAD_DATA,
+                          "keys.csv: found no positions, wanted columns px,py,pz for --position-tolerance")
+        self.write("one.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n")
+        self.assert_fails("reduce one.csv --tolerance 1deg", BAD_DATA,
+                          "one.csv: found 1 sample, wanted 2 at least to keep the fewest that suffice")
+
+
+if __name__ == "__main__":
+    main()
