@@ -75,7 +75,7 @@ struct PathLimits {
 
 template <class T>
 void expect_agreement(const Poses<T>& poses, const PoseCurve& curve, std::span<const double> times, PathLimits limits) {
-  constexpr double unit = std::numeric_limits<T>::epsilon();
+  constexpr auto unit = static_cast<double>(std::numeric_limits<T>::epsilon());
   const Travel size = size_of(*curve.position, times);
   double off[3] = {0.0, 0.0, 0.0};
   for (std::size_t i = 0; i < times.size(); ++i) {
