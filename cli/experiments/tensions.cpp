@@ -75,7 +75,7 @@ std::vector<Recipe> schemes_of_figure3() {
           {"ATBI type", "atbi", {}, {color::ink}},
           {"α = 0.35", "quintic", all(0.35), {color::blue}},
           {"α = 0.6", "quintic", all(0.6), {color::red}},
-          {"α = 0.1, 0.6, 0, 0.6, 0.1", "quintic", {0.1, 0.6, 0.0, 0.6, 0.1}, color::green},
+          {"α = 0.1, 0.6, 0, 0.6, 0.1", "quintic", {0.1, 0.6, 0.0, 0.6, 0.1}, {color::green}},
           {"α = 1", "quintic", all(1.0), {color::purple}},
           {"α = 2", "quintic", all(2.0), {color::gold}},
           {"α = 0", "quintic", all(0.0), {color::frame}}};
