@@ -127,11 +127,20 @@ void add_method_options(CLI::App& app, MethodOptions& o) {
       ->group(group);
 }
 
+void add_output_file(CLI::App& app, std::string& path) {
+  app.add_option("-o,--output", path, "File to write, complete or not at all [standard output]")
+      ->type_name(file_type)
+      ->group("Output");
+}
+
+void add_summary_options(CLI::App& app, bool& json, bool& quiet) {
+  app.add_flag("--json", json, "Print the summary as JSON on standard output; needs -o")->group("Output");
+  app.add_flag("--quiet", quiet, "No summary")->group("Output");
+}
+
 void add_output_options(CLI::App& app, OutputOptions& o) {
   const std::string group = "Output";
-  app.add_option("-o,--output", o.path, "File to write, complete or not at all [standard output]")
-      ->type_name(file_type)
-      ->group(group);
+  add_output_file(app, o.path);
   app.add_option("--output-format", o.format, "Format of the output [tum for .tum, npy for .npy, else csv]")
       ->type_name(one_of(output_format_choices))
       ->group(group);
@@ -180,9 +189,7 @@ void add_sample_options(CLI::App& app, SampleOptions& o) {
 void add_convert_options(CLI::App& app, ConvertOptions& o) {
   add_input_options(app, o.input, "as-given");
   add_output_options(app, o.output);
-  const std::string group = "Output";
-  app.add_flag("--json", o.json, "Print the summary as JSON on standard output; needs -o")->group(group);
-  app.add_flag("--quiet", o.quiet, "No summary")->group(group);
+  add_summary_options(app, o.json, o.quiet);
   app.footer(convert_footer);
 }
 

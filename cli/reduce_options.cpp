@@ -33,8 +33,7 @@ void add_reduce_options(CLI::App& app, ReduceOptions& o) {
       ->group(group);
   app.add_flag("--refit", o.refit, "Move keys where that saves some; else they are samples")->group(group);
   add_output_options(app, o.output);
-  app.add_flag("--json", o.json, "Print the summary as JSON on standard output; needs -o")->group("Output");
-  app.add_flag("--quiet", o.quiet, "No summary")->group("Output");
+  add_summary_options(app, o.json, o.quiet);
   app.footer(reduce_footer);
 }
 

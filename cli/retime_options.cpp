@@ -35,8 +35,7 @@ void add_retime_options(CLI::App& app, RetimeOptions& o) {
   app.add_flag("--per-interval", o.per_interval, "Slow each interval between keys by itself; else all alike")
       ->group(group);
   add_output_options(app, o.output);
-  app.add_flag("--json", o.json, "Print the summary as JSON on standard output; needs -o")->group("Output");
-  app.add_flag("--quiet", o.quiet, "No summary")->group("Output");
+  add_summary_options(app, o.json, o.quiet);
   app.footer(retime_footer);
 }
 

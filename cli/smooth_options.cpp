@@ -42,11 +42,8 @@ void add_smooth_options(CLI::App& app, SmoothOptions& o) {
   app.add_option("--rate", o.rate, "Write samples at so many per second instead of keys")
       ->type_name("HZ")
       ->group("Output");
-  app.add_option("-o,--output", o.output.path, "File to write, complete or not at all [standard output]")
-      ->type_name(file_type)
-      ->group("Output");
-  app.add_flag("--json", o.json, "Print the summary as JSON on standard output; needs -o")->group("Output");
-  app.add_flag("--quiet", o.quiet, "No summary")->group("Output");
+  add_output_file(app, o.output.path);
+  add_summary_options(app, o.json, o.quiet);
   app.footer(smooth_footer);
 }
 

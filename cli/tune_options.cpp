@@ -41,11 +41,8 @@ void add_tune_options(CLI::App& app, TuneOptions& o) {
   app.add_option("--free", o.free, "Tensions that may vary, such as tension2 [all of the method]")
       ->type_name("NAME,...")
       ->group(group);
-  app.add_option("-o,--output", o.output, "File to write, complete or not at all [standard output]")
-      ->type_name(file_type)
-      ->group("Output");
-  app.add_flag("--json", o.json, "Print the summary as JSON on standard output; needs -o")->group("Output");
-  app.add_flag("--quiet", o.quiet, "No summary")->group("Output");
+  add_output_file(app, o.output);
+  add_summary_options(app, o.json, o.quiet);
   app.footer(tune_footer);
 }
 
