@@ -23,7 +23,12 @@ class ChainElimination {
   using Low = Eigen::Matrix<double, Data + M, columns>;      ///< the data rows, then the link rows
   using Remainder = Eigen::Matrix<double, Data + M, Sides>;  ///< rows of right-hand sides that no unknown can meet
 
-  explicit ChainElimination(std::size_t nodes) { rows_.reserve(nodes); }
+  /// Forgets the nodes of a chain before.
+  void start(std::size_t nodes) {
+    rows_.clear();
+    rows_.reserve(nodes);
+    carried_.setZero();
+  }
 
   /// Eliminates the next node. At the last one the link rows are zero.
   Remainder add(Low low) {

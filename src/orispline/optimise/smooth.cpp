@@ -15,7 +15,7 @@ namespace {
 
 constexpr double huber_threshold = 2.5, tukey_threshold = 6.0;  // in units of σ
 constexpr double rejection_threshold = 5.0;                     // likewise
-constexpr SmoothingIteration to_find_outliers{.tolerance = 1e-4};
+constexpr double tolerance_to_find_outliers = 1e-2;             // of the iteration, likewise
 constexpr double largest_noise = 0.5;  // [rad] per axis: residuals of this size are those of no motion at all
 
 Expected<void> check_number(const char* name, const char* unit, std::optional<double> value) {
@@ -58,7 +58,8 @@ class Smoother {
         objective_(objective_of(options)) {}
 
   [[nodiscard]] Expected<Smoothing> run() {
-    fit(options_.outliers == Outliers::reject ? to_find_outliers : SmoothingIteration{});
+    fit(options_.outliers == Outliers::reject ? SmoothingIteration{.tolerance = tolerance_to_find_outliers * noise_}
+                                              : SmoothingIteration{});
     if (options_.outliers == Outliers::tukey) fit_with_tukey();
     if (options_.outliers == Outliers::reject)
       if (auto done = fit_without_outliers(); !done) return tl::unexpected(std::move(done.error()));
@@ -94,7 +95,7 @@ class Smoother {
   }
 
   void refit(const SmoothingIteration& iteration = {}) {
-    fits_ = fit_stretches(problems_, objective_, iteration, fits_.fits.empty() ? nullptr : &fits_);
+    fits_ = fit_stretches(problems_, objective_, iteration, fits_);
   }
 
   [[nodiscard]] double smoothing_time() const {

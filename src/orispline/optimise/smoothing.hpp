@@ -70,7 +70,6 @@ struct SmoothingFit {
   std::vector<double> loss_weights{};            ///< ρ' of every residual: what is left of its weight
   double data = 0.0, penalty = 0.0, gyro = 0.0;  ///< terms of the cost, the penalty without λ
   double cost = 0.0;                             ///< data + λ penalty + gyro
-  double log_determinant = 0.0;                  ///< of the normal matrix of the last step
   int iterations = 0;
   double last_step = 0.0;  ///< largest turn of a node in the last step [rad]
 };
@@ -88,5 +87,9 @@ struct SmoothingFit {
 [[nodiscard]] SmoothingFit fit_smoothing(const SmoothingProblem& problem, const SmoothingObjective& objective,
                                          const SmoothingIteration& iteration = {},
                                          const SmoothedNodes* start = nullptr);
+
+/// log det of the normal matrix at a fit, with the weights that the loss leaves.
+[[nodiscard]] double log_determinant(const SmoothingProblem& problem, const SmoothingObjective& objective,
+                                     const SmoothedNodes& nodes);
 
 }  // namespace orispline::optimise

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 #include <orispline/math/elementary.hpp>
@@ -16,9 +17,8 @@ using elementary::natural_logarithm;
 constexpr double shortest_relative_time = 0.5;   // τ over the interval, where the scan begins
 constexpr double longest_relative_time = 500.0;  // beyond it the conditioning spoils the last digits
 constexpr double scan_ratio = 1.3;
-constexpr double steps_before = scan_ratio * scan_ratio * scan_ratio;  // in τ, where its place is known already
-constexpr std::size_t rises_until_sure = 4;
-constexpr SmoothingIteration scan_iteration{.tolerance = 1e-5, .most = 60};
+constexpr int coarse_step = 2, rises_until_sure = 2;                  // in steps of the ratio; in coarse steps
+constexpr double scan_tolerance = 1e-3, least_scan_tolerance = 1e-9;  // of the iteration, in units of the noise; [rad]
 constexpr std::size_t part_size = 2500;
 
 double power(double base, int exponent) {
@@ -28,18 +28,19 @@ double power(double base, int exponent) {
 }
 
 /// -2 log of the restricted likelihood, but for a constant.
-double restricted_likelihood(const StretchFits& fits, Penalty penalty, double lambda) {
+double restricted_likelihood(const Stretches& stretches, const StretchFits& fits, const SmoothingObjective& objective) {
   double sum = 0.0;
-  for (const SmoothingFit& fit : fits.fits) {
-    const auto segments = static_cast<double>(fit.residuals.size() - 1);
-    sum += fit.cost + fit.log_determinant - 3.0 * order_of(penalty) * segments * natural_logarithm(lambda);
+  for (std::size_t i = 0; i < stretches.size(); ++i) {
+    const auto segments = static_cast<double>(stretches[i].size() - 1);
+    sum += fits.fits[i].cost + log_determinant(stretches[i], objective, fits.fits[i].nodes) -
+           3.0 * order_of(objective.penalty) * segments * natural_logarithm(objective.lambda);
   }
   return sum;
 }
 
 double criterion_value(const Stretches& stretches, const StretchFits& fits, SmoothingCriterion criterion,
                        const SmoothingObjective& objective) {
-  if (criterion == SmoothingCriterion::reml) return restricted_likelihood(fits, objective.penalty, objective.lambda);
+  if (criterion == SmoothingCriterion::reml) return restricted_likelihood(stretches, fits, objective);
   const double trace = hat_trace(stretches, fits, objective.penalty, objective.lambda);
   if (criterion == SmoothingCriterion::ubre) return fits.data() + 6.0 * trace;
   const auto count = static_cast<double>(observations(stretches));
@@ -58,6 +59,68 @@ double longest_smoothing_time(const Stretches& stretches, double interval) {
   for (const SmoothingProblem& stretch : stretches) span = std::max(span, stretch.times.back() - stretch.times.front());
   return std::min(longest_relative_time * interval, span);
 }
+
+/// The criterion at τ = τ₀ ratio^k, each value found once.
+class Scan {
+ public:
+  Scan(const Stretches& stretches, SmoothingObjective objective, SmoothingCriterion criterion, double noise,
+       double interval, double origin)
+      : stretches_(stretches),
+        objective_(objective),
+        criterion_(criterion),
+        noise_(noise),
+        interval_(interval),
+        origin_(origin),
+        shortest_(shortest_relative_time * interval),
+        longest_(longest_smoothing_time(stretches, interval)) {}
+
+  /// Upward until the criterion has risen for some time, then around the least value.
+  [[nodiscard]] LambdaChoice from_below() {
+    int least = 0;
+    for (int k = 0; k - least <= rises_until_sure * coarse_step && inside(k); k += coarse_step)
+      if (value(k) < value(least)) least = k;
+    return around(least);
+  }
+
+  /// Down to the least value next to k, and by a parabola between the steps.
+  [[nodiscard]] LambdaChoice around(int k) {
+    for (;;) {
+      if (inside(k - 1) && value(k - 1) < value(k)) --k;
+      else if (inside(k + 1) && value(k + 1) < value(k)) ++k;
+      else break;
+    }
+    LambdaChoice choice;
+    double time = time_at(k);
+    if (!inside(k - 1)) choice.edge = LambdaChoice::Edge::shortest;
+    else if (!inside(k + 1)) choice.edge = LambdaChoice::Edge::longest;
+    else time *= std::exp(natural_logarithm(scan_ratio) * parabola_minimum(value(k - 1), value(k), value(k + 1)));
+    choice.lambda = lambda(time);
+    choice.tried = values_.size();
+    return choice;
+  }
+
+ private:
+  [[nodiscard]] double time_at(int k) const {
+    return origin_ * power(k < 0 ? 1.0 / scan_ratio : scan_ratio, std::abs(k));
+  }
+  [[nodiscard]] double lambda(double time) const { return lambda_of(time, objective_.penalty, noise_, interval_); }
+  [[nodiscard]] bool inside(int k) const { return k == 0 || (time_at(k) >= shortest_ && time_at(k) <= longest_); }
+
+  double value(int k) {
+    if (const auto known = values_.find(k); known != values_.end()) return known->second;
+    objective_.lambda = lambda(time_at(k));
+    fits_ = fit_stretches(stretches_, objective_,
+                          {.tolerance = std::max(scan_tolerance * noise_, least_scan_tolerance)}, fits_);
+    return values_[k] = criterion_value(stretches_, fits_, criterion_, objective_);
+  }
+
+  const Stretches& stretches_;
+  SmoothingObjective objective_;
+  SmoothingCriterion criterion_;
+  double noise_, interval_, origin_, shortest_, longest_;
+  StretchFits fits_;
+  std::map<int, double> values_;
+};
 
 template <class T>
 std::vector<T> part_of(const std::vector<T>& all, std::size_t first, std::size_t count) {
@@ -81,10 +144,11 @@ double StretchFits::data() const noexcept {
 }
 
 StretchFits fit_stretches(const Stretches& stretches, const SmoothingObjective& objective,
-                          const SmoothingIteration& iteration, const StretchFits* start) {
+                          const SmoothingIteration& iteration, const StretchFits& start) {
   StretchFits result;
   for (std::size_t i = 0; i < stretches.size(); ++i)
-    result.fits.push_back(fit_smoothing(stretches[i], objective, iteration, start ? &start->fits[i].nodes : nullptr));
+    result.fits.push_back(
+        fit_smoothing(stretches[i], objective, iteration, start.fits.empty() ? nullptr : &start.fits[i].nodes));
   return result;
 }
 
@@ -105,31 +169,10 @@ double hat_trace(const Stretches& stretches, const StretchFits& fits, Penalty pe
   return sum;
 }
 
-LambdaChoice chosen_lambda(const Stretches& stretches, SmoothingObjective objective, SmoothingCriterion criterion,
-                           double noise, double interval, std::optional<double> near) {
-  const double longest = longest_smoothing_time(stretches, interval), shortest = shortest_relative_time * interval;
-  const double begin = near ? std::max(shortest, *near / steps_before) : shortest;
-  std::vector<double> times, values;
-  StretchFits fits;
-  std::size_t least = 0;
-  for (double time = begin; time <= longest || times.empty(); time *= scan_ratio) {
-    objective.lambda = lambda_of(time, objective.penalty, noise, interval);
-    fits = fit_stretches(stretches, objective, scan_iteration, times.empty() ? nullptr : &fits);
-    times.push_back(time);
-    values.push_back(criterion_value(stretches, fits, criterion, objective));
-    if (values.back() < values[least]) least = values.size() - 1;
-    if (values.size() - 1 - least >= rises_until_sure) break;
-  }
-  if (least == 0 && begin > shortest) return chosen_lambda(stretches, objective, criterion, noise, interval);
-  double time = times[least];
-  LambdaChoice choice{.tried = times.size()};
-  if (least == 0) choice.edge = LambdaChoice::Edge::shortest;
-  else if (least + 1 == times.size()) choice.edge = LambdaChoice::Edge::longest;
-  else
-    time *=
-        std::exp(natural_logarithm(scan_ratio) * parabola_minimum(values[least - 1], values[least], values[least + 1]));
-  choice.lambda = lambda_of(time, objective.penalty, noise, interval);
-  return choice;
+LambdaChoice chosen_lambda(const Stretches& stretches, const SmoothingObjective& objective,
+                           SmoothingCriterion criterion, double noise, double interval, std::optional<double> near) {
+  Scan scan(stretches, objective, criterion, noise, interval, near.value_or(shortest_relative_time * interval));
+  return near ? scan.around(0) : scan.from_below();
 }
 
 Stretches representative_parts(const Stretches& stretches, std::size_t most) {

@@ -27,9 +27,9 @@ struct StretchFits {
   [[nodiscard]] double data() const noexcept;
 };
 
-/// Fits every stretch. `start`: fits of the same stretches, or nothing.
+/// Fits every stretch. `start`: fits of the same stretches, or none.
 [[nodiscard]] StretchFits fit_stretches(const Stretches& stretches, const SmoothingObjective& objective,
-                                        const SmoothingIteration& iteration = {}, const StretchFits* start = nullptr);
+                                        const SmoothingIteration& iteration = {}, const StretchFits& start = {});
 
 /// Times with an orientation that counts.
 [[nodiscard]] std::size_t observations(const Stretches& stretches);
@@ -49,10 +49,10 @@ struct LambdaChoice {
   } edge = Edge::none;
 };
 
-/// Scans τ upward from half the interval by factors of 1.3, until the criterion has risen for some steps, and refines
-/// the least value by a parabola in log τ. `noise`, `interval`: as of lambda_of(). The objective's λ is not used, but
-/// where `near` is given the scan begins a few steps before that τ, unless the least value turns out to lie there.
-[[nodiscard]] LambdaChoice chosen_lambda(const Stretches& stretches, SmoothingObjective objective,
+/// Scans τ upward from half the interval until the criterion has risen for two steps of 1.3², looks about the least
+/// value in steps of 1.3 and refines it by a parabola in log τ. `noise`, `interval`: as of lambda_of(). The objective's
+/// λ is not used. Where `near` is given the scan goes from that τ downhill.
+[[nodiscard]] LambdaChoice chosen_lambda(const Stretches& stretches, const SmoothingObjective& objective,
                                          SmoothingCriterion criterion, double noise, double interval,
                                          std::optional<double> near = std::nullopt);
 

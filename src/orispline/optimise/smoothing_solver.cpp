@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/QR>
 #include <Eigen/SVD>
@@ -24,18 +25,37 @@ template <int P, bool Gyro>
 class Minimisation {
  public:
   Minimisation(const SmoothingProblem& problem, const SmoothingObjective& objective, const SmoothedNodes* start)
-      : problem_(problem), objective_(objective), state_(start ? taken_from(*start) : initial()) {}
+      : problem_(problem),
+        objective_(objective),
+        state_(start ? taken_from(*start) : initial()),
+        may_rest_(start != nullptr) {}
+
+  /// Of the majorising normal matrix.
+  [[nodiscard]] double log_determinant() {
+    Evaluation now = evaluated(state_);
+    std::ranges::fill(now.curvatures, 1.0);
+    [[maybe_unused]] const BiasRows bias_rows = eliminated(now);
+    double sum = chain_.log_determinant();
+    if constexpr (Gyro)
+      if (objective_.bias == SmoothingObjective::Bias::constant) sum += bias_rows.log_determinant();
+    return sum;
+  }
 
   [[nodiscard]] SmoothingFit run(const SmoothingIteration& iteration) {
     Evaluation now = evaluated(state_);
     SmoothingFit fit;
     double turn_before = std::numeric_limits<double>::infinity();
     for (fit.iterations = 1;; ++fit.iterations) {
-      const Step step = proposed(now, fit.log_determinant);
+      const Step step = proposed(now);
       fit.last_step = step.largest_turn;
       double length = 1.0;
       State moved = state_.after(step, length);
       Evaluation there = evaluated(moved);
+      if (!(there.cost <= now.cost * (1.0 + rounding)) && std::exchange(may_rest_, false)) {
+        for (Rates& rates : state_.rates) rates.setZero();
+        now = evaluated(state_);
+        continue;
+      }
       while (!(there.cost <= now.cost * (1.0 + rounding)) && length >= shortest_step) {
         length *= 0.5;
         moved = state_.after(step, length);
@@ -83,7 +103,7 @@ class Minimisation {
 
   struct Evaluation {
     std::vector<Eigen::Vector3d> residuals, steps;
-    std::vector<double> loss_weights;
+    std::vector<double> loss_weights, curvatures;
     double data = 0.0, penalty = 0.0, gyro = 0.0, cost = 0.0;
   };
 
@@ -125,6 +145,7 @@ class Minimisation {
       const LossValue loss = loss_at(objective_.loss, w * r.squaredNorm(), objective_.threshold);
       e.residuals.push_back(r);
       e.loss_weights.push_back(loss.weight);
+      e.curvatures.push_back(loss.curvature);
       e.data += loss.value;
       if constexpr (Gyro) e.gyro += problem_.gyro_weights[i] * gyro_residual(state, i).squaredNorm();
       if (i + 1 == problem_.size()) break;
@@ -140,8 +161,15 @@ class Minimisation {
     Low low = Low::Zero();
     constexpr int side = 2 * unknowns;
     const double root = std::sqrt(problem_.weights[i] * now.loss_weights[i]);
+    const Eigen::Vector3d& residual = now.residuals[i];
     low.template topLeftCorner<3, 3>().diagonal().setConstant(root);
-    low.template block<3, 1>(0, side) = root * now.residuals[i];
+    low.template block<3, 1>(0, side) = root * residual;
+    if (now.curvatures[i] < 1.0) {  // along the residual by its root, which the right-hand side makes up for
+      const double share = std::sqrt(now.curvatures[i]);
+      low.template topLeftCorner<3, 3>() +=
+          root * (share - 1.0) / residual.squaredNorm() * residual * residual.transpose();
+      low.template block<3, 1>(0, side) /= share;
+    }
     if constexpr (Gyro) {
       const double gyro_root = std::sqrt(problem_.gyro_weights[i]);
       low.template block<3, 3>(3, 3).diagonal().setConstant(gyro_root);
@@ -158,31 +186,6 @@ class Minimisation {
     return low;
   }
 
-  /// The Gauss–Newton step from the present state.
-  [[nodiscard]] Step proposed(const Evaluation& now, double& log_determinant) const {
-    Chain chain(problem_.size());
-    BiasRows bias_rows;
-    for (std::size_t i = 0; i < problem_.size(); ++i) {
-      const auto remainder = chain.add(rows_of(now, i));
-      if constexpr (Gyro) bias_rows.add(remainder);
-    }
-    log_determinant = chain.log_determinant();
-    Step step;
-    Eigen::Matrix<double, sides, 1> combination = Eigen::Matrix<double, sides, 1>::Zero();
-    combination[0] = 1.0;
-    if constexpr (Gyro)
-      if (objective_.bias == SmoothingObjective::Bias::constant) {
-        step.bias = bias_rows.solved(log_determinant);
-        combination.template tail<3>() = step.bias;
-      }
-    step.nodes.resize(problem_.size());
-    chain.solve(combination, [&](std::size_t i, const auto& x) {
-      step.nodes[i] = x;
-      step.largest_turn = std::max(step.largest_turn, x.template head<3>().template lpNorm<Eigen::Infinity>());
-    });
-    return step;
-  }
-
   /// What the eliminated nodes leave for the bias: rows of a right-hand side and of what a unit of bias adds to it.
   class BiasRows {
    public:
@@ -194,18 +197,51 @@ class Minimisation {
                     .template topRows<sides>()
                     .template triangularView<Eigen::Upper>();
     }
-    [[nodiscard]] Eigen::Vector3d solved(double& log_determinant) const {
-      // The right-hand side stands first; its row of the factor holds bias columns too.
-      const Eigen::Matrix<double, sides, 3> by_bias = -factor_.template rightCols<3>();
-      const Eigen::JacobiSVD<Eigen::MatrixXd> svd(by_bias, Eigen::ComputeThinU | Eigen::ComputeThinV);
-      for (Eigen::Index k = 0; k < 3; ++k)
-        log_determinant += 2.0 * elementary::natural_logarithm(svd.singularValues()[k]);
-      return svd.solve(factor_.col(0));
+    [[nodiscard]] Eigen::Vector3d solved() const { return decomposed().solve(factor_.col(0)); }
+    [[nodiscard]] double log_determinant() const {
+      const Eigen::Vector3d values = decomposed().singularValues();
+      return 2.0 * elementary::natural_logarithm(values.prod());
     }
 
    private:
+    /// The right-hand side stands first; its row of the factor holds bias columns too.
+    [[nodiscard]] Eigen::JacobiSVD<Eigen::MatrixXd> decomposed() const {
+      return Eigen::JacobiSVD<Eigen::MatrixXd>(-factor_.template rightCols<3>(),
+                                               Eigen::ComputeThinU | Eigen::ComputeThinV);
+    }
+
     Eigen::Matrix<double, sides, sides> factor_ = Eigen::Matrix<double, sides, sides>::Zero();
   };
+
+  /// Leaves the factor in the chain.
+  BiasRows eliminated(const Evaluation& now) {
+    chain_.start(problem_.size());
+    BiasRows bias_rows;
+    for (std::size_t i = 0; i < problem_.size(); ++i) {
+      const auto remainder = chain_.add(rows_of(now, i));
+      if constexpr (Gyro) bias_rows.add(remainder);
+    }
+    return bias_rows;
+  }
+
+  /// The Gauss–Newton step from the present state.
+  [[nodiscard]] Step proposed(const Evaluation& now) {
+    [[maybe_unused]] const BiasRows bias_rows = eliminated(now);
+    Step step;
+    Eigen::Matrix<double, sides, 1> combination = Eigen::Matrix<double, sides, 1>::Zero();
+    combination[0] = 1.0;
+    if constexpr (Gyro)
+      if (objective_.bias == SmoothingObjective::Bias::constant) {
+        step.bias = bias_rows.solved();
+        combination.template tail<3>() = step.bias;
+      }
+    step.nodes.resize(problem_.size());
+    chain_.solve(combination, [&](std::size_t i, const auto& x) {
+      step.nodes[i] = x;
+      step.largest_turn = std::max(step.largest_turn, x.template head<3>().template lpNorm<Eigen::Infinity>());
+    });
+    return step;
+  }
 
   /// P = 2: α at every node, the mean of those of the polynomials on both sides, which agree to second order in the
   /// step at a minimum without a gyro.
@@ -244,18 +280,33 @@ class Minimisation {
   const SmoothingProblem& problem_;
   const SmoothingObjective& objective_;
   State state_;
+  bool may_rest_;  // rates that fit the orientations may hold the iteration back in a bent valley of the cost
+  Chain chain_;    // kept for its memory
 };
+
+/// Calls `use` with the iteration for the problem.
+template <class Use>
+auto with_minimisation(const SmoothingProblem& problem, const SmoothingObjective& objective, const SmoothedNodes* start,
+                       Use use) {
+  const bool jerk = objective.penalty == Penalty::jerk;
+  if (problem.gyro.empty())
+    return jerk ? use(Minimisation<3, false>(problem, objective, start))
+                : use(Minimisation<2, false>(problem, objective, start));
+  return jerk ? use(Minimisation<3, true>(problem, objective, start))
+              : use(Minimisation<2, true>(problem, objective, start));
+}
 
 }  // namespace
 
 SmoothingFit fit_smoothing(const SmoothingProblem& problem, const SmoothingObjective& objective,
                            const SmoothingIteration& iteration, const SmoothedNodes* start) {
-  const bool jerk = objective.penalty == Penalty::jerk;
-  if (problem.gyro.empty())
-    return jerk ? Minimisation<3, false>(problem, objective, start).run(iteration)
-                : Minimisation<2, false>(problem, objective, start).run(iteration);
-  return jerk ? Minimisation<3, true>(problem, objective, start).run(iteration)
-              : Minimisation<2, true>(problem, objective, start).run(iteration);
+  return with_minimisation(problem, objective, start, [&](auto&& minimisation) { return minimisation.run(iteration); });
+}
+
+double log_determinant(const SmoothingProblem& problem, const SmoothingObjective& objective,
+                       const SmoothedNodes& nodes) {
+  return with_minimisation(problem, objective, &nodes,
+                           [](auto&& minimisation) { return minimisation.log_determinant(); });
 }
 
 }  // namespace orispline::optimise

@@ -30,7 +30,8 @@ Eigen::Matrix<double, P, 2 * P> scalar_link(double h) {
 template <int P>
 double trace(std::span<const double> times, std::span<const double> weights, double lambda) {
   using Chain = ChainElimination<P, 1, 1>;
-  Chain chain(times.size());
+  Chain chain;
+  chain.start(times.size());
   for (std::size_t i = 0; i < times.size(); ++i) {
     typename Chain::Low low = Chain::Low::Zero();
     low(0, 0) = std::sqrt(weights[i]);
