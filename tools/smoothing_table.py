@@ -1,94 +1,185 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The table of docs/smooth.md anew: noise of several sizes on recordings, smoothed by the command, against the recording.
+"""The table of docs/smooth.md anew: noise on recordings, smoothed by the command, by the reference implementation and by
+what people use otherwise, against the recording. RMS angles in degrees at noise of 0.2 / 1 / 3° per axis.
 
-Needs the recordings of README in --data (by default ../shared/data beside the checkout) and numpy.
+Needs the recordings (--data), the reference (--reference), both by default beside the checkout, numpy and SciPy.
 
-    tools/smoothing_table.py COMMAND [--data FOLDER] [--seeds N]
+    tools/smoothing_table.py COMMAND [--data FOLDER] [--reference FOLDER] [--seeds N] [--golden]
+
+--golden writes the reference's figures to tests/data/golden/smooth_recordings.csv.
 """
 import argparse
 import csv
 import pathlib
 import subprocess
+import sys
 import tempfile
 
 import numpy
+from scipy.interpolate import make_smoothing_spline
+from scipy.signal import savgol_filter
+
+from noisy_recordings import GYRO_NOISE, NOISES, RECORDINGS, recording, rms_degrees, with_noise
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-COUNT = 1500
-RECORDINGS = {
-    "BROAD": ("imu/broad_06_undisturbed_fast_rotation_A_40s.csv", "t_s opt_qw opt_qx opt_qy opt_qz", "gyr_{}_rad_s", 1.0),
-    "PX4": ("flight/px4_quad_sample_attitude.csv", "t_s qw qx qy qz", "w{}_body_rad_s", 1.0),
-    "MRO": ("spacecraft/mro_ck_sliced_-74000.csv", "sclk_ticks q0_w q1 q2 q3", None, 1 / 256),
-}
-WAYS = {"GCV": "--loss l2", "noise stated": "--loss l2 --noise {}deg", "robust": "", "jerk, GCV": "--loss l2 --penalty jerk",
-        "gyro": "--loss l2 --noise {}deg --gyro --gyro-noise {}deg"}
-GYRO_NOISE = {"BROAD": 5.1, "PX4": 0.05}
+GOLDEN = ROOT / "tests" / "data" / "golden" / "smooth_recordings.csv"
+OUTLIERS = 0.02
+# Way -> options of the command.
+WAYS = {"gcv": "--loss l2", "noise": "--loss l2 --noise {noise}deg", "robust": "", "jerk": "--loss l2 --penalty jerk",
+        "gyro": "--loss l2 --noise {noise}deg --gyro --gyro-noise {gyro}deg", "outliers": ""}
+SCAN = [0.5 * 1.3**k for k in range(28)]  # smoothing time over the median interval
 
 
-def product(a, b):
-    w, v, u, s = a[:, :1], a[:, 1:], b[:, :1], b[:, 1:]
-    return numpy.hstack([w * u - (v * s).sum(1, keepdims=True), w * s + u * v + numpy.cross(v, s)])
+class Cell:
+    """One recording with noise of one size and seed."""
+
+    def __init__(self, name, clean, noise, seed):
+        self.name, self.clean, self.noise, self.seed = name, clean, noise, seed
+        self.noisy = with_noise(clean, noise, seed)
+        self.t, self.samples = numpy.array(clean.times), numpy.array(self.noisy.orientations)
+        self.interval = numpy.median(numpy.diff(self.t))
+
+    def error(self, orientations):
+        return rms_degrees([tuple(q) for q in numpy.asarray(orientations).tolist()], self.clean.orientations)
+
+    def continuous(self):
+        """The samples without jumps of sign."""
+        flips = numpy.sum(self.samples[:-1] * self.samples[1:], 1) < 0
+        return self.samples * numpy.where(numpy.r_[False, numpy.cumsum(flips) % 2 == 1], -1, 1)[:, None]
 
 
-def exponential(v):
-    angle = numpy.linalg.norm(v, axis=1, keepdims=True)
-    return numpy.hstack([numpy.cos(angle / 2), v * numpy.sinc(angle / 2 / numpy.pi) / 2])
+def by_command(command, cell, way, folder):
+    motion = with_noise(cell.clean, cell.noise, cell.seed, OUTLIERS) if way == "outliers" else cell.noisy
+    motion.write(folder / "noisy.csv")
+    options = WAYS[way].format(noise=cell.noise, gyro=GYRO_NOISE.get(cell.name)).split()
+    subprocess.run([command, "smooth", "noisy.csv", *options, "--quiet", "-o", "smooth.csv"], cwd=folder, check=True)
+    with open(folder / "smooth.csv", encoding="utf-8") as file:
+        return cell.error([[float(row[c]) for c in ("qw", "qx", "qy", "qz")] for row in csv.DictReader(file)])
 
 
-def angles(a, b):
-    d = product(a * [1, -1, -1, -1], b)
-    return 2 * numpy.arctan2(numpy.linalg.norm(d[:, 1:], axis=1), abs(d[:, 0]))
+class Reference:
+    """The reference implementation with the choices of τ that its description states."""
+
+    def __init__(self, folder):
+        sys.path.insert(0, str(folder))
+        import smooth_reference
+        self.implementation = smooth_reference
+
+    def fit(self, cell, way, time, tolerance=1e-6):
+        order, sigma = 3 if way == "jerk" else 2, numpy.radians(cell.noise) if way in ("noise", "gyro") else 1.0
+        strength = time ** (2 * order) / (sigma**2 * cell.interval)
+        gyro = {}
+        if way == "gyro":
+            rate_noise = numpy.radians(GYRO_NOISE[cell.name])
+            gyro = {"gyro": numpy.array(cell.clean.rates), "wg": 1 / rate_noise**2, "bias": True}
+        found = self.implementation.smooth(cell.t, cell.samples, strength, w=1 / sigma**2, order=order, tol=tolerance, **gyro)
+        return found, self.criterion(cell, way, found, strength, order, sigma)
+
+    def criterion(self, cell, way, found, strength, order, sigma):
+        n = len(cell.t)
+        if way == "gyro":
+            return self.implementation.reml(found, strength, n, n, order, n, bias=True, sigma_known=True)
+        trace = self.implementation.trace_hat(cell.t, 1 / sigma**2, strength, order)
+        if way == "noise":
+            return found["data"] + 6 * trace
+        return numpy.log(self.implementation.gcv(found, trace, n))
+
+    def smoothed(self, cell, way):
+        """Smoothing time and error where a parabola through the least values of the scan has its minimum."""
+        values = []
+        for step in SCAN:
+            values.append(self.fit(cell, way, step * cell.interval)[1])
+            least = int(numpy.argmin(values))
+            if len(values) - 1 - least >= 4:
+                break
+        before, middle, after = values[least - 1 : least + 2]
+        shift = 0.5 * (before - after) / (before - 2 * middle + after)
+        time = SCAN[least] * 1.3**shift * cell.interval
+        return time, cell.error(self.fit(cell, way, time, 1e-9)[0]["q"])
+
+    def moving_average(self, cell):
+        """The geodesic mean of the samples about each, of the window that suits the truth best."""
+        log, exp, times = self.implementation.Log, self.implementation.Exp, self.implementation.qm
+        n, errors = len(cell.t), []
+        for half in [*range(1, 16), *range(16, 40, 3), *range(40, 161, 10)]:
+            index = numpy.arange(n)[:, None] + numpy.arange(-half, half + 1)
+            inside = ((index >= 0) & (index < n))[..., None]
+            window = cell.samples[index.clip(0, n - 1)]
+            mean = cell.samples.copy()
+            for _ in range(3):
+                turns = numpy.where(inside, log(times((mean * [1, -1, -1, -1])[:, None], window)), 0)
+                mean = times(mean, exp(turns.sum(1) / inside.sum(1)))
+            errors.append(cell.error(mean))
+            if len(errors) - 1 - int(numpy.argmin(errors)) >= 3:
+                break
+        return min(errors)
 
 
-def recording(name, data):
-    path, columns, rates, unit = RECORDINGS[name]
-    names = columns.split() + ([rates.format(axis) for axis in "xyz"] if rates else [])
-    with open(data / path, encoding="utf-8") as file:
-        rows = numpy.array([[float(row[n] or "nan") for n in names] for row in csv.DictReader(file)])
-    rows = rows[:: 3 if name == "BROAD" else 1]
-    rows = rows[numpy.isfinite(rows).all(axis=1)]
-    rows[:, 0] = (rows[:, 0] - rows[0, 0]) * unit
-    rows[:, 1:5] /= numpy.linalg.norm(rows[:, 1:5], axis=1, keepdims=True)
-    if name == "MRO":  # world to body
-        rows[:, 2:5] *= -1
-    if name != "PX4":
-        return rows[:COUNT]
-    travelled = numpy.concatenate([[0], numpy.cumsum(angles(rows[:-1, 1:5], rows[1:, 1:5]))])
-    first = numpy.argmax(travelled[COUNT - 1:] - travelled[: len(rows) - COUNT + 1])
-    return rows[first: first + COUNT]
+def normalised(columns):
+    q = numpy.stack(columns, -1)
+    return q / numpy.linalg.norm(q, axis=1, keepdims=True)
 
 
-def error(command, way, clean, noise, seed, folder):
-    noisy = clean.copy()
-    turn = numpy.random.default_rng(seed).normal(size=(len(clean), 3)) * numpy.radians(noise)
-    noisy[:, 1:5] = product(clean[:, 1:5], exponential(turn))
-    head = "t,qw,qx,qy,qz" + (",wx,wy,wz" if clean.shape[1] > 5 else "")
-    numpy.savetxt(folder / "noisy.csv", noisy, "%.17g", ",", header=head, comments="")
-    subprocess.run([command, "smooth", "noisy.csv", *way.split(), "--quiet", "-o", "smooth.csv"], cwd=folder, check=True)
-    found = numpy.loadtxt(folder / "smooth.csv", delimiter=",", skiprows=1)
-    return numpy.degrees(numpy.sqrt(numpy.mean(angles(found[:, 1:5], clean[:, 1:5]) ** 2)))
+def savitzky_golay(cell):
+    """On the components, of the window and degree that suit the truth best."""
+    q = cell.continuous()
+    return min(cell.error(normalised(savgol_filter(q, 2 * half + 1, degree, axis=0).T))
+               for degree in (2, 3, 4) for half in [*range(3, 30), *range(30, 300, 10)])
+
+
+def component_spline(cell):
+    """A cubic smoothing spline of each component, one λ for all, the one that suits the truth best."""
+    q = cell.continuous()
+    return min(cell.error(normalised([make_smoothing_spline(cell.t, x, lam=(s * cell.interval) ** 4 / cell.interval)(cell.t)
+                                      for x in q.T])) for s in SCAN)
+
+
+def cells_of(name, data, seeds):
+    clean = recording(name, data)
+    return {noise: [Cell(name, clean, noise, seed) for seed in range(seeds)] for noise in NOISES}
+
+
+def print_row(name, title, cells, error):
+    means = [numpy.mean([error(cell) for cell in cells[noise]]) for noise in NOISES]
+    print(f"{name:6} {title:22} {' / '.join(f'{mean:.3g}' for mean in means)}", flush=True)
+
+
+def print_table(name, cells, options, folder):
+    reference = Reference(options.reference)
+    rows = []
+    for way in WAYS:
+        if way == "gyro" and name not in GYRO_NOISE:
+            continue
+        print_row(name, way, cells, lambda cell: by_command(options.command.resolve(), cell, way, folder))
+        if way in ("robust", "outliers"):
+            continue
+        found = {cell: reference.smoothed(cell, way) for noise in NOISES for cell in cells[noise]}
+        print_row(name, way + ", reference", cells, lambda cell: found[cell][1])
+        rows += [(name, way, cell.noise, cell.seed, *found[cell]) for cell in found]
+    print_row(name, "samples", cells, lambda cell: cell.error(cell.samples))
+    print_row(name, "moving average*", cells, reference.moving_average)
+    print_row(name, "Savitzky-Golay*", cells, savitzky_golay)
+    print_row(name, "component spline*", cells, component_spline)
+    return rows
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("command", type=pathlib.Path)
     parser.add_argument("--data", type=pathlib.Path, default=ROOT.parent / "shared" / "data")
+    parser.add_argument("--reference", type=pathlib.Path, default=ROOT.parent / "shared" / "math")
     parser.add_argument("--seeds", type=int, default=3)
+    parser.add_argument("--golden", action="store_true")
     options = parser.parse_args()
+    rows = []
     with tempfile.TemporaryDirectory() as folder:
         for name in RECORDINGS:
-            clean = recording(name, options.data)
-            for title, way in WAYS.items():
-                if "gyro" in way and name not in GYRO_NOISE:
-                    continue
-                cells = []
-                for noise in (0.2, 1, 3):
-                    words = way.format(noise, GYRO_NOISE.get(name))
-                    errors = [error(options.command.resolve(), words, clean, noise, seed, pathlib.Path(folder))
-                              for seed in range(options.seeds)]
-                    cells.append(f"{numpy.mean(errors):.3g}")
-                print(f"{name:6} {title:13} {' / '.join(cells)}", flush=True)
+            rows += print_table(name, cells_of(name, options.data, options.seeds), options, pathlib.Path(folder))
+    if options.golden:
+        text = "".join(",".join(str(value) for value in row) + "\n" for row in rows)
+        GOLDEN.write_text("# The reference implementation on tools/noisy_recordings.py.\n"
+                          "recording,way,noise_deg,seed,smoothing_time_s,error_deg\n" + text, "utf-8")
 
 
 main()
