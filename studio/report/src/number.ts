@@ -10,4 +10,7 @@ export function shown(value: number | null | undefined): string {
   return text.replace('-', '−');
 }
 
+/** Beside an axis, where there is little room. */
+export const tick = (value: number) => (Math.abs(value) >= 1e4 ? value.toExponential().replace('e+', 'e') : String(value)).replace('-', '−');
+
 export const seconds = (value: number) => `${value.toFixed(2)} s`.replace('-', '−');
