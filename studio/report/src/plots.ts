@@ -78,7 +78,11 @@ function aligned(lines: Line[]): uPlot.AlignedData {
   if (lines.length === 0) return [[timeStart, timeEnd]];
   const sameTimes = lines.every((line) => line.t === lines[0].t);
   if (sameTimes) return [lines[0].t, ...lines.map((line) => line.values)] as uPlot.AlignedData;
-  return uPlot.join(lines.map((line) => [line.t, line.values] as uPlot.AlignedData));
+  const wholeGaps: uPlot.JoinNullMode[] = [2, 2]; // a gap goes on over the times of the other lines
+  return uPlot.join(
+    lines.map((line) => [line.t, line.values] as uPlot.AlignedData),
+    lines.map(() => wholeGaps),
+  );
 }
 
 function optionsOf(lines: Line[], { limit, marks }: { limit?: number; marks?: Points }, width: number, colours: Colours): uPlot.Options {
