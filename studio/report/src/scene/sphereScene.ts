@@ -69,13 +69,13 @@ function globe(colours: Colours): Group {
   return new Group().add(new Mesh(new SphereGeometry(0.995, 48, 32), ground), graticule(colours.grid));
 }
 
-function dotsAt(path: Path, axis: Axis, colour: string): Group {
+function dotsAt(path: Path, axis: Axis, { colour, radius }: { colour: string; radius: number }): Group {
   const dots = new Group();
   const material = new MeshBasicMaterial({ color: colour, polygonOffset: true, polygonOffsetUnits: towardsEye.keys });
   const every = Math.ceil(path.t.length / mostDots);
   for (let i = 0; i < path.t.length; i += every) {
     const direction = new Vector3(...bodyAxis(quaternionAt(path, i), axis));
-    const dot = new Mesh(new CircleGeometry(0.024, 16), material);
+    const dot = new Mesh(new CircleGeometry(radius, 16), material);
     dot.position.copy(direction.clone().multiplyScalar(lift));
     dot.lookAt(direction.multiplyScalar(2));
     dots.add(dot);
@@ -122,8 +122,8 @@ export class SphereScene {
 
   private rebuild(state: State): void {
     const colours = coloursOf(state);
-    const content = new Group().add(globe(colours), dotsAt(keysOf(methodNamed(state.first)), state.axis, colours.ink));
-    if (report.marks) content.add(dotsAt(report.marks, state.axis, colours.mark));
+    const content = new Group().add(globe(colours), dotsAt(keysOf(methodNamed(state.first)), state.axis, { colour: colours.ink, radius: 0.024 }));
+    if (report.marks) content.add(dotsAt(report.marks, state.axis, { colour: colours.mark, radius: 0.036 }));
     const grey = { colour: colours.reference, width: 5, offset: towardsEye.reference };
     if (report.reference) content.add(...stretchesOf(report.reference).map((stretch) => pathOf(stretch, state.axis, grey)));
     this.pointers = [];
