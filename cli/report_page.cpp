@@ -52,7 +52,8 @@ report::PagePath path_of(std::span<const double> times, std::span<const Eigen::Q
 
 std::vector<report::PageColumn> columns_of(std::vector<CompareFigure> figures) {
   std::vector<report::PageColumn> columns;
-  std::ranges::stable_partition(figures, [](const CompareFigure& figure) { return !figure.column.name.empty(); });
+  std::stable_partition(figures.begin(), figures.end(),
+                        [](const CompareFigure& figure) { return !figure.column.name.empty(); });
   for (const CompareFigure& figure : figures)
     if (figure.id != "continuity")  // which has a column of its own
       columns.push_back({std::string(figure.id), std::string(figure.label), std::string(figure.unit),
@@ -89,7 +90,7 @@ std::vector<std::string> notes_on_samples(std::size_t samples) {
   if (samples <= samples_of_few) return {};
   return {
       fmt::format("Curves are drawn through {} points, errors as the largest of every {:.3g} samples; the table "
-                  "knows all.",
+                  "counts all.",
                   samples_of_few, static_cast<double>(samples) / samples_of_few)};
 }
 

@@ -22,7 +22,7 @@ namespace {
 using optimise::Smoothing;
 using report::Better;
 
-constexpr std::string_view rms_of_counted = "rms_counted_deg";
+constexpr std::string_view rms_of_accepted = "rms_accepted_deg";
 
 /// The keys at those indices.
 Keyframes picked(const Keyframes& keys, std::span<const std::size_t> indices) {
@@ -40,40 +40,39 @@ Keyframes picked(const Keyframes& keys, std::span<const std::size_t> indices) {
                           Signs::as_given);  // which they have already
 }
 
+/// The energies and peaks of the curve.
+Measures shape_of(const AnyCurve& curve) { return {.energies = energies(curve), .peaks = peaks(curve)}; }
+
 /// What the whole curve does in its stretches, and not what it would do in the gaps between them.
-Expected<Measures> measured(const Candidate& whole, const Recording& recording,
-                            const std::vector<optimise::Stretch>& stretches) {
-  auto measures = measure(whole, recording);
-  if (!measures || stretches.size() == 1) return measures;
-  measures->energies = {};
-  measures->peaks = {};
-  measures->angle_travelled = 0.0;
+Expected<Measures> shape_of(const Candidate& whole, const std::vector<optimise::Stretch>& stretches) {
   const auto larger = [](Peak& peak, const Peak& other) { peak = other.value > peak.value ? other : peak; };
+  Measures measures;
   std::size_t first = 0;
   for (const optimise::Stretch& stretch : stretches) {
     std::vector<std::size_t> indices(stretch.count);
     std::iota(indices.begin(), indices.end(), std::exchange(first, first + stretch.count));
-    const auto part = measure({whole.method, whole.options, picked(whole.keys, indices)}, recording);
+    const auto part = make_curve(whole.method, picked(whole.keys, indices), whole.options).map([](const AnyCurve& c) {
+      return shape_of(c);
+    });
     if (!part) return part;
-    measures->energies.acceleration += part->energies.acceleration;
-    measures->energies.jerk += part->energies.jerk;
-    measures->angle_travelled += part->angle_travelled;
-    larger(measures->peaks.angular_velocity, part->peaks.angular_velocity);
-    larger(measures->peaks.angular_acceleration, part->peaks.angular_acceleration);
+    measures.energies.acceleration += part->energies.acceleration;
+    measures.energies.jerk += part->energies.jerk;
+    larger(measures.peaks.angular_velocity, part->peaks.angular_velocity);
+    larger(measures.peaks.angular_acceleration, part->peaks.angular_acceleration);
   }
   return measures;
 }
 
-/// A sample that counts is not among the rejected ones, which are rising.
-bool counts(const Smoothing& smoothing, std::size_t key) {
+/// The rejected samples are rising.
+bool is_accepted(const Smoothing& smoothing, std::size_t key) {
   return !std::ranges::binary_search(smoothing.rejected, smoothing.keys[key]);
 }
 
-/// Of the samples that count.
-report::PageErrors counted_ones(const report::PageErrors& errors, const Smoothing& smoothing) {
+/// Of the samples that are not rejected.
+report::PageErrors accepted_ones(const report::PageErrors& errors, const Smoothing& smoothing) {
   report::PageErrors few;
   for (std::size_t key = 0; key < errors.times.size(); ++key) {
-    if (!counts(smoothing, key)) continue;
+    if (!is_accepted(smoothing, key)) continue;
     few.times.push_back(errors.times[key]);
     few.values.push_back(errors.values[key]);
   }
@@ -85,6 +84,14 @@ double root_mean_square(const std::vector<double>& values) {
   return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
+/// Without the angle travelled, of which noise has no end.
+std::vector<CompareFigure> figures_of_shape() {
+  auto figures = shape_figures();
+  std::erase_if(figures, [](const CompareFigure& figure) { return figure.id == "angle_travelled_deg"; });
+  return figures;
+}
+
+/// What the page is made of.
 struct Source {
   const SmoothReport& report;
   const CurvePage& curves;
@@ -95,46 +102,48 @@ struct Source {
   }
 };
 
-/// With measures of its shape, and errors where the figures ask for them.
-report::PageMethod method_of(const Source& source, const CurvePage& page, std::string name,
-                             const Candidate& candidate) {
-  auto curve = make_pose_curve(candidate.method, candidate.keys);
-  auto measures = measured(candidate, page.data.recording(), source.report.smoothing.stretches);
-  if (!curve || !measures)
-    return {.name = std::move(name), .failure = describe(curve ? measures.error() : curve.error())};
-  report::PageMethod method = method_of(page, {std::move(name), candidate.keys, *curve, *measures});
-  method.keys.reset();  // those of the page
-  method.samples = report::with_gaps(std::move(method.samples), source.coverage());
-  return method;
+/// The curve of the method with the measures of its shape, and nothing in the gaps.
+report::PageMethod method_of(const Source& source, const CurvePage& page, ShownCurve shown, std::string_view method) {
+  auto shape = shape_of({.method = std::string(method), .keys = shown.keys}, source.report.smoothing.stretches);
+  if (!shape) return {.name = std::move(shown.name), .failure = describe(shape.error())};
+  shown.measures.continuity = continuity_at_keys(shown.curve.orientation);
+  shown.measures.energies = shape->energies;
+  shown.measures.peaks = shape->peaks;
+  report::PageMethod result = method_of(page, shown);
+  result.keys.reset();  // those of the page
+  result.samples = report::with_gaps(std::move(result.samples), source.coverage());
+  return result;
 }
 
-report::PageMethod smoothed_one(const Source& source) {
+report::PageMethod smoothed_one(const Source& source, const PoseCurve& curve) {
   const ComparedData& data = source.curves.data;
+  const auto errors = errors_at(curve, path_of(data.times, data.samples.orientations()));
+  const Measures distances{.distance =
+                               distance_to_reference(curve.orientation, {data.times, data.samples.orientations()})};
+  const auto accepted = accepted_ones(errors, source.report.smoothing);
   report::PageMethod method =
-      method_of(source, source.curves, "smoothed", {.method = std::string(smoothed_method), .keys = source.smoothed});
-  const auto curve = make_pose_curve(smoothed_method, source.smoothed);
-  if (!curve) return method;
-  const auto errors =
-      counted_ones(errors_at(*curve, path_of(data.times, data.samples.orientations())), source.report.smoothing);
-  method.measures.emplace(rms_of_counted, root_mean_square(errors.values));
-  return with_errors(std::move(method), errors, source.coverage());
+      method_of(source, source.curves, {"smoothed", source.smoothed, curve, distances}, smoothed_method);
+  method.measures.emplace(rms_of_accepted, root_mean_square(accepted.values));
+  return with_errors(std::move(method), accepted, source.coverage());
 }
 
 /// It passes all samples: distances say nothing.
 report::PageMethod as_read(const Source& source) {
-  return method_of(source, {.data = source.curves.data, .figures = shape_figures()}, "as read",
-                   {.method = std::string(default_method), .keys = source.curves.data.samples});
+  const Keyframes& samples = source.curves.data.samples;
+  const auto curve = make_pose_curve(default_method, samples);
+  if (!curve) return {.name = "as read", .failure = describe(curve.error())};
+  return method_of(source, {.data = source.curves.data, .figures = figures_of_shape()},
+                   {"as read", samples, *curve, {}}, default_method);
 }
 
 /// The rejected samples, with how far they are from the smoothed curve.
-std::optional<report::PageMarks> marks_of(const Source& source, const Keyframes& recording) {
+std::optional<report::PageMarks> marks_of(const Source& source, const Keyframes& recording, const PoseCurve& curve) {
   const auto& rejected = source.report.smoothing.rejected;
-  const auto curve = make_pose_curve(smoothed_method, source.smoothed);
-  if (rejected.empty() || !curve) return std::nullopt;
+  if (rejected.empty()) return std::nullopt;
   const Keyframes samples = picked(recording, rejected);
   report::PageMarks marks{.label = "rejected",
                           .path = report::thinned(path_of(samples.times(), samples.orientations()), samples_of_few)};
-  marks.errors = errors_at(*curve, marks.path).values;
+  marks.errors = errors_at(curve, marks.path).values;
   return marks;
 }
 
@@ -161,12 +170,12 @@ std::string title_of(const SmoothReport& report) {
                      report.smoothing.smoothing_time, cutoff_of(report.smoothing));
 }
 
-/// Measures of all samples, and of those that count where some do not.
+/// Measures of all samples, and of the accepted ones where some are not.
 std::vector<report::PageColumn> columns_of(const CurvePage& curves, const Smoothing& smoothing) {
   std::vector<report::PageColumn> columns = columns_of(curves.figures);
   if (!smoothing.rejected.empty())
     columns.insert(columns.begin() + 1,
-                   {std::string(rms_of_counted), "RMS of the accepted", "deg",
+                   {std::string(rms_of_accepted), "RMS of the accepted", "deg",
                     "Root mean square of the angle to the samples that are not rejected", Better::less});
   return columns;
 }
@@ -183,17 +192,19 @@ report::Page page_of(const SmoothReport& report, const Keyframes& recording, con
                             .key_sets = {},
                             .repairs = {}}};
   curves.figures = distance_figures();
-  std::ranges::move(shape_figures(), std::back_inserter(curves.figures));
+  std::ranges::move(figures_of_shape(), std::back_inserter(curves.figures));
   const Source source{report, curves, smoothed};
   report::Page page = begun_page(title_of(report), options, report.file.epoch, smoothed);
   std::ranges::move(notes_of(report), std::back_inserter(page.notes));
   std::ranges::move(notes_on_samples(samples.size()), std::back_inserter(page.notes));
   page.reference = report::with_gaps(
       report::thinned(path_of(recording.times(), recording.orientations()), samples_of_few), source.coverage());
-  page.marks = marks_of(source, recording);
   page.columns = columns_of(curves, report.smoothing);
+  const auto curve = make_pose_curve(smoothed_method, smoothed);
+  if (!curve) return page.methods = {{.name = "smoothed", .failure = describe(curve.error())}}, page;
+  page.marks = marks_of(source, recording, *curve);
   page.methods.resize(2);
-  parallel_for(2, 0, [&](std::size_t i) { page.methods[i] = i == 0 ? smoothed_one(source) : as_read(source); });
+  parallel_for(2, 0, [&](std::size_t i) { page.methods[i] = i == 0 ? smoothed_one(source, *curve) : as_read(source); });
   return page;
 }
 
