@@ -138,6 +138,12 @@ void add_summary_options(CLI::App& app, bool& json, bool& quiet) {
   app.add_flag("--quiet", quiet, "No summary")->group("Output");
 }
 
+void add_report_option(CLI::App& app, ReportOptions& o) {
+  app.add_option("--report", o.path, "Write a page to look at in a browser: measures, plots and a view in space")
+      ->type_name(file_type)
+      ->group("Output");
+}
+
 void add_output_options(CLI::App& app, OutputOptions& o) {
   const std::string group = "Output";
   add_output_file(app, o.path);

@@ -30,6 +30,7 @@ void add_input_options(CLI::App& app, InputOptions& options, std::string_view de
 void add_output_file(CLI::App& app, std::string& path);
 void add_summary_options(CLI::App& app, bool& json, bool& quiet);
 void add_output_options(CLI::App& app, OutputOptions& options);
+void add_report_option(CLI::App& app, ReportOptions& options);
 
 void add_sample_options(CLI::App& app, SampleOptions& options);
 void add_convert_options(CLI::App& app, ConvertOptions& options);

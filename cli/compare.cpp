@@ -3,12 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <orispline/io/output_file.hpp>
 #include <orispline/optimise/tension_model.hpp>
 #include <orispline/optimise/tune.hpp>
 
 #include "compare_page.hpp"
-#include "interruption.hpp"
 #include "json.hpp"
 #include "progress.hpp"
 #include "standard_output.hpp"
@@ -71,13 +69,6 @@ Expected<void> any_worked(const CompareReport& report) {
                              describe(report.methods.front().measures.error())));
 }
 
-Expected<void> write_page(io::OutputFile& file, const CompareReport& report, const CompareOptions& options,
-                          std::size_t threads) {
-  return file.write(report::document(page_of(report, options.command_line, threads))).and_then([&] {
-    return file.finish();
-  });
-}
-
 Expected<CompareReport> compared(const CompareOptions& options, const CompareRequest& request) {
   auto data = compared_data(request, options.reference);
   if (!data) return tl::unexpected(std::move(data.error()));
@@ -104,13 +95,12 @@ Expected<void> print(const CompareReport& report, const CompareOptions& options)
 Expected<void> compare(const CompareOptions& options) {
   const auto request = compare_request(options);
   if (!request) return tl::unexpected(request.error());
-  if (!options.report)
-    return compared(options, *request).and_then([&](const CompareReport& report) { return print(report, options); });
-  auto file = io::OutputFile::open(*options.report);  // before the work, so that a wrong path is told at once
+  auto file = ReportFile::open(options.report);
   if (!file) return tl::unexpected(std::move(file.error()));
-  const RemovedWhenInterrupted unfinished(file->part());
   return compared(options, *request).and_then([&](const CompareReport& report) {
-    return write_page(*file, report, options, request->threads).and_then([&] { return print(report, options); });
+    return file->write([&] { return page_of(report, options.report, request->threads); })
+        .and_then([&] { return file->finish(); })
+        .and_then([&] { return print(report, options); });
   });
 }
 

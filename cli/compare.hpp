@@ -2,6 +2,7 @@
 #pragma once
 
 #include "input_options.hpp"
+#include "report_file.hpp"
 
 namespace orispline::cli {
 
@@ -10,9 +11,9 @@ struct CompareOptions {
   InputOptions input;
   std::vector<std::string> keep_every;  ///< whole numbers, or lists of them with commas between them
   std::vector<std::string> methods;     ///< names with settings, or lists with commas between them; none: all
-  std::optional<std::string> random, reference, inertia, sort, threads, report;
+  std::optional<std::string> random, reference, inertia, sort, threads;
   bool jitter = false, tune = false, leave_out = false, json = false, csv = false, quiet = false;
-  std::string command_line;  ///< to make the report again
+  ReportOptions report;
 };
 
 /// Says how near the curves of the methods come to a recording, how smooth they are and what they cost.

@@ -44,6 +44,8 @@ auto peak_time_of(Peak Peaks::*peak) {
   };
 }
 
+}  // namespace
+
 std::vector<CompareFigure> distance_figures() {
   using D = DistanceStatistics;
   const auto largest_time = [](const Measures& m, const ComparedData& data) {
@@ -125,6 +127,8 @@ std::vector<CompareFigure> distance_figures() {
            of_distance(&D::largest, 0.5)}};
 }
 
+namespace {
+
 std::vector<CompareFigure> rate_figures() {
   using D = DistanceStatistics;
   return {{"rate_rms_rad_s",
@@ -158,6 +162,8 @@ std::vector<CompareFigure> leave_out_figures() {
              return m.leave_out->rms * degrees;
            }}};
 }
+
+}  // namespace
 
 std::vector<CompareFigure> shape_figures() {
   const auto order = [](const Measures& m, const ComparedData&) { return std::optional<double>(m.continuity.order()); };
@@ -243,6 +249,8 @@ std::vector<CompareFigure> torque_figures() {
            peak_of(&Peaks::torque)},
           {"peak_torque_at_s", "", {}, "peak |torque| at", "s", "When", Better::neither, peak_time_of(&Peaks::torque)}};
 }
+
+namespace {
 
 std::vector<CompareFigure> cost_figures() {
   const auto build = [](const Measures& m, const ComparedData&) { return std::optional(m.build_seconds); };

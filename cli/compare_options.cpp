@@ -58,9 +58,7 @@ void add_compare_options(CLI::App& app, CompareOptions& o) {
   const std::string output = "Output";
   app.add_flag("--json", o.json, "Print one JSON array")->group(output);
   app.add_flag("--csv", o.csv, "Print one CSV table")->group(output);
-  app.add_option("--report", o.report, "Write a page to look at in a browser: the table, plots and a view in space")
-      ->type_name(file_type)
-      ->group(output);
+  add_report_option(app, o.report);
   app.add_flag("--quiet", o.quiet, "No progress bar")->group(output);
   app.footer(compare_footer);
 }

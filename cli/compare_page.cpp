@@ -2,15 +2,12 @@
 #include "compare_page.hpp"
 
 #include <algorithm>
-#include <ctime>
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include <orispline/base/version.hpp>
 #include <orispline/batch/parallel.hpp>
-#include <orispline/families/registry.hpp>
-#include <orispline/report/page_samples.hpp>
+
+#include "report_page.hpp"
 
 namespace orispline::cli {
 namespace {
@@ -29,21 +26,19 @@ bool is_in_page(const CompareFigure& figure, std::size_t key_set) {
 
 std::vector<report::PageColumn> columns_of(const CompareReport& report) {
   std::vector<report::PageColumn> columns;
-  auto figures = compare_figures(report);
-  std::stable_partition(figures.begin(), figures.end(),
-                        [](const CompareFigure& figure) { return !figure.column.name.empty(); });
-  for (std::size_t i = 0; i < report.data.key_sets.size(); ++i)
-    for (const CompareFigure& figure : figures) {
-      if (!is_in_page(figure, i) || figure.id == "continuity") continue;  // which has a column of its own
-      const auto& decimation = report.data.key_sets[i].decimation;
-      const std::string keys = i == 0 || !decimation ? "" : fmt::format(", {}", name_of(*decimation));
-      columns.push_back({id_on(figure.id, i), std::string(figure.label) + keys, std::string(figure.unit),
-                         std::string(figure.explanation) + keys, figure.better});
-    }
+  for (std::size_t i = 0; i < report.data.key_sets.size(); ++i) {
+    std::vector<CompareFigure> figures = compare_figures(report);
+    std::erase_if(figures, [&](const CompareFigure& figure) { return !is_in_page(figure, i); });
+    const auto& decimation = report.data.key_sets[i].decimation;
+    const std::string keys = i == 0 || !decimation ? "" : fmt::format(", {}", name_of(*decimation));
+    for (report::PageColumn& column : columns_of(std::move(figures)))
+      columns.push_back(
+          {id_on(column.id, i), column.label + keys, column.unit, column.explanation + keys, column.better});
+  }
   return columns;
 }
 
-report::PageMethod method_of(const ComparedMethod& method, const ComparedData& data, const report::PagePath& truth) {
+report::PageMethod method_of(const ComparedMethod& method, const CompareReport& report, const report::PagePath& truth) {
   report::PageMethod result{.name = method.label};
   if (!method.measures) {
     result.failure = describe(method.measures.error());
@@ -51,9 +46,9 @@ report::PageMethod method_of(const ComparedMethod& method, const ComparedData& d
   }
   result.continuity = fmt::format("C{}", method.measures->continuity.order());
   const auto curve =
-      make_pose_curve(method.candidate.method, data.key_sets[method.key_set].keys, method.candidate.options);
+      make_pose_curve(method.candidate.method, report.data.key_sets[method.key_set].keys, method.candidate.options);
   if (!curve) return result;  // it was made before
-  result.samples = report::sampled(*curve, samples_per_method);
+  result.samples = samples_of(*curve, report.inertia, samples_per_method);
   result.samples.errors = report::errors_to(truth, result.samples.path);
   return result;
 }
@@ -68,8 +63,6 @@ void add_measures(report::PageMethod& method, const CompareReport& report, const
   }
 }
 
-std::string now() { return fmt::format("{:%Y-%m-%d %H:%M}", fmt::localtime(std::time(nullptr))); }
-
 std::string id_of_word(const std::vector<CompareFigure>& figures, std::string_view word) {
   const auto found = std::ranges::find(figures, word, &CompareFigure::word);
   return found == figures.end() || found->id == "continuity" ? "" : std::string(found->id);
@@ -77,25 +70,19 @@ std::string id_of_word(const std::vector<CompareFigure>& figures, std::string_vi
 
 }  // namespace
 
-report::Page page_of(const CompareReport& report, const std::string& command_line, std::size_t threads) {
+report::Page page_of(const CompareReport& report, const ReportOptions& options, std::size_t threads) {
   const KeySet& keys = report.data.key_sets.front();
-  const auto orientations = report.data.samples.orientations();
-  const report::PagePath truth{report.data.times, {orientations.begin(), orientations.end()}};
+  const report::PagePath truth = path_of(report.data.times, report.data.samples.orientations());
   const auto figures = compare_figures(report);
-  report::Page page{.title = title_of(report, keys),
-                    .command = command_line,
-                    .date = now(),
-                    .version = std::string(version),
-                    .time_start = report.data.epoch.to_string(),
-                    .keys = report::page_keys(keys.keys),
-                    .reference = report::thinned(truth, samples_per_method),
-                    .columns = columns_of(report),
-                    .sorted_by = id_of_word(figures, report.sort)};
+  report::Page page = begun_page(title_of(report, keys), options, report.data.epoch, keys.keys);
+  page.reference = report::thinned(truth, samples_per_method);
+  page.columns = columns_of(report);
+  page.sorted_by = id_of_word(figures, report.sort);
   const auto in_page = static_cast<std::size_t>(
       std::ranges::count(report.methods, std::size_t{0}, &ComparedMethod::key_set));  // they stand first
   page.methods.resize(in_page);
   parallel_for(in_page, static_cast<unsigned>(threads), [&](std::size_t i) {
-    page.methods[i] = method_of(report.methods[i], report.data, truth);
+    page.methods[i] = method_of(report.methods[i], report, truth);
     add_measures(page.methods[i], report, figures);
   });
   return page;

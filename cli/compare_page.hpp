@@ -2,10 +2,11 @@
 #pragma once
 
 #include "compare_report.hpp"
+#include "report_file.hpp"
 
 namespace orispline::cli {
 
 /// The page to look at: the curves through the first set of keys, the measures on all sets.
-[[nodiscard]] report::Page page_of(const CompareReport& report, const std::string& command_line, std::size_t threads);
+[[nodiscard]] report::Page page_of(const CompareReport& report, const ReportOptions& options, std::size_t threads);
 
 }  // namespace orispline::cli

@@ -44,6 +44,11 @@ struct CompareFigure {
 /// All that can be sorted by.
 [[nodiscard]] std::vector<CompareFigure> all_compare_figures();
 
+/// Some of them: how far a curve is from a recording, how smooth it is, and what torque it takes.
+[[nodiscard]] std::vector<CompareFigure> distance_figures();
+[[nodiscard]] std::vector<CompareFigure> shape_figures();
+[[nodiscard]] std::vector<CompareFigure> torque_figures();
+
 /// A word of `--sort`.
 [[nodiscard]] Expected<std::string> sort_word_in(OptionText option);
 /// `rms|mean|…`

@@ -184,7 +184,8 @@ class CommandLine {
       if (arguments.size() < 2) return tell(first_steps), ExitCode::bad_usage;
       if (const auto error = unknown_command(app_, arguments)) return report(*error);
       if (const auto error = empty_value(arguments)) return report(*error);
-      compare_.command_line = command_line(arguments.subspan(1));
+      for (ReportOptions* report : {&compare_.report, &smooth_.report, &reduce_.report, &retime_.report})
+        report->command_line = command_line(arguments.subspan(1));
       app_.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
       if (error.get_exit_code() != 0) return report({ErrorCode::bad_argument, error.what(), {}});

@@ -7,6 +7,7 @@
 #include "interruption.hpp"
 #include "json.hpp"
 #include "quantity.hpp"
+#include "reduce_page.hpp"
 #include "standard_output.hpp"
 
 namespace orispline::cli {
@@ -36,6 +37,8 @@ Expected<Request> request_in(const ReduceOptions& options) {
   auto read = std::move(checked).or_else(std::move(request));
   if (read && options.json && options.output.path == io::standard_stream)
     return usage_failure("--json: the summary goes to standard output, wanted -o FILE for the keys");
+  if (auto fits = check_report(options.report, options.output.path); read && !fits)
+    return tl::unexpected(std::move(fits.error()));
   return read;
 }
 
@@ -96,6 +99,8 @@ Expected<void> write_keys(io::SampleWriter& writer, const Source& source, const 
 Expected<void> reduce(const ReduceOptions& options) {
   auto request = request_in(options);
   if (!request) return tl::unexpected(std::move(request.error()));
+  auto page = ReportFile::open(options.report);
+  if (!page) return tl::unexpected(std::move(page.error()));
   auto source = open_source(*request, options);
   if (!source) return tl::unexpected(std::move(source.error()));
   if (!source->samples.positions().empty() && !options.position_tolerance)
@@ -114,11 +119,13 @@ Expected<void> reduce(const ReduceOptions& options) {
   const optimise::Reduction& written = report.reductions[chosen];
   request->columns.positions = !source->samples.positions().empty();
   request->columns.derivatives = 0;
-  return io::SampleWriter::open(options.output.path, request->columns, written.samples.size())
+  return page->write([&] { return page_of(report, source->samples, source->file.epoch, options.report); })
+      .and_then([&] { return io::SampleWriter::open(options.output.path, request->columns, written.samples.size()); })
       .and_then([&](io::SampleWriter writer) {
         const RemovedWhenInterrupted unfinished(writer.part());
         return write_keys(writer, *source, written);
       })
+      .and_then([&] { return page->finish(); })
       .and_then([&]() -> Expected<void> {
         if (options.json) return print_document(json_of(report));
         if (!options.quiet) tell(text_of(report));

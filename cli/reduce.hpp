@@ -5,6 +5,7 @@
 
 #include "input_options.hpp"
 #include "output_options.hpp"
+#include "report_file.hpp"
 
 namespace orispline::cli {
 
@@ -19,6 +20,7 @@ inline constexpr std::string_view default_reduce_method = "smallest";
 struct ReduceOptions {
   InputOptions input;
   OutputOptions output;
+  ReportOptions report;
   std::string tolerance, method{default_reduce_method};
   std::optional<std::string> position_tolerance;
   bool refit = false, json = false, quiet = false;

@@ -33,6 +33,7 @@ void add_reduce_options(CLI::App& app, ReduceOptions& o) {
       ->group(group);
   app.add_flag("--refit", o.refit, "Move keys where that saves some; else they are samples")->group(group);
   add_output_options(app, o.output);
+  add_report_option(app, o.report);
   add_summary_options(app, o.json, o.quiet);
   app.footer(reduce_footer);
 }

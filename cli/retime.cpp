@@ -9,6 +9,7 @@
 #include "interruption.hpp"
 #include "json.hpp"
 #include "quantity.hpp"
+#include "retime_page.hpp"
 #include "standard_output.hpp"
 
 namespace orispline::cli {
@@ -28,7 +29,7 @@ Expected<void> agree(const RetimeOptions& options) {
   if (options.torque && !options.inertia) return usage_failure("--max-torque: wanted --inertia JX,JY,JZ as well");
   if (options.json && options.output.path == io::standard_stream)
     return usage_failure("--json: the summary goes to standard output, wanted -o FILE for the keys");
-  return {};
+  return check_report(options.report, options.output.path);
 }
 
 Expected<Request> request_in(const RetimeOptions& options) {
@@ -64,6 +65,8 @@ Expected<void> write_keys(io::SampleWriter& writer, const io::KeyFile& file, con
 Expected<void> retime(const RetimeOptions& options) {
   auto request = request_in(options);
   if (!request) return tl::unexpected(std::move(request.error()));
+  auto page = ReportFile::open(options.report);
+  if (!page) return tl::unexpected(std::move(page.error()));
   auto file = io::read_keys(request->input.path, request->input.read);
   if (!file) return tl::unexpected(std::move(file.error()));
   const auto keys = Keyframes::make(std::exchange(file->data, {}), request->input.signs);
@@ -81,11 +84,13 @@ Expected<void> retime(const RetimeOptions& options) {
                             .retiming = std::move(*retiming)};
   request->columns.positions = !keys->positions().empty();
   request->columns.derivatives = 0;
-  return io::SampleWriter::open(options.output.path, request->columns, keys->size())
+  return page->write([&] { return page_of(report, *keys, file->epoch, options.report); })
+      .and_then([&] { return io::SampleWriter::open(options.output.path, request->columns, keys->size()); })
       .and_then([&](io::SampleWriter writer) {
         const RemovedWhenInterrupted unfinished(writer.part());
         return write_keys(writer, *file, *keys, report.retiming);
       })
+      .and_then([&] { return page->finish(); })
       .and_then([&]() -> Expected<void> {
         if (options.json) return print_document(json_of(report));
         if (!options.quiet) tell(text_of(report));

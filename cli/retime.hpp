@@ -6,6 +6,7 @@
 #include "input_options.hpp"
 #include "method_options.hpp"
 #include "output_options.hpp"
+#include "report_file.hpp"
 
 namespace orispline::cli {
 
@@ -13,6 +14,7 @@ namespace orispline::cli {
 struct RetimeOptions {
   InputOptions input;
   OutputOptions output;
+  ReportOptions report;
   std::string method{default_method};
   std::optional<std::string> rate, acceleration, torque, inertia;
   bool per_interval = false, json = false, quiet = false;

@@ -35,6 +35,7 @@ void add_retime_options(CLI::App& app, RetimeOptions& o) {
   app.add_flag("--per-interval", o.per_interval, "Slow each interval between keys by itself; else all alike")
       ->group(group);
   add_output_options(app, o.output);
+  add_report_option(app, o.report);
   add_summary_options(app, o.json, o.quiet);
   app.footer(retime_footer);
 }

@@ -19,40 +19,32 @@ namespace {
 using optimise::CertifiedPeak;
 using optimise::SegmentPeaks;
 
-/// A limited quantity in the units that are shown, at the segment where its bound is largest.
-struct Certificate {
-  std::string_view name, unit, json_unit;
-  double limit, bound, found, time;
-  std::size_t segment;
-};
+double duration_of(const RetimeReport& report) { return report.retiming.times.back() - report.retiming.times.front(); }
 
-std::vector<Certificate> certificates_of(const RetimeReport& report) {
+}  // namespace
+
+std::vector<Certificate> certificates_of(const optimise::MotionLimits& limits, const std::vector<SegmentPeaks>& peaks) {
   constexpr double degrees = 180.0 / std::numbers::pi;
   std::vector<Certificate> certificates;
   const auto add = [&](std::string_view name, std::string_view unit, std::string_view json_unit, double scale,
                        const std::optional<double>& limit, CertifiedPeak SegmentPeaks::*member) {
     if (!limit) return;
-    const auto& peaks = report.retiming.peaks;
     const auto worst = std::ranges::max_element(peaks, {}, [&](const SegmentPeaks& p) { return (p.*member).bound; });
     const CertifiedPeak& peak = (*worst).*member;
     certificates.push_back({name, unit, json_unit, *limit * scale, peak.bound * scale, peak.found * scale, peak.time,
                             static_cast<std::size_t>(worst - peaks.begin())});
   };
-  add("rate", "°/s", "deg_s", degrees, report.limits.rate, &SegmentPeaks::rate);
-  add("acceleration", "°/s²", "deg_s2", degrees, report.limits.acceleration, &SegmentPeaks::acceleration);
-  add("torque", "N m", "nm", 1.0, report.limits.torque, &SegmentPeaks::torque);
+  add("rate", "°/s", "deg_s", degrees, limits.rate, &SegmentPeaks::rate);
+  add("acceleration", "°/s²", "deg_s2", degrees, limits.acceleration, &SegmentPeaks::acceleration);
+  add("torque", "N m", "nm", 1.0, limits.torque, &SegmentPeaks::torque);
   return certificates;
 }
-
-double duration_of(const RetimeReport& report) { return report.retiming.times.back() - report.retiming.times.front(); }
-
-}  // namespace
 
 std::string text_of(const RetimeReport& report) {
   std::string text = fmt::format("{} from {}, {}: {:.6g} s before, {:.6g} s after, slowed by {:.6g}\n",
                                  counted(report.retiming.times.size(), "key"), report.input, report.method,
                                  report.duration_before, duration_of(report), report.retiming.stretch);
-  for (const Certificate& c : certificates_of(report))
+  for (const Certificate& c : certificates_of(report.limits, report.retiming.peaks))
     text +=
         fmt::format("{}: nowhere above {:.6g} {} (limit {:.6g}), largest found {:.6g} at {:.6g} s after the start\n",
                     c.name, c.bound, c.unit, c.limit, c.found, c.time);
@@ -69,7 +61,7 @@ std::string json_of(const RetimeReport& report) {
             {"duration_before_s", report.duration_before},
             {"duration_after_s", duration_of(report)},
             {"stretch", report.retiming.stretch}};
-  for (const Certificate& c : certificates_of(report)) {
+  for (const Certificate& c : certificates_of(report.limits, report.retiming.peaks)) {
     const auto name = [&c](std::string_view part) { return fmt::format("{}_{}_{}", c.name, part, c.json_unit); };
     json[name("limit")] = c.limit;
     json[name("bound")] = c.bound;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <orispline/optimise/retime.hpp>
 
@@ -15,6 +17,17 @@ struct RetimeReport {
   double duration_before = 0.0;  ///< [s]
   optimise::Retiming retiming{};
 };
+
+/// A limited quantity in the units that are shown, at the segment where its bound is largest.
+struct Certificate {
+  std::string_view name, unit, json_unit;
+  double limit, bound, found, time;
+  std::size_t segment;
+};
+
+/// One for each of the limits.
+[[nodiscard]] std::vector<Certificate> certificates_of(const optimise::MotionLimits& limits,
+                                                       const std::vector<optimise::SegmentPeaks>& peaks);
 
 /// A few lines for people.
 [[nodiscard]] std::string text_of(const RetimeReport& report);

@@ -11,6 +11,7 @@
 
 #include "interruption.hpp"
 #include "sample_times.hpp"
+#include "smooth_page.hpp"
 #include "smooth_report.hpp"
 #include "standard_output.hpp"
 
@@ -50,7 +51,7 @@ Expected<void> agree(const SmoothOptions& options) {
   if (options.gyro && options.gap) return usage_failure("--gap: wanted no --gyro, which bridges gaps");
   if (options.json && options.output.path == io::standard_stream)
     return usage_failure("--json: the summary goes to standard output, wanted -o FILE for the keys");
-  return {};
+  return check_report(options.report, options.output.path);
 }
 
 Expected<Request> request_in(const SmoothOptions& options) {
@@ -100,16 +101,6 @@ struct Smoothed {
   const Keyframes& keys;
   const io::KeyFile& file;
   const optimise::Smoothing& smoothing;
-
-  /// Whether the curve at this time [s] is one through a stretch, and not over a gap.
-  [[nodiscard]] bool covers(double t) const {
-    std::size_t first = 0;
-    for (const optimise::Stretch& stretch : smoothing.stretches) {
-      if (keys.times()[first] <= t && t <= keys.times()[first + stretch.count - 1]) return true;
-      first += stretch.count;
-    }
-    return false;
-  }
 };
 
 Expected<std::size_t> write_keys(io::SampleWriter& writer, const Smoothed& smoothed) {
@@ -134,7 +125,7 @@ Expected<std::size_t> write_samples(io::SampleWriter& writer, const Smoothed& sm
   std::size_t count = 0;
   for (std::size_t k = 0; k < times->size(); ++k) {
     const Instant instant = (*times)[k];
-    if (!smoothed.covers(instant.t)) continue;
+    if (!covers(smoothed.smoothing, smoothed.keys.times(), instant.t)) continue;
     io::Sample sample{.motion = curve->orientation.motion(instant.t)};
     if (curve->position) sample.travel = curve->position->travel(instant.t);
     if (auto written = writer.write(times->origin().plus(instant.offset), sample); !written)
@@ -160,6 +151,8 @@ Expected<std::size_t> write(const std::string& path, const Request& request, con
 Expected<void> smooth(const SmoothOptions& options) {
   const auto request = request_in(options);
   if (!request) return tl::unexpected(request.error());
+  auto page = ReportFile::open(options.report);
+  if (!page) return tl::unexpected(std::move(page.error()));
   auto file = io::read_keys(request->input.path, request->input.read);
   if (!file) return tl::unexpected(std::move(file.error()));
   const auto recording = Keyframes::make(std::exchange(file->data, {}), request->input.signs);
@@ -167,21 +160,26 @@ Expected<void> smooth(const SmoothOptions& options) {
   auto smoothing = optimise::smooth(*recording, request->smoothing);
   if (!smoothing) return tl::unexpected(located(*file, std::move(smoothing.error())));
   if (const std::string remark = remark_on(*smoothing); !remark.empty()) warn(remark);
-  const auto rows = smoothed_keys(*recording, *smoothing).and_then([&](const Keyframes& keys) {
-    return write(options.output.path, *request, {keys, *file, *smoothing});
-  });
-  if (!rows) return tl::unexpected(rows.error());
-  const SmoothReport report{.file = std::move(*file),
-                            .output = options.output.path,
-                            .penalty = request->smoothing.penalty,
-                            .outliers = request->smoothing.outliers,
-                            .positions = !recording->positions().empty(),
-                            .samples = request->times.has_value(),
-                            .rows = *rows,
-                            .smoothing = std::move(*smoothing)};
-  if (options.json) return print_document(json_of(report));
-  if (!options.quiet) tell(text_of(report));
-  return {};
+  const auto keys = smoothed_keys(*recording, *smoothing);
+  if (!keys) return tl::unexpected(keys.error());
+  SmoothReport report{.file = std::move(*file),
+                      .output = options.output.path,
+                      .penalty = request->smoothing.penalty,
+                      .outliers = request->smoothing.outliers,
+                      .positions = !recording->positions().empty(),
+                      .samples = request->times.has_value(),
+                      .smoothing = std::move(*smoothing)};
+  return page->write([&] { return page_of(report, *recording, *keys, options.report); })
+      .and_then([&] {
+        return write(options.output.path, *request, {*keys, report.file, report.smoothing});
+      })
+      .map([&](std::size_t rows) { report.rows = rows; })
+      .and_then([&] { return page->finish(); })
+      .and_then([&]() -> Expected<void> {
+        if (options.json) return print_document(json_of(report));
+        if (!options.quiet) tell(text_of(report));
+        return {};
+      });
 }
 
 }  // namespace orispline::cli

@@ -5,6 +5,7 @@
 
 #include "input_options.hpp"
 #include "output_options.hpp"
+#include "report_file.hpp"
 
 namespace orispline::cli {
 
@@ -24,6 +25,7 @@ struct SmoothOptions {
   std::optional<std::string> penalty, noise, smoothing_time, cutoff, loss, gyro_noise, gap, rate;
   bool gyro = false;
   OutputOptions output;
+  ReportOptions report;
   bool json = false, quiet = false;
 };
 

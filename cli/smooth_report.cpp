@@ -81,6 +81,15 @@ std::string stretch_lines(const SmoothReport& report) {
 
 double cutoff_of(const Smoothing& smoothing) { return 1.0 / (2.0 * std::numbers::pi * smoothing.smoothing_time); }
 
+bool covers(const Smoothing& smoothing, std::span<const double> times, double t) {
+  std::size_t first = 0;
+  for (const optimise::Stretch& stretch : smoothing.stretches) {
+    if (times[first] <= t && t <= times[first + stretch.count - 1]) return true;
+    first += stretch.count;
+  }
+  return false;
+}
+
 std::string remark_on(const Smoothing& smoothing) {
   if (smoothing.edge == LambdaChoice::Edge::shortest)
     return "hardly any noise was found beside the motion: the least smoothing was taken";

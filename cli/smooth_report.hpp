@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <string>
 
 #include <orispline/io/key_file.hpp>
@@ -21,6 +22,9 @@ struct SmoothReport {
 
 /// The frequency at which the smoother's gain is one half [Hz].
 [[nodiscard]] double cutoff_of(const optimise::Smoothing& smoothing);
+
+/// Whether the curve through the keys at these times is one through a stretch at this time [s], and not over a gap.
+[[nodiscard]] bool covers(const optimise::Smoothing& smoothing, std::span<const double> times, double t);
 
 /// What is noteworthy about the choice of the smoothing time, as a sentence; empty when nothing.
 [[nodiscard]] std::string remark_on(const optimise::Smoothing& smoothing);

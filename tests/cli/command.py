@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """The command under test, run in a folder of its own with the input files that the tests name."""
+import json
 import math
 import os
 import pathlib
+import re
 import subprocess
 import tempfile
 import unittest
@@ -51,6 +53,29 @@ class CommandTest(unittest.TestCase):
         expected = f"orispline: {message}\n" + (HINT if code == BAD_USAGE else "")
         self.assertEqual((done.returncode, done.stdout, done.stderr), (code, "", expected))
         self.assertLessEqual(done.stderr.count("\n"), 4)
+
+    def page(self, name):
+        """The data of a report, which has to be whole and to need no network."""
+        text = self.read(name)
+        self.assertNotRegex(text, r'(src|href)="https?://')
+        self.assertFalse((self.folder / f"{name}.part").exists())
+        return json.loads(re.search(r'id="report-data">(.*?)</script>', text, re.S)[1])
+
+    def assert_writes_reports_as_compare(self, arguments, bad_arguments):
+        """Of a command with --report: what is refused, and that a failure leaves the old report."""
+        self.assert_fails(f"{arguments} --report -", BAD_USAGE, "--report: found '-', wanted the name of a file")
+        for other in ("out.csv", "./out.csv"):
+            self.assert_fails(f"{arguments} -o out.csv --report {other}", BAD_USAGE,
+                              f"--report: found '{other}', wanted another file than that of -o")
+        done = self.run_command(f"{arguments} -o out.csv --report nowhere/out.html")
+        self.assertEqual(done.returncode, BAD_ACCESS)
+        self.assertIn("nowhere/out.html", done.stderr)
+        self.write("old.html", "old")
+        self.assertEqual(self.run_command(f"{bad_arguments} -o out.csv --report old.html").returncode, BAD_DATA)
+        done = self.run_command(f"{arguments} -o nowhere/out.csv --report old.html")
+        self.assertEqual(done.returncode, BAD_ACCESS)
+        self.assertEqual(self.read("old.html"), "old")
+        self.assertEqual({path.name for path in self.folder.iterdir() if "out" in path.name or "part" in path.name}, set())
 
     def assert_same_table(self, text, expected, separator=","):
         """Times are the same text; other numbers agree to 1e-12, for sines differ in the last digit."""

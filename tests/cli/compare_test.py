@@ -147,10 +147,19 @@ class Compare(CommandTest):
 
     def test_the_report_is_one_page_with_the_curves(self):
         self.output_of("compare cubic.csv --keep-every 10,20 --methods auto,slerp --report out.html")
-        page = self.read("out.html")
-        self.assertIn("orispline compare cubic.csv --keep-every 10,20 --methods auto,slerp --report out.html", page)
-        self.assertNotRegex(page, r'(src|href)="https?://')
-        self.assertFalse((self.folder / "out.html.part").exists())
+        page = self.page("out.html")
+        self.assertEqual(page["command"], "orispline compare cubic.csv --keep-every 10,20 --methods auto,slerp --report out.html")
+        self.assertEqual([method["name"] for method in page["methods"]], ["auto", "slerp"])
+        self.assertEqual(len({"rms_deg", "rms_deg_1", "energy"} & {column["id"] for column in page["columns"]}), 3)
+        self.assertEqual((page["methods"][0]["samples"]["torque"], page["limits"], page["marks"]), ([], {}, None))
+
+    def test_the_report_has_torques_where_the_inertia_is_known(self):
+        self.output_of("compare cubic.csv --keep-every 10 --methods auto --inertia=1,2,3 --report out.html")
+        method, = self.page("out.html")["methods"]
+        torque, a = method["samples"]["torque"], method["samples"]["a"]
+        for k in range(0, len(a), 3):  # about a principal axis
+            self.assertAlmostEqual(torque[k + 2], 3 * a[k + 2], delta=1e-5)
+        self.assertAlmostEqual(max(torque), 9, delta=1e-5)
 
 
 class Refused(CommandTest):

@@ -103,6 +103,32 @@ class Reduce(CommandTest):
             self.assertLessEqual(counts["timed-c2"], timed)
             self.assertLessEqual(counts["auto"], auto)
 
+    def test_the_report_shows_all_reductions_with_their_own_keys(self):
+        angles = [20 * math.sin(0.05 * k) + 5 * math.sin(0.31 * k) for k in range(400)]
+        self.write("dense.csv", csv_of(angles))
+        report = self.reduced("dense.csv", "--tolerance", "0.2deg", "--report", "out.html")
+        page = self.page("out.html")
+        self.assertEqual(page["limits"], {"error": 0.2})
+        self.assertEqual(page["methods"][0]["name"], report["method"])
+        self.assertEqual(page["keys"]["t"], [row[0] for row in rows_of(self.read("reduced.csv"))])
+        self.assertEqual({m["name"] for m in page["methods"]}, {"auto", "timed-c2", "slerp"})
+        for method in page["methods"]:
+            wanted, = (m for m in report["methods"] if m["method"] == method["name"])
+            measures, samples = method["measures"], method["samples"]
+            self.assertEqual((measures["keys"], len(method["keys"]["t"])), (wanted["keys"], wanted["keys"]))
+            self.assertAlmostEqual(measures["samples_per_key"], 400 / wanted["keys"], delta=1e-4)
+            self.assertAlmostEqual(measures["max_deg"], wanted["error_max_deg"], delta=1e-7)
+            self.assertEqual(samples["error_t"], list(range(400)))  # at the samples, all of them
+            self.assertLessEqual(max(samples["error_deg"]), 0.2)
+            self.assertAlmostEqual(max(samples["error_deg"]), wanted["error_max_deg"], delta=1e-7)
+            rms = math.sqrt(sum(e * e for e in samples["error_deg"]) / 400)
+            self.assertAlmostEqual(measures["rms_deg"], rms, delta=1e-6)
+            self.assertEqual(samples["error_t"][samples["error_deg"].index(max(samples["error_deg"]))], measures["max_at_s"])
+
+    def test_reports_are_written_as_by_compare(self):
+        self.write("one.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n")
+        self.assert_writes_reports_as_compare("reduce keys.csv --tolerance 1deg --quiet", "reduce one.csv --tolerance 1deg")
+
     def test_refused(self):
         unit = "wanted a number above 0 and its unit, deg or rad, such as 1deg"
         for text in ("0deg", "-1deg", "1", "nandeg", "1m"):

@@ -58,6 +58,49 @@ class Retime(CommandTest):
         self.assertEqual(report["stretch"], 1)
         self.assertEqual([row[0] for row in rows_of(self.read("slow.csv"))], [0, 1, 3])
 
+    def test_the_report_shows_the_motion_before_and_after_with_the_limits(self):
+        for extra in ("", "--per-interval"):
+            report = self.retimed(f"robot.csv --max-rate 90deg/s --max-acceleration 200deg/s2 {extra} --report out.html")
+            page = self.page("out.html")
+            self.assertAlmostEqual(page["limits"]["w"], math.radians(90), delta=1e-6)
+            self.assertAlmostEqual(page["limits"]["a"], math.radians(200), delta=1e-6)
+            after, before = page["methods"]
+            self.assertEqual((after["name"], before["name"]), ("after", "before"))
+            self.assertEqual(before["keys"]["t"], [row[0] for row in rows_of(self.read("robot.csv"))])
+            for t, row in zip(after["keys"]["t"], rows_of(self.read("slow.csv")), strict=True):
+                self.assertAlmostEqual(t, row[0], delta=1e-5)
+            self.assertAlmostEqual(before["measures"]["duration_s"], report["duration_before_s"], delta=1e-5)
+            self.assertAlmostEqual(after["measures"]["duration_s"], report["duration_after_s"], delta=1e-5)
+            for part in ("rate_{}_deg_s", "acceleration_{}_deg_s2"):
+                for what in ("bound", "max"):
+                    self.assertAlmostEqual(after["measures"][part.format(what)], report[part.format(what)], delta=1e-4)
+                self.assertGreater(before["measures"][part.format("max")], report[part.format("limit")])
+            for letter in "wa":
+                values = after["samples"][letter]
+                self.assertLessEqual(max(math.hypot(*values[k:k + 3]) for k in range(0, len(values), 3)),
+                                     page["limits"][letter] * (1 + 1e-6))
+            self.assertLessEqual(after["measures"]["peak_acceleration_rad_s2"], page["limits"]["a"] * (1 + 1e-6))
+            self.assertEqual(after["samples"]["torque"], [])
+
+    def test_the_report_has_torques_where_the_inertia_is_known(self):
+        report = self.retimed("robot.csv --max-torque 2Nm --inertia=1,2,2.5 --method timed-c2 --report out.html")
+        page = self.page("out.html")
+        self.assertEqual(page["limits"], {"torque": 2})
+        for method in page["methods"]:
+            w, a, torque = (method["samples"][name] for name in ("w", "a", "torque"))
+            for k in range(0, len(w), 3):
+                momentum = [w[k], 2 * w[k + 1], 2.5 * w[k + 2]]
+                wanted = (a[k] + w[k + 1] * momentum[2] - w[k + 2] * momentum[1],
+                          2 * a[k + 1] + w[k + 2] * momentum[0] - w[k] * momentum[2],
+                          2.5 * a[k + 2] + w[k] * momentum[1] - w[k + 1] * momentum[0])
+                self.assertLess(math.dist(torque[k:k + 3], wanted), 1e-5 * (1 + math.hypot(*wanted)))
+        self.assertAlmostEqual(page["methods"][0]["measures"]["torque_bound_nm"], report["torque_bound_nm"], delta=1e-6)
+        self.assertLessEqual(page["methods"][0]["measures"]["peak_torque_n_m"], 2)
+
+    def test_reports_are_written_as_by_compare(self):
+        self.write("one.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n")
+        self.assert_writes_reports_as_compare("retime keys.csv --max-rate 1deg/s --quiet", "retime one.csv --max-rate 1deg/s")
+
     def test_refused(self):
         self.assert_fails("retime keys.csv", BAD_USAGE,
                           "found no limit, wanted --max-rate, --max-acceleration or --max-torque")

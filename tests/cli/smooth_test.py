@@ -54,6 +54,73 @@ class Smooth(CommandTest):
             for x, y in zip(a, b):
                 self.assertAlmostEqual(x, y, delta=1e-9)
 
+    def test_the_report_shows_the_smoothed_curve_beside_the_recording(self):
+        arguments = "smooth noisy.csv -o smooth.csv --json --report out.html"
+        summary = json.loads(self.output_of(arguments))
+        page = self.page("out.html")
+        self.assertEqual(page["command"], "orispline " + arguments)
+        self.assertIn("400 samples, 2 rejected", page["title"])
+        smoothed, as_read = page["methods"]
+        self.assertEqual((smoothed["name"], as_read["name"]), ("smoothed", "as read"))
+        rows, wanted = rows_of(self.read("smooth.csv")), rows_of(self.read("noisy.csv"))
+        angles = [math.degrees(2 * math.acos(min(1, abs(sum(a * b for a, b in zip(row[1:5], want[1:5]))))))
+                  for row, want in zip(rows, wanted, strict=True)]
+        self.assertAlmostEqual(smoothed["measures"]["max_deg"], max(angles), delta=1e-5)
+        self.assertAlmostEqual(smoothed["measures"]["rms_deg"], math.sqrt(sum(a * a for a in angles) / 400), delta=1e-5)
+        rejected = [place["key"] for place in summary["rejected"]]
+        counted = [a for i, a in enumerate(angles) if i not in rejected]
+        self.assertAlmostEqual(smoothed["measures"]["rms_accepted_deg"], math.sqrt(sum(a * a for a in counted) / 398),
+                               delta=1e-5)
+        self.assertEqual(page["marks"]["t"], [100 / 50, 250 / 50])
+        for mark, key in zip(page["marks"]["error_deg"], rejected, strict=True):
+            self.assertAlmostEqual(mark, angles[key], delta=1e-4)
+        self.assertEqual(smoothed["samples"]["error_t"], [row[0] for i, row in enumerate(rows) if i not in rejected])
+        self.assertAlmostEqual(max(smoothed["samples"]["error_deg"]), max(counted), delta=1e-5)
+        self.assertEqual(as_read["samples"]["error_deg"], [])
+        self.assertGreater(as_read["measures"]["peak_rate_rad_s"], 10 * smoothed["measures"]["peak_rate_rad_s"])
+        self.assertAlmostEqual(smoothed["measures"]["peak_rate_rad_s"], max(math.hypot(*row[5:8]) for row in rows), delta=0.01)
+        self.assertEqual(page["keys"]["t"], [row[0] for row in rows])
+
+    def test_the_report_has_nothing_in_gaps(self):
+        lines = recording(400, 0.02).splitlines()
+        self.write("gap.csv", "\n".join(lines[:151] + lines[251:253] + lines[301:]) + "\n")  # 3 s to 6 s but 2 samples
+        summary = json.loads(self.output_of("smooth gap.csv --gap 0.5 --loss l2 -o smooth.csv --json --report out.html"))
+        self.assertEqual((len(summary["stretches"]), len(summary["left_out"])), (2, 2))
+        page = self.page("out.html")
+        self.assertTrue(any("2 stretches between gaps" in note for note in page["notes"]))
+        for method in page["methods"]:
+            samples = method["samples"]
+            for i, t in enumerate(samples["t"]):
+                for values in (samples["q"][4 * i:4 * i + 4], samples["w"][3 * i:3 * i + 3]):
+                    self.assertEqual(None in values, 2.98 < t < 6, t)
+        in_gap = [e for t, e in zip(page["methods"][0]["samples"]["error_t"], page["methods"][0]["samples"]["error_deg"])
+                  if 2.98 < t < 6]
+        self.assertEqual(in_gap, [None])
+        whole = json.loads(self.output_of("compare smooth.csv --reference smooth.csv --methods hermite-c2 --json"))[0]
+        parts = 0.0
+        rows = self.read("smooth.csv").splitlines()
+        for name, part in (("a.csv", rows[:151]), ("b.csv", rows[:1] + rows[151:])):
+            self.write(name, "\n".join(part) + "\n")
+            measures = json.loads(self.output_of(f"compare {name} --reference {name} --methods hermite-c2 --json"))[0]
+            parts += measures["energy"]
+        self.assertAlmostEqual(page["methods"][0]["measures"]["energy"], parts, delta=1e-4 * parts)
+        self.assertGreater(whole["energy"], 1.05 * parts)
+
+    def test_the_report_of_very_many_samples_stays_small(self):
+        self.write("long.csv", recording(6000, 0.02, set(range(50, 6000, 100))))
+        self.output_of("smooth long.csv --smoothing-time 0.1 --quiet -o smooth.csv --report out.html")
+        page = self.page("out.html")
+        self.assertEqual(len(page["keys"]["t"]), 2000)
+        self.assertTrue(any("Of the 6000 keys 2000 are shown" in note for note in page["notes"]))
+        for method in page["methods"]:
+            self.assertLessEqual(len(method["samples"]["t"]), 2000)
+        self.assertLessEqual(len(page["methods"][0]["samples"]["error_t"]), 2000)
+        self.assertLess((self.folder / "out.html").stat().st_size, 2_500_000)
+
+    def test_reports_are_written_as_by_compare(self):
+        self.write("two.csv", recording(2, 0.0))
+        self.assert_writes_reports_as_compare("smooth noisy.csv --quiet", "smooth two.csv")
+
     def test_refusals(self):
         self.assert_fails("smooth noisy.csv --noise 0deg", BAD_USAGE,
                           "--noise: found '0deg', wanted an angle greater than 0 with its unit, such as 1deg or 0.02rad")

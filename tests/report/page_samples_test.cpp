@@ -90,6 +90,60 @@ TEST(PageSamples, ThinnedPathsKeepTheirEnds) {
   EXPECT_EQ(thinned(few, 11).times, few.times);
 }
 
+TEST(PageSamples, ThinnedKeysKeepTheirPositions) {
+  KeyframeData data;
+  for (int k = 0; k < 101; ++k) {
+    data.times.push_back(k);
+    data.orientations.push_back(about_z(k));
+    data.positions.emplace_back(2.0 * k, 0.0, 0.0);
+  }
+  const PageKeys few = thinned(page_keys(*Keyframes::make(data)), 11);
+  ASSERT_EQ(few.path.times.size(), 11U);
+  ASSERT_EQ(few.positions.size(), 11U);
+  for (std::size_t k = 0; k < 11; ++k) EXPECT_EQ(few.positions[k].x(), 2.0 * few.path.times[k]);
+}
+
+TEST(PageSamples, TheLargestOfManyErrorsAreKept) {
+  PageErrors errors;
+  for (int k = 0; k < 1000; ++k) {
+    errors.times.push_back(0.1 * k);
+    errors.values.push_back(k == 777 ? 9.0 : k % 10 == 3 ? 1.0 : 0.5);
+  }
+  const PageErrors few = largest(errors, 100);
+  ASSERT_EQ(few.values.size(), 100U);
+  for (std::size_t k = 0; k < 100; ++k) EXPECT_EQ(few.values[k], k == 77 ? 9.0 : 1.0);
+  EXPECT_EQ(few.times[77], errors.times[777]);
+  EXPECT_EQ(largest(errors, 1000).times, errors.times);
+  EXPECT_EQ(largest(errors, 300).times.size(), 300U);
+  EXPECT_EQ(std::ranges::max(largest(errors, 7).values), 9.0);
+}
+
+TEST(PageSamples, InAGapThereIsNothing) {
+  const Covers covers = [](double t) { return t <= 1.0 || t >= 2.0; };
+  const PageSamples samples = with_gaps(sampled(*make_pose_curve("auto", turning_keys()), 30), covers);
+  bool some = false;
+  for (std::size_t i = 0; i < samples.path.times.size(); ++i) {
+    const bool gap = !covers(samples.path.times[i]);
+    some |= gap;
+    EXPECT_EQ(std::isnan(samples.path.orientations[i].w()), gap);
+    EXPECT_EQ(samples.angular_velocities[i].hasNaN(), gap);
+    EXPECT_EQ(samples.angular_jerks[i].hasNaN(), gap);
+    EXPECT_FALSE(samples.positions[i].hasNaN());
+  }
+  EXPECT_TRUE(some);
+}
+
+TEST(PageSamples, AGapIsMarkedBetweenTheNeighbours) {
+  const Covers covers = [](double t) { return t <= 1.0 || t >= 2.0; };
+  const PagePath path = with_gaps({{0.0, 1.0, 2.0, 3.0}, std::vector(4, about_z(5.0))}, covers);
+  EXPECT_EQ(path.times, (std::vector{0.0, 1.0, 1.5, 2.0, 3.0}));
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(std::isnan(path.orientations[i].z()), i == 2);
+  const PageErrors errors = with_gaps(PageErrors{{0.5, 2.5}, {1.0, 2.0}}, covers);
+  EXPECT_EQ(errors.times, (std::vector{0.5, 1.5, 2.5}));
+  EXPECT_TRUE(std::isnan(errors.values[1]));
+  EXPECT_EQ(errors.values[2], 2.0);
+}
+
 TEST(PageSamples, KeysAreTakenAsTheyAre) {
   const PageKeys keys = page_keys(turning_keys());
   EXPECT_EQ(keys.path.times, (std::vector{0.0, 1.0, 3.0}));

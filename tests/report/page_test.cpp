@@ -57,6 +57,27 @@ TEST(Page, RoundsToSevenDigitsAndHasNullForNoNumber) {
   EXPECT_EQ(count_of(R"("error_deg":[null])", json), 1U);
 }
 
+TEST(Page, HasNotesLimitsMarksAndKeysOfAMethod) {
+  const Eigen::Quaterniond one(1.0, 0.0, 0.0, 0.0);
+  const std::string empty = json_of({.methods = {{.name = "m"}}});
+  EXPECT_EQ(count_of(R"("notes":[],)", empty), 1U);
+  EXPECT_EQ(count_of(R"("marks":null,"limits":{})", empty), 1U);
+  EXPECT_EQ(count_of(R"("torque":[],"p":[],"error_t":[],"error_deg":[]},"keys":null})", empty), 1U);
+  PageMethod method{.name = "m", .keys = PageKeys{.path = {{2.0}, {one}}}};
+  method.samples.torques = {{1.0, 2.0, 3.0}};
+  method.samples.error_times = {0.5};
+  method.samples.errors = {4.0};
+  const std::string json = json_of({.notes = {"a", "b"},
+                                    .marks = PageMarks{"odd ones", {{1.0}, {one}}, {30.0}},
+                                    .limits = {{"w", 1.5}, {"error", 0.1}},
+                                    .methods = {method}});
+  EXPECT_EQ(count_of("\"notes\":[\"a\",\n\"b\"]", json), 1U);
+  EXPECT_EQ(count_of(R"("marks":{"label":"odd ones","t":[1],"q":[1,0,0,0],"error_deg":[30]})", json), 1U);
+  EXPECT_EQ(count_of(R"("limits":{"error":0.1,"w":1.5})", json), 1U);
+  EXPECT_EQ(count_of(R"("torque":[1,2,3],"p":[],"error_t":[0.5],"error_deg":[4]})", json), 1U);
+  EXPECT_EQ(count_of(R"("keys":{"t":[2],"q":[1,0,0,0],"p":[]}})", json), 1U);
+}
+
 TEST(Page, NamesColumnsBodiesAndFailures) {
   Page page{.body = PageBody::axes, .sorted_by = "rms"};
   page.columns = {{"rms", "RMS", "deg", "why", Better::less}, {"n", "N", "", "", Better::neither}};

@@ -25,13 +25,13 @@ struct PageColumn {
   Better better = Better::less;
 };
 
-/// Orientations over time; as many of each.
+/// Orientations over time; as many of each. One of NaN stands for a gap: there is nothing between its neighbours.
 struct PagePath {
   std::vector<double> times{};                     ///< [s]; a time twice: the left side of a jump, then the right one
   std::vector<Eigen::Quaterniond> orientations{};  ///< body to world
 };
 
-/// The keyframes that every method of the page was given.
+/// Keyframes that a method was given.
 struct PageKeys {
   PagePath path{};
   std::vector<Eigen::Vector3d> positions{};  ///< [m], world; none or as many as keys
@@ -43,7 +43,9 @@ struct PageSamples {
   std::vector<Eigen::Vector3d> angular_velocities{};     ///< [rad/s], body; as many as times
   std::vector<Eigen::Vector3d> angular_accelerations{};  ///< [rad/s²], body; as many as times
   std::vector<Eigen::Vector3d> angular_jerks{};          ///< [rad/s³], body; as many as times
+  std::vector<Eigen::Vector3d> torques{};                ///< [N m], body; none or as many as times
   std::vector<Eigen::Vector3d> positions{};              ///< [m], world; none or as many as times
+  std::vector<double> error_times{};                     ///< [s], they do not decrease; empty: those of the path
   std::vector<double> errors{};  ///< [deg], angle to the reference; none or as many as times; NaN where it has no value
 };
 
@@ -54,18 +56,30 @@ struct PageMethod {
   std::string failure{};     ///< one line that says why there is no curve; empty: there is one
   std::map<std::string, double, std::less<>> measures{};  ///< by the id of the column; absent or not finite: a dash
   PageSamples samples{};                                  ///< empty where the method failed
+  std::optional<PageKeys> keys{};                         ///< its own; absent: those of the page
+};
+
+/// Orientations that stand out, such as outliers: marked on the sphere and in the plots of angles.
+struct PageMarks {
+  std::string label;  ///< such as `rejected`
+  PagePath path{};
+  std::vector<double> errors{};  ///< [deg], angle to the first method; as many as times
 };
 
 /// Everything that the page of a report shows: plain data, in the order in which it is shown.
 struct Page {
   std::string title{};
-  std::string command{};     ///< the command line that makes this page again
-  std::string date{};        ///< of the making, as it is to be read
-  std::string version{};     ///< of orispline
-  std::string time_start{};  ///< the input's own time at t = 0, as text; empty: it is 0
+  std::string command{};             ///< the command line that makes this page again
+  std::string date{};                ///< of the making, as it is to be read
+  std::string version{};             ///< of orispline
+  std::string time_start{};          ///< the input's own time at t = 0, as text; empty: it is 0
+  std::vector<std::string> notes{};  ///< sentences of the head, such as what is left out
   PageBody body = PageBody::aircraft;
-  PageKeys keys{};
+  PageKeys keys{};                      ///< of every method that has none of its own
   std::optional<PagePath> reference{};  ///< what the methods are compared with
+  std::optional<PageMarks> marks{};
+  /// Lines in the plots: by `error` [deg], `w` [rad/s], `a` [rad/s²], `j` [rad/s³] or `torque` [N m].
+  std::map<std::string, double, std::less<>> limits{};
   std::vector<PageColumn> columns{};
   std::string sorted_by{};  ///< id of the column by which the table is sorted at first; empty: as the methods stand
   std::vector<PageMethod> methods{};  ///< the first one with samples is shown at first, the second one beside it

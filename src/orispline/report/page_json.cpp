@@ -87,7 +87,9 @@ std::string json_of(const PageSamples& samples) {
                     {"w", list_of(samples.angular_velocities)},
                     {"a", list_of(samples.angular_accelerations)},
                     {"j", list_of(samples.angular_jerks)},
+                    {"torque", list_of(samples.torques)},
                     {"p", list_of(samples.positions)},
+                    {"error_t", list_of(samples.error_times)},
                     {"error_deg", list_of(samples.errors)}});
 }
 
@@ -109,9 +111,22 @@ std::string json_of(const PageColumn& column) {
                     {"better", text_of(name_of(column.better))}});
 }
 
-std::string json_of(const std::map<std::string, double, std::less<>>& measures) {
+std::string json_of(const PageMarks& marks) {
+  return object_of({{"label", text_of(marks.label)},
+                    {"t", list_of(marks.path.times)},
+                    {"q", list_of(marks.path.orientations)},
+                    {"error_deg", list_of(marks.errors)}});
+}
+
+template <class Value>
+std::string json_or_null(const std::optional<Value>& value) {
+  return value ? json_of(*value) : "null";
+}
+
+/// An object of numbers.
+std::string json_of(const std::map<std::string, double, std::less<>>& numbers) {
   std::string json = "{";
-  for (const auto& [id, value] : measures) {
+  for (const auto& [id, value] : numbers) {
     json += (json.size() > 1 ? "," : "") + text_of(id) + ':';
     append(json, value);
   }
@@ -123,7 +138,8 @@ std::string json_of(const PageMethod& method) {
                     {"continuity", text_of(method.continuity)},
                     {"failure", text_of(method.failure)},
                     {"measures", json_of(method.measures)},
-                    {"samples", json_of(method.samples)}});
+                    {"samples", json_of(method.samples)},
+                    {"keys", json_or_null(method.keys)}});
 }
 
 }  // namespace
@@ -134,9 +150,12 @@ std::string json_of(const Page& page) {
                     {"date", text_of(page.date)},
                     {"version", text_of(page.version)},
                     {"time_start", text_of(page.time_start)},
+                    {"notes", array_of(page.notes, [](const std::string& note) { return text_of(note); })},
                     {"body", text_of(name_of(page.body))},
                     {"keys", json_of(page.keys)},
-                    {"reference", page.reference ? json_of(*page.reference) : "null"},
+                    {"reference", json_or_null(page.reference)},
+                    {"marks", json_or_null(page.marks)},
+                    {"limits", json_of(page.limits)},
                     {"columns", array_of(page.columns, [](const PageColumn& c) { return json_of(c); })},
                     {"sorted_by", text_of(page.sorted_by)},
                     {"methods", array_of(page.methods, [](const PageMethod& m) { return json_of(m); })}});

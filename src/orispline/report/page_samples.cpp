@@ -5,6 +5,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
+#include <tuple>
+#include <utility>
 
 #include <orispline/math/slerp.hpp>
 
@@ -12,6 +15,8 @@ namespace orispline::report {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+const Eigen::Quaterniond no_orientation(nan, nan, nan, nan);
 
 void append(PageSamples& samples, const PoseCurve& curve, double t, Side side) {
   const Motion motion = curve.orientation.motion(t, side);
@@ -35,6 +40,32 @@ Eigen::Quaterniond on_reference(const PagePath& reference, std::size_t after, do
   Eigen::Quaterniond to = reference.orientations[after];
   if (from.dot(to) < 0.0) to.coeffs() = -to.coeffs();
   return step > 0.0 ? slerp<double>(from, to, (t - start) / step) : to;
+}
+
+/// Times and values, with `none` in the middle of neighbouring times where there is a gap.
+template <class Value>
+std::pair<std::vector<double>, std::vector<Value>> interrupted(const std::vector<double>& times,
+                                                               const std::vector<Value>& values, const Value& none,
+                                                               const Covers& covers) {
+  std::pair<std::vector<double>, std::vector<Value>> result;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (const double middle = i > 0 ? std::midpoint(times[i - 1], times[i]) : times[i]; !covers(middle)) {
+      result.first.push_back(middle);
+      result.second.push_back(none);
+    }
+    result.first.push_back(times[i]);
+    result.second.push_back(values[i]);
+  }
+  return result;
+}
+
+/// At most about `count` of the values, evenly, with both ends.
+template <class Value>
+std::vector<Value> picked(const std::vector<Value>& values, std::size_t count) {
+  if (values.size() <= count || count < 2) return values;
+  std::vector<Value> few;
+  for (std::size_t k = 0; k < count; ++k) few.push_back(values[k * (values.size() - 1) / (count - 1)]);
+  return few;
 }
 
 }  // namespace
@@ -67,7 +98,7 @@ PageSamples sampled(const PoseCurve& curve, std::size_t count) {
 }
 
 std::vector<double> errors_to(const PagePath& reference, const PagePath& path) {
-  std::vector<double> errors(path.times.size(), std::numeric_limits<double>::quiet_NaN());
+  std::vector<double> errors(path.times.size(), nan);
   if (reference.times.size() < 2) return errors;
   for (std::size_t i = 0; i < errors.size(); ++i) {
     const double t = path.times[i];
@@ -79,16 +110,49 @@ std::vector<double> errors_to(const PagePath& reference, const PagePath& path) {
   return errors;
 }
 
-PagePath thinned(const PagePath& path, std::size_t count) {
-  const std::size_t size = path.times.size();
-  if (size <= count || count < 2) return path;
-  PagePath few;
+PageErrors largest(const PageErrors& errors, std::size_t count) {
+  const std::size_t size = errors.times.size();
+  if (size <= count) return errors;
+  PageErrors few;
   for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t i = k * (size - 1) / (count - 1);
-    few.times.push_back(path.times[i]);
-    few.orientations.push_back(path.orientations[i]);
+    const auto first = errors.values.begin();
+    const auto at = [&](std::size_t part) { return first + static_cast<std::ptrdiff_t>(part * size / count); };
+    const auto worst = std::max_element(at(k), at(k + 1));
+    few.times.push_back(errors.times[static_cast<std::size_t>(worst - first)]);
+    few.values.push_back(*worst);
   }
   return few;
+}
+
+PageSamples with_gaps(PageSamples samples, const Covers& covers) {
+  const Eigen::Vector3d none = Eigen::Vector3d::Constant(nan);
+  for (std::size_t i = 0; i < samples.path.times.size(); ++i) {
+    if (covers(samples.path.times[i])) continue;
+    samples.path.orientations[i] = no_orientation;
+    samples.angular_velocities[i] = samples.angular_accelerations[i] = samples.angular_jerks[i] = none;
+    if (!samples.torques.empty()) samples.torques[i] = none;
+  }
+  return samples;
+}
+
+PagePath with_gaps(const PagePath& path, const Covers& covers) {
+  PagePath result;
+  std::tie(result.times, result.orientations) = interrupted(path.times, path.orientations, no_orientation, covers);
+  return result;
+}
+
+PageErrors with_gaps(const PageErrors& errors, const Covers& covers) {
+  PageErrors result;
+  std::tie(result.times, result.values) = interrupted(errors.times, errors.values, nan, covers);
+  return result;
+}
+
+PagePath thinned(const PagePath& path, std::size_t count) {
+  return {picked(path.times, count), picked(path.orientations, count)};
+}
+
+PageKeys thinned(const PageKeys& keys, std::size_t count) {
+  return {.path = thinned(keys.path, count), .positions = picked(keys.positions, count)};
 }
 
 }  // namespace orispline::report

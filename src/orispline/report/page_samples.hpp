@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
+
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/pose_curve.hpp>
 #include <orispline/report/page.hpp>
@@ -19,7 +21,27 @@ namespace orispline::report {
 /// Angles [deg] to the reference, which goes the shortest way between its orientations; NaN beyond its ends.
 [[nodiscard]] std::vector<double> errors_to(const PagePath& reference, const PagePath& path);
 
+/// Angles [deg] at rising times.
+struct PageErrors {
+  std::vector<double> times{};  ///< [s]
+  std::vector<double> values{};
+};
+
+/// At most `count` of the errors: the largest of every so many neighbours, so that none is missed. None of them is NaN.
+[[nodiscard]] PageErrors largest(const PageErrors& errors, std::size_t count);
+
+/// Whether there is a motion at a time [s]; not in a gap.
+using Covers = std::function<bool(double)>;
+/// The curve with NaN for its orientations and rates in gaps.
+[[nodiscard]] PageSamples with_gaps(PageSamples samples, const Covers& covers);
+/// The orientations with one of NaN between neighbours that a gap is between.
+[[nodiscard]] PagePath with_gaps(const PagePath& path, const Covers& covers);
+/// The errors with a NaN likewise.
+[[nodiscard]] PageErrors with_gaps(const PageErrors& errors, const Covers& covers);
+
 /// At most about `count` of the orientations, evenly picked, with both ends.
 [[nodiscard]] PagePath thinned(const PagePath& path, std::size_t count = 600);
+/// Of the keys likewise.
+[[nodiscard]] PageKeys thinned(const PageKeys& keys, std::size_t count);
 
 }  // namespace orispline::report

@@ -13,7 +13,7 @@ export function showHeader(): void {
   });
   const facts = [report.date, report.version && `orispline ${report.version}`, report.time_start && `t = 0 at ${report.time_start} s`];
   place('header').append(
-    element('div', {}, element('h1', {}, report.title), element('p', { className: 'facts' }, facts.filter(Boolean).join(' · '))),
+    element('div', {}, element('h1', {}, report.title), element('p', { className: 'facts' }, facts.filter(Boolean).join(' · ')), ...report.notes.map((note) => element('p', { className: 'facts' }, note))),
     toggle,
     ...(report.command ? [element('pre', {}, element('code', {}, report.command))] : []),
   );

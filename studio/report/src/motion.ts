@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Orientations between the samples, and quantities of the plots.
-import type { Path } from './report';
+import { isGap, type Path } from './report';
 
 export type Quaternion = [w: number, x: number, y: number, z: number];
 export type Vector = [x: number, y: number, z: number];
 export type Axis = 'x' | 'y' | 'z';
 
-export const quaternionAt = ({ q }: Path, i: number): Quaternion => [q[4 * i], q[4 * i + 1], q[4 * i + 2], q[4 * i + 3]];
+export const quaternionAt = ({ q }: Path, i: number) => q.slice(4 * i, 4 * i + 4) as Quaternion;
 
 /** Index of the last time that is not after t, at most the last but one. */
 export function spanAt(times: number[], t: number): number {
@@ -59,15 +59,22 @@ function angleBetween([w, x, y, z]: Quaternion, [a, b, c, d]: Quaternion): numbe
   return (2 * Math.atan2(vector, Math.abs(scalar)) * 180) / Math.PI;
 }
 
-export function anglesFromStart(path: Path): number[] {
+/** Whether there is an orientation at the time, and not a gap. */
+export function isShownAt(path: Path, t: number): boolean {
+  const i = spanAt(path.t, t);
+  return !isGap(path, i) && !(t > path.t[i] && isGap(path, i + 1));
+}
+
+export function anglesFromStart(path: Path): (number | null)[] {
   const start = quaternionAt(path, 0);
-  return path.t.map((_, i) => angleBetween(start, quaternionAt(path, i)));
+  return path.t.map((_, i) => (isGap(path, i) ? null : angleBetween(start, quaternionAt(path, i))));
 }
 
 /** At the times of the first. */
-export const anglesApart = (path: Path, other: Path) => path.t.map((t, i) => angleBetween(quaternionAt(path, i), orientationAt(other, t)));
+export const anglesApart = (path: Path, other: Path) =>
+  path.t.map((t, i) => (isGap(path, i) || !isShownAt(other, t) ? null : angleBetween(quaternionAt(path, i), orientationAt(other, t))));
 
-export const component = (values: number[], k: number) => Array.from({ length: values.length / 3 }, (_, i) => values[3 * i + k]);
+export const component = (values: (number | null)[], k: number) => Array.from({ length: values.length / 3 }, (_, i) => values[3 * i + k]);
 
-export const magnitudes = (values: number[]) =>
-  Array.from({ length: values.length / 3 }, (_, i) => Math.hypot(values[3 * i], values[3 * i + 1], values[3 * i + 2]));
+export const magnitudes = (values: (number | null)[]) =>
+  Array.from({ length: values.length / 3 }, (_, i) => (values[3 * i] === null ? null : Math.hypot(values[3 * i]!, values[3 * i + 1]!, values[3 * i + 2]!)));

@@ -10,4 +10,11 @@ export function shown(value: number | null | undefined): string {
   return text.replace('-', '−');
 }
 
+/** Beside an axis, where there is little room. */
+export function tick(value: number): string {
+  const size = Math.abs(value);
+  const text = size >= 1e4 || (size < 1e-3 && size > 0) ? Number(value.toPrecision(6)).toExponential().replace('e+', 'e') : String(value);
+  return text.replaceAll('-', '−');
+}
+
 export const seconds = (value: number) => `${value.toFixed(2)} s`.replace('-', '−');

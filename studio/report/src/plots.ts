@@ -4,9 +4,9 @@ import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
 import { element, place } from './element';
 import { spanAt } from './motion';
-import { shown } from './number';
-import { quantities, type Line, type Quantity } from './quantities';
-import { report, timeEnd, timeStart } from './report';
+import { shown, tick } from './number';
+import { quantities, type Line, type Points, type Quantity } from './quantities';
+import { keysOf, methodNamed, report, timeEnd, timeStart } from './report';
 import { choose, current, moveTo, subscribe, type State } from './state';
 import { coloursOf, type Colours } from './theme';
 
@@ -20,7 +20,7 @@ function markKeys(plot: uPlot, colours: Colours): void {
   let last = -Infinity;
   ctx.save();
   ctx.lineWidth = ratio;
-  for (const t of report.keys.t) {
+  for (const t of keysOf(methodNamed(current().first)).t) {
     const x = plot.valToPos(t, 'x', true);
     if (x < bbox.left - 1 || x > bbox.left + bbox.width + 1 || x - last < closestKeys * ratio) continue;
     last = x;
@@ -39,30 +39,69 @@ function markKeys(plot: uPlot, colours: Colours): void {
   ctx.restore();
 }
 
+/** A dashed line that nothing is to cross. */
+function drawLimit({ ctx, bbox, valToPos }: uPlot, limit: number, colours: Colours): void {
+  const y = valToPos(limit, 'y', true);
+  ctx.save();
+  ctx.strokeStyle = colours.limit;
+  ctx.lineWidth = 1.5 * devicePixelRatio;
+  ctx.setLineDash([7, 5].map((length) => length * devicePixelRatio));
+  ctx.beginPath();
+  ctx.moveTo(bbox.left, y);
+  ctx.lineTo(bbox.left + bbox.width, y);
+  ctx.stroke();
+  ctx.restore();
+}
+
+/** Crosses; at the upper edge where they would be above it. */
+function drawMarks({ ctx, bbox, valToPos }: uPlot, { t, values }: Points, colours: Colours): void {
+  const size = 4 * devicePixelRatio;
+  ctx.save();
+  ctx.strokeStyle = colours.mark;
+  ctx.lineWidth = 1.5 * devicePixelRatio;
+  ctx.beginPath();
+  t.forEach((time, i) => {
+    const x = valToPos(time, 'x', true);
+    if (values[i] === null || x < bbox.left || x > bbox.left + bbox.width) return;
+    const y = Math.max(valToPos(values[i]!, 'y', true), bbox.top + size);
+    ctx.moveTo(x - size, y - size);
+    ctx.lineTo(x + size, y + size);
+    ctx.moveTo(x - size, y + size);
+    ctx.lineTo(x + size, y - size);
+  });
+  ctx.stroke();
+  ctx.restore();
+}
+
 /** The lines over all their times. */
 function aligned(lines: Line[]): uPlot.AlignedData {
   if (lines.length === 0) return [[timeStart, timeEnd]];
   const sameTimes = lines.every((line) => line.t === lines[0].t);
   if (sameTimes) return [lines[0].t, ...lines.map((line) => line.values)] as uPlot.AlignedData;
-  return uPlot.join(lines.map((line) => [line.t, line.values] as uPlot.AlignedData));
+  const wholeGaps: uPlot.JoinNullMode[] = [2, 2]; // a gap goes on over the times of the other lines
+  return uPlot.join(
+    lines.map((line) => [line.t, line.values] as uPlot.AlignedData),
+    lines.map(() => wholeGaps),
+  );
 }
 
-function optionsOf(lines: Line[], width: number, colours: Colours): uPlot.Options {
+function optionsOf(lines: Line[], { limit, marks }: { limit?: number; marks?: Points }, width: number, colours: Colours): uPlot.Options {
   const axis = { stroke: colours.faint, font, ticks: { stroke: colours.grid, size: 4 } };
   return {
     width,
     height,
     padding: [10, 12, 0, 0],
     legend: { show: false },
-    scales: { x: { time: false }, y: { range: (_, low, high) => uPlot.rangeNum(Math.min(low ?? 0, 0), Math.max(high ?? 1, 1e-12), 0.06, true) } },
+    scales: { x: { time: false }, y: { range: (_, low, high) => uPlot.rangeNum(Math.min(low ?? 0, 0), Math.max(high ?? 1, limit ?? 0, 1e-12), 0.06, true) } },
     axes: [
       { ...axis, grid: { show: false }, size: 28, values: (_, ticks) => ticks.map((t) => `${t} s`) },
-      { ...axis, grid: { stroke: colours.grid, width: 1 }, size: 52 },
+      { ...axis, grid: { stroke: colours.grid, width: 1 }, size: 52, values: (_, ticks) => ticks.map(tick) },
     ],
-    series: [{}, ...lines.map(({ label, colour, width, dashes }) => ({ label, stroke: colour, width, dash: dashes, spanGaps: true, points: { show: false } }))],
+    series: [{}, ...lines.map(({ label, colour, width, dashes }) => ({ label, stroke: colour, width, dash: dashes, spanGaps: false, points: { show: false } }))],
     cursor: { y: false, points: { size: 7 }, drag: { x: true, y: false, setScale: true }, bind: { mouseleave: () => null } },
     hooks: {
       drawClear: [(plot) => markKeys(plot, colours)],
+      draw: [(plot) => limit !== undefined && drawLimit(plot, limit, colours), (plot) => marks && drawMarks(plot, marks, colours)],
       setCursor: [(plot) => plot.cursor.event && !current().playing && moveTo(plot.posToVal(plot.cursor.left!, 'x'))],
       setScale: [(plot, key) => key === 'x' && chooseWindow(plot)],
     },
@@ -91,8 +130,10 @@ class Plot {
   private readonly figure: HTMLElement;
   private plot?: uPlot;
   private lines: Line[] = [];
+  private readonly limit?: number;
 
   constructor(private readonly quantity: Quantity) {
+    this.limit = report.limits[quantity.id];
     this.figure = element('figure', { attributes: { 'data-quantity': quantity.id } }, this.caption, this.frame);
     place('plots').append(this.figure);
     new ResizeObserver(() => this.plot?.setSize({ width: this.frame.clientWidth, height })).observe(this.frame);
@@ -103,7 +144,7 @@ class Plot {
     const colours = coloursOf(state);
     this.lines = this.quantity.lines(state, colours);
     this.figure.hidden = this.lines.length === 0;
-    this.plot = new uPlot(optionsOf(this.lines, this.frame.clientWidth, colours), aligned(this.lines), this.frame);
+    this.plot = new uPlot(optionsOf(this.lines, { limit: this.limit, marks: this.quantity.marks }, this.frame.clientWidth, colours), aligned(this.lines), this.frame);
     followFinger(this.plot);
     this.showWindow(state);
     this.showTime(state);
@@ -124,7 +165,21 @@ class Plot {
       swatch.style.background = colour;
       return element('span', {}, swatch, `${label} `, element('b', {}, shown(values[nearest])));
     });
-    this.caption.replaceChildren(element('strong', {}, this.quantity.title), element('small', {}, ` [${this.quantity.unit}] `), ...values);
+    this.caption.replaceChildren(element('strong', {}, this.quantity.title), element('small', {}, ` [${this.quantity.unit}] `), ...values, ...this.legend(coloursOf(current())));
+  }
+
+  /** What is drawn beside the lines. */
+  private legend(colours: Colours): HTMLElement[] {
+    const sign = (text: string, colour: string) => {
+      const made = element('em', {}, text);
+      made.style.color = colour;
+      return made;
+    };
+    const { limit } = this;
+    return [
+      ...(limit !== undefined ? [element('span', {}, sign('╌╌', colours.limit), ' limit ', element('b', {}, shown(limit)))] : []),
+      ...(this.quantity.marks ? [element('span', {}, sign('×', colours.mark), ` ${report.marks!.label}`)] : []),
+    ];
   }
 }
 

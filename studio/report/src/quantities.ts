@@ -14,12 +14,21 @@ export interface Line {
   values: (number | null)[];
 }
 
+/** Points of the report's marks. */
+export interface Points {
+  t: number[];
+  values: (number | null)[];
+}
+
 export interface Quantity {
   id: string;
   title: string;
   unit: string;
   lines: (state: State, colours: Colours) => Line[];
+  marks?: Points;
 }
+
+type Rate = 'w' | 'a' | 'j' | 'torque';
 
 type ValuesOf = (samples: Samples) => (number | null)[];
 
@@ -34,18 +43,18 @@ function valuesOnce<Of extends object>(samples: Of, id: string, compute: (sample
 }
 
 /** One line for each of the two methods, the first on top. */
-function ofBoth(state: State, colours: Colours, id: string, valuesOf: ValuesOf): Line[] {
+function ofBoth(state: State, colours: Colours, id: string, valuesOf: ValuesOf, timesOf = (samples: Samples) => samples.t): Line[] {
   const chosen = [
     { method: state.second === state.first ? undefined : methodNamed(state.second), colour: colours.second, width: 1.5 },
     { method: methodNamed(state.first), colour: colours.first, width: 2 },
   ];
   return chosen.flatMap(({ method, colour, width }) =>
-    method ? [{ label: method.name, colour, width, t: method.samples.t, values: valuesOnce(method.samples, id, valuesOf) }] : [],
+    method ? [{ label: method.name, colour, width, t: timesOf(method.samples), values: valuesOnce(method.samples, id, valuesOf) }] : [],
   );
 }
 
 /** The body components of the first method. */
-function components(state: State, colours: Colours, id: 'w' | 'a' | 'j'): Line[] {
+function components(state: State, colours: Colours, id: Rate): Line[] {
   const method = methodNamed(state.first);
   if (!state.components || !method) return [];
   return (['x', 'y', 'z'] as const).map((axis, k) => ({
@@ -57,7 +66,7 @@ function components(state: State, colours: Colours, id: 'w' | 'a' | 'j'): Line[]
   }));
 }
 
-function rate(id: 'w' | 'a' | 'j', title: string, unit: string): Quantity {
+function rate(id: Rate, title: string, unit: string): Quantity {
   const lines = (state: State, colours: Colours) => [
     ...components(state, colours, id),
     ...ofBoth(state, colours, id, (samples) => magnitudes(samples[id])),
@@ -71,6 +80,8 @@ function referenceAngle(reference: Path | null, colours: Colours): Line[] {
   return [{ label: 'reference', colour: colours.reference, width: 3, t: reference.t, values }];
 }
 
+const { marks } = report;
+
 const angle: Quantity = {
   id: 'angle',
   title: 'Angle from start',
@@ -82,7 +93,11 @@ const error: Quantity = {
   id: 'error',
   title: 'Error to the reference',
   unit: 'deg',
-  lines: (state, colours) => ofBoth(state, colours, 'error', (samples) => samples.error_deg),
+  lines: (state, colours) =>
+    ofBoth(state, colours, 'error', (samples) => samples.error_deg, (samples) => (samples.error_t.length > 0 ? samples.error_t : samples.t)).filter(
+      ({ values }) => values.length > 0,
+    ),
+  marks: marks ? { t: marks.t, values: marks.error_deg } : undefined,
 };
 
 const apart: Quantity = {
@@ -97,6 +112,7 @@ const apart: Quantity = {
   },
 };
 
+const hasTorques = shownMethods.some((method) => method.samples.torque.length > 0);
 const hasErrors = shownMethods.some((method) => method.samples.error_deg.length > 0);
 
 export const quantities: Quantity[] = [
@@ -105,5 +121,6 @@ export const quantities: Quantity[] = [
   rate('w', 'Angular velocity |ω|', 'rad/s'),
   rate('a', 'Angular acceleration |α|', 'rad/s²'),
   rate('j', 'Angular jerk', 'rad/s³'),
+  ...(hasTorques ? [rate('torque', 'Torque', 'N m')] : []),
   apart,
 ];

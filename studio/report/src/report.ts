@@ -3,7 +3,7 @@
 
 export interface Path {
   t: number[];
-  q: number[]; // w, x, y, z of each
+  q: (number | null)[]; // w, x, y, z of each; null in a gap
 }
 
 export interface Column {
@@ -14,13 +14,19 @@ export interface Column {
   better: 'less' | 'more' | 'neither';
 }
 
+type Vectors = (number | null)[]; // null in a gap
+
 export interface Samples extends Path {
-  w: number[];
-  a: number[];
-  j: number[];
+  w: Vectors;
+  a: Vectors;
+  j: Vectors;
+  torque: Vectors;
   p: number[];
+  error_t: number[]; // empty: t
   error_deg: (number | null)[];
 }
+
+export type Keys = Path & { p: number[] };
 
 export interface Method {
   name: string;
@@ -28,6 +34,13 @@ export interface Method {
   failure: string;
   measures: Record<string, number | null>;
   samples: Samples;
+  keys: Keys | null; // null: those of the report
+}
+
+/** Orientations that stand out. */
+export interface Marks extends Path {
+  label: string;
+  error_deg: (number | null)[];
 }
 
 export type BodyShape = 'aircraft' | 'box' | 'axes';
@@ -38,9 +51,12 @@ export interface Report {
   date: string;
   version: string;
   time_start: string;
+  notes: string[];
   body: BodyShape;
-  keys: Path & { p: number[] };
+  keys: Keys;
   reference: Path | null;
+  marks: Marks | null;
+  limits: Record<string, number>; // by the id of the quantity
   columns: Column[];
   sorted_by: string;
   methods: Method[];
@@ -59,6 +75,12 @@ for (const { samples } of report.methods) {
 export const hasSamples = (method: Method) => method.samples.t.length > 1;
 export const shownMethods = report.methods.filter(hasSamples);
 export const methodNamed = (name: string | null) => shownMethods.find((method) => method.name === name);
+
+/** The keys that the curve of a method goes through. */
+export const keysOf = (method: Method | undefined) => method?.keys ?? report.keys;
+
+/** A sample that only says that there is nothing between its neighbours. */
+export const isGap = ({ q }: Path, i: number) => q[4 * i] === null;
 
 const ends = [...shownMethods.map((method) => method.samples.t), report.keys.t].filter((t) => t.length > 0);
 export const timeStart = Math.min(...ends.map((t) => t[0]));

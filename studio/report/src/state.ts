@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the user has chosen. Views subscribe to it; nothing else holds choices.
 import type { Axis } from './motion';
-import { report, shownMethods, timeEnd, timeStart, type BodyShape } from './report';
+import { keysOf, report, shownMethods, timeEnd, timeStart, type BodyShape } from './report';
 
 export interface State {
   first: string | null; // names of methods
@@ -17,7 +17,7 @@ export interface State {
   theme: 'light' | 'dark';
 }
 
-const hasPositions = report.keys.p.length > 0 && shownMethods.some((method) => method.samples.p.length > 0);
+const hasPositions = shownMethods.some((method) => keysOf(method).p.length > 0 && method.samples.p.length > 0);
 const darkDisplay = matchMedia('(prefers-color-scheme: dark)');
 
 let state: State = {

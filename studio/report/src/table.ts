@@ -49,6 +49,9 @@ function showButton(method: Method, which: 'first' | 'second'): HTMLButtonElemen
   });
 }
 
+/** Counts are whole for every method. */
+const isCount = ({ id, unit }: Column) => unit === '' && report.methods.every(({ measures }) => Number.isInteger(measures[id] ?? 0));
+
 function rowOf(method: Method, best: Map<string, number | null>): HTMLTableRowElement {
   const row = element('tr', { attributes: { 'data-method': method.name } });
   const picks = hasSamples(method) ? [showButton(method, 'first'), showButton(method, 'second')] : [];
@@ -59,10 +62,11 @@ function rowOf(method: Method, best: Map<string, number | null>): HTMLTableRowEl
     return row;
   }
   row.append(element('td', {}, method.continuity.replace(/C(\d)/, (_, order) => `C${'⁰¹²³⁴⁵⁶⁷⁸⁹'[order]}`)));
-  for (const { id } of report.columns) {
+  for (const column of report.columns) {
+    const { id } = column;
     const value = method.measures[id];
     const isBest = typeof value === 'number' && value === best.get(id);
-    row.append(element('td', { className: isBest ? 'number best' : 'number' }, shown(value)));
+    row.append(element('td', { className: isBest ? 'number best' : 'number' }, isCount(column) && value !== undefined ? String(value ?? '–') : shown(value)));
   }
   if (hasSamples(method)) row.onclick = () => choose({ first: method.name });
   return row;

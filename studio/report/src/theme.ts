@@ -6,6 +6,8 @@ export interface Colours {
   first: string;
   second: string;
   reference: string;
+  limit: string;
+  mark: string;
   x: string;
   y: string;
   z: string;
@@ -19,6 +21,8 @@ const light: Colours = {
   first: '#0072b2',
   second: '#d55e00',
   reference: '#7a7f87',
+  limit: '#b3261e',
+  mark: '#b3261e',
   x: '#b5179e',
   y: '#008060',
   z: '#a87900',
@@ -32,6 +36,8 @@ const dark: Colours = {
   first: '#56b4e9',
   second: '#ff9a4d',
   reference: '#9aa3ad',
+  limit: '#ff7b6e',
+  mark: '#ff7b6e',
   x: '#e58ad6',
   y: '#3cc9a0',
   z: '#e6c229',

@@ -2,41 +2,45 @@
 // The positions of a motion in the units of its scene.
 import { BufferGeometry, Line, LineBasicMaterial, Vector3 } from 'three';
 import { vectorAt } from '../motion';
-import { report, type Samples } from '../report';
+import { keysOf, type Keys, type Method, type Samples } from '../report';
 
-export const hasPositions = (samples: Samples) => samples.p.length > 0 && report.keys.p.length > 0;
+export const hasPositions = (method: Method) => method.samples.p.length > 0 && keysOf(method).p.length > 0;
 
 const vectors = (values: number[]) => Array.from({ length: values.length / 3 }, (_, i) => new Vector3().fromArray(values, 3 * i));
 
 /** Half of the keys are farther from the next one than this [m]. */
-function medianStep(): number {
-  const keys = vectors(report.keys.p);
+function medianStep({ p }: Keys): number {
+  const keys = vectors(p);
   const steps = keys.slice(1).map((key, i) => key.distanceTo(keys[i]));
   return Math.max(steps.sort((a, b) => a - b)[steps.length >> 1] ?? 0, 1e-9);
 }
 
 export class FlightPath {
+  private readonly samples: Samples;
+  private readonly keys: Keys;
   private readonly center = new Vector3();
   private readonly extent: number; // [m]
   private readonly unit: number; // lengths of the scene per metre
 
   /** Scaled to a size as a whole, or so that neighbouring keys are as far from each other. */
   constructor(
-    private readonly samples: Samples,
+    method: Method,
     scale: { whole: number } | { step: number },
   ) {
-    const points = vectors(samples.p);
+    this.samples = method.samples;
+    this.keys = keysOf(method);
+    const points = vectors(this.samples.p);
     const low = points.reduce((least, p) => least.min(p), points[0].clone());
     const high = points.reduce((most, p) => most.max(p), points[0].clone());
     this.center.addVectors(low, high).multiplyScalar(0.5);
     this.extent = Math.max(high.distanceTo(low), 1e-9);
-    this.unit = 'whole' in scale ? scale.whole / this.extent : scale.step / medianStep();
+    this.unit = 'whole' in scale ? scale.whole / this.extent : scale.step / medianStep(this.keys);
   }
 
   private at = (position: Vector3) => position.sub(this.center).multiplyScalar(this.unit);
 
   atTime = (t: number) => this.at(new Vector3(...vectorAt(this.samples.t, this.samples.p, t)));
-  atKey = (key: number) => this.at(new Vector3().fromArray(report.keys.p, 3 * key));
+  atKey = (key: number) => this.at(new Vector3().fromArray(this.keys.p, 3 * key));
 
   line = (colour: string) =>
     new Line(new BufferGeometry().setFromPoints(vectors(this.samples.p).map(this.at)), new LineBasicMaterial({ color: colour }));

@@ -2,8 +2,8 @@
 // The body of one method in space, with ghosts of it at the keys.
 import { Group, Vector3, type Object3D } from 'three';
 import { element } from '../element';
-import { orientationAt, quaternionAt, spanAt, type Quaternion } from '../motion';
-import { methodNamed, report, type Method } from '../report';
+import { isShownAt, orientationAt, quaternionAt, spanAt, type Quaternion } from '../motion';
+import { keysOf, methodNamed, report, type Keys, type Method } from '../report';
 import { subscribe, type State } from '../state';
 import { coloursOf } from '../theme';
 import { axes, body } from './body';
@@ -32,6 +32,7 @@ export class MotionScene {
   private moving?: Object3D;
   private track = new Group(); // what stands still in the world
   private ghosts: Object3D[] = [];
+  private keys: Keys = report.keys;
   private path?: FlightPath;
 
   constructor(private readonly which: 'first' | 'second') {
@@ -68,11 +69,12 @@ export class MotionScene {
     this.showTime(state);
   }
 
-  private fill(content: Group, { samples }: Method, state: State): void {
+  private fill(content: Group, method: Method, state: State): void {
     const colours = coloursOf(state);
-    const place = hasPositions(samples) ? state.place : 'fixed';
+    const place = hasPositions(method) ? state.place : 'fixed';
     const look = looks[place];
-    if (place !== 'fixed') this.path = new FlightPath(samples, looks[place].path);
+    if (place !== 'fixed') this.path = new FlightPath(method, looks[place].path);
+    this.keys = keysOf(method);
     this.moving = body(state.body, { colour: colours[this.which], opacity: 1 }, colours);
     this.moving.scale.setScalar(look.body);
     this.ghosts = this.makeGhosts(look.ghost, () => body(state.body, { colour: colours.faint, opacity: look.opacity }, colours));
@@ -83,12 +85,12 @@ export class MotionScene {
   }
 
   private makeGhosts(scale: number, make: () => Object3D): Object3D[] {
-    const keys = report.keys.t.length;
+    const keys = this.keys.t.length;
     const every = this.path ? Math.ceil(keys / mostGhosts) : 1;
     return Array.from({ length: this.path ? Math.ceil(keys / every) : Math.min(2 * ghostsAround, keys) }, (_, k) => {
       const object = make();
       object.scale.setScalar(scale);
-      turn(object, quaternionAt(report.keys, k * every));
+      turn(object, quaternionAt(this.keys, k * every));
       if (this.path) object.position.copy(this.path.atKey(k * every));
       return object;
     });
@@ -97,7 +99,8 @@ export class MotionScene {
   private showTime({ time, place, ...state }: State): void {
     const method = methodNamed(state[this.which]);
     if (!method || !this.moving) return;
-    turn(this.moving, orientationAt(method.samples, time));
+    this.moving.visible = isShownAt(method.samples, time);
+    if (this.moving.visible) turn(this.moving, orientationAt(method.samples, time));
     if (!this.path) this.turnGhosts(time);
     else if (place === 'follow') this.track.position.copy(this.path.atTime(time)).negate();
     else this.moving.position.copy(this.path.atTime(time));
@@ -106,10 +109,10 @@ export class MotionScene {
 
   /** To the keys around the time. */
   private turnGhosts(time: number): void {
-    const first = spanAt(report.keys.t, time) + 1 - ghostsAround;
+    const first = spanAt(this.keys.t, time) + 1 - ghostsAround;
     this.ghosts.forEach((ghost, k) => {
-      ghost.visible = first + k >= 0 && first + k < report.keys.t.length;
-      if (ghost.visible) turn(ghost, quaternionAt(report.keys, first + k));
+      ghost.visible = first + k >= 0 && first + k < this.keys.t.length;
+      if (ghost.visible) turn(ghost, quaternionAt(this.keys, first + k));
     });
   }
 }

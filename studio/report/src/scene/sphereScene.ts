@@ -17,8 +17,8 @@ import { Line2 } from 'three/addons/lines/Line2.js';
 import { LineGeometry } from 'three/addons/lines/LineGeometry.js';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { element } from '../element';
-import { bodyAxis, orientationAt, quaternionAt, type Axis } from '../motion';
-import { methodNamed, report, type Path } from '../report';
+import { bodyAxis, isShownAt, orientationAt, quaternionAt, type Axis } from '../motion';
+import { isGap, keysOf, methodNamed, report, type Path } from '../report';
 import { subscribe, type State } from '../state';
 import { coloursOf, type Colours } from '../theme';
 import { Stage } from './stage';
@@ -32,7 +32,21 @@ function pathOf(path: Path, axis: Axis, { colour, width, offset }: { colour: str
   return new Line2(new LineGeometry().setPositions(points), new LineMaterial({ color: colour, linewidth: width, polygonOffset: true, polygonOffsetUnits: offset }));
 }
 
-const directions = (path: Path, axis: Axis) => path.t.map((_, i) => new Vector3(...bodyAxis(quaternionAt(path, i), axis)));
+/** The stretches of a motion between its gaps. */
+function stretchesOf(path: Path): Path[] {
+  const { t, q } = path;
+  const stretches: Path[] = [];
+  let first = 0;
+  for (let i = 0; i <= t.length; ++i) {
+    if (i < t.length && !isGap(path, i)) continue;
+    if (i - first > 1) stretches.push({ t: t.slice(first, i), q: q.slice(4 * first, 4 * i) });
+    first = i + 1;
+  }
+  return stretches;
+}
+
+const directions = (path: Path, axis: Axis) =>
+  path.t.flatMap((_, i) => (isGap(path, i) ? [] : [new Vector3(...bodyAxis(quaternionAt(path, i), axis))]));
 
 /** The whole sphere is to be in the picture. */
 const outline = [1, -1].flatMap((end) => [new Vector3(end, 0, 0), new Vector3(0, end, 0), new Vector3(0, 0, end)]);
@@ -55,13 +69,13 @@ function globe(colours: Colours): Group {
   return new Group().add(new Mesh(new SphereGeometry(0.995, 48, 32), ground), graticule(colours.grid));
 }
 
-function keyDots(axis: Axis, colours: Colours): Group {
+function dotsAt(path: Path, axis: Axis, { colour, radius }: { colour: string; radius: number }): Group {
   const dots = new Group();
-  const material = new MeshBasicMaterial({ color: colours.ink, polygonOffset: true, polygonOffsetUnits: towardsEye.keys });
-  const every = Math.ceil(report.keys.t.length / mostDots);
-  for (let key = 0; key < report.keys.t.length; key += every) {
-    const direction = new Vector3(...bodyAxis(quaternionAt(report.keys, key), axis));
-    const dot = new Mesh(new CircleGeometry(0.024, 16), material);
+  const material = new MeshBasicMaterial({ color: colour, polygonOffset: true, polygonOffsetUnits: towardsEye.keys });
+  const every = Math.ceil(path.t.length / mostDots);
+  for (let i = 0; i < path.t.length; i += every) {
+    const direction = new Vector3(...bodyAxis(quaternionAt(path, i), axis));
+    const dot = new Mesh(new CircleGeometry(radius, 16), material);
     dot.position.copy(direction.clone().multiplyScalar(lift));
     dot.lookAt(direction.multiplyScalar(2));
     dots.add(dot);
@@ -108,14 +122,17 @@ export class SphereScene {
 
   private rebuild(state: State): void {
     const colours = coloursOf(state);
-    const content = new Group().add(globe(colours), keyDots(state.axis, colours));
-    if (report.reference && report.reference.t.length > 1) content.add(pathOf(report.reference, state.axis, { colour: colours.reference, width: 5, offset: towardsEye.reference }));
+    const content = new Group().add(globe(colours), dotsAt(keysOf(methodNamed(state.first)), state.axis, { colour: colours.ink, radius: 0.024 }));
+    if (report.marks) content.add(dotsAt(report.marks, state.axis, { colour: colours.mark, radius: 0.036 }));
+    const grey = { colour: colours.reference, width: 5, offset: towardsEye.reference };
+    if (report.reference) content.add(...stretchesOf(report.reference).map((stretch) => pathOf(stretch, state.axis, grey)));
     this.pointers = [];
     for (const which of ['second', 'first'] as const) {
       const method = methodNamed(state[which]);
       if (!method) continue;
       const pointer = new Pointer(colours[which]);
-      content.add(pathOf(method.samples, state.axis, { colour: colours[which], width: which === 'first' ? 2.5 : 2, offset: towardsEye[which] }), pointer.object);
+      const look = { colour: colours[which], width: which === 'first' ? 2.5 : 2, offset: towardsEye[which] };
+      content.add(...stretchesOf(method.samples).map((stretch) => pathOf(stretch, state.axis, look)), pointer.object);
       this.pointers.push({ pointer, path: method.samples });
     }
     this.caption.textContent = `Body axis ${state.axis} on the unit sphere`;
@@ -125,7 +142,10 @@ export class SphereScene {
   }
 
   private showTime({ time, axis }: State): void {
-    for (const { pointer, path } of this.pointers) pointer.turnTo(bodyAxis(orientationAt(path, time), axis));
+    for (const { pointer, path } of this.pointers) {
+      pointer.object.visible = isShownAt(path, time);
+      if (pointer.object.visible) pointer.turnTo(bodyAxis(orientationAt(path, time), axis));
+    }
     this.stage.draw();
   }
 }
