@@ -102,6 +102,21 @@ TEST_P(EveryPenalty, KeepsWhatThePenaltyDoesNotSee) {
   }
 }
 
+TEST_P(EveryPenalty, FindsTheSameMinimumFromAFitUnderAnotherLambda) {
+  const double noise = 3.0 * degree;
+  const auto data = recorded(300, noise).noisy;
+  const auto objective = [noise](double smoothing_time) {
+    return SmoothingObjective{.penalty = GetParam(), .lambda = lambda_of(smoothing_time, GetParam(), noise, 0.01)};
+  };
+  for (const double smoothing_time : {0.05, 0.2, 1.0}) {  // 5, 20 and 100 intervals
+    const auto near = fit_smoothing(problem_of(data, noise), objective(smoothing_time / 1.3));
+    const auto alone = fit_smoothing(problem_of(data, noise), objective(smoothing_time));
+    const auto led = fit_smoothing(problem_of(data, noise), objective(smoothing_time), {}, &near.nodes);
+    EXPECT_NEAR(led.cost, alone.cost, 1e-9 * alone.cost) << smoothing_time;
+    EXPECT_LT(led.iterations, 20) << smoothing_time;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Smoothing, EveryPenalty, testing::Values(Penalty::acceleration, Penalty::jerk));
 
 template <int P>

@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`orispline smooth` on recordings with noise, against what the reference implementation finds on the same samples.
+
+The recordings are not part of the project, for their licences differ: they are read where they lie beside it.
+tools/smoothing_table.py --golden wrote the reference's figures.
+"""
+import csv
+import pathlib
+import sys
+import unittest
+
+from command import CommandTest, main
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tools"))
+from noisy_recordings import GYRO_NOISE, NOISES, RECORDINGS, recording, rms_degrees, with_noise
+
+DATA = ROOT.parent / "shared" / "data"
+GOLDEN = ROOT / "tests" / "data" / "golden" / "smooth_recordings.csv"
+OPTIONS = {"gcv": "--loss l2", "noise": "--loss l2 --noise {noise}deg", "jerk": "--loss l2 --penalty jerk",
+           "gyro": "--loss l2 --noise {noise}deg --gyro --gyro-noise {gyro}deg"}
+
+
+@unittest.skipUnless(DATA.is_dir(), f"no {DATA}")
+class SmoothRecordings(CommandTest):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.clean = {name: recording(name, DATA) for name in RECORDINGS}
+        with open(GOLDEN, encoding="utf-8") as file:
+            rows = csv.DictReader(line for line in file if not line.startswith("#"))
+            cls.golden = {(row["recording"], row["way"], float(row["noise_deg"])): row for row in rows if row["seed"] == "0"}
+
+    def smoothed(self, motion, options):
+        path = self.folder / "noisy.csv"
+        motion.write(path)
+        self.output_of(["smooth", str(path), *options.split(), "--quiet", "-o", str(self.folder / "smooth.csv")])
+        with open(self.folder / "smooth.csv", encoding="utf-8") as file:
+            return [tuple(float(row[c]) for c in ("qw", "qx", "qy", "qz")) for row in csv.DictReader(file)]
+
+    def test_errors_are_those_of_the_reference(self):
+        self.assertEqual(len(self.golden), 3 * len(NOISES) * len(RECORDINGS) + len(GYRO_NOISE) * len(NOISES))
+        for (name, way, noise), row in self.golden.items():
+            with self.subTest(recording=name, way=way, noise=noise):
+                clean = self.clean[name]
+                options = OPTIONS[way].format(noise=noise, gyro=GYRO_NOISE.get(name))
+                found = rms_degrees(self.smoothed(with_noise(clean, noise, 0), options), clean.orientations)
+                wanted = float(row["error_deg"])
+                self.assertLess(abs(found - wanted), 0.03 * wanted)
+
+    def test_outliers_cost_little(self):
+        for name, clean in self.clean.items():
+            with self.subTest(recording=name):
+                without, outliers = (rms_degrees(self.smoothed(with_noise(clean, 1.0, 0, share), ""), clean.orientations)
+                                     for share in (0.0, 0.02))
+                self.assertLess(outliers, 1.1 * without)
+
+
+if __name__ == "__main__":
+    main()
