@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """`orispline smooth` on recordings with noise, against what the reference implementation finds on the same samples.
 
