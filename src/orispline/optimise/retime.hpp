@@ -7,17 +7,10 @@
 
 #include <orispline/base/expected.hpp>
 #include <orispline/curve/keyframe.hpp>
+#include <orispline/optimise/motion_limits.hpp>
 #include <orispline/optimise/rate_bounds.hpp>
 
 namespace orispline::optimise {
-
-/// What the body that follows the motion can do, everywhere and always; absent: not limited.
-struct MotionLimits {
-  std::optional<double> rate{};              ///< |ω| [rad/s]
-  std::optional<double> acceleration{};      ///< |α| [rad/s²]
-  std::optional<double> torque{};            ///< |I α + ω × I ω| [N m]
-  std::optional<Eigen::Matrix3d> inertia{};  ///< I [kg m²], body frame; for the torque
-};
 
 /// Which intervals between keys are slowed.
 enum class Slowing {
