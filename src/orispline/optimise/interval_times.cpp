@@ -66,10 +66,17 @@ class IntervalDescent {
       for (std::size_t sweep = 0; sweep < sweeps; ++sweep)
         for (std::size_t first = 0; first <= 2 * reach_ && first < intervals_.size(); ++first) move_every(first);
     }
+    use_the_rest();
     return times_of(first_, intervals_);
   }
 
  private:
+  /// What the barrier left free of the limits, as one factor.
+  void use_the_rest() {
+    const double factor = std::ranges::max(factors_);
+    for (std::size_t i = 0; i < intervals_.size(); ++i) intervals_[i] = std::max(least_[i], factor * intervals_[i]);
+  }
+
   /// Moves the intervals `first`, `first` + 2 reach + 1, …, no two of which reach the same segment.
   void move_every(std::size_t first) {
     std::vector<double> moved = intervals_;

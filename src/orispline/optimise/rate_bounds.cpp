@@ -14,8 +14,8 @@ namespace {
 
 constexpr double gap = 1e-4;               // of a bound above the largest value found, relative
 constexpr double rounding = 1e-14;         // of evaluation, of the size of what is added up
-constexpr std::size_t most_halvings = 14;  // of an interval; there a bound may stay farther above
-constexpr std::size_t first_cuts = 16;     // of a segment
+constexpr std::size_t most_halvings = 16;  // of an interval; there a bound may stay farther above
+constexpr std::size_t first_cuts = 4;      // of a segment
 
 using Coefficients = std::array<Eigen::Vector3d, form_degree + 1>;
 using OrderBounds = Eigen::Matrix<double, 5, 1>;  // of order 0 to 4
@@ -150,12 +150,12 @@ class PeakSearch {
 }  // namespace
 
 std::vector<MotionSizes> sampled_peaks(const AnyCurve& curve, const std::optional<Eigen::Matrix3d>& inertia) {
-  constexpr std::size_t places = first_cuts + 1;
+  constexpr std::size_t cuts = 16, places = cuts + 1;
   std::vector<MotionSizes> peaks(curve.knots().segments(), MotionSizes{});
   std::vector<double> times;
   for (std::size_t s = 0; s < peaks.size(); ++s) {
     const KnotSpan span = curve.knots().span(s);
-    const double step = span.step() / static_cast<double>(first_cuts);
+    const double step = span.step() / static_cast<double>(cuts);
     const double last = std::nextafter(span.end(), span.start());  // the end itself belongs to the next segment
     for (std::size_t i = 0; i < places; ++i)
       times.push_back(std::min(span.start() + static_cast<double>(i) * step, last));

@@ -37,7 +37,7 @@ struct MotionSizes {
 /// A bound S of the snap (the derivative of the jerk j) on the segment turns the motion at the middle of an interval of
 /// half length r into bounds on all of it, |ω| ≤ max |ω_m ± α_m r| + |j_m| r²/2 + S r³/6 and |α| ≤ max |α_m ± j_m r| +
 /// S r²/2, for a straight line is longest at an end; intervals are halved until no bound is more than 1e-4 of the
-/// largest value above it, or all are below the floors, or 14 times. For q = ∏ exp(X_k) of pure quaternions X_k, all
+/// largest value above it, or all are below the floors, or 16 times. For q = ∏ exp(X_k) of pure quaternions X_k, all
 /// exponentials are of norm 1, so that with A_n = Σ_k |X_k^(n)|, bounded by the Bernstein coefficients of the
 /// derivatives, |q^(n)| ≤ Q_n with Q_1 = A_1, Q_2 = A_2 + A_1², Q_3 = A_3 + 3 A_1 A_2 + A_1³, Q_4 = A_4 + 4 A_1 A_3 +
 /// 3 A_2² + 6 A_1² A_2 + A_1⁴, and S = 2 (Q_4 + 4 Q_1 Q_3 + 3 Q_2²) from ω = 2 q̄ q'.

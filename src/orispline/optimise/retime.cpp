@@ -7,20 +7,24 @@
 
 #include <orispline/families/registry.hpp>
 #include <orispline/optimise/interval_times.hpp>
+#include <orispline/optimise/tune.hpp>
 
 namespace orispline::optimise {
 namespace {
 
 constexpr double margin = 1e-9;  // of a factor, for the rounding of the new times; twice as much in every round
 constexpr std::size_t most_rounds = 30;
+constexpr double most_stretch = 1e15;  // thirty million years a second
 
 Expected<void> check(const FamilyInfo& family, const Keyframes& keys, const MotionLimits& limits) {
   const auto refused = [](std::string message) { return failure(ErrorCode::bad_argument, std::move(message)); };
   if (!limits.rate && !limits.acceleration && !limits.torque) return refused("found no limit, wanted one at least");
   for (const auto& limit : {limits.rate, limits.acceleration, limits.torque})
     if (limit && !(*limit > 0.0 && std::isfinite(*limit)))
-      return refused(fmt::format("found the limit {:.6g}, wanted more than 0", *limit));
+      return refused(fmt::format("found the limit {:.6g}, wanted a finite one above 0", *limit));
   if (limits.torque && !limits.inertia) return refused("found a limit of torque without an inertia, wanted both");
+  if (limits.torque)
+    if (const auto inertia = checked_inertia(*limits.inertia); !inertia) return tl::unexpected(inertia.error());
   if (family.rate_orders > 0)
     return refused(fmt::format("{}: this method takes rates from the keys, wanted one that has its own", family.name));
   if (family.continuity_uneven < 1 && (limits.acceleration || limits.torque))
@@ -34,20 +38,25 @@ Expected<void> check(const FamilyInfo& family, const Keyframes& keys, const Moti
 
 /// All intervals stretched by the factor that is needed still.
 Expected<Retiming> slowed(const LimitedMotion& motion, std::vector<double> times) {
+  const auto stretch = [before = motion.given_times()](const std::vector<double>& t) {
+    return (t.back() - t.front()) / (before.back() - before.front());
+  };
   auto found = motion.largest_peaks(times);
   double more = margin;
   for (std::size_t round = 0; found && round < most_rounds; ++round, more *= 2.0) {
     const double factor = motion.largest_factor(*found);
     if (!(factor > 1.0)) break;
+    if (!(factor * stretch(times) <= most_stretch))
+      return failure(ErrorCode::bad_argument,
+                     fmt::format("the limits ask for a slowing by {:.6g}, wanted limits that {:g} meets",
+                                 factor * stretch(times), most_stretch));
     for (double& t : times) t = times.front() + factor * (1.0 + more) * (t - times.front());
     found = motion.largest_peaks(times);
   }
   if (!found) return tl::unexpected(std::move(found.error()));
-  const auto before = motion.given_times();
-  const double stretch = (times.back() - times.front()) / (before.back() - before.front());
   if (motion.largest_factor(*found) > 1.0)
-    return failure(ErrorCode::not_converged, fmt::format("no slowing up to {:.6g} meets the limits", stretch));
-  return Retiming{std::move(times), stretch, std::move(*found)};
+    return failure(ErrorCode::not_converged, fmt::format("no slowing up to {:.6g} meets the limits", stretch(times)));
+  return Retiming{times, stretch(times), std::move(*found)};
 }
 
 }  // namespace
