@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t most_rounds = 60;
 constexpr double near_limit = 1e-6;  // by which a factor may be above 1
-constexpr std::array barrier_weights{0.1, 0.01, 0.001};
+constexpr std::array barrier_weights{0.1, 0.01, 0.001, 0.0};
 constexpr std::size_t sweeps = 4;  // per weight
 
 using Factors = Expected<std::vector<double>> (LimitedMotion::*)(std::vector<double>) const;
