@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/optimise/rate_bounds.hpp>
 
+#include <limits>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -26,12 +27,12 @@ double torque_by_components(const Motion& m) {
                     moments[2] * a[2] - (moments[0] - moments[1]) * w[0] * w[1]);
 }
 
-/// The largest of one segment at 10001 places.
-MotionSizes densely_sampled(const AnyCurve& curve, std::size_t segment) {
+/// The largest of one segment at so many steps.
+MotionSizes densely_sampled(const AnyCurve& curve, std::size_t segment, int steps = 10000) {
   const KnotSpan span = curve.knots().span(segment);
   MotionSizes largest{};
-  for (int i = 0; i <= 10000; ++i) {
-    const Motion m = curve.motion_on(segment, span.start() + 1e-4 * i * span.step());
+  for (int i = 0; i <= steps; ++i) {
+    const Motion m = curve.motion_on(segment, span.start() + i * span.step() / steps);
     largest.rate = std::max(largest.rate, m.angular_velocity.norm());
     largest.acceleration = std::max(largest.acceleration, m.angular_acceleration.norm());
     largest.torque = std::max(largest.torque, torque_by_components(m));
@@ -70,6 +71,52 @@ TEST(RateBounds, HoldEverywhereAndAreNearForEveryMethodOfPolynomialsWithRatesOfI
     }
   }
   EXPECT_GE(methods, 40u);
+}
+
+TEST(RateBounds, HoldOnIntervalsThatAreNotHalved) {
+  constexpr double any = std::numeric_limits<double>::infinity();
+  for (unsigned seed = 0; seed < 40; ++seed)
+    for (const std::string_view method : {"auto", "timed-c2", "timed-c1", "bspline"}) {
+      const AnyCurve curve = make_curve(method, random_keys(seed, {5, 3.0, seed % 2 == 0 ? 1.0 : 10.0})).value();
+      const auto peaks = certified_peaks(curve, inertia, {any, any, any}).value();
+      for (std::size_t s = 0; s < peaks.size(); ++s) {
+        const MotionSizes sampled = densely_sampled(curve, s, 200);
+        EXPECT_GE(peaks[s].rate.bound, sampled.rate) << method << seed;
+        EXPECT_GE(peaks[s].acceleration.bound, sampled.acceleration) << method << seed;
+        EXPECT_GE(peaks[s].torque.bound, sampled.torque) << method << seed;
+      }
+    }
+}
+
+TEST(RateBounds, OfTheSnapIsAboveThatOfTheCurve) {
+  for (unsigned seed = 0; seed < 20; ++seed)
+    for (const std::string_view method : {"auto", "timed-c2", "timed-sextic", "bspline"}) {
+      const AnyCurve curve = make_curve(method, random_keys(seed, {5, 3.0, 10.0})).value();
+      for (std::size_t s = 0; s < curve.knots().segments(); ++s) {
+        const KnotSpan span = curve.knots().span(s);
+        const double bound = snap_bound(curve.form(s), span.step()).value();
+        for (int i = 1; i < 100; ++i) {
+          const double t = span.start() + 0.01 * i * span.step(), h = 1e-5 * span.step();
+          const Eigen::Vector3d difference =
+              curve.motion_on(s, t + h).angular_jerk - curve.motion_on(s, t - h).angular_jerk;
+          EXPECT_LE(difference.norm() / (2.0 * h), bound * (1.0 + 1e-6)) << method << seed;
+        }
+      }
+    }
+}
+
+TEST(RateBounds, OfTheSnapIsThatOfASmallTurn) {
+  constexpr double angle = 1e-4, duration = 2.0;  // [rad], [s]; about one axis by angle · u⁴
+  ChartForm quartic{.degree = 4, .base = Eigen::Quaterniond::Identity(), .rotation_vector = {}};
+  quartic.rotation_vector[1].coefficients[4] = angle;
+  EXPECT_NEAR(snap_bound(quartic, duration).value() / (24.0 * angle / std::pow(duration, 4)), 1.0, 0.01);
+  CumulativeForm steady{.degree = 1,
+                        .base = Eigen::Quaterniond::Identity(),
+                        .increments = {Eigen::Vector3d(0, 0, 3), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()},
+                        .blending = {}};
+  steady.blending[0].coefficients[1] = 1.0;
+  EXPECT_NEAR(snap_bound(steady, duration).value(), std::pow(3.0 / duration, 4), 1e-9);
+  EXPECT_FALSE(snap_bound({}, duration));
 }
 
 TEST(RateBounds, AreZeroAtRest) {

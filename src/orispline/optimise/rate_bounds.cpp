@@ -175,6 +175,11 @@ std::vector<MotionSizes> sampled_peaks(const AnyCurve& curve, const std::optiona
   return peaks;
 }
 
+std::optional<double> snap_bound(const SegmentForm& form, double duration) {
+  if (std::holds_alternative<std::monostate>(form)) return std::nullopt;
+  return size_of(form, duration).snap;
+}
+
 std::optional<std::vector<SegmentPeaks>> certified_peaks(const AnyCurve& curve,
                                                          const std::optional<Eigen::Matrix3d>& inertia,
                                                          const MotionSizes& floors) {
