@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include <fmt/format.h>
+
 #include <orispline/optimise/tune.hpp>
 
 #include "compare_request.hpp"
@@ -27,6 +29,7 @@ Expected<void> agree(const RetimeOptions& options) {
   if (!options.rate && !options.acceleration && !options.torque)
     return usage_failure("found no limit, wanted --max-rate, --max-acceleration or --max-torque");
   if (options.torque && !options.inertia) return usage_failure("--max-torque: wanted --inertia JX,JY,JZ as well");
+  if (options.inertia && !options.torque) return usage_failure("--inertia: wanted --max-torque as well");
   if (options.json && options.output.path == io::standard_stream)
     return usage_failure("--json: the summary goes to standard output, wanted -o FILE for the keys");
   return check_report(options.report, options.output.path);
@@ -46,6 +49,10 @@ Expected<Request> request_in(const RetimeOptions& options) {
   auto read = std::move(checked).or_else(std::move(request));
   if (!read) return read;
   if (auto agreed = agree(options); !agreed) return tl::unexpected(std::move(agreed.error()));
+  if (const io::FileFormat format = read->columns.format;
+      format == io::FileFormat::euroc || format == io::FileFormat::npy)
+    return usage_failure(
+        fmt::format("-o: {} rounds times, with which the limits need not hold, wanted CSV or TUM", a_file_of(format)));
   return read;
 }
 

@@ -12,7 +12,8 @@ constexpr auto retime_footer = R"(Examples:
   orispline retime keys.csv --max-torque 0.5Nm --inertia=1,2,4 --method timed-c2 -o slow.csv --json
 
 The limits hold everywhere on the curve of --method through the keys that are written, by bounds and not by samples. A
-motion that is within them stays as it is. docs/retime.md says more.)";
+motion that is within them stays as it is. Positions go along with their keys, their speed is not limited. docs/retime.md
+says more.)";
 
 }  // namespace
 

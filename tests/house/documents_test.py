@@ -130,6 +130,15 @@ class Documents(unittest.TestCase):
         cells = [cell for cells in rows("conventions.md", ["methods", "path"]) for cell in named(cells[0])]
         self.assertEqual(sorted(cells), sorted(self.methods))
 
+    def test_the_code_of_optimising_is_that_of_its_example(self):
+        def words(text):
+            return " ".join(text.split())
+        example = words((ROOT / "examples/07_optimise.cpp").read_text("utf-8"))
+        parts = re.findall(r"^```cpp\n(.*?)^```", text_of("optimise.md"), re.M | re.S)
+        self.assertEqual(len(parts), 5)
+        for part in parts:
+            self.assertIn(words(part), example)
+
     def test_every_link_leads_somewhere(self):
         for page in PAGES:
             for target in LINK.findall(page.read_text("utf-8")):

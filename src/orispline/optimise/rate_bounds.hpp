@@ -21,22 +21,34 @@ struct SegmentPeaks {
   CertifiedPeak torque{};        ///< |I α + ω × I ω| [N m]; 0 without an inertia
 };
 
-/// Bounds below these are near enough, whatever the largest value; infinite for what nobody asks for.
-struct PeakFloors {
+/// One value of each of these.
+struct MotionSizes {
   double rate, acceleration, torque;  ///< [rad/s], [rad/s²], [N m]
 };
+
+/// The largest of every segment at 17 even places of its closed interval; of the torque 0 without an inertia.
+[[nodiscard]] std::vector<MotionSizes> sampled_peaks(const AnyCurve& curve,
+                                                     const std::optional<Eigen::Matrix3d>& inertia);
+
+/// What the snap, the derivative of the jerk, is nowhere above on a segment [rad/s⁴]; absent for one that is not of
+/// polynomials. `duration` [s].
+///
+/// For q = ∏ exp(X_k) of pure quaternions X_k, all exponentials are of norm 1, so that with A_n = Σ_k |X_k^(n)|,
+/// bounded by the Bernstein coefficients of the derivatives, |q^(n)| ≤ Q_n with Q_1 = A_1, Q_2 = A_2 + A_1², Q_3 = A_3
+/// + 3 A_1 A_2 + A_1³, Q_4 = A_4 + 4 A_1 A_3 + 3 A_2² + 6 A_1² A_2 + A_1⁴, and from ω = 2 q̄ q' the snap is at most 2
+/// (Q_4 + 4 Q_1 Q_3 + 3 Q_2²). Source: our own derivation, docs/retime.md.
+[[nodiscard]] std::optional<double> snap_bound(const SegmentForm& form, double duration);
 
 /// The peaks of every segment on its closed interval, by bounds and not by samples; nothing where the curve does not
 /// state its segments as polynomials.
 ///
-/// A bound G of the jerk on the segment turns the motion at the middle of an interval of half length r into bounds on
-/// all of it, |ω| ≤ |ω_m| + |α_m| r + G r²/2 and |α| ≤ |α_m| + G r; intervals are halved until no bound is more than
-/// 1e-4 of the largest value above it, or all are below the floors, or 14 times. For q = ∏ exp(X_k) of pure quaternions
-/// X_k, all exponentials are of norm 1, so that with A_n = Σ_k |X_k^(n)|, bounded by the Bernstein coefficients of the
-/// derivatives, |q'| ≤ A_1, |q''| ≤ A_2 + A_1², |q'''| ≤ A_3 + 3 A_1 A_2 + A_1³, and G = 2 (A_3 + 6 A_1 A_2 + 4 A_1³)
-/// from ω = 2 q̄ q'. Source: our own derivation, docs/retime.md.
+/// `floors`: bounds below these are near enough, whatever the largest value; infinite for what nobody asks for.
+/// The bound S of the snap turns the motion at the middle of an interval of half length r into bounds on all of it,
+/// with the jerk j: |ω| ≤ max |ω_m ± α_m r| + |j_m| r²/2 + S r³/6 and |α| ≤ max |α_m ± j_m r| + S r²/2, for a straight
+/// line is longest at an end; likewise the torque. Intervals are halved until no bound is more than 1e-4 of the largest
+/// value above it, or all are below the floors, or 16 times. Source: our own derivation, docs/retime.md.
 [[nodiscard]] std::optional<std::vector<SegmentPeaks>> certified_peaks(const AnyCurve& curve,
                                                                        const std::optional<Eigen::Matrix3d>& inertia,
-                                                                       const PeakFloors& floors);
+                                                                       const MotionSizes& floors);
 
 }  // namespace orispline::optimise

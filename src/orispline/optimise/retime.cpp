@@ -1,27 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/optimise/retime.hpp>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
 #include <orispline/families/registry.hpp>
+#include <orispline/optimise/interval_times.hpp>
+#include <orispline/optimise/tune.hpp>
 
 namespace orispline::optimise {
 namespace {
 
-constexpr double margin = 1e-9;  // of a factor, for the rounding of the new times
-constexpr std::size_t most_rounds = 60;
+constexpr double margin = 1e-9;  // of a factor, for the rounding of the new times; twice as much in every round
+constexpr std::size_t most_rounds = 30;
+constexpr double most_stretch = 1e15;  // thirty million years a second
 
 Expected<void> check(const FamilyInfo& family, const Keyframes& keys, const MotionLimits& limits) {
   const auto refused = [](std::string message) { return failure(ErrorCode::bad_argument, std::move(message)); };
   if (!limits.rate && !limits.acceleration && !limits.torque) return refused("found no limit, wanted one at least");
   for (const auto& limit : {limits.rate, limits.acceleration, limits.torque})
     if (limit && !(*limit > 0.0 && std::isfinite(*limit)))
-      return refused(fmt::format("found the limit {:.6g}, wanted more than 0", *limit));
+      return refused(fmt::format("found the limit {:.6g}, wanted a finite one above 0", *limit));
   if (limits.torque && !limits.inertia) return refused("found a limit of torque without an inertia, wanted both");
+  if (limits.torque)
+    if (const auto inertia = checked_inertia(*limits.inertia); !inertia) return tl::unexpected(inertia.error());
   if (family.rate_orders > 0)
     return refused(fmt::format("{}: this method takes rates from the keys, wanted one that has its own", family.name));
   if (family.continuity_uneven < 1 && (limits.acceleration || limits.torque))
@@ -33,89 +36,28 @@ Expected<void> check(const FamilyInfo& family, const Keyframes& keys, const Moti
   return {};
 }
 
-/// A thousandth of a limit matters to nobody.
-PeakFloors floors_of(const MotionLimits& limits) {
-  const auto floor = [](const std::optional<double>& limit) {
-    return limit ? 1e-3 * *limit : std::numeric_limits<double>::infinity();
+/// All intervals stretched by the factor that is needed still.
+Expected<Retiming> slowed(const LimitedMotion& motion, std::vector<double> times) {
+  const auto stretch = [before = motion.given_times()](const std::vector<double>& t) {
+    return (t.back() - t.front()) / (before.back() - before.front());
   };
-  return {floor(limits.rate), floor(limits.acceleration), floor(limits.torque)};
-}
-
-/// By which factor a segment must be slowed: ω goes with 1/s, α and torque with 1/s².
-double factor_of(const SegmentPeaks& peaks, const MotionLimits& limits) {
-  double factor = 1.0;
-  if (limits.rate) factor = std::max(factor, peaks.rate.bound / *limits.rate);
-  if (limits.acceleration) factor = std::max(factor, std::sqrt(peaks.acceleration.bound / *limits.acceleration));
-  if (limits.torque) factor = std::max(factor, std::sqrt(peaks.torque.bound / *limits.torque));
-  return factor;
-}
-
-double largest_factor(const std::vector<SegmentPeaks>& peaks, const MotionLimits& limits) {
-  double factor = 1.0;
-  for (const SegmentPeaks& segment : peaks) factor = std::max(factor, factor_of(segment, limits));
-  return factor;
-}
-
-/// Keys at times of their own, and the peaks of the curve through them.
-class TimedKeys {
- public:
-  TimedKeys(std::string_view method, const Keyframes& keys, const MotionLimits& limits)
-      : method_(method), keys_(keys), limits_(limits) {}
-
-  [[nodiscard]] Expected<std::vector<SegmentPeaks>> peaks(const std::vector<double>& times) const {
-    KeyframeData data{.times = times, .orientations = {keys_.orientations().begin(), keys_.orientations().end()}};
-    const auto curve = Keyframes::make(std::move(data), Signs::as_given).and_then([&](const Keyframes& keys) {
-      return make_curve(method_, keys);
-    });
-    if (!curve) return tl::unexpected(curve.error());
-    auto found = certified_peaks(*curve, limits_.inertia, floors_of(limits_));
-    if (found) return std::move(*found);
-    return failure(ErrorCode::bad_argument,
-                   fmt::format("{}: no bounds are known for the segments of this method, wanted one of polynomials, "
-                               "such as auto or timed-c2",
-                               method_));
+  auto found = motion.largest_peaks(times);
+  double more = margin;
+  for (std::size_t round = 0; found && round < most_rounds; ++round, more *= 2.0) {
+    const double factor = motion.largest_factor(*found);
+    if (!(factor > 1.0)) break;
+    if (!(factor * stretch(times) <= most_stretch))
+      return failure(ErrorCode::bad_argument,
+                     fmt::format("the limits ask for a slowing by {:.6g}, wanted limits that {:g} meets",
+                                 factor * stretch(times), most_stretch));
+    for (double& t : times) t = times.front() + factor * (1.0 + more) * (t - times.front());
+    found = motion.largest_peaks(times);
   }
-
-  /// All intervals stretched by the factor that is needed still.
-  [[nodiscard]] Expected<Retiming> slowed(std::vector<double> times) const {
-    auto found = peaks(times);
-    for (std::size_t round = 0; found && round < most_rounds; ++round) {
-      const double factor = largest_factor(*found, limits_);
-      if (!(factor > 1.0)) break;
-      for (double& t : times) t = times.front() + factor * (1.0 + margin) * (t - times.front());
-      found = peaks(times);
-    }
-    if (!found) return tl::unexpected(std::move(found.error()));
-    const auto before = keys_.times();
-    const double stretch = (times.back() - times.front()) / (before.back() - before.front());
-    if (largest_factor(*found, limits_) > 1.0)
-      return failure(ErrorCode::not_converged, fmt::format("no slowing up to {:.6g} meets the limits", stretch));
-    return Retiming{std::move(times), stretch, std::move(*found)};
-  }
-
-  /// Every interval stretched by what it needs and, so that steps stay alike, by the root of what its neighbours need.
-  [[nodiscard]] Expected<std::vector<double>> slowed_by_interval(std::vector<double> times) const {
-    for (std::size_t round = 0; round < most_rounds; ++round) {
-      const auto found = peaks(times);
-      if (!found) return tl::unexpected(found.error());
-      if (!(largest_factor(*found, limits_) > 1.0 + 1e-6)) break;
-      std::vector<double> next{times.front()};
-      for (std::size_t s = 0; s < found->size(); ++s) {
-        double factor = factor_of((*found)[s], limits_);
-        if (s > 0) factor = std::max(factor, std::sqrt(factor_of((*found)[s - 1], limits_)));
-        if (s + 1 < found->size()) factor = std::max(factor, std::sqrt(factor_of((*found)[s + 1], limits_)));
-        next.push_back(next.back() + factor * (times[s + 1] - times[s]));
-      }
-      times = std::move(next);
-    }
-    return times;
-  }
-
- private:
-  std::string_view method_;
-  const Keyframes& keys_;
-  const MotionLimits& limits_;
-};
+  if (!found) return tl::unexpected(std::move(found.error()));
+  if (motion.largest_factor(*found) > 1.0)
+    return failure(ErrorCode::not_converged, fmt::format("no slowing up to {:.6g} meets the limits", stretch(times)));
+  return Retiming{times, stretch(times), std::move(*found)};
+}
 
 }  // namespace
 
@@ -123,11 +65,12 @@ Expected<Retiming> retime(std::string_view method, const Keyframes& keys, const 
   const auto family = find_family(method);
   if (!family) return tl::unexpected(family.error());
   if (auto checked = check(**family, keys, limits); !checked) return tl::unexpected(std::move(checked.error()));
-  const TimedKeys timed(method, keys, limits);
-  const std::vector<double> times(keys.times().begin(), keys.times().end());
-  auto uniform = timed.slowed(times);
-  if (!uniform || slowing == Slowing::uniform) return uniform;
-  auto separate = timed.slowed_by_interval(times).and_then([&](std::vector<double> t) { return timed.slowed(t); });
+  const LimitedMotion motion(method, keys, limits);
+  auto uniform = slowed(motion, {keys.times().begin(), keys.times().end()});
+  if (!uniform || slowing == Slowing::uniform || uniform->stretch == 1.0) return uniform;
+  auto separate = least_interval_times(motion, (*family)->support_keys).and_then([&](std::vector<double> times) {
+    return slowed(motion, std::move(times));
+  });
   return separate && separate->stretch < uniform->stretch ? separate : uniform;
 }
 

@@ -7,17 +7,10 @@
 
 #include <orispline/base/expected.hpp>
 #include <orispline/curve/keyframe.hpp>
+#include <orispline/optimise/motion_limits.hpp>
 #include <orispline/optimise/rate_bounds.hpp>
 
 namespace orispline::optimise {
-
-/// What the body that follows the motion can do, everywhere and always; absent: not limited.
-struct MotionLimits {
-  std::optional<double> rate{};              ///< |ω| [rad/s]
-  std::optional<double> acceleration{};      ///< |α| [rad/s²]
-  std::optional<double> torque{};            ///< |I α + ω × I ω| [N m]
-  std::optional<Eigen::Matrix3d> inertia{};  ///< I [kg m²], body frame; for the torque
-};
 
 /// Which intervals between keys are slowed.
 enum class Slowing {
@@ -34,12 +27,13 @@ struct Retiming {
 
 /// The least slowing, to 1e-4, with which the method's curve through the keys stays within the limits everywhere.
 ///
-/// Certified by certified_peaks() on the curve through the keys at their new times. A motion within the limits stays as
-/// it is. `per_interval` slows the intervals that break a limit, round after round, and makes up for the rest by one
-/// factor; it is the uniform slowing where that is the shorter. The curve is as smooth as the method makes it.
-/// Errors: bad_argument for limits that are not greater than 0 or that are absent, a torque without an inertia, a
-/// method that takes rates from the keys, does not state its segments as polynomials, or whose ω jumps where
-/// acceleration is limited: no slowing helps; bad_data for fewer than two keys.
+/// Certified by certified_peaks() on the method's curve, with its default parameters, through the keys at the times
+/// that are returned. A motion within the limits stays as it is. `per_interval` shortens the whole duration as far as
+/// least_interval_times() finds a way, for methods that are not local less far; it is the uniform slowing where that is
+/// the shorter. The curve is as smooth as the method makes it. Positions, where there are any, play no part.
+/// Errors: bad_argument for limits that are absent, not greater than 0 or ask for more than 1e15 times the duration, a
+/// torque without a positive definite inertia, a method that takes rates from the keys, does not state its segments as
+/// polynomials, or whose ω jumps where acceleration is limited: no slowing helps; bad_data for fewer than two keys.
 [[nodiscard]] Expected<Retiming> retime(std::string_view method, const Keyframes& keys, const MotionLimits& limits,
                                         Slowing slowing);
 

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// From a noisy recording to a motion within limits: smooth, reduce, tune, retime. The parts are those of
+// docs/optimise.md.
+
+#include <cmath>
+#include <cstdio>
+#include <orispline/optimise/reduce.hpp>
+#include <orispline/optimise/retime.hpp>
+#include <orispline/optimise/smooth.hpp>
+#include <orispline/optimise/tune.hpp>
+#include <orispline/orispline.hpp>
+
+namespace optimise = orispline::optimise;
+
+namespace {
+
+constexpr double degree = 3.14159265358979323846 / 180.0;
+
+/// Six seconds at 50 Hz, with about half a degree of noise.
+orispline::Expected<orispline::Keyframes> recorded() {
+  orispline::KeyframeData data;
+  for (int i = 0; i <= 300; ++i) {
+    const double t = 0.02 * i;
+    const Eigen::Vector3d noise(std::sin(997.0 * t * t), std::sin(877.0 * t * t), std::sin(761.0 * t * t));
+    const auto truth = orispline::exp(Eigen::Vector3d(std::sin(t), 0.3 * t, std::cos(0.7 * t)));
+    data.times.push_back(t);
+    data.orientations.push_back(truth * orispline::exp(Eigen::Vector3d(0.7 * degree * noise)));
+  }
+  return orispline::Keyframes::make(data);
+}
+
+orispline::Expected<orispline::Keyframes> smoothed(const orispline::Keyframes& recording) {
+  const auto smoothing = optimise::smooth(recording, {.penalty = optimise::Penalty::jerk});
+  if (!smoothing) return tl::unexpected(smoothing.error());
+  orispline::KeyframeData data{.orientations = smoothing->nodes.orientations};
+  for (const std::size_t key : smoothing->keys) data.times.push_back(recording.times()[key]);
+  std::printf("smooth: noise of %.1f degrees per axis\n", smoothing->noise / degree);
+  return orispline::Keyframes::make(data);
+}
+
+orispline::Expected<orispline::Keyframes> reduced(const orispline::Keyframes& recording) {
+  const auto reduction = optimise::reduce("timed-c2", recording, {.tolerance = {.angle = 0.5 * degree}});
+  if (!reduction) return tl::unexpected(reduction.error());
+  std::printf("reduce: %zu of %zu keys, %s\n", reduction->keys.size(), recording.size(),
+              reduction->deviation.angle <= 0.5 * degree ? "within half a degree" : "too far");
+  return reduction->keys;
+}
+
+orispline::Expected<orispline::AnyCurve> tuned(const orispline::Keyframes& keys) {
+  const auto tuning = optimise::tune("timed-c2", keys, {}, {.objective = optimise::Objective::acceleration});
+  if (!tuning) return tl::unexpected(tuning.error());
+  const bool lower = tuning->energy_after < tuning->energy_before;
+  std::printf("tune: %zu tensions per key, %s energy\n", tuning->parameters.size(), lower ? "less" : "the same");
+  return orispline::make_curve("timed-c2", keys, tuning->options);
+}
+
+orispline::Expected<std::vector<double>> retimed(const orispline::Keyframes& keys) {
+  const optimise::MotionLimits limits{.rate = 20.0 * degree, .acceleration = 40.0 * degree};
+  const auto retiming = optimise::retime("timed-c2", keys, limits, optimise::Slowing::uniform);
+  if (!retiming) return tl::unexpected(retiming.error());
+  std::printf("retime: slowed by %.1f\n", retiming->stretch);
+  return retiming->times;
+}
+
+}  // namespace
+
+int main() {
+  const auto keys = recorded().and_then(smoothed).and_then(reduced);
+  if (!keys || !tuned(*keys) || !retimed(*keys)) return 1;
+  const auto refused = optimise::retime("slerp", *keys, {.acceleration = 1.0}, optimise::Slowing::uniform);
+  std::printf("%s\n", orispline::describe(refused.error()).c_str());
+}
