@@ -5,11 +5,9 @@
 #include <cmath>
 #include <utility>
 
-#include <Eigen/QR>
-#include <Eigen/SVD>
-
 #include <orispline/base/expect.hpp>
 #include <orispline/curve/chart_curve.hpp>
+#include <orispline/optimise/bias_rows.hpp>
 #include <orispline/optimise/chain_elimination.hpp>
 #include <orispline/optimise/smoothing_element.hpp>
 #include <orispline/optimise/smoothing_loss.hpp>
@@ -78,6 +76,7 @@ class Minimisation {
   static constexpr int unknowns = Element::unknowns, data_rows = Gyro ? 6 : 3, sides = Gyro ? 4 : 1;
   using Chain = ChainElimination<unknowns, data_rows, sides>;
   using Low = typename Chain::Low;
+  using BiasRows = optimise::BiasRows<Chain::Remainder::RowsAtCompileTime, sides>;
 
   struct Step {
     std::vector<Eigen::Matrix<double, unknowns, 1>> nodes;
@@ -185,33 +184,6 @@ class Minimisation {
     }
     return low;
   }
-
-  /// What the eliminated nodes leave for the bias: rows of a right-hand side and of what a unit of bias adds to it.
-  class BiasRows {
-   public:
-    void add(const typename Chain::Remainder& rows) {
-      Eigen::Matrix<double, data_rows + unknowns + sides, sides> all;
-      all << factor_, rows;
-      factor_ = Eigen::HouseholderQR<decltype(all)>(all)
-                    .matrixQR()
-                    .template topRows<sides>()
-                    .template triangularView<Eigen::Upper>();
-    }
-    [[nodiscard]] Eigen::Vector3d solved() const { return decomposed().solve(factor_.col(0)); }
-    [[nodiscard]] double log_determinant() const {
-      const Eigen::Vector3d values = decomposed().singularValues();
-      return 2.0 * elementary::natural_logarithm(values.prod());
-    }
-
-   private:
-    /// The right-hand side stands first; its row of the factor holds bias columns too.
-    [[nodiscard]] Eigen::JacobiSVD<Eigen::MatrixXd> decomposed() const {
-      return Eigen::JacobiSVD<Eigen::MatrixXd>(-factor_.template rightCols<3>(),
-                                               Eigen::ComputeThinU | Eigen::ComputeThinV);
-    }
-
-    Eigen::Matrix<double, sides, sides> factor_ = Eigen::Matrix<double, sides, sides>::Zero();
-  };
 
   /// Leaves the factor in the chain.
   BiasRows eliminated(const Evaluation& now) {
