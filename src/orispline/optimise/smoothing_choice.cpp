@@ -95,11 +95,16 @@ class Scan {
     else if (!inside(k + 1)) choice.edge = LambdaChoice::Edge::longest;
     else time *= std::exp(natural_logarithm(scan_ratio) * parabola_minimum(value(k - 1), value(k), value(k + 1)));
     choice.lambda = lambda(time);
-    choice.tried = values_.size();
+    choice.tried = tried_.size();
     return choice;
   }
 
  private:
+  struct Tried {
+    double value;
+    StretchFits fits;
+  };
+
   [[nodiscard]] double time_at(int k) const {
     return origin_ * power(k < 0 ? 1.0 / scan_ratio : scan_ratio, std::abs(k));
   }
@@ -107,19 +112,26 @@ class Scan {
   [[nodiscard]] bool inside(int k) const { return k == 0 || (time_at(k) >= shortest_ && time_at(k) <= longest_); }
 
   double value(int k) {
-    if (const auto known = values_.find(k); known != values_.end()) return known->second;
+    if (const auto known = tried_.find(k); known != tried_.end()) return known->second.value;
     objective_.lambda = lambda(time_at(k));
-    fits_ = fit_stretches(stretches_, objective_,
-                          {.tolerance = std::max(scan_tolerance * noise_, least_scan_tolerance)}, fits_);
-    return values_[k] = criterion_value(stretches_, fits_, criterion_, objective_);
+    const SmoothingIteration iteration{.tolerance = std::max(scan_tolerance * noise_, least_scan_tolerance)};
+    StretchFits fits = fit_stretches(stretches_, objective_, iteration, nearest_fits(k));
+    const double value = criterion_value(stretches_, fits, criterion_, objective_);
+    tried_.emplace(k, Tried{value, std::move(fits)});
+    return value;
+  }
+
+  [[nodiscard]] StretchFits nearest_fits(int k) const {
+    const auto nearest =
+        std::ranges::min_element(tried_, {}, [k](const auto& tried) { return std::abs(tried.first - k); });
+    return nearest == tried_.end() ? StretchFits() : nearest->second.fits;
   }
 
   const Stretches& stretches_;
   SmoothingObjective objective_;
   SmoothingCriterion criterion_;
   double noise_, interval_, origin_, shortest_, longest_;
-  StretchFits fits_;
-  std::map<int, double> values_;
+  std::map<int, Tried> tried_;
 };
 
 template <class T>
