@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include <orispline/math/geodesic.hpp>
+#include <orispline/optimise/span_test.hpp>
 
 namespace orispline::optimise {
 namespace {
@@ -60,6 +60,7 @@ class Chains {
  public:
   explicit Chains(const Recording& recording)
       : recording_(recording),
+        spans_(recording),
         unreached_(recording.size()),
         before_(recording.size(), 0),
         turns_(recording.size()),
@@ -91,9 +92,7 @@ class Chains {
   /// The shorter way from sample i to sample k [rad].
   [[nodiscard]] const Eigen::Vector3d& turn(std::size_t i, std::size_t k) {
     if (std::exchange(turned_from_[k], i) == i) return turns_[k];
-    Eigen::Quaterniond to = orientation(k);
-    if (orientation(i).dot(to) < 0.0) to.coeffs() = -to.coeffs();
-    return turns_[k] = increment<double>(orientation(i), to);
+    return turns_[k] = shorter_turn(orientation(i), orientation(k));
   }
 
   /// Reaches what can be reached from sample i.
@@ -137,41 +136,19 @@ class Chains {
   }
 
   /// By how much at least the rate of the span from i to j differs from any that passes near the samples between
-  /// [rad/s]; negative where it passes near all of them. The sample that failed last comes first.
+  /// [rad/s]; negative where it passes near all of them. At rates that differ by δ, orientations differ by δΔt at most.
   double rate_lacking(std::size_t i, std::size_t j) {
-    if (i < failed_ && failed_ < j)
-      if (const double lacking = rate_lacking_at(i, j, failed_); lacking >= 0.0) return lacking;
-    constexpr std::size_t coarse = 16;
-    for (std::size_t k = j - 1; k > i; k -= std::min(k - i, coarse))
-      if (const double lacking = rate_lacking_at(i, j, k); lacking >= 0.0) return failed_ = k, lacking;
-    for (std::size_t k = i + 1; k < j; ++k)
-      if (const double lacking = rate_lacking_at(i, j, k); lacking >= 0.0) return failed_ = k, lacking;
-    return -1.0;
-  }
-
-  /// The same for one sample: at rates that differ by δ, orientations differ by δΔt at most.
-  double rate_lacking_at(std::size_t i, std::size_t j, std::size_t k) {
-    const double elapsed = time(k) - time(i), share = elapsed / (time(j) - time(i));
-    const double tolerance = recording_.tolerance().angle, bound = tolerance - 2.0 * angle_rounding;
-    const Eigen::Vector3d turned = turn(i, j) * share;
-    // Rotations are not farther from each other than their rotation vectors: most samples need no sines.
-    if ((turned - turn(i, k)).squaredNorm() > bound * bound) {
-      const Eigen::Quaterniond at = displaced<double>(orientation(i), turned);
-      if (recording_.excess(k, at) > 1.0)
-        return std::max(0.0, angular_distance(at, orientation(k)) - tolerance) / elapsed;
-    }
-    if (!recording_.bounds_positions()) return -1.0;
-    const auto positions = recording_.samples().positions();
-    return recording_.excess(k, on_geodesic<double>(positions[i], positions[j], share)) > 1.0 ? 0.0 : -1.0;
+    const auto violation = spans_.violation(i, j, turn(i, j));
+    return violation ? violation->beyond / (time(violation->sample) - time(i)) : -1.0;
   }
 
   const Recording& recording_;
+  SpanTest spans_;
   Unreached unreached_;
   std::vector<std::size_t> before_;       ///< the sample before in the shortest chain
   std::vector<Eigen::Vector3d> turns_;    ///< from the sample that was asked for last [rad]
   std::vector<std::size_t> turned_from_;  ///< that sample
   std::vector<double> path_;              ///< angle travelled up to each sample [rad]
-  std::size_t failed_ = 0;
 };
 
 }  // namespace
