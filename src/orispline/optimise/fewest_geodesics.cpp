@@ -12,8 +12,17 @@
 namespace orispline::optimise {
 namespace {
 
-/// Rates that no sample so far forbids [rad/s].
-class RateBox {
+/// The middles of the faces, edges and corners of a cube, one of each opposite two.
+Eigen::Matrix<double, 13, 3> unit_directions() {
+  Eigen::Matrix<double, 13, 3> directions;
+  directions << 1, 0, 0, 0, 1, 0, 0, 0, 1,                      //
+      0, 1, 1, 0, 1, -1, 1, 0, 1, 1, 0, -1, 1, 1, 0, 1, -1, 0,  //
+      1, 1, 1, -1, 1, 1, 1, -1, 1, 1, 1, -1;
+  return directions.rowwise().normalized();
+}
+
+/// Rates that no sample so far forbids [rad/s], or a few more: between planes across some directions.
+class RateBounds {
  public:
   /// After a sample at the rotation vector `turn`, `elapsed` seconds later.
   void narrow(const Eigen::Vector3d& turn, double elapsed, double tolerance) {
@@ -22,21 +31,25 @@ class RateBox {
     const double half = 0.5 * angle;
     const double stretch = half / std::sin(half);
     const double radius = tolerance * stretch * (1.0 + rounding) / elapsed;
-    lowest_ = lowest_.cwiseMax((turn / elapsed).array() - radius);
-    highest_ = highest_.cwiseMin((turn / elapsed).array() + radius);
+    const Array along = directions * (turn / elapsed);
+    lowest_ = lowest_.max(along - radius);
+    highest_ = highest_.min(along + radius);
   }
-  [[nodiscard]] bool is_empty() const { return (lowest_ > highest_).any(); }
-  /// How far a rate is outside, in the worst component [rad/s].
+  [[nodiscard]] bool are_empty() const { return (lowest_ > highest_).any(); }
+  /// How far a rate is outside, across the worst plane [rad/s].
   [[nodiscard]] double distance(const Eigen::Vector3d& rate) const {
-    return (lowest_ - rate.array()).cwiseMax(rate.array() - highest_).cwiseMax(0.0).maxCoeff();
+    const Array along = directions * rate;
+    return (lowest_ - along).max(along - highest_).maxCoeff();
   }
 
  private:
+  using Array = Eigen::Array<double, 13, 1>;
   static constexpr double largest_angle = 0.999 * std::numbers::pi;  // below the cut of the logarithm
   static constexpr double rounding = 1e-9;                           // in favour of the rate
+  static const inline Eigen::Matrix<double, 13, 3> directions = unit_directions();
 
-  Eigen::Array3d lowest_ = Eigen::Array3d::Constant(-std::numeric_limits<double>::infinity());
-  Eigen::Array3d highest_ = Eigen::Array3d::Constant(std::numeric_limits<double>::infinity());
+  Array lowest_ = Array::Constant(-std::numeric_limits<double>::infinity());
+  Array highest_ = Array::Constant(std::numeric_limits<double>::infinity());
 };
 
 /// Samples that no chain has reached yet, after any sample the next of them.
@@ -95,28 +108,38 @@ class Chains {
     return turns_[k] = shorter_turn(orientation(i), orientation(k));
   }
 
+  /// To the rates from sample i that pass near sample k.
+  void narrow(RateBounds& bounds, std::size_t i, std::size_t k) {
+    bounds.narrow(turn(i, k), time(k) - time(i), recording_.tolerance().angle);
+  }
+
   /// Reaches what can be reached from sample i.
   void extend(std::size_t i, std::vector<std::size_t>& reached) {
-    RateBox box;
+    RateBounds bounds;
     std::size_t looked = i;
     for (std::size_t j = unreached_.from(i + 1); j < recording_.size();) {
-      for (std::size_t next = looked_after(i, looked); next < j && !box.is_empty(); next = looked_after(i, looked)) {
+      for (std::size_t next = looked_after(i, looked); next < j && !bounds.are_empty();
+           next = looked_after(i, looked)) {
         looked = next;
-        box.narrow(turn(i, looked), time(looked) - time(i), recording_.tolerance().angle);
+        narrow(bounds, i, looked);
       }
-      if (box.is_empty()) return;
-      const double outside = box.distance(turn(i, j) / (time(j) - time(i)));
-      const double lacking = outside > 0.0 ? outside : rate_lacking(i, j);
-      if (lacking < 0.0) {
-        unreached_.reach(j);
-        before_[j] = i;
-        reached.push_back(j);
+      if (bounds.are_empty()) return;
+      double lacking = bounds.distance(turn(i, j) / (time(j) - time(i)));
+      if (lacking <= 0.0) {
+        if (const auto violation = spans_.violation(i, j, turn(i, j))) {
+          lacking = violation->beyond / (time(violation->sample) - time(i));
+          narrow(bounds, i, violation->sample);
+        } else {
+          unreached_.reach(j);
+          before_[j] = i;
+          reached.push_back(j);
+        }
       }
       j = unreached_.from(lacking > 0.0 ? next_worth_a_look(i, j, lacking) : j + 1);
     }
   }
 
-  /// The sample that narrows the rates next: 16 for every doubling of the span; fewer leave the boxes wider, more cost
+  /// The sample that narrows the rates next: 16 for every doubling of the span; fewer leave the bounds wider, more cost
   /// logarithms.
   static std::size_t looked_after(std::size_t i, std::size_t looked) { return looked + 1 + (looked - i) / 16; }
 
@@ -133,13 +156,6 @@ class Chains {
       passed = j + step;
     }
     return passed + 1;
-  }
-
-  /// By how much at least the rate of the span from i to j differs from any that passes near the samples between
-  /// [rad/s]; negative where it passes near all of them. At rates that differ by δ, orientations differ by δΔt at most.
-  double rate_lacking(std::size_t i, std::size_t j) {
-    const auto violation = spans_.violation(i, j, turn(i, j));
-    return violation ? violation->beyond / (time(violation->sample) - time(i)) : -1.0;
   }
 
   const Recording& recording_;

@@ -31,9 +31,9 @@ class SpanTest {
  private:
   /// The geodesic from a block's first sample to its last.
   struct Chord {
-    double angle;           ///< that it turns by [rad]
-    double miss;            ///< largest angle between it and a sample [rad]
-    double position_miss;   ///< likewise [m]
+    double angle;          ///< that it turns by [rad]
+    double miss;           ///< largest angle between it and a sample [rad]
+    double position_miss;  ///< likewise [m]
   };
   /// How far a geodesic is from a sample, or a little less far.
   struct Distance {
