@@ -29,6 +29,7 @@ void add_input_options(CLI::App& app, InputOptions& options, std::string_view de
 /// Where the output goes and in which form, part of several commands.
 void add_output_file(CLI::App& app, std::string& path);
 void add_summary_options(CLI::App& app, bool& json, bool& quiet);
+void add_smoothness_options(CLI::App& app, SmoothnessOptions& options);
 void add_output_options(CLI::App& app, OutputOptions& options);
 
 void add_sample_options(CLI::App& app, SampleOptions& options);

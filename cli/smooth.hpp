@@ -5,6 +5,7 @@
 
 #include "input_options.hpp"
 #include "output_options.hpp"
+#include "smoothness.hpp"
 
 namespace orispline::cli {
 
@@ -21,7 +22,8 @@ inline constexpr std::string_view smoothed_method = "hermite-c2";
 /// `orispline smooth`, as typed.
 struct SmoothOptions {
   InputOptions input;
-  std::optional<std::string> penalty, noise, smoothing_time, cutoff, loss, gyro_noise, gap, rate;
+  std::optional<std::string> penalty, loss, gyro_noise, gap, rate;
+  SmoothnessOptions smoothness;
   bool gyro = false;
   OutputOptions output;
   bool json = false, quiet = false;

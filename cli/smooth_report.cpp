@@ -20,8 +20,7 @@ constexpr double degrees = 180.0 / std::numbers::pi;
 constexpr std::size_t places_shown = 10;
 constexpr double wanted_step = 1e-6;  // [rad] of the last step of the iteration
 
-std::string reason_of(const SmoothReport& report) {
-  const auto& smoothing = report.smoothing;
+std::string reason_of(const Smoothing& smoothing) {
   if (!smoothing.criterion) return "as stated";
   std::string reason = *smoothing.criterion == SmoothingCriterion::gcv    ? "by generalised cross-validation"
                        : *smoothing.criterion == SmoothingCriterion::ubre ? "by the stated noise (UBRE)"
@@ -81,6 +80,11 @@ std::string stretch_lines(const SmoothReport& report) {
 
 double cutoff_of(const Smoothing& smoothing) { return 1.0 / (2.0 * std::numbers::pi * smoothing.smoothing_time); }
 
+std::string choice_line(const Smoothing& smoothing) {
+  return fmt::format("smoothing time  {:.4g} s (cut-off {:.4g} Hz), {}\n", smoothing.smoothing_time, cutoff_of(smoothing),
+                     reason_of(smoothing));
+}
+
 std::string remark_on(const Smoothing& smoothing) {
   if (smoothing.edge == LambdaChoice::Edge::shortest)
     return "hardly any noise was found beside the motion: the least smoothing was taken";
@@ -95,8 +99,7 @@ std::string text_of(const SmoothReport& report) {
   const Smoothing& smoothing = report.smoothing;
   std::string text = fmt::format("{} from {}", counted(report.file.lines.size(), "sample"), report.file.path);
   if (const std::string repairs = text_of(report.file.repairs); !repairs.empty()) text += "; " + repairs;
-  text += fmt::format("\nsmoothing time  {:.4g} s (cut-off {:.4g} Hz), {}\n", smoothing.smoothing_time,
-                      cutoff_of(smoothing), reason_of(report));
+  text += "\n" + choice_line(smoothing);
   text += noise_line(report);
   if (smoothing.degrees_of_freedom)
     text += fmt::format("freedom         {:.4g} effective degrees of {}\n", *smoothing.degrees_of_freedom,

@@ -22,6 +22,9 @@ struct SmoothReport {
 /// The frequency at which the smoother's gain is one half [Hz].
 [[nodiscard]] double cutoff_of(const optimise::Smoothing& smoothing);
 
+/// `smoothing time  0.1 s (cut-off 1.59 Hz), by …`
+[[nodiscard]] std::string choice_line(const optimise::Smoothing& smoothing);
+
 /// What is noteworthy about the choice of the smoothing time, as a sentence; empty when nothing.
 [[nodiscard]] std::string remark_on(const optimise::Smoothing& smoothing);
 

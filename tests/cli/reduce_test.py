@@ -104,7 +104,7 @@ class Reduce(CommandTest):
             self.assertLessEqual(counts["auto"], auto)
 
     def test_refused(self):
-        unit = "wanted a number above 0 and its unit, deg or rad, such as 1deg"
+        unit = "wanted a number greater than 0 with its unit, deg or rad, such as 1deg"
         for text in ("0deg", "-1deg", "1", "nandeg", "1m"):
             self.assert_fails(f"reduce keys.csv --tolerance={text}", BAD_USAGE, f"--tolerance: found '{text}', {unit}")
         self.assert_fails("reduce keys.csv --tolerance 1e-13rad", BAD_USAGE,
