@@ -22,6 +22,10 @@ struct SmoothReport {
 /// The frequency at which the smoother's gain is one half [Hz].
 [[nodiscard]] double cutoff_of(const optimise::Smoothing& smoothing);
 
+/// `: line 6 (5.2 s), line 9 (5.8 s)`, some of the samples, with their lines and times in the file.
+[[nodiscard]] std::string places_text(const std::vector<std::size_t>& samples, const std::vector<std::uint32_t>& lines,
+                                      const std::vector<io::Decimal>& times);
+
 /// `smoothing time  0.1 s (cut-off 1.59 Hz), by …`
 [[nodiscard]] std::string choice_line(const optimise::Smoothing& smoothing);
 
