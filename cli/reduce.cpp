@@ -22,8 +22,8 @@ namespace {
 /// The command line, understood.
 struct Request {
   std::vector<InputRequest> inputs;
-  io::SampleColumns columns;
-  std::vector<std::string> outputs;  ///< one for each input
+  std::vector<std::string> outputs;        ///< one for each input
+  std::vector<io::SampleColumns> columns;  ///< of each output
   std::vector<std::string_view> methods;
   optimise::ReduceOptions reduction;
   std::optional<optimise::SmoothOptions> smoothing;
@@ -77,35 +77,45 @@ Expected<optimise::ReduceOptions> reduction_in(const ReduceOptions& options) {
   return std::move(checked).or_else(reduction);
 }
 
-/// Every file in its own format, unless one is asked for; the same for a file in -o.
-io::SampleColumns columns_of(const Request& request, const ReduceOptions& options, const std::string& output) {
-  io::SampleColumns columns = request.columns;
-  if (!options.output.format) columns.format = io::format_of_extension(output).value_or(io::FileFormat::csv);
+/// Every file in the format of its name, unless one is asked for.
+Expected<std::vector<io::SampleColumns>> columns_in(const ReduceOptions& options,
+                                                    const std::vector<std::string>& outputs) {
+  std::vector<io::SampleColumns> columns;
+  for (const std::string& path : outputs) {
+    OutputOptions output = options.output;
+    output.path = path;
+    const auto found = output_columns(output);
+    if (!found) return tl::unexpected(found.error());
+    columns.push_back(*found);
+  }
   return columns;
+}
+
+Expected<std::vector<std::string>> outputs_of(const ReduceOptions& options) {
+  if (!options.folder) return std::vector{options.output.path};
+  return if_given("--output-format", options.output.format, choice_of(output_format_choices))
+      .and_then(
+          [&](std::optional<io::FileFormat> format) { return outputs_in(*options.folder, options.inputs, format); });
 }
 
 Expected<Request> request_in(const ReduceOptions& options) {
   FirstError checked;
   Request request{.inputs = checked(inputs_in(options)),
-                  .columns = checked(output_columns(options.output)),
-                  .outputs = {options.output.path},
+                  .outputs = checked(outputs_of(options)),
+                  .columns = {},
                   .methods = {},
                   .reduction = {},
-                  .smoothing = checked(smoothing_wanted(options)),
+                  .smoothing = {},
                   .threads = static_cast<unsigned>(checked(threads_in(options.threads)))};
+  request.columns = checked(columns_in(options, request.outputs));
   if (const auto method = checked(choice_of(reduce_choices)({"--method", options.method})))
     request.methods.push_back(*method);
   else request.methods.assign(optimise::reducing_methods.begin(), optimise::reducing_methods.end());
   request.reduction = checked(reduction_in(options));
+  request.smoothing = checked(smoothing_wanted(options));
   auto read = std::move(checked).or_else(std::move(request));
   if (!read) return read;
-  if (auto agreed = agree(options); !agreed) return tl::unexpected(std::move(agreed.error()));
-  if (!options.folder) return read;
-  auto outputs = outputs_in(*options.folder, options.inputs,
-                            options.output.format ? std::optional(read->columns.format) : std::nullopt);
-  if (!outputs) return tl::unexpected(std::move(outputs.error()));
-  read->outputs = std::move(*outputs);
-  return read;
+  return agree(options).map([&] { return std::move(*read); });
 }
 
 /// All of them, or the first complaint.
@@ -188,8 +198,8 @@ Expected<void> reduce(const ReduceOptions& options) {
   if (options.folder)
     if (auto made = make_folder(*options.folder); !made) return made;
   for (std::size_t i = 0; i < reports.size(); ++i)
-    if (auto written = write_keys(reports[i].output, columns_of(*request, options, reports[i].output), (*tracks)[i],
-                                  reports[i].reductions[reports[i].chosen]);
+    if (auto written =
+            write_keys(reports[i].output, request->columns[i], (*tracks)[i], reports[i].reductions[reports[i].chosen]);
         !written)
       return written;
   if (options.json) return print_document(options.folder ? json_of(std::span(reports)) : json_of(reports.front()));
