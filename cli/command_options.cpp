@@ -77,6 +77,10 @@ void add_input_options(CLI::App& app, InputOptions& o, std::string_view default_
   app.add_option("INPUT", o.path, "CSV, TUM or EuRoC file of keyframes; '-' is standard input")
       ->required()
       ->type_name(file_type);
+  add_reading_options(app, o, default_signs);
+}
+
+void add_reading_options(CLI::App& app, InputOptions& o, std::string_view default_signs) {
   const std::string group = "Reading";
   app.add_option("--input-format", o.format, "Format of INPUT [by extension and content]")
       ->type_name(one_of(format_choices))

@@ -26,9 +26,13 @@ inline constexpr auto method_type = "METHOD", methods_type = "METHOD,...", ends_
 /// INPUT and how it is read, part of several commands.
 void add_input_options(CLI::App& app, InputOptions& options, std::string_view default_signs = "shortest");
 
+/// How it is read, without INPUT itself.
+void add_reading_options(CLI::App& app, InputOptions& options, std::string_view default_signs = "shortest");
+
 /// Where the output goes and in which form, part of several commands.
 void add_output_file(CLI::App& app, std::string& path);
 void add_summary_options(CLI::App& app, bool& json, bool& quiet);
+void add_smoothness_options(CLI::App& app, SmoothnessOptions& options);
 void add_output_options(CLI::App& app, OutputOptions& options);
 void add_report_option(CLI::App& app, ReportOptions& options);
 

@@ -25,6 +25,7 @@ namespace orispline::cli {
 [[nodiscard]] std::string json_of(const ConvertReport& report);
 [[nodiscard]] std::string json_of(const TuneReport& report);
 [[nodiscard]] std::string json_of(const ReduceReport& report);
+[[nodiscard]] std::string json_of(std::span<const ReduceReport> reports);
 [[nodiscard]] std::string json_of(const RetimeReport& report);
 [[nodiscard]] std::string json_of(const CompareReport& report);
 [[nodiscard]] std::string json_of(std::span<const Experiment> experiments);

@@ -25,7 +25,8 @@ Expected<double> quantity_in(OptionText option, std::span<const Unit> units) {
     const auto number = io::number_of(option.text.substr(0, option.text.size() - unit.name.size()));
     if (number && std::isfinite(*number) && *number > 0.0) return *number * unit.size;
   }
-  return wanted(option, fmt::format("a number above 0 and its unit, {}, such as 1{}", names_of(units), units[0].name));
+  return wanted(option,
+                fmt::format("a number greater than 0 with its unit, {}, such as 1{}", names_of(units), units[0].name));
 }
 
 }  // namespace orispline::cli

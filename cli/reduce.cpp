@@ -1,134 +1,233 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reduce.hpp"
 
-#include <cmath>
+#include <algorithm>
 #include <utility>
 
-#include "interruption.hpp"
+#include <fmt/format.h>
+
+#include <orispline/batch/parallel.hpp>
+
 #include "json.hpp"
+#include "output_folder.hpp"
 #include "quantity.hpp"
 #include "reduce_page.hpp"
+#include "reduce_track.hpp"
+#include "smooth_report.hpp"
 #include "standard_output.hpp"
+#include "threads.hpp"
 
 namespace orispline::cli {
 namespace {
 
 /// The command line, understood.
 struct Request {
-  InputRequest input;
-  io::SampleColumns columns;
-  std::optional<std::string_view> method;
+  std::vector<InputRequest> inputs;
+  std::vector<std::string> outputs;        ///< one for each input
+  std::vector<io::SampleColumns> columns;  ///< of each output
+  std::vector<std::string_view> methods;
   optimise::ReduceOptions reduction;
+  std::optional<optimise::SmoothOptions> smoothing;
+  unsigned threads = 1;
 };
+
+/// What the options ask of each other.
+Expected<void> agree(const ReduceOptions& options) {
+  const bool to_standard_output = options.output.path == io::standard_stream;
+  if (options.folder && !to_standard_output)
+    return usage_failure("found -o and --output-folder, wanted one of them: a file for the keys, or their folder");
+  if (options.folder && options.folder->empty())
+    return usage_failure("--output-folder: found an empty name, wanted FOLDER");
+  if (!options.folder && options.inputs.size() > 1)
+    return usage_failure(
+        fmt::format("found {} inputs, wanted --output-folder FOLDER for their keys", options.inputs.size()));
+  if (!options.folder && options.json && to_standard_output)
+    return usage_failure("--json: the summary goes to standard output, wanted -o FILE for the keys");
+  if (options.report.path && options.inputs.size() > 1)
+    return usage_failure(
+        fmt::format("--report: found {} inputs, wanted one: a page shows one recording", options.inputs.size()));
+  return check_report(options.report, options.output.path);
+}
+
+Expected<std::vector<InputRequest>> inputs_in(const ReduceOptions& options) {
+  std::vector<InputRequest> inputs;
+  for (const std::string& path : options.inputs) {
+    InputOptions input = options.input;
+    input.path = path;
+    auto request = input_request(input);
+    if (!request) return tl::unexpected(std::move(request.error()));
+    request->read.rate_orders = 0;
+    request->read.keep_exact_times = true;
+    inputs.push_back(std::move(*request));
+  }
+  return inputs;
+}
+
+Expected<std::optional<optimise::SmoothOptions>> smoothing_wanted(const ReduceOptions& options) {
+  const SmoothnessOptions& smoothness = options.smoothness;
+  if (!options.smooth && !smoothness.noise && !smoothness.smoothing_time && !smoothness.cutoff)
+    return std::optional<optimise::SmoothOptions>();
+  return smoothing_in(smoothness).map([](const optimise::SmoothOptions& found) { return std::optional(found); });
+}
+
+Expected<optimise::ReduceOptions> reduction_in(const ReduceOptions& options) {
+  FirstError checked;
+  optimise::ReduceOptions reduction{
+      .tolerance = {.angle = checked(quantity_in({"--tolerance", options.tolerance}, angle_units))},
+      .values = options.refit ? optimise::KeyValues::refitted : optimise::KeyValues::sampled};
+  const auto position =
+      checked(if_given("--position-tolerance", options.position_tolerance, quantity_of(length_units)));
+  if (position) reduction.tolerance.position = *position;
+  return std::move(checked).or_else(reduction);
+}
+
+/// Every file in the format of its name, unless one is asked for.
+Expected<std::vector<io::SampleColumns>> columns_in(const ReduceOptions& options,
+                                                    const std::vector<std::string>& outputs) {
+  std::vector<io::SampleColumns> columns;
+  for (const std::string& path : outputs) {
+    OutputOptions output = options.output;
+    output.path = path;
+    const auto found = output_columns(output);
+    if (!found) return tl::unexpected(found.error());
+    columns.push_back(*found);
+  }
+  return columns;
+}
+
+Expected<std::vector<std::string>> outputs_of(const ReduceOptions& options) {
+  if (!options.folder) return std::vector{options.output.path};
+  return if_given("--output-format", options.output.format, choice_of(output_format_choices))
+      .and_then(
+          [&](std::optional<io::FileFormat> format) { return outputs_in(*options.folder, options.inputs, format); });
+}
 
 Expected<Request> request_in(const ReduceOptions& options) {
   FirstError checked;
-  Request request{
-      .input = checked(input_request(options.input)),
-      .columns = checked(output_columns(options.output)),
-      .method = checked(choice_of(reduce_choices)({"--method", options.method})),
-      .reduction = {.tolerance = {.angle = checked(quantity_in({"--tolerance", options.tolerance}, angle_units))},
-                    .values = options.refit ? optimise::KeyValues::refitted : optimise::KeyValues::sampled}};
-  const auto position =
-      checked(if_given("--position-tolerance", options.position_tolerance, quantity_of(length_units)));
-  if (position) request.reduction.tolerance.position = *position;
-  request.input.read.rate_orders = 0;
-  request.input.read.keep_exact_times = true;
+  Request request{.inputs = checked(inputs_in(options)),
+                  .outputs = checked(outputs_of(options)),
+                  .columns = {},
+                  .methods = {},
+                  .reduction = {},
+                  .smoothing = {},
+                  .threads = static_cast<unsigned>(checked(threads_in(options.threads)))};
+  request.columns = checked(columns_in(options, request.outputs));
+  if (const auto method = checked(choice_of(reduce_choices)({"--method", options.method})))
+    request.methods.push_back(*method);
+  else request.methods.assign(optimise::reducing_methods.begin(), optimise::reducing_methods.end());
+  request.reduction = checked(reduction_in(options));
+  request.smoothing = checked(smoothing_wanted(options));
   auto read = std::move(checked).or_else(std::move(request));
-  if (read && options.json && options.output.path == io::standard_stream)
-    return usage_failure("--json: the summary goes to standard output, wanted -o FILE for the keys");
-  if (auto fits = check_report(options.report, options.output.path); read && !fits)
-    return tl::unexpected(std::move(fits.error()));
-  return read;
+  if (!read) return read;
+  return agree(options).map([&] { return std::move(*read); });
 }
 
-/// The recording as it was read, and as it was checked.
-struct Source {
-  io::KeyFile file;  ///< without the samples
-  std::vector<Eigen::Quaterniond> as_read;
-  Keyframes samples;
-};
-
-Expected<Source> open_source(const Request& request, const ReduceOptions& options) {
-  auto file = io::read_keys(request.input.path, request.input.read);
-  if (!file) return tl::unexpected(std::move(file.error()));
-  auto as_read = file->data.orientations;
-  auto samples = Keyframes::make(std::exchange(file->data, {}), request.input.signs);
-  if (!samples) return tl::unexpected(located(*file, samples.error()));
-  if (samples->size() < 2)
-    return failure(ErrorCode::bad_data, "found 1 sample, wanted 2 at least to keep the fewest that suffice",
-                   {.file = file->path});
-  if (options.position_tolerance && samples->positions().empty())
-    return failure(ErrorCode::bad_data, "found no positions, wanted columns px,py,pz for --position-tolerance",
-                   {.file = file->path});
-  return Source{std::move(*file), std::move(as_read), std::move(*samples)};
-}
-
-/// By the method that was asked for, or by all.
-Expected<std::vector<optimise::Reduction>> reductions_of(const Request& request, const Keyframes& samples) {
-  if (!request.method) return optimise::reduce_by_each(optimise::reducing_methods, samples, request.reduction);
-  return optimise::reduce_by_each(std::array{*request.method}, samples, request.reduction);
-}
-
-/// The digits of the file where the key is a sample of unit norm.
-Eigen::Quaterniond written_quaternion(const Source& source, const optimise::Reduction& reduction, std::size_t key) {
-  const Eigen::Quaterniond &found = reduction.keys.orientations()[key],
-                           &as_read = source.as_read[reduction.samples[key]];
-  const double sign = as_read.dot(found) < 0.0 ? -1.0 : 1.0;
-  const Eigen::Quaterniond turned(sign * as_read.coeffs());
-  const bool is_sample = std::abs(as_read.norm() - 1.0) <= unit_norm_tolerance &&
-                         (turned.coeffs().normalized() - found.coeffs()).norm() <= 4e-16;
-  return is_sample ? turned : found;
-}
-
-Expected<void> write_keys(io::SampleWriter& writer, const Source& source, const optimise::Reduction& reduction) {
-  for (std::size_t key = 0; key < reduction.samples.size(); ++key) {
-    io::Sample sample{.motion = {.orientation = written_quaternion(source, reduction, key)}};
-    if (!reduction.keys.positions().empty()) sample.travel.position = reduction.keys.positions()[key];
-    auto written = writer.write(source.file.exact_times[reduction.samples[key]], sample);
-    if (written) continue;
-    if (written.error().code != ErrorCode::bad_data) return written;
-    written.error().where.key = reduction.samples[key];
-    return tl::unexpected(located(source.file, std::move(written.error())));
+/// All of them, or the first complaint.
+Expected<std::vector<Track>> open_tracks(const Request& request, const ReduceOptions& options) {
+  std::vector<std::optional<Expected<Track>>> opened(request.inputs.size());
+  parallel_for(opened.size(), request.threads,
+               [&](std::size_t i) { opened[i] = open_track(request.inputs[i], request.smoothing); });
+  std::vector<Track> tracks;
+  for (auto& found : opened) {
+    Expected<Track>& track = *found;
+    if (!track) return tl::unexpected(std::move(track.error()));
+    tracks.push_back(std::move(*track));
+    if (options.position_tolerance && tracks.back().samples.positions().empty())
+      return failure(ErrorCode::bad_data, "found no positions, wanted columns px,py,pz for --position-tolerance",
+                     {.file = tracks.back().file.path});
   }
-  return writer.finish();
+  return tracks;
+}
+
+void warn_of(const std::vector<Track>& tracks, const ReduceOptions& options) {
+  const auto has_positions = [](const Track& track) { return !track.samples.positions().empty(); };
+  if (!options.position_tolerance && std::ranges::any_of(tracks, has_positions))
+    warn("positions are carried along without a bound, wanted --position-tolerance LENGTH for one");
+  for (const Track& track : tracks)
+    if (const std::string remark = track.smoothing ? remark_on(*track.smoothing) : ""; !remark.empty())
+      warn(tracks.size() == 1 ? remark : fmt::format("{}: {}", track.file.path, remark));
+}
+
+Expected<std::vector<std::vector<optimise::Reduction>>> reductions_of(const Request& request,
+                                                                      const std::vector<Track>& tracks) {
+  std::vector<Keyframes> samples;
+  for (const Track& track : tracks) samples.push_back(track.samples);
+  std::vector<std::vector<optimise::Reduction>> reductions;
+  auto found = optimise::reduce_tracks(request.methods, samples, request.reduction, request.threads);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (!found[i] && tracks.size() == 1) return tl::unexpected(std::move(found[i].error()));
+    if (!found[i]) return tl::unexpected(located(tracks[i].file, std::move(found[i].error())));
+    reductions.push_back(std::move(*found[i]));
+  }
+  return reductions;
+}
+
+Expected<ReduceReport> report_of(const Request& request, std::size_t i, const Track& track,
+                                 std::vector<optimise::Reduction> reductions) {
+  const std::size_t chosen = optimise::smallest(reductions);
+  ReduceReport report{.input = request.inputs[i].path,
+                      .output = request.outputs[i],
+                      .samples = track.samples.size(),
+                      .repairs = track.file.repairs,
+                      .options = request.reduction,
+                      .reductions = std::move(reductions),
+                      .chosen = chosen,
+                      .times = track.file.exact_times,
+                      .lines = track.file.lines,
+                      .smoothed = {}};
+  if (!track.smoothing) return report;
+  return optimise::distance_of(report.reductions[chosen], track.raw, track.smoothing->rejected)
+      .map([&](const DistanceStatistics& distance) {
+        report.smoothed = SmoothedFirst{*track.smoothing, distance};
+        return std::move(report);
+      });
+}
+
+/// Of all tracks, in their order.
+Expected<std::vector<ReduceReport>> reports_of(const Request& request, const std::vector<Track>& tracks) {
+  auto reductions = reductions_of(request, tracks);
+  if (!reductions) return tl::unexpected(std::move(reductions.error()));
+  std::vector<ReduceReport> reports;
+  for (std::size_t i = 0; i < tracks.size(); ++i) {
+    auto report = report_of(request, i, tracks[i], std::move((*reductions)[i]));
+    if (!report) return tl::unexpected(located(tracks[i].file, std::move(report.error())));
+    reports.push_back(std::move(*report));
+  }
+  return reports;
+}
+
+Expected<void> write_all(const Request& request, const std::vector<Track>& tracks,
+                         const std::vector<ReduceReport>& reports) {
+  for (std::size_t i = 0; i < reports.size(); ++i) {
+    auto written =
+        write_keys(reports[i].output, request.columns[i], tracks[i], reports[i].reductions[reports[i].chosen]);
+    if (!written) return written;
+  }
+  return {};
 }
 
 }  // namespace
 
 Expected<void> reduce(const ReduceOptions& options) {
-  auto request = request_in(options);
-  if (!request) return tl::unexpected(std::move(request.error()));
+  const auto request = request_in(options);
+  if (!request) return tl::unexpected(request.error());
   auto page = ReportFile::open(options.report);
   if (!page) return tl::unexpected(std::move(page.error()));
-  auto source = open_source(*request, options);
-  if (!source) return tl::unexpected(std::move(source.error()));
-  if (!source->samples.positions().empty() && !options.position_tolerance)
-    warn("positions are carried along without a bound, wanted --position-tolerance LENGTH for one");
-  auto reductions = reductions_of(*request, source->samples);
-  if (!reductions) return tl::unexpected(std::move(reductions.error()));
-  const std::size_t chosen = optimise::smallest(*reductions);
-  ReduceReport report{.input = options.input.path,
-                      .output = options.output.path,
-                      .samples = source->samples.size(),
-                      .repairs = source->file.repairs,
-                      .options = request->reduction,
-                      .reductions = std::move(*reductions),
-                      .chosen = chosen,
-                      .times = source->file.exact_times};
-  const optimise::Reduction& written = report.reductions[chosen];
-  request->columns.positions = !source->samples.positions().empty();
-  request->columns.derivatives = 0;
-  return page->write([&] { return page_of(report, source->samples, source->file.epoch, options.report); })
-      .and_then([&] { return io::SampleWriter::open(options.output.path, request->columns, written.samples.size()); })
-      .and_then([&](io::SampleWriter writer) {
-        const RemovedWhenInterrupted unfinished(writer.part());
-        return write_keys(writer, *source, written);
-      })
+  const auto tracks = open_tracks(*request, options);
+  if (!tracks) return tl::unexpected(tracks.error());
+  warn_of(*tracks, options);
+  const auto reports = reports_of(*request, *tracks);
+  if (!reports) return tl::unexpected(reports.error());
+  if (options.folder)
+    if (auto made = make_folder(*options.folder); !made) return made;
+  const Track& first = tracks->front();
+  return page->write([&] { return page_of(reports->front(), first.samples, first.file.epoch, options.report); })
+      .and_then([&] { return write_all(*request, *tracks, *reports); })
       .and_then([&] { return page->finish(); })
       .and_then([&]() -> Expected<void> {
-        if (options.json) return print_document(json_of(report));
-        if (!options.quiet) tell(text_of(report));
+        const bool several = options.folder.has_value();
+        if (options.json) return print_document(several ? json_of(std::span(*reports)) : json_of(reports->front()));
+        if (!options.quiet) tell(several ? text_of(std::span(*reports)) : text_of(reports->front()));
         return {};
       });
 }

@@ -6,6 +6,7 @@
 #include "input_options.hpp"
 #include "output_options.hpp"
 #include "report_file.hpp"
+#include "smoothness.hpp"
 
 namespace orispline::cli {
 
@@ -18,15 +19,18 @@ inline constexpr std::string_view default_reduce_method = "smallest";
 
 /// `orispline reduce`, as typed.
 struct ReduceOptions {
-  InputOptions input;
+  std::vector<std::string> inputs;
+  InputOptions input;  ///< how they are read
   OutputOptions output;
   ReportOptions report;
   std::string tolerance, method{default_reduce_method};
-  std::optional<std::string> position_tolerance;
-  bool refit = false, json = false, quiet = false;
+  std::optional<std::string> position_tolerance, folder, threads;
+  SmoothnessOptions smoothness;
+  bool refit = false, smooth = false, json = false, quiet = false;
 };
 
-/// A dense recording in, the fewest keys whose curve is within the tolerance out.
+/// Dense recordings in, for each the fewest keys whose curve is within the tolerance out. Nothing is written before all
+/// of them are found.
 [[nodiscard]] Expected<void> reduce(const ReduceOptions& options);
 
 }  // namespace orispline::cli

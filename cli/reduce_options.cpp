@@ -10,6 +10,8 @@ constexpr auto reduce_footer = R"(Examples:
   orispline reduce flight.csv --tolerance 0.1deg -o keys.csv
   orispline reduce poses.tum --tolerance 0.5deg --position-tolerance 1mm -o keys.tum
   orispline reduce flight.csv --tolerance 0.1deg --method auto --refit -o keys.csv --json
+  orispline reduce noisy.csv --smooth --tolerance 0.5deg -o keys.csv
+  orispline reduce hips.csv head.csv arm.csv --tolerance 0.5deg --output-folder keys
   orispline sample keys.csv --method auto --rate 100 -o motion.csv
 
 The curve of the method that is named in the summary is within the tolerance at every sample. slerp needs no fewer keys
@@ -18,7 +20,10 @@ among the samples; auto and timed-c2 are found by insertion and pruning. docs/re
 }  // namespace
 
 void add_reduce_options(CLI::App& app, ReduceOptions& o) {
-  add_input_options(app, o.input);
+  app.add_option("INPUT", o.inputs, "CSV, TUM or EuRoC file, several with --output-folder; '-' is standard input")
+      ->required()
+      ->type_name(file_type);
+  add_reading_options(app, o.input);
   const std::string group = "Reduction";
   app.add_option("--tolerance", o.tolerance, "Largest angle between the curve and a sample, such as 0.1deg or 2e-3rad")
       ->required()
@@ -32,8 +37,18 @@ void add_reduce_options(CLI::App& app, ReduceOptions& o) {
       ->type_name(one_of(reduce_choices))
       ->group(group);
   app.add_flag("--refit", o.refit, "Move keys where that saves some; else they are samples")->group(group);
+  app.add_flag("--smooth", o.smooth,
+               "Smooth the recording first, as 'orispline smooth' does; also said by what follows")
+      ->group("Smoothing");
+  add_smoothness_options(app, o.smoothness);
   add_output_options(app, o.output);
   add_report_option(app, o.report);
+  app.add_option("--output-folder", o.folder, "Of several inputs: keys into files of the same names there, all or none")
+      ->type_name(folder_type)
+      ->group("Output");
+  app.add_option("--threads", o.threads, "Threads that work on inputs and methods, with the same results [all cores]")
+      ->type_name("N")
+      ->group("Output");
   add_summary_options(app, o.json, o.quiet);
   app.footer(reduce_footer);
 }

@@ -70,6 +70,9 @@ report::Page page_of(const ReduceReport& report, const Keyframes& recording, con
   curves.figures = distance_figures();
   std::ranges::move(shape_figures(), std::back_inserter(curves.figures));
   report::Page page = begun_page(title_of(report), options, epoch, report.reductions[report.chosen].keys);
+  if (report.smoothed)
+    page.notes.push_back(fmt::format("The recording was smoothed first, smoothing time {:.4g} s, and is shown so.",
+                                     report.smoothed->smoothing.smoothing_time));
   std::ranges::move(notes_on_samples(report.samples), std::back_inserter(page.notes));
   page.reference = report::thinned(path_of(recording.times(), recording.orientations()), samples_of_few);
   page.limits["error"] = report.options.tolerance.angle * degrees;

@@ -10,6 +10,8 @@
 #include "json.hpp"
 #include "json_document.hpp"
 #include "sample_report.hpp"
+#include "smooth_report.hpp"
+#include "smoothing_json.hpp"
 
 namespace orispline::cli {
 namespace {
@@ -37,6 +39,43 @@ Json method_json(const ReduceReport& report, const optimise::Reduction& reductio
   return json;
 }
 
+Json smoothing_json(const ReduceReport& report) {
+  const auto& [smoothing, raw] = *report.smoothed;
+  return {{"smoothing_time_s", smoothing.smoothing_time},
+          {"cutoff_hz", cutoff_of(smoothing)},
+          {"criterion", criterion_of(smoothing)},
+          {"noise_rad", smoothing.noise},
+          {"rejected", places_json(smoothing.rejected, report.lines, report.times)},
+          {"raw_error_rms_deg", raw.rms * degrees},
+          {"raw_error_max_deg", raw.largest * degrees},
+          {"raw_error_max_time_s", report.times[raw.largest_at].to_string()}};
+}
+
+Json track_json(const ReduceReport& report) {
+  const optimise::Reduction& chosen = report.reductions[report.chosen];
+  const optimise::Tolerance& tolerance = report.options.tolerance;
+  Json json{{"input", report.input},
+            {"output", report.output},
+            {"samples", report.samples},
+            {"tolerance_deg", tolerance.angle * degrees}};
+  if (tolerance.position < std::numeric_limits<double>::infinity()) json["position_tolerance_m"] = tolerance.position;
+  json["refitted"] = report.options.values == optimise::KeyValues::refitted;
+  json.update(method_json(report, chosen));
+  Json& methods = json["methods"] = Json::array();
+  for (const optimise::Reduction& reduction : report.reductions) methods.push_back(method_json(report, reduction));
+  if (report.smoothed) json["smoothing"] = smoothing_json(report);
+  return json;
+}
+
+std::string smoothed_lines(const ReduceReport& report) {
+  const auto& [smoothing, raw] = *report.smoothed;
+  return "  " + choice_line(smoothing) +
+         fmt::format("  rejected        {}{}\n", smoothing.rejected.size(),
+                     places_text(smoothing.rejected, report.lines, report.times)) +
+         fmt::format("  raw samples     {:.6g}° RMS from the keys' curve, {:.6g}° at most, at {} s\n",
+                     raw.rms * degrees, raw.largest * degrees, report.times[raw.largest_at].to_string());
+}
+
 }  // namespace
 
 std::string text_of(const ReduceReport& report) {
@@ -49,23 +88,35 @@ std::string text_of(const ReduceReport& report) {
   if (const std::string repairs = text_of(report.repairs); !repairs.empty()) text += repairs + "\n";
   text += "  method        keys    ratio  largest error, at every sample\n";
   for (const optimise::Reduction& reduction : report.reductions) text += line_of(report, reduction);
+  if (report.smoothed) text += smoothed_lines(report);
   return text + fmt::format("{} of {} written to {}\n", counted(chosen.samples.size(), "key"), chosen.method,
                             report.output == io::standard_stream ? "standard output" : report.output);
 }
 
-std::string json_of(const ReduceReport& report) {
-  const optimise::Reduction& chosen = report.reductions[report.chosen];
-  const optimise::Tolerance& tolerance = report.options.tolerance;
-  Json json{{"input", report.input},
-            {"output", report.output},
-            {"samples", report.samples},
-            {"tolerance_deg", tolerance.angle * degrees}};
-  if (tolerance.position < std::numeric_limits<double>::infinity()) json["position_tolerance_m"] = tolerance.position;
-  json["refitted"] = report.options.values == optimise::KeyValues::refitted;
-  json.update(method_json(report, chosen));
-  Json& methods = json["methods"] = Json::array();
-  for (const optimise::Reduction& reduction : report.reductions) methods.push_back(method_json(report, reduction));
-  return document(json);
+std::string text_of(std::span<const ReduceReport> reports) {
+  std::string text;
+  for (const ReduceReport& report : reports) {
+    const optimise::Reduction& chosen = report.reductions[report.chosen];
+    text +=
+        fmt::format("{}: {} of {} from {}, {:.6g}° off at most", report.output, counted(chosen.samples.size(), "key"),
+                    chosen.method, counted(report.samples, "sample"), chosen.deviation.angle * degrees);
+    if (chosen.deviation.position) text += fmt::format(", {:.6g} m", *chosen.deviation.position);
+    if (report.smoothed)
+      text += fmt::format("; smoothed with {:.4g} s, {} rejected, {:.6g}° RMS from the raw samples",
+                          report.smoothed->smoothing.smoothing_time, report.smoothed->smoothing.rejected.size(),
+                          report.smoothed->raw.rms * degrees);
+    if (const std::string repairs = text_of(report.repairs); !repairs.empty()) text += "; " + repairs;
+    text += "\n";
+  }
+  return text;
+}
+
+std::string json_of(const ReduceReport& report) { return document(track_json(report)); }
+
+std::string json_of(std::span<const ReduceReport> reports) {
+  Json tracks = Json::array();
+  for (const ReduceReport& report : reports) tracks.push_back(track_json(report));
+  return document(tracks);
 }
 
 }  // namespace orispline::cli

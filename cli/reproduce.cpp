@@ -12,6 +12,7 @@
 #include "interruption.hpp"
 #include "json.hpp"
 #include "option_text.hpp"
+#include "output_folder.hpp"
 #include "reproduce_report.hpp"
 #include "standard_output.hpp"
 
@@ -33,13 +34,6 @@ Expected<std::vector<Experiment>> chosen(std::string_view name) {
   if (found.empty())
     return usage_failure(fmt::format("no experiment '{}', wanted one of {}", name, fmt::join(names, ", ")));
   return found;
-}
-
-Expected<void> make_folder(const std::string& folder) {
-  std::error_code reason;
-  fs::create_directories(folder, reason);
-  if (!reason) return {};
-  return failure(ErrorCode::bad_access, "cannot make this folder: " + reason.message(), {.file = folder});
 }
 
 /// Writes a picture into the folder; its path.

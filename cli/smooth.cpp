@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "smooth.hpp"
 
-#include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,6 +9,7 @@
 #include <orispline/io/key_file.hpp>
 
 #include "interruption.hpp"
+#include "quantity.hpp"
 #include "sample_times.hpp"
 #include "smooth_page.hpp"
 #include "smooth_report.hpp"
@@ -26,27 +26,8 @@ struct Request {
   std::optional<TimeRequest> times;  ///< of samples
 };
 
-Expected<double> positive_in(OptionText option) {
-  const auto number = number_in(option);
-  if (!number || !(*number > 0.0)) return wanted(option, "a number greater than 0");
-  return *number;
-}
-
-/// `1deg`, `0.02rad`, in radians.
-Expected<double> positive_angle_in(OptionText option) {
-  const bool in_degrees = option.text.ends_with("deg");
-  const auto number = in_degrees || option.text.ends_with("rad")
-                          ? positive_in({option.option, option.text.substr(0, option.text.size() - 3)})
-                          : wanted(option, "");
-  if (!number) return wanted(option, "an angle greater than 0 with its unit, such as 1deg or 0.02rad");
-  return in_degrees ? *number * std::numbers::pi / 180.0 : *number;
-}
-
 /// What the options ask of each other.
 Expected<void> agree(const SmoothOptions& options) {
-  const int stated = options.noise.has_value() + options.smoothing_time.has_value() + options.cutoff.has_value();
-  if (stated > 1)
-    return usage_failure("found several of --noise, --smoothing-time and --cutoff, wanted one: each says how smooth");
   if (options.gyro_noise && !options.gyro) return usage_failure("--gyro-noise: wanted --gyro as well");
   if (options.gyro && options.gap) return usage_failure("--gap: wanted no --gyro, which bridges gaps");
   if (options.json && options.output.path == io::standard_stream)
@@ -58,20 +39,16 @@ Expected<Request> request_in(const SmoothOptions& options) {
   if (auto agreed = agree(options); !agreed) return tl::unexpected(std::move(agreed.error()));
   FirstError checked;
   Request request{.input = checked(input_request(options.input)),
-                  .smoothing = {},
+                  .smoothing = checked(smoothing_in(options.smoothness)),
                   .columns = checked(output_columns(options.output)),
                   .times = {}};
   optimise::SmoothOptions& smoothing = request.smoothing;
   smoothing.penalty =
       checked(if_given("--penalty", options.penalty, choice_of(penalty_choices))).value_or(smoothing.penalty);
-  smoothing.noise = checked(if_given("--noise", options.noise, positive_angle_in));
-  smoothing.smoothing_time = checked(if_given("--smoothing-time", options.smoothing_time, positive_in));
-  if (const auto cutoff = checked(if_given("--cutoff", options.cutoff, positive_in)))
-    smoothing.smoothing_time = 1.0 / (2.0 * std::numbers::pi * *cutoff);
   smoothing.outliers = checked(if_given("--loss", options.loss, choice_of(loss_choices))).value_or(smoothing.outliers);
   smoothing.gap = checked(if_given("--gap", options.gap, positive_in));
   smoothing.gyro = options.gyro;
-  smoothing.gyro_noise = checked(if_given("--gyro-noise", options.gyro_noise, positive_angle_in));
+  smoothing.gyro_noise = checked(if_given("--gyro-noise", options.gyro_noise, quantity_of(angle_units)));
   if (TimeOptions times; options.rate) {
     times.rate = options.rate;
     request.times = checked(time_request(times));
@@ -80,20 +57,6 @@ Expected<Request> request_in(const SmoothOptions& options) {
   request.input.read.world_rates = true;
   request.input.read.keep_exact_times = true;
   return std::move(checked).or_else(std::move(request));
-}
-
-/// The smoothed recording as keys with rates.
-Expected<Keyframes> smoothed_keys(const Keyframes& recording, const optimise::Smoothing& smoothing) {
-  const optimise::SmoothedNodes& nodes = smoothing.nodes;
-  KeyframeData data;
-  data.orientations = nodes.orientations;
-  data.angular_velocities = nodes.angular_velocities;
-  data.angular_accelerations = nodes.angular_accelerations;
-  for (const std::size_t key : smoothing.keys) {
-    data.times.push_back(recording.times()[key]);
-    if (!recording.positions().empty()) data.positions.push_back(recording.positions()[key]);
-  }
-  return Keyframes::make(std::move(data));
 }
 
 /// Smoothed keys and where they come from.
@@ -160,7 +123,7 @@ Expected<void> smooth(const SmoothOptions& options) {
   auto smoothing = optimise::smooth(*recording, request->smoothing);
   if (!smoothing) return tl::unexpected(located(*file, std::move(smoothing.error())));
   if (const std::string remark = remark_on(*smoothing); !remark.empty()) warn(remark);
-  const auto keys = smoothed_keys(*recording, *smoothing);
+  const auto keys = optimise::smoothed_keyframes(*recording, *smoothing);
   if (!keys) return tl::unexpected(keys.error());
   SmoothReport report{.file = std::move(*file),
                       .output = options.output.path,

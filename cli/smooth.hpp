@@ -6,6 +6,7 @@
 #include "input_options.hpp"
 #include "output_options.hpp"
 #include "report_file.hpp"
+#include "smoothness.hpp"
 
 namespace orispline::cli {
 
@@ -22,7 +23,8 @@ inline constexpr std::string_view smoothed_method = "hermite-c2";
 /// `orispline smooth`, as typed.
 struct SmoothOptions {
   InputOptions input;
-  std::optional<std::string> penalty, noise, smoothing_time, cutoff, loss, gyro_noise, gap, rate;
+  std::optional<std::string> penalty, loss, gyro_noise, gap, rate;
+  SmoothnessOptions smoothness;
   bool gyro = false;
   OutputOptions output;
   ReportOptions report;

@@ -1,34 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
-#include <nlohmann/json.hpp>
-
 #include "smooth.hpp"
 #include "smooth_report.hpp"
+#include "smoothing_json.hpp"
 
 namespace orispline::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;  // members stay in the order in which they are documented
-
-Json places(const SmoothReport& report, const std::vector<std::size_t>& samples) {
-  Json list = Json::array();
-  for (const std::size_t i : samples)
-    list.push_back({{"key", i}, {"line", report.file.lines[i]}, {"time_s", report.file.exact_times[i].to_string()}});
-  return list;
-}
 
 Json stretches(const SmoothReport& report) {
   Json list = Json::array();
   for (const auto& [first, count] : report.smoothing.stretches)
     list.push_back({{"key", first}, {"line", report.file.lines[first]}, {"samples", count}});
   return list;
-}
-
-Json criterion_of(const optimise::Smoothing& smoothing) {
-  if (!smoothing.criterion) return nullptr;
-  constexpr std::array names{"gcv", "ubre", "reml"};
-  return names[static_cast<std::size_t>(*smoothing.criterion)];
 }
 
 template <class T>
@@ -42,6 +26,20 @@ std::string_view word_of(const std::array<Choice<T>, N>& choices, T value) {
 }
 
 }  // namespace
+
+Json places_json(const std::vector<std::size_t>& samples, const std::vector<std::uint32_t>& lines,
+                 const std::vector<io::Decimal>& times) {
+  Json list = Json::array();
+  for (const std::size_t i : samples)
+    list.push_back({{"key", i}, {"line", lines[i]}, {"time_s", times[i].to_string()}});
+  return list;
+}
+
+Json criterion_of(const optimise::Smoothing& smoothing) {
+  if (!smoothing.criterion) return nullptr;
+  constexpr std::array names{"gcv", "ubre", "reml"};
+  return names[static_cast<std::size_t>(*smoothing.criterion)];
+}
 
 std::string json_of(const SmoothReport& report) {
   const optimise::Smoothing& smoothing = report.smoothing;
@@ -62,13 +60,13 @@ std::string json_of(const SmoothReport& report) {
             {"gyro_noise_rad_s", or_null(smoothing.gyro_noise)}};
   const Eigen::Vector3d& bias = smoothing.nodes.gyro_correction;
   json["gyro_correction_rad_s"] = smoothing.gyro_noise ? Json{bias.x(), bias.y(), bias.z()} : Json(nullptr);
-  json["rejected"] = places(report, smoothing.rejected);
-  json["kept_runs"] = places(report, smoothing.kept_runs);
-  json["left_out"] = places(report, smoothing.left_out);
+  json["rejected"] = places_json(smoothing.rejected, report.file.lines, report.file.exact_times);
+  json["kept_runs"] = places_json(smoothing.kept_runs, report.file.lines, report.file.exact_times);
+  json["left_out"] = places_json(smoothing.left_out, report.file.lines, report.file.exact_times);
   json["stretches"] = stretches(report);
   json["iterations"] = smoothing.iterations;
   json["last_step_rad"] = smoothing.last_step;
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return document(json);
 }
 
 }  // namespace orispline::cli

@@ -23,13 +23,7 @@ void add_smooth_options(CLI::App& app, SmoothOptions& o) {
   app.add_option("--penalty", o.penalty, "What is kept small, squared and integrated [acceleration]")
       ->type_name(one_of(penalty_choices))
       ->group(group);
-  app.add_option("--noise", o.noise, "Standard deviation of the orientations per axis, such as 1deg or 0.02rad")
-      ->type_name("ANGLE")
-      ->group(group);
-  app.add_option("--smoothing-time", o.smoothing_time, "Smoothing time tau [chosen]")->type_name("S")->group(group);
-  app.add_option("--cutoff", o.cutoff, "The same as frequency 1/(2 pi tau), where half of a motion is left")
-      ->type_name("HZ")
-      ->group(group);
+  add_smoothness_options(app, o.smoothness);
   app.add_option("--loss", o.loss, "robust rejects outliers; l2 trusts every sample [robust]")
       ->type_name(one_of(loss_choices))
       ->group(group);

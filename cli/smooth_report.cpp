@@ -20,8 +20,7 @@ constexpr double degrees = 180.0 / std::numbers::pi;
 constexpr std::size_t places_shown = 10;
 constexpr double wanted_step = 1e-6;  // [rad] of the last step of the iteration
 
-std::string reason_of(const SmoothReport& report) {
-  const auto& smoothing = report.smoothing;
+std::string reason_of(const Smoothing& smoothing) {
   if (!smoothing.criterion) return "as stated";
   std::string reason = *smoothing.criterion == SmoothingCriterion::gcv    ? "by generalised cross-validation"
                        : *smoothing.criterion == SmoothingCriterion::ubre ? "by the stated noise (UBRE)"
@@ -44,23 +43,15 @@ std::string gyro_lines(const Smoothing& smoothing) {
                      *smoothing.gyro_noise * degrees, bias.x(), bias.y(), bias.z());
 }
 
-/// `: line 6 (5.2 s), line 9 (5.8 s)`, some of them.
-std::string places(const SmoothReport& report, const std::vector<std::size_t>& samples) {
-  std::string text;
-  for (std::size_t i = 0; i < std::min(samples.size(), places_shown); ++i)
-    text += fmt::format("{}line {} ({} s)", i == 0 ? ": " : ", ", report.file.lines[samples[i]],
-                        report.file.exact_times[samples[i]].to_string());
-  return text + (samples.size() > places_shown ? ", …" : "");
-}
-
 std::string outlier_lines(const SmoothReport& report) {
   std::string text;
   const auto& [rejected, kept] = std::tie(report.smoothing.rejected, report.smoothing.kept_runs);
   if (report.outliers == optimise::Outliers::reject || report.outliers == optimise::Outliers::tukey)
-    text += fmt::format("rejected        {}{}\n", rejected.size(), places(report, rejected));
+    text += fmt::format("rejected        {}{}\n", rejected.size(),
+                        places_text(rejected, report.file.lines, report.file.exact_times));
   if (!kept.empty())
     text += fmt::format("far, but kept   {}{}; three or more in a row are rather motion than outliers\n", kept.size(),
-                        places(report, kept));
+                        places_text(kept, report.file.lines, report.file.exact_times));
   return text;
 }
 
@@ -69,7 +60,8 @@ std::string stretch_lines(const SmoothReport& report) {
   const auto& left_out = report.smoothing.left_out;
   std::string text;
   if (!left_out.empty())
-    text += fmt::format("left out        {}{}; too few between two gaps\n", left_out.size(), places(report, left_out));
+    text += fmt::format("left out        {}{}; too few between two gaps\n", left_out.size(),
+                        places_text(left_out, report.file.lines, report.file.exact_times));
   if (stretches.size() == 1) return text;
   text += fmt::format("stretches       {}, begun at", stretches.size());
   for (std::size_t i = 0; i < std::min(stretches.size(), places_shown); ++i)
@@ -90,6 +82,19 @@ bool covers(const Smoothing& smoothing, std::span<const double> times, double t)
   return false;
 }
 
+std::string places_text(const std::vector<std::size_t>& samples, const std::vector<std::uint32_t>& lines,
+                        const std::vector<io::Decimal>& times) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(samples.size(), places_shown); ++i)
+    text += fmt::format("{}line {} ({} s)", i == 0 ? ": " : ", ", lines[samples[i]], times[samples[i]].to_string());
+  return text + (samples.size() > places_shown ? ", …" : "");
+}
+
+std::string choice_line(const Smoothing& smoothing) {
+  return fmt::format("smoothing time  {:.4g} s (cut-off {:.4g} Hz), {}\n", smoothing.smoothing_time,
+                     cutoff_of(smoothing), reason_of(smoothing));
+}
+
 std::string remark_on(const Smoothing& smoothing) {
   if (smoothing.edge == LambdaChoice::Edge::shortest)
     return "hardly any noise was found beside the motion: the least smoothing was taken";
@@ -104,8 +109,7 @@ std::string text_of(const SmoothReport& report) {
   const Smoothing& smoothing = report.smoothing;
   std::string text = fmt::format("{} from {}", counted(report.file.lines.size(), "sample"), report.file.path);
   if (const std::string repairs = text_of(report.file.repairs); !repairs.empty()) text += "; " + repairs;
-  text += fmt::format("\nsmoothing time  {:.4g} s (cut-off {:.4g} Hz), {}\n", smoothing.smoothing_time,
-                      cutoff_of(smoothing), reason_of(report));
+  text += "\n" + choice_line(smoothing);
   text += noise_line(report);
   if (smoothing.degrees_of_freedom)
     text += fmt::format("freedom         {:.4g} effective degrees of {}\n", *smoothing.degrees_of_freedom,

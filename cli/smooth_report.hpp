@@ -26,6 +26,13 @@ struct SmoothReport {
 /// Whether the curve through the keys at these times is one through a stretch at this time [s], and not over a gap.
 [[nodiscard]] bool covers(const optimise::Smoothing& smoothing, std::span<const double> times, double t);
 
+/// `: line 6 (5.2 s), line 9 (5.8 s)`, some of the samples, with their lines and times in the file.
+[[nodiscard]] std::string places_text(const std::vector<std::size_t>& samples, const std::vector<std::uint32_t>& lines,
+                                      const std::vector<io::Decimal>& times);
+
+/// `smoothing time  0.1 s (cut-off 1.59 Hz), by …`
+[[nodiscard]] std::string choice_line(const optimise::Smoothing& smoothing);
+
 /// What is noteworthy about the choice of the smoothing time, as a sentence; empty when nothing.
 [[nodiscard]] std::string remark_on(const optimise::Smoothing& smoothing);
 

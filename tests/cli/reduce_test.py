@@ -6,8 +6,9 @@ import json
 import math
 import os
 import pathlib
+import random
 
-from command import BAD_DATA, BAD_USAGE, CommandTest, main, rows_of
+from command import BAD_ACCESS, BAD_DATA, BAD_USAGE, CommandTest, main, rows_of
 
 SHARED = pathlib.Path(os.environ.get("ORISPLINE_SHARED_DATA", "shared/data"))
 SPACECRAFT = ["--columns", "t=sclk_ticks,qw=q0_w,qx=q1,qy=q2,qz=q3", "--time-scale", "0.00390625"]
@@ -129,10 +130,101 @@ class Reduce(CommandTest):
         self.write("one.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n")
         self.assert_writes_reports_as_compare("reduce keys.csv --tolerance 1deg --quiet", "reduce one.csv --tolerance 1deg")
 
+    def test_smoothing_first_certifies_the_smoothed_samples_and_states_the_raw_ones(self):
+        noise = random.Random(3)
+        clean = [20 * math.sin(0.03 * k) for k in range(400)]
+        noisy = [a + noise.gauss(0, 0.3) for a in clean]
+        noisy[100] += 25
+        self.write("noisy.csv", csv_of(noisy))
+        self.write("times.txt", "".join(f"{t}\n" for t in range(400)))
+        plain = self.reduced("noisy.csv", "--tolerance", "0.5deg", "--method", "auto")
+        report = self.reduced("noisy.csv", "--tolerance", "0.5deg", "--method", "auto", "--smooth")
+        curve = [row[1:5] for row in rows_of(self.output_of("sample reduced.csv --method auto --times times.txt"))]
+        as_smoothed = json.loads(self.output_of("smooth noisy.csv -o smoothed.csv --json"))
+        smoothed = [row[1:5] for row in rows_of(self.read("smoothed.csv"))]
+        self.assertAlmostEqual(report["error_max_deg"], max(map(angle, curve, smoothed)), delta=1e-9)
+        self.assertLessEqual(report["error_max_deg"], 0.5)
+        self.assertLess(report["keys"], plain["keys"] / 4)
+        smoothing = report["smoothing"]
+        for name in ("smoothing_time_s", "cutoff_hz", "criterion", "noise_rad", "rejected"):
+            self.assertEqual(smoothing[name], as_smoothed[name])
+        self.assertIn({"key": 100, "line": 102, "time_s": "100"}, smoothing["rejected"])
+        rejected = [sample["key"] for sample in smoothing["rejected"]]
+        raw = [angle(a, b[1:5]) for k, (a, b) in enumerate(zip(curve, rows_of(self.read("noisy.csv"))))
+               if k not in rejected]
+        self.assertAlmostEqual(smoothing["raw_error_max_deg"], max(raw), delta=1e-9)
+        self.assertAlmostEqual(smoothing["raw_error_rms_deg"], math.hypot(*raw) / math.sqrt(len(raw)), delta=1e-9)
+        self.assertNotIn("smoothing", plain)
+
+    def test_what_says_how_smooth_asks_for_smoothing(self):
+        noise = random.Random(4)
+        self.write("noisy.csv", csv_of([20 * math.sin(0.03 * k) + noise.gauss(0, 0.3) for k in range(200)]))
+        arguments = ("noisy.csv", "--tolerance", "0.5deg", "--method", "slerp")
+        self.assertEqual(self.reduced(*arguments, "--noise", "0.3deg")["smoothing"]["criterion"], "ubre")
+        by_time = self.reduced(*arguments, "--smoothing-time", "2")
+        by_cutoff = self.reduced(*arguments, "--smooth", "--cutoff", repr(1 / (4 * math.pi)))
+        self.assertEqual((by_time["smoothing"]["smoothing_time_s"], by_time["smoothing"]["criterion"]), (2, None))
+        self.assertEqual(by_time["keys"], by_cutoff["keys"])
+        self.assertAlmostEqual(by_cutoff["smoothing"]["smoothing_time_s"], 2, delta=1e-12)
+        done = self.run_command(["reduce", *arguments, "--smooth", "-o", "reduced.csv"])
+        for line in ("  smoothing time  ", "  rejected        ", "  raw samples     "):
+            self.assertIn(line, done.stderr)
+
+    def test_several_recordings_at_once_are_as_one_by_one(self):
+        os.mkdir(self.folder / "tracks")
+        names = ["tracks/a.csv", "b.csv", "c.tum"]
+        for k, name in enumerate(names[:2]):
+            self.write(name, csv_of([20 * math.sin((0.05 + 0.02 * k) * t) for t in range(200)]))
+        self.output_of("convert b.csv -o c.tum")
+        common = ["--tolerance", "0.3deg", "--output-folder"]
+        documents = {}
+        for threads in ("1", "5"):
+            text = self.output_of(["reduce", *names, *common, f"keys{threads}/deep", "--threads", threads, "--json"])
+            documents[threads] = json.loads(text)
+        for k, name in enumerate(names):
+            output = f"keys5/deep/{pathlib.Path(name).name}"
+            self.assertEqual(documents["5"][k].pop("output"), output)
+            del documents["1"][k]["output"]
+            alone = self.output_of(["reduce", name, "--tolerance", "0.3deg", "-o", f"alone{k}.{name[-3:]}", "--json"])
+            alone = json.loads(alone)
+            del alone["output"]
+            self.assertEqual(documents["5"][k], alone)
+            self.assertEqual(self.read(output), self.read(f"alone{k}.{name[-3:]}"))
+            self.assertEqual(self.read(output), self.read(output.replace("keys5", "keys1")))
+        self.assertEqual(documents["1"], documents["5"])
+        done = self.run_command(["reduce", *names, *common, "tum", "--output-format", "tum"])
+        self.assertEqual(sorted(os.listdir(self.folder / "tum")), ["a.tum", "b.tum", "c.tum"])
+        warning, *lines = done.stderr.splitlines()
+        self.assertIn("positions are carried along without a bound", warning)
+        self.assertEqual([line.split(":")[0] for line in lines], ["tum/a.tum", "tum/b.tum", "tum/c.tum"])
+
+    def test_one_bad_recording_is_named_and_nothing_is_written(self):
+        self.write("bad.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n1,nan,0,0,0\n")
+        self.write("one.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n")
+        reduce = "reduce keys.csv one.csv bad.csv --tolerance 1deg"
+        self.assert_fails(f"{reduce} --output-folder out", BAD_DATA,
+                          "one.csv: found 1 sample, wanted 2 at least to keep the fewest that suffice")
+        self.assertFalse((self.folder / "out").exists())
+        self.assert_fails(f"{reduce} missing.csv -o out.csv", BAD_USAGE,
+                          "found 4 inputs, wanted --output-folder FOLDER for their keys")
+        self.assert_fails("reduce keys.csv keys.csv --tolerance 1deg --output-folder out", BAD_USAGE,
+                          "--output-folder: found keys.csv and keys.csv, wanted inputs of different names")
+        self.assert_fails("reduce keys.csv --tolerance 1deg --output-folder .", BAD_USAGE,
+                          "--output-folder: found ., wanted a folder without the inputs")
+        self.assert_fails("reduce keys.csv - --tolerance 1deg --output-folder out", BAD_USAGE,
+                          "--output-folder: found '-' for an input, wanted files")
+        self.assert_fails("reduce keys.csv --tolerance 1deg -o a.csv --output-folder out", BAD_USAGE,
+                          "found -o and --output-folder, wanted one of them: a file for the keys, or their folder")
+        self.assert_fails("reduce keys.csv --tolerance 1deg --output-folder one.csv", BAD_ACCESS,
+                          "one.csv: cannot make this folder: Not a directory")
+        self.assertEqual(sorted(os.listdir(self.folder)), ["bad.csv", "keys.csv", "one.csv"])
+
     def test_refused(self):
-        unit = "wanted a number above 0 and its unit, deg or rad, such as 1deg"
+        unit = "wanted a number greater than 0 with its unit, deg or rad, such as 1deg"
         for text in ("0deg", "-1deg", "1", "nandeg", "1m"):
             self.assert_fails(f"reduce keys.csv --tolerance={text}", BAD_USAGE, f"--tolerance: found '{text}', {unit}")
+        self.assert_fails("reduce keys.csv --tolerance 1deg --noise 1deg --cutoff 3", BAD_USAGE,
+                          "found several of --noise, --smoothing-time and --cutoff, wanted one: each says how smooth")
         self.assert_fails("reduce keys.csv --tolerance 1e-13rad", BAD_USAGE,
                           "the tolerance is 1e-13 rad, wanted 1e-12 rad at least: the rounding of orientations is not "
                           "much smaller")

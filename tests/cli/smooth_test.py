@@ -123,7 +123,7 @@ class Smooth(CommandTest):
 
     def test_refusals(self):
         self.assert_fails("smooth noisy.csv --noise 0deg", BAD_USAGE,
-                          "--noise: found '0deg', wanted an angle greater than 0 with its unit, such as 1deg or 0.02rad")
+                          "--noise: found '0deg', wanted a number greater than 0 with its unit, deg or rad, such as 1deg")
         self.assert_fails("smooth noisy.csv --noise 1deg --smoothing-time 1", BAD_USAGE,
                           "found several of --noise, --smoothing-time and --cutoff, wanted one: each says how smooth")
         self.assert_fails("smooth noisy.csv --gap 0.01", BAD_USAGE,

@@ -7,13 +7,22 @@
 #include <numbers>
 #include <utility>
 
-#include <orispline/math/geodesic.hpp>
+#include <orispline/optimise/span_test.hpp>
 
 namespace orispline::optimise {
 namespace {
 
-/// Rates that no sample so far forbids [rad/s].
-class RateBox {
+/// The middles of the faces, edges and corners of a cube, one of each opposite two.
+Eigen::Matrix<double, 13, 3> unit_directions() {
+  Eigen::Matrix<double, 13, 3> directions;
+  directions << 1, 0, 0, 0, 1, 0, 0, 0, 1,                      //
+      0, 1, 1, 0, 1, -1, 1, 0, 1, 1, 0, -1, 1, 1, 0, 1, -1, 0,  //
+      1, 1, 1, -1, 1, 1, 1, -1, 1, 1, 1, -1;
+  return directions.rowwise().normalized();
+}
+
+/// Rates that no sample so far forbids [rad/s], or a few more: between planes across some directions.
+class RateBounds {
  public:
   /// After a sample at the rotation vector `turn`, `elapsed` seconds later.
   void narrow(const Eigen::Vector3d& turn, double elapsed, double tolerance) {
@@ -22,21 +31,25 @@ class RateBox {
     const double half = 0.5 * angle;
     const double stretch = half / std::sin(half);
     const double radius = tolerance * stretch * (1.0 + rounding) / elapsed;
-    lowest_ = lowest_.cwiseMax((turn / elapsed).array() - radius);
-    highest_ = highest_.cwiseMin((turn / elapsed).array() + radius);
+    const Array along = directions * (turn / elapsed);
+    lowest_ = lowest_.max(along - radius);
+    highest_ = highest_.min(along + radius);
   }
-  [[nodiscard]] bool is_empty() const { return (lowest_ > highest_).any(); }
-  /// How far a rate is outside, in the worst component [rad/s].
+  [[nodiscard]] bool are_empty() const { return (lowest_ > highest_).any(); }
+  /// How far a rate is outside, across the worst plane [rad/s].
   [[nodiscard]] double distance(const Eigen::Vector3d& rate) const {
-    return (lowest_ - rate.array()).cwiseMax(rate.array() - highest_).cwiseMax(0.0).maxCoeff();
+    const Array along = directions * rate;
+    return (lowest_ - along).max(along - highest_).maxCoeff();
   }
 
  private:
+  using Array = Eigen::Array<double, 13, 1>;
   static constexpr double largest_angle = 0.999 * std::numbers::pi;  // below the cut of the logarithm
   static constexpr double rounding = 1e-9;                           // in favour of the rate
+  static const inline Eigen::Matrix<double, 13, 3> directions = unit_directions();
 
-  Eigen::Array3d lowest_ = Eigen::Array3d::Constant(-std::numeric_limits<double>::infinity());
-  Eigen::Array3d highest_ = Eigen::Array3d::Constant(std::numeric_limits<double>::infinity());
+  Array lowest_ = Array::Constant(-std::numeric_limits<double>::infinity());
+  Array highest_ = Array::Constant(std::numeric_limits<double>::infinity());
 };
 
 /// Samples that no chain has reached yet, after any sample the next of them.
@@ -60,6 +73,7 @@ class Chains {
  public:
   explicit Chains(const Recording& recording)
       : recording_(recording),
+        spans_(recording),
         unreached_(recording.size()),
         before_(recording.size(), 0),
         turns_(recording.size()),
@@ -91,33 +105,41 @@ class Chains {
   /// The shorter way from sample i to sample k [rad].
   [[nodiscard]] const Eigen::Vector3d& turn(std::size_t i, std::size_t k) {
     if (std::exchange(turned_from_[k], i) == i) return turns_[k];
-    Eigen::Quaterniond to = orientation(k);
-    if (orientation(i).dot(to) < 0.0) to.coeffs() = -to.coeffs();
-    return turns_[k] = increment<double>(orientation(i), to);
+    return turns_[k] = shorter_turn(orientation(i), orientation(k));
+  }
+
+  /// To the rates from sample i that pass near sample k.
+  void narrow(RateBounds& bounds, std::size_t i, std::size_t k) {
+    bounds.narrow(turn(i, k), time(k) - time(i), recording_.tolerance().angle);
   }
 
   /// Reaches what can be reached from sample i.
   void extend(std::size_t i, std::vector<std::size_t>& reached) {
-    RateBox box;
+    RateBounds bounds;
     std::size_t looked = i;
     for (std::size_t j = unreached_.from(i + 1); j < recording_.size();) {
-      for (std::size_t next = looked_after(i, looked); next < j && !box.is_empty(); next = looked_after(i, looked)) {
+      for (std::size_t next = looked_after(i, looked); next < j && !bounds.are_empty();
+           next = looked_after(i, looked)) {
         looked = next;
-        box.narrow(turn(i, looked), time(looked) - time(i), recording_.tolerance().angle);
+        narrow(bounds, i, looked);
       }
-      if (box.is_empty()) return;
-      const double outside = box.distance(turn(i, j) / (time(j) - time(i)));
-      const double lacking = outside > 0.0 ? outside : rate_lacking(i, j);
-      if (lacking < 0.0) {
-        unreached_.reach(j);
-        before_[j] = i;
-        reached.push_back(j);
+      if (bounds.are_empty()) return;
+      double lacking = bounds.distance(turn(i, j) / (time(j) - time(i)));
+      if (lacking <= 0.0) {
+        if (const auto violation = spans_.violation(i, j, turn(i, j))) {
+          lacking = violation->beyond / (time(violation->sample) - time(i));
+          narrow(bounds, i, violation->sample);
+        } else {
+          unreached_.reach(j);
+          before_[j] = i;
+          reached.push_back(j);
+        }
       }
       j = unreached_.from(lacking > 0.0 ? next_worth_a_look(i, j, lacking) : j + 1);
     }
   }
 
-  /// The sample that narrows the rates next: 16 for every doubling of the span; fewer leave the boxes wider, more cost
+  /// The sample that narrows the rates next: 16 for every doubling of the span; fewer leave the bounds wider, more cost
   /// logarithms.
   static std::size_t looked_after(std::size_t i, std::size_t looked) { return looked + 1 + (looked - i) / 16; }
 
@@ -136,42 +158,13 @@ class Chains {
     return passed + 1;
   }
 
-  /// By how much at least the rate of the span from i to j differs from any that passes near the samples between
-  /// [rad/s]; negative where it passes near all of them. The sample that failed last comes first.
-  double rate_lacking(std::size_t i, std::size_t j) {
-    if (i < failed_ && failed_ < j)
-      if (const double lacking = rate_lacking_at(i, j, failed_); lacking >= 0.0) return lacking;
-    constexpr std::size_t coarse = 16;
-    for (std::size_t k = j - 1; k > i; k -= std::min(k - i, coarse))
-      if (const double lacking = rate_lacking_at(i, j, k); lacking >= 0.0) return failed_ = k, lacking;
-    for (std::size_t k = i + 1; k < j; ++k)
-      if (const double lacking = rate_lacking_at(i, j, k); lacking >= 0.0) return failed_ = k, lacking;
-    return -1.0;
-  }
-
-  /// The same for one sample: at rates that differ by δ, orientations differ by δΔt at most.
-  double rate_lacking_at(std::size_t i, std::size_t j, std::size_t k) {
-    const double elapsed = time(k) - time(i), share = elapsed / (time(j) - time(i));
-    const double tolerance = recording_.tolerance().angle, bound = tolerance - 2.0 * angle_rounding;
-    const Eigen::Vector3d turned = turn(i, j) * share;
-    // Rotations are not farther from each other than their rotation vectors: most samples need no sines.
-    if ((turned - turn(i, k)).squaredNorm() > bound * bound) {
-      const Eigen::Quaterniond at = displaced<double>(orientation(i), turned);
-      if (recording_.excess(k, at) > 1.0)
-        return std::max(0.0, angular_distance(at, orientation(k)) - tolerance) / elapsed;
-    }
-    if (!recording_.bounds_positions()) return -1.0;
-    const auto positions = recording_.samples().positions();
-    return recording_.excess(k, on_geodesic<double>(positions[i], positions[j], share)) > 1.0 ? 0.0 : -1.0;
-  }
-
   const Recording& recording_;
+  SpanTest spans_;
   Unreached unreached_;
   std::vector<std::size_t> before_;       ///< the sample before in the shortest chain
   std::vector<Eigen::Vector3d> turns_;    ///< from the sample that was asked for last [rad]
   std::vector<std::size_t> turned_from_;  ///< that sample
   std::vector<double> path_;              ///< angle travelled up to each sample [rad]
-  std::size_t failed_ = 0;
 };
 
 }  // namespace

@@ -19,8 +19,9 @@ double per_square(double bound) { return 1.0 / (bound * bound); }
 Recording::Recording(Keyframes samples, Tolerance tolerance)
     : samples_(std::move(samples)),
       tolerance_(tolerance),
-      per_square_sine_(
-          per_square(elementary::sine_cosine(0.5 * std::min(tolerance.angle - angle_rounding, std::numbers::pi)).sine)),
+      per_square_sine_(tolerance.angle < std::numbers::pi
+                           ? per_square(elementary::sine_cosine(0.5 * (tolerance.angle - angle_rounding)).sine)
+                           : 0.0),
       per_square_distance_(std::isinf(tolerance.position) ? 0.0 : per_square(tolerance.position)) {}
 
 bool Recording::bounds_positions() const noexcept { return has_positions() && per_square_distance_ > 0.0; }

@@ -8,11 +8,18 @@
 
 #include <orispline/base/expected.hpp>
 #include <orispline/curve/keyframe.hpp>
+#include <orispline/math/so3.hpp>
 
 namespace orispline::optimise {
 
 /// Between an orientation and the same one evaluated in another order of operations [rad].
 inline constexpr double angle_rounding = 4e-15;
+
+/// The rotation vector of the shorter way from one orientation to another [rad], body frame of the first.
+[[nodiscard]] inline Eigen::Vector3d shorter_turn(const Eigen::Quaterniond& from, Eigen::Quaterniond to) noexcept {
+  if (from.dot(to) < 0.0) to.coeffs() = -to.coeffs();
+  return increment<double>(from, to);
+}
 
 /// How far a curve may be from every sample of a recording.
 struct Tolerance {

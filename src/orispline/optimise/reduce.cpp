@@ -78,17 +78,45 @@ Expected<Reduction> reduce(std::string_view method, const Keyframes& samples, co
       .and_then([&](KeySet keys) { return certified(*local, recording, std::move(keys)); });
 }
 
+std::vector<Expected<std::vector<Reduction>>> reduce_tracks(std::span<const std::string_view> methods,
+                                                            std::span<const Keyframes> tracks,
+                                                            const ReduceOptions& options, unsigned threads) {
+  std::vector<std::optional<Expected<Reduction>>> found(tracks.size() * methods.size());
+  parallel_for(found.size(), threads, [&](std::size_t i) {
+    found[i] = reduce(methods[i % methods.size()], tracks[i / methods.size()], options);
+  });
+  std::vector<Expected<std::vector<Reduction>>> of_tracks(tracks.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    auto& track = of_tracks[i / methods.size()];
+    if (!track) continue;
+    if (*found[i]) track->push_back(std::move(**found[i]));
+    else track = tl::unexpected(std::move(found[i]->error()));
+  }
+  return of_tracks;
+}
+
 Expected<std::vector<Reduction>> reduce_by_each(std::span<const std::string_view> methods, const Keyframes& recording,
                                                 const ReduceOptions& options) {
-  std::vector<std::optional<Expected<Reduction>>> found(methods.size());
-  parallel_for(methods.size(), static_cast<unsigned>(methods.size()),
-               [&](std::size_t m) { found[m] = reduce(methods[m], recording, options); });
-  std::vector<Reduction> reductions;
-  for (auto& reduction : found) {
-    if (!*reduction) return tl::unexpected(std::move(reduction->error()));
-    reductions.push_back(std::move(**reduction));
+  const auto threads = static_cast<unsigned>(methods.size());
+  return std::move(reduce_tracks(methods, std::span(&recording, 1), options, threads).front());
+}
+
+Expected<DistanceStatistics> distance_of(const Reduction& reduction, const Keyframes& samples,
+                                         std::span<const std::size_t> left_out) {
+  std::vector<std::size_t> kept;
+  std::vector<double> times;
+  std::vector<Eigen::Quaterniond> orientations;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (std::ranges::binary_search(left_out, i)) continue;
+    kept.push_back(i);
+    times.push_back(samples.times()[i]);
+    orientations.push_back(samples.orientations()[i]);
   }
-  return reductions;
+  return make_curve(reduction.method, reduction.keys).map([&](const AnyCurve& curve) {
+    DistanceStatistics distance = distance_to_reference(curve, {times, orientations});
+    if (distance.count > 0) distance.largest_at = kept[distance.largest_at];
+    return distance;
+  });
 }
 
 std::size_t smallest(std::span<const Reduction> reductions) {

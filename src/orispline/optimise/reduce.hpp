@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include <orispline/analysis/distance.hpp>
 #include <orispline/optimise/recording.hpp>
 
 namespace orispline::optimise {
@@ -49,6 +50,19 @@ inline constexpr std::array<std::string_view, 3> reducing_methods{"auto", "timed
 /// The same by each of the methods, in their order, on as many threads.
 [[nodiscard]] Expected<std::vector<Reduction>> reduce_by_each(std::span<const std::string_view> methods,
                                                               const Keyframes& recording, const ReduceOptions& options);
+
+/// Every one of the tracks by each of the methods, in their order, on up to that many threads; 0 means one per core.
+/// The results are the same on any number of them.
+[[nodiscard]] std::vector<Expected<std::vector<Reduction>>> reduce_tracks(std::span<const std::string_view> methods,
+                                                                          std::span<const Keyframes> tracks,
+                                                                          const ReduceOptions& options,
+                                                                          unsigned threads = 0);
+
+/// How far the curve through the keys is from samples at times of its own, such as those of the recording before it was
+/// smoothed: the full angle of the rotation from one to the other [rad]. Those at the rising indices `left_out` do not
+/// count; `largest_at` is an index of the samples.
+[[nodiscard]] Expected<DistanceStatistics> distance_of(const Reduction& reduction, const Keyframes& samples,
+                                                       std::span<const std::size_t> left_out = {});
 
 /// The index of the one with the fewest keys, of equals the first.
 [[nodiscard]] std::size_t smallest(std::span<const Reduction> reductions);

@@ -209,4 +209,17 @@ Expected<Smoothing> smooth(const Keyframes& recording, const SmoothOptions& opti
           [&](std::vector<Stretch> stretches) { return Smoother(recording, options, std::move(stretches)).run(); });
 }
 
+Expected<Keyframes> smoothed_keyframes(const Keyframes& recording, const Smoothing& smoothing) {
+  const SmoothedNodes& nodes = smoothing.nodes;
+  KeyframeData data;
+  data.orientations = nodes.orientations;
+  data.angular_velocities = nodes.angular_velocities;
+  data.angular_accelerations = nodes.angular_accelerations;
+  for (const std::size_t key : smoothing.keys) {
+    data.times.push_back(recording.times()[key]);
+    if (!recording.positions().empty()) data.positions.push_back(recording.positions()[key]);
+  }
+  return Keyframes::make(std::move(data));
+}
+
 }  // namespace orispline::optimise

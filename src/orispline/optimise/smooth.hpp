@@ -67,4 +67,7 @@ inline constexpr std::size_t most_times_for_choice = 10000;
 /// each other.
 [[nodiscard]] Expected<Smoothing> smooth(const Keyframes& recording, const SmoothOptions& options = {});
 
+/// The smoothed recording as keys with rates; its positions as they were.
+[[nodiscard]] Expected<Keyframes> smoothed_keyframes(const Keyframes& recording, const Smoothing& smoothing);
+
 }  // namespace orispline::optimise

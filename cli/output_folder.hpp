@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <orispline/base/expected.hpp>
+#include <orispline/io/file_format.hpp>
+
+namespace orispline::cli {
+
+/// With the folders that it is in; it may be there. Error: bad_access.
+[[nodiscard]] Expected<void> make_folder(const std::string& folder);
+
+/// Where the outputs of several inputs go: files of the same names in the folder, with the extension of the format
+/// where one is asked for. Errors: bad_argument for standard input, for two outputs in one place and for an output that
+/// is an input.
+[[nodiscard]] Expected<std::vector<std::string>> outputs_in(const std::string& folder,
+                                                            std::span<const std::string> inputs,
+                                                            std::optional<io::FileFormat> format);
+
+}  // namespace orispline::cli

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include <orispline/io/decimal.hpp>
+#include <orispline/optimise/smooth.hpp>
+
+#include "json_document.hpp"
+
+namespace orispline::cli {
+
+/// Samples with their lines and times in the file.
+[[nodiscard]] Json places_json(const std::vector<std::size_t>& samples, const std::vector<std::uint32_t>& lines,
+                               const std::vector<io::Decimal>& times);
+
+/// `gcv`, `ubre`, `reml`; null where the smoothing time was stated.
+[[nodiscard]] Json criterion_of(const optimise::Smoothing& smoothing);
+
+}  // namespace orispline::cli
