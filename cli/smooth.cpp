@@ -121,7 +121,10 @@ Expected<void> smooth(const SmoothOptions& options) {
   const auto recording = Keyframes::make(std::exchange(file->data, {}), request->input.signs);
   if (!recording) return tl::unexpected(located(*file, recording.error()));
   auto smoothing = optimise::smooth(*recording, request->smoothing);
-  if (!smoothing) return tl::unexpected(located(*file, std::move(smoothing.error())));
+  if (!smoothing)
+    return tl::unexpected(smoothing.error().code == ErrorCode::bad_argument
+                              ? std::move(smoothing.error())
+                              : located(*file, std::move(smoothing.error())));
   if (const std::string remark = remark_on(*smoothing); !remark.empty()) warn(remark);
   const auto keys = optimise::smoothed_keyframes(*recording, *smoothing);
   if (!keys) return tl::unexpected(keys.error());

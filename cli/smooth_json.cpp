@@ -61,6 +61,7 @@ std::string json_of(const SmoothReport& report) {
   const Eigen::Vector3d& bias = smoothing.nodes.gyro_correction;
   json["gyro_correction_rad_s"] = smoothing.gyro_noise ? Json{bias.x(), bias.y(), bias.z()} : Json(nullptr);
   json["rejected"] = places_json(smoothing.rejected, report.file.lines, report.file.exact_times);
+  json["rejected_gyro"] = places_json(smoothing.rejected_gyro, report.file.lines, report.file.exact_times);
   json["kept_runs"] = places_json(smoothing.kept_runs, report.file.lines, report.file.exact_times);
   json["left_out"] = places_json(smoothing.left_out, report.file.lines, report.file.exact_times);
   json["stretches"] = stretches(report);

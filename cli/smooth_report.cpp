@@ -49,6 +49,9 @@ std::string outlier_lines(const SmoothReport& report) {
   if (report.outliers == optimise::Outliers::reject || report.outliers == optimise::Outliers::tukey)
     text += fmt::format("rejected        {}{}\n", rejected.size(),
                         places_text(rejected, report.file.lines, report.file.exact_times));
+  if (const auto& gyro = report.smoothing.rejected_gyro; !gyro.empty())
+    text += fmt::format("gyro rejected   {}{}\n", gyro.size(),
+                        places_text(gyro, report.file.lines, report.file.exact_times));
   if (!kept.empty())
     text += fmt::format("far, but kept   {}{}; three or more in a row are rather motion than outliers\n", kept.size(),
                         places_text(kept, report.file.lines, report.file.exact_times));
@@ -97,9 +100,11 @@ std::string choice_line(const Smoothing& smoothing) {
 
 std::string remark_on(const Smoothing& smoothing) {
   if (smoothing.edge == LambdaChoice::Edge::shortest)
-    return "hardly any noise was found beside the motion: the least smoothing was taken";
+    return "hardly any noise was found beside the motion: the least smoothing was taken; state --smoothing-time for "
+           "more or less";
   if (smoothing.edge == LambdaChoice::Edge::longest)
-    return "no motion was found beside the noise: the most smoothing was taken; state --smoothing-time to have less";
+    return "no change of the rates was found beside the noise: the most smoothing was taken; state --smoothing-time "
+           "to have less";
   if (smoothing.last_step > wanted_step)
     return fmt::format("the last step of the iteration still moved by {:.2g} rad", smoothing.last_step);
   return "";

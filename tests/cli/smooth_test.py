@@ -127,9 +127,9 @@ class Smooth(CommandTest):
         self.assert_fails("smooth noisy.csv --noise 1deg --smoothing-time 1", BAD_USAGE,
                           "found several of --noise, --smoothing-time and --cutoff, wanted one: each says how smooth")
         self.assert_fails("smooth noisy.csv --gap 0.01", BAD_USAGE,
-                          "noisy.csv: gap: found 0.01 s, wanted more than the median interval of 0.02 s")
+                          "gap: found 0.01 s, wanted more than the median interval of 0.02 s")
         self.assert_fails("smooth noisy.csv --gyro", BAD_DATA,
-                          "noisy.csv: found no angular velocities, wanted those of the gyro")
+                          "noisy.csv: found no angular velocities of the body, wanted wx,wy,wz of the gyro")
         self.write("two.csv", recording(2, 0.0))
         self.assert_fails("smooth two.csv -o out.csv", BAD_DATA, "two.csv: found 2 samples, wanted at least 3 to smooth")
         self.assertFalse((self.folder / "out.csv").exists())

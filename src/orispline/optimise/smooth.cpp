@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <fmt/format.h>
 
-#include <orispline/optimise/smoothing_noise.hpp>
+#include <orispline/optimise/smoothing_gyro.hpp>
 #include <orispline/optimise/smoothing_stretches.hpp>
 
 namespace orispline::optimise {
@@ -18,16 +19,32 @@ constexpr double rejection_threshold = 5.0;                     // likewise
 constexpr double tolerance_to_find_outliers = 1e-2;             // of the iteration, likewise
 constexpr double largest_noise = 0.5;  // [rad] per axis: residuals of this size are those of no motion at all
 
-Expected<void> check_number(const char* name, const char* unit, std::optional<double> value) {
-  if (!value || (std::isfinite(*value) && *value > 0.0)) return {};
-  return failure(ErrorCode::bad_argument, fmt::format("{}: found {}, wanted {} greater than 0", name, *value, unit));
+struct Range {
+  double least, most;
+};
+
+Expected<void> check_range(const char* name, const char* unit, std::optional<double> value, Range range) {
+  if (!value || (*value >= range.least && *value <= range.most)) return {};
+  return failure(ErrorCode::bad_argument, fmt::format("{}: found {:.6g} {}, wanted {:.6g} to {:.6g} {}", name, *value,
+                                                      unit, range.least, range.most, unit));
+}
+
+/// Below them the samples are joined as they are; above, a steady rotation is left or rounding decides.
+Range smoothing_times(const Keyframes& recording, Penalty penalty) {
+  const double interval = scale_of(recording).interval, span = recording.times().back() - recording.times().front();
+  const double longest = penalty == Penalty::jerk ? 5e3 : 1e6;  // in intervals: condition numbers of 1e12
+  return {.least = 1e-3 * interval, .most = std::min(10.0 * span, longest * interval)};
 }
 
 Expected<void> check(const Keyframes& recording, const SmoothOptions& options) {
-  if (auto checked = check_number("noise", "radians", options.noise); !checked) return checked;
-  if (auto checked = check_number("smoothing time", "seconds", options.smoothing_time); !checked) return checked;
-  if (auto checked = check_number("gap", "seconds", options.gap); !checked) return checked;
-  if (auto checked = check_number("gyro noise", "radians per second", options.gyro_noise); !checked) return checked;
+  constexpr double any = std::numeric_limits<double>::max(), least = std::numeric_limits<double>::min();
+  if (auto checked = check_range("noise", "rad", options.noise, {least_noise, largest_noise}); !checked) return checked;
+  if (auto checked = check_range("gap", "s", options.gap, {least, any}); !checked) return checked;
+  if (auto checked = check_range("gyro noise", "rad/s", options.gyro_noise, {1e-9, 1e3}); !checked) return checked;
+  if (options.smoothing_time && recording.size() > 1) {
+    const Range range = smoothing_times(recording, options.penalty);
+    if (auto checked = check_range("smoothing time", "s", options.smoothing_time, range); !checked) return checked;
+  }
   const auto contradiction = [](std::string message) { return failure(ErrorCode::bad_argument, std::move(message)); };
   if (options.noise && options.smoothing_time)
     return contradiction("found a noise and a smoothing time, wanted one of them: each determines how smooth");
@@ -35,7 +52,7 @@ Expected<void> check(const Keyframes& recording, const SmoothOptions& options) {
   if (options.gyro && options.gap)
     return contradiction("found a gyro and a gap, wanted one of them: the gyro bridges gaps");
   if (options.gyro && recording.angular_velocities().empty())
-    return failure(ErrorCode::bad_data, "found no angular velocities, wanted those of the gyro");
+    return failure(ErrorCode::bad_data, "found no angular velocities of the body, wanted wx,wy,wz of the gyro");
   return {};
 }
 
@@ -63,12 +80,14 @@ class Smoother {
     if (options_.outliers == Outliers::tukey) fit_with_tukey();
     if (options_.outliers == Outliers::reject)
       if (auto done = fit_without_outliers(); !done) return tl::unexpected(std::move(done.error()));
+    if (auto checked = check_fit(); !checked) return tl::unexpected(std::move(checked.error()));
     measure_noise();
     if (const double noise = result_.noise; noise > largest_noise)
       return failure(ErrorCode::bad_data,
                      fmt::format("no smooth motion is near to the samples: they are {:.3g}° per axis off the best one",
                                  noise * 180.0 / std::numbers::pi));
-    if (options_.gyro) fit_with_gyro();
+    if (options_.gyro)
+      if (auto done = fit_with_gyro(); !done) return tl::unexpected(std::move(done.error()));
     return finished();
   }
 
@@ -122,6 +141,27 @@ class Smoother {
     return {};
   }
 
+  /// Whether the iteration ended, and whether the loss is one of outliers only.
+  [[nodiscard]] Expected<void> check_fit() const {
+    if (!converged(fits_, noise_))
+      return failure(
+          ErrorCode::not_converged,
+          "no smooth motion was found: the iteration did not come to an end, wanted another smoothing time or "
+          "another noise");
+    std::size_t far = 0, all = 0;
+    for (const SmoothingFit& fit : fits_.fits) {
+      all += fit.loss_weights.size();
+      far += static_cast<std::size_t>(std::ranges::count_if(fit.loss_weights, [](double w) { return w < 0.5; }));
+    }
+    const std::size_t faults = far + (options_.outliers == Outliers::reject ? result_.rejected.size() : 0);
+    if (2 * faults <= all || options_.outliers == Outliers::none) return {};
+    return failure(
+        ErrorCode::bad_data,
+        fmt::format("{} of {} samples are farther than 5 σ from the best motion, σ = {:.3g}°, wanted a larger noise, "
+                    "a shorter smoothing time, or the loss l2, which has no outliers",
+                    faults, all, noise_ * 180.0 / std::numbers::pi));
+  }
+
   [[nodiscard]] double trace() const { return hat_trace(problems_, fits_, options_.penalty, objective_.lambda); }
 
   /// The share of the data that is left to tell the noise.
@@ -145,7 +185,10 @@ class Smoother {
     result_.degrees_of_freedom = 3.0 * trace();
   }
 
-  void fit_with_gyro() {
+  [[nodiscard]] Expected<void> fit_with_gyro() {
+    auto faults = gyro_faults(fits_, recording_, stretches_);
+    if (!faults) return tl::unexpected(std::move(faults.error()));
+    result_.rejected_gyro = std::move(*faults);
     const double orientation_noise = options_.noise.value_or(std::max(least_noise, result_.noise));
     const double ratio = noise_ / orientation_noise;
     for (SmoothingProblem& problem : problems_)
@@ -155,11 +198,19 @@ class Smoother {
         std::max(least_noise, local_noise(recording_.times(), recording_.angular_velocities())));
     result_.degrees_of_freedom.reset();
     add_gyro(problems_, recording_, stretches_, *result_.gyro_noise);
+    for (const std::size_t sample : result_.rejected_gyro) leave_out_gyro(sample);
     objective_.bias = SmoothingObjective::Bias::constant;
     if (options_.smoothing_time)
       objective_.lambda = lambda_of(*options_.smoothing_time, options_.penalty, noise_, scale_.interval);
     else choose(SmoothingCriterion::reml);
     refit();
+    return check_fit();
+  }
+
+  void leave_out_gyro(std::size_t sample) {
+    for (std::size_t k = 0; k < stretches_.size(); ++k)
+      if (const auto& [first, count] = stretches_[k]; sample >= first && sample < first + count)
+        problems_[k].gyro_weights[sample - first] = 0.0;
   }
 
   [[nodiscard]] Smoothing finished() {

@@ -20,12 +20,13 @@ enum class Outliers {
 /// How a recording is to be smoothed. What is absent is estimated from it.
 struct SmoothOptions {
   Penalty penalty = Penalty::acceleration;
-  std::optional<double> noise{};           ///< σ of the orientations per axis [rad], greater than 0
-  std::optional<double> smoothing_time{};  ///< τ [s], greater than 0; not together with `noise`
+  std::optional<double> noise{};           ///< σ of the orientations per axis [rad], 1e-7 to 0.5
+  std::optional<double> smoothing_time{};  ///< τ [s]; not together with `noise`. A thousandth of the median interval to
+                                           ///< ten durations, for the jerk 5000 intervals
   Outliers outliers = Outliers::reject;
   std::optional<double> gap{};  ///< intervals longer than this [s] end a stretch, and the next one begins
   bool gyro = false;            ///< the angular velocities of the recording are those of a gyro with a constant bias
-  std::optional<double> gyro_noise{};  ///< σ per axis [rad/s], greater than 0
+  std::optional<double> gyro_noise{};  ///< σ per axis [rad/s], 1e-9 to 1e3
 };
 
 /// Successive keys without a gap.
@@ -46,6 +47,7 @@ struct Smoothing {
   std::optional<double> degrees_of_freedom{};  ///< effective ones of the curve, 3 tr; absent with a gyro
   std::optional<double> gyro_noise{};          ///< σ per axis [rad/s], with a gyro
   std::vector<std::size_t> rejected{};         ///< samples that do not count
+  std::vector<std::size_t> rejected_gyro{};    ///< samples whose rates do not count
   std::vector<std::size_t> kept_runs{};  ///< samples as far away, but three or more in a row: rather motion than faults
   std::optional<SmoothingCriterion> criterion{};  ///< by which τ was chosen; absent: as stated
   LambdaChoice::Edge edge = LambdaChoice::Edge::none;
@@ -63,8 +65,8 @@ inline constexpr std::size_t most_times_for_choice = 10000;
 ///
 /// The weight of the penalty follows from `smoothing_time`; else it is chosen: by GCV where nothing is known, by UBRE
 /// where the noise is stated, by REML with a gyro. Errors: bad_data for too few samples (fewer than three in every
-/// stretch, four for the jerk), or where no smooth motion is near to them; bad_argument for options that contradict
-/// each other.
+/// stretch, four for the jerk), where no smooth motion is near to them or most of them count as outliers, or where a
+/// gyro contradicts them; bad_argument for options out of their range or that contradict each other; not_converged.
 [[nodiscard]] Expected<Smoothing> smooth(const Keyframes& recording, const SmoothOptions& options = {});
 
 /// The smoothed recording as keys with rates; its positions as they were.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 
@@ -17,7 +18,8 @@ using elementary::natural_logarithm;
 constexpr double shortest_relative_time = 0.5;   // τ over the interval, where the scan begins
 constexpr double longest_relative_time = 500.0;  // beyond it the conditioning spoils the last digits
 constexpr double scan_ratio = 1.3;
-constexpr int coarse_step = 2, rises_until_sure = 2;                  // in steps of the ratio; in coarse steps
+constexpr int coarse_step = 2, rises_until_sure = 2;  // in steps of the ratio; in coarse steps
+constexpr int most_scan_iterations = 20;
 constexpr double scan_tolerance = 1e-3, least_scan_tolerance = 1e-9;  // of the iteration, in units of the noise; [rad]
 constexpr std::size_t part_size = 2500;
 
@@ -51,7 +53,7 @@ double criterion_value(const Stretches& stretches, const StretchFits& fits, Smoo
 /// Where the parabola through three equally spaced values has its minimum, in steps from the middle one.
 double parabola_minimum(double before, double middle, double after) {
   const double curvature = before - 2.0 * middle + after;
-  return curvature > 0.0 ? 0.5 * (before - after) / curvature : 0.0;
+  return curvature > 0.0 && std::isfinite(curvature) ? 0.5 * (before - after) / curvature : 0.0;
 }
 
 double longest_smoothing_time(const Stretches& stretches, double interval) {
@@ -114,9 +116,11 @@ class Scan {
   double value(int k) {
     if (const auto known = tried_.find(k); known != tried_.end()) return known->second.value;
     objective_.lambda = lambda(time_at(k));
-    const SmoothingIteration iteration{.tolerance = std::max(scan_tolerance * noise_, least_scan_tolerance)};
+    const SmoothingIteration iteration{.tolerance = std::max(scan_tolerance * noise_, least_scan_tolerance),
+                                       .most = most_scan_iterations};
     StretchFits fits = fit_stretches(stretches_, objective_, iteration, nearest_fits(k));
-    const double value = criterion_value(stretches_, fits, criterion_, objective_);
+    const double value = converged(fits, noise_) ? criterion_value(stretches_, fits, criterion_, objective_)
+                                                 : std::numeric_limits<double>::infinity();
     tried_.emplace(k, Tried{value, std::move(fits)});
     return value;
   }
@@ -162,6 +166,10 @@ StretchFits fit_stretches(const Stretches& stretches, const SmoothingObjective& 
     result.fits.push_back(
         fit_smoothing(stretches[i], objective, iteration, start.fits.empty() ? nullptr : &start.fits[i].nodes));
   return result;
+}
+
+bool converged(const StretchFits& fits, double noise) {
+  return std::ranges::all_of(fits.fits, [noise](const SmoothingFit& fit) { return fit.last_step <= noise; });
 }
 
 std::size_t observations(const Stretches& stretches) {

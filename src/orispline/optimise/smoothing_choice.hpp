@@ -31,6 +31,9 @@ struct StretchFits {
 [[nodiscard]] StretchFits fit_stretches(const Stretches& stretches, const SmoothingObjective& objective,
                                         const SmoothingIteration& iteration = {}, const StretchFits& start = {});
 
+/// Whether the last steps turned no node by more than the noise [rad].
+[[nodiscard]] bool converged(const StretchFits& fits, double noise);
+
 /// Times with an orientation that counts.
 [[nodiscard]] std::size_t observations(const Stretches& stretches);
 

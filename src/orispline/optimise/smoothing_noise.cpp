@@ -9,13 +9,15 @@
 namespace orispline::optimise {
 namespace {
 
-/// `deviation(i, a)`: how far value i is from the share a of the way between its neighbours.
+/// `deviation(i, a)`: how far value i is from the share a of the way between its neighbours. Values that lie there to
+/// rounding, as while a recording rests or repeats itself, tell nothing of the noise.
 template <class Deviation>
 double noise_from(std::span<const double> times, Deviation deviation) {
   std::vector<double> scaled;
   for (std::size_t i = 1; i + 1 < times.size(); ++i) {
     const double a = (times[i] - times[i - 1]) / (times[i + 1] - times[i - 1]);
-    scaled.push_back(deviation(i, a) / std::sqrt(1.0 + a * a + (1.0 - a) * (1.0 - a)));
+    const double distance = deviation(i, a);
+    if (distance > least_noise) scaled.push_back(distance / std::sqrt(1.0 + a * a + (1.0 - a) * (1.0 - a)));
   }
   return median_of(std::move(scaled)) / median_length;
 }
@@ -32,8 +34,9 @@ double median_of(std::vector<double> values) {
 
 double local_noise(std::span<const double> times, std::span<const Eigen::Quaterniond> orientations) {
   return noise_from(times, [orientations](std::size_t i, double a) {
-    const Eigen::Vector3d way = shortest_increment(orientations[i - 1], orientations[i + 1]);
-    return shortest_increment(orientations[i - 1] * exp<double>(a * way), orientations[i]).norm();
+    const Eigen::Vector3d before = shortest_increment(orientations[i - 1], orientations[i]),
+                          after = shortest_increment(orientations[i], orientations[i + 1]);
+    return ((1.0 - a) * before - a * after).norm();
   });
 }
 

@@ -15,8 +15,12 @@ inline constexpr double median_length = 1.5381722544550522;
 /// 0 without values.
 [[nodiscard]] double median_of(std::vector<double> values);
 
-/// The noise of a recording per axis [rad], from how far every orientation is from the geodesic of its two neighbours:
-/// the median, so that outliers and quick turns do not count. It holds the bends of the motion too.
+/// Rounding of orientations in single precision [rad]: noise below it is not told apart.
+inline constexpr double least_noise = 1e-7;
+
+/// The noise of a recording per axis [rad], from the difference of the steps to its two neighbours that every
+/// orientation has: the median, so that outliers and quick turns do not count. It holds the bends of the motion too,
+/// but not orientations that differ from their neighbours' mean by less than `least_noise`.
 ///
 /// Times [s] increase; 0 for fewer than three.
 [[nodiscard]] double local_noise(std::span<const double> times, std::span<const Eigen::Quaterniond> orientations);

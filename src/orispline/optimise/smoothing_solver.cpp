@@ -1,260 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/optimise/smoothing.hpp>
-
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <optional>
 
-#include <orispline/base/expect.hpp>
-#include <orispline/curve/chart_curve.hpp>
-#include <orispline/optimise/bias_rows.hpp>
-#include <orispline/optimise/chain_elimination.hpp>
-#include <orispline/optimise/smoothing_element.hpp>
-#include <orispline/optimise/smoothing_loss.hpp>
+#include <orispline/optimise/smoothing_minimisation.hpp>
 
 namespace orispline::optimise {
 namespace {
-
-constexpr double rounding = 1e-12;      // a cost that rises by no more than this share has not risen
-constexpr double shortest_step = 1e-4;  // of the step that Gauss and Newton propose
-
-/// The iteration for a penalty of order P, with or without a gyro.
-template <int P, bool Gyro>
-class Minimisation {
- public:
-  Minimisation(const SmoothingProblem& problem, const SmoothingObjective& objective, const SmoothedNodes* start)
-      : problem_(problem),
-        objective_(objective),
-        state_(start ? taken_from(*start) : initial()),
-        may_rest_(start != nullptr) {}
-
-  /// Of the majorising normal matrix.
-  [[nodiscard]] double log_determinant() {
-    Evaluation now = evaluated(state_);
-    std::ranges::fill(now.curvatures, 1.0);
-    [[maybe_unused]] const BiasRows bias_rows = eliminated(now);
-    double sum = chain_.log_determinant();
-    if constexpr (Gyro)
-      if (objective_.bias == SmoothingObjective::Bias::constant) sum += bias_rows.log_determinant();
-    return sum;
-  }
-
-  [[nodiscard]] SmoothingFit run(const SmoothingIteration& iteration) {
-    Evaluation now = evaluated(state_);
-    SmoothingFit fit;
-    double turn_before = std::numeric_limits<double>::infinity();
-    for (fit.iterations = 1;; ++fit.iterations) {
-      const Step step = proposed(now);
-      fit.last_step = step.largest_turn;
-      double length = 1.0;
-      State moved = state_.after(step, length);
-      Evaluation there = evaluated(moved);
-      if (!(there.cost <= now.cost * (1.0 + rounding)) && std::exchange(may_rest_, false)) {
-        for (Rates& rates : state_.rates) rates.setZero();
-        now = evaluated(state_);
-        continue;
-      }
-      while (!(there.cost <= now.cost * (1.0 + rounding)) && length >= shortest_step) {
-        length *= 0.5;
-        moved = state_.after(step, length);
-        there = evaluated(moved);
-      }
-      const bool stays = std::abs(there.cost - now.cost) <= rounding * now.cost;  // then a step that grows is rounding
-      state_ = std::move(moved);
-      now = std::move(there);
-      if (step.largest_turn < iteration.tolerance && length == 1.0) break;
-      if (stays && step.largest_turn >= turn_before) break;
-      if (fit.iterations >= iteration.most) break;
-      turn_before = step.largest_turn;
-    }
-    return completed(std::move(fit), std::move(now));
-  }
-
- private:
-  using Element = SmoothingElement<P>;
-  using Rates = typename Element::Rates;
-  static constexpr int unknowns = Element::unknowns, data_rows = Gyro ? 6 : 3, sides = Gyro ? 4 : 1;
-  using Chain = ChainElimination<unknowns, data_rows, sides>;
-  using Low = typename Chain::Low;
-  using BiasRows = optimise::BiasRows<Chain::Remainder::RowsAtCompileTime, sides>;
-
-  struct Step {
-    std::vector<Eigen::Matrix<double, unknowns, 1>> nodes;
-    Eigen::Vector3d bias = Eigen::Vector3d::Zero();
-    double largest_turn = 0.0;
-  };
-
-  struct State {
-    std::vector<Eigen::Quaterniond> orientations;
-    std::vector<Rates> rates;
-    Eigen::Vector3d bias = Eigen::Vector3d::Zero();
-
-    [[nodiscard]] State after(const Step& step, double length) const {
-      State moved{orientations, rates, bias + length * step.bias};
-      for (std::size_t i = 0; i < rates.size(); ++i) {
-        const Eigen::Vector3d turn = length * step.nodes[i].template head<3>();
-        moved.orientations[i] = (orientations[i] * exp<double>(turn)).normalized();
-        moved.rates[i] += length * step.nodes[i].template tail<unknowns - 3>();
-      }
-      return moved;
-    }
-  };
-
-  struct Evaluation {
-    std::vector<Eigen::Vector3d> residuals, steps;
-    std::vector<double> loss_weights, curvatures;
-    double data = 0.0, penalty = 0.0, gyro = 0.0, cost = 0.0;
-  };
-
-  [[nodiscard]] double duration(std::size_t i) const { return problem_.times[i + 1] - problem_.times[i]; }
-
-  [[nodiscard]] Eigen::Vector3d gyro_residual(const State& state, std::size_t i) const {
-    return state.rates[i].template head<3>() - problem_.gyro[i] - state.bias;
-  }
-
-  /// The recording itself, at rest; times without an orientation take the nearest earlier one.
-  [[nodiscard]] State initial() const {
-    const auto first = std::ranges::find_if(problem_.weights, [](double w) { return w > 0.0; });
-    ORISPLINE_EXPECT(first != problem_.weights.end());
-    auto latest = static_cast<std::size_t>(first - problem_.weights.begin());
-    State state{{}, std::vector<Rates>(problem_.size(), Rates::Zero())};
-    for (std::size_t i = 0; i < problem_.size(); ++i) {
-      if (problem_.weights[i] > 0.0) latest = i;
-      state.orientations.push_back(problem_.orientations[latest]);
-    }
-    return state;
-  }
-
-  [[nodiscard]] static State taken_from(const SmoothedNodes& nodes) {
-    State state{nodes.orientations, {}, nodes.gyro_correction};
-    for (std::size_t i = 0; i < nodes.orientations.size(); ++i) {
-      Rates& rates = state.rates.emplace_back();
-      rates.template head<3>() = nodes.angular_velocities[i];
-      if constexpr (P == 3) rates.template tail<3>() = nodes.angular_accelerations[i];
-    }
-    return state;
-  }
-
-  [[nodiscard]] Evaluation evaluated(const State& state) const {
-    Evaluation e;
-    for (std::size_t i = 0; i < problem_.size(); ++i) {
-      const double w = problem_.weights[i];
-      const Eigen::Vector3d r = w > 0.0 ? shortest_increment(state.orientations[i], problem_.orientations[i])
-                                        : Eigen::Vector3d(Eigen::Vector3d::Zero());
-      const LossValue loss = loss_at(objective_.loss, w * r.squaredNorm(), objective_.threshold);
-      e.residuals.push_back(r);
-      e.loss_weights.push_back(loss.weight);
-      e.curvatures.push_back(loss.curvature);
-      e.data += loss.value;
-      if constexpr (Gyro) e.gyro += problem_.gyro_weights[i] * gyro_residual(state, i).squaredNorm();
-      if (i + 1 == problem_.size()) break;
-      e.steps.push_back(shortest_increment(state.orientations[i], state.orientations[i + 1]));
-      e.penalty += Element::residual(e.steps[i], state.rates[i], state.rates[i + 1], duration(i)).squaredNorm();
-    }
-    e.cost = e.data + objective_.lambda * e.penalty + e.gyro;
-    return e;
-  }
-
-  /// The rows of node i about itself and of its link to the next one.
-  [[nodiscard]] Low rows_of(const Evaluation& now, std::size_t i) const {
-    Low low = Low::Zero();
-    constexpr int side = 2 * unknowns;
-    const double root = std::sqrt(problem_.weights[i] * now.loss_weights[i]);
-    const Eigen::Vector3d& residual = now.residuals[i];
-    low.template topLeftCorner<3, 3>().diagonal().setConstant(root);
-    low.template block<3, 1>(0, side) = root * residual;
-    if (now.curvatures[i] < 1.0) {  // along the residual by its root, which the right-hand side makes up for
-      const double share = std::sqrt(now.curvatures[i]);
-      low.template topLeftCorner<3, 3>() +=
-          root * (share - 1.0) / residual.squaredNorm() * residual * residual.transpose();
-      low.template block<3, 1>(0, side) /= share;
-    }
-    if constexpr (Gyro) {
-      const double gyro_root = std::sqrt(problem_.gyro_weights[i]);
-      low.template block<3, 3>(3, 3).diagonal().setConstant(gyro_root);
-      low.template block<3, 1>(3, side) = -gyro_root * gyro_residual(state_, i);
-      if (objective_.bias == SmoothingObjective::Bias::constant)
-        low.template block<3, 3>(3, side + 1).diagonal().setConstant(gyro_root);
-    }
-    if (i + 1 < problem_.size()) {
-      const auto e = Element::linearised(now.steps[i], state_.rates[i], state_.rates[i + 1], duration(i));
-      const double penalty_root = std::sqrt(objective_.lambda);
-      low.template bottomLeftCorner<unknowns, 2 * unknowns>() = penalty_root * e.jacobian;
-      low.template block<unknowns, 1>(data_rows, side) = -penalty_root * e.residual;
-    }
-    return low;
-  }
-
-  /// Leaves the factor in the chain.
-  BiasRows eliminated(const Evaluation& now) {
-    chain_.start(problem_.size());
-    BiasRows bias_rows;
-    for (std::size_t i = 0; i < problem_.size(); ++i) {
-      const auto remainder = chain_.add(rows_of(now, i));
-      if constexpr (Gyro) bias_rows.add(remainder);
-    }
-    return bias_rows;
-  }
-
-  /// The Gauss–Newton step from the present state.
-  [[nodiscard]] Step proposed(const Evaluation& now) {
-    [[maybe_unused]] const BiasRows bias_rows = eliminated(now);
-    Step step;
-    Eigen::Matrix<double, sides, 1> combination = Eigen::Matrix<double, sides, 1>::Zero();
-    combination[0] = 1.0;
-    if constexpr (Gyro)
-      if (objective_.bias == SmoothingObjective::Bias::constant) {
-        step.bias = bias_rows.solved();
-        combination.template tail<3>() = step.bias;
-      }
-    step.nodes.resize(problem_.size());
-    chain_.solve(combination, [&](std::size_t i, const auto& x) {
-      step.nodes[i] = x;
-      step.largest_turn = std::max(step.largest_turn, x.template head<3>().template lpNorm<Eigen::Infinity>());
-    });
-    return step;
-  }
-
-  /// P = 2: α at every node, the mean of those of the polynomials on both sides, which agree to second order in the
-  /// step at a minimum without a gyro.
-  [[nodiscard]] std::vector<Eigen::Vector3d> mean_accelerations(const Evaluation& now) const {
-    const std::size_t last = problem_.size() - 1;
-    std::vector<Eigen::Vector3d> sums(problem_.size(), Eigen::Vector3d::Zero());
-    for (std::size_t i = 0; i < last; ++i) {
-      const double h = duration(i);
-      const Eigen::Vector3d half = 0.5 * now.steps[i], slope = now.steps[i] / h;
-      const Eigen::Vector3d v0 = right_jacobian_inverse<double>(-half) * state_.rates[i].template head<3>();
-      const Eigen::Vector3d v1 = right_jacobian_inverse<double>(half) * state_.rates[i + 1].template head<3>();
-      sums[i] += body_rates(-half, {v0, (6.0 * slope - 4.0 * v0 - 2.0 * v1) / h, Eigen::Vector3d::Zero()})[1];
-      sums[i + 1] += body_rates(half, {v1, (-6.0 * slope + 2.0 * v0 + 4.0 * v1) / h, Eigen::Vector3d::Zero()})[1];
-    }
-    for (std::size_t i = 1; i < last; ++i) sums[i] *= 0.5;
-    return sums;
-  }
-
-  [[nodiscard]] SmoothingFit completed(SmoothingFit fit, Evaluation now) {
-    if constexpr (P == 2) fit.nodes.angular_accelerations = mean_accelerations(now);
-    for (const Rates& rates : state_.rates) {
-      fit.nodes.angular_velocities.push_back(rates.template head<3>());
-      if constexpr (P == 3) fit.nodes.angular_accelerations.push_back(rates.template tail<3>());
-    }
-    fit.nodes.orientations = std::move(state_.orientations);
-    fit.nodes.gyro_correction = state_.bias;
-    fit.residuals = std::move(now.residuals);
-    fit.loss_weights = std::move(now.loss_weights);
-    fit.data = now.data;
-    fit.penalty = now.penalty;
-    fit.gyro = now.gyro;
-    fit.cost = now.cost;
-    return fit;
-  }
-
-  const SmoothingProblem& problem_;
-  const SmoothingObjective& objective_;
-  State state_;
-  bool may_rest_;  // rates that fit the orientations may hold the iteration back in a bent valley of the cost
-  Chain chain_;    // kept for its memory
-};
 
 /// Calls `use` with the iteration for the problem.
 template <class Use>
@@ -268,10 +20,37 @@ auto with_minimisation(const SmoothingProblem& problem, const SmoothingObjective
               : use(Minimisation<2, true>(problem, objective, start));
 }
 
+/// The minima of weaker penalties that lead to a strong one of the jerk, the smoothing time doubled from each to the
+/// next; nothing where it is not strong.
+std::optional<SmoothedNodes> lead_to(const SmoothingProblem& problem, const SmoothingObjective& objective) {
+  constexpr double far = 729e6;  // (τ over the interval)⁶ of 30, up to where the iteration finds its way alone
+  const double interval =
+      (problem.times.back() - problem.times.front()) / static_cast<double>(problem.times.size() - 1);
+  const double weight = *std::ranges::max_element(problem.weights);  // of the orientations, 1/σ²
+  double share = 1.0;
+  while (objective.lambda * share > far * weight * interval * interval * interval * interval * interval &&
+         share > 1e-60)
+    share /= 64.0;
+  const SmoothingIteration roughly{.tolerance = 0.01 / std::sqrt(weight)};
+  std::optional<SmoothedNodes> nodes;
+  for (; share < 1.0; share *= 64.0) {
+    SmoothingObjective weaker = objective;
+    weaker.lambda *= share;
+    nodes = with_minimisation(problem, weaker, nodes ? &*nodes : nullptr,
+                              [&](auto&& minimisation) { return minimisation.run(roughly).nodes; });
+  }
+  return nodes;
+}
+
 }  // namespace
 
 SmoothingFit fit_smoothing(const SmoothingProblem& problem, const SmoothingObjective& objective,
                            const SmoothingIteration& iteration, const SmoothedNodes* start) {
+  std::optional<SmoothedNodes> lead;
+  if (!start && objective.penalty == Penalty::jerk) {
+    lead = lead_to(problem, objective);
+    if (lead) start = &*lead;
+  }
   return with_minimisation(problem, objective, start, [&](auto&& minimisation) { return minimisation.run(iteration); });
 }
 

@@ -35,8 +35,9 @@ RecordingScale scale_of(const Keyframes& recording) {
 Expected<std::vector<Stretch>> stretches_of(const Keyframes& recording, Penalty penalty, std::optional<double> gap) {
   const double interval = scale_of(recording).interval;
   if (gap && *gap <= interval * (1.0 + time_rounding))
-    return failure(ErrorCode::bad_argument,
-                   fmt::format("gap: found {} s, wanted more than the median interval of {:.6g} s", *gap, interval));
+    return failure(
+        ErrorCode::bad_argument,
+        fmt::format("gap: found {:.6g} s, wanted more than the median interval of {:.6g} s", *gap, interval));
   const auto t = recording.times();
   std::vector<Stretch> stretches{{0, 1}};
   for (std::size_t i = 1; i < t.size(); ++i)
@@ -66,12 +67,22 @@ void add_gyro(Stretches& problems, const Keyframes& recording, const std::vector
 }
 
 FarSamples far_samples(const StretchFits& fits, const std::vector<Stretch>& stretches, double limit) {
+  std::vector<std::vector<double>> lengths;
+  for (const SmoothingFit& fit : fits.fits) {
+    auto& those = lengths.emplace_back();
+    for (const Eigen::Vector3d& residual : fit.residuals) those.push_back(residual.norm());
+  }
+  return far_samples(lengths, stretches, limit);
+}
+
+FarSamples far_samples(const std::vector<std::vector<double>>& lengths, const std::vector<Stretch>& stretches,
+                       double limit) {
   FarSamples far;
   for (std::size_t k = 0; k < stretches.size(); ++k) {
-    const auto& residuals = fits.fits[k].residuals;
-    for (std::size_t begin = 0, end; begin < residuals.size(); begin = end + 1) {
+    const auto& those = lengths[k];
+    for (std::size_t begin = 0, end; begin < those.size(); begin = end + 1) {
       end = begin;
-      while (end < residuals.size() && residuals[end].norm() > limit) ++end;
+      while (end < those.size() && those[end] > limit) ++end;
       auto& samples = end - begin >= shortest_run ? far.in_runs : far.single;
       for (std::size_t i = begin; i < end; ++i) samples.push_back(stretches[k].first + i);
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <orispline/optimise/smooth.hpp>
+#include <orispline/optimise/smoothing_noise.hpp>
 
 namespace orispline::optimise {
 
@@ -10,9 +11,6 @@ struct RecordingScale {
   double interval = 0.0;  ///< median one [s]
   double noise = 0.0;     ///< local_noise() [rad], at least `least_noise`
 };
-
-/// Rounding of orientations in single precision [rad]: noise below it is not told apart.
-inline constexpr double least_noise = 1e-7;
 
 [[nodiscard]] RecordingScale scale_of(const Keyframes& recording);
 
@@ -33,6 +31,10 @@ struct FarSamples {
   std::vector<std::size_t> in_runs{};  ///< of which three or more follow each other, or fill a stretch
 };
 [[nodiscard]] FarSamples far_samples(const StretchFits& fits, const std::vector<Stretch>& stretches, double limit);
+
+/// The same of any lengths, those of each stretch by themselves.
+[[nodiscard]] FarSamples far_samples(const std::vector<std::vector<double>>& lengths,
+                                     const std::vector<Stretch>& stretches, double limit);
 
 /// Takes the weight of the single samples, and gives them back, but for stretches that would keep too few: theirs are
 /// added to those in runs. Error (bad_data): the only stretch would keep too few.
