@@ -50,7 +50,7 @@ class Minimisation {
       const double length = advance(now, step);
       const bool stays =
           std::abs(now.cost - cost_before) <= cost_rounding * cost_before;  // a step that grows is rounding
-      if (step.largest_turn < iteration.tolerance && length == 1.0) break;
+      if (length == 0.0 || (step.largest_turn < iteration.tolerance && length == 1.0)) break;
       if (stays && step.largest_turn >= turn_before) break;
       if (fit.iterations >= iteration.most) break;
       turn_before = step.largest_turn;
@@ -191,9 +191,13 @@ class Minimisation {
     for (double length = 1.0;; length *= 0.5) {
       state_ = from.after(step, length);
       Evaluation there = evaluated(state_);
-      if (there.cost <= now.cost * (1.0 + cost_rounding) || length < shortest_step) {
+      if (there.cost <= now.cost * (1.0 + cost_rounding)) {
         now = std::move(there);
         return length;
+      }
+      if (length < shortest_step) {  // this way leads no farther down
+        state_ = from;
+        return 0.0;
       }
       if (length == 1.0 && std::isfinite(there.cost) && crosses(now, step, std::move(there))) return length;
     }
