@@ -58,7 +58,7 @@ void add_measures(report::PageMethod& method, const CompareReport& report, const
     if (compared.label != method.name || !compared.measures) continue;
     for (const CompareFigure& figure : figures)
       if (const auto value = figure.value(*compared.measures, report.data);
-          value && is_in_page(figure, compared.key_set))
+          value && is_in_page(figure, compared.key_set) && is_finite(figure, *compared.measures))
         method.measures.emplace(id_on(figure.id, compared.key_set), *value);
   }
 }

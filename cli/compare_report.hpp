@@ -54,6 +54,9 @@ struct CompareFigure {
 /// `rms|mean|…`
 [[nodiscard]] std::string sort_words();
 
+/// Whether the figure is that of the whole curve: an energy is infinite where a rate that it integrates jumps at keys.
+[[nodiscard]] bool is_finite(const CompareFigure& figure, const Measures& measures);
+
 /// Puts the best method first in each set of keys, what failed last. Error (bad_argument): rates are not logged.
 [[nodiscard]] Expected<void> sort(CompareReport& report);
 

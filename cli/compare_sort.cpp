@@ -11,18 +11,20 @@ namespace {
 
 constexpr std::string_view rate_word = "rate", torque_word = "torque";
 
-/// Rates of the first order that a curve needs to be continuous for its energy to be finite, by the word of the energy.
-int order_for(std::string_view word) { return word == "energy" || word == torque_word ? 1 : word == "jerk" ? 2 : 0; }
-
 /// Rising from the best; infinite where nothing can be said.
 double rank_of(const ComparedMethod& method, const CompareFigure& figure, const ComparedData& data) {
   constexpr double last = std::numeric_limits<double>::infinity();
-  if (!method.measures || method.measures->continuity.order() < order_for(figure.word)) return last;
+  if (!method.measures || !is_finite(figure, *method.measures)) return last;
   const double value = figure.value(*method.measures, data).value_or(last);
   return figure.better == report::Better::more ? -value : value;
 }
 
 }  // namespace
+
+bool is_finite(const CompareFigure& figure, const Measures& measures) {
+  const int order = figure.word == "energy" || figure.word == torque_word ? 1 : figure.word == "jerk" ? 2 : 0;
+  return measures.continuity.order() >= order;
+}
 
 std::string sort_words() {
   std::string words;

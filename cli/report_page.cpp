@@ -84,7 +84,8 @@ report::PageMethod method_of(const CurvePage& page, const ShownCurve& curve) {
                             .samples = samples_of(curve.curve, page.inertia, samples_of_few),
                             .keys = keys_in_page(curve.keys)};
   for (const CompareFigure& figure : page.figures)
-    if (const auto value = figure.value(curve.measures, page.data)) method.measures.emplace(figure.id, *value);
+    if (const auto value = figure.value(curve.measures, page.data); value && is_finite(figure, curve.measures))
+      method.measures.emplace(figure.id, *value);
   return method;
 }
 

@@ -126,6 +126,8 @@ Expected<void> smooth(const SmoothOptions& options) {
                               ? std::move(smoothing.error())
                               : located(*file, std::move(smoothing.error())));
   if (const std::string remark = remark_on(*smoothing); !remark.empty()) warn(remark);
+  if (!io::holds_all_columns(request->columns.format))
+    warn("this format holds no rates: wx,wy,wz,ax,ay,az are not written, wanted a CSV file for them");
   const auto keys = optimise::smoothed_keyframes(*recording, *smoothing);
   if (!keys) return tl::unexpected(keys.error());
   SmoothReport report{.file = std::move(*file),

@@ -155,6 +155,10 @@ std::vector<std::string> notes_of(const SmoothReport& report) {
     notes.push_back(fmt::format("{} as outliers and marked with a cross{}; the line of errors leaves them out.",
                                 counted(rejected, "sample") + (rejected == 1 ? " is rejected" : " are rejected"),
                                 rejected > samples_of_few ? fmt::format(", {} of them", samples_of_few) : ""));
+  if (const std::size_t kept = smoothing.kept_runs.size(); kept > 0)
+    notes.push_back(fmt::format("{} far from the curve, but three or more in a row: kept as motion.",
+                                counted(kept, "sample") + (kept == 1 ? " is" : " are")));
+  if (const std::string remark = remark_on(smoothing); !remark.empty()) notes.push_back("Warning: " + remark + ".");
   if (smoothing.stretches.size() > 1)
     notes.push_back(fmt::format("{} stretches between gaps: in a gap there is no curve, nothing is measured in it.",
                                 smoothing.stretches.size()));
