@@ -145,6 +145,21 @@ const SpanTest::Level* SpanTest::level_of(const Piece& piece) const {
   return level < levels_.size() ? &levels_[level] : nullptr;
 }
 
+std::vector<std::size_t> SpanTest::farthest_from_block(std::size_t first, std::size_t intervals,
+                                                       std::size_t count) const {
+  const auto level = static_cast<std::size_t>(std::countr_zero(intervals)) - 1;
+  const std::size_t b = first / intervals;
+  std::vector<std::size_t> samples;
+  if (level < levels_.size() && levels_[level].blocks[b].known) {
+    const auto largest = std::span(levels_[level].largest).subspan(b * levels_[level].kept());
+    for (std::size_t n = 0; n < std::min(count, levels_[level].kept()); ++n) samples.push_back(largest[n].sample);
+  } else {
+    const std::size_t step = std::max<std::size_t>(1, intervals / count);
+    for (std::size_t k = first + (step + 1) / 2; k < first + intervals; k += step) samples.push_back(k);
+  }
+  return samples;
+}
+
 double SpanTest::distance(const Block& block, const Piece& piece) const {
   const double at_first = bound_of_angle(block.first.orientation, piece.at_first.orientation);
   const double at_last = bound_of_angle(block.last.orientation, piece.at_last.orientation);

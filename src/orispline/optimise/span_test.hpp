@@ -28,6 +28,10 @@ class SpanTest {
   /// One of the violations, of the samples between i and j; `turn` is the geodesic's rotation vector [rad], body frame
   /// of sample i. Nothing where all samples are held.
   [[nodiscard]] std::optional<Violation> violation(std::size_t i, std::size_t j, const Eigen::Vector3d& turn);
+  /// Up to so many samples of the block, those farthest from the geodesic fitted to it; where none is, evenly spaced
+  /// ones.
+  [[nodiscard]] std::vector<std::size_t> farthest_from_block(std::size_t first, std::size_t intervals,
+                                                             std::size_t count) const;
 
  private:
   struct Pose {
