@@ -36,7 +36,7 @@ class Chains {
 
   std::vector<std::size_t> shortest() {
     std::size_t more = 0;
-    while (!is_found(to_end_.at_least(0) + more)) more += 1 + more / 2;
+    while (!is_found(to_end_.at_least(0) + more)) more += 1 + more / 8;
     std::vector<std::size_t> chain{recording_.size() - 1};
     while (chain.back() != 0) chain.push_back(before_[chain.back()]);
     return {chain.rbegin(), chain.rend()};
