@@ -130,6 +130,33 @@ TEST(Reduce, NeedsNoMoreGeodesicsForLongSpansAndLargeTurns) {
     }
 }
 
+/// At rest but for one turn in the middle, with noise of that largest component [rad].
+Keyframes at_rest_but_for_a_jump(std::size_t samples, double jump, double noise, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> any(-noise, noise);
+  KeyframeData data;
+  for (std::size_t i = 0; i < samples; ++i) {
+    const Eigen::Quaterniond rest = exp<double>(Eigen::Vector3d(0.0, 0.0, i < samples / 2 ? 0.0 : jump));
+    data.times.push_back(0.01 * static_cast<double>(i));
+    data.orientations.push_back(rest * exp<double>(Eigen::Vector3d(any(random), any(random), any(random))));
+  }
+  return Keyframes::make(std::move(data)).value();
+}
+
+TEST(Reduce, NeedsNoMoreGeodesicsAtRestInNoise) {
+  constexpr double noise = 0.04 * degree;
+  for (unsigned seed = 0; seed < 10; ++seed)
+    for (const double jump : {0.0, 1.0, 90.0, 179.9, 180.0}) {
+      const Keyframes recording = at_rest_but_for_a_jump(180, jump * degree, noise, seed);
+      for (const double factor : {1.3, 1.7, 2.0, 2.3, 2.6}) {
+        const Tolerance allowed{.angle = factor * noise};
+        const Reduction found = reduced("slerp", recording, {.tolerance = allowed});
+        EXPECT_EQ(found.samples.size(), fewest_keys(recording, allowed)) << seed << " " << jump << " " << factor;
+        expect_within(found, recording, allowed);
+      }
+    }
+}
+
 TEST(Reduce, NeedsNoMoreGeodesicsWithPositionsBounded) {
   for (unsigned seed = 0; seed < 60; ++seed)
     for (const double distance : {0.01, 0.05, 0.2}) {

@@ -3,78 +3,29 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
+#include <ranges>
 #include <utility>
 
+#include <orispline/optimise/rate_fan.hpp>
+#include <orispline/optimise/span_reach.hpp>
+#include <orispline/optimise/span_targets.hpp>
 #include <orispline/optimise/span_test.hpp>
+#include <orispline/optimise/spans_to_end.hpp>
 
 namespace orispline::optimise {
 namespace {
-
-/// The middles of the faces, edges and corners of a cube, one of each opposite two.
-Eigen::Matrix<double, 13, 3> unit_directions() {
-  Eigen::Matrix<double, 13, 3> directions;
-  directions << 1, 0, 0, 0, 1, 0, 0, 0, 1,                      //
-      0, 1, 1, 0, 1, -1, 1, 0, 1, 1, 0, -1, 1, 1, 0, 1, -1, 0,  //
-      1, 1, 1, -1, 1, 1, 1, -1, 1, 1, 1, -1;
-  return directions.rowwise().normalized();
-}
-
-/// Rates that no sample so far forbids [rad/s], or a few more: between planes across some directions.
-class RateBounds {
- public:
-  /// After a sample at the rotation vector `turn`, `elapsed` seconds later.
-  void narrow(const Eigen::Vector3d& turn, double elapsed, double tolerance) {
-    const double angle = turn.norm() + tolerance;
-    if (!(angle < largest_angle)) return;
-    const double half = 0.5 * angle;
-    const double stretch = half / std::sin(half);
-    const double radius = tolerance * stretch * (1.0 + rounding) / elapsed;
-    const Array along = directions * (turn / elapsed);
-    lowest_ = lowest_.max(along - radius);
-    highest_ = highest_.min(along + radius);
-  }
-  [[nodiscard]] bool are_empty() const { return (lowest_ > highest_).any(); }
-  /// How far a rate is outside, across the worst plane [rad/s].
-  [[nodiscard]] double distance(const Eigen::Vector3d& rate) const {
-    const Array along = directions * rate;
-    return (lowest_ - along).max(along - highest_).maxCoeff();
-  }
-
- private:
-  using Array = Eigen::Array<double, 13, 1>;
-  static constexpr double largest_angle = 0.999 * std::numbers::pi;  // below the cut of the logarithm
-  static constexpr double rounding = 1e-9;                           // in favour of the rate
-  static const inline Eigen::Matrix<double, 13, 3> directions = unit_directions();
-
-  Array lowest_ = Array::Constant(-std::numeric_limits<double>::infinity());
-  Array highest_ = Array::Constant(std::numeric_limits<double>::infinity());
-};
-
-/// Samples that no chain has reached yet, after any sample the next of them.
-class Unreached {
- public:
-  explicit Unreached(std::size_t size) : next_(size + 1) {
-    for (std::size_t i = 0; i <= size; ++i) next_[i] = i;
-  }
-  /// The first one from i on; the size where there is none.
-  [[nodiscard]] std::size_t from(std::size_t i) {
-    while (next_[i] != i) i = next_[i] = next_[next_[i]];
-    return i;
-  }
-  void reach(std::size_t i) { next_[i] = i + 1; }
-
- private:
-  std::vector<std::size_t> next_;
-};
 
 class Chains {
  public:
   explicit Chains(const Recording& recording)
       : recording_(recording),
         spans_(recording),
-        unreached_(recording.size()),
+        telling_(spans_, recording.size()),
+        farthest_(farthest_of_spans(recording, telling_, SpanDirection::to_end)),
+        earliest_(farthest_of_spans(recording, telling_, SpanDirection::to_start)),
+        to_end_(farthest_),
+        targets_(earliest_),
         before_(recording.size(), 0),
         turns_(recording.size()),
         turned_from_(recording.size(), recording.size()),
@@ -84,16 +35,9 @@ class Chains {
   }
 
   std::vector<std::size_t> shortest() {
-    unreached_.reach(0);
-    const std::size_t last = recording_.size() - 1;
-    std::vector<std::size_t> level{0};
-    while (unreached_.from(last) == last) {
-      std::vector<std::size_t> next;
-      for (const std::size_t i : level) extend(i, next);
-      std::sort(next.begin(), next.end());
-      level = std::move(next);
-    }
-    std::vector<std::size_t> chain{last};
+    std::size_t more = 0;
+    while (!is_found(to_end_.at_least(0) + more)) more += 1 + more / 8;
+    std::vector<std::size_t> chain{recording_.size() - 1};
     while (chain.back() != 0) chain.push_back(before_[chain.back()]);
     return {chain.rbegin(), chain.rend()};
   }
@@ -102,6 +46,43 @@ class Chains {
   [[nodiscard]] double time(std::size_t i) const { return recording_.samples().times()[i]; }
   [[nodiscard]] Eigen::Quaterniond orientation(std::size_t i) const { return recording_.samples().orientations()[i]; }
 
+  /// Whether the last sample is reached by a chain of not more than so many spans; then by the shortest of all.
+  bool is_found(std::size_t spans) {
+    keep_complete_levels(spans);
+    while (levels_.size() <= spans && !levels_.back().empty()) {
+      if (ends(levels_.back())) return true;
+      const std::size_t first = to_end_.first_within(spans - levels_.size());
+      std::vector<std::size_t> next;
+      for (const std::size_t i : std::views::reverse(levels_.back())) extend(i, first, next);
+      std::sort(next.begin(), next.end());
+      levels_.push_back(std::move(next));
+      first_.push_back(first);
+    }
+    return false;
+  }
+
+  /// Those that are the same where so many spans are allowed.
+  void keep_complete_levels(std::size_t spans) {
+    std::size_t complete = 1;
+    while (complete < levels_.size() && (first_[complete] <= levels_[complete - 1].front() + 1 ||
+                                         first_[complete] == to_end_.first_within(spans - complete)))
+      ++complete;
+    levels_.resize(complete);
+    first_.resize(complete);
+    targets_ = SpanTargets(earliest_);
+    for (const auto& level : levels_)
+      for (const std::size_t i : level) targets_.remove(i);
+  }
+
+  /// Whether a span holds from one of the samples to the last.
+  bool ends(const std::vector<std::size_t>& level) {
+    const std::size_t last = recording_.size() - 1;
+    const auto holds = [&](std::size_t i) { return farthest_[i] == last && !spans_.violation(i, last, turn(i, last)); };
+    const auto found = std::find_if(level.rbegin(), level.rend(), holds);
+    if (found != level.rend()) before_[last] = *found;
+    return found != level.rend();
+  }
+
   /// The shorter way from sample i to sample k [rad].
   [[nodiscard]] const Eigen::Vector3d& turn(std::size_t i, std::size_t k) {
     if (std::exchange(turned_from_[k], i) == i) return turns_[k];
@@ -109,39 +90,36 @@ class Chains {
   }
 
   /// To the rates from sample i that pass near sample k.
-  void narrow(RateBounds& bounds, std::size_t i, std::size_t k) {
-    bounds.narrow(turn(i, k), time(k) - time(i), recording_.tolerance().angle);
+  void narrow(RateFan& fan, std::size_t i, std::size_t k) {
+    fan.narrow(turn(i, k), time(k) - time(i), recording_.tolerance().angle);
   }
 
-  /// Reaches what can be reached from sample i.
-  void extend(std::size_t i, std::vector<std::size_t>& reached) {
-    RateBounds bounds;
+  /// Reaches what can be reached from sample i, `first` or later, but not the last.
+  void extend(std::size_t i, std::size_t first, std::vector<std::size_t>& reached) {
+    RateFan fan;
     std::size_t looked = i;
-    for (std::size_t j = unreached_.from(i + 1); j < recording_.size();) {
-      for (std::size_t next = looked_after(i, looked); next < j && !bounds.are_empty();
-           next = looked_after(i, looked)) {
+    const std::size_t end = std::min(farthest_[i] + 1, recording_.size() - 1);
+    for (std::size_t j = targets_.next(i, std::max(first, i + 1)); j < end;) {
+      for (std::size_t next = telling_.after(i, looked); next < j && !fan.is_empty();
+           next = telling_.after(i, looked)) {
         looked = next;
-        narrow(bounds, i, looked);
+        narrow(fan, i, looked);
       }
-      if (bounds.are_empty()) return;
-      double lacking = bounds.distance(turn(i, j) / (time(j) - time(i)));
+      if (fan.is_empty()) return;
+      double lacking = fan.distance(turn(i, j) / (time(j) - time(i)));
       if (lacking <= 0.0) {
         if (const auto violation = spans_.violation(i, j, turn(i, j))) {
           lacking = violation->beyond / (time(violation->sample) - time(i));
-          narrow(bounds, i, violation->sample);
+          narrow(fan, i, violation->sample);
         } else {
-          unreached_.reach(j);
+          targets_.remove(j);
           before_[j] = i;
           reached.push_back(j);
         }
       }
-      j = unreached_.from(lacking > 0.0 ? next_worth_a_look(i, j, lacking) : j + 1);
+      j = targets_.next(i, lacking > 0.0 ? next_worth_a_look(i, j, lacking) : j + 1);
     }
   }
-
-  /// The sample that narrows the rates next: 16 for every doubling of the span; fewer leave the bounds wider, more cost
-  /// logarithms.
-  static std::size_t looked_after(std::size_t i, std::size_t looked) { return looked + 1 + (looked - i) / 16; }
 
   /// The first sample after j for which the mean rate from sample i may differ by `lacking` [rad/s] from that for j.
   [[nodiscard]] std::size_t next_worth_a_look(std::size_t i, std::size_t j, double lacking) const {
@@ -160,11 +138,17 @@ class Chains {
 
   const Recording& recording_;
   SpanTest spans_;
-  Unreached unreached_;
-  std::vector<std::size_t> before_;       ///< the sample before in the shortest chain
-  std::vector<Eigen::Vector3d> turns_;    ///< from the sample that was asked for last [rad]
-  std::vector<std::size_t> turned_from_;  ///< that sample
-  std::vector<double> path_;              ///< angle travelled up to each sample [rad]
+  TellingSamples telling_;
+  std::vector<std::size_t> farthest_;  ///< that a span from each sample may reach
+  std::vector<std::size_t> earliest_;  ///< from which a span to each sample may begin
+  SpansToEnd to_end_;
+  SpanTargets targets_;
+  std::vector<std::vector<std::size_t>> levels_{{0}};  ///< samples that chains of 0, 1, 2 … spans reach first
+  std::vector<std::size_t> first_{0};                  ///< before which each level has none, for the end is too far
+  std::vector<std::size_t> before_;                    ///< the sample before in the shortest chain
+  std::vector<Eigen::Vector3d> turns_;                 ///< from the sample that was asked for last [rad]
+  std::vector<std::size_t> turned_from_;               ///< that sample
+  std::vector<double> path_;                           ///< angle travelled up to each sample [rad]
 };
 
 }  // namespace
