@@ -63,7 +63,7 @@ class Smoother {
     if (options_.outliers == Outliers::tukey) fit_with_tukey();
     if (options_.outliers == Outliers::reject)
       if (auto done = fit_without_outliers(); !done) return tl::unexpected(std::move(done.error()));
-    measure_noise();
+    measure_noise_and_freedom();
     if (const double noise = result_.noise; noise > largest_noise)
       return failure(ErrorCode::bad_data,
                      fmt::format("no smooth motion is near to the samples: they are {:.3g}° per axis off the best one",
@@ -73,18 +73,21 @@ class Smoother {
   }
 
  private:
-  /// Chooses λ and fits, from the present fit if there is one.
-  void fit(const SmoothingIteration& iteration) {
-    if (options_.smoothing_time) {
-      objective_.lambda = lambda_of(*options_.smoothing_time, options_.penalty, noise_, scale_.interval);
-    } else {
-      choose(options_.noise ? SmoothingCriterion::ubre : SmoothingCriterion::gcv);
-    }
+  /// With λ as stated or chosen anew, from the present fit if there is one.
+  void fit(const SmoothingIteration& iteration = {}) {
+    set_lambda(options_.noise ? SmoothingCriterion::ubre : SmoothingCriterion::gcv);
     refit(iteration);
   }
 
+  /// As the smoothing time states it, else by the criterion.
+  void set_lambda(SmoothingCriterion criterion) {
+    if (options_.smoothing_time)
+      objective_.lambda = lambda_of(*options_.smoothing_time, options_.penalty, noise_, scale_.interval);
+    else choose(criterion);
+  }
+
   void choose(SmoothingCriterion criterion) {
-    const Stretches parts = representative_parts(problems_, most_times_for_choice);
+    const StretchProblems parts = representative_parts(problems_, most_times_for_choice);
     const auto near = result_.criterion == criterion ? std::optional(smoothing_time()) : std::nullopt;
     const LambdaChoice choice = chosen_lambda(parts, objective_, criterion, noise_, scale_.interval, near);
     objective_.lambda = choice.lambda;
@@ -117,32 +120,36 @@ class Smoother {
     if (!far) return tl::unexpected(std::move(far.error()));
     result_.rejected = std::move(far->single);
     result_.kept_runs = std::move(far->in_runs);
-    if (result_.rejected.empty()) return refit(), Expected<void>();
-    fit({});
+    if (result_.rejected.empty()) refit();
+    else fit();
     return {};
   }
 
-  [[nodiscard]] double trace() const { return hat_trace(problems_, fits_, options_.penalty, objective_.lambda); }
+  /// What of the data the curve takes up, per axis, and what is left to tell the noise: trace + rest = observations.
+  struct Freedom {
+    double trace, rest, observations;
+  };
 
-  /// The share of the data that is left to tell the noise.
-  [[nodiscard]] double free_share() const {
+  [[nodiscard]] Freedom freedom() const {
     const auto count = static_cast<double>(observations(problems_));
-    return std::max(0.0, (count - trace()) / count);
+    const double trace = hat_trace(problems_, fits_, options_.penalty, objective_.lambda);
+    return {trace, std::max(0.0, count - trace), count};
   }
 
+  /// σ per axis [rad] of the residuals, of which outliers are few.
   [[nodiscard]] double noise_by_median() const {
     std::vector<double> lengths;
     for (const SmoothingFit& fit : fits_.fits)
       for (const Eigen::Vector3d& r : fit.residuals) lengths.push_back(r.norm());
-    const double share = free_share();
-    return share > 0.0 ? median_of(std::move(lengths)) / (median_length * std::sqrt(share)) : 0.0;
+    const Freedom of = freedom();
+    if (!(of.rest > 0.0)) return 0.0;
+    return median_of(std::move(lengths)) / (median_length * std::sqrt(of.rest / of.observations));
   }
 
-  void measure_noise() {
-    const auto count = static_cast<double>(observations(problems_));
-    const double freedom = 3.0 * count * free_share();
-    result_.noise = freedom > 0.0 ? noise_ * std::sqrt(fits_.data() / freedom) : 0.0;
-    result_.degrees_of_freedom = 3.0 * trace();
+  void measure_noise_and_freedom() {
+    const Freedom of = freedom();
+    result_.noise = of.rest > 0.0 ? noise_ * std::sqrt(fits_.data() / (3.0 * of.rest)) : 0.0;
+    result_.degrees_of_freedom = 3.0 * of.trace;
   }
 
   void fit_with_gyro() {
@@ -156,9 +163,7 @@ class Smoother {
     result_.degrees_of_freedom.reset();
     add_gyro(problems_, recording_, stretches_, *result_.gyro_noise);
     objective_.bias = SmoothingObjective::Bias::constant;
-    if (options_.smoothing_time)
-      objective_.lambda = lambda_of(*options_.smoothing_time, options_.penalty, noise_, scale_.interval);
-    else choose(SmoothingCriterion::reml);
+    set_lambda(SmoothingCriterion::reml);
     refit();
   }
 
@@ -194,7 +199,7 @@ class Smoother {
   RecordingScale scale_;
   double noise_;  // that the weights stand for [rad]
   std::vector<Stretch> stretches_;
-  Stretches problems_;
+  StretchProblems problems_;
   SmoothingObjective objective_;
   StretchFits fits_;
   Smoothing result_;

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <limits>
-#include <optional>
-#include <span>
+#include <cstddef>
 #include <vector>
 
-#include <orispline/base/expected.hpp>
 #include <orispline/math/eigen.hpp>
 
 namespace orispline::optimise {
@@ -49,10 +46,10 @@ struct SmoothingObjective {
   Bias bias = Bias::none;  ///< of the gyro
 };
 
-/// When the iteration ends.
+/// When the iteration ends; also where no step lowers the cost any more.
 struct SmoothingIteration {
-  double tolerance = 1e-9;  ///< largest turn of a node in the last step [rad]
-  int most = 60;
+  double tolerance = 1e-9;  ///< largest component of a node's turn in the last step [rad]
+  int most = 60;            ///< steps
 };
 
 /// The unknowns: orientations and body rates at the times of the recording.
@@ -71,7 +68,7 @@ struct SmoothingFit {
   double data = 0.0, penalty = 0.0, gyro = 0.0;  ///< terms of the cost, the penalty without λ
   double cost = 0.0;                             ///< data + λ penalty + gyro
   int iterations = 0;
-  double last_step = 0.0;  ///< largest turn of a node in the last step [rad]
+  double last_step = 0.0;  ///< largest component of a node's turn in the last step [rad]
 };
 
 /// Minimises Σ ρ(w |r|²) + λ ∫|ω^(p-1)|² dt + Σ w_g |ω - g - b|² over orientations, rates and bias at the times of the

@@ -28,7 +28,8 @@ double power(double base, int exponent) {
 }
 
 /// -2 log of the restricted likelihood, but for a constant.
-double restricted_likelihood(const Stretches& stretches, const StretchFits& fits, const SmoothingObjective& objective) {
+double restricted_likelihood(const StretchProblems& stretches, const StretchFits& fits,
+                             const SmoothingObjective& objective) {
   double sum = 0.0;
   for (std::size_t i = 0; i < stretches.size(); ++i) {
     const auto segments = static_cast<double>(stretches[i].size() - 1);
@@ -38,7 +39,7 @@ double restricted_likelihood(const Stretches& stretches, const StretchFits& fits
   return sum;
 }
 
-double criterion_value(const Stretches& stretches, const StretchFits& fits, SmoothingCriterion criterion,
+double criterion_value(const StretchProblems& stretches, const StretchFits& fits, SmoothingCriterion criterion,
                        const SmoothingObjective& objective) {
   if (criterion == SmoothingCriterion::reml) return restricted_likelihood(stretches, fits, objective);
   const double trace = hat_trace(stretches, fits, objective.penalty, objective.lambda);
@@ -54,7 +55,7 @@ double parabola_minimum(double before, double middle, double after) {
   return curvature > 0.0 ? 0.5 * (before - after) / curvature : 0.0;
 }
 
-double longest_smoothing_time(const Stretches& stretches, double interval) {
+double longest_smoothing_time(const StretchProblems& stretches, double interval) {
   double span = 0.0;
   for (const SmoothingProblem& stretch : stretches) span = std::max(span, stretch.times.back() - stretch.times.front());
   return std::min(longest_relative_time * interval, span);
@@ -63,7 +64,7 @@ double longest_smoothing_time(const Stretches& stretches, double interval) {
 /// The criterion at τ = τ₀ ratio^k, each value found once.
 class Scan {
  public:
-  Scan(const Stretches& stretches, SmoothingObjective objective, SmoothingCriterion criterion, double noise,
+  Scan(const StretchProblems& stretches, SmoothingObjective objective, SmoothingCriterion criterion, double noise,
        double interval, double origin)
       : stretches_(stretches),
         objective_(objective),
@@ -95,7 +96,6 @@ class Scan {
     else if (!inside(k + 1)) choice.edge = LambdaChoice::Edge::longest;
     else time *= std::exp(natural_logarithm(scan_ratio) * parabola_minimum(value(k - 1), value(k), value(k + 1)));
     choice.lambda = lambda(time);
-    choice.tried = tried_.size();
     return choice;
   }
 
@@ -127,7 +127,7 @@ class Scan {
     return nearest == tried_.end() ? StretchFits() : nearest->second.fits;
   }
 
-  const Stretches& stretches_;
+  const StretchProblems& stretches_;
   SmoothingObjective objective_;
   SmoothingCriterion criterion_;
   double noise_, interval_, origin_, shortest_, longest_;
@@ -155,7 +155,7 @@ double StretchFits::data() const noexcept {
   return std::accumulate(fits.begin(), fits.end(), 0.0, [](double sum, const SmoothingFit& f) { return sum + f.data; });
 }
 
-StretchFits fit_stretches(const Stretches& stretches, const SmoothingObjective& objective,
+StretchFits fit_stretches(const StretchProblems& stretches, const SmoothingObjective& objective,
                           const SmoothingIteration& iteration, const StretchFits& start) {
   StretchFits result;
   for (std::size_t i = 0; i < stretches.size(); ++i)
@@ -164,14 +164,14 @@ StretchFits fit_stretches(const Stretches& stretches, const SmoothingObjective& 
   return result;
 }
 
-std::size_t observations(const Stretches& stretches) {
+std::size_t observations(const StretchProblems& stretches) {
   std::size_t count = 0;
   for (const SmoothingProblem& stretch : stretches)
     count += static_cast<std::size_t>(std::ranges::count_if(stretch.weights, [](double w) { return w > 0.0; }));
   return count;
 }
 
-double hat_trace(const Stretches& stretches, const StretchFits& fits, Penalty penalty, double lambda) {
+double hat_trace(const StretchProblems& stretches, const StretchFits& fits, Penalty penalty, double lambda) {
   double sum = 0.0;
   for (std::size_t i = 0; i < stretches.size(); ++i) {
     std::vector<double> weights = stretches[i].weights;
@@ -181,17 +181,17 @@ double hat_trace(const Stretches& stretches, const StretchFits& fits, Penalty pe
   return sum;
 }
 
-LambdaChoice chosen_lambda(const Stretches& stretches, const SmoothingObjective& objective,
+LambdaChoice chosen_lambda(const StretchProblems& stretches, const SmoothingObjective& objective,
                            SmoothingCriterion criterion, double noise, double interval, std::optional<double> near) {
   Scan scan(stretches, objective, criterion, noise, interval, near.value_or(shortest_relative_time * interval));
   return near ? scan.around(0) : scan.from_below();
 }
 
-Stretches representative_parts(const Stretches& stretches, std::size_t most) {
+StretchProblems representative_parts(const StretchProblems& stretches, std::size_t most) {
   std::size_t all = 0;
   for (const SmoothingProblem& stretch : stretches) all += stretch.size();
   if (all <= most) return stretches;
-  Stretches parts;
+  StretchProblems parts;
   for (const SmoothingProblem& stretch : stretches) {
     const std::size_t share = most * stretch.size() / all;  // of the times
     const std::size_t count = std::max<std::size_t>(1, share / part_size);

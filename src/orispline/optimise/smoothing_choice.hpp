@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <optional>
+#include <vector>
+
 #include <orispline/optimise/smoothing.hpp>
 
 namespace orispline::optimise {
@@ -17,8 +21,8 @@ enum class SmoothingCriterion {
 [[nodiscard]] double lambda_of(double smoothing_time, Penalty penalty, double noise, double interval);
 [[nodiscard]] double smoothing_time_of(double lambda, Penalty penalty, double noise, double interval);
 
-/// Stretches of a recording that share λ and no motion.
-using Stretches = std::vector<SmoothingProblem>;
+/// The stretches of a recording, which share λ and no motion.
+using StretchProblems = std::vector<SmoothingProblem>;
 
 /// Fits of all stretches.
 struct StretchFits {
@@ -28,19 +32,19 @@ struct StretchFits {
 };
 
 /// Fits every stretch. `start`: fits of the same stretches, or none.
-[[nodiscard]] StretchFits fit_stretches(const Stretches& stretches, const SmoothingObjective& objective,
+[[nodiscard]] StretchFits fit_stretches(const StretchProblems& stretches, const SmoothingObjective& objective,
                                         const SmoothingIteration& iteration = {}, const StretchFits& start = {});
 
 /// Times with an orientation that counts.
-[[nodiscard]] std::size_t observations(const Stretches& stretches);
+[[nodiscard]] std::size_t observations(const StretchProblems& stretches);
 
 /// The trace of the hat matrix per axis, over all stretches, with the weights that the loss leaves.
-[[nodiscard]] double hat_trace(const Stretches& stretches, const StretchFits& fits, Penalty penalty, double lambda);
+[[nodiscard]] double hat_trace(const StretchProblems& stretches, const StretchFits& fits, Penalty penalty,
+                               double lambda);
 
 /// λ of least criterion.
 struct LambdaChoice {
   double lambda = 0.0;
-  std::size_t tried = 0;  ///< values of λ
   enum class Edge {
     none,
     shortest,  ///< the least value stands at the shortest smoothing time: hardly any noise, or no motion to tell it
@@ -52,12 +56,12 @@ struct LambdaChoice {
 /// Scans τ upward from half the interval until the criterion has risen for two steps of 1.3², looks about the least
 /// value in steps of 1.3 and refines it by a parabola in log τ. `noise`, `interval`: as of lambda_of(). The objective's
 /// λ is not used. Where `near` is given the scan goes from that τ downhill.
-[[nodiscard]] LambdaChoice chosen_lambda(const Stretches& stretches, const SmoothingObjective& objective,
+[[nodiscard]] LambdaChoice chosen_lambda(const StretchProblems& stretches, const SmoothingObjective& objective,
                                          SmoothingCriterion criterion, double noise, double interval,
                                          std::optional<double> near = std::nullopt);
 
 /// Parts of the stretches, evenly spread, with `most` times altogether, or a little more; the stretches themselves
 /// where they have no more: for a choice of λ that need not see everything.
-[[nodiscard]] Stretches representative_parts(const Stretches& stretches, std::size_t most);
+[[nodiscard]] StretchProblems representative_parts(const StretchProblems& stretches, std::size_t most);
 
 }  // namespace orispline::optimise

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <orispline/base/expect.hpp>
@@ -46,19 +47,20 @@ class Minimisation {
     for (fit.iterations = 1;; ++fit.iterations) {
       const Step step = proposed(now);
       fit.last_step = step.largest_turn;
+      const auto rises = [&](const Evaluation& there) { return !(there.cost <= now.cost * (1.0 + rounding)); };
       double length = 1.0;
       State moved = state_.after(step, length);
       Evaluation there = evaluated(moved);
-      if (!(there.cost <= now.cost * (1.0 + rounding)) && std::exchange(may_rest_, false)) {
+      if (rises(there) && std::exchange(may_rest_, false)) {
         for (Rates& rates : state_.rates) rates.setZero();
         now = evaluated(state_);
         continue;
       }
-      while (!(there.cost <= now.cost * (1.0 + rounding)) && length >= shortest_step) {
+      for (; rises(there) && length >= shortest_step; there = evaluated(moved)) {
         length *= 0.5;
         moved = state_.after(step, length);
-        there = evaluated(moved);
       }
+      if (rises(there)) break;                                                    // this way leads no farther down
       const bool stays = std::abs(there.cost - now.cost) <= rounding * now.cost;  // then a step that grows is rounding
       state_ = std::move(moved);
       now = std::move(there);

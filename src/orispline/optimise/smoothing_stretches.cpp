@@ -16,6 +16,12 @@ constexpr std::size_t shortest_run = 3;  // of far samples that are rather motio
 /// As many as tell noise from motion.
 std::size_t fewest_samples(Penalty penalty) { return static_cast<std::size_t>(order_of(penalty)) + 1; }
 
+double median_interval(std::span<const double> times) {
+  std::vector<double> intervals;
+  for (std::size_t i = 1; i < times.size(); ++i) intervals.push_back(times[i] - times[i - 1]);
+  return median_of(std::move(intervals));
+}
+
 template <class T>
 std::vector<T> in_stretch(std::span<const T> all, const Stretch& stretch) {
   const auto part = all.subspan(stretch.first, stretch.count);
@@ -25,19 +31,16 @@ std::vector<T> in_stretch(std::span<const T> all, const Stretch& stretch) {
 }  // namespace
 
 RecordingScale scale_of(const Keyframes& recording) {
-  std::vector<double> intervals;
-  const auto t = recording.times();
-  for (std::size_t i = 1; i < t.size(); ++i) intervals.push_back(t[i] - t[i - 1]);
-  return {.interval = median_of(std::move(intervals)),
-          .noise = std::max(least_noise, local_noise(t, recording.orientations()))};
+  return {.interval = median_interval(recording.times()),
+          .noise = std::max(least_noise, local_noise(recording.times(), recording.orientations()))};
 }
 
 Expected<std::vector<Stretch>> stretches_of(const Keyframes& recording, Penalty penalty, std::optional<double> gap) {
-  const double interval = scale_of(recording).interval;
+  const auto t = recording.times();
+  const double interval = median_interval(t);
   if (gap && *gap <= interval * (1.0 + time_rounding))
     return failure(ErrorCode::bad_argument,
                    fmt::format("gap: found {} s, wanted more than the median interval of {:.6g} s", *gap, interval));
-  const auto t = recording.times();
   std::vector<Stretch> stretches{{0, 1}};
   for (std::size_t i = 1; i < t.size(); ++i)
     if (gap && t[i] - t[i - 1] > *gap) stretches.push_back({i, 1});
@@ -49,8 +52,8 @@ Expected<std::vector<Stretch>> stretches_of(const Keyframes& recording, Penalty 
                                                   gap ? "without a gap " : ""));
 }
 
-Stretches problems_of(const Keyframes& recording, const std::vector<Stretch>& stretches, double noise) {
-  Stretches problems;
+StretchProblems problems_of(const Keyframes& recording, const std::vector<Stretch>& stretches, double noise) {
+  StretchProblems problems;
   for (const Stretch& stretch : stretches)
     problems.push_back({.times = in_stretch(recording.times(), stretch),
                         .orientations = in_stretch(recording.orientations(), stretch),
@@ -58,7 +61,8 @@ Stretches problems_of(const Keyframes& recording, const std::vector<Stretch>& st
   return problems;
 }
 
-void add_gyro(Stretches& problems, const Keyframes& recording, const std::vector<Stretch>& stretches, double noise) {
+void add_gyro(StretchProblems& problems, const Keyframes& recording, const std::vector<Stretch>& stretches,
+              double noise) {
   for (std::size_t k = 0; k < stretches.size(); ++k) {
     problems[k].gyro = in_stretch(recording.angular_velocities(), stretches[k]);
     problems[k].gyro_weights.assign(stretches[k].count, 1.0 / (noise * noise));
@@ -79,7 +83,7 @@ FarSamples far_samples(const StretchFits& fits, const std::vector<Stretch>& stre
   return far;
 }
 
-Expected<FarSamples> reject(Stretches& problems, const std::vector<Stretch>& stretches, FarSamples far,
+Expected<FarSamples> reject(StretchProblems& problems, const std::vector<Stretch>& stretches, FarSamples far,
                             Penalty penalty) {
   FarSamples done{.single = {}, .in_runs = std::move(far.in_runs)};
   for (std::size_t k = 0; k < stretches.size(); ++k) {

@@ -22,10 +22,12 @@ inline constexpr double least_noise = 1e-7;
                                                           std::optional<double> gap);
 
 /// The problems of the stretches, all samples with the same σ [rad], without a gyro.
-[[nodiscard]] Stretches problems_of(const Keyframes& recording, const std::vector<Stretch>& stretches, double noise);
+[[nodiscard]] StretchProblems problems_of(const Keyframes& recording, const std::vector<Stretch>& stretches,
+                                          double noise);
 
 /// Adds the angular velocities as those of a gyro with that σ [rad/s].
-void add_gyro(Stretches& problems, const Keyframes& recording, const std::vector<Stretch>& stretches, double noise);
+void add_gyro(StretchProblems& problems, const Keyframes& recording, const std::vector<Stretch>& stretches,
+              double noise);
 
 /// Samples whose residual is longer than a limit.
 struct FarSamples {
@@ -36,7 +38,7 @@ struct FarSamples {
 
 /// Takes the weight of the single samples, and gives them back, but for stretches that would keep too few: theirs are
 /// added to those in runs. Error (bad_data): the only stretch would keep too few.
-[[nodiscard]] Expected<FarSamples> reject(Stretches& problems, const std::vector<Stretch>& stretches, FarSamples far,
-                                          Penalty penalty);
+[[nodiscard]] Expected<FarSamples> reject(StretchProblems& problems, const std::vector<Stretch>& stretches,
+                                          FarSamples far, Penalty penalty);
 
 }  // namespace orispline::optimise
