@@ -20,14 +20,12 @@ import numpy
 from scipy.interpolate import make_smoothing_spline
 from scipy.signal import savgol_filter
 
-from noisy_recordings import GYRO_NOISE, NOISES, RECORDINGS, recording, rms_degrees, with_noise
+from noisy_recordings import GYRO_NOISE, NOISES, RECORDINGS, WAYS, options_of, recording, rms_degrees, with_noise
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 GOLDEN = ROOT / "tests" / "data" / "golden" / "smooth_recordings.csv"
 OUTLIERS = 0.02
-# Way -> options of the command.
-WAYS = {"gcv": "--loss l2", "noise": "--loss l2 --noise {noise}deg", "robust": "", "jerk": "--loss l2 --penalty jerk",
-        "gyro": "--loss l2 --noise {noise}deg --gyro --gyro-noise {gyro}deg", "outliers": ""}
+OWN_WAYS = ("robust", "outliers")  # without options, and not of the reference
 SCAN = [0.5 * 1.3**k for k in range(28)]  # smoothing time over the median interval
 
 
@@ -52,7 +50,7 @@ class Cell:
 def by_command(command, cell, way, folder):
     motion = with_noise(cell.clean, cell.noise, cell.seed, OUTLIERS) if way == "outliers" else cell.noisy
     motion.write(folder / "noisy.csv")
-    options = WAYS[way].format(noise=cell.noise, gyro=GYRO_NOISE.get(cell.name)).split()
+    options = [] if way in OWN_WAYS else options_of(way, cell.name, cell.noise)
     subprocess.run([command, "smooth", "noisy.csv", *options, "--quiet", "-o", "smooth.csv"], cwd=folder, check=True)
     with open(folder / "smooth.csv", encoding="utf-8") as file:
         return cell.error([[float(row[c]) for c in ("qw", "qx", "qy", "qz")] for row in csv.DictReader(file)])
@@ -161,11 +159,11 @@ def print_row(name, title, cells, error):
 def print_table(name, cells, options, folder):
     reference = Reference(options.reference)
     rows = []
-    for way in WAYS:
+    for way in (*WAYS, *OWN_WAYS):
         if way == "gyro" and name not in GYRO_NOISE:
             continue
         print_row(name, way, cells, lambda cell: by_command(options.command.resolve(), cell, way, folder))
-        if way in ("robust", "outliers"):
+        if way in OWN_WAYS:
             continue
         found = {cell: reference.smoothed(cell, way) for noise in NOISES for cell in cells[noise]}
         print_row(name, way + ", reference", cells, lambda cell: found[cell][1])

@@ -6,6 +6,7 @@ The recordings are not part of the project, for their licences differ: they are 
 tools/smoothing_table.py --golden wrote the reference's figures.
 """
 import csv
+import os
 import pathlib
 import sys
 import unittest
@@ -14,12 +15,10 @@ from command import CommandTest, main
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
-from noisy_recordings import GYRO_NOISE, NOISES, RECORDINGS, recording, rms_degrees, with_noise
+from noisy_recordings import GYRO_NOISE, NOISES, RECORDINGS, options_of, recording, rms_degrees, with_noise
 
-DATA = ROOT.parent / "shared" / "data"
+DATA = pathlib.Path(os.environ.get("ORISPLINE_SHARED_DATA", "shared/data"))
 GOLDEN = ROOT / "tests" / "data" / "golden" / "smooth_recordings.csv"
-OPTIONS = {"gcv": "--loss l2", "noise": "--loss l2 --noise {noise}deg", "jerk": "--loss l2 --penalty jerk",
-           "gyro": "--loss l2 --noise {noise}deg --gyro --gyro-noise {gyro}deg"}
 
 
 @unittest.skipUnless(DATA.is_dir(), f"no {DATA}")
@@ -35,7 +34,7 @@ class SmoothRecordings(CommandTest):
     def smoothed(self, motion, options):
         path = self.folder / "noisy.csv"
         motion.write(path)
-        self.output_of(["smooth", str(path), *options.split(), "--quiet", "-o", str(self.folder / "smooth.csv")])
+        self.output_of(["smooth", str(path), *options, "--quiet", "-o", str(self.folder / "smooth.csv")])
         with open(self.folder / "smooth.csv", encoding="utf-8") as file:
             return [tuple(float(row[c]) for c in ("qw", "qx", "qy", "qz")) for row in csv.DictReader(file)]
 
@@ -44,15 +43,15 @@ class SmoothRecordings(CommandTest):
         for (name, way, noise), row in self.golden.items():
             with self.subTest(recording=name, way=way, noise=noise):
                 clean = self.clean[name]
-                options = OPTIONS[way].format(noise=noise, gyro=GYRO_NOISE.get(name))
+                options = options_of(way, name, noise)
                 found = rms_degrees(self.smoothed(with_noise(clean, noise, 0), options), clean.orientations)
                 wanted = float(row["error_deg"])
-                self.assertLess(abs(found - wanted), 0.03 * wanted)
+                self.assertLess(abs(found - wanted), 1e-3 * wanted)
 
     def test_outliers_cost_little(self):
         for name, clean in self.clean.items():
             with self.subTest(recording=name):
-                without, outliers = (rms_degrees(self.smoothed(with_noise(clean, 1.0, 0, share), ""), clean.orientations)
+                without, outliers = (rms_degrees(self.smoothed(with_noise(clean, 1.0, 0, share), []), clean.orientations)
                                      for share in (0.0, 0.02))
                 self.assertLess(outliers, 1.1 * without)
 
