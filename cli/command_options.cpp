@@ -137,9 +137,9 @@ void add_output_file(CLI::App& app, std::string& path) {
       ->group("Output");
 }
 
-void add_summary_options(CLI::App& app, bool& json, bool& quiet) {
-  app.add_flag("--json", json, "Print the summary as JSON on standard output; needs -o")->group("Output");
-  app.add_flag("--quiet", quiet, "No summary")->group("Output");
+void add_summary_options(CLI::App& app, SummaryOptions& o) {
+  app.add_flag("--json", o.json, "Print the summary as JSON on standard output; needs -o")->group("Output");
+  app.add_flag("--quiet", o.quiet, "No summary")->group("Output");
 }
 
 void add_report_option(CLI::App& app, ReportOptions& o) {
@@ -191,15 +191,15 @@ void add_sample_options(CLI::App& app, SampleOptions& o) {
   app.add_option("--truth", o.truth, "Key file that the curve is compared with, in the summary")
       ->type_name(file_type)
       ->group(group);
-  app.add_flag("--json", o.json, "Print the summary as JSON on standard output; needs -o")->group(group);
-  app.add_flag("--quiet", o.quiet, "No summary, no progress bar")->group(group);
+  app.add_flag("--json", o.summary.json, "Print the summary as JSON on standard output; needs -o")->group(group);
+  app.add_flag("--quiet", o.summary.quiet, "No summary, no progress bar")->group(group);
   app.footer(sample_footer);
 }
 
 void add_convert_options(CLI::App& app, ConvertOptions& o) {
   add_input_options(app, o.input, "as-given");
   add_output_options(app, o.output);
-  add_summary_options(app, o.json, o.quiet);
+  add_summary_options(app, o.summary);
   app.footer(convert_footer);
 }
 

@@ -31,7 +31,7 @@ void add_reading_options(CLI::App& app, InputOptions& options, std::string_view 
 
 /// Where the output goes and in which form, part of several commands.
 void add_output_file(CLI::App& app, std::string& path);
-void add_summary_options(CLI::App& app, bool& json, bool& quiet);
+void add_summary_options(CLI::App& app, SummaryOptions& options);
 void add_smoothness_options(CLI::App& app, SmoothnessOptions& options);
 void add_output_options(CLI::App& app, OutputOptions& options);
 void add_report_option(CLI::App& app, ReportOptions& options);

@@ -2,17 +2,15 @@
 // THE list of the measures that `orispline compare` prints.
 #include "compare_report.hpp"
 
-#include <numbers>
-
 #include <fmt/format.h>
+
+#include "quantity.hpp"
 
 namespace orispline::cli {
 namespace {
 
 using report::Better;
 using report::Notation;
-
-constexpr double degrees = 180.0 / std::numbers::pi;
 
 double time_in_file(const ComparedData& data, double t) {
   return (data.epoch + io::Decimal::from_double(t)).to_double();

@@ -88,7 +88,9 @@ Expected<std::vector<Decimation>> decimations_in(const CompareOptions& options) 
 /// What the options ask of each other.
 Expected<void> agree(const CompareOptions& options, const CompareRequest& request) {
   if (options.json && options.csv) return usage_failure("found --json and --csv, wanted one of them");
-  if (auto fits = check_report(options.report, std::string(io::standard_stream)); !fits) return fits;
+  std::vector<OtherFile> others{{"INPUT", options.input.path}};
+  if (options.reference) others.push_back({"that of --reference", *options.reference});
+  if (auto fits = check_report(options.report, others); !fits) return fits;
   if (options.reference == io::standard_stream && options.input.path == io::standard_stream)
     return usage_failure("found '-' for INPUT and --reference, wanted it for one at most");
   if (request.sort == "torque" && !request.inertia) return wanted({"--sort", request.sort}, "--inertia as well");

@@ -7,7 +7,6 @@
 #include "convert_report.hpp"
 #include "interruption.hpp"
 #include "json.hpp"
-#include "standard_output.hpp"
 
 namespace orispline::cli {
 namespace {
@@ -83,8 +82,7 @@ Expected<void> convert(const ConvertOptions& options) {
   auto columns = checked(output_columns(options.output));
   auto request = std::move(checked).or_else(std::move(input));
   if (!request) return tl::unexpected(std::move(request.error()));
-  if (options.json && options.output.path == io::standard_stream)
-    return usage_failure("--json: the summary goes to standard output, wanted -o FILE for the keys");
+  if (auto fits = check_summary(options.summary, options.output.path, "keys"); !fits) return fits;
   const auto source = open_source(std::move(*request));
   if (!source) return tl::unexpected(source.error());
   columns.positions = !source->keys.positions().empty();
@@ -95,11 +93,7 @@ Expected<void> convert(const ConvertOptions& options) {
         const RemovedWhenInterrupted unfinished(writer.part());
         return write_keys(writer, *source, columns);
       })
-      .and_then([&]() -> Expected<void> {
-        if (options.json) return print_document(json_of(report));
-        if (!options.quiet) tell(text_of(report));
-        return {};
-      });
+      .and_then([&] { return summarise(options.summary, report); });
 }
 
 }  // namespace orispline::cli

@@ -3,6 +3,7 @@
 
 #include "input_options.hpp"
 #include "output_options.hpp"
+#include "summary.hpp"
 
 namespace orispline::cli {
 
@@ -10,7 +11,7 @@ namespace orispline::cli {
 struct ConvertOptions {
   InputOptions input;
   OutputOptions output;
-  bool json = false, quiet = false;
+  SummaryOptions summary;
 };
 
 /// The same keys in another format: exact times, and of the quaternions the very digits unless their norm is off.

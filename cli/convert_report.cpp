@@ -5,14 +5,14 @@
 #include <fmt/ranges.h>
 
 #include "sample_report.hpp"
+#include "summary.hpp"
 
 namespace orispline::cli {
 
 std::string text_of(const ConvertReport& report) {
-  std::string text = fmt::format("{} from {} ({}) written to {} ({})", counted(report.keys, "key"), report.input,
-                                 io::title_of(report.input_format),
-                                 report.output == io::standard_stream ? "standard output" : report.output,
-                                 io::title_of(report.output_format));
+  std::string text =
+      fmt::format("{} from {} ({}) written to {} ({})", counted(report.keys, "key"), report.input,
+                  io::title_of(report.input_format), destination(report.output), io::title_of(report.output_format));
   if (report.keyframes.sign_flips > 0) text += fmt::format("; sign flips in the file: {}", report.keyframes.sign_flips);
   if (report.keyframes.non_unit_keys > 0) text += fmt::format("; {} normalised", report.keyframes.non_unit_keys);
   text += "\n";

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "inspect_report.hpp"
 
-#include <numbers>
-
 #include <fmt/format.h>
+
+#include "quantity.hpp"
 
 namespace orispline::cli {
 namespace {
 
-constexpr double degrees = 180.0 / std::numbers::pi;
 constexpr std::size_t places_shown = 3;
 
 /// `key 4 (line 6, 5.2 s)`

@@ -2,17 +2,15 @@
 #include "json.hpp"
 
 #include <algorithm>
-#include <numbers>
 
 #include "input_options.hpp"
 #include "json_document.hpp"
+#include "quantity.hpp"
 #include "sample.hpp"
 #include "tune.hpp"
 
 namespace orispline::cli {
 namespace {
-
-constexpr double degrees = 180.0 / std::numbers::pi;
 
 Json parameters_of(const FamilyInfo& family) {
   Json parameters = Json::array();

@@ -32,7 +32,7 @@ struct Request {
 };
 
 /// What the options ask of each other.
-Expected<void> agree(const ReduceOptions& options) {
+Expected<void> agree(const ReduceOptions& options, const Request& request) {
   const bool to_standard_output = options.output.path == io::standard_stream;
   if (options.folder && !to_standard_output)
     return usage_failure("found -o and --output-folder, wanted one of them: a file for the keys, or their folder");
@@ -41,12 +41,13 @@ Expected<void> agree(const ReduceOptions& options) {
   if (!options.folder && options.inputs.size() > 1)
     return usage_failure(
         fmt::format("found {} inputs, wanted --output-folder FOLDER for their keys", options.inputs.size()));
-  if (!options.folder && options.json && to_standard_output)
-    return usage_failure("--json: the summary goes to standard output, wanted -o FILE for the keys");
+  if (!options.folder)
+    if (auto fits = check_summary(options.summary, options.output.path, "keys"); !fits) return fits;
   if (options.report.path && options.inputs.size() > 1)
     return usage_failure(
         fmt::format("--report: found {} inputs, wanted one: a page shows one recording", options.inputs.size()));
-  return check_report(options.report, options.output.path);
+  return check_report(options.report, {{options.folder ? "that of the keys" : "that of -o", request.outputs.front()},
+                                       {"INPUT", options.inputs.front()}});
 }
 
 Expected<std::vector<InputRequest>> inputs_in(const ReduceOptions& options) {
@@ -119,7 +120,7 @@ Expected<Request> request_in(const ReduceOptions& options) {
   request.smoothing = checked(smoothing_wanted(options));
   auto read = std::move(checked).or_else(std::move(request));
   if (!read) return read;
-  return agree(options).map([&] { return std::move(*read); });
+  return agree(options, *read).map([&] { return std::move(*read); });
 }
 
 /// All of them, or the first complaint.
@@ -224,11 +225,9 @@ Expected<void> reduce(const ReduceOptions& options) {
   return page->write([&] { return page_of(reports->front(), first.samples, first.file.epoch, options.report); })
       .and_then([&] { return write_all(*request, *tracks, *reports); })
       .and_then([&] { return page->finish(); })
-      .and_then([&]() -> Expected<void> {
-        const bool several = options.folder.has_value();
-        if (options.json) return print_document(several ? json_of(std::span(*reports)) : json_of(reports->front()));
-        if (!options.quiet) tell(several ? text_of(std::span(*reports)) : text_of(reports->front()));
-        return {};
+      .and_then([&] {
+        return options.folder ? summarise(options.summary, std::span(*reports))
+                              : summarise(options.summary, reports->front());
       });
 }
 

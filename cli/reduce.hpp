@@ -7,6 +7,7 @@
 #include "output_options.hpp"
 #include "report_file.hpp"
 #include "smoothness.hpp"
+#include "summary.hpp"
 
 namespace orispline::cli {
 
@@ -26,7 +27,8 @@ struct ReduceOptions {
   std::string tolerance, method{default_reduce_method};
   std::optional<std::string> position_tolerance, folder, threads;
   SmoothnessOptions smoothness;
-  bool refit = false, smooth = false, json = false, quiet = false;
+  bool refit = false, smooth = false;
+  SummaryOptions summary;
 };
 
 /// Dense recordings in, for each the fewest keys whose curve is within the tolerance out. Nothing is written before all

@@ -49,7 +49,7 @@ void add_reduce_options(CLI::App& app, ReduceOptions& o) {
   app.add_option("--threads", o.threads, "Threads that work on inputs and methods, with the same results [all cores]")
       ->type_name("N")
       ->group("Output");
-  add_summary_options(app, o.json, o.quiet);
+  add_summary_options(app, o.summary);
   app.footer(reduce_footer);
 }
 

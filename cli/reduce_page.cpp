@@ -2,12 +2,13 @@
 #include "reduce_page.hpp"
 
 #include <algorithm>
-#include <numbers>
+#include <iterator>
 
 #include <fmt/format.h>
 
 #include <orispline/families/registry.hpp>
 
+#include "quantity.hpp"
 #include "report_page.hpp"
 
 namespace orispline::cli {
@@ -16,16 +17,11 @@ namespace {
 using optimise::Reduction;
 using report::Better;
 
-constexpr double degrees = 180.0 / std::numbers::pi;
-
-bool bounds_positions(const ReduceReport& report) {
-  return report.options.tolerance.position < std::numeric_limits<double>::infinity();
-}
-
 std::string title_of(const ReduceReport& report) {
   const Reduction& chosen = report.reductions[report.chosen];
   std::string tolerance = fmt::format("{:.6g}°", report.options.tolerance.angle * degrees);
-  if (bounds_positions(report)) tolerance += fmt::format(" and {:.6g} m", report.options.tolerance.position);
+  if (report.options.tolerance.bounds_positions())
+    tolerance += fmt::format(" and {:.6g} m", report.options.tolerance.position);
   return fmt::format("{} within {}: {} keys of {} for {} samples", report.input, tolerance, chosen.samples.size(),
                      chosen.method, report.samples);
 }
@@ -61,12 +57,7 @@ report::PageMethod method_of(const CurvePage& page, const Reduction& reduction) 
 
 report::Page page_of(const ReduceReport& report, const Keyframes& recording, const io::Decimal& epoch,
                      const ReportOptions& options) {
-  CurvePage curves{.data = {.reference = report.input,
-                            .epoch = epoch,
-                            .samples = recording,
-                            .times = {recording.times().begin(), recording.times().end()},
-                            .key_sets = {},
-                            .repairs = {}}};
+  CurvePage curves{.data = compared_with(report.input, epoch, recording)};
   curves.figures = distance_figures();
   std::ranges::move(shape_figures(), std::back_inserter(curves.figures));
   report::Page page = begun_page(title_of(report), options, epoch, report.reductions[report.chosen].keys);

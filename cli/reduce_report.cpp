@@ -1,22 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reduce_report.hpp"
 
-#include <numbers>
-
 #include <fmt/format.h>
-
-#include <orispline/io/output_file.hpp>
 
 #include "json.hpp"
 #include "json_document.hpp"
+#include "quantity.hpp"
 #include "sample_report.hpp"
 #include "smooth_report.hpp"
 #include "smoothing_json.hpp"
+#include "summary.hpp"
 
 namespace orispline::cli {
 namespace {
-
-constexpr double degrees = 180.0 / std::numbers::pi;
 
 std::string line_of(const ReduceReport& report, const optimise::Reduction& reduction) {
   const optimise::Deviation& d = reduction.deviation;
@@ -58,7 +54,7 @@ Json track_json(const ReduceReport& report) {
             {"output", report.output},
             {"samples", report.samples},
             {"tolerance_deg", tolerance.angle * degrees}};
-  if (tolerance.position < std::numeric_limits<double>::infinity()) json["position_tolerance_m"] = tolerance.position;
+  if (tolerance.bounds_positions()) json["position_tolerance_m"] = tolerance.position;
   json["refitted"] = report.options.values == optimise::KeyValues::refitted;
   json.update(method_json(report, chosen));
   Json& methods = json["methods"] = Json::array();
@@ -82,7 +78,7 @@ std::string text_of(const ReduceReport& report) {
   const optimise::Reduction& chosen = report.reductions[report.chosen];
   std::string text = fmt::format("{} from {}, tolerance {:.6g}°", counted(report.samples, "sample"), report.input,
                                  report.options.tolerance.angle * degrees);
-  if (report.options.tolerance.position < std::numeric_limits<double>::infinity())
+  if (report.options.tolerance.bounds_positions())
     text += fmt::format(" and {:.6g} m", report.options.tolerance.position);
   text += "\n";
   if (const std::string repairs = text_of(report.repairs); !repairs.empty()) text += repairs + "\n";
@@ -90,7 +86,7 @@ std::string text_of(const ReduceReport& report) {
   for (const optimise::Reduction& reduction : report.reductions) text += line_of(report, reduction);
   if (report.smoothed) text += smoothed_lines(report);
   return text + fmt::format("{} of {} written to {}\n", counted(chosen.samples.size(), "key"), chosen.method,
-                            report.output == io::standard_stream ? "standard output" : report.output);
+                            destination(report.output));
 }
 
 std::string text_of(std::span<const ReduceReport> reports) {

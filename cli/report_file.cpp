@@ -19,12 +19,13 @@ std::filesystem::path place_of(const std::string& path) {
 
 }  // namespace
 
-Expected<void> check_report(const ReportOptions& options, const std::string& output) {
+Expected<void> check_report(const ReportOptions& options, const std::vector<OtherFile>& others) {
   if (!options.path) return {};
   if (options.path->empty() || *options.path == io::standard_stream)
     return wanted({"--report", *options.path}, "the name of a file");
-  if (output != io::standard_stream && place_of(output) == place_of(*options.path))
-    return wanted({"--report", *options.path}, "another file than that of -o");
+  for (const OtherFile& other : others)
+    if (other.path != io::standard_stream && place_of(other.path) == place_of(*options.path))
+      return wanted({"--report", *options.path}, fmt::format("another file than {}", other.name));
   return {};
 }
 

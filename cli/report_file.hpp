@@ -5,6 +5,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <orispline/base/expected.hpp>
 #include <orispline/io/output_file.hpp>
@@ -20,8 +22,14 @@ struct ReportOptions {
   std::string command_line;  ///< to make the report again
 };
 
-/// Error (bad_argument): not the name of a file, or that of the output.
-[[nodiscard]] Expected<void> check_report(const ReportOptions& options, const std::string& output);
+/// A file that the command reads or writes besides, and its name in a message: `INPUT`.
+struct OtherFile {
+  std::string_view name;
+  std::string path;
+};
+
+/// Error (bad_argument): not the name of a file, or that of one of the others, which the report would replace.
+[[nodiscard]] Expected<void> check_report(const ReportOptions& options, const std::vector<OtherFile>& others);
 
 /// The file of `--report`; does nothing where none was asked for.
 ///

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <ctime>
-#include <numbers>
+#include <utility>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -12,10 +12,11 @@
 #include <orispline/analysis/torque.hpp>
 #include <orispline/base/version.hpp>
 
+#include "quantity.hpp"
+
 namespace orispline::cli {
 namespace {
 
-constexpr double degrees = 180.0 / std::numbers::pi;
 constexpr std::size_t most_keys = 2000;
 
 std::string now() { return fmt::format("{:%Y-%m-%d %H:%M}", fmt::localtime(std::time(nullptr))); }
@@ -42,6 +43,15 @@ report::Page begun_page(std::string title, const ReportOptions& options, const i
   if (keys.size() > most_keys)
     page.notes.push_back(fmt::format("Of the {} keys {} are shown, evenly picked.", keys.size(), most_keys));
   return page;
+}
+
+ComparedData compared_with(std::string file, const io::Decimal& epoch, const Keyframes& samples) {
+  return {.reference = std::move(file),
+          .epoch = epoch,
+          .samples = samples,
+          .times = {samples.times().begin(), samples.times().end()},
+          .key_sets = {},
+          .repairs = {}};
 }
 
 report::PageKeys keys_in_page(const Keyframes& keys) { return report::thinned(report::page_keys(keys), most_keys); }

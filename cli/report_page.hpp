@@ -43,6 +43,9 @@ struct CurvePage {
   std::optional<Eigen::Matrix3d> inertia{};  ///< [kg m²]: torques are shown too
 };
 
+/// A recording, or keys, that the curves of a page are measured against; `file` names it.
+[[nodiscard]] ComparedData compared_with(std::string file, const io::Decimal& epoch, const Keyframes& samples);
+
 /// How many samples of a curve, of a recording and of errors a page has at most where it has few curves.
 inline constexpr std::size_t samples_of_few = 2000;
 

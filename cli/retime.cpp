@@ -12,7 +12,6 @@
 #include "json.hpp"
 #include "quantity.hpp"
 #include "retime_page.hpp"
-#include "standard_output.hpp"
 
 namespace orispline::cli {
 namespace {
@@ -30,9 +29,9 @@ Expected<void> agree(const RetimeOptions& options) {
     return usage_failure("found no limit, wanted --max-rate, --max-acceleration or --max-torque");
   if (options.torque && !options.inertia) return usage_failure("--max-torque: wanted --inertia JX,JY,JZ as well");
   if (options.inertia && !options.torque) return usage_failure("--inertia: wanted --max-torque as well");
-  if (options.json && options.output.path == io::standard_stream)
-    return usage_failure("--json: the summary goes to standard output, wanted -o FILE for the keys");
-  return check_report(options.report, options.output.path);
+  return check_summary(options.summary, options.output.path, "keys").and_then([&] {
+    return check_report(options.report, {{"that of -o", options.output.path}, {"INPUT", options.input.path}});
+  });
 }
 
 Expected<Request> request_in(const RetimeOptions& options) {
@@ -98,11 +97,7 @@ Expected<void> retime(const RetimeOptions& options) {
         return write_keys(writer, *file, *keys, report.retiming);
       })
       .and_then([&] { return page->finish(); })
-      .and_then([&]() -> Expected<void> {
-        if (options.json) return print_document(json_of(report));
-        if (!options.quiet) tell(text_of(report));
-        return {};
-      });
+      .and_then([&] { return summarise(options.summary, report); });
 }
 
 }  // namespace orispline::cli

@@ -7,6 +7,7 @@
 #include "method_options.hpp"
 #include "output_options.hpp"
 #include "report_file.hpp"
+#include "summary.hpp"
 
 namespace orispline::cli {
 
@@ -17,7 +18,8 @@ struct RetimeOptions {
   ReportOptions report;
   std::string method{default_method};
   std::optional<std::string> rate, acceleration, torque, inertia;
-  bool per_interval = false, json = false, quiet = false;
+  bool per_interval = false;
+  SummaryOptions summary;
 };
 
 /// Keyframes in, the same at later times out, so that the motion stays within the limits.

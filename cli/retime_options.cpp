@@ -37,7 +37,7 @@ void add_retime_options(CLI::App& app, RetimeOptions& o) {
       ->group(group);
   add_output_options(app, o.output);
   add_report_option(app, o.report);
-  add_summary_options(app, o.json, o.quiet);
+  add_summary_options(app, o.summary);
   app.footer(retime_footer);
 }
 

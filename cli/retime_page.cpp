@@ -92,14 +92,8 @@ report::PageMethod method_of(const CurvePage& curves, const RetimeReport& report
 
 report::Page page_of(const RetimeReport& report, const Keyframes& keys, const io::Decimal& epoch,
                      const ReportOptions& options) {
-  CurvePage curves{.data = {.reference = report.input,
-                            .epoch = epoch,
-                            .samples = keys,
-                            .times = {keys.times().begin(), keys.times().end()},
-                            .key_sets = {},
-                            .repairs = {}},
-                   .figures = shape_figures(),
-                   .inertia = report.limits.inertia};
+  CurvePage curves{
+      .data = compared_with(report.input, epoch, keys), .figures = shape_figures(), .inertia = report.limits.inertia};
   if (curves.inertia) std::ranges::move(torque_figures(), std::back_inserter(curves.figures));
   const auto certificates = certificates_of(report.limits, report.retiming.peaks);
   report::Page page = begun_page(title_of(report, certificates), options, epoch, keys);

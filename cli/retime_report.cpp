@@ -2,16 +2,15 @@
 #include "retime_report.hpp"
 
 #include <algorithm>
-#include <numbers>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include <orispline/io/output_file.hpp>
-
 #include "json.hpp"
 #include "json_document.hpp"
+#include "quantity.hpp"
 #include "sample_report.hpp"
+#include "summary.hpp"
 
 namespace orispline::cli {
 namespace {
@@ -24,7 +23,6 @@ double duration_of(const RetimeReport& report) { return report.retiming.times.ba
 }  // namespace
 
 std::vector<Certificate> certificates_of(const optimise::MotionLimits& limits, const std::vector<SegmentPeaks>& peaks) {
-  constexpr double degrees = 180.0 / std::numbers::pi;
   std::vector<Certificate> certificates;
   const auto add = [&](std::string_view name, std::string_view unit, std::string_view json_unit, double scale,
                        const std::optional<double>& limit, CertifiedPeak SegmentPeaks::*member) {
@@ -48,8 +46,7 @@ std::string text_of(const RetimeReport& report) {
     text +=
         fmt::format("{}: nowhere above {:.6g} {} (limit {:.6g}), largest found {:.6g} at {:.6g} s after the start\n",
                     c.name, c.bound, c.unit, c.limit, c.found, c.time);
-  return text +
-         fmt::format("keys written to {}\n", report.output == io::standard_stream ? "standard output" : report.output);
+  return text + fmt::format("keys written to {}\n", destination(report.output));
 }
 
 std::string json_of(const RetimeReport& report) {

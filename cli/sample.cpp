@@ -72,8 +72,8 @@ Expected<Request> request_in(const SampleOptions& options) {
       .threads = checked(threads_in(options.threads))};
   auto read = std::move(checked).or_else(std::move(request));
   if (!read) return read;
-  if (options.json && options.output.path == io::standard_stream)
-    return usage_failure("--json: the summary goes to standard output, wanted -o FILE for the samples");
+  if (auto fits = check_summary(options.summary, options.output.path, "samples"); !fits)
+    return tl::unexpected(std::move(fits.error()));
   if (reads_standard_input_twice(options))
     return usage_failure("found '-' for several of INPUT, --times and --truth, wanted it for one at most");
   read->input.read.parameters = open_parameters(read->method);
@@ -143,7 +143,7 @@ SampleReport report_on(const Source& source, const SampleOptions& options, const
 }
 
 Progress::Show progress_for(const SampleOptions& options) {
-  const bool in_the_way = options.quiet || options.output.path == io::standard_stream;
+  const bool in_the_way = options.summary.quiet || options.output.path == io::standard_stream;
   return in_the_way ? Progress::Show::never : Progress::Show::on_terminal;
 }
 
@@ -171,9 +171,7 @@ Expected<void> sample(const SampleOptions& options) {
       });
   if (!held) return tl::unexpected(held.error());
   report.held_samples = *held;
-  if (options.json) return print_document(json_of(report));
-  if (!options.quiet) tell(text_of(report));
-  return {};
+  return summarise(options.summary, report);
 }
 
 }  // namespace orispline::cli

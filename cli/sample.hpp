@@ -5,6 +5,7 @@
 #include "method_options.hpp"
 #include "output_options.hpp"
 #include "sample_times.hpp"
+#include "summary.hpp"
 
 namespace orispline::cli {
 
@@ -23,7 +24,7 @@ struct SampleOptions {
   TimeOptions times;
   OutputOptions output;
   std::optional<std::string> derivatives, frame, extrapolate, truth, threads;
-  bool json = false, quiet = false;
+  SummaryOptions summary;
 };
 
 /// Keyframes in, samples of the curve through them out.

@@ -2,17 +2,17 @@
 #include "sample_report.hpp"
 
 #include <array>
-#include <numbers>
 #include <span>
 #include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "quantity.hpp"
+#include "summary.hpp"
+
 namespace orispline::cli {
 namespace {
-
-constexpr double degrees = 180.0 / std::numbers::pi;
 
 std::string keys_line(const SampleReport& report) {
   std::string line = fmt::format("{} from {}, {} to {} s", counted(report.keys, "key"), report.input,
@@ -66,7 +66,7 @@ std::string text_of(const SampleReport& report) {
   if (const std::string repairs = text_of(report.repairs); !repairs.empty()) text += repairs + "\n";
   text += rates_lines(report);
   text += fmt::format("{} with {} written to {}\n", counted(report.samples, "sample"), report.method,
-                      report.output == io::standard_stream ? "standard output" : report.output);
+                      destination(report.output));
   if (report.held_samples > 0)
     text += fmt::format("{} outside the curve hold the end orientation\n", counted(report.held_samples, "sample"));
   if (report.truth) text += truth_line(*report.truth);

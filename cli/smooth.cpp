@@ -30,9 +30,9 @@ struct Request {
 Expected<void> agree(const SmoothOptions& options) {
   if (options.gyro_noise && !options.gyro) return usage_failure("--gyro-noise: wanted --gyro as well");
   if (options.gyro && options.gap) return usage_failure("--gap: wanted no --gyro, which bridges gaps");
-  if (options.json && options.output.path == io::standard_stream)
-    return usage_failure("--json: the summary goes to standard output, wanted -o FILE for the keys");
-  return check_report(options.report, options.output.path);
+  return check_summary(options.summary, options.output.path, "keys").and_then([&] {
+    return check_report(options.report, {{"that of -o", options.output.path}, {"INPUT", options.input.path}});
+  });
 }
 
 Expected<Request> request_in(const SmoothOptions& options) {
@@ -138,11 +138,7 @@ Expected<void> smooth(const SmoothOptions& options) {
       })
       .map([&](std::size_t rows) { report.rows = rows; })
       .and_then([&] { return page->finish(); })
-      .and_then([&]() -> Expected<void> {
-        if (options.json) return print_document(json_of(report));
-        if (!options.quiet) tell(text_of(report));
-        return {};
-      });
+      .and_then([&] { return summarise(options.summary, report); });
 }
 
 }  // namespace orispline::cli

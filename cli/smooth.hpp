@@ -7,6 +7,7 @@
 #include "output_options.hpp"
 #include "report_file.hpp"
 #include "smoothness.hpp"
+#include "summary.hpp"
 
 namespace orispline::cli {
 
@@ -28,7 +29,7 @@ struct SmoothOptions {
   bool gyro = false;
   OutputOptions output;
   ReportOptions report;
-  bool json = false, quiet = false;
+  SummaryOptions summary;
 };
 
 /// A noisy recording in, smooth keys with rates, or samples, out.

@@ -38,7 +38,7 @@ void add_smooth_options(CLI::App& app, SmoothOptions& o) {
       ->group("Output");
   add_output_file(app, o.output.path);
   add_report_option(app, o.report);
-  add_summary_options(app, o.json, o.quiet);
+  add_summary_options(app, o.summary);
   app.footer(smooth_footer);
 }
 

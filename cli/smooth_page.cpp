@@ -185,12 +185,7 @@ std::vector<report::PageColumn> columns_of(const CurvePage& curves, const Smooth
 report::Page page_of(const SmoothReport& report, const Keyframes& recording, const Keyframes& smoothed,
                      const ReportOptions& options) {
   const Keyframes samples = picked(recording, report.smoothing.keys);
-  CurvePage curves{.data = {.reference = report.file.path,
-                            .epoch = report.file.epoch,
-                            .samples = samples,
-                            .times = {samples.times().begin(), samples.times().end()},
-                            .key_sets = {},
-                            .repairs = {}}};
+  CurvePage curves{.data = compared_with(report.file.path, report.file.epoch, samples)};
   curves.figures = distance_figures();
   std::ranges::move(figures_of_shape(), std::back_inserter(curves.figures));
   const Source source{report, curves, smoothed};

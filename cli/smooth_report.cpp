@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "smooth_report.hpp"
 
+#include <algorithm>
+#include <tuple>
+
 #include <numbers>
 
 #include <fmt/format.h>
 
-#include <orispline/io/output_file.hpp>
-
+#include "quantity.hpp"
 #include "sample_report.hpp"
+#include "summary.hpp"
 
 namespace orispline::cli {
 namespace {
@@ -16,7 +19,6 @@ using optimise::LambdaChoice;
 using optimise::Smoothing;
 using optimise::SmoothingCriterion;
 
-constexpr double degrees = 180.0 / std::numbers::pi;
 constexpr std::size_t places_shown = 10;
 constexpr double wanted_step = 1e-6;  // [rad] of the last step of the iteration
 
@@ -74,12 +76,13 @@ std::string stretch_lines(const SmoothReport& report) {
 double cutoff_of(const Smoothing& smoothing) { return 1.0 / (2.0 * std::numbers::pi * smoothing.smoothing_time); }
 
 bool covers(const Smoothing& smoothing, std::span<const double> times, double t) {
-  std::size_t first = 0;
-  for (const optimise::Stretch& stretch : smoothing.stretches) {
-    if (times[first] <= t && t <= times[first + stretch.count - 1]) return true;
-    first += stretch.count;
-  }
-  return false;
+  const auto behind = std::ranges::upper_bound(times, t);
+  if (behind == times.begin()) return false;
+  const auto before = behind - 1;  // the key
+  const std::size_t sample = smoothing.keys[static_cast<std::size_t>(before - times.begin())];
+  const auto next_stretch = std::ranges::upper_bound(smoothing.stretches, sample, {}, &optimise::Stretch::first);
+  const auto& [first, count] = *(next_stretch - 1);
+  return *before == t || sample + 1 < first + count;
 }
 
 std::string places_text(const std::vector<std::size_t>& samples, const std::vector<std::uint32_t>& lines,
@@ -117,7 +120,7 @@ std::string text_of(const SmoothReport& report) {
   text += gyro_lines(smoothing) + outlier_lines(report) + stretch_lines(report);
   if (report.positions) text += "positions are as they were: only orientations are smoothed\n";
   return text + fmt::format("{} written to {}\n", counted(report.rows, report.samples ? "sample" : "key"),
-                            report.output == io::standard_stream ? "standard output" : report.output);
+                            destination(report.output));
 }
 
 }  // namespace orispline::cli

@@ -23,7 +23,8 @@ struct SmoothReport {
 /// The frequency at which the smoother's gain is one half [Hz].
 [[nodiscard]] double cutoff_of(const optimise::Smoothing& smoothing);
 
-/// Whether the curve through the keys at these times is one through a stretch at this time [s], and not over a gap.
+/// Whether the curve through the keys at these times is one through a stretch at this time [s], and neither over a gap
+/// nor beside all of them. Logarithmic time.
 [[nodiscard]] bool covers(const optimise::Smoothing& smoothing, std::span<const double> times, double t);
 
 /// `: line 6 (5.2 s), line 9 (5.8 s)`, some of the samples, with their lines and times in the file.

@@ -53,8 +53,7 @@ Expected<void> agree(const TuneOptions& options, const Request& request) {
   if (request.tuning.objective == Objective::torque && !options.inertia)
     return usage_failure("--objective torque: wanted --inertia JX,JY,JZ as well");
   if (options.output.empty()) return usage_failure("-o: found an empty name, wanted FILE or -");
-  if (options.json && options.output == io::standard_stream)
-    return usage_failure("--json: the summary goes to standard output, wanted -o FILE for the keys");
+  if (auto checked = check_summary(options.summary, options.output, "keys"); !checked) return checked;
   if (options.input.path == io::standard_stream && options.reference == io::standard_stream)
     return usage_failure("found '-' for INPUT and --reference, wanted it for one at most");
   return {};
@@ -146,10 +145,8 @@ Expected<void> tune(const TuneOptions& options) {
                     .times = {keys->times().begin(), keys->times().end()},
                     .tuning = std::move(*tuning)};
   for (double& t : report.times) t += file->epoch.to_double();
-  return write_keys(options.output, file->table, report.tuning).and_then([&]() -> Expected<void> {
-    if (options.json) return print_document(json_of(report));
-    if (!options.quiet) tell(text_of(report));
-    return {};
+  return write_keys(options.output, file->table, report.tuning).and_then([&] {
+    return summarise(options.summary, report);
   });
 }
 

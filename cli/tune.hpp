@@ -5,6 +5,7 @@
 
 #include "input_options.hpp"
 #include "method_options.hpp"
+#include "summary.hpp"
 
 namespace orispline::cli {
 
@@ -24,7 +25,7 @@ struct TuneOptions {
   MethodOptions shape;
   std::optional<std::string> objective, inertia, reference, bounds, free;
   std::string output{io::standard_stream};
-  bool json = false, quiet = false;
+  SummaryOptions summary;
 };
 
 /// Keyframes in, the same with the best tensions out.

@@ -42,7 +42,7 @@ void add_tune_options(CLI::App& app, TuneOptions& o) {
       ->type_name("NAME,...")
       ->group(group);
   add_output_file(app, o.output);
-  add_summary_options(app, o.json, o.quiet);
+  add_summary_options(app, o.summary);
   app.footer(tune_footer);
 }
 

@@ -3,17 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
+#include "quantity.hpp"
 #include "sample_report.hpp"
+#include "summary.hpp"
 #include "tune.hpp"
 
 namespace orispline::cli {
 namespace {
-
-constexpr double degrees = 180.0 / std::numbers::pi;
 
 std::string energy_line(const TuneReport& report) {
   const auto& [before, after] = std::pair(report.tuning.energy_before, report.tuning.energy_after);
@@ -48,8 +47,7 @@ std::string text_of(const TuneReport& report) {
     const auto [lowest, highest] = std::ranges::minmax(values);
     text += fmt::format("{}: {:.6g} to {:.6g}\n", name, lowest, highest);
   }
-  return text + fmt::format("keys with tensions written to {}\n",
-                            report.output == io::standard_stream ? "standard output" : report.output);
+  return text + fmt::format("keys with tensions written to {}\n", destination(report.output));
 }
 
 }  // namespace orispline::cli

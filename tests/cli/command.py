@@ -67,6 +67,9 @@ class CommandTest(unittest.TestCase):
         for other in ("out.csv", "./out.csv"):
             self.assert_fails(f"{arguments} -o out.csv --report {other}", BAD_USAGE,
                               f"--report: found '{other}', wanted another file than that of -o")
+        source = arguments.split()[1]
+        self.assert_fails(f"{arguments} -o out.csv --report ./{source}", BAD_USAGE,
+                          f"--report: found './{source}', wanted another file than INPUT")
         done = self.run_command(f"{arguments} -o out.csv --report nowhere/out.html")
         self.assertEqual(done.returncode, BAD_ACCESS)
         self.assertIn("nowhere/out.html", done.stderr)

@@ -128,6 +128,8 @@ class Reduce(CommandTest):
 
     def test_reports_are_written_as_by_compare(self):
         self.write("one.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n")
+        self.assert_fails("reduce keys.csv --tolerance 1deg --output-folder out --report out/keys.csv", BAD_USAGE,
+                          "--report: found 'out/keys.csv', wanted another file than that of the keys")
         self.assert_writes_reports_as_compare("reduce keys.csv --tolerance 1deg --quiet", "reduce one.csv --tolerance 1deg")
 
     def test_smoothing_first_certifies_the_smoothed_samples_and_states_the_raw_ones(self):

@@ -25,6 +25,8 @@ inline constexpr double angle_rounding = 4e-15;
 struct Tolerance {
   double angle;                                               ///< of the rotation from one to the other [rad]
   double position = std::numeric_limits<double>::infinity();  ///< distance [m]
+
+  [[nodiscard]] bool bounds_positions() const noexcept { return position < std::numeric_limits<double>::infinity(); }
 };
 
 /// How far a curve is from the samples of a recording, at the worst of them.
