@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What smoothing promises beside the golden cases: invariance, figures that follow from theory, outliers, gaps, a gyro.
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -7,6 +8,7 @@
 #include <orispline/math/so3.hpp>
 #include <orispline/optimise/smooth.hpp>
 #include <orispline/optimise/smoothing_element.hpp>
+#include <orispline/optimise/smoothing_loss.hpp>
 #include <orispline/optimise/smoothing_noise.hpp>
 #include <orispline/optimise/smoothing_trace.hpp>
 #include <support/near.hpp>
@@ -161,6 +163,26 @@ TEST(SmoothingElement, JacobianIsThatOfTheResidual) {
   expect_jacobian_of_element<3>();
 }
 
+TEST(SmoothingLoss, WeightsAreTheSlopesOfValuesWithoutAJump) {
+  constexpr double threshold = 2.5, bound = threshold * threshold, step = 1e-5;
+  for (const Loss loss : {Loss::squares, Loss::huber, Loss::cauchy, Loss::tukey}) {
+    SCOPED_TRACE(static_cast<int>(loss));
+    for (const double s : {0.1, 1.0, 0.99 * bound, 1.01 * bound, 4.0 * bound}) {
+      const double slope =
+          (loss_at(loss, s + step, threshold).value - loss_at(loss, s - step, threshold).value) / (2.0 * step);
+      EXPECT_NEAR(loss_at(loss, s, threshold).weight, slope, 1e-8) << s;
+    }
+    const LossValue within = loss_at(loss, bound * (1.0 - 1e-12), threshold),
+                    beyond = loss_at(loss, bound * (1.0 + 1e-12), threshold);
+    EXPECT_NEAR(within.value, beyond.value, 1e-10);
+    EXPECT_NEAR(within.weight, beyond.weight, 1e-10);
+  }
+  EXPECT_EQ(loss_at(Loss::huber, 16.0, 2.0).value, 12.0);  // 2 c √s - c²
+  EXPECT_EQ(loss_at(Loss::tukey, 100.0, 3.0).value, 3.0);  // c²/3
+  EXPECT_EQ(loss_at(Loss::tukey, 100.0, 3.0).weight, 0.0);
+  EXPECT_NEAR(loss_at(Loss::cauchy, 4.0, 2.0).value, 4.0 * std::log(2.0), 1e-14);
+}
+
 TEST(SmoothingTrace, IsThatOfTheSplineFilter) {
   // Far from the ends the kernel of a cubic smoothing spline has the height 1/(2√2 τ) (Silverman 1984).
   std::vector<double> times, weights(4000, 1.0);
@@ -205,17 +227,16 @@ TEST(Smooth, StretchesDoNotKnowEachOther) {
   cut.times[299] += 5.0;  // stands alone
   first.times.resize(150);
   first.orientations.resize(150);
-  const SmoothOptions options{.smoothing_time = 0.05, .gap = 1.0};
+  const SmoothOptions options{.smoothing_time = 0.05, .outliers = Outliers::none, .gap = 1.0};
   const auto whole = smooth(Keyframes::make(cut).value(), options).value();
   const auto part = smooth(Keyframes::make(first).value(), options).value();
   ASSERT_EQ(whole.stretches.size(), 2u);
+  EXPECT_EQ(whole.stretches[1].first, 150u);
+  EXPECT_EQ(whole.stretches[1].count, 149u);
   EXPECT_EQ(whole.left_out, std::vector<std::size_t>{299});
   ASSERT_EQ(whole.nodes.orientations.size(), 299u);
-  const SmoothOptions plain{.smoothing_time = 0.05, .outliers = Outliers::none, .gap = 1.0};
-  const auto a = smooth(Keyframes::make(cut).value(), plain).value();
-  const auto b = smooth(Keyframes::make(first).value(), plain).value();
   for (std::size_t i = 0; i < 150; ++i)
-    EXPECT_LT(angular_distance(a.nodes.orientations[i], b.nodes.orientations[i]), 1e-8);
+    EXPECT_LT(angular_distance(whole.nodes.orientations[i], part.nodes.orientations[i]), 1e-8);
 }
 
 TEST(Smooth, GyroBringsTheMotionNearerAndItsBiasIsFound) {

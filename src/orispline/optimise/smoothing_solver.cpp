@@ -60,7 +60,8 @@ class Minimisation {
         length *= 0.5;
         moved = state_.after(step, length);
       }
-      if (rises(there)) break;                                                    // this way leads no farther down
+      // The shortest step is made even uphill: it may cross where the shorter way between two nodes changes sides, and
+      // the cost goes down again beyond.
       const bool stays = std::abs(there.cost - now.cost) <= rounding * now.cost;  // then a step that grows is rounding
       state_ = std::move(moved);
       now = std::move(there);
