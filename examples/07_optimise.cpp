@@ -32,8 +32,9 @@ orispline::Expected<orispline::Keyframes> recorded() {
 orispline::Expected<orispline::Keyframes> smoothed(const orispline::Keyframes& recording) {
   const auto smoothing = optimise::smooth(recording, {.penalty = optimise::Penalty::jerk});
   if (!smoothing) return tl::unexpected(smoothing.error());
+  const auto keys = optimise::smoothed_keyframes(recording, *smoothing);
   std::printf("smooth: noise of %.1f degrees per axis\n", smoothing->noise / degree);
-  return optimise::smoothed_keyframes(recording, *smoothing);
+  return keys;
 }
 
 orispline::Expected<orispline::Keyframes> reduced(const orispline::Keyframes& recording) {
