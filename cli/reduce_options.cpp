@@ -43,7 +43,8 @@ void add_reduce_options(CLI::App& app, ReduceOptions& o) {
   add_smoothness_options(app, o.smoothness);
   add_output_options(app, o.output);
   add_report_option(app, o.report);
-  app.add_option("--output-folder", o.folder, "Of several inputs: keys into files of the same names there, all or none")
+  app.add_option("--output-folder", o.folder,
+                 "Of several inputs: keys into files of the same names there, when all are found")
       ->type_name(folder_type)
       ->group("Output");
   app.add_option("--threads", o.threads, "Threads that work on inputs and methods, with the same results [all cores]")

@@ -20,7 +20,8 @@ using optimise::Smoothing;
 using optimise::SmoothingCriterion;
 
 constexpr std::size_t places_shown = 10;
-constexpr double wanted_step = 1e-6;  // [rad] of the last step of the iteration
+constexpr std::size_t motion_run = 3;  // of rejected samples; --loss tukey may have it
+constexpr double wanted_step = 1e-6;   // [rad] of the last step of the iteration
 
 std::string reason_of(const Smoothing& smoothing) {
   if (!smoothing.criterion) return "as stated";
@@ -74,6 +75,19 @@ std::string stretch_lines(const SmoothReport& report) {
   return text + (stretches.size() > places_shown ? ", …\n" : "\n");
 }
 
+/// The longest run of rejected samples in one stretch.
+std::size_t longest_rejected_run(const Smoothing& smoothing) {
+  std::size_t longest = 0, run = 0;
+  for (std::size_t k = 0; k < smoothing.rejected.size(); ++k) {
+    const std::size_t sample = smoothing.rejected[k];
+    const bool follows = k > 0 && smoothing.rejected[k - 1] + 1 == sample &&
+                         !std::ranges::binary_search(smoothing.stretches, sample, {}, &optimise::Stretch::first);
+    run = follows ? run + 1 : 1;
+    longest = std::max(longest, run);
+  }
+  return longest;
+}
+
 }  // namespace
 
 double cutoff_of(const Smoothing& smoothing) { return 1.0 / (2.0 * std::numbers::pi * smoothing.smoothing_time); }
@@ -108,6 +122,11 @@ std::string remark_on(const Smoothing& smoothing) {
   if (smoothing.edge == LambdaChoice::Edge::longest)
     return "no change of the rates was found beside the noise: the most smoothing was taken; state --smoothing-time "
            "to have less";
+  if (const std::size_t run = longest_rejected_run(smoothing); run >= motion_run)
+    return fmt::format(
+        "{} samples in a row do not count, which is rather motion than outliers: wanted --loss robust, "
+        "which keeps them",
+        run);
   if (smoothing.last_step > wanted_step)
     return fmt::format("the last step of the iteration still moved by {:.2g} rad", smoothing.last_step);
   return "";

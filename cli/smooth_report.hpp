@@ -34,13 +34,14 @@ struct SmoothReport {
 /// `smoothing time  0.1 s (cut-off 1.59 Hz), by …`
 [[nodiscard]] std::string choice_line(const optimise::Smoothing& smoothing);
 
-/// What is noteworthy about the choice of the smoothing time, as a sentence; empty when nothing.
+/// What is noteworthy about the choice of the smoothing time, the outliers or the iteration, as a sentence; empty when
+/// nothing.
 [[nodiscard]] std::string remark_on(const optimise::Smoothing& smoothing);
 
 /// A page for people.
 [[nodiscard]] std::string text_of(const SmoothReport& report);
 
-/// One JSON document, described in docs/smooth.md.
+/// One JSON document, described in docs/inspect-json.md.
 [[nodiscard]] std::string json_of(const SmoothReport& report);
 
 }  // namespace orispline::cli

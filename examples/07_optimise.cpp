@@ -32,10 +32,9 @@ orispline::Expected<orispline::Keyframes> recorded() {
 orispline::Expected<orispline::Keyframes> smoothed(const orispline::Keyframes& recording) {
   const auto smoothing = optimise::smooth(recording, {.penalty = optimise::Penalty::jerk});
   if (!smoothing) return tl::unexpected(smoothing.error());
-  orispline::KeyframeData data{.orientations = smoothing->nodes.orientations};
-  for (const std::size_t key : smoothing->keys) data.times.push_back(recording.times()[key]);
+  const auto keys = optimise::smoothed_keyframes(recording, *smoothing);
   std::printf("smooth: noise of %.1f degrees per axis\n", smoothing->noise / degree);
-  return orispline::Keyframes::make(data);
+  return keys;
 }
 
 orispline::Expected<orispline::Keyframes> reduced(const orispline::Keyframes& recording) {

@@ -121,6 +121,12 @@ class Smooth(CommandTest):
         self.write("two.csv", recording(2, 0.0))
         self.assert_writes_reports_as_compare("smooth noisy.csv --quiet", "smooth two.csv")
 
+    def test_tukey_that_gives_up_motion_is_told(self):
+        self.write("run.csv", recording(400, 0.02, range(100, 105)))
+        for loss, warned in (("tukey", True), ("robust", False)):
+            done = self.run_command(f"smooth run.csv --smoothing-time 0.1 --loss {loss} -o out.csv --quiet")
+            self.assertEqual("samples in a row do not count, which is rather motion than outliers" in done.stderr, warned)
+
     def test_refusals(self):
         self.assert_fails("smooth noisy.csv --noise 0deg", BAD_USAGE,
                           "--noise: found '0deg', wanted a number greater than 0 with its unit, deg or rad, such as 1deg")

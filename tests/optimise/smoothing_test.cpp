@@ -5,6 +5,7 @@
 #include <orispline/math/so3.hpp>
 #include <orispline/optimise/smooth.hpp>
 #include <orispline/optimise/smoothing_element.hpp>
+#include <orispline/optimise/smoothing_loss.hpp>
 #include <orispline/optimise/smoothing_noise.hpp>
 #include <orispline/optimise/smoothing_trace.hpp>
 #include <support/near.hpp>
@@ -120,6 +121,26 @@ void expect_jacobian_of_element() {
 TEST(SmoothingElement, JacobianIsThatOfTheResidual) {
   expect_jacobian_of_element<2>();
   expect_jacobian_of_element<3>();
+}
+
+TEST(SmoothingLoss, WeightsAreTheSlopesOfValuesWithoutAJump) {
+  constexpr double threshold = 2.5, bound = threshold * threshold, step = 1e-5;
+  for (const Loss loss : {Loss::squares, Loss::huber, Loss::cauchy, Loss::tukey}) {
+    SCOPED_TRACE(static_cast<int>(loss));
+    for (const double s : {0.1, 1.0, 0.99 * bound, 1.01 * bound, 4.0 * bound}) {
+      const double slope =
+          (loss_at(loss, s + step, threshold).value - loss_at(loss, s - step, threshold).value) / (2.0 * step);
+      EXPECT_NEAR(loss_at(loss, s, threshold).weight, slope, 1e-8) << s;
+    }
+    const LossValue within = loss_at(loss, bound * (1.0 - 1e-12), threshold),
+                    beyond = loss_at(loss, bound * (1.0 + 1e-12), threshold);
+    EXPECT_NEAR(within.value, beyond.value, 1e-10);
+    EXPECT_NEAR(within.weight, beyond.weight, 1e-10);
+  }
+  EXPECT_EQ(loss_at(Loss::huber, 16.0, 2.0).value, 12.0);  // 2 c √s - c²
+  EXPECT_EQ(loss_at(Loss::tukey, 100.0, 3.0).value, 3.0);  // c²/3
+  EXPECT_EQ(loss_at(Loss::tukey, 100.0, 3.0).weight, 0.0);
+  EXPECT_NEAR(loss_at(Loss::cauchy, 4.0, 2.0).value, 4.0 * std::log(2.0), 1e-14);
 }
 
 TEST(SmoothingTrace, IsThatOfTheSplineFilter) {

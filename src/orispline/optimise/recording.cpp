@@ -16,15 +16,15 @@ double per_square(double bound) { return 1.0 / (bound * bound); }
 
 }  // namespace
 
-Recording::Recording(Keyframes samples, Tolerance tolerance)
-    : samples_(std::move(samples)),
+Recording::Recording(const Keyframes& samples, Tolerance tolerance)
+    : samples_(samples),
       tolerance_(tolerance),
       per_square_sine_(tolerance.angle < std::numbers::pi
                            ? per_square(elementary::sine_cosine(0.5 * (tolerance.angle - angle_rounding)).sine)
                            : 0.0),
-      per_square_distance_(std::isinf(tolerance.position) ? 0.0 : per_square(tolerance.position)) {}
+      per_square_distance_(tolerance.bounds_positions() ? per_square(tolerance.position) : 0.0) {}
 
-bool Recording::bounds_positions() const noexcept { return has_positions() && per_square_distance_ > 0.0; }
+bool Recording::bounds_positions() const noexcept { return has_positions() && tolerance_.bounds_positions(); }
 
 double Recording::excess(std::size_t sample, const Eigen::Quaterniond& orientation) const noexcept {
   return (orientation.conjugate() * samples_.orientations()[sample]).vec().squaredNorm() * per_square_sine_;

@@ -58,10 +58,11 @@ struct Miss {
   double excess;                ///< as in WorstSample
 };
 
-/// A recording that curves are measured against: steps between keys go the shorter way.
+/// A recording that curves are measured against: steps between keys go the shorter way. Refers to its samples.
 class Recording {
  public:
-  Recording(Keyframes samples, Tolerance tolerance);
+  Recording(const Keyframes& samples, Tolerance tolerance);
+  Recording(Keyframes&&, Tolerance) = delete;
 
   [[nodiscard]] const Keyframes& samples() const noexcept { return samples_; }
   [[nodiscard]] std::size_t size() const noexcept { return samples_.size(); }
@@ -85,7 +86,7 @@ class Recording {
   [[nodiscard]] Expected<Deviation> deviation(std::string_view method, const Keyframes& keys) const;
 
  private:
-  Keyframes samples_;
+  const Keyframes& samples_;
   Tolerance tolerance_;
   double per_square_sine_, per_square_distance_;
 };

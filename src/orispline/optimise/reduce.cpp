@@ -54,12 +54,15 @@ Expected<Reduction> certified(const LocalMethod& method, const Recording& record
   const auto deviation = recording.deviation(method.name, *keys);
   if (!deviation) return tl::unexpected(deviation.error());
   const Tolerance tolerance = recording.tolerance();
-  if (deviation->angle > tolerance.angle || deviation->position.value_or(0.0) > tolerance.position)
+  const auto missed = [&](double distance, double wanted, std::string_view unit) {
     return failure(ErrorCode::bad_argument,
-                   fmt::format("{}: the curve is {:.6g} rad and {:.6g} m from the samples, wanted {:.6g} rad and "
-                               "{:.6g} m: the tolerance is below rounding",
-                               method.name, deviation->angle, deviation->position.value_or(0.0), tolerance.angle,
-                               tolerance.position));
+                   fmt::format("{}: the curve is {:.6g} {} from a sample, wanted {:.6g} {}: the tolerance is below "
+                               "rounding",
+                               method.name, distance, unit, wanted, unit));
+  };
+  if (deviation->angle > tolerance.angle) return missed(deviation->angle, tolerance.angle, "rad");
+  if (deviation->position.value_or(0.0) > tolerance.position)
+    return missed(*deviation->position, tolerance.position, "m");
   return Reduction{method.name, std::move(found.samples), std::move(*keys), *deviation};
 }
 

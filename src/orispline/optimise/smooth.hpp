@@ -65,11 +65,14 @@ inline constexpr std::size_t most_times_for_choice = 10000;
 ///
 /// The weight of the penalty follows from `smoothing_time`; else it is chosen: by GCV where nothing is known, by UBRE
 /// where the noise is stated, by REML with a gyro. Errors: bad_data for too few samples (fewer than three in every
-/// stretch, four for the jerk), where no smooth motion is near to them or most of them count as outliers, or where a
-/// gyro contradicts them; bad_argument for options out of their range or that contradict each other; not_converged.
+/// stretch, four for the jerk; so few beside the outliers), where no smooth motion is near to them or more than half of
+/// them count as outliers, for a gyro without angular velocities and for one that contradicts the orientations;
+/// bad_argument for numbers out of their range, for a gap not longer than the median interval, and for options that
+/// contradict each other: `noise` and `smoothing_time`, `gyro` and `gap`, `gyro_noise` without `gyro`; not_converged.
 [[nodiscard]] Expected<Smoothing> smooth(const Keyframes& recording, const SmoothOptions& options = {});
 
-/// The smoothed recording as keys with rates; its positions as they were.
+/// The smoothed recording as keys with rates, at the times of `smoothing.keys`; its positions as they were.
+/// Precondition: the smoothing is that of this recording. Errors: those of Keyframes::make().
 [[nodiscard]] Expected<Keyframes> smoothed_keyframes(const Keyframes& recording, const Smoothing& smoothing);
 
 }  // namespace orispline::optimise

@@ -46,7 +46,7 @@ struct SmoothingObjective {
   Bias bias = Bias::none;  ///< of the gyro
 };
 
-/// When the iteration ends; also where no step lowers the cost any more.
+/// When the iteration ends; also where the cost stays and steps do not get shorter: that is rounding.
 struct SmoothingIteration {
   double tolerance = 1e-9;  ///< largest component of a node's turn in the last step [rad]
   int most = 60;            ///< steps

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include <orispline/base/expect.hpp>
@@ -41,19 +42,29 @@ class Minimisation {
   [[nodiscard]] SmoothingFit run(const SmoothingIteration& iteration) {
     Evaluation now = evaluated(state_);
     SmoothingFit fit;
-    double turn_before = std::numeric_limits<double>::infinity();
+    double turn_before = std::numeric_limits<double>::infinity(), lowest_cost = turn_before;
+    std::optional<State> lowest;  // that was left uphill
     for (fit.iterations = 1;; ++fit.iterations) {
       const Step step = proposed(now);
       fit.last_step = step.largest_turn;
       if (!std::isfinite(step.size)) break;
       const double cost_before = now.cost;
+      const State before = state_;
       const double length = advance(now, step);
+      if (now.cost > cost_before * (1.0 + cost_rounding) && !(lowest && lowest_cost <= cost_before)) {
+        lowest = before;
+        lowest_cost = cost_before;
+      }
       const bool stays =
           std::abs(now.cost - cost_before) <= cost_rounding * cost_before;  // a step that grows is rounding
-      if (length == 0.0 || (step.largest_turn < iteration.tolerance && length == 1.0)) break;
+      if (step.largest_turn < iteration.tolerance && length == 1.0) break;
       if (stays && step.largest_turn >= turn_before) break;
       if (fit.iterations >= iteration.most) break;
       turn_before = step.largest_turn;
+    }
+    if (lowest && !(now.cost <= lowest_cost)) {
+      state_ = std::move(*lowest);
+      now = evaluated(state_);
     }
     return completed(std::move(fit), std::move(now));
   }
@@ -191,13 +202,11 @@ class Minimisation {
     for (double length = 1.0;; length *= 0.5) {
       state_ = from.after(step, length);
       Evaluation there = evaluated(state_);
-      if (there.cost <= now.cost * (1.0 + cost_rounding)) {
+      // The shortest step is made even uphill: it may cross where the shorter way between two nodes changes sides, and
+      // the cost goes down again beyond.
+      if (there.cost <= now.cost * (1.0 + cost_rounding) || length < shortest_step) {
         now = std::move(there);
         return length;
-      }
-      if (length < shortest_step) {  // this way leads no farther down
-        state_ = from;
-        return 0.0;
       }
       if (length == 1.0 && std::isfinite(there.cost) && crosses(now, step, std::move(there))) return length;
     }
