@@ -257,6 +257,10 @@ class Reduce(CommandTest):
                           "much smaller")
         self.assert_fails("reduce keys.csv --tolerance 1deg --position-tolerance 1mm", BAD_DATA,
                           "keys.csv: found no positions, wanted columns px,py,pz for --position-tolerance")
+        self.write("poses.csv", "t,qw,qx,qy,qz,px,py,pz\n0,1,0,0,0,3,0,4\n1,1,0,0,0,0,0,0\n")
+        self.assert_fails("reduce poses.csv --tolerance 1deg --position-tolerance 1e-30m", BAD_USAGE,
+                          "the tolerance of positions is 1e-30 m, wanted 7.1e-14 m at least: the rounding of these "
+                          "positions is not much smaller")
         self.write("one.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n")
         self.assert_fails("reduce one.csv --tolerance 1deg", BAD_DATA,
                           "one.csv: found 1 sample, wanted 2 at least to keep the fewest that suffice")
