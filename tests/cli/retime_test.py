@@ -167,7 +167,8 @@ class Retime(CommandTest):
         self.assertIn(", wanted limits that 1e+15 meets", done.stderr)
         report = self.retimed(f"{limit} --per-interval")
         self.assertEqual(report["slowing"], "per-interval")
-        self.assertAlmostEqual(report["duration_after_s"], 2002, delta=0.1)
+        self.assertLess(report["stretch"], 1e4)
+        self.assertLessEqual(report["rate_bound_deg_s"], 45)
 
     def test_columns_that_shape_the_curve_are_refused_and_others_told(self):
         self.write("shaped.csv", "t,qw,qx,qy,qz,tension,wx,wy,wz\n0,1,0,0,0,0.9,1,2,3\n1,0,1,0,0,0.9,1,2,3\n")
