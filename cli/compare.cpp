@@ -95,6 +95,7 @@ Expected<void> print(const CompareReport& report, const CompareOptions& options)
 Expected<void> compare(const CompareOptions& options) {
   const auto request = compare_request(options);
   if (!request) return tl::unexpected(request.error());
+  if (request->inertia) warn_unless_rigid(*request->inertia);
   auto file = ReportFile::open(options.report);
   if (!file) return tl::unexpected(std::move(file.error()));
   return compared(options, *request).and_then([&](const CompareReport& report) {

@@ -11,7 +11,7 @@ constexpr auto compare_footer = R"(Examples:
   orispline compare flight.csv --keep-every 8 --methods auto,slerp,quintic --json
   orispline compare flight.csv --keep-every 4,16,64 --random 7 --sort max
   orispline compare keys.csv --reference truth.csv --report report.html
-  orispline compare flight.csv --methods auto,quintic:tension=0.6,timed-c2:ends=repeat --inertia=1,2,4 --sort torque
+  orispline compare flight.csv --methods auto,quintic:tension=0.6,timed-c2:ends=repeat --inertia=1,2,2.5 --sort torque
 
 --keep-every N keeps the samples 0, N, 2N, ... of INPUT as keys, the last one only if it falls on the grid; the curves
 through them are compared with all samples from the first to the last key. With columns wx,wy,wz the angular velocities

@@ -6,7 +6,10 @@
 #include <fmt/format.h>
 #include <Eigen/Cholesky>
 
+#include <orispline/optimise/tune.hpp>
+
 #include "compare_report.hpp"
+#include "standard_output.hpp"
 #include "threads.hpp"
 
 namespace orispline::cli {
@@ -112,6 +115,11 @@ Expected<Eigen::Matrix3d> inertia_in(OptionText option) {
   if (Eigen::LLT<Eigen::Matrix3d>(inertia).info() != Eigen::Success)
     return wanted(option, "a positive definite inertia");
   return inertia;
+}
+
+void warn_unless_rigid(const Eigen::Matrix3d& inertia) {
+  if (!optimise::is_of_a_rigid_body(inertia))
+    warn("--inertia: one principal moment is greater than the sum of the two others, as no rigid body has it");
 }
 
 Expected<CompareRequest> compare_request(const CompareOptions& options) {

@@ -33,4 +33,7 @@ struct CompareRequest {
 /// Three principal moments, or those with the products of inertia Jxy, Jxz, Jyz [kg m²].
 [[nodiscard]] Expected<Eigen::Matrix3d> inertia_in(OptionText option);
 
+/// A warning of an inertia that no rigid body has.
+void warn_unless_rigid(const Eigen::Matrix3d& inertia);
+
 }  // namespace orispline::cli

@@ -3,24 +3,23 @@
 
 #include <algorithm>
 #include <array>
-#include <climits>
 #include <csignal>
-#include <cstring>
 
 #include <unistd.h>
 
 namespace orispline::cli {
 namespace {
 
-using Path = std::array<char, PATH_MAX>;  // a signal handler may touch nothing that allocates
+using Place = std::atomic<const char*>;  // a signal handler may touch nothing that locks or allocates
+static_assert(Place::is_always_lock_free);
 
-std::array<Path, 2> unfinished{};  // empty: nothing to remove
+std::array<Place, 1000> unfinished{};  // null: nothing to remove
 
-bool is_free(const Path& path) { return path.front() == '\0'; }
+bool is_free(const Place& place) { return place.load() == nullptr; }
 
 void remove_and_end(int signal) {
-  for (const Path& path : unfinished)
-    if (!is_free(path)) unlink(path.data());
+  for (const Place& place : unfinished)
+    if (const char* path = place.load()) unlink(path);
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }
@@ -32,18 +31,17 @@ void on_interruption(void (*handler)(int)) {
 
 }  // namespace
 
-RemovedWhenInterrupted::RemovedWhenInterrupted(const std::string& path) {
+RemovedWhenInterrupted::RemovedWhenInterrupted(const std::string& path) : path_(path) {
   const auto place = std::ranges::find_if(unfinished, is_free);
-  if (path.empty() || place == unfinished.end() || path.size() >= place->size()) return;
-  std::memcpy(place->data() + 1, path.c_str() + 1, path.size());
-  place->front() = path.front();
-  place_ = place->data();
+  if (path_.empty() || place == unfinished.end()) return;
+  place_ = &*place;
+  *place_ = path_.c_str();
   on_interruption(remove_and_end);
 }
 
 RemovedWhenInterrupted::~RemovedWhenInterrupted() {
   if (place_ == nullptr) return;
-  *place_ = '\0';
+  *place_ = nullptr;
   if (std::ranges::all_of(unfinished, is_free)) on_interruption(SIG_DFL);
 }
 

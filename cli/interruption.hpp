@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <string>
 
 namespace orispline::cli {
@@ -8,14 +9,15 @@ namespace orispline::cli {
 /// While it lives, Ctrl-C and a polite kill remove the file that is being written before they end the command.
 class RemovedWhenInterrupted {
  public:
-  /// `path` may be empty: nothing to remove. Two at a time.
+  /// `path` may be empty: nothing to remove. A thousand at a time; more are left.
   explicit RemovedWhenInterrupted(const std::string& path);
   ~RemovedWhenInterrupted();
   RemovedWhenInterrupted(const RemovedWhenInterrupted&) = delete;
   RemovedWhenInterrupted& operator=(const RemovedWhenInterrupted&) = delete;
 
  private:
-  char* place_ = nullptr;  // of the path; none where there is nothing to remove
+  std::string path_;
+  std::atomic<const char*>* place_ = nullptr;  // where the path is noted; none where there is nothing to remove
 };
 
 }  // namespace orispline::cli

@@ -2,7 +2,11 @@
 #include "output_folder.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
+#include <system_error>
+
+#include <unistd.h>
 
 #include <fmt/format.h>
 
@@ -24,13 +28,27 @@ bool are_one_file(const fs::path& a, const fs::path& b) {
   return fs::equivalent(a, b, ignored);
 }
 
+Expected<void> made(const std::string& folder, const std::error_code& reason) {
+  if (!reason) return {};
+  return failure(ErrorCode::bad_access, "cannot make this folder: " + reason.message(), {.file = folder});
+}
+
 }  // namespace
 
 Expected<void> make_folder(const std::string& folder) {
   std::error_code reason;
   fs::create_directories(folder, reason);
-  if (!reason) return {};
-  return failure(ErrorCode::bad_access, "cannot make this folder: " + reason.message(), {.file = folder});
+  return made(folder, reason);
+}
+
+Expected<void> check_folder(const std::string& folder) {
+  std::error_code reason;
+  fs::path missing, there = fs::absolute(folder, reason);
+  for (; !reason && !fs::exists(there, reason) && there.has_relative_path(); there = there.parent_path())
+    missing = there;
+  if (fs::exists(there) && !fs::is_directory(there)) reason = std::make_error_code(std::errc::not_a_directory);
+  else if (!missing.empty() && access(there.c_str(), W_OK | X_OK) != 0) reason = {errno, std::generic_category()};
+  return made(folder, reason);
 }
 
 Expected<std::vector<std::string>> outputs_in(const std::string& folder, std::span<const std::string> inputs,

@@ -14,6 +14,9 @@ namespace orispline::cli {
 /// With the folders that it is in; it may be there. Error: bad_access.
 [[nodiscard]] Expected<void> make_folder(const std::string& folder);
 
+/// Whether make_folder() would make it, or it is there; leaves nothing behind. Error: bad_access.
+[[nodiscard]] Expected<void> check_folder(const std::string& folder);
+
 /// Where the outputs of several inputs go: files of the same names in the folder, with the extension of the format
 /// where one is asked for. Errors: bad_argument for standard input, for two outputs in one place and for an output that
 /// is an input.

@@ -31,6 +31,12 @@ std::string a_file_of(io::FileFormat format) {
   return fmt::format("{} {} file", format == io::FileFormat::euroc ? "an" : "a", io::title_of(format));
 }
 
+Expected<void> check_times_are_kept(io::FileFormat format, std::string_view option, std::string_view promise) {
+  if (format != io::FileFormat::euroc && format != io::FileFormat::npy) return {};
+  return usage_failure(fmt::format("{}: {} rounds times, with which {} need not hold, wanted CSV or TUM", option,
+                                   a_file_of(format), promise));
+}
+
 Expected<io::SampleColumns> output_columns(const OutputOptions& options) {
   if (options.path.empty()) return usage_failure("-o: found an empty name, wanted FILE or -");
   FirstError checked;

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include <orispline/io/sample_writer.hpp>
 
@@ -21,6 +22,10 @@ struct OutputOptions {
 
 /// The format of the output and the form of its orientations; the rest of the columns is left to the command.
 [[nodiscard]] Expected<io::SampleColumns> output_columns(const OutputOptions& options);
+
+/// Error (bad_argument): a format that rounds times, with which `promise`, such as `the limits`, need not hold.
+[[nodiscard]] Expected<void> check_times_are_kept(io::FileFormat format, std::string_view option,
+                                                  std::string_view promise);
 
 /// `a TUM file`
 [[nodiscard]] std::string a_file_of(io::FileFormat format);

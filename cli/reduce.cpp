@@ -2,6 +2,7 @@
 #include "reduce.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 #include <fmt/format.h>
@@ -36,8 +37,6 @@ Expected<void> agree(const ReduceOptions& options, const Request& request) {
   const bool to_standard_output = options.output.path == io::standard_stream;
   if (options.folder && !to_standard_output)
     return usage_failure("found -o and --output-folder, wanted one of them: a file for the keys, or their folder");
-  if (options.folder && options.folder->empty())
-    return usage_failure("--output-folder: found an empty name, wanted FOLDER");
   if (!options.folder && options.inputs.size() > 1)
     return usage_failure(
         fmt::format("found {} inputs, wanted --output-folder FOLDER for their keys", options.inputs.size()));
@@ -91,6 +90,9 @@ Expected<std::vector<io::SampleColumns>> columns_in(const ReduceOptions& options
     output.path = path;
     const auto found = output_columns(output);
     if (!found) return tl::unexpected(found.error());
+    if (auto kept = check_times_are_kept(found->format, options.folder ? "--output-folder" : "-o", "the tolerance");
+        !kept)
+      return tl::unexpected(std::move(kept.error()));
     columns.push_back(*found);
   }
   return columns;
@@ -98,6 +100,7 @@ Expected<std::vector<io::SampleColumns>> columns_in(const ReduceOptions& options
 
 Expected<std::vector<std::string>> outputs_of(const ReduceOptions& options) {
   if (!options.folder) return std::vector{options.output.path};
+  if (options.folder->empty()) return usage_failure("--output-folder: found an empty name, wanted FOLDER");
   return if_given("--output-format", options.output.format, choice_of(output_format_choices))
       .and_then(
           [&](std::optional<io::FileFormat> format) { return outputs_in(*options.folder, options.inputs, format); });
@@ -197,13 +200,27 @@ Expected<std::vector<ReduceReport>> reports_of(const Request& request, const std
   return reports;
 }
 
+/// Before the work: a folder that is not there is only made with the outputs.
+Expected<void> check_outputs(const Request& request, const ReduceOptions& options) {
+  if (options.folder)
+    if (auto able = check_folder(*options.folder); !able || !std::filesystem::exists(*options.folder)) return able;
+  for (const std::string& output : request.outputs)
+    if (auto able = io::check_output(output); !able) return able;
+  return {};
+}
+
+/// All or none.
 Expected<void> write_all(const Request& request, const std::vector<Track>& tracks,
                          const std::vector<ReduceReport>& reports) {
+  std::vector<UnfinishedKeys> outputs;
   for (std::size_t i = 0; i < reports.size(); ++i) {
-    auto written =
+    auto output =
         write_keys(reports[i].output, request.columns[i], tracks[i], reports[i].reductions[reports[i].chosen]);
-    if (!written) return written;
+    if (!output) return tl::unexpected(std::move(output.error()));
+    outputs.push_back(std::move(*output));
   }
+  for (UnfinishedKeys& output : outputs)
+    if (auto finished = output.writer.finish(); !finished) return finished;
   return {};
 }
 
@@ -214,6 +231,7 @@ Expected<void> reduce(const ReduceOptions& options) {
   if (!request) return tl::unexpected(request.error());
   auto page = ReportFile::open(options.report);
   if (!page) return tl::unexpected(std::move(page.error()));
+  if (auto able = check_outputs(*request, options); !able) return able;
   const auto tracks = open_tracks(*request, options);
   if (!tracks) return tl::unexpected(tracks.error());
   warn_of(*tracks, options);

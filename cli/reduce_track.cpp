@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "interruption.hpp"
-
 namespace orispline::cli {
 namespace {
 
@@ -30,7 +28,7 @@ Expected<void> write_rows(io::SampleWriter& writer, const Track& track, const op
     written.error().where.key = reduction.samples[key];
     return tl::unexpected(located(track.file, std::move(written.error())));
   }
-  return writer.finish();
+  return writer.close();
 }
 
 Expected<Track> smoothed(Track track, const optimise::SmoothOptions& options) {
@@ -58,13 +56,14 @@ Expected<Track> open_track(const InputRequest& input, const std::optional<optimi
   return smoothing ? smoothed(std::move(track), *smoothing) : std::move(track);
 }
 
-Expected<void> write_keys(const std::string& path, io::SampleColumns columns, const Track& track,
-                          const optimise::Reduction& reduction) {
+Expected<UnfinishedKeys> write_keys(const std::string& path, io::SampleColumns columns, const Track& track,
+                                    const optimise::Reduction& reduction) {
   columns.positions = !track.samples.positions().empty();
   columns.derivatives = 0;
   return io::SampleWriter::open(path, columns, reduction.samples.size()).and_then([&](io::SampleWriter writer) {
-    const RemovedWhenInterrupted unfinished(writer.part());
-    return write_rows(writer, track, reduction);
+    UnfinishedKeys output{std::move(writer), nullptr};
+    output.removal = std::make_unique<RemovedWhenInterrupted>(output.writer.part());
+    return write_rows(output.writer, track, reduction).map([&] { return std::move(output); });
   });
 }
 

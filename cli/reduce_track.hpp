@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include <orispline/optimise/smooth.hpp>
 
 #include "input_options.hpp"
+#include "interruption.hpp"
 
 namespace orispline::cli {
 
@@ -26,8 +28,14 @@ struct Track {
 [[nodiscard]] Expected<Track> open_track(const InputRequest& input,
                                          const std::optional<optimise::SmoothOptions>& smoothing);
 
+/// Keys that are written beside their file, closed, and take its place when the writer finishes.
+struct UnfinishedKeys {
+  io::SampleWriter writer;
+  std::unique_ptr<RemovedWhenInterrupted> removal;
+};
+
 /// Writes the keys; those that are samples with the digits of the file. Errors: those of the writer.
-[[nodiscard]] Expected<void> write_keys(const std::string& path, io::SampleColumns columns, const Track& track,
-                                        const optimise::Reduction& reduction);
+[[nodiscard]] Expected<UnfinishedKeys> write_keys(const std::string& path, io::SampleColumns columns,
+                                                  const Track& track, const optimise::Reduction& reduction);
 
 }  // namespace orispline::cli

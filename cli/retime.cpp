@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "retime.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <orispline/families/registry.hpp>
 #include <orispline/optimise/tune.hpp>
 
 #include "compare_request.hpp"
@@ -48,11 +51,7 @@ Expected<Request> request_in(const RetimeOptions& options) {
   auto read = std::move(checked).or_else(std::move(request));
   if (!read) return read;
   if (auto agreed = agree(options); !agreed) return tl::unexpected(std::move(agreed.error()));
-  if (const io::FileFormat format = read->columns.format;
-      format == io::FileFormat::euroc || format == io::FileFormat::npy)
-    return usage_failure(
-        fmt::format("-o: {} rounds times, with which the limits need not hold, wanted CSV or TUM", a_file_of(format)));
-  return read;
+  return check_times_are_kept(read->columns.format, "-o", "the limits").map([&] { return std::move(*read); });
 }
 
 Expected<void> write_keys(io::SampleWriter& writer, const io::KeyFile& file, const Keyframes& keys,
@@ -66,6 +65,28 @@ Expected<void> write_keys(io::SampleWriter& writer, const io::KeyFile& file, con
   return writer.finish();
 }
 
+/// With the place in the file, unless the command line alone is at fault.
+Error placed(const io::KeyFile& file, Error error) {
+  const bool concerns_file = error.code != ErrorCode::bad_argument || error.where.key;
+  return concerns_file ? located(file, std::move(error)) : error;
+}
+
+/// The file's columns that are not written: those that shape the curve are refused, for the limits would not hold of
+/// the curve that they shape.
+Expected<void> check_columns_left_out(const io::KeyFile& file, const std::string& method) {
+  const auto family = find_family(method);
+  if (!family) return tl::unexpected(family.error());
+  for (const Parameter& parameter : (*family)->parameters)
+    if (std::ranges::find(file.ignored_columns, parameter.name) != file.ignored_columns.end())
+      return failure(ErrorCode::bad_data,
+                     fmt::format("found the column {}, which shapes the curve of {}, wanted none: the limits are kept "
+                                 "with its default value",
+                                 parameter.name, method),
+                     {.file = file.path});
+  if (!file.ignored_columns.empty()) warn(fmt::format("not carried over: {}", fmt::join(file.ignored_columns, ", ")));
+  return {};
+}
+
 }  // namespace
 
 Expected<void> retime(const RetimeOptions& options) {
@@ -73,14 +94,15 @@ Expected<void> retime(const RetimeOptions& options) {
   if (!request) return tl::unexpected(std::move(request.error()));
   auto page = ReportFile::open(options.report);
   if (!page) return tl::unexpected(std::move(page.error()));
+  if (auto writable = io::check_output(options.output.path); !writable) return writable;
   auto file = io::read_keys(request->input.path, request->input.read);
   if (!file) return tl::unexpected(std::move(file.error()));
   const auto keys = Keyframes::make(std::exchange(file->data, {}), request->input.signs);
   if (!keys) return tl::unexpected(located(*file, keys.error()));
+  if (auto checked = check_columns_left_out(*file, options.method); !checked) return checked;
+  if (request->limits.inertia) warn_unless_rigid(*request->limits.inertia);
   auto retiming = optimise::retime(options.method, *keys, request->limits, request->slowing);
-  if (!retiming)
-    return tl::unexpected(retiming.error().code == ErrorCode::bad_data ? located(*file, std::move(retiming.error()))
-                                                                       : std::move(retiming.error()));
+  if (!retiming) return tl::unexpected(placed(*file, std::move(retiming.error())));
   const RetimeReport report{.input = options.input.path,
                             .output = options.output.path,
                             .method = options.method,

@@ -9,7 +9,7 @@ namespace {
 constexpr auto retime_footer = R"(Examples:
   orispline retime keys.csv --max-rate 90deg/s -o slow.csv
   orispline retime keys.csv --max-rate 90deg/s --max-acceleration 200deg/s2 --per-interval -o slow.csv
-  orispline retime keys.csv --max-torque 0.5Nm --inertia=1,2,4 --method timed-c2 -o slow.csv --json
+  orispline retime keys.csv --max-torque 0.5Nm --inertia=1,2,2.5 --method timed-c2 -o slow.csv --json
 
 The limits hold everywhere on the curve of --method through the keys that are written, by bounds and not by samples. A
 motion that is within them stays as it is. Positions go along with their keys, their speed is not limited. docs/retime.md

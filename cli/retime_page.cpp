@@ -58,7 +58,7 @@ std::string title_of(const RetimeReport& report, const std::vector<Certificate>&
   std::vector<std::string> limits;
   for (const Certificate& c : certificates) limits.push_back(fmt::format("{:.6g} {}", c.limit, c.unit));
   return fmt::format("{} within {}, {}: slowed {} by {:.6g}", report.input, fmt::join(limits, " and "), report.method,
-                     report.slowing == optimise::Slowing::uniform ? "uniformly" : "per interval",
+                     report.retiming.slowing == optimise::Slowing::uniform ? "uniformly" : "per interval",
                      report.retiming.stretch);
 }
 

@@ -20,6 +20,10 @@ using optimise::SegmentPeaks;
 
 double duration_of(const RetimeReport& report) { return report.retiming.times.back() - report.retiming.times.front(); }
 
+std::string_view word_of(optimise::Slowing slowing) {
+  return slowing == optimise::Slowing::uniform ? "uniform" : "per-interval";
+}
+
 }  // namespace
 
 std::vector<Certificate> certificates_of(const optimise::MotionLimits& limits, const std::vector<SegmentPeaks>& peaks) {
@@ -39,9 +43,11 @@ std::vector<Certificate> certificates_of(const optimise::MotionLimits& limits, c
 }
 
 std::string text_of(const RetimeReport& report) {
-  std::string text = fmt::format("{} from {}, {}: {:.6g} s before, {:.6g} s after, slowed by {:.6g}\n",
-                                 counted(report.retiming.times.size(), "key"), report.input, report.method,
-                                 report.duration_before, duration_of(report), report.retiming.stretch);
+  std::string text = fmt::format(
+      "{} from {}, {}: {:.6g} s before, {:.6g} s after, slowed by {:.6g}{}\n",
+      counted(report.retiming.times.size(), "key"), report.input, report.method, report.duration_before,
+      duration_of(report), report.retiming.stretch,
+      report.retiming.slowing == report.slowing ? "" : ", all intervals alike: each by itself takes no less time");
   for (const Certificate& c : certificates_of(report.limits, report.retiming.peaks))
     text +=
         fmt::format("{}: nowhere above {:.6g} {} (limit {:.6g}), largest found {:.6g} at {:.6g} s after the start\n",
@@ -53,7 +59,8 @@ std::string json_of(const RetimeReport& report) {
   Json json{{"input", report.input},
             {"output", report.output},
             {"method", report.method},
-            {"slowing", report.slowing == optimise::Slowing::uniform ? "uniform" : "per-interval"},
+            {"slowing", word_of(report.retiming.slowing)},
+            {"slowing_asked_for", word_of(report.slowing)},
             {"keys", report.retiming.times.size()},
             {"duration_before_s", report.duration_before},
             {"duration_after_s", duration_of(report)},

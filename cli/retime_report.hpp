@@ -13,7 +13,7 @@ namespace orispline::cli {
 struct RetimeReport {
   std::string input{}, output{}, method{};
   optimise::MotionLimits limits{};
-  optimise::Slowing slowing{};
+  optimise::Slowing slowing{};   ///< that was asked for
   double duration_before = 0.0;  ///< [s]
   optimise::Retiming retiming{};
 };

@@ -130,8 +130,7 @@ Expected<void> tune(const TuneOptions& options) {
   const auto request = request_in(options);
   if (!request) return tl::unexpected(request.error());
   const bool by_torque = request->tuning.objective == optimise::Objective::torque;
-  if (by_torque && !optimise::is_of_a_rigid_body(request->tuning.inertia))
-    warn("--inertia: one principal moment is greater than the sum of the two others, as no rigid body has it");
+  if (by_torque) warn_unless_rigid(request->tuning.inertia);
   auto file = io::read_keys(request->input.path, request->input.read);
   if (!file) return tl::unexpected(std::move(file.error()));
   const auto keys = Keyframes::make(std::exchange(file->data, {}), request->input.signs);

@@ -9,7 +9,7 @@ namespace {
 constexpr auto tune_footer = R"(Examples:
   orispline tune keys.csv -o tuned.csv
   orispline tune keys.csv --method quintic --objective linearised -o tuned.csv
-  orispline tune keys.csv --method timed-c2 --objective torque --inertia=1,2,4 --bounds=0,3 -o tuned.csv
+  orispline tune keys.csv --method timed-c2 --objective torque --inertia=1,2,2.5 --bounds=0,3 -o tuned.csv
   orispline tune keys.csv --method tcb --objective fit --reference recording.csv -o tuned.csv
   orispline sample tuned.csv --method quintic --rate 100 -o motion.csv
 

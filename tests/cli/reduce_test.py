@@ -213,6 +213,8 @@ class Reduce(CommandTest):
                           "--output-folder: found keys.csv and keys.csv, wanted inputs of different names")
         self.assert_fails("reduce keys.csv --tolerance 1deg --output-folder .", BAD_USAGE,
                           "--output-folder: found ., wanted a folder without the inputs")
+        self.assert_fails(["reduce", "keys.csv", "--tolerance", "1deg", "--output-folder", ""], BAD_USAGE,
+                          "--output-folder: found an empty name, wanted FOLDER")
         self.assert_fails("reduce keys.csv - --tolerance 1deg --output-folder out", BAD_USAGE,
                           "--output-folder: found '-' for an input, wanted files")
         self.assert_fails("reduce keys.csv --tolerance 1deg -o a.csv --output-folder out", BAD_USAGE,
@@ -220,6 +222,31 @@ class Reduce(CommandTest):
         self.assert_fails("reduce keys.csv --tolerance 1deg --output-folder one.csv", BAD_ACCESS,
                           "one.csv: cannot make this folder: Not a directory")
         self.assertEqual(sorted(os.listdir(self.folder)), ["bad.csv", "keys.csv", "one.csv"])
+
+    def test_outputs_are_checked_before_the_work_and_appear_all_or_none(self):
+        for name in ("a.csv", "b.csv"):
+            self.write(name, csv_of(turning(41, 3)))
+        (self.folder / "out/b.csv").mkdir(parents=True)
+        self.write("out/a.csv", "old")
+        reduce = "reduce a.csv b.csv --tolerance 1deg"
+        self.assert_fails(f"{reduce} --output-folder out", BAD_ACCESS, "out/b.csv: cannot write: Is a directory")
+        self.assertEqual((self.read("out/a.csv"), sorted(os.listdir(self.folder / "out"))), ("old", ["a.csv", "b.csv"]))
+        # a complaint of the output comes before those of the samples
+        self.write("one.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n")
+        self.assert_fails("reduce one.csv --tolerance 1deg -o nowhere/out.csv", BAD_ACCESS,
+                          "nowhere/out.csv: cannot write: No such file or directory")
+        self.assert_fails("reduce one.csv --tolerance 1deg --output-folder a.csv/deep", BAD_ACCESS,
+                          "a.csv/deep: cannot make this folder: Not a directory")
+        if os.geteuid() != 0:
+            (self.folder / "locked").mkdir(mode=0o500)
+            self.assert_fails("reduce one.csv --tolerance 1deg --output-folder locked/deep", BAD_ACCESS,
+                              "locked/deep: cannot make this folder: Permission denied")
+
+    def test_formats_that_round_times_are_refused(self):
+        for output, what in ((["-o", "out.npy"], "-o: a NumPy"), (["-o", "out.csv", "--output-format", "euroc"], "-o: an EuRoC"),
+                             (["--output-folder", "out", "--output-format", "npy"], "--output-folder: a NumPy")):
+            self.assert_fails(["reduce", "keys.csv", "--tolerance", "1deg", *output], BAD_USAGE,
+                              f"{what} file rounds times, with which the tolerance need not hold, wanted CSV or TUM")
 
     def test_refused(self):
         unit = "wanted a number greater than 0 with its unit, deg or rad, such as 1deg"
@@ -232,6 +259,10 @@ class Reduce(CommandTest):
                           "much smaller")
         self.assert_fails("reduce keys.csv --tolerance 1deg --position-tolerance 1mm", BAD_DATA,
                           "keys.csv: found no positions, wanted columns px,py,pz for --position-tolerance")
+        self.write("poses.csv", "t,qw,qx,qy,qz,px,py,pz\n0,1,0,0,0,3,0,4\n1,1,0,0,0,0,0,0\n")
+        self.assert_fails("reduce poses.csv --tolerance 1deg --position-tolerance 1e-30m", BAD_USAGE,
+                          "the tolerance of positions is 1e-30 m, wanted 7.1e-14 m at least: the rounding of these "
+                          "positions is not much smaller")
         self.write("one.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n")
         self.assert_fails("reduce one.csv --tolerance 1deg", BAD_DATA,
                           "one.csv: found 1 sample, wanted 2 at least to keep the fewest that suffice")

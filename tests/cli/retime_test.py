@@ -4,8 +4,9 @@
 import json
 import math
 import pathlib
+import random
 
-from command import BAD_DATA, BAD_USAGE, CommandTest, main, rows_of
+from command import BAD_ACCESS, BAD_DATA, BAD_USAGE, CommandTest, main, rows_of
 
 ROBOT = pathlib.Path(__file__).resolve().parents[2] / "examples/data/robot_keys.csv"
 
@@ -126,6 +127,79 @@ class Retime(CommandTest):
     def test_reports_are_written_as_by_compare(self):
         self.write("one.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n")
         self.assert_writes_reports_as_compare("retime keys.csv --max-rate 1deg/s --quiet", "retime one.csv --max-rate 1deg/s")
+
+    def even_keys(self, angles):
+        self.write("even.csv", "t,qw,qx,qy,qz\n" + "".join(
+            f"{t},{math.cos(math.radians(a) / 2)!r},0,0,{math.sin(math.radians(a) / 2)!r}\n"
+            for t, a in enumerate(angles)))
+
+    def test_methods_that_are_smooth_on_even_keys_slow_these(self):
+        self.even_keys([0, 30, 90, 60, 100])
+        for method in ("quintic", "sextic", "xing-quartic", "xing-quintic"):
+            report = self.retimed(f"even.csv --max-acceleration 5deg/s2 --method {method}")
+            self.assertLessEqual(peaks(self.sampled(method))[1], report["acceleration_bound_deg_s2"])
+            self.assertLessEqual(report["acceleration_bound_deg_s2"], 5)
+            self.assertGreater(peaks(self.sampled(method))[1], 5 * (1 - 1e-3))
+        jumps = "quintic: its angular velocity jumps at keys whose times are uneven"
+        remedy = ", which no slowing brings within a limit of acceleration or torque, wanted "
+        self.assert_fails("retime even.csv --max-acceleration 5deg/s2 --method quintic --per-interval", BAD_USAGE,
+                          f"{jumps}{remedy}all intervals slowed alike, or a method that is C1 on any, such as auto")
+        self.assert_fails("retime keys.csv --max-acceleration 5deg/s2 --method quintic", BAD_USAGE,
+                          f"{jumps}, as these are{remedy}even ones, or a method that is C1 on any, such as auto")
+
+    def test_says_when_intervals_by_themselves_take_longer(self):
+        self.even_keys([0, 90, 180, 270])  # a constant rate: nothing to gain
+        report = self.retimed("even.csv --max-rate 45deg/s --per-interval")
+        self.assertEqual((report["slowing"], report["slowing_asked_for"]), ("uniform", "per-interval"))
+        text = self.run_command("retime even.csv --max-rate 45deg/s --per-interval -o slow.csv").stderr
+        self.assertIn("slowed by 2", text)
+        self.assertIn(", all intervals alike: each by itself takes no less time\n", text)
+        report = self.retimed("robot.csv --max-rate 90deg/s --max-acceleration 200deg/s2 --per-interval")
+        self.assertEqual((report["slowing"], report["slowing_asked_for"]), ("per-interval", "per-interval"))
+
+    def test_intervals_by_themselves_are_sought_where_uniform_slowing_is_hopeless(self):
+        rows = ((0, 0), (1e-15, 90), (2e3, 90))
+        self.write("burst.csv", "t,qw,qx,qy,qz\n" + "".join(
+            f"{t!r},{math.cos(math.radians(a) / 2)!r},0,0,{math.sin(math.radians(a) / 2)!r}\n" for t, a in rows))
+        limit = "burst.csv --max-rate 45deg/s --method slerp"
+        done = self.run_command(f"retime {limit}")
+        self.assertEqual(done.returncode, BAD_USAGE)
+        self.assertIn(", wanted limits that 1e+15 meets", done.stderr)
+        report = self.retimed(f"{limit} --per-interval")
+        self.assertEqual(report["slowing"], "per-interval")
+        self.assertLess(report["stretch"], 1e4)
+        self.assertLessEqual(report["rate_bound_deg_s"], 45)
+
+    def test_columns_that_shape_the_curve_are_refused_and_others_told(self):
+        self.write("shaped.csv", "t,qw,qx,qy,qz,tension,wx,wy,wz\n0,1,0,0,0,0.9,1,2,3\n1,0,1,0,0,0.9,1,2,3\n")
+        self.assert_fails("retime shaped.csv --max-rate 1deg/s --method timed-c2", BAD_DATA,
+                          "shaped.csv: found the column tension, which shapes the curve of timed-c2, wanted none: the "
+                          "limits are kept with its default value")
+        done = self.run_command("retime shaped.csv --max-rate 1deg/s -o slow.csv --quiet")
+        self.assertEqual((done.returncode, done.stderr),
+                         (0, "orispline: warning: not carried over: tension, wx, wy, wz\n"))
+
+    def test_errors_of_the_keys_name_the_file(self):
+        wild = random.Random(0)
+        rows, t = [], 0
+        for _ in range(12):
+            t += wild.uniform(0.2, 2)
+            quaternion = [wild.gauss(0, 1) for _ in range(4)]
+            rows.append(",".join(map(repr, [t, *(c / math.hypot(*quaternion) for c in quaternion)])) + "\n")
+        self.write("wild.csv", "t,qw,qx,qy,qz\n" + "".join(rows))
+        done = self.run_command("retime wild.csv --max-rate 1deg/s --method bspline-through")
+        self.assertEqual((done.returncode, done.stdout), (BAD_DATA, ""))
+        self.assertRegex(done.stderr, r"^orispline: wild\.csv:\d+: key \d+: bspline-through does not converge")
+
+    def test_warns_of_an_inertia_that_no_rigid_body_has(self):
+        done = self.run_command("retime keys.csv --max-torque 1Nm --inertia=1,2,4 --quiet -o slow.csv")
+        self.assertEqual(done.stderr, "orispline: warning: --inertia: one principal moment is greater than the sum of "
+                         "the two others, as no rigid body has it\n")
+
+    def test_the_output_is_checked_before_the_keys(self):
+        self.write("one.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n")
+        self.assert_fails("retime one.csv --max-rate 1deg/s -o nowhere/out.csv", BAD_ACCESS,
+                          "nowhere/out.csv: cannot write: No such file or directory")
 
     def test_refused(self):
         self.assert_fails("retime keys.csv", BAD_USAGE,

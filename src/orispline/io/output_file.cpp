@@ -116,12 +116,18 @@ Expected<void> OutputFile::write_again(std::string_view beginning) {
   return written;
 }
 
-Expected<void> OutputFile::finish() {
+Expected<void> OutputFile::close() {
   ORISPLINE_EXPECT(file_ != nullptr);
   errno = 0;
   if (std::fflush(file_.get()) != 0) return no_access(path_, last_error());
   std::FILE* file = file_.release();
   if (file != stdout && std::fclose(file) != 0) return no_access(path_, last_error());
+  return {};
+}
+
+Expected<void> OutputFile::finish() {
+  if (file_)
+    if (auto closed = close(); !closed) return closed;
   if (part_.empty()) return {};
   std::error_code reason;
   const fs::file_status old = fs::status(target_, reason);
@@ -130,6 +136,14 @@ Expected<void> OutputFile::finish() {
   if (reason) return no_access(path_, reason);
   part_.clear();
   return {};
+}
+
+Expected<void> check_output(const std::string& path) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  const bool is_stream = fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+  if (path == standard_stream || is_stream) return {};
+  return OutputFile::open(path).map([](const OutputFile&) {});
 }
 
 }  // namespace orispline::io

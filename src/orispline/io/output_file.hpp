@@ -26,7 +26,10 @@ class OutputFile {
   [[nodiscard]] Expected<void> write(std::string_view text);
   /// Writes over the beginning of the file. Error: bad_access, also for pipes.
   [[nodiscard]] Expected<void> write_again(std::string_view beginning);
-  /// Completes the file; nothing may be written afterwards. Error: bad_access.
+  /// Closes the file, which stays beside the target until finish(): so several files appear all or none. Nothing may be
+  /// written afterwards. Error: bad_access.
+  [[nodiscard]] Expected<void> close();
+  /// Closes the file, if it is still open, and puts it in its place. Error: bad_access.
   [[nodiscard]] Expected<void> finish();
 
   [[nodiscard]] const std::string& path() const noexcept { return path_; }
@@ -47,5 +50,9 @@ class OutputFile {
   std::string part_;    // empty when written directly
   std::unique_ptr<std::FILE, Close> file_;
 };
+
+/// Whether a file can be opened there, asked for before long work; leaves nothing behind. Devices and pipes are taken
+/// at their word. Error (bad_access): what OutputFile::open() would say.
+[[nodiscard]] Expected<void> check_output(const std::string& path);
 
 }  // namespace orispline::io

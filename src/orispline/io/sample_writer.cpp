@@ -59,10 +59,18 @@ Expected<void> SampleWriter::write_pending() {
   return written;
 }
 
-Expected<void> SampleWriter::finish() {
+Expected<void> SampleWriter::close() {
   if (auto written = write_pending(); !written) return written;
   if (columns_.format == FileFormat::npy && rows_ != stated_rows_)
     if (auto counted = file_.write_again(header_of(columns_, rows_)); !counted) return counted;
+  auto closed = file_.close();
+  closed_ = closed.has_value();
+  return closed;
+}
+
+Expected<void> SampleWriter::finish() {
+  if (!closed_)
+    if (auto closed = close(); !closed) return closed;
   return file_.finish();
 }
 

@@ -28,7 +28,10 @@ class SampleWriter {
   [[nodiscard]] Expected<void> write(const Decimal& time, const Sample& sample);
   /// Writes rows of the same columns. Errors: bad_access; those of `SampleRows::may_follow`.
   [[nodiscard]] Expected<void> write(const SampleRows& rows);
-  /// Completes the file; nothing may be written afterwards. Error: bad_access.
+  /// Closes the file, which stays beside the target until finish(): so several files appear all or none. Nothing may be
+  /// written afterwards. Error: bad_access.
+  [[nodiscard]] Expected<void> close();
+  /// Completes the file, closed or not; nothing may be written afterwards. Error: bad_access.
   [[nodiscard]] Expected<void> finish();
   /// The unfinished file beside the target; empty when there is none.
   [[nodiscard]] const std::string& part() const noexcept { return file_.part(); }
@@ -41,6 +44,7 @@ class SampleWriter {
   OutputFile file_;
   SampleColumns columns_;
   std::size_t stated_rows_, rows_ = 0;
+  bool closed_ = false;
   SampleRows pending_;  // not written yet
 };
 

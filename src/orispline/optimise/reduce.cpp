@@ -2,6 +2,7 @@
 #include <orispline/optimise/reduce.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 #include <fmt/format.h>
@@ -29,6 +30,13 @@ Expected<LocalMethod> local_method(std::string_view name) {
   return LocalMethod{info.name, static_cast<std::size_t>(info.support_keys + 1) / 2};
 }
 
+/// [m]: far above the rounding of positions; 0 where there are none.
+double smallest_position_tolerance(const Keyframes& recording) {
+  double largest = 0.0;
+  for (const Eigen::Vector3d& position : recording.positions()) largest = std::max(largest, position.norm());
+  return 64.0 * std::numeric_limits<double>::epsilon() * largest;
+}
+
 Expected<void> check(const Keyframes& recording, const Tolerance& tolerance) {
   if (!(tolerance.angle >= smallest_tolerance))
     return failure(ErrorCode::bad_argument, fmt::format("the tolerance is {:.6g} rad, wanted {:.0e} rad at least: the "
@@ -37,6 +45,12 @@ Expected<void> check(const Keyframes& recording, const Tolerance& tolerance) {
   if (!(tolerance.position > 0.0))
     return failure(ErrorCode::bad_argument,
                    fmt::format("the tolerance of positions is {:.6g} m, wanted more than 0", tolerance.position));
+  if (const double smallest = smallest_position_tolerance(recording); !(tolerance.position >= smallest))
+    return failure(
+        ErrorCode::bad_argument,
+        fmt::format("the tolerance of positions is {:.6g} m, wanted {:.1e} m at least: the rounding of these "
+                    "positions is not much smaller",
+                    tolerance.position, smallest));
   if (recording.size() < 2)
     return failure(ErrorCode::bad_data, "found 1 sample, wanted 2 at least to keep the fewest that suffice");
   return {};

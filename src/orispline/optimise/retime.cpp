@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <orispline/analysis/continuity.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/optimise/interval_times.hpp>
 #include <orispline/optimise/tune.hpp>
@@ -27,21 +28,35 @@ Expected<void> check(const FamilyInfo& family, const Keyframes& keys, const Moti
     if (const auto inertia = checked_inertia(*limits.inertia); !inertia) return tl::unexpected(inertia.error());
   if (family.rate_orders > 0)
     return refused(fmt::format("{}: this method takes rates from the keys, wanted one that has its own", family.name));
-  if (family.continuity_uneven < 1 && (limits.acceleration || limits.torque))
-    return refused(
-        fmt::format("{}: its angular velocity jumps at keys, which no slowing brings within a limit of "
-                    "acceleration or torque, wanted a method that is C1, such as auto",
-                    family.name));
   if (keys.size() < 2) return failure(ErrorCode::bad_data, "found 1 key, wanted 2 at least: one key does not move");
   return {};
 }
 
-/// All intervals stretched by the factor that is needed still.
-Expected<Retiming> slowed(const LimitedMotion& motion, std::vector<double> times) {
+/// Whether slowing can bring accelerations within limits at all.
+Expected<void> check_continuity(const FamilyInfo& family, const Keyframes& keys, Slowing slowing) {
+  const auto refused = [&](std::string_view why, std::string_view wanted) {
+    return failure(ErrorCode::bad_argument,
+                   fmt::format("{}: its angular velocity jumps at keys{}, which no slowing brings within a limit of "
+                               "acceleration or torque, wanted {}",
+                               family.name, why, wanted));
+  };
+  if (family.continuity_uneven >= 1) return {};
+  if (family.continuity_uniform < 1) return refused("", "a method that is C1, such as auto");
+  if (slowing == Slowing::per_interval)
+    return refused(" whose times are uneven",
+                   "all intervals slowed alike, or a method that is C1 on any, such as auto");
+  return make_curve(family.name, keys).and_then([&](const AnyCurve& curve) -> Expected<void> {
+    if (continuity_at_keys(curve).order() >= 1) return {};
+    return refused(" whose times are uneven, as these are", "even ones, or a method that is C1 on any, such as auto");
+  });
+}
+
+/// All intervals stretched by the factor that is needed still; `found`: the peaks at these times.
+Expected<Retiming> slowed(const LimitedMotion& motion, std::vector<double> times,
+                          Expected<std::vector<SegmentPeaks>> found, Slowing slowing) {
   const auto stretch = [before = motion.given_times()](const std::vector<double>& t) {
     return (t.back() - t.front()) / (before.back() - before.front());
   };
-  auto found = motion.largest_peaks(times);
   double more = margin;
   for (std::size_t round = 0; found && round < most_rounds; ++round, more *= 2.0) {
     const double factor = motion.largest_factor(*found);
@@ -56,7 +71,7 @@ Expected<Retiming> slowed(const LimitedMotion& motion, std::vector<double> times
   if (!found) return tl::unexpected(std::move(found.error()));
   if (motion.largest_factor(*found) > 1.0)
     return failure(ErrorCode::not_converged, fmt::format("no slowing up to {:.6g} meets the limits", stretch(times)));
-  return Retiming{times, stretch(times), std::move(*found)};
+  return Retiming{times, stretch(times), slowing, std::move(*found)};
 }
 
 }  // namespace
@@ -65,13 +80,21 @@ Expected<Retiming> retime(std::string_view method, const Keyframes& keys, const 
   const auto family = find_family(method);
   if (!family) return tl::unexpected(family.error());
   if (auto checked = check(**family, keys, limits); !checked) return tl::unexpected(std::move(checked.error()));
+  if (limits.acceleration || limits.torque)
+    if (auto smooth = check_continuity(**family, keys, slowing); !smooth)
+      return tl::unexpected(std::move(smooth.error()));
   const LimitedMotion motion(method, keys, limits);
-  auto uniform = slowed(motion, {keys.times().begin(), keys.times().end()});
-  if (!uniform || slowing == Slowing::uniform || uniform->stretch == 1.0) return uniform;
+  const std::vector<double> given(keys.times().begin(), keys.times().end());
+  auto peaks = motion.largest_peaks(given);
+  if (!peaks) return tl::unexpected(std::move(peaks.error()));
+  const bool is_slow = !(motion.largest_factor(*peaks) > 1.0);
+  auto uniform = slowed(motion, given, std::move(peaks), is_slow ? slowing : Slowing::uniform);
+  if (slowing == Slowing::uniform || is_slow) return uniform;
   auto separate = least_interval_times(motion, (*family)->support_keys).and_then([&](std::vector<double> times) {
-    return slowed(motion, std::move(times));
+    auto found = motion.largest_peaks(times);
+    return slowed(motion, std::move(times), std::move(found), Slowing::per_interval);
   });
-  return separate && separate->stretch < uniform->stretch ? separate : uniform;
+  return separate && (!uniform || separate->stretch < uniform->stretch) ? separate : uniform;
 }
 
 }  // namespace orispline::optimise

@@ -22,6 +22,7 @@ enum class Slowing {
 struct Retiming {
   std::vector<double> times{};        ///< of the keys [s], the first as it was
   double stretch = 1.0;               ///< of the whole duration, at least 1
+  Slowing slowing{};                  ///< how they were slowed: uniformly where intervals by themselves take longer
   std::vector<SegmentPeaks> peaks{};  ///< of the slowed curve, segment by segment: no bound above its limit
 };
 
@@ -33,7 +34,8 @@ struct Retiming {
 /// the shorter. The curve is as smooth as the method makes it. Positions, where there are any, play no part.
 /// Errors: bad_argument for limits that are absent, not greater than 0 or ask for more than 1e15 times the duration, a
 /// torque without a positive definite inertia, a method that takes rates from the keys, does not state its segments as
-/// polynomials, or whose ω jumps where acceleration is limited: no slowing helps; bad_data for fewer than two keys.
+/// polynomials, or whose ω jumps on these keys where acceleration is limited: no slowing helps; the like for
+/// `per_interval` of a method whose ω is continuous on even times only; bad_data for fewer than two keys.
 [[nodiscard]] Expected<Retiming> retime(std::string_view method, const Keyframes& keys, const MotionLimits& limits,
                                         Slowing slowing);
 
