@@ -47,7 +47,7 @@ std::string text_of(const RetimeReport& report) {
       "{} from {}, {}: {:.6g} s before, {:.6g} s after, slowed by {:.6g}{}\n",
       counted(report.retiming.times.size(), "key"), report.input, report.method, report.duration_before,
       duration_of(report), report.retiming.stretch,
-      report.retiming.slowing == report.slowing ? "" : ", all intervals alike: each by itself takes no less time");
+      report.retiming.slowing == report.slowing ? "" : ", all intervals alike: each by itself saves no time");
   for (const Certificate& c : certificates_of(report.limits, report.retiming.peaks))
     text +=
         fmt::format("{}: nowhere above {:.6g} {} (limit {:.6g}), largest found {:.6g} at {:.6g} s after the start\n",

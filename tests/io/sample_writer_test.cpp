@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/io/sample_writer.hpp>
 
+#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <string>
 #include <utility>
@@ -124,6 +126,37 @@ TEST(OutputFile, LeavesTheTargetAloneWhenItIsAbandoned) {
   }
   EXPECT_EQ(content_of(path), "old");
   EXPECT_EQ(directory.entries(), 1u);
+}
+
+TEST(OutputFile, StaysBesideItsTargetWhileItIsOnlyClosed) {
+  const ScratchDirectory directory;
+  const std::string path = directory.file("out.csv");
+  std::ofstream(path) << "old";
+  {
+    auto abandoned = SampleWriter::open(path, {});
+    ASSERT_TRUE(abandoned && abandoned->write(decimal("0"), {}) && abandoned->close());
+    EXPECT_EQ(content_of(path), "old");
+    EXPECT_EQ(content_of(abandoned->part()), "t,qw,qx,qy,qz\n0,1,0,0,0\n");
+  }
+  EXPECT_FALSE(std::filesystem::exists(path + ".part"));
+  auto writer = SampleWriter::open(path, {});
+  ASSERT_TRUE(writer && writer->write(decimal("0"), {}) && writer->close() && writer->finish());
+  EXPECT_EQ(content_of(path), "t,qw,qx,qy,qz\n0,1,0,0,0\n");
+  EXPECT_FALSE(std::filesystem::exists(path + ".part"));
+}
+
+TEST(OutputFile, IsCheckedWithoutATrace) {
+  const ScratchDirectory directory;
+  const std::string path = directory.file("out.csv");
+  EXPECT_TRUE(check_output(path));
+  EXPECT_TRUE(check_output("-"));
+  EXPECT_TRUE(check_output("/dev/null"));
+  EXPECT_FALSE(std::filesystem::exists(path) || std::filesystem::exists(path + ".part"));
+  std::ofstream(path) << "old";
+  EXPECT_TRUE(check_output(path));
+  EXPECT_EQ(content_of(path), "old");
+  EXPECT_EQ(check_output(directory.file("nowhere/out.csv")).error().message, "cannot write: No such file or directory");
+  EXPECT_EQ(check_output(directory.file("")).error().message, "cannot write: Is a directory");
 }
 
 TEST(OutputFile, IsAbandonedWhenAnotherTakesItsPlace) {

@@ -166,6 +166,13 @@ std::string error(std::string_view method, const Keyframes& keys, const MotionLi
   return retiming ? std::string("none") : retiming.error().message;
 }
 
+TEST(Retime, SaysHowItSlowed) {
+  const Keyframes keys = random_keys(4, {40, 2.5, 30.0}), steady = turning([](double u) { return u; }, 4);
+  EXPECT_EQ(retimed("slerp", keys, {.rate = 1.0}, Slowing::uniform).slowing, Slowing::uniform);
+  EXPECT_EQ(retimed("slerp", keys, {.rate = 1.0}, Slowing::per_interval).slowing, Slowing::per_interval);
+  EXPECT_EQ(retimed("slerp", steady, {.rate = 0.1}, Slowing::per_interval).slowing, Slowing::uniform);
+}
+
 TEST(Retime, RefusesLimitsThatAreNone) {
   const Keyframes keys = random_keys(1, {4, 1.0});
   EXPECT_EQ(error("auto", keys, {}), "found no limit, wanted one at least");

@@ -15,6 +15,7 @@ namespace {
 
 constexpr double margin = 1e-9;  // of a factor, for the rounding of the new times; twice as much in every round
 constexpr std::size_t most_rounds = 30;
+constexpr double least_gain = 1e-4;    // of the duration, to which the slowing is the least one, for another path
 constexpr double most_stretch = 1e15;  // thirty million years a second
 
 Expected<void> check(const FamilyInfo& family, const Keyframes& keys, const MotionLimits& limits) {
@@ -94,7 +95,7 @@ Expected<Retiming> retime(std::string_view method, const Keyframes& keys, const 
     auto found = motion.largest_peaks(times);
     return slowed(motion, std::move(times), std::move(found), Slowing::per_interval);
   });
-  return separate && (!uniform || separate->stretch < uniform->stretch) ? separate : uniform;
+  return separate && (!uniform || separate->stretch < (1.0 - least_gain) * uniform->stretch) ? separate : uniform;
 }
 
 }  // namespace orispline::optimise

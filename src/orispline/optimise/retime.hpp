@@ -31,11 +31,11 @@ struct Retiming {
 /// Certified by certified_peaks() on the method's curve, with its default parameters, through the keys at the times
 /// that are returned. A motion within the limits stays as it is. `per_interval` shortens the whole duration as far as
 /// least_interval_times() finds a way, for methods that are not local less far; it is the uniform slowing where that is
-/// the shorter. The curve is as smooth as the method makes it. Positions, where there are any, play no part.
-/// Errors: bad_argument for limits that are absent, not greater than 0 or ask for more than 1e15 times the duration, a
-/// torque without a positive definite inertia, a method that takes rates from the keys, does not state its segments as
-/// polynomials, or whose ω jumps on these keys where acceleration is limited: no slowing helps; the like for
-/// `per_interval` of a method whose ω is continuous on even times only; bad_data for fewer than two keys.
+/// the shorter, or longer by less than 1e-4. The curve is as smooth as the method makes it. Positions, where there are
+/// any, play no part. Errors: bad_argument for limits that are absent, not greater than 0 or ask for more than 1e15
+/// times the duration, a torque without a positive definite inertia, a method that takes rates from the keys, does not
+/// state its segments as polynomials, or whose ω jumps on these keys where acceleration is limited: no slowing helps;
+/// the like for `per_interval` of a method whose ω is continuous on even times only; bad_data for fewer than two keys.
 [[nodiscard]] Expected<Retiming> retime(std::string_view method, const Keyframes& keys, const MotionLimits& limits,
                                         Slowing slowing);
 

@@ -180,4 +180,19 @@ typename SmoothingElement<P>::Linearised SmoothingElement<P>::linearised(const E
 template struct SmoothingElement<2>;
 template struct SmoothingElement<3>;
 
+std::vector<Eigen::Vector3d> mean_accelerations(std::span<const double> times, std::span<const Eigen::Vector3d> steps,
+                                                std::span<const Eigen::Vector3d> rates) {
+  std::vector<Eigen::Vector3d> sums(times.size(), Eigen::Vector3d::Zero());
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const double h = times[i + 1] - times[i];
+    const Eigen::Vector3d half = 0.5 * steps[i], slope = steps[i] / h;
+    const Eigen::Vector3d v0 = right_jacobian_inverse<double>(-half) * rates[i];
+    const Eigen::Vector3d v1 = right_jacobian_inverse<double>(half) * rates[i + 1];
+    sums[i] += body_rates(-half, {v0, (6.0 * slope - 4.0 * v0 - 2.0 * v1) / h, Eigen::Vector3d::Zero()})[1];
+    sums[i + 1] += body_rates(half, {v1, (-6.0 * slope + 2.0 * v0 + 4.0 * v1) / h, Eigen::Vector3d::Zero()})[1];
+  }
+  for (std::size_t i = 1; i + 1 < times.size(); ++i) sums[i] *= 0.5;
+  return sums;
+}
+
 }  // namespace orispline::optimise

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include <orispline/math/so3.hpp>
 
 namespace orispline::optimise {
@@ -39,5 +42,12 @@ extern template struct SmoothingElement<3>;
   if (step.w() < 0.0) step.coeffs() = -step.coeffs();
   return log<double>(step);
 }
+
+/// P = 2: α [rad/s²] at every node, the mean of those of the polynomials on both sides, which agree to second order in
+/// the step at a minimum without a gyro. `steps` [rad] are those between successive nodes, `rates` [rad/s] at all of
+/// them.
+[[nodiscard]] std::vector<Eigen::Vector3d> mean_accelerations(std::span<const double> times,
+                                                              std::span<const Eigen::Vector3d> steps,
+                                                              std::span<const Eigen::Vector3d> rates);
 
 }  // namespace orispline::optimise

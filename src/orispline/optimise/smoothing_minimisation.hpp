@@ -8,7 +8,6 @@
 #include <vector>
 
 #include <orispline/base/expect.hpp>
-#include <orispline/curve/chart_curve.hpp>
 #include <orispline/optimise/bias_rows.hpp>
 #include <orispline/optimise/chain_elimination.hpp>
 #include <orispline/optimise/smoothing_element.hpp>
@@ -264,29 +263,13 @@ class Minimisation {
     return step;
   }
 
-  /// P = 2: α at every node, the mean of those of the polynomials on both sides, which agree to second order in the
-  /// step at a minimum without a gyro.
-  [[nodiscard]] std::vector<Eigen::Vector3d> mean_accelerations(const Evaluation& now) const {
-    const std::size_t last = problem_.size() - 1;
-    std::vector<Eigen::Vector3d> sums(problem_.size(), Eigen::Vector3d::Zero());
-    for (std::size_t i = 0; i < last; ++i) {
-      const double h = duration(i);
-      const Eigen::Vector3d half = 0.5 * now.steps[i], slope = now.steps[i] / h;
-      const Eigen::Vector3d v0 = right_jacobian_inverse<double>(-half) * state_.rates[i].template head<3>();
-      const Eigen::Vector3d v1 = right_jacobian_inverse<double>(half) * state_.rates[i + 1].template head<3>();
-      sums[i] += body_rates(-half, {v0, (6.0 * slope - 4.0 * v0 - 2.0 * v1) / h, Eigen::Vector3d::Zero()})[1];
-      sums[i + 1] += body_rates(half, {v1, (-6.0 * slope + 2.0 * v0 + 4.0 * v1) / h, Eigen::Vector3d::Zero()})[1];
-    }
-    for (std::size_t i = 1; i < last; ++i) sums[i] *= 0.5;
-    return sums;
-  }
-
   [[nodiscard]] SmoothingFit completed(SmoothingFit fit, Evaluation now) {
-    if constexpr (P == 2) fit.nodes.angular_accelerations = mean_accelerations(now);
     for (const Rates& rates : state_.rates) {
       fit.nodes.angular_velocities.push_back(rates.template head<3>());
       if constexpr (P == 3) fit.nodes.angular_accelerations.push_back(rates.template tail<3>());
     }
+    if constexpr (P == 2)
+      fit.nodes.angular_accelerations = mean_accelerations(problem_.times, now.steps, fit.nodes.angular_velocities);
     fit.nodes.orientations = std::move(state_.orientations);
     fit.nodes.gyro_correction = state_.bias;
     fit.residuals = std::move(now.residuals);
