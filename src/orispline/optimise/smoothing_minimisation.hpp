@@ -41,19 +41,13 @@ class Minimisation {
   [[nodiscard]] SmoothingFit run(const SmoothingIteration& iteration) {
     Evaluation now = evaluated(state_);
     SmoothingFit fit;
-    double turn_before = std::numeric_limits<double>::infinity(), lowest_cost = turn_before;
-    std::optional<State> lowest;  // that was left uphill
+    double turn_before = std::numeric_limits<double>::infinity();
     for (fit.iterations = 1;; ++fit.iterations) {
       const Step step = proposed(now);
       fit.last_step = step.largest_turn;
       if (!std::isfinite(step.size)) break;
       const double cost_before = now.cost;
-      const State before = state_;
       const double length = advance(now, step);
-      if (now.cost > cost_before * (1.0 + cost_rounding) && !(lowest && lowest_cost <= cost_before)) {
-        lowest = before;
-        lowest_cost = cost_before;
-      }
       const bool stays =
           std::abs(now.cost - cost_before) <= cost_rounding * cost_before;  // a step that grows is rounding
       if (step.largest_turn < iteration.tolerance && length == 1.0) break;
@@ -61,8 +55,8 @@ class Minimisation {
       if (fit.iterations >= iteration.most) break;
       turn_before = step.largest_turn;
     }
-    if (lowest && !(now.cost <= lowest_cost)) {
-      state_ = std::move(*lowest);
+    if (lowest_ && !(now.cost <= lowest_cost_)) {
+      state_ = std::move(*lowest_);
       now = evaluated(state_);
     }
     return completed(std::move(fit), std::move(now));
@@ -197,13 +191,18 @@ class Minimisation {
   /// The whole step is taken where the cost falls, and also where steps that shrink (Deuflhard's natural test) soon
   /// take the cost below what it was: strong penalties have bent valleys, across which good steps first raise the cost.
   double advance(Evaluation& now, const Step& step) {
-    const State from = std::move(state_);
+    State from = std::move(state_);
     for (double length = 1.0;; length *= 0.5) {
       state_ = from.after(step, length);
       Evaluation there = evaluated(state_);
       // The shortest step is made even uphill: it may cross where the shorter way between two nodes changes sides, and
       // the cost goes down again beyond.
-      if (there.cost <= now.cost * (1.0 + cost_rounding) || length < shortest_step) {
+      const bool rises = !(there.cost <= now.cost * (1.0 + cost_rounding));
+      if (rises && length < shortest_step && now.cost < lowest_cost_) {
+        lowest_ = std::move(from);
+        lowest_cost_ = now.cost;
+      }
+      if (!rises || length < shortest_step) {
         now = std::move(there);
         return length;
       }
@@ -284,7 +283,9 @@ class Minimisation {
   const SmoothingProblem& problem_;
   const SmoothingObjective& objective_;
   State state_;
-  Chain chain_;  // kept for its memory
+  Chain chain_;                  // kept for its memory
+  std::optional<State> lowest_;  // that was left uphill
+  double lowest_cost_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace orispline::optimise
