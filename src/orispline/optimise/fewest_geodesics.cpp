@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <ranges>
 #include <utility>
 
 #include <orispline/optimise/rate_fan.hpp>
@@ -53,7 +52,7 @@ class Chains {
       if (ends(levels_.back())) return true;
       const std::size_t first = to_end_.first_within(spans - levels_.size());
       std::vector<std::size_t> next;
-      for (const std::size_t i : std::views::reverse(levels_.back())) extend(i, first, next);
+      for (auto i = levels_.back().rbegin(); i != levels_.back().rend(); ++i) extend(*i, first, next);
       std::sort(next.begin(), next.end());
       levels_.push_back(std::move(next));
       first_.push_back(first);
