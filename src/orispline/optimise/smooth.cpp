@@ -31,7 +31,8 @@ Expected<void> check_range(const char* name, const char* unit, std::optional<dou
 
 /// Below them the samples are joined as they are; above, a steady rotation is left or rounding decides.
 Range smoothing_times(const Keyframes& recording, Penalty penalty) {
-  const double interval = scale_of(recording).interval, span = recording.times().back() - recording.times().front();
+  const double interval = median_interval(recording.times()),
+               span = recording.times().back() - recording.times().front();
   const double longest = penalty == Penalty::jerk ? 5e3 : 1e6;  // in intervals: condition numbers of 1e12
   return {.least = 1e-3 * interval, .most = std::min(10.0 * span, longest * interval)};
 }

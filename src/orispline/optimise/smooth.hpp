@@ -53,7 +53,7 @@ struct Smoothing {
   LambdaChoice::Edge edge = LambdaChoice::Edge::none;
   std::size_t chosen_on = 0;  ///< times that the choice of τ saw
   double interval = 0.0;      ///< median one between samples [s]
-  double last_step = 0.0;     ///< largest component of a node's turn in the last step of the iteration [rad]
+  double last_step = 0.0;     ///< largest turn of a node in the last step of the iteration [rad]
   int iterations = 0;         ///< of the last fit
 };
 

@@ -48,7 +48,7 @@ struct SmoothingObjective {
 
 /// When the iteration ends; also where the cost stays and steps do not get shorter: that is rounding.
 struct SmoothingIteration {
-  double tolerance = 1e-9;  ///< largest component of a node's turn in the last step [rad]
+  double tolerance = 1e-9;  ///< largest turn of a node in the last step [rad]
   int most = 60;            ///< steps
 };
 
@@ -68,7 +68,7 @@ struct SmoothingFit {
   double data = 0.0, penalty = 0.0, gyro = 0.0;  ///< terms of the cost, the penalty without λ
   double cost = 0.0;                             ///< data + λ penalty + gyro
   int iterations = 0;
-  double last_step = 0.0;  ///< largest component of a node's turn in the last step [rad]
+  double last_step = 0.0;  ///< largest turn of a node in the last step [rad]
 };
 
 /// Minimises Σ ρ(w |r|²) + λ ∫|ω^(p-1)|² dt + Σ w_g |ω - g - b|² over orientations, rates and bias at the times of the

@@ -16,12 +16,6 @@ constexpr std::size_t shortest_run = 3;  // of far samples that are rather motio
 /// As many as tell noise from motion.
 std::size_t fewest_samples(Penalty penalty) { return static_cast<std::size_t>(order_of(penalty)) + 1; }
 
-double median_interval(std::span<const double> times) {
-  std::vector<double> intervals;
-  for (std::size_t i = 1; i < times.size(); ++i) intervals.push_back(times[i] - times[i - 1]);
-  return median_of(std::move(intervals));
-}
-
 template <class T>
 std::vector<T> in_stretch(std::span<const T> all, const Stretch& stretch) {
   const auto part = all.subspan(stretch.first, stretch.count);
@@ -29,6 +23,12 @@ std::vector<T> in_stretch(std::span<const T> all, const Stretch& stretch) {
 }
 
 }  // namespace
+
+double median_interval(std::span<const double> times) {
+  std::vector<double> intervals;
+  for (std::size_t i = 1; i < times.size(); ++i) intervals.push_back(times[i] - times[i - 1]);
+  return median_of(std::move(intervals));
+}
 
 RecordingScale scale_of(const Keyframes& recording) {
   return {.interval = median_interval(recording.times()),
