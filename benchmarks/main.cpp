@@ -6,7 +6,7 @@
 #include <cstring>
 #include <map>
 #include <memory>
-#include <orispline/batch/dispatch.hpp>
+#include <orispline/batch/kernel/dispatch.hpp>
 #include <questions/questions.hpp>
 #include <workload/keys.hpp>
 

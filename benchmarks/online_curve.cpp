@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <optional>
-#include <orispline/batch/online_curve.hpp>
+#include <orispline/online/online_curve.hpp>
 #include <string>
 #include <vector>
 

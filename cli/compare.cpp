@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <orispline/optimise/tension_model.hpp>
-#include <orispline/optimise/tune.hpp>
+#include <orispline/tune/tension_model.hpp>
+#include <orispline/tune/tune.hpp>
 
 #include "compare_page.hpp"
 #include "json.hpp"
@@ -21,7 +21,7 @@ constexpr std::size_t steps_per_method = 4096;
 ComparedMethod tuned(ComparedMethod method, const io::KeyFile& file) {
   Candidate& candidate = method.candidate;
   method.label += ":tuned";
-  auto tuning = optimise::tune(candidate.method, candidate.keys, candidate.options, {});
+  auto tuning = orispline::tune(candidate.method, candidate.keys, candidate.options, {});
   if (tuning) candidate.options = std::move(tuning->options);
   else method.measures = tl::unexpected(io::located(file, std::move(tuning.error())));
   return method;
@@ -36,7 +36,7 @@ std::vector<ComparedMethod> methods_to_compare(const CompareRequest& request, co
                          .candidate = {.method = std::string(method.request.family->name),
                                        .options = completed(method.request, data.key_sets[i].file),
                                        .keys = data.key_sets[i].keys}});
-      if (request.tune && !optimise::tunable_parameters(method.request.family->name).empty())
+      if (request.tune && !orispline::tunable_parameters(method.request.family->name).empty())
         methods.push_back(tuned(methods.back(), data.key_sets[i].file));
     }
   return methods;

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include <orispline/batch/parallel.hpp>
+#include <orispline/base/parallel.hpp>
 
 #include "report_page.hpp"
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <Eigen/Cholesky>
 
-#include <orispline/optimise/tune.hpp>
+#include <orispline/analysis/torque.hpp>
 
 #include "compare_report.hpp"
 #include "standard_output.hpp"
@@ -118,7 +118,7 @@ Expected<Eigen::Matrix3d> inertia_in(OptionText option) {
 }
 
 void warn_unless_rigid(const Eigen::Matrix3d& inertia) {
-  if (!optimise::is_of_a_rigid_body(inertia))
+  if (!orispline::is_physical_inertia(inertia))
     warn("--inertia: one principal moment is greater than the sum of the two others, as no rigid body has it");
 }
 

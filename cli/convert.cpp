@@ -39,7 +39,7 @@ io::Sample sample_at(const Source& source, const io::SampleColumns& columns, std
   const bool keeps_digits = columns.form.representation == io::Representation::quaternion;
   io::Sample sample{
       .motion = {.orientation = keeps_digits ? written_quaternion(source, key) : source.keys.orientations()[key]}};
-  if (columns.positions) sample.travel.position = source.keys.positions()[key];
+  if (columns.positions) sample.linear_motion.position = source.keys.positions()[key];
   if (columns.derivatives > 0) sample.motion.angular_velocity = source.keys.angular_velocities()[key];
   return sample;
 }

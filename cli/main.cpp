@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include <orispline/base/version.hpp>
-#include <orispline/batch/dispatch.hpp>
+#include <orispline/batch/kernel/dispatch.hpp>
 
 #include "command_options.hpp"
 #include "compare.hpp"

@@ -183,9 +183,9 @@ std::optional<std::string> closing_step_warning(const MethodRequest& request, co
       closing_step, shortest);
 }
 
-std::optional<std::string> wound_handle_warning(const MethodRequest& request, const Keyframes& keys,
+std::optional<std::string> overwound_tangent_warning(const MethodRequest& request, const Keyframes& keys,
                                                 const io::KeyFile& file) {
-  const auto wound = wound_handle(request.family->name, keys, completed(request, file));
+  const auto wound = overwound_tangent(request.family->name, keys, completed(request, file));
   if (!wound || !*wound) return std::nullopt;
   const std::string what = fmt::format(
       "a handle of {} turns by {:.4g} degrees, wanted less than a full turn: the angular velocity may jump "

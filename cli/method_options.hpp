@@ -52,7 +52,7 @@ struct MethodRequest {
 
 /// A line about a handle that turns a full turn or more away from its key, where a curve of slerps loses its
 /// continuity; else nothing.
-[[nodiscard]] std::optional<std::string> wound_handle_warning(const MethodRequest& request, const Keyframes& keys,
+[[nodiscard]] std::optional<std::string> overwound_tangent_warning(const MethodRequest& request, const Keyframes& keys,
                                                               const io::KeyFile& file);
 
 /// Every `NAME=` or `NAME=WORD` that some method takes.

@@ -60,7 +60,7 @@ Expected<report::MotionPicture> picture_of(const Request& request) {
   for (const MethodRequest& method : request.methods) {
     const auto curve = shaped_curve(method, *keys, *file);
     if (!curve) return tl::unexpected(curve.error());
-    if (const auto warning = wound_handle_warning(method, *keys, *file)) warn(*warning);
+    if (const auto warning = overwound_tangent_warning(method, *keys, *file)) warn(*warning);
     picture.methods.push_back({.name = std::string(method.family->name), .samples = report::sampled(*curve)});
   }
   return picture;

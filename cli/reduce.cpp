@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include <orispline/batch/parallel.hpp>
+#include <orispline/base/parallel.hpp>
 
 #include "json.hpp"
 #include "output_folder.hpp"
@@ -27,8 +27,8 @@ struct Request {
   std::vector<std::string> outputs;        ///< one for each input
   std::vector<io::SampleColumns> columns;  ///< of each output
   std::vector<std::string_view> methods;
-  optimise::ReduceOptions reduction;
-  std::optional<optimise::SmoothOptions> smoothing;
+  orispline::ReduceOptions reduction;
+  std::optional<orispline::SmoothOptions> smoothing;
   unsigned threads = 1;
 };
 
@@ -63,18 +63,18 @@ Expected<std::vector<InputRequest>> inputs_in(const ReduceOptions& options) {
   return inputs;
 }
 
-Expected<std::optional<optimise::SmoothOptions>> smoothing_wanted(const ReduceOptions& options) {
+Expected<std::optional<orispline::SmoothOptions>> smoothing_wanted(const ReduceOptions& options) {
   const SmoothnessOptions& smoothness = options.smoothness;
   if (!options.smooth && !smoothness.noise && !smoothness.smoothing_time && !smoothness.cutoff)
-    return std::optional<optimise::SmoothOptions>();
-  return smoothing_in(smoothness).map([](const optimise::SmoothOptions& found) { return std::optional(found); });
+    return std::optional<orispline::SmoothOptions>();
+  return smoothing_in(smoothness).map([](const orispline::SmoothOptions& found) { return std::optional(found); });
 }
 
-Expected<optimise::ReduceOptions> reduction_in(const ReduceOptions& options) {
+Expected<orispline::ReduceOptions> reduction_in(const ReduceOptions& options) {
   FirstError checked;
-  optimise::ReduceOptions reduction{
+  orispline::ReduceOptions reduction{
       .tolerance = {.angle = checked(quantity_in({"--tolerance", options.tolerance}, angle_units))},
-      .values = options.refit ? optimise::KeyValues::refitted : optimise::KeyValues::sampled};
+      .values = options.refit ? orispline::KeyValues::refitted : orispline::KeyValues::sampled};
   const auto position =
       checked(if_given("--position-tolerance", options.position_tolerance, quantity_of(length_units)));
   if (position) reduction.tolerance.position = *position;
@@ -118,7 +118,7 @@ Expected<Request> request_in(const ReduceOptions& options) {
   request.columns = checked(columns_in(options, request.outputs));
   if (const auto method = checked(choice_of(reduce_choices)({"--method", options.method})))
     request.methods.push_back(*method);
-  else request.methods.assign(optimise::reducing_methods.begin(), optimise::reducing_methods.end());
+  else request.methods.assign(orispline::reducing_methods.begin(), orispline::reducing_methods.end());
   request.reduction = checked(reduction_in(options));
   request.smoothing = checked(smoothing_wanted(options));
   auto read = std::move(checked).or_else(std::move(request));
@@ -152,12 +152,12 @@ void warn_of(const std::vector<Track>& tracks, const ReduceOptions& options) {
       warn(tracks.size() == 1 ? remark : fmt::format("{}: {}", track.file.path, remark));
 }
 
-Expected<std::vector<std::vector<optimise::Reduction>>> reductions_of(const Request& request,
+Expected<std::vector<std::vector<orispline::Reduction>>> reductions_of(const Request& request,
                                                                       const std::vector<Track>& tracks) {
   std::vector<Keyframes> samples;
   for (const Track& track : tracks) samples.push_back(track.samples);
-  std::vector<std::vector<optimise::Reduction>> reductions;
-  auto found = optimise::reduce_tracks(request.methods, samples, request.reduction, request.threads);
+  std::vector<std::vector<orispline::Reduction>> reductions;
+  auto found = orispline::reduce_tracks(request.methods, samples, request.reduction, request.threads);
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (!found[i] && tracks.size() == 1) return tl::unexpected(std::move(found[i].error()));
     if (!found[i]) return tl::unexpected(located(tracks[i].file, std::move(found[i].error())));
@@ -167,8 +167,8 @@ Expected<std::vector<std::vector<optimise::Reduction>>> reductions_of(const Requ
 }
 
 Expected<ReduceReport> report_of(const Request& request, std::size_t i, const Track& track,
-                                 std::vector<optimise::Reduction> reductions) {
-  const std::size_t chosen = optimise::smallest(reductions);
+                                 std::vector<orispline::Reduction> reductions) {
+  const std::size_t chosen = orispline::smallest(reductions);
   ReduceReport report{.input = request.inputs[i].path,
                       .output = request.outputs[i],
                       .samples = track.samples.size(),
@@ -180,7 +180,7 @@ Expected<ReduceReport> report_of(const Request& request, std::size_t i, const Tr
                       .lines = track.file.lines,
                       .smoothed = {}};
   if (!track.smoothing) return report;
-  return optimise::distance_of(report.reductions[chosen], track.raw, track.smoothing->rejected)
+  return orispline::distance_of(report.reductions[chosen], track.raw, track.smoothing->rejected)
       .map([&](const DistanceStatistics& distance) {
         report.smoothed = SmoothedFirst{*track.smoothing, distance};
         return std::move(report);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <orispline/optimise/reduce.hpp>
+#include <orispline/reduce/reduce.hpp>
 
 #include "input_options.hpp"
 #include "output_options.hpp"

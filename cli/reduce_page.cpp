@@ -14,7 +14,7 @@
 namespace orispline::cli {
 namespace {
 
-using optimise::Reduction;
+using orispline::Reduction;
 using report::Better;
 
 std::string title_of(const ReduceReport& report) {

@@ -14,8 +14,8 @@
 namespace orispline::cli {
 namespace {
 
-std::string line_of(const ReduceReport& report, const optimise::Reduction& reduction) {
-  const optimise::Deviation& d = reduction.deviation;
+std::string line_of(const ReduceReport& report, const orispline::Reduction& reduction) {
+  const orispline::Deviation& d = reduction.deviation;
   std::string line = fmt::format("  {:<9}{:>9}{:>9.1f}{:>14.6g}° at {} s", reduction.method, reduction.samples.size(),
                                  static_cast<double>(report.samples) / static_cast<double>(reduction.samples.size()),
                                  d.angle * degrees, report.times[d.angle_at].to_string());
@@ -23,8 +23,8 @@ std::string line_of(const ReduceReport& report, const optimise::Reduction& reduc
   return line + "\n";
 }
 
-Json method_json(const ReduceReport& report, const optimise::Reduction& reduction) {
-  const optimise::Deviation& d = reduction.deviation;
+Json method_json(const ReduceReport& report, const orispline::Reduction& reduction) {
+  const orispline::Deviation& d = reduction.deviation;
   Json json{{"method", reduction.method},
             {"keys", reduction.samples.size()},
             {"error_max_deg", d.angle * degrees},
@@ -48,17 +48,17 @@ Json smoothing_json(const ReduceReport& report) {
 }
 
 Json track_json(const ReduceReport& report) {
-  const optimise::Reduction& chosen = report.reductions[report.chosen];
-  const optimise::Tolerance& tolerance = report.options.tolerance;
+  const orispline::Reduction& chosen = report.reductions[report.chosen];
+  const orispline::Tolerance& tolerance = report.options.tolerance;
   Json json{{"input", report.input},
             {"output", report.output},
             {"samples", report.samples},
             {"tolerance_deg", tolerance.angle * degrees}};
   if (tolerance.bounds_positions()) json["position_tolerance_m"] = tolerance.position;
-  json["refitted"] = report.options.values == optimise::KeyValues::refitted;
+  json["refitted"] = report.options.values == orispline::KeyValues::refitted;
   json.update(method_json(report, chosen));
   Json& methods = json["methods"] = Json::array();
-  for (const optimise::Reduction& reduction : report.reductions) methods.push_back(method_json(report, reduction));
+  for (const orispline::Reduction& reduction : report.reductions) methods.push_back(method_json(report, reduction));
   if (report.smoothed) json["smoothing"] = smoothing_json(report);
   return json;
 }
@@ -75,7 +75,7 @@ std::string smoothed_lines(const ReduceReport& report) {
 }  // namespace
 
 std::string text_of(const ReduceReport& report) {
-  const optimise::Reduction& chosen = report.reductions[report.chosen];
+  const orispline::Reduction& chosen = report.reductions[report.chosen];
   std::string text = fmt::format("{} from {}, tolerance {:.6g}°", counted(report.samples, "sample"), report.input,
                                  report.options.tolerance.angle * degrees);
   if (report.options.tolerance.bounds_positions())
@@ -83,7 +83,7 @@ std::string text_of(const ReduceReport& report) {
   text += "\n";
   if (const std::string repairs = text_of(report.repairs); !repairs.empty()) text += repairs + "\n";
   text += "  method        keys    ratio  largest error, at every sample\n";
-  for (const optimise::Reduction& reduction : report.reductions) text += line_of(report, reduction);
+  for (const orispline::Reduction& reduction : report.reductions) text += line_of(report, reduction);
   if (report.smoothed) text += smoothed_lines(report);
   return text + fmt::format("{} of {} written to {}\n", counted(chosen.samples.size(), "key"), chosen.method,
                             destination(report.output));
@@ -92,7 +92,7 @@ std::string text_of(const ReduceReport& report) {
 std::string text_of(std::span<const ReduceReport> reports) {
   std::string text;
   for (const ReduceReport& report : reports) {
-    const optimise::Reduction& chosen = report.reductions[report.chosen];
+    const orispline::Reduction& chosen = report.reductions[report.chosen];
     text +=
         fmt::format("{}: {} of {} from {}, {:.6g}° off at most", report.output, counted(chosen.samples.size(), "key"),
                     chosen.method, counted(report.samples, "sample"), chosen.deviation.angle * degrees);

@@ -7,15 +7,15 @@
 #include <vector>
 
 #include <orispline/io/key_file.hpp>
-#include <orispline/optimise/reduce.hpp>
-#include <orispline/optimise/smooth.hpp>
+#include <orispline/reduce/reduce.hpp>
+#include <orispline/smooth/smooth.hpp>
 
 namespace orispline::cli {
 
 /// What was done to the samples before, and how far the chosen curve is from them as they were [rad], those that were
 /// rejected apart.
 struct SmoothedFirst {
-  optimise::Smoothing smoothing;
+  orispline::Smoothing smoothing;
   DistanceStatistics raw;
 };
 
@@ -24,8 +24,8 @@ struct ReduceReport {
   std::string input{}, output{};
   std::size_t samples = 0;
   io::RepairReport repairs{};
-  optimise::ReduceOptions options;
-  std::vector<optimise::Reduction> reductions{};  ///< by each of the methods
+  orispline::ReduceOptions options;
+  std::vector<orispline::Reduction> reductions{};  ///< by each of the methods
   std::size_t chosen = 0;                         ///< of them, the one that was written
   std::vector<io::Decimal> times{};               ///< of the samples, in the file's own time [s]
   std::vector<std::uint32_t> lines{};             ///< of the samples, in the file

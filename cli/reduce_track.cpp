@@ -8,7 +8,7 @@ namespace orispline::cli {
 namespace {
 
 /// The digits of the file where the key is a sample of unit norm.
-Eigen::Quaterniond written_quaternion(const Track& track, const optimise::Reduction& reduction, std::size_t key) {
+Eigen::Quaterniond written_quaternion(const Track& track, const orispline::Reduction& reduction, std::size_t key) {
   const Eigen::Quaterniond &found = reduction.keys.orientations()[key],
                            &as_read = track.as_read[reduction.samples[key]];
   const double sign = as_read.dot(found) < 0.0 ? -1.0 : 1.0;
@@ -18,10 +18,10 @@ Eigen::Quaterniond written_quaternion(const Track& track, const optimise::Reduct
   return is_sample ? turned : found;
 }
 
-Expected<void> write_rows(io::SampleWriter& writer, const Track& track, const optimise::Reduction& reduction) {
+Expected<void> write_rows(io::SampleWriter& writer, const Track& track, const orispline::Reduction& reduction) {
   for (std::size_t key = 0; key < reduction.samples.size(); ++key) {
     io::Sample sample{.motion = {.orientation = written_quaternion(track, reduction, key)}};
-    if (!reduction.keys.positions().empty()) sample.travel.position = reduction.keys.positions()[key];
+    if (!reduction.keys.positions().empty()) sample.linear_motion.position = reduction.keys.positions()[key];
     auto written = writer.write(track.file.exact_times[reduction.samples[key]], sample);
     if (written) continue;
     if (written.error().code != ErrorCode::bad_data) return written;
@@ -31,10 +31,10 @@ Expected<void> write_rows(io::SampleWriter& writer, const Track& track, const op
   return writer.close();
 }
 
-Expected<Track> smoothed(Track track, const optimise::SmoothOptions& options) {
-  auto smoothing = optimise::smooth(track.raw, options);
+Expected<Track> smoothed(Track track, const orispline::SmoothOptions& options) {
+  auto smoothing = orispline::smooth(track.raw, options);
   if (!smoothing) return tl::unexpected(located(track.file, std::move(smoothing.error())));
-  auto samples = optimise::smoothed_keyframes(track.raw, *smoothing);
+  auto samples = orispline::smoothed_keyframes(track.raw, *smoothing);
   if (!samples) return tl::unexpected(located(track.file, std::move(samples.error())));
   track.samples = std::move(*samples);
   track.smoothing = std::move(*smoothing);
@@ -43,7 +43,7 @@ Expected<Track> smoothed(Track track, const optimise::SmoothOptions& options) {
 
 }  // namespace
 
-Expected<Track> open_track(const InputRequest& input, const std::optional<optimise::SmoothOptions>& smoothing) {
+Expected<Track> open_track(const InputRequest& input, const std::optional<orispline::SmoothOptions>& smoothing) {
   auto file = io::read_keys(input.path, input.read);
   if (!file) return tl::unexpected(std::move(file.error()));
   auto as_read = file->data.orientations;
@@ -57,7 +57,7 @@ Expected<Track> open_track(const InputRequest& input, const std::optional<optimi
 }
 
 Expected<UnfinishedKeys> write_keys(const std::string& path, io::SampleColumns columns, const Track& track,
-                                    const optimise::Reduction& reduction) {
+                                    const orispline::Reduction& reduction) {
   columns.positions = !track.samples.positions().empty();
   columns.derivatives = 0;
   return io::SampleWriter::open(path, columns, reduction.samples.size()).and_then([&](io::SampleWriter writer) {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include <orispline/io/sample_writer.hpp>
-#include <orispline/optimise/reduce.hpp>
-#include <orispline/optimise/smooth.hpp>
+#include <orispline/reduce/reduce.hpp>
+#include <orispline/smooth/smooth.hpp>
 
 #include "input_options.hpp"
 #include "interruption.hpp"
@@ -21,12 +21,12 @@ struct Track {
   std::vector<Eigen::Quaterniond> as_read;
   Keyframes raw;      ///< checked
   Keyframes samples;  ///< at the same times, smoothed where that was asked for
-  std::optional<optimise::Smoothing> smoothing{};
+  std::optional<orispline::Smoothing> smoothing{};
 };
 
 /// Reads a recording, and smooths it where it is said how. Every error names the file.
 [[nodiscard]] Expected<Track> open_track(const InputRequest& input,
-                                         const std::optional<optimise::SmoothOptions>& smoothing);
+                                         const std::optional<orispline::SmoothOptions>& smoothing);
 
 /// Keys that are written beside their file, closed, and take its place when the writer finishes.
 struct UnfinishedKeys {
@@ -36,6 +36,6 @@ struct UnfinishedKeys {
 
 /// Writes the keys; those that are samples with the digits of the file. Errors: those of the writer.
 [[nodiscard]] Expected<UnfinishedKeys> write_keys(const std::string& path, io::SampleColumns columns,
-                                                  const Track& track, const optimise::Reduction& reduction);
+                                                  const Track& track, const orispline::Reduction& reduction);
 
 }  // namespace orispline::cli

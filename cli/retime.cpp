@@ -8,7 +8,7 @@
 #include <fmt/ranges.h>
 
 #include <orispline/families/registry.hpp>
-#include <orispline/optimise/tune.hpp>
+#include <orispline/tune/tune.hpp>
 
 #include "compare_request.hpp"
 #include "interruption.hpp"
@@ -23,8 +23,8 @@ namespace {
 struct Request {
   InputRequest input;
   io::SampleColumns columns;
-  optimise::MotionLimits limits;
-  optimise::Slowing slowing;
+  orispline::MotionLimits limits;
+  orispline::Slowing slowing;
 };
 
 Expected<void> agree(const RetimeOptions& options) {
@@ -46,7 +46,7 @@ Expected<Request> request_in(const RetimeOptions& options) {
                                  if_given("--max-acceleration", options.acceleration, quantity_of(acceleration_units))),
                              .torque = checked(if_given("--max-torque", options.torque, quantity_of(torque_units))),
                              .inertia = checked(if_given("--inertia", options.inertia, inertia_in))},
-                  .slowing = options.per_interval ? optimise::Slowing::per_interval : optimise::Slowing::uniform};
+                  .slowing = options.per_interval ? orispline::Slowing::per_interval : orispline::Slowing::uniform};
   request.input.read.rate_orders = 0;
   auto read = std::move(checked).or_else(std::move(request));
   if (!read) return read;
@@ -55,10 +55,10 @@ Expected<Request> request_in(const RetimeOptions& options) {
 }
 
 Expected<void> write_keys(io::SampleWriter& writer, const io::KeyFile& file, const Keyframes& keys,
-                          const optimise::Retiming& retiming) {
+                          const orispline::Retiming& retiming) {
   for (std::size_t key = 0; key < keys.size(); ++key) {
     io::Sample sample{.motion = {.orientation = keys.orientations()[key]}};
-    if (!keys.positions().empty()) sample.travel.position = keys.positions()[key];
+    if (!keys.positions().empty()) sample.linear_motion.position = keys.positions()[key];
     auto written = writer.write(file.epoch + io::Decimal::from_double(retiming.times[key]), sample);
     if (!written) return written;
   }
@@ -101,7 +101,7 @@ Expected<void> retime(const RetimeOptions& options) {
   if (!keys) return tl::unexpected(located(*file, keys.error()));
   if (auto checked = check_columns_left_out(*file, options.method); !checked) return checked;
   if (request->limits.inertia) warn_unless_rigid(*request->limits.inertia);
-  auto retiming = optimise::retime(options.method, *keys, request->limits, request->slowing);
+  auto retiming = orispline::retime(options.method, *keys, request->limits, request->slowing);
   if (!retiming) return tl::unexpected(placed(*file, std::move(retiming.error())));
   const RetimeReport report{.input = options.input.path,
                             .output = options.output.path,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <orispline/optimise/retime.hpp>
+#include <orispline/retime/retime.hpp>
 
 #include "input_options.hpp"
 #include "method_options.hpp"

@@ -14,7 +14,7 @@
 namespace orispline::cli {
 namespace {
 
-using optimise::SegmentPeaks;
+using orispline::SegmentPeaks;
 using report::Better;
 
 /// The keys at other times.
@@ -26,11 +26,11 @@ Expected<Keyframes> at_times(const Keyframes& keys, const std::vector<double>& t
 }
 
 /// Of the motion before it was slowed; nothing where it has none.
-std::vector<SegmentPeaks> peaks_of(const AnyCurve& curve, const optimise::MotionLimits& limits) {
+std::vector<SegmentPeaks> peaks_of(const AnyCurve& curve, const orispline::MotionLimits& limits) {
   const auto floor = [](const std::optional<double>& limit) {
     return limit ? 0.0 : std::numeric_limits<double>::infinity();
   };
-  return optimise::certified_peaks(curve, limits.inertia,
+  return orispline::certified_peaks(curve, limits.inertia,
                                    {floor(limits.rate), floor(limits.acceleration), floor(limits.torque)})
       .value_or(std::vector<SegmentPeaks>());
 }
@@ -58,11 +58,11 @@ std::string title_of(const RetimeReport& report, const std::vector<Certificate>&
   std::vector<std::string> limits;
   for (const Certificate& c : certificates) limits.push_back(fmt::format("{:.6g} {}", c.limit, c.unit));
   return fmt::format("{} within {}, {}: slowed {} by {:.6g}", report.input, fmt::join(limits, " and "), report.method,
-                     report.retiming.slowing == optimise::Slowing::uniform ? "uniformly" : "per interval",
-                     report.retiming.stretch);
+                     report.retiming.slowing == orispline::Slowing::uniform ? "uniformly" : "per interval",
+                     report.retiming.time_scale);
 }
 
-std::map<std::string, double, std::less<>> limits_of(const optimise::MotionLimits& limits) {
+std::map<std::string, double, std::less<>> limits_of(const orispline::MotionLimits& limits) {
   std::map<std::string, double, std::less<>> lines;
   if (limits.rate) lines["w"] = *limits.rate;
   if (limits.acceleration) lines["a"] = *limits.acceleration;

@@ -15,18 +15,18 @@
 namespace orispline::cli {
 namespace {
 
-using optimise::CertifiedPeak;
-using optimise::SegmentPeaks;
+using orispline::CertifiedPeak;
+using orispline::SegmentPeaks;
 
 double duration_of(const RetimeReport& report) { return report.retiming.times.back() - report.retiming.times.front(); }
 
-std::string_view word_of(optimise::Slowing slowing) {
-  return slowing == optimise::Slowing::uniform ? "uniform" : "per-interval";
+std::string_view word_of(orispline::Slowing slowing) {
+  return slowing == orispline::Slowing::uniform ? "uniform" : "per-interval";
 }
 
 }  // namespace
 
-std::vector<Certificate> certificates_of(const optimise::MotionLimits& limits, const std::vector<SegmentPeaks>& peaks) {
+std::vector<Certificate> certificates_of(const orispline::MotionLimits& limits, const std::vector<SegmentPeaks>& peaks) {
   std::vector<Certificate> certificates;
   const auto add = [&](std::string_view name, std::string_view unit, std::string_view json_unit, double scale,
                        const std::optional<double>& limit, CertifiedPeak SegmentPeaks::*member) {
@@ -46,7 +46,7 @@ std::string text_of(const RetimeReport& report) {
   std::string text = fmt::format(
       "{} from {}, {}: {:.6g} s before, {:.6g} s after, slowed by {:.6g}{}\n",
       counted(report.retiming.times.size(), "key"), report.input, report.method, report.duration_before,
-      duration_of(report), report.retiming.stretch,
+      duration_of(report), report.retiming.time_scale,
       report.retiming.slowing == report.slowing ? "" : ", all intervals alike: each by itself saves no time");
   for (const Certificate& c : certificates_of(report.limits, report.retiming.peaks))
     text +=
@@ -64,7 +64,7 @@ std::string json_of(const RetimeReport& report) {
             {"keys", report.retiming.times.size()},
             {"duration_before_s", report.duration_before},
             {"duration_after_s", duration_of(report)},
-            {"stretch", report.retiming.stretch}};
+            {"time_scale", report.retiming.time_scale}};
   for (const Certificate& c : certificates_of(report.limits, report.retiming.peaks)) {
     const auto name = [&c](std::string_view part) { return fmt::format("{}_{}_{}", c.name, part, c.json_unit); };
     json[name("limit")] = c.limit;

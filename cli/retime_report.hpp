@@ -5,17 +5,17 @@
 #include <string_view>
 #include <vector>
 
-#include <orispline/optimise/retime.hpp>
+#include <orispline/retime/retime.hpp>
 
 namespace orispline::cli {
 
 /// What `orispline retime` did.
 struct RetimeReport {
   std::string input{}, output{}, method{};
-  optimise::MotionLimits limits{};
-  optimise::Slowing slowing{};   ///< that was asked for
+  orispline::MotionLimits limits{};
+  orispline::Slowing slowing{};   ///< that was asked for
   double duration_before = 0.0;  ///< [s]
-  optimise::Retiming retiming{};
+  orispline::Retiming retiming{};
 };
 
 /// A limited quantity in the units that are shown, at the segment where its bound is largest.
@@ -26,8 +26,8 @@ struct Certificate {
 };
 
 /// One for each of the limits.
-[[nodiscard]] std::vector<Certificate> certificates_of(const optimise::MotionLimits& limits,
-                                                       const std::vector<optimise::SegmentPeaks>& peaks);
+[[nodiscard]] std::vector<Certificate> certificates_of(const orispline::MotionLimits& limits,
+                                                       const std::vector<orispline::SegmentPeaks>& peaks);
 
 /// A few lines for people.
 [[nodiscard]] std::string text_of(const RetimeReport& report);

@@ -104,7 +104,7 @@ Expected<Source> open_source(const Request& request) {
   if (const auto warning = closing_step_warning(request.method, *keys)) warn(*warning);
   auto curve = shaped_curve(request.method, *keys, *file);
   if (!curve) return tl::unexpected(std::move(curve.error()));
-  if (const auto warning = wound_handle_warning(request.method, *keys, *file)) warn(*warning);
+  if (const auto warning = overwound_tangent_warning(request.method, *keys, *file)) warn(*warning);
   const Domain domain = curve->orientation.domain();
   auto times = SampleTimes::make(request.times, file->epoch, domain);
   if (!times) return tl::unexpected(std::move(times.error()));

@@ -5,20 +5,20 @@
 #include <numeric>
 #include <vector>
 
-#include <orispline/batch/parallel.hpp>
+#include <orispline/base/parallel.hpp>
 #include <orispline/batch/sample.hpp>
 
 namespace orispline::cli {
 namespace {
 
-constexpr std::size_t stretch_size = 16384;  // samples that a thread makes at a time: far dearer than the thread
+constexpr std::size_t chunk_size = 16384;  // samples that a thread makes at a time: far dearer than the thread
 
 constexpr int most_bulk_derivatives = 2;  // angular ones: the jerk comes from the scalar evaluator
 
 /// Successive samples that one thread makes.
-class Stretch {
+class Chunk {
  public:
-  explicit Stretch(const Sampling& sampling) : rows_(sampling.columns) {}
+  explicit Chunk(const Sampling& sampling) : rows_(sampling.columns) {}
 
   /// Makes the samples from `begin` to before `end`.
   void make(const Sampling& sampling, std::size_t begin, std::size_t end) {
@@ -37,7 +37,7 @@ class Stretch {
     for (std::size_t k = 0; k < times_.size() && made_; ++k) {
       if (!domain.contains(times_[k])) ++held_;
       io::Sample sample{.motion = in_bulk ? motion(k) : sampling.curve.orientation.motion(times_[k])};
-      if (sampling.curve.position) sample.travel = travel(k);
+      if (sampling.curve.position) sample.linear_motion = linear_motion(k);
       made_ = rows_.append(sampling.times.origin(), instants_[k].offset, sample);
     }
   }
@@ -89,7 +89,7 @@ class Stretch {
             .angular_velocity = vector_of(angular_velocities_, k),
             .angular_acceleration = vector_of(angular_accelerations_, k)};
   }
-  [[nodiscard]] Travel travel(std::size_t k) const {
+  [[nodiscard]] LinearMotion linear_motion(std::size_t k) const {
     return {.position = vector_of(positions_, k),
             .velocity = vector_of(velocities_, k),
             .acceleration = vector_of(accelerations_, k)};
@@ -112,22 +112,22 @@ class Stretch {
 
 Expected<std::size_t> write_samples(io::SampleWriter& writer, const Sampling& sampling, Progress::Show show) {
   const std::size_t size = sampling.times.size();
-  const auto stretch_begin = [size](std::size_t index) { return std::min(index * stretch_size, size); };
-  const std::size_t stretches = (size + stretch_size - 1) / stretch_size;
-  std::vector<Stretch> made(std::clamp<std::size_t>(stretches, 1, sampling.threads), Stretch(sampling));
+  const auto chunk_begin = [size](std::size_t index) { return std::min(index * chunk_size, size); };
+  const std::size_t chunks = (size + chunk_size - 1) / chunk_size;
+  std::vector<Chunk> made(std::clamp<std::size_t>(chunks, 1, sampling.threads), Chunk(sampling));
   Progress progress(size, show);
   std::size_t held = 0;
-  for (std::size_t first = 0; first < stretches; first += made.size()) {
-    const std::size_t count = std::min(made.size(), stretches - first);
+  for (std::size_t first = 0; first < chunks; first += made.size()) {
+    const std::size_t count = std::min(made.size(), chunks - first);
     parallel_for(count, static_cast<unsigned>(count), [&](std::size_t i) {
-      made[i].make(sampling, stretch_begin(first + i), stretch_begin(first + i + 1));
+      made[i].make(sampling, chunk_begin(first + i), chunk_begin(first + i + 1));
     });
     for (std::size_t i = 0; i < count; ++i) {
       const auto written = made[i].write(writer);
       if (!written) return tl::unexpected(written.error());
       held += *written;
     }
-    progress.advance_to(stretch_begin(first + count));
+    progress.advance_to(chunk_begin(first + count));
   }
   return writer.finish().map([held] { return held; });
 }

@@ -21,7 +21,7 @@ namespace {
 /// The command line, understood.
 struct Request {
   InputRequest input;
-  optimise::SmoothOptions smoothing;
+  orispline::SmoothOptions smoothing;
   io::SampleColumns columns;
   std::optional<TimeRequest> times;  ///< of samples
 };
@@ -42,10 +42,10 @@ Expected<Request> request_in(const SmoothOptions& options) {
                   .smoothing = checked(smoothing_in(options.smoothness)),
                   .columns = checked(output_columns(options.output)),
                   .times = {}};
-  optimise::SmoothOptions& smoothing = request.smoothing;
+  orispline::SmoothOptions& smoothing = request.smoothing;
   smoothing.penalty =
       checked(if_given("--penalty", options.penalty, choice_of(penalty_choices))).value_or(smoothing.penalty);
-  smoothing.outliers = checked(if_given("--loss", options.loss, choice_of(loss_choices))).value_or(smoothing.outliers);
+  smoothing.loss = checked(if_given("--loss", options.loss, choice_of(loss_choices))).value_or(smoothing.loss);
   smoothing.gap = checked(if_given("--gap", options.gap, positive_in));
   smoothing.gyro = options.gyro;
   smoothing.gyro_noise = checked(if_given("--gyro-noise", options.gyro_noise, quantity_of(angle_units)));
@@ -63,7 +63,7 @@ Expected<Request> request_in(const SmoothOptions& options) {
 struct Smoothed {
   const Keyframes& keys;
   const io::KeyFile& file;
-  const optimise::Smoothing& smoothing;
+  const orispline::Smoothing& smoothing;
 };
 
 Expected<std::size_t> write_keys(io::SampleWriter& writer, const Smoothed& smoothed) {
@@ -72,7 +72,7 @@ Expected<std::size_t> write_keys(io::SampleWriter& writer, const Smoothed& smoot
     io::Sample sample{.motion = {.orientation = keys.orientations()[i],
                                  .angular_velocity = keys.angular_velocities()[i],
                                  .angular_acceleration = keys.angular_accelerations()[i]}};
-    if (!keys.positions().empty()) sample.travel.position = keys.positions()[i];
+    if (!keys.positions().empty()) sample.linear_motion.position = keys.positions()[i];
     if (auto written = writer.write(smoothed.file.exact_times[smoothed.smoothing.keys[i]], sample); !written)
       return tl::unexpected(std::move(written.error()));
   }
@@ -90,7 +90,7 @@ Expected<std::size_t> write_samples(io::SampleWriter& writer, const Smoothed& sm
     const Instant instant = (*times)[k];
     if (!covers(smoothed.smoothing, smoothed.keys.times(), instant.t)) continue;
     io::Sample sample{.motion = curve->orientation.motion(instant.t)};
-    if (curve->position) sample.travel = curve->position->travel(instant.t);
+    if (curve->position) sample.linear_motion = curve->position->linear_motion(instant.t);
     if (auto written = writer.write(times->origin().plus(instant.offset), sample); !written)
       return tl::unexpected(std::move(written.error()));
     ++count;
@@ -120,7 +120,7 @@ Expected<void> smooth(const SmoothOptions& options) {
   if (!file) return tl::unexpected(std::move(file.error()));
   const auto recording = Keyframes::make(std::exchange(file->data, {}), request->input.signs);
   if (!recording) return tl::unexpected(located(*file, recording.error()));
-  auto smoothing = optimise::smooth(*recording, request->smoothing);
+  auto smoothing = orispline::smooth(*recording, request->smoothing);
   if (!smoothing)
     return tl::unexpected(smoothing.error().code == ErrorCode::bad_argument
                               ? std::move(smoothing.error())
@@ -128,12 +128,12 @@ Expected<void> smooth(const SmoothOptions& options) {
   if (const std::string remark = remark_on(*smoothing); !remark.empty()) warn(remark);
   if (!io::holds_all_columns(request->columns.format))
     warn("this format holds no rates: wx,wy,wz,ax,ay,az are not written, wanted a CSV file for them");
-  const auto keys = optimise::smoothed_keyframes(*recording, *smoothing);
+  const auto keys = orispline::smoothed_keyframes(*recording, *smoothing);
   if (!keys) return tl::unexpected(keys.error());
   SmoothReport report{.file = std::move(*file),
                       .output = options.output.path,
                       .penalty = request->smoothing.penalty,
-                      .outliers = request->smoothing.outliers,
+                      .loss = request->smoothing.loss,
                       .positions = !recording->positions().empty(),
                       .samples = request->times.has_value(),
                       .smoothing = std::move(*smoothing)};

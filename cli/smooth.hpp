@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <orispline/optimise/smooth.hpp>
+#include <orispline/smooth/smooth.hpp>
 
 #include "input_options.hpp"
 #include "output_options.hpp"
@@ -11,12 +11,12 @@
 
 namespace orispline::cli {
 
-inline constexpr std::array penalty_choices{Choice<optimise::Penalty>{"acceleration", optimise::Penalty::acceleration},
-                                            Choice<optimise::Penalty>{"jerk", optimise::Penalty::jerk}};
-inline constexpr std::array loss_choices{Choice<optimise::Outliers>{"robust", optimise::Outliers::reject},
-                                         Choice<optimise::Outliers>{"l2", optimise::Outliers::none},
-                                         Choice<optimise::Outliers>{"huber", optimise::Outliers::huber},
-                                         Choice<optimise::Outliers>{"tukey", optimise::Outliers::tukey}};
+inline constexpr std::array penalty_choices{Choice<orispline::Penalty>{"acceleration", orispline::Penalty::acceleration},
+                                            Choice<orispline::Penalty>{"jerk", orispline::Penalty::jerk}};
+inline constexpr std::array loss_choices{Choice<orispline::Loss>{"robust", orispline::Loss::robust},
+                                         Choice<orispline::Loss>{"l2", orispline::Loss::l2},
+                                         Choice<orispline::Loss>{"huber", orispline::Loss::huber},
+                                         Choice<orispline::Loss>{"tukey", orispline::Loss::tukey}};
 
 /// The method that makes the C2 curve of smoothed keys.
 inline constexpr std::string_view smoothed_method = "hermite-c2";

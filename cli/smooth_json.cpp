@@ -35,20 +35,20 @@ Json places_json(const std::vector<std::size_t>& samples, const std::vector<std:
   return list;
 }
 
-Json criterion_of(const optimise::Smoothing& smoothing) {
+Json criterion_of(const orispline::Smoothing& smoothing) {
   if (!smoothing.criterion) return nullptr;
   constexpr std::array names{"gcv", "ubre", "reml"};
   return names[static_cast<std::size_t>(*smoothing.criterion)];
 }
 
 std::string json_of(const SmoothReport& report) {
-  const optimise::Smoothing& smoothing = report.smoothing;
+  const orispline::Smoothing& smoothing = report.smoothing;
   Json json{{"input", report.file.path},
             {"output", report.output},
             {"samples", report.file.lines.size()},
             {"rows_written", report.rows},
             {"penalty", word_of(penalty_choices, report.penalty)},
-            {"loss", word_of(loss_choices, report.outliers)},
+            {"loss", word_of(loss_choices, report.loss)},
             {"smoothing_time_s", smoothing.smoothing_time},
             {"cutoff_hz", cutoff_of(smoothing)},
             {"lambda", smoothing.lambda},
@@ -62,7 +62,7 @@ std::string json_of(const SmoothReport& report) {
   json["gyro_correction_rad_s"] = smoothing.gyro_noise ? Json{bias.x(), bias.y(), bias.z()} : Json(nullptr);
   json["rejected"] = places_json(smoothing.rejected, report.file.lines, report.file.exact_times);
   json["rejected_gyro"] = places_json(smoothing.rejected_gyro, report.file.lines, report.file.exact_times);
-  json["kept_runs"] = places_json(smoothing.kept_runs, report.file.lines, report.file.exact_times);
+  json["retained_outlier_runs"] = places_json(smoothing.retained_outlier_runs, report.file.lines, report.file.exact_times);
   json["left_out"] = places_json(smoothing.left_out, report.file.lines, report.file.exact_times);
   json["stretches"] = stretches(report);
   json["iterations"] = smoothing.iterations;

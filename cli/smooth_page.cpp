@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include <orispline/batch/parallel.hpp>
+#include <orispline/base/parallel.hpp>
 #include <orispline/families/registry.hpp>
 
 #include "method_options.hpp"
@@ -19,7 +19,7 @@
 namespace orispline::cli {
 namespace {
 
-using optimise::Smoothing;
+using orispline::Smoothing;
 using report::Better;
 
 constexpr std::string_view rms_of_accepted = "rms_accepted_deg";
@@ -44,11 +44,11 @@ Keyframes picked(const Keyframes& keys, std::span<const std::size_t> indices) {
 Measures shape_of(const AnyCurve& curve) { return {.energies = energies(curve), .peaks = peaks(curve)}; }
 
 /// What the whole curve does in its stretches, and not what it would do in the gaps between them.
-Expected<Measures> shape_of(const Candidate& whole, const std::vector<optimise::Stretch>& stretches) {
+Expected<Measures> shape_of(const Candidate& whole, const std::vector<orispline::Stretch>& stretches) {
   const auto larger = [](Peak& peak, const Peak& other) { peak = other.value > peak.value ? other : peak; };
   Measures measures;
   std::size_t first = 0;
-  for (const optimise::Stretch& stretch : stretches) {
+  for (const orispline::Stretch& stretch : stretches) {
     std::vector<std::size_t> indices(stretch.count);
     std::iota(indices.begin(), indices.end(), std::exchange(first, first + stretch.count));
     const auto part = make_curve(whole.method, picked(whole.keys, indices), whole.options).map([](const AnyCurve& c) {
@@ -155,7 +155,7 @@ std::vector<std::string> notes_of(const SmoothReport& report) {
     notes.push_back(fmt::format("{} as outliers and marked with a cross{}; the line of errors leaves them out.",
                                 counted(rejected, "sample") + (rejected == 1 ? " is rejected" : " are rejected"),
                                 rejected > samples_of_few ? fmt::format(", {} of them", samples_of_few) : ""));
-  if (const std::size_t kept = smoothing.kept_runs.size(); kept > 0)
+  if (const std::size_t kept = smoothing.retained_outlier_runs.size(); kept > 0)
     notes.push_back(fmt::format("{} far from the curve, but three or more in a row: kept as motion.",
                                 counted(kept, "sample") + (kept == 1 ? " is" : " are")));
   if (const std::string remark = remark_on(smoothing); !remark.empty()) notes.push_back("Warning: " + remark + ".");

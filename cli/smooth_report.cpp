@@ -15,9 +15,9 @@
 namespace orispline::cli {
 namespace {
 
-using optimise::LambdaChoice;
-using optimise::Smoothing;
-using optimise::SmoothingCriterion;
+using orispline::LambdaChoice;
+using orispline::Smoothing;
+using orispline::SmoothingCriterion;
 
 constexpr std::size_t places_shown = 10;
 constexpr std::size_t motion_run = 3;  // of rejected samples; --loss tukey may have it
@@ -48,8 +48,8 @@ std::string gyro_lines(const Smoothing& smoothing) {
 
 std::string outlier_lines(const SmoothReport& report) {
   std::string text;
-  const auto& [rejected, kept] = std::tie(report.smoothing.rejected, report.smoothing.kept_runs);
-  if (report.outliers == optimise::Outliers::reject || report.outliers == optimise::Outliers::tukey)
+  const auto& [rejected, kept] = std::tie(report.smoothing.rejected, report.smoothing.retained_outlier_runs);
+  if (report.loss == orispline::Loss::robust || report.loss == orispline::Loss::tukey)
     text += fmt::format("rejected        {}{}\n", rejected.size(),
                         places_text(rejected, report.file.lines, report.file.exact_times));
   if (const auto& gyro = report.smoothing.rejected_gyro; !gyro.empty())
@@ -81,7 +81,7 @@ std::size_t longest_rejected_run(const Smoothing& smoothing) {
   for (std::size_t k = 0; k < smoothing.rejected.size(); ++k) {
     const std::size_t sample = smoothing.rejected[k];
     const bool follows = k > 0 && smoothing.rejected[k - 1] + 1 == sample &&
-                         !std::ranges::binary_search(smoothing.stretches, sample, {}, &optimise::Stretch::first);
+                         !std::ranges::binary_search(smoothing.stretches, sample, {}, &orispline::Stretch::first);
     run = follows ? run + 1 : 1;
     longest = std::max(longest, run);
   }
@@ -97,7 +97,7 @@ bool covers(const Smoothing& smoothing, std::span<const double> times, double t)
   if (behind == times.begin()) return false;
   const auto before = behind - 1;  // the key
   const std::size_t sample = smoothing.keys[static_cast<std::size_t>(before - times.begin())];
-  const auto next_stretch = std::ranges::upper_bound(smoothing.stretches, sample, {}, &optimise::Stretch::first);
+  const auto next_stretch = std::ranges::upper_bound(smoothing.stretches, sample, {}, &orispline::Stretch::first);
   const auto& [first, count] = *(next_stretch - 1);
   return *before == t || sample + 1 < first + count;
 }

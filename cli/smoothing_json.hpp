@@ -4,7 +4,7 @@
 #include <vector>
 
 #include <orispline/io/decimal.hpp>
-#include <orispline/optimise/smooth.hpp>
+#include <orispline/smooth/smooth.hpp>
 
 #include "json_document.hpp"
 
@@ -15,6 +15,6 @@ namespace orispline::cli {
                                const std::vector<io::Decimal>& times);
 
 /// `gcv`, `ubre`, `reml`; null where the smoothing time was stated.
-[[nodiscard]] Json criterion_of(const optimise::Smoothing& smoothing);
+[[nodiscard]] Json criterion_of(const orispline::Smoothing& smoothing);
 
 }  // namespace orispline::cli

@@ -14,12 +14,12 @@ Expected<double> positive_in(OptionText option) {
   return *number;
 }
 
-Expected<optimise::SmoothOptions> smoothing_in(const SmoothnessOptions& options) {
+Expected<orispline::SmoothOptions> smoothing_in(const SmoothnessOptions& options) {
   const int stated = options.noise.has_value() + options.smoothing_time.has_value() + options.cutoff.has_value();
   if (stated > 1)
     return usage_failure("found several of --noise, --smoothing-time and --cutoff, wanted one: each says how smooth");
   FirstError checked;
-  optimise::SmoothOptions smoothing;
+  orispline::SmoothOptions smoothing;
   smoothing.noise = checked(if_given("--noise", options.noise, quantity_of(angle_units)));
   smoothing.smoothing_time = checked(if_given("--smoothing-time", options.smoothing_time, positive_in));
   if (const auto cutoff = checked(if_given("--cutoff", options.cutoff, positive_in)))

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include <orispline/optimise/smooth.hpp>
+#include <orispline/smooth/smooth.hpp>
 
 #include "option_text.hpp"
 
@@ -19,6 +19,6 @@ struct SmoothnessOptions {
 [[nodiscard]] Expected<double> positive_in(OptionText option);
 
 /// The same, understood; all else is left at its default.
-[[nodiscard]] Expected<optimise::SmoothOptions> smoothing_in(const SmoothnessOptions& options);
+[[nodiscard]] Expected<orispline::SmoothOptions> smoothing_in(const SmoothnessOptions& options);
 
 }  // namespace orispline::cli

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tune.hpp"
 
-#include <orispline/optimise/tension_model.hpp>
-#include <orispline/optimise/tune.hpp>
+#include <orispline/tune/tension_model.hpp>
+#include <orispline/tune/tune.hpp>
 
 #include <utility>
 
@@ -19,20 +19,20 @@
 namespace orispline::cli {
 namespace {
 
-constexpr auto default_objective = optimise::Objective::acceleration;
+constexpr auto default_objective = orispline::Objective::acceleration;
 
 /// The command line, understood.
 struct Request {
   InputRequest input;
   MethodRequest method;
-  optimise::TuneOptions tuning;
+  orispline::TuneOptions tuning;
 };
 
-Expected<optimise::Interval> bounds_in(OptionText option) {
+Expected<orispline::Interval> bounds_in(OptionText option) {
   const auto numbers = numbers_in(option);
   if (!numbers || numbers->size() != 2 || !((*numbers)[0] < (*numbers)[1]))
     return wanted(option, "LOWEST,HIGHEST, the lower one first");
-  return optimise::Interval{(*numbers)[0], (*numbers)[1]};
+  return orispline::Interval{(*numbers)[0], (*numbers)[1]};
 }
 
 Expected<std::vector<std::string>> names_in(OptionText option) {
@@ -43,10 +43,10 @@ Expected<std::vector<std::string>> names_in(OptionText option) {
 
 /// What the options ask of each other.
 Expected<void> agree(const TuneOptions& options, const Request& request) {
-  using optimise::Objective;
-  if (optimise::tunable_parameters(request.method.family->name).empty())
+  using orispline::Objective;
+  if (orispline::tunable_parameters(request.method.family->name).empty())
     return usage_failure(fmt::format("--method: {} has no tensions to tune, wanted one of {}",
-                                     request.method.family->name, optimise::tunable_families()));
+                                     request.method.family->name, orispline::tunable_families()));
   const bool fits = request.tuning.objective == Objective::fit;
   if (fits && !options.reference) return usage_failure("--objective fit: wanted --reference FILE as well");
   if (!fits && options.reference) return usage_failure("--reference: wanted --objective fit as well");
@@ -99,7 +99,7 @@ Expected<Reference> read_reference(const std::string& path, const io::KeyFile& k
   return reference;
 }
 
-Expected<optimise::Tuning> tuned(Request request, const TuneOptions& options, const io::KeyFile& file,
+Expected<orispline::Tuning> tuned(Request request, const TuneOptions& options, const io::KeyFile& file,
                                  const Keyframes& keys) {
   Reference reference;
   if (options.reference) {
@@ -108,14 +108,14 @@ Expected<optimise::Tuning> tuned(Request request, const TuneOptions& options, co
     reference = std::move(*read);
     request.tuning.reference = {reference.times, reference.orientations};
   }
-  return optimise::tune(request.method.family->name, keys, completed(request.method, file), request.tuning)
+  return orispline::tune(request.method.family->name, keys, completed(request.method, file), request.tuning)
       .map_error([&](Error error) {
         const bool concerns_file = error.code == ErrorCode::bad_data || error.where.key;
         return concerns_file ? located(file, std::move(error)) : error;
       });
 }
 
-Expected<void> write_keys(const std::string& path, const io::KeyTable& table, const optimise::Tuning& tuning) {
+Expected<void> write_keys(const std::string& path, const io::KeyTable& table, const orispline::Tuning& tuning) {
   io::NumberColumns columns;
   for (const std::string& name : tuning.parameters) columns[name] = tuning.options.parameters.find(name)->second;
   return io::OutputFile::open(path).and_then([&](io::OutputFile file) {
@@ -129,7 +129,7 @@ Expected<void> write_keys(const std::string& path, const io::KeyTable& table, co
 Expected<void> tune(const TuneOptions& options) {
   const auto request = request_in(options);
   if (!request) return tl::unexpected(request.error());
-  const bool by_torque = request->tuning.objective == optimise::Objective::torque;
+  const bool by_torque = request->tuning.objective == orispline::Objective::torque;
   if (by_torque) warn_unless_rigid(request->tuning.inertia);
   auto file = io::read_keys(request->input.path, request->input.read);
   if (!file) return tl::unexpected(std::move(file.error()));

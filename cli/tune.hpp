@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <orispline/optimise/objective.hpp>
+#include <orispline/tune/objective.hpp>
 
 #include "input_options.hpp"
 #include "method_options.hpp"
@@ -10,11 +10,11 @@
 namespace orispline::cli {
 
 inline constexpr std::array objective_choices{
-    Choice<optimise::Objective>{"linearised", optimise::Objective::linearised},
-    Choice<optimise::Objective>{"acceleration", optimise::Objective::acceleration},
-    Choice<optimise::Objective>{"torque", optimise::Objective::torque},
-    Choice<optimise::Objective>{"jerk", optimise::Objective::jerk},
-    Choice<optimise::Objective>{"fit", optimise::Objective::fit}};
+    Choice<orispline::Objective>{"linearised", orispline::Objective::linearised},
+    Choice<orispline::Objective>{"acceleration", orispline::Objective::acceleration},
+    Choice<orispline::Objective>{"torque", orispline::Objective::torque},
+    Choice<orispline::Objective>{"jerk", orispline::Objective::jerk},
+    Choice<orispline::Objective>{"fit", orispline::Objective::fit}};
 
 inline constexpr std::string_view default_tuned_method = "timed-c2";
 

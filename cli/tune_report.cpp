@@ -16,23 +16,23 @@ namespace {
 
 std::string energy_line(const TuneReport& report) {
   const auto& [before, after] = std::pair(report.tuning.energy_before, report.tuning.energy_after);
-  const auto name = std::ranges::find(objective_choices, report.objective, &Choice<optimise::Objective>::second)->first;
+  const auto name = std::ranges::find(objective_choices, report.objective, &Choice<orispline::Objective>::second)->first;
   std::string line = fmt::format("{}: {:.8g} before, {:.8g} after {}", name, before, after, unit_of(report.objective));
   if (before > 0.0) line += fmt::format(" ({:+.2f} %)", 100.0 * (after / before - 1.0));
-  if (report.objective == optimise::Objective::fit)
+  if (report.objective == orispline::Objective::fit)
     line += fmt::format("; RMS {:.4g}° before, {:.4g}° after", std::sqrt(before) * degrees, std::sqrt(after) * degrees);
   return line + "\n";
 }
 
 }  // namespace
 
-std::string_view unit_of(optimise::Objective objective) {
+std::string_view unit_of(orispline::Objective objective) {
   switch (objective) {
-    case optimise::Objective::torque:
+    case orispline::Objective::torque:
       return "N^2 m^2 s";
-    case optimise::Objective::jerk:
+    case orispline::Objective::jerk:
       return "rad^2/s^5";
-    case optimise::Objective::fit:
+    case orispline::Objective::fit:
       return "rad^2";
     default:
       return "rad^2/s^3";

@@ -4,20 +4,20 @@
 #include <string>
 #include <vector>
 
-#include <orispline/optimise/tune.hpp>
+#include <orispline/tune/tune.hpp>
 
 namespace orispline::cli {
 
 /// What `orispline tune` did.
 struct TuneReport {
   std::string input{}, output{}, method{};
-  optimise::Objective objective{};
+  orispline::Objective objective{};
   std::vector<double> times{};  ///< of the keys [s], in the file's own time
-  optimise::Tuning tuning{};
+  orispline::Tuning tuning{};
 };
 
 /// The unit of an objective.
-[[nodiscard]] std::string_view unit_of(optimise::Objective objective);
+[[nodiscard]] std::string_view unit_of(orispline::Objective objective);
 
 /// A few lines for people.
 [[nodiscard]] std::string text_of(const TuneReport& report);

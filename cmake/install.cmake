@@ -5,7 +5,6 @@ set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/orispline)
 install(TARGETS orispline EXPORT orisplineTargets FILE_SET HEADERS)
 install(EXPORT orisplineTargets NAMESPACE orispline:: DESTINATION ${package_dir})
 
-get_target_property(orispline_type orispline TYPE)
 configure_package_config_file(
   cmake/orisplineConfig.cmake.in ${PROJECT_BINARY_DIR}/orisplineConfig.cmake INSTALL_DESTINATION ${package_dir}
   NO_SET_AND_CHECK_MACRO)
@@ -15,15 +14,6 @@ install(FILES ${PROJECT_BINARY_DIR}/orisplineConfig.cmake ${PROJECT_BINARY_DIR}/
 
 # The prefix is found from the place of the .pc file, so that the installed tree can be moved.
 file(RELATIVE_PATH prefix_from_pc /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
-if(orispline_type STREQUAL "SHARED_LIBRARY")
-  set(orispline_pc_requires eigen3)
-  set(orispline_pc_requires_private fmt)
-else() # who links the archive links what it needs
-  set(orispline_pc_requires "eigen3 fmt")
-  if(ORISPLINE_OPTIMISE) # which has no .pc file of its own
-    set(orispline_pc_libraries " -lceres -lglog")
-  endif()
-endif()
 configure_file(cmake/orispline.pc.in ${PROJECT_BINARY_DIR}/orispline.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/orispline.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 

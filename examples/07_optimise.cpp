@@ -4,13 +4,12 @@
 
 #include <cmath>
 #include <cstdio>
-#include <orispline/optimise/reduce.hpp>
-#include <orispline/optimise/retime.hpp>
-#include <orispline/optimise/smooth.hpp>
-#include <orispline/optimise/tune.hpp>
+#include <orispline/reduce/reduce.hpp>
+#include <orispline/retime/retime.hpp>
+#include <orispline/smooth/smooth.hpp>
+#include <orispline/tune/tune.hpp>
 #include <orispline/orispline.hpp>
 
-namespace optimise = orispline::optimise;
 
 namespace {
 
@@ -30,15 +29,15 @@ orispline::Expected<orispline::Keyframes> recorded() {
 }
 
 orispline::Expected<orispline::Keyframes> smoothed(const orispline::Keyframes& recording) {
-  const auto smoothing = optimise::smooth(recording, {.penalty = optimise::Penalty::jerk});
+  const auto smoothing = orispline::smooth(recording, {.penalty = orispline::Penalty::jerk});
   if (!smoothing) return tl::unexpected(smoothing.error());
-  const auto keys = optimise::smoothed_keyframes(recording, *smoothing);
+  const auto keys = orispline::smoothed_keyframes(recording, *smoothing);
   std::printf("smooth: noise of %.1f degrees per axis\n", smoothing->noise / degree);
   return keys;
 }
 
 orispline::Expected<orispline::Keyframes> reduced(const orispline::Keyframes& recording) {
-  const auto reduction = optimise::reduce("timed-c2", recording, {.tolerance = {.angle = 0.5 * degree}});
+  const auto reduction = orispline::reduce("timed-c2", recording, {.tolerance = {.angle = 0.5 * degree}});
   if (!reduction) return tl::unexpected(reduction.error());
   std::printf("reduce: %zu of %zu keys, %s\n", reduction->keys.size(), recording.size(),
               reduction->deviation.angle <= 0.5 * degree ? "within half a degree" : "too far");
@@ -46,7 +45,7 @@ orispline::Expected<orispline::Keyframes> reduced(const orispline::Keyframes& re
 }
 
 orispline::Expected<orispline::AnyCurve> tuned(const orispline::Keyframes& keys) {
-  const auto tuning = optimise::tune("timed-c2", keys, {}, {.objective = optimise::Objective::acceleration});
+  const auto tuning = orispline::tune("timed-c2", keys, {}, {.objective = orispline::Objective::acceleration});
   if (!tuning) return tl::unexpected(tuning.error());
   const bool lower = tuning->energy_after < tuning->energy_before;
   std::printf("tune: %zu tensions per key, %s energy\n", tuning->parameters.size(), lower ? "less" : "the same");
@@ -54,8 +53,8 @@ orispline::Expected<orispline::AnyCurve> tuned(const orispline::Keyframes& keys)
 }
 
 orispline::Expected<std::vector<double>> retimed(const orispline::Keyframes& keys) {
-  const optimise::MotionLimits limits{.rate = 20.0 * degree, .acceleration = 40.0 * degree};
-  const auto retiming = optimise::retime("timed-c2", keys, limits, optimise::Slowing::uniform);
+  const orispline::MotionLimits limits{.rate = 20.0 * degree, .acceleration = 40.0 * degree};
+  const auto retiming = orispline::retime("timed-c2", keys, limits, orispline::Slowing::uniform);
   if (!retiming) return tl::unexpected(retiming.error());
   std::printf("retime: slowed by %.1f\n", retiming->stretch);
   return retiming->times;
@@ -66,6 +65,6 @@ orispline::Expected<std::vector<double>> retimed(const orispline::Keyframes& key
 int main() {
   const auto keys = recorded().and_then(smoothed).and_then(reduced);
   if (!keys || !tuned(*keys) || !retimed(*keys)) return 1;
-  const auto refused = optimise::retime("slerp", *keys, {.acceleration = 1.0}, optimise::Slowing::uniform);
+  const auto refused = orispline::retime("slerp", *keys, {.acceleration = 1.0}, orispline::Slowing::uniform);
   std::printf("%s\n", orispline::describe(refused.error()).c_str());
 }

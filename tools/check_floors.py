@@ -10,11 +10,13 @@ import sys
 
 GROUND = {"base", "math", "curve"}
 FLOORS = {  # folder of src/orispline -> what it may include besides itself
-    "base": set(), "math": set(), "curve": GROUND, "families": GROUND, "io": GROUND, "report": GROUND, "batch": GROUND | {"families"},
-    "analysis": GROUND | {"families", "batch"}, "optimise": GROUND | {"families", "batch", "analysis"}}
-GUESTS = {"fast_float/": "src/orispline/io/", "ceres/": "src/orispline/optimise/", "CLI/": "cli/", "nlohmann/": "cli/",
+    "base": set(), "math": {"base"}, "curve": GROUND, "families": GROUND, "io": GROUND, "report": GROUND,
+    "batch/kernel": {"base"}, "batch": GROUND | {"families", "batch/kernel"}, "online": GROUND | {"families"},
+    "analysis": GROUND | {"families", "batch"}, "smooth": GROUND | {"families", "analysis"}, "tune": GROUND | {"families", "analysis"},
+    "reduce": GROUND | {"families", "batch", "analysis"}, "retime": GROUND | {"families", "batch", "analysis"}}
+GUESTS = {"fast_float/": "src/orispline/io/", "CLI/": "cli/", "nlohmann/": "cli/",
           "benchmark/": "benchmarks/", "glm/": "benchmarks/",
-          "smooth/": "benchmarks/", "sophus/": "benchmarks/", "basalt/": "benchmarks/"}  # third party -> its only room
+          "smooth/so3": "benchmarks/", "smooth/spline/": "benchmarks/", "sophus/": "benchmarks/", "basalt/": "benchmarks/"}  # third party -> its only room
 ROOMS = ("src", "cli", "tests", "examples", "tools", "bindings", "benchmarks")
 FILE_LINES, FUNCTION_LINES, MEDIAN_LINES = 300, 60, 200
 EXCEPTIONS = {}  # path -> the reason why it may be larger
@@ -24,7 +26,11 @@ SILENT = re.compile(r'R"(\w*)\(.*?\)\1"|"(\\.|[^"\\\n])*"|\'(\\.|[^\'\\\n])\'|//
 
 
 def floor_of(include):
-    return match[1] if (match := re.match(r"orispline/(\w+)/", include)) else None
+    """The innermost folder that the table names, of a file of the library."""
+    folder = re.match(r"(?:orispline/(.*))?", include)[1]
+    while folder and folder not in FLOORS:
+        folder = folder.rpartition("/")[0]
+    return folder or None
 
 
 def include_breaches(sources):

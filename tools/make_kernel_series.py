@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Prints the coefficients of src/orispline/batch/trigonometry.hpp. Needs mpmath; nothing else of the project does.
+"""Prints the coefficients of src/orispline/batch/kernel/trigonometry.hpp. Needs mpmath; nothing else of the project does.
 
 Each function of u is interpolated at Chebyshev nodes of its range with 60 digits; the error in the range is printed beside it.
 """

@@ -14,7 +14,6 @@ build libeigen3-dev      Eigen/Core
 build libexpected-dev    tl/expected.hpp
 build libfmt-dev         fmt/format.h
 build libfast-float-dev  fast_float/fast_float.h
-build libceres-dev       ceres/ceres.h
 build libcli11-dev       CLI/CLI.hpp
 build nlohmann-json3-dev nlohmann/json.hpp
 test  libgtest-dev       gtest/gtest.h

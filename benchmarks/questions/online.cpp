@@ -5,7 +5,7 @@
 
 #include <chrono>
 #include <memory>
-#include <orispline/batch/online_curve.hpp>
+#include <orispline/online/online_curve.hpp>
 #include <questions/questions.hpp>
 #include <workload/keys.hpp>
 

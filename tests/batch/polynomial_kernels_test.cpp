@@ -7,7 +7,7 @@
 
 #include <batch/sampled.hpp>
 #include <batch/specimen_curves.hpp>
-#include <orispline/batch/dispatch.hpp>
+#include <orispline/batch/kernel/dispatch.hpp>
 #include <orispline/batch/path_sampler.hpp>
 #include <support/tracks.hpp>
 

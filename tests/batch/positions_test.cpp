@@ -34,7 +34,7 @@ struct Poses {
     const std::size_t first = layout == Layout::planar ? i : 3 * i, next = layout == Layout::planar ? count : 1;
     return Eigen::Matrix<T, 3, 1>(from[first], from[first + next], from[first + 2 * next]).template cast<double>();
   }
-  [[nodiscard]] Travel operator[](std::size_t i) const {
+  [[nodiscard]] LinearMotion operator[](std::size_t i) const {
     return {.position = read(positions, i), .velocity = read(velocities, i), .acceleration = read(accelerations, i)};
   }
 };
@@ -57,13 +57,13 @@ std::vector<NamedPose> pose_of_every_family(std::uint64_t seed, double first_tim
 }
 
 /// Largest coordinate and rate of the scalar evaluator's along the path, at least 1.
-Travel size_of(const AnyPath& path, std::span<const double> times) {
-  Travel size{Eigen::Vector3d::Ones(), Eigen::Vector3d::Ones(), Eigen::Vector3d::Ones()};
+LinearMotion size_of(const AnyPath& path, std::span<const double> times) {
+  LinearMotion size{Eigen::Vector3d::Ones(), Eigen::Vector3d::Ones(), Eigen::Vector3d::Ones()};
   for (const double t : times) {
-    const Travel travel = path.travel(t);
-    size.position = size.position.cwiseMax(travel.position.cwiseAbs().maxCoeff());
-    size.velocity = size.velocity.cwiseMax(travel.velocity.cwiseAbs().maxCoeff());
-    size.acceleration = size.acceleration.cwiseMax(travel.acceleration.cwiseAbs().maxCoeff());
+    const LinearMotion linear_motion = path.linear_motion(t);
+    size.position = size.position.cwiseMax(linear_motion.position.cwiseAbs().maxCoeff());
+    size.velocity = size.velocity.cwiseMax(linear_motion.velocity.cwiseAbs().maxCoeff());
+    size.acceleration = size.acceleration.cwiseMax(linear_motion.acceleration.cwiseAbs().maxCoeff());
   }
   return size;
 }
@@ -76,10 +76,10 @@ struct PathLimits {
 template <class T>
 void expect_agreement(const Poses<T>& poses, const PoseCurve& curve, std::span<const double> times, PathLimits limits) {
   constexpr auto unit = static_cast<double>(std::numeric_limits<T>::epsilon());
-  const Travel size = size_of(*curve.position, times);
+  const LinearMotion size = size_of(*curve.position, times);
   double off[3] = {0.0, 0.0, 0.0};
   for (std::size_t i = 0; i < times.size(); ++i) {
-    const Travel wanted = curve.position->travel(times[i]), found = poses[i];
+    const LinearMotion wanted = curve.position->linear_motion(times[i]), found = poses[i];
     const auto compare = [&](double& worst, const Eigen::Vector3d& a, const Eigen::Vector3d& b, double of) {
       const double units = (a - b).lpNorm<Eigen::Infinity>() / (unit * of);
       if (!(units <= worst)) worst = units;
@@ -161,7 +161,7 @@ TEST(BatchPositions, HoldTheEndsAtRestAndAnswerNaNByNaN) {
   Poses<double> poses{times.size()};
   ASSERT_TRUE(sample<double>(curve, times, poses.spans()));
   for (const std::size_t i : {0U, 1U, 3U, 4U}) {
-    EXPECT_EQ(poses[i].position, curve.position->travel(i < 2 ? start : end).position) << i;
+    EXPECT_EQ(poses[i].position, curve.position->linear_motion(i < 2 ? start : end).position) << i;
     EXPECT_EQ(poses[i].velocity, Eigen::Vector3d::Zero()) << i;
     EXPECT_EQ(poses[i].acceleration, Eigen::Vector3d::Zero()) << i;
   }

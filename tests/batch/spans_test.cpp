@@ -127,7 +127,7 @@ TEST(BatchSpans, AreLeftAloneWhenTimesDecrease) {
     const auto sampled = sample<double>(curve, times, {.orientations = memory});
     ASSERT_FALSE(sampled);
     EXPECT_EQ(sampled.error().code, ErrorCode::bad_argument);
-    EXPECT_EQ(sampled.error().where.time, index);
+    EXPECT_EQ(sampled.error().where.time_index, index);
     EXPECT_NE(sampled.error().message.find("wanted times that do not decrease"), std::string::npos);
     EXPECT_EQ(memory, std::vector(memory.size(), untouched));
   };

@@ -6,7 +6,7 @@
 
 #include <batch/sampled.hpp>
 #include <batch/specimen_curves.hpp>
-#include <orispline/batch/parallel.hpp>
+#include <orispline/base/parallel.hpp>
 
 namespace orispline {
 namespace {

@@ -95,7 +95,7 @@ TEST_P(ClosedContract, PassesThroughEveryKeyAndReturnsAfterThePeriod) {
   EXPECT_EQ(c.orientation.knots().segments(), key_count);
   for (std::size_t i = 0; i < key_count; ++i) {
     EXPECT_TRUE(near(c.orientation(data.times[i]), data.orientations[i], tolerance::algebra));
-    EXPECT_TRUE(near(c.position->travel(data.times[i]).position, data.positions[i], tolerance::algebra));
+    EXPECT_TRUE(near(c.position->linear_motion(data.times[i]).position, data.positions[i], tolerance::algebra));
   }
 }
 
@@ -103,8 +103,8 @@ TEST_P(ClosedContract, PositionsReturnAsSmoothlyAsOrientations) {
   for (const Spacing spacing : {Spacing::even, Spacing::uneven}) {
     const KeyframeData data = loop_walk(86, spacing);
     const PoseCurve c = closed(keyframes(data), differing_parameters(GetParam(), key_count, period_of(data, spacing)));
-    const Travel start = c.position->travel(c.orientation.domain().start);
-    const Travel end = c.position->travel(c.orientation.domain().end);
+    const LinearMotion start = c.position->linear_motion(c.orientation.domain().start);
+    const LinearMotion end = c.position->linear_motion(c.orientation.domain().end);
     EXPECT_TRUE(near(end.position, start.position, tolerance::algebra));
     if (continuity_with_parameters(spacing) >= 1) {
       EXPECT_TRUE(near(end.velocity, start.velocity, tolerance::rates));
@@ -137,7 +137,7 @@ TEST_P(ClosedContract, DoesNotDependOnTheKeyThatItStartsFrom) {
   for (const double t : times_on(c.orientation)) {
     const double later = t < shifted.times.front() ? t + period : t;
     EXPECT_LE(angular_distance(d.orientation(later), c.orientation(t)), tolerance::series) << t;
-    EXPECT_TRUE(near(d.position->travel(later).position, c.position->travel(t).position, tolerance::series)) << t;
+    EXPECT_TRUE(near(d.position->linear_motion(later).position, c.position->linear_motion(t).position, tolerance::series)) << t;
   }
 }
 
@@ -176,7 +176,7 @@ TEST_P(ClosedContract, ClosingKeyIsAsGoodAsAPeriod) {
     for (const double t : times_on(by_period.orientation)) {
       EXPECT_TRUE(near(by_key.orientation.motion(t), by_period.orientation.motion(t), same_motion)) << t;
       EXPECT_TRUE(
-          near(by_key.position->travel(t).position, by_period.position->travel(t).position, tolerance::algebra));
+          near(by_key.position->linear_motion(t).position, by_period.position->linear_motion(t).position, tolerance::algebra));
     }
   }
 }

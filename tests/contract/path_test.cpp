@@ -67,7 +67,7 @@ TYPED_TEST(PathContinuity, IsThatOfThePathThatTheRegistryGives) {
   const PoseCurve pose = make_pose_curve(TypeParam::info.name, keys).value();
   for (const double t : sample_times(typed.knots().times())) {
     const Eigen::Vector3d wanted = typed.position(t, typed.knots().segment_at(t));
-    EXPECT_TRUE(near(pose.position->travel(t).position, wanted, tolerance::algebra)) << t;
+    EXPECT_TRUE(near(pose.position->linear_motion(t).position, wanted, tolerance::algebra)) << t;
   }
   EXPECT_EQ(pose.orientation.domain().start, typed.knots().front());
   EXPECT_EQ(pose.orientation.domain().end, typed.knots().back());

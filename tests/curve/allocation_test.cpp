@@ -32,7 +32,7 @@ TEST(Allocation, DoesNotHappenDuringEvaluation) {
     for (const double t : times) {
       sum += curve.orientation(t).w() + curve.orientation.motion(t).angular_jerk.x();
       sum += curve.orientation.motion(t - 100.0).orientation.x();
-      sum += curve.position->travel(t).velocity.x();
+      sum += curve.position->linear_motion(t).velocity.x();
     }
     const AnyCurve copy = curve.orientation;
     sum += copy.domain().start;

@@ -13,7 +13,7 @@ TEST(Error, IsOneLineWithThePlacesThatAreKnown) {
   EXPECT_EQ(describe({ErrorCode::bad_data, "what", {.file = "-", .line = 7, .column = 3, .key = 2}}),
             "-:7:3: key 2: what");
   EXPECT_EQ(describe({ErrorCode::bad_data, "what", {.key = 0}}), "key 0: what");
-  EXPECT_EQ(describe({ErrorCode::bad_argument, "what", {.time = 2}}), "time 2: what");
+  EXPECT_EQ(describe({ErrorCode::bad_argument, "what", {.time_index = 2}}), "time 2: what");
   EXPECT_EQ(describe({ErrorCode::bad_argument, "what", {.curve = 3}}), "curve 3: what");
 }
 

@@ -35,7 +35,7 @@ TEST(Position, PassesThroughTheKeysThatTheOrientationTouches) {
     const AnyPath p = path(family.name, keys);
     for (std::size_t i = 0; i < keys.size(); ++i)
       for (const Side side : {Side::left, Side::right}) {
-        const Eigen::Vector3d found = p.travel(keys.times()[i], side).position;
+        const Eigen::Vector3d found = p.linear_motion(keys.times()[i], side).position;
         if (key_use(family).touches_key(i)) {
           EXPECT_TRUE(near(found, keys.positions()[i], tolerance::algebra)) << family.name;
         } else {
@@ -51,10 +51,10 @@ TEST(Position, HoldsTheEndsAtRestOutside) {
     const PoseCurve pose = make_pose_curve(family.name, keys).value();
     const AnyPath& p = *pose.position;
     const Domain domain = pose.orientation.domain();
-    EXPECT_EQ(p.travel(-100.0).position, p.travel(domain.start).position) << family.name;
-    EXPECT_EQ(p.travel(100.0).position, p.travel(domain.end).position) << family.name;
-    EXPECT_EQ(p.travel(100.0).velocity, Eigen::Vector3d::Zero());
-    EXPECT_EQ(p.travel(-100.0).acceleration, Eigen::Vector3d::Zero());
+    EXPECT_EQ(p.linear_motion(-100.0).position, p.linear_motion(domain.start).position) << family.name;
+    EXPECT_EQ(p.linear_motion(100.0).position, p.linear_motion(domain.end).position) << family.name;
+    EXPECT_EQ(p.linear_motion(100.0).velocity, Eigen::Vector3d::Zero());
+    EXPECT_EQ(p.linear_motion(-100.0).acceleration, Eigen::Vector3d::Zero());
   }
 }
 
@@ -64,8 +64,8 @@ TEST(Position, OfOneKeyStaysThere) {
   for (const FamilyInfo& family : families_info()) {
     const AnyPath p = path(family.name, keyframes(data));
     for (const double t : {-1.0, data.times[0], 5.0}) {
-      EXPECT_EQ(p.travel(t).position, Eigen::Vector3d(1, 2, 3));
-      EXPECT_EQ(p.travel(t).velocity, Eigen::Vector3d::Zero());
+      EXPECT_EQ(p.linear_motion(t).position, Eigen::Vector3d(1, 2, 3));
+      EXPECT_EQ(p.linear_motion(t).velocity, Eigen::Vector3d::Zero());
     }
   }
 }
@@ -75,10 +75,10 @@ TEST(Position, IsLinearForSlerp) {
   const AnyPath p = path("slerp", keys);
   const double h = keys.times()[3] - keys.times()[2];
   const Eigen::Vector3d chord = keys.positions()[3] - keys.positions()[2];
-  const Travel travel = p.travel(keys.times()[2] + 0.3 * h);
-  EXPECT_TRUE(near(travel.position, keys.positions()[2] + 0.3 * chord, tolerance::algebra));
-  EXPECT_TRUE(near(travel.velocity, chord / h, tolerance::series));
-  EXPECT_TRUE(near(travel.acceleration, Eigen::Vector3d::Zero(), tolerance::series));
+  const LinearMotion linear_motion = p.linear_motion(keys.times()[2] + 0.3 * h);
+  EXPECT_TRUE(near(linear_motion.position, keys.positions()[2] + 0.3 * chord, tolerance::algebra));
+  EXPECT_TRUE(near(linear_motion.velocity, chord / h, tolerance::series));
+  EXPECT_TRUE(near(linear_motion.acceleration, Eigen::Vector3d::Zero(), tolerance::series));
 }
 
 TEST(Position, HasTheDerivativesOfItself) {
@@ -89,7 +89,7 @@ TEST(Position, HasTheDerivativesOfItself) {
     for (std::size_t i = 0; i < pose.orientation.knots().segments(); ++i) {
       const KnotSpan span = pose.orientation.knots().span(i);
       const double h = tolerance::difference_step * span.step(), t = span.start() + 0.4 * span.step();
-      const Travel before = p.travel(t - h), here = p.travel(t), after = p.travel(t + h);
+      const LinearMotion before = p.linear_motion(t - h), here = p.linear_motion(t), after = p.linear_motion(t + h);
       EXPECT_TRUE(near((after.position - before.position) / (2 * h), here.velocity, tolerance::difference));
       EXPECT_TRUE(near((after.velocity - before.velocity) / (2 * h), here.acceleration, tolerance::difference));
     }
@@ -106,9 +106,9 @@ double deviation_from_constant_velocity(const FamilyInfo& family, Spacing spacin
   const PoseCurve pose = make_pose_curve(family.name, keyframes(data), options).value();
   double deviation = 0.0;
   for (const double t : sample_times(pose.orientation.knots().times())) {
-    const Travel travel = pose.position->travel(t);
-    deviation = std::max({deviation, relative_error(travel.position, velocity * t),
-                          relative_error(travel.velocity, velocity), travel.acceleration.norm()});
+    const LinearMotion linear_motion = pose.position->linear_motion(t);
+    deviation = std::max({deviation, relative_error(linear_motion.position, velocity * t),
+                          relative_error(linear_motion.velocity, velocity), linear_motion.acceleration.norm()});
   }
   return deviation;
 }
@@ -160,7 +160,7 @@ TEST(Position, FollowsTheSameBlendingFunctionsAsTheOrientation) {
       const PoseCurve pose = make_pose_curve(family.name, keys, options).value();
       for (const double t : sample_times(pose.orientation.knots().times())) {
         const Motion m = pose.orientation.motion(t);
-        const Travel p = pose.position->travel(t);
+        const LinearMotion p = pose.position->linear_motion(t);
         EXPECT_TRUE(near(exp<double>(p.position), m.orientation, tolerance::algebra)) << family.name;
         EXPECT_TRUE(near(p.velocity, m.angular_velocity, tolerance::series)) << family.name;
         EXPECT_TRUE(near(p.acceleration, m.angular_acceleration, tolerance::rates)) << family.name;
@@ -174,7 +174,7 @@ TEST(Position, ContinuesNaturallyWhereTheOrientationIsClamped) {
   const End clamped{.rule = EndRule::clamped, .angular_velocity = {1, 2, 3}}, natural{.rule = EndRule::natural};
   const AnyPath found = path("timed-c2", keys, {.start = clamped, .end = clamped});
   const AnyPath wanted = path("timed-c2", keys, {.start = natural, .end = natural});
-  for (const double t : sample_times(keys.times())) EXPECT_EQ(found.travel(t).position, wanted.travel(t).position);
+  for (const double t : sample_times(keys.times())) EXPECT_EQ(found.linear_motion(t).position, wanted.linear_motion(t).position);
 }
 
 TEST(Position, OfSquadsIsCatmullRomInTime) {
@@ -187,11 +187,11 @@ TEST(Position, OfSquadsIsCatmullRomInTime) {
       const Eigen::Vector3d b = keys.positions()[i + 1] - keys.positions()[i];
       const Eigen::Vector3d tangent_of_the_parabola = (after / before * a + before / after * b) / (before + after);
       for (const Side side : {Side::left, Side::right})
-        EXPECT_TRUE(near(p.travel(keys.times()[i], side).velocity, tangent_of_the_parabola, tolerance::series));
+        EXPECT_TRUE(near(p.linear_motion(keys.times()[i], side).velocity, tangent_of_the_parabola, tolerance::series));
     }
     const double h = keys.times()[1] - keys.times()[0];
     EXPECT_TRUE(
-        near(p.travel(keys.times()[0]).velocity, (keys.positions()[1] - keys.positions()[0]) / h, tolerance::series));
+        near(p.linear_motion(keys.times()[0]).velocity, (keys.positions()[1] - keys.positions()[0]) / h, tolerance::series));
   }
 }
 

@@ -159,7 +159,7 @@ TEST(Averages, OnOneAxisAreTheSplineOfTheAngle) {
   for (const CurveOptions& options : {CurveOptions{}, keys_as_control_points}) {
     const PoseCurve pose = make_pose_curve("averages", keyframes(data), options).value();
     for (const double t : sample_times(data.times))
-      EXPECT_LE((log<double>(pose.orientation(t)) - pose.position->travel(t).position).norm(), tolerance::series);
+      EXPECT_LE((log<double>(pose.orientation(t)) - pose.position->linear_motion(t).position).norm(), tolerance::series);
   }
 }
 

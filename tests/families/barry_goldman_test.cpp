@@ -35,7 +35,7 @@ TEST(BarryGoldman, OfPositionsIsCatmullRomInTime) {
   const CatmullRomPath wanted(keys);
   const AnyPath path = make_pose_curve("barry-goldman", keys)->position.value();
   for (const double t : sample_times(keys.times()))
-    EXPECT_TRUE(near(path.travel(t).position, wanted.position(t, wanted.knots().segment_at(t)), tolerance::series));
+    EXPECT_TRUE(near(path.linear_motion(t).position, wanted.position(t, wanted.knots().segment_at(t)), tolerance::series));
 }
 
 TEST(BarryGoldman, AboutOneAxisTurnsByTheAngleOfItsOwnPath) {
@@ -47,11 +47,11 @@ TEST(BarryGoldman, AboutOneAxisTurnsByTheAngleOfItsOwnPath) {
   }
   const PoseCurve pose = make_pose_curve("barry-goldman", keyframes(data)).value();
   for (const double t : sample_times(data.times)) {
-    const Travel travel = pose.position->travel(t);
+    const LinearMotion linear_motion = pose.position->linear_motion(t);
     const Motion motion = pose.orientation.motion(t);
-    EXPECT_TRUE(near(motion.orientation, exp<double>(travel.position), tolerance::algebra));
-    EXPECT_TRUE(near(motion.angular_velocity, travel.velocity, tolerance::series));
-    EXPECT_TRUE(near(motion.angular_acceleration, travel.acceleration, tolerance::rates));
+    EXPECT_TRUE(near(motion.orientation, exp<double>(linear_motion.position), tolerance::algebra));
+    EXPECT_TRUE(near(motion.angular_velocity, linear_motion.velocity, tolerance::series));
+    EXPECT_TRUE(near(motion.angular_acceleration, linear_motion.acceleration, tolerance::rates));
   }
 }
 

@@ -82,7 +82,7 @@ TEST(Beta, AtItsDefaultsIsTheCubicBSplineInSpaceButNotOnTheSphere) {
   const PoseCurve found = make_pose_curve("beta", keys).value(), bspline = make_pose_curve("bspline", keys).value();
   double largest = 0.0;
   for (const double t : sample_times(found.orientation.knots().times())) {
-    EXPECT_TRUE(near(found.position->travel(t).position, bspline.position->travel(t).position, tolerance::algebra));
+    EXPECT_TRUE(near(found.position->linear_motion(t).position, bspline.position->linear_motion(t).position, tolerance::algebra));
     largest = std::max(largest, angular_distance(found.orientation(t), bspline.orientation(t)));
   }
   EXPECT_GT(largest, tolerance::visible_jump);

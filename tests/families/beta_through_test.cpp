@@ -99,7 +99,7 @@ TEST(BetaThrough, OnOneAxisIsTheSplineOfTheAngle) {
   const PoseCurve pose = make_pose_curve("beta-through", keyframes(data), {.parameters = mixed_betas(6, 411)}).value();
   for (const double t : sample_times(data.times))
     EXPECT_TRUE(
-        near(log<double>(pose.orientation(t)), Eigen::Vector3d(pose.position->travel(t).position), tolerance::series));
+        near(log<double>(pose.orientation(t)), Eigen::Vector3d(pose.position->linear_motion(t).position), tolerance::series));
 }
 
 TEST(BetaThrough, PositionsPassThroughTheirKeysFarFromTheOrigin) {
@@ -108,7 +108,7 @@ TEST(BetaThrough, PositionsPassThroughTheirKeysFarFromTheOrigin) {
   for (std::size_t i = 0; i < 7; ++i) data.positions.push_back(Eigen::Vector3d(6.4e6, -2e6, 1e5) + dice.vector());
   const PoseCurve pose = make_pose_curve("beta-through", keyframes(data), {.parameters = mixed_betas(9, 414)}).value();
   for (std::size_t i = 0; i < 7; ++i)
-    EXPECT_LE((pose.position->travel(data.times[i]).position - data.positions[i]).norm(), 1e-8);  // 8 ulp of 6.4e6 m
+    EXPECT_LE((pose.position->linear_motion(data.times[i]).position - data.positions[i]).norm(), 1e-8);  // 8 ulp of 6.4e6 m
 }
 
 TEST(BetaThrough, RefusesPolesWithTheKeyThatTheyBelongTo) {

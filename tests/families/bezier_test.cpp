@@ -75,7 +75,7 @@ TEST(Bezier, InSpaceIsTheBezierCurve) {
     const double v = 1.0 - u;
     const Eigen::Vector3d wanted = v * v * v * data.positions[0] + 3 * v * v * u * data.positions[1] +
                                    3 * v * u * u * data.positions[2] + u * u * u * data.positions[3];
-    EXPECT_TRUE(near(pose.position->travel(4.0 * u).position, wanted, tolerance::algebra)) << u;
+    EXPECT_TRUE(near(pose.position->linear_motion(4.0 * u).position, wanted, tolerance::algebra)) << u;
   }
 }
 

@@ -94,8 +94,8 @@ TYPED_TEST(Blend, KeepsAParabolaOfPositionsAwayFromTheEnds) {
   for (const double t : uneven_times) data.positions.push_back(t * velocity + t * t * bend);
   const AnyPath path = make_pose_curve(TypeParam::info.name, keyframes(data))->position.value();
   for (double t = uneven_times[1]; t < uneven_times[5]; t += 0.07) {
-    EXPECT_TRUE(near(path.travel(t).position, t * velocity + t * t * bend, tolerance::algebra));
-    EXPECT_TRUE(near(path.travel(t).acceleration, 2.0 * bend, tolerance::rates));
+    EXPECT_TRUE(near(path.linear_motion(t).position, t * velocity + t * t * bend, tolerance::algebra));
+    EXPECT_TRUE(near(path.linear_motion(t).acceleration, 2.0 * bend, tolerance::rates));
   }
 }
 

@@ -70,7 +70,7 @@ TYPED_TEST(BSplineDegree, IsTheCurveOfItsDefinition) {
       EXPECT_TRUE(near(found.orientation.motion(t), curve.motion(t),
                        {tolerance::algebra, tolerance::rates, tolerance::rates, tolerance::rates}))
           << count << " keys";
-      EXPECT_TRUE(near(found.position->travel(t).position, path.travel(t).position, tolerance::algebra));
+      EXPECT_TRUE(near(found.position->linear_motion(t).position, path.linear_motion(t).position, tolerance::algebra));
     }
   }
 }
@@ -114,7 +114,7 @@ TYPED_TEST(BSplineDegree, StartsAndEndsAtItsEndKeysOnEvenTimes) {
   const PoseCurve pose = bspline(keys, TypeParam::value);
   for (const std::size_t i : {std::size_t{0}, keys.size() - 1}) {
     EXPECT_TRUE(near(pose.orientation(keys.times()[i]), keys.orientations()[i], tolerance::algebra));
-    EXPECT_TRUE(near(pose.position->travel(keys.times()[i]).position, keys.positions()[i], tolerance::algebra));
+    EXPECT_TRUE(near(pose.position->linear_motion(keys.times()[i]).position, keys.positions()[i], tolerance::algebra));
   }
 }
 
@@ -126,7 +126,7 @@ TYPED_TEST(BSplineDegree, RestsWhereAllKeysAreOne) {
   const PoseCurve pose = bspline(keyframes(data), TypeParam::value);
   for (const double t : sample_times(pose.orientation.knots().times())) {
     EXPECT_TRUE(near(pose.orientation(t), q, tolerance::exact));
-    EXPECT_TRUE(near(pose.position->travel(t).position, data.positions[0], tolerance::exact));
+    EXPECT_TRUE(near(pose.position->linear_motion(t).position, data.positions[0], tolerance::exact));
   }
 }
 

@@ -186,11 +186,11 @@ TEST(GlobalC2, HasTheEnergyOfTheComparisonOfMethods) {
 void expect_spline(const PoseCurve& pose, const CubicSplineByDefinition& spline) {
   const Knots& knots = pose.orientation.knots();
   for (const double t : sample_times(knots.times())) {
-    const Travel travel = pose.position->travel(t);
+    const LinearMotion linear_motion = pose.position->linear_motion(t);
     const std::size_t segment = knots.segment_at(t);
-    EXPECT_TRUE(near(travel.position, spline.derivative(0, t, segment), tolerance::series)) << t;
-    EXPECT_TRUE(near(travel.velocity, spline.derivative(1, t, segment), tolerance::rates)) << t;
-    EXPECT_TRUE(near(travel.acceleration, spline.derivative(2, t, segment), tolerance::rates)) << t;
+    EXPECT_TRUE(near(linear_motion.position, spline.derivative(0, t, segment), tolerance::series)) << t;
+    EXPECT_TRUE(near(linear_motion.velocity, spline.derivative(1, t, segment), tolerance::rates)) << t;
+    EXPECT_TRUE(near(linear_motion.acceleration, spline.derivative(2, t, segment), tolerance::rates)) << t;
   }
 }
 
@@ -223,7 +223,7 @@ TEST(GlobalC2, CarriesPositionsOfAnySize) {
     const auto large = make_pose_curve("global-c2", keyframes(other));
     ASSERT_TRUE(large) << describe(large.error());
     for (const double t : sample_times(data.times))
-      EXPECT_TRUE(near(large->position->travel(t).velocity / unit, small.travel(t).velocity, tolerance::series));
+      EXPECT_TRUE(near(large->position->linear_motion(t).velocity / unit, small.linear_motion(t).velocity, tolerance::series));
   }
 }
 

@@ -179,13 +179,13 @@ TEST(HermitePaths, HaveTheDerivativesOfThePolynomialThroughFivePositions) {
     const auto pose = make_pose_curve("hermite-c" + std::to_string(order), keyframes(data)).value();
     for (const double t : sample_times(data.times)) {
       const auto p = position(Jet<double, 2>::variable(t));
-      const Travel travel = pose.position->travel(t);
+      const LinearMotion linear_motion = pose.position->linear_motion(t);
       const auto wanted = [&](std::size_t k) {
         return Eigen::Vector3d(p.x().derivative(k), p.y().derivative(k), p.z().derivative(k));
       };
-      EXPECT_TRUE(near(travel.position, wanted(0), tolerance::series)) << t;
-      EXPECT_TRUE(near(travel.velocity, wanted(1), tolerance::rates)) << t;
-      EXPECT_TRUE(near(travel.acceleration, wanted(2), tolerance::rates)) << t;
+      EXPECT_TRUE(near(linear_motion.position, wanted(0), tolerance::series)) << t;
+      EXPECT_TRUE(near(linear_motion.velocity, wanted(1), tolerance::rates)) << t;
+      EXPECT_TRUE(near(linear_motion.acceleration, wanted(2), tolerance::rates)) << t;
     }
   }
 }

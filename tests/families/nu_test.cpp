@@ -158,7 +158,7 @@ TEST(Nu, CarriesPositionsOnTheNuSpline) {
   const PoseCurve pose = make_pose_curve("nu", keyframes(data), {.parameters = {{"nu", nu}}}).value();
   const CubicSplineByDefinition spline(data.times, data.positions, {}, nu);
   for (const double t : sample_times(data.times))
-    EXPECT_TRUE(near(pose.position->travel(t).position, spline.derivative(0, t, pose.orientation.knots().segment_at(t)),
+    EXPECT_TRUE(near(pose.position->linear_motion(t).position, spline.derivative(0, t, pose.orientation.knots().segment_at(t)),
                      tolerance::series));
 }
 

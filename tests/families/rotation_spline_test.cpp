@@ -119,7 +119,7 @@ TEST(RotationSpline, CarriesPositionsOnTheCubicSplineWithTheSameEnds) {
     const PoseCurve pose = make_pose_curve("rotation-spline", keyframes(data), {.start = end, .end = end}).value();
     const CubicSplineByDefinition spline(data.times, data.positions, ends);
     for (const double t : sample_times(data.times))
-      EXPECT_TRUE(near(pose.position->travel(t).position,
+      EXPECT_TRUE(near(pose.position->linear_motion(t).position,
                        spline.derivative(0, t, pose.orientation.knots().segment_at(t)), tolerance::series))
           << name_of(rule);
   }

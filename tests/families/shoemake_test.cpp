@@ -95,7 +95,7 @@ TEST(Shoemake, PositionsInTimePassAKeyWithTheVelocityOfTheParabolaThroughItsNeig
     const Eigen::Vector3d wanted =
         (after / before * (p[i] - p[i - 1]) + before / after * (p[i + 1] - p[i])) / (before + after);
     for (const Side side : {Side::left, Side::right})
-      EXPECT_TRUE(near(pose.position->travel(t[i], side).velocity, wanted, tolerance::rates)) << "key " << i;
+      EXPECT_TRUE(near(pose.position->linear_motion(t[i], side).velocity, wanted, tolerance::rates)) << "key " << i;
   }
 }
 
@@ -104,7 +104,7 @@ TEST(Shoemake, PositionsAsPublishedLeaveAlongTheChordOfTheNeighbours) {
   const auto p = keys.positions();
   const double after = keys.times()[3] - keys.times()[2];
   const PoseCurve pose = make_pose_curve("shoemake", keys, timing("published")).value();
-  EXPECT_TRUE(near(pose.position->travel(keys.times()[2]).velocity, 0.5 * (p[3] - p[1]) / after, tolerance::rates));
+  EXPECT_TRUE(near(pose.position->linear_motion(keys.times()[2]).velocity, 0.5 * (p[3] - p[1]) / after, tolerance::rates));
 }
 
 TEST(Shoemake, RefusesAnotherTiming) {

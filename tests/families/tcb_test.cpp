@@ -61,8 +61,8 @@ TEST(Tcb, PassesInnerKeysWithTheRatesOfKochanekAndBartels) {
     EXPECT_TRUE(near(pose.orientation.motion(t[i], Side::left).angular_velocity, turning.arriving, tolerance::rates));
     EXPECT_TRUE(near(pose.orientation.motion(t[i], Side::right).angular_velocity, turning.leaving, tolerance::rates));
     const Rates moving = rates(p[i] - p[i - 1], p[i + 1] - p[i]);
-    EXPECT_TRUE(near(pose.position->travel(t[i], Side::left).velocity, moving.arriving, tolerance::rates));
-    EXPECT_TRUE(near(pose.position->travel(t[i], Side::right).velocity, moving.leaving, tolerance::rates));
+    EXPECT_TRUE(near(pose.position->linear_motion(t[i], Side::left).velocity, moving.arriving, tolerance::rates));
+    EXPECT_TRUE(near(pose.position->linear_motion(t[i], Side::right).velocity, moving.leaving, tolerance::rates));
   }
 }
 
@@ -101,7 +101,7 @@ TEST(Tcb, HandleEndsHaveNoAcceleration) {
   const PoseCurve pose = make_pose_curve("tcb", keys, options).value();
   for (const double t : {keys.times().front(), keys.times().back()}) {
     EXPECT_LE(pose.orientation.motion(t).angular_acceleration.norm(), tolerance::rates);
-    EXPECT_LE(pose.position->travel(t).acceleration.norm(), tolerance::rates);
+    EXPECT_LE(pose.position->linear_motion(t).acceleration.norm(), tolerance::rates);
   }
 }
 

@@ -36,9 +36,9 @@ void expect_the_limit(const std::string& family, Keyframes (*keys)(double), doub
   SCOPED_TRACE(family);
   const Keyframes below = keys(0.999 * limit), above = keys(1.001 * limit);
   EXPECT_FALSE(jumps(make_curve(family, below).value()));
-  EXPECT_FALSE(wound_handle(family, below).value());
+  EXPECT_FALSE(overwound_tangent(family, below).value());
   EXPECT_TRUE(jumps(make_curve(family, above).value()));
-  const auto wound = wound_handle(family, above).value();
+  const auto wound = overwound_tangent(family, above).value();
   ASSERT_TRUE(wound);
   EXPECT_EQ(wound->key, 1U);
   EXPECT_NEAR(wound->turn, 1.001 * full_turn, 1e-12);
@@ -59,9 +59,9 @@ TEST(WoundHandle, OfShoemakeIsAlsoAContinuedStepThatWindsRound) {
     return make_curve("shoemake", turn_and_rest(turn)).value().motion(1.0).angular_velocity.z();
   };
   const double below = 0.999 * limit, above = 1.001 * limit;
-  EXPECT_FALSE(wound_handle("shoemake", turn_and_rest(below)).value());
+  EXPECT_FALSE(overwound_tangent("shoemake", turn_and_rest(below)).value());
   EXPECT_NEAR(rate(below), below * 10.0 / 11.0, 1e-12);
-  const auto wound = wound_handle("shoemake", turn_and_rest(above)).value();
+  const auto wound = overwound_tangent("shoemake", turn_and_rest(above)).value();
   ASSERT_TRUE(wound);
   EXPECT_EQ(wound->key, 1U);
   EXPECT_NEAR(wound->turn, 1.001 * full_turn, 1e-12);
@@ -70,16 +70,16 @@ TEST(WoundHandle, OfShoemakeIsAlsoAContinuedStepThatWindsRound) {
 
 TEST(WoundHandle, DependsOnTheParametersAndOnTheFamily) {
   const Keyframes keys = turn_and_rest(1.0);
-  EXPECT_FALSE(wound_handle("tcb", keys).value());
-  EXPECT_TRUE(wound_handle("tcb", keys, {.parameters = {{"tension", {-2.0}}}}).value());
-  EXPECT_FALSE(wound_handle("timed-c1", turn_and_rest(3.0)).value());
-  EXPECT_EQ(wound_handle("tcbb", keys).error().code, ErrorCode::bad_argument);
+  EXPECT_FALSE(overwound_tangent("tcb", keys).value());
+  EXPECT_TRUE(overwound_tangent("tcb", keys, {.parameters = {{"tension", {-2.0}}}}).value());
+  EXPECT_FALSE(overwound_tangent("timed-c1", turn_and_rest(3.0)).value());
+  EXPECT_EQ(overwound_tangent("tcbb", keys).error().code, ErrorCode::bad_argument);
 }
 
 TEST(WoundHandle, OfASingleKeyIsNone) {
   const KeyframeData one{.times = {0.0}, .orientations = {Eigen::Quaterniond::Identity()}};
   for (const char* family : {"squad-timed", "tcb", "shoemake"})
-    EXPECT_FALSE(wound_handle(family, keyframes(one)).value());
+    EXPECT_FALSE(overwound_tangent(family, keyframes(one)).value());
 }
 
 }  // namespace

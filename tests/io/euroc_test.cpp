@@ -115,7 +115,7 @@ std::string written(const std::vector<std::string>& times) {
   const std::string path = directory.file("data.csv");
   auto writer = SampleWriter::open(path, {.format = FileFormat::euroc});
   Sample sample{.motion = {.orientation = quaternion_wxyz(0.5, -0.5, 0.5, -0.5)}};
-  sample.travel.position = {1, 2, 3};
+  sample.linear_motion.position = {1, 2, 3};
   for (const std::string& time : times)
     if (auto done = writer->write(Decimal::parse(time).value(), sample); !done) return done.error().message;
   EXPECT_TRUE(writer->finish());

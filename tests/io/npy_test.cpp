@@ -57,7 +57,7 @@ const Sample moving{.motion = {.orientation = quaternion_wxyz(0.5, -0.5, 0.5, -0
                                .angular_velocity = {1, 2, 3},
                                .angular_acceleration = {4, 5, 6},
                                .angular_jerk = {7, 8, 9}},
-                    .travel = {.position = {10, 20, 30}, .velocity = {11, 12, 13}, .acceleration = {14, 15, 16}}};
+                    .linear_motion = {.position = {10, 20, 30}, .velocity = {11, 12, 13}, .acceleration = {14, 15, 16}}};
 
 /// The array that is written for the same sample at the times.
 Array written(SampleColumns columns, const std::vector<std::string>& times, const Sample& sample = moving) {
@@ -113,11 +113,11 @@ TEST(Npy, CountsRowsOfSeveralBlocks) {
 
 TEST(Npy, KeepsEveryBitOfADouble) {
   Sample sample;
-  sample.travel.position = {std::numeric_limits<double>::denorm_min(), -0.0, std::numeric_limits<double>::max()};
+  sample.linear_motion.position = {std::numeric_limits<double>::denorm_min(), -0.0, std::numeric_limits<double>::max()};
   const Array array = written({.positions = true}, {"0"}, sample);
   for (int i = 0; i < 3; ++i)
     EXPECT_EQ(std::bit_cast<std::uint64_t>(array.values[static_cast<std::size_t>(5 + i)]),
-              std::bit_cast<std::uint64_t>(sample.travel.position[i]));
+              std::bit_cast<std::uint64_t>(sample.linear_motion.position[i]));
 }
 
 TEST(Npy, RoundsATimeToTheNearestDouble) {
@@ -141,7 +141,7 @@ TEST(Npy, RefusesNumbersThatAreNotFinite) {
   auto writer = SampleWriter::open(directory.file("out.npy"), {.format = FileFormat::npy, .positions = true});
   ASSERT_TRUE(writer);
   Sample sample;
-  sample.travel.position.x() = std::numeric_limits<double>::quiet_NaN();
+  sample.linear_motion.position.x() = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(writer->write(Decimal::parse("11.5").value(), sample).error().message,
             "the sample at time 11.5 has a number that is not finite");
 }

@@ -28,7 +28,7 @@ std::vector<TimedSample> random_samples(std::size_t count) {
   std::normal_distribution<double> normal;
   std::vector<TimedSample> samples;
   for (double t = 0.0; samples.size() < count; t += std::abs(normal(random)) * 1e-3 + 1e-9) {
-    Sample sample{.travel = {.position = {normal(random), 1e9 * normal(random), 1e-9 * normal(random)}}};
+    Sample sample{.linear_motion = {.position = {normal(random), 1e9 * normal(random), 1e-9 * normal(random)}}};
     sample.motion.orientation.coeffs() =
         Eigen::Vector4d(normal(random), normal(random), normal(random), normal(random)).normalized();
     sample.motion.angular_velocity = {normal(random), 0.0, -0.0};
@@ -64,7 +64,7 @@ TEST(RoundTrip, GivesBackEveryBit) {
       for (std::size_t i = 0; i < samples.size(); ++i) {
         ASSERT_EQ(file->data.times[i], samples[i].t);
         ASSERT_EQ(file->data.orientations[i].coeffs(), samples[i].sample.motion.orientation.coeffs());
-        ASSERT_EQ(file->data.positions[i], samples[i].sample.travel.position);
+        ASSERT_EQ(file->data.positions[i], samples[i].sample.linear_motion.position);
         if (is_csv) {
           ASSERT_EQ(file->data.angular_velocities[i], samples[i].sample.motion.angular_velocity);
         }
@@ -87,7 +87,7 @@ TEST(RoundTrip, GivesBackEveryBitFromEuRoCWithinANanosecond) {
   for (std::size_t i = 0; i < samples.size(); ++i) {
     ASSERT_NEAR(file->data.times[i], samples[i].t, 0.5000001e-9);
     ASSERT_EQ(file->data.orientations[i].coeffs(), samples[i].sample.motion.orientation.coeffs());
-    ASSERT_EQ(file->data.positions[i], samples[i].sample.travel.position);
+    ASSERT_EQ(file->data.positions[i], samples[i].sample.linear_motion.position);
   }
 }
 

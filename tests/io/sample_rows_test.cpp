@@ -28,7 +28,7 @@ TEST(SampleRows, AreTheRowsOfTheFile) {
 TEST(SampleRows, AppendNothingThatIsNotFinite) {
   SampleRows rows({.positions = true});
   Sample sample;
-  sample.travel.position.z() = std::numeric_limits<double>::infinity();
+  sample.linear_motion.position.z() = std::numeric_limits<double>::infinity();
   const auto appended = rows.append(TimeOrigin(decimal("2")), 0.5, sample);
   EXPECT_EQ(appended.error().message, "the sample at time 2.5 has a number that is not finite");
   EXPECT_EQ(rows.bytes(), "");

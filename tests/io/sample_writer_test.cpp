@@ -35,7 +35,7 @@ std::string written(const SampleColumns& columns, const Sample& sample, std::str
 
 TEST(SampleWriter, WritesTheColumnsThatAreAskedFor) {
   const Sample sample{.motion = moving,
-                      .travel = {.position = {10, 20, 30}, .velocity = {11, 12, 13}, .acceleration = {14, 15, 16}}};
+                      .linear_motion = {.position = {10, 20, 30}, .velocity = {11, 12, 13}, .acceleration = {14, 15, 16}}};
   EXPECT_EQ(written({}, sample, "0.25"), "t,qw,qx,qy,qz\n0.25,0.5,-0.5,0.5,-0.5\n");
   EXPECT_EQ(written({.derivatives = 1}, sample, "0.25"), "t,qw,qx,qy,qz,wx,wy,wz\n0.25,0.5,-0.5,0.5,-0.5,1,2,3\n");
   EXPECT_EQ(written({.positions = true, .derivatives = 3}, sample, "0.25"),
@@ -45,7 +45,7 @@ TEST(SampleWriter, WritesTheColumnsThatAreAskedFor) {
 
 TEST(SampleWriter, WritesTheRatesOfPositionsLast) {
   const Sample sample{.motion = moving,
-                      .travel = {.position = {10, 20, 30}, .velocity = {11, 12, 13}, .acceleration = {14, 15, 16}}};
+                      .linear_motion = {.position = {10, 20, 30}, .velocity = {11, 12, 13}, .acceleration = {14, 15, 16}}};
   EXPECT_EQ(written({.positions = true, .derivatives = 1, .position_derivatives = 1}, sample),
             "t,qw,qx,qy,qz,px,py,pz,wx,wy,wz,vx,vy,vz\n0,0.5,-0.5,0.5,-0.5,10,20,30,1,2,3,11,12,13\n");
   EXPECT_EQ(written({.positions = true, .derivatives = 2, .position_derivatives = 2}, sample),
@@ -54,7 +54,7 @@ TEST(SampleWriter, WritesTheRatesOfPositionsLast) {
 }
 
 TEST(SampleWriter, WritesRatesInTheWorldFrame) {
-  Sample sample{.motion = moving, .travel = {.velocity = {1, 2, 3}}};
+  Sample sample{.motion = moving, .linear_motion = {.velocity = {1, 2, 3}}};
   sample.motion.orientation = quaternion_wxyz(0.0, 1.0, 0.0, 0.0);  // half turn about x: y and z change sign
   // jerk_world = R (jerk + ω × α), ω × α = (-3, 6, -3); the velocity is in the world frame as it is
   EXPECT_EQ(written({.derivatives = 3, .position_derivatives = 1, .frame = Frame::world}, sample),
@@ -63,7 +63,7 @@ TEST(SampleWriter, WritesRatesInTheWorldFrame) {
 }
 
 TEST(SampleWriter, WritesTum) {
-  const Sample sample{.motion = moving, .travel = {.position = {1, 2, 3}}};
+  const Sample sample{.motion = moving, .linear_motion = {.position = {1, 2, 3}}};
   EXPECT_EQ(written({.format = FileFormat::tum, .positions = true}, sample, "1311868163.8731"),
             "1311868163.8731 1 2 3 -0.5 0.5 -0.5 0.5\n");
 }

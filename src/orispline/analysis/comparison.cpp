@@ -11,7 +11,7 @@
 #include <orispline/analysis/leave_out.hpp>
 #include <orispline/analysis/sampled.hpp>
 #include <orispline/base/expect.hpp>
-#include <orispline/batch/parallel.hpp>
+#include <orispline/base/parallel.hpp>
 #include <orispline/families/registry.hpp>
 
 namespace orispline {

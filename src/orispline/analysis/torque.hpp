@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <orispline/base/expected.hpp>
 #include <orispline/curve/motion.hpp>
 
 namespace orispline {
@@ -20,5 +21,12 @@ template <Number T>
   return inertia * m.angular_jerk + m.angular_acceleration.cross(inertia * m.angular_velocity) +
          m.angular_velocity.cross(inertia * m.angular_acceleration);
 }
+
+/// The matrix, if it is symmetric and positive definite. Error: bad_argument.
+[[nodiscard]] Expected<Eigen::Matrix3d> checked_inertia(const Eigen::Matrix3d& inertia);
+
+/// No principal moment is greater than the sum of the two others: what holds for every distribution of mass. The torque
+/// of another tensor is a weighting of accelerations as good as any, but nobody's torque.
+[[nodiscard]] bool is_physical_inertia(const Eigen::Matrix3d& inertia);
 
 }  // namespace orispline

@@ -9,7 +9,7 @@ std::string describe(const Error& error) {
   if (error.where.line && error.where.column) text += ":" + std::to_string(*error.where.column);
   if (!text.empty()) text += ": ";
   if (error.where.key) text += "key " + std::to_string(*error.where.key) + ": ";
-  if (error.where.time) text += "time " + std::to_string(*error.where.time) + ": ";
+  if (error.where.time_index) text += "time " + std::to_string(*error.where.time_index) + ": ";
   if (error.where.curve) text += "curve " + std::to_string(*error.where.curve) + ": ";
   return text + error.message;
 }

@@ -24,7 +24,7 @@ struct Where {
   std::optional<std::size_t> line{};    ///< 1-based, the header counted
   std::optional<std::size_t> column{};  ///< 1-based column of the table
   std::optional<std::size_t> key{};     ///< 0-based keyframe index
-  std::optional<std::size_t> time{};    ///< 0-based index among the times that are asked for
+  std::optional<std::size_t> time_index{};  ///< 0-based index among the times that are asked for
   std::optional<std::size_t> curve{};   ///< 0-based index among many curves
 };
 

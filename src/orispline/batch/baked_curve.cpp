@@ -14,7 +14,7 @@ namespace orispline {
 namespace {
 
 using batch::BakedRecord;
-using batch::Stretch;
+using batch::Subinterval;
 
 constexpr int most_halvings = 24;
 /// How much smaller than the tolerance differences at the checked times must be.
@@ -28,7 +28,7 @@ class Baker {
   }
 
   /// Adds the pieces of a segment; false where the tolerance cannot be reached, which leaves the difference there.
-  [[nodiscard]] bool add(const Stretch& span, int halvings = 0) {
+  [[nodiscard]] bool add(const Subinterval& span, int halvings = 0) {
     const BakedRecord<T> piece = through_curve(span);
     const double off = difference(piece, span);
     if (off <= allowed_) {
@@ -54,7 +54,7 @@ class Baker {
  private:
   static constexpr std::size_t size = batch::baked_degree<T> + 1;
 
-  [[nodiscard]] BakedRecord<T> through_curve(const Stretch& span) const {
+  [[nodiscard]] BakedRecord<T> through_curve(const Subinterval& span) const {
     BakedRecord<T> piece{.coefficients = {}, .middle = span.middle(), .per_step = 2.0 / (span.end - span.start)};
     const auto series = batch::interpolated<4>(
         span, nodes_, piece.per_step, [&](double t) { return curve_.orientation_on(span.segment, t).coeffs(); });
@@ -64,7 +64,7 @@ class Baker {
   }
 
   /// The largest difference of the piece's samples from the curve at the times that are checked [rad]; NaN is kept.
-  [[nodiscard]] double difference(const BakedRecord<T>& piece, const Stretch& span) const {
+  [[nodiscard]] double difference(const BakedRecord<T>& piece, const Subinterval& span) const {
     std::array<double, size + 1> times;
     for (std::size_t k = 0; k <= size; ++k) times[k] = span.time(checks_[k]);
     std::array<T, 4 * (size + 1)> samples;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <orispline/base/expected.hpp>
-#include <orispline/batch/polynomial_record.hpp>
+#include <orispline/batch/kernel/polynomial_record.hpp>
 #include <orispline/curve/curve.hpp>
 
 namespace orispline {

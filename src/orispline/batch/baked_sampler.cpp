@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include <orispline/batch/dispatch.hpp>
+#include <orispline/batch/kernel/dispatch.hpp>
 #include <orispline/batch/sample_layout.hpp>
 
 namespace orispline::batch {

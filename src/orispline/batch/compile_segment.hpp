@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include <orispline/batch/record.hpp>
+#include <orispline/batch/kernel/record.hpp>
 #include <orispline/curve/knots.hpp>
 #include <orispline/curve/segment_form.hpp>
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include <orispline/batch/compile_segment.hpp>
-#include <orispline/batch/dispatch.hpp>
+#include <orispline/batch/kernel/dispatch.hpp>
 #include <orispline/batch/segment_sampler.hpp>
 
 namespace orispline {

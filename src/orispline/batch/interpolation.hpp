@@ -11,8 +11,8 @@
 
 namespace orispline::batch {
 
-/// A stretch of a segment [s].
-struct Stretch {
+/// A part of a segment [s].
+struct Subinterval {
   std::size_t segment;
   double start, end;
   [[nodiscard]] double middle() const noexcept { return start + 0.5 * (end - start); }
@@ -61,14 +61,14 @@ struct PowerSeries {
 /// The polynomial through `value(t)` at the nodes, each rounded to a time that is a double: rounding of the values
 /// stays as small as it is, where sums of Bernstein coefficients would magnify it up to 2ⁿ times.
 template <int Components, std::size_t N, class Value>
-[[nodiscard]] PowerSeries<N, Components> interpolated(const Stretch& stretch, const std::array<double, N>& nodes,
+[[nodiscard]] PowerSeries<N, Components> interpolated(const Subinterval& subinterval, const std::array<double, N>& nodes,
                                                       double per_step, Value value) noexcept {
   PowerSeries<N, Components> series{.powers = {}, .count = 0};
   std::array<double, N> s;
   std::array<typename PowerSeries<N, Components>::Vector, N> differences;  // divided, of Newton's form
   std::size_t& count = series.count;
   for (const double node : nodes) {
-    const double t = stretch.time(node), place = (t - stretch.middle()) * per_step;
+    const double t = subinterval.time(node), place = (t - subinterval.middle()) * per_step;
     if (std::find(s.data(), s.data() + count, place) != s.data() + count) continue;
     s[count] = place;
     differences[count++] = value(t);

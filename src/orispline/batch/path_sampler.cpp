@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include <orispline/batch/dispatch.hpp>
+#include <orispline/batch/kernel/dispatch.hpp>
 #include <orispline/batch/interpolation.hpp>
 #include <orispline/batch/sample_layout.hpp>
 
@@ -17,10 +17,10 @@ template <std::size_t Degree, class T>
 std::optional<PathRecord<T>> record_of_degree(const AnyPath& path, std::size_t segment) noexcept {
   static const auto nodes = chebyshev_nodes<Degree + 1>();
   const KnotSpan span = path.knots().span(segment);
-  const Stretch stretch{segment, span.start(), span.end()};
-  PathRecord<T> record{.coefficients = {}, .middle = stretch.middle(), .per_step = 2.0 / span.step()};
+  const Subinterval subinterval{segment, span.start(), span.end()};
+  PathRecord<T> record{.coefficients = {}, .middle = subinterval.middle(), .per_step = 2.0 / span.step()};
   const auto series =
-      interpolated<3>(stretch, nodes, record.per_step, [&](double t) { return path.position_on(segment, t); });
+      interpolated<3>(subinterval, nodes, record.per_step, [&](double t) { return path.position_on(segment, t); });
   if (series.count <= Degree) return std::nullopt;  // a segment of a few doubles
   for (std::size_t k = 0; k <= Degree; ++k)
     for (Eigen::Index axis = 0; axis < 3; ++axis) record.coefficients[axis][k] = static_cast<T>(series.powers[k][axis]);
@@ -66,24 +66,24 @@ void PathSampler<T>::on_segment(std::size_t segment, const Clock& clock, std::si
     segment_ = segment;
   }
   if (record_) return path_kernel(*kernels().polynomials, T())(*record_, clock, count, target_from(at));
-  for (std::size_t k = 0; k < count; ++k) store(path_.travel_on(segment, time_of(clock, k)), at + k);
+  for (std::size_t k = 0; k < count; ++k) store(path_.linear_motion_on(segment, time_of(clock, k)), at + k);
 }
 
 template <class T>
 void PathSampler<T>::hold(Held held, std::size_t at, std::size_t count) noexcept {
-  Travel travel;
+  LinearMotion linear_motion;
   if (held == Held::nothing) {
     const auto nan = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-    travel = {.position = nan, .velocity = nan, .acceleration = nan};
-  } else travel.position = path_.travel(held == Held::first ? knots().front() : knots().back()).position;
-  for (std::size_t k = 0; k < count; ++k) store(travel, at + k);
+    linear_motion = {.position = nan, .velocity = nan, .acceleration = nan};
+  } else linear_motion.position = path_.linear_motion(held == Held::first ? knots().front() : knots().back()).position;
+  for (std::size_t k = 0; k < count; ++k) store(linear_motion, at + k);
 }
 
 template <class T>
-void PathSampler<T>::store(const Travel& travel, std::size_t at) noexcept {
-  put<T, 3>(out_.positions, out_.layout, out_.size(), at, travel.position);
-  put<T, 3>(out_.velocities, out_.layout, out_.size(), at, travel.velocity);
-  put<T, 3>(out_.accelerations, out_.layout, out_.size(), at, travel.acceleration);
+void PathSampler<T>::store(const LinearMotion& linear_motion, std::size_t at) noexcept {
+  put<T, 3>(out_.positions, out_.layout, out_.size(), at, linear_motion.position);
+  put<T, 3>(out_.velocities, out_.layout, out_.size(), at, linear_motion.velocity);
+  put<T, 3>(out_.accelerations, out_.layout, out_.size(), at, linear_motion.acceleration);
 }
 
 template std::optional<PathRecord<double>> record_of<double>(const AnyPath&, std::size_t) noexcept;

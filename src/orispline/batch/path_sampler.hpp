@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include <orispline/batch/polynomial_record.hpp>
+#include <orispline/batch/kernel/polynomial_record.hpp>
 #include <orispline/batch/sample.hpp>
 #include <orispline/batch/segment_runs.hpp>
 #include <orispline/curve/path.hpp>
@@ -27,7 +27,7 @@ class PathSampler {
 
  private:
   [[nodiscard]] PathTarget<T> target_from(std::size_t at) const noexcept;
-  void store(const Travel& travel, std::size_t at) noexcept;
+  void store(const LinearMotion& linear_motion, std::size_t at) noexcept;
 
   const AnyPath& path_;
   const Samples<T>& out_;

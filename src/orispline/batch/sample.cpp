@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include <orispline/batch/baked_sampler.hpp>
-#include <orispline/batch/parallel.hpp>
+#include <orispline/base/parallel.hpp>
 #include <orispline/batch/path_sampler.hpp>
 #include <orispline/batch/segment_runs.hpp>
 #include <orispline/batch/segment_sampler.hpp>
@@ -164,7 +164,7 @@ Expected<void> sample_of(const Source& source, std::span<const double> times, co
     else if (!std::isnan(times[k]))
       return failure(ErrorCode::bad_argument,
                      fmt::format("{} s comes after {} s, wanted times that do not decrease", times[k], latest),
-                     {.time = k});
+                     {.time_index = k});
   }
   in_parts(times.size(), work, [&](std::size_t from, std::size_t to) {
     source.with_samplers(out, [&](auto& sampler) { sample_part(sampler, times, from, to); });

@@ -2,7 +2,7 @@
 #include <orispline/batch/segment_record.hpp>
 
 #include <orispline/batch/compile_segment.hpp>
-#include <orispline/batch/dispatch.hpp>
+#include <orispline/batch/kernel/dispatch.hpp>
 
 namespace orispline::batch {
 namespace {

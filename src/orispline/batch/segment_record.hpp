@@ -3,7 +3,7 @@
 
 #include <variant>
 
-#include <orispline/batch/record.hpp>
+#include <orispline/batch/kernel/record.hpp>
 #include <orispline/curve/curve.hpp>
 
 namespace orispline::batch {

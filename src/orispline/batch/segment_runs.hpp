@@ -7,7 +7,7 @@
 #include <limits>
 #include <span>
 
-#include <orispline/batch/record.hpp>
+#include <orispline/batch/kernel/record.hpp>
 #include <orispline/curve/knots.hpp>
 
 namespace orispline::batch {

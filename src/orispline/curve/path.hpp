@@ -10,14 +10,14 @@
 namespace orispline {
 
 /// Position with its rates at one time, in the world frame.
-struct Travel {
+struct LinearMotion {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();      ///< [m]
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();      ///< [m/s]
   Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();  ///< [m/s²]
 };
 
 /// From a position given with its first two time derivatives.
-[[nodiscard]] inline Travel travel_from_jet(const Vector3<Jet<double, 2>>& p) noexcept {
+[[nodiscard]] inline LinearMotion linear_motion_from_jet(const Vector3<Jet<double, 2>>& p) noexcept {
   const auto order = [&p](std::size_t k) {
     return Eigen::Vector3d(p.x().derivative(k), p.y().derivative(k), p.z().derivative(k));
   };
@@ -48,17 +48,17 @@ class AnyPath {
       : model_(std::make_shared<Model<P>>(std::move(path))) {}  // NOLINT: a path is an AnyPath
 
   /// Position with velocity and acceleration at time t [s]; at an interior knot of the chosen side.
-  [[nodiscard]] Travel travel(double t, Side side = Side::right) const noexcept {
+  [[nodiscard]] LinearMotion linear_motion(double t, Side side = Side::right) const noexcept {
     const Knots& knots = model_->knots();
-    if (t < knots.front()) return {.position = model_->travel(knots.front(), 0).position};
-    if (t > knots.back()) return {.position = model_->travel(knots.back(), knots.segment_at(t)).position};
-    return model_->travel(t, knots.segment_at(t, side));
+    if (t < knots.front()) return {.position = model_->linear_motion(knots.front(), 0).position};
+    if (t > knots.back()) return {.position = model_->linear_motion(knots.back(), knots.segment_at(t)).position};
+    return model_->linear_motion(t, knots.segment_at(t, side));
   }
 
   [[nodiscard]] const Knots& knots() const noexcept { return model_->knots(); }
 
   /// On one segment, whatever the time: what sampling in bulk falls back on.
-  [[nodiscard]] Travel travel_on(std::size_t segment, double t) const noexcept { return model_->travel(t, segment); }
+  [[nodiscard]] LinearMotion linear_motion_on(std::size_t segment, double t) const noexcept { return model_->linear_motion(t, segment); }
   [[nodiscard]] Eigen::Vector3d position_on(std::size_t segment, double t) const noexcept {
     return model_->position(t, segment);
   }
@@ -69,7 +69,7 @@ class AnyPath {
   struct Interface {
     virtual ~Interface() = default;
     [[nodiscard]] virtual const Knots& knots() const noexcept = 0;
-    [[nodiscard]] virtual Travel travel(double t, std::size_t segment) const noexcept = 0;
+    [[nodiscard]] virtual LinearMotion linear_motion(double t, std::size_t segment) const noexcept = 0;
     [[nodiscard]] virtual Eigen::Vector3d position(double t, std::size_t segment) const noexcept = 0;
     [[nodiscard]] virtual int degree() const noexcept = 0;
   };
@@ -77,8 +77,8 @@ class AnyPath {
   struct Model final : Interface {
     explicit Model(P p) : path(std::move(p)) {}
     [[nodiscard]] const Knots& knots() const noexcept override { return path.knots(); }
-    [[nodiscard]] Travel travel(double t, std::size_t segment) const noexcept override {
-      return travel_from_jet(path.position(Jet<double, 2>::variable(t), segment));
+    [[nodiscard]] LinearMotion linear_motion(double t, std::size_t segment) const noexcept override {
+      return linear_motion_from_jet(path.position(Jet<double, 2>::variable(t), segment));
     }
     [[nodiscard]] Eigen::Vector3d position(double t, std::size_t segment) const noexcept override {
       return path.position(t, segment);

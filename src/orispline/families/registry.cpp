@@ -112,7 +112,7 @@ Expected<AnyCurve> make_curve(std::string_view family, const Keyframes& keys, co
   return choose(family, keys, options).and_then([](const Settled& settled) { return settled.curve(); });
 }
 
-Expected<std::optional<HandleTurn>> wound_handle(std::string_view family, const Keyframes& keys,
+Expected<std::optional<HandleTurn>> overwound_tangent(std::string_view family, const Keyframes& keys,
                                                  const CurveOptions& options) {
   return choose(family, keys, options).map([](const Settled& settled) -> std::optional<HandleTurn> {
     if (settled.keys.size() == 1) return std::nullopt;

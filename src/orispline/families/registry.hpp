@@ -33,7 +33,7 @@ namespace orispline {
 /// The handle that turns farthest away from its key, where that is a full turn or more: there a curve of slerps
 /// (`squad-timed`, `shoemake`, `tcb`) is no longer C1, or goes another way than its formula means. Absent for other
 /// families. Errors: those of make_curve() before anything is solved.
-[[nodiscard]] Expected<std::optional<HandleTurn>> wound_handle(std::string_view family, const Keyframes& keys,
+[[nodiscard]] Expected<std::optional<HandleTurn>> overwound_tangent(std::string_view family, const Keyframes& keys,
                                                                const CurveOptions& options = {});
 
 }  // namespace orispline

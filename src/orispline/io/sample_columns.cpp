@@ -59,12 +59,12 @@ std::vector<std::string> column_names(const SampleColumns& columns) {
 }
 
 void RowNumbers::add_named(const Sample& sample, const SampleColumns& columns) {
-  const auto& [motion, travel] = sample;
+  const auto& [motion, linear_motion] = sample;
   for (const double number : numbers_of(motion.orientation, columns.form)) add(number);
-  if (columns.positions) add(travel.position);
+  if (columns.positions) add(linear_motion.position);
   for (int order = 1; order <= columns.derivatives; ++order) add(rate_of(motion, order, columns.frame));
-  if (columns.position_derivatives > 0) add(travel.velocity);
-  if (columns.position_derivatives > 1) add(travel.acceleration);
+  if (columns.position_derivatives > 0) add(linear_motion.velocity);
+  if (columns.position_derivatives > 1) add(linear_motion.acceleration);
 }
 
 RowNumbers::RowNumbers(const Sample& sample, const SampleColumns& columns) {
@@ -73,7 +73,7 @@ RowNumbers::RowNumbers(const Sample& sample, const SampleColumns& columns) {
     return;
   }
   const Eigen::Quaterniond& q = sample.motion.orientation;
-  add(sample.travel.position);
+  add(sample.linear_motion.position);
   if (columns.format == FileFormat::euroc) add(q.w());
   add(Eigen::Vector3d(q.vec()));
   if (columns.format == FileFormat::tum) add(q.w());

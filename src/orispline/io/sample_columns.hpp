@@ -28,7 +28,7 @@ struct SampleColumns {
 /// A moving body.
 struct Sample {
   Motion motion{};
-  Travel travel{};
+  LinearMotion linear_motion{};
 };
 
 /// Whether files of the format have columns for rates and for every form of orientation: CSV and NumPy.

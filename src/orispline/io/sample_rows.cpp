@@ -97,7 +97,7 @@ void SampleRows::clear() noexcept {
   first_nanosecond_.reset();
 }
 
-void SampleRows::stand_behind(const SampleRows& others) noexcept {
+void SampleRows::continue_after(const SampleRows& others) noexcept {
   clear();
   if (others.last_nanosecond_) last_nanosecond_ = others.last_nanosecond_;
 }

@@ -31,7 +31,7 @@ class SampleRows {
   /// Takes the rows out; what is appended next is still behind them.
   void clear() noexcept;
   /// Takes the place behind the others, as if they had been appended here and taken out.
-  void stand_behind(const SampleRows& others) noexcept;
+  void continue_after(const SampleRows& others) noexcept;
 
  private:
   [[nodiscard]] Expected<void> append_text(const Decimal& time, const RowNumbers& numbers);

@@ -47,7 +47,7 @@ Expected<void> SampleWriter::write(const Decimal& time, const Sample& sample) {
 Expected<void> SampleWriter::write(const SampleRows& rows) {
   if (auto written = write_pending(); !written) return written;
   if (auto checked = rows.may_follow(pending_); !checked) return checked;
-  pending_.stand_behind(rows);
+  pending_.continue_after(rows);
   rows_ += rows.size();
   return file_.write(rows.bytes());
 }

@@ -25,7 +25,7 @@ void append(PageSamples& samples, const PoseCurve& curve, double t, Side side) {
   samples.angular_velocities.push_back(motion.angular_velocity);
   samples.angular_accelerations.push_back(motion.angular_acceleration);
   samples.angular_jerks.push_back(motion.angular_jerk);
-  if (curve.position) samples.positions.push_back(curve.position->travel(t, side).position);
+  if (curve.position) samples.positions.push_back(curve.position->linear_motion(t, side).position);
 }
 
 /// The k-th of `steps` equal steps from a to b; exactly b at the last one.

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <orispline/batch/kernel/block.hpp>
+#include <orispline/batch/kernel/trigonometry.hpp>
+#include <orispline/batch/kernel/vector.hpp>
+
+// Samples of a chart segment. In an anonymous namespace, so that every instruction set has its own.
+
+namespace orispline::batch {
+namespace {
+
+/// base exp(φ) with x = ‖φ‖² ≤ 4, as qx, qy, qz, qw.
+template <class T>
+struct ChartSample {
+  T x, q[4];
+};
+template <class T>
+[[gnu::always_inline]] inline ChartSample<T> chart_sample(const T (&base)[4], const Vector<T>& phi) {
+  const T x = phi.x * phi.x + phi.y * phi.y + phi.z * phi.z;
+  const T u = T(0.25) * x;
+  const T w = T(1) + u * polynomial(Series<T>::cos_wide, u);
+  const Vector<T> v = (T(0.5) + T(0.5) * u * polynomial(Series<T>::sin_wide, u)) * phi;
+  return {x,
+          {(base[3] * v.x + base[0] * w) + (base[1] * v.z - base[2] * v.y),
+           (base[3] * v.y + base[1] * w) + (base[2] * v.x - base[0] * v.z),
+           (base[3] * v.z + base[2] * w) + (base[0] * v.y - base[1] * v.x),
+           (base[3] * w - base[0] * v.x) - (base[1] * v.y + base[2] * v.z)}};
+}
+
+/// ω = J_r(φ) φ̇ and its derivative.
+template <Rates Wanted, class T>
+[[gnu::always_inline]] inline BodyRates<T> chart_rates(const Taylor<T> (&phi)[3], T x, T per_step) {
+  using S = Series<T>;
+  const Vector<T> v{phi[0].value, phi[1].value, phi[2].value}, d{phi[0].first, phi[1].first, phi[2].first};
+  const T versine = polynomial(S::versine, x), defect = polynomial(S::sine_defect, x);
+  const Vector<T> turn = cross(v, d), tilt = cross(v, turn);
+  BodyRates<T> body{.omega = per_step * (d + (defect * tilt - versine * turn)), .alpha = {}};
+  if constexpr (Wanted == Rates::second) {
+    const Vector<T> d2{phi[0].second, phi[1].second, phi[2].second};
+    const T growth = T(2) * dot(v, d);
+    const T versine_rate = growth * polynomial(S::versine_slope, x),
+            defect_rate = growth * polynomial(S::sine_defect_slope, x);
+    const Vector<T> turn_rate = cross(v, d2), tilt_rate = cross(d, turn) + cross(v, turn_rate);
+    const Vector<T> slope = (defect_rate * tilt - versine_rate * turn) + (defect * tilt_rate - versine * turn_rate);
+    body.alpha = (per_step * per_step) * (d2 + slope);
+  }
+  return body;
+}
+
+template <int Degree, Rates Wanted, class T>
+void chart_block(const ChartRecord<T>& r, const Clock& clock, std::size_t count, const Target<T>& target) {
+  const T per_step = static_cast<T>(r.per_step);
+  alignas(64) Plane<T> s;
+  OutputPlanes<T> out;
+  in_blocks(
+      count, [&](std::size_t at, int here, int padded) __attribute__((always_inline)) {
+        local_times<T>(r, clock, at, here, padded, s);
+        for (int i = 0; i < padded; ++i) {
+          Taylor<T> phi[3]{};
+#pragma GCC unroll 3
+          for (int k = 0; k < 3; ++k) {
+            const auto coefficient = [&](int power) __attribute__((always_inline)) {
+              return r.rotation_vector[power][k];
+            };
+            if constexpr (Wanted == Rates::none) phi[k].value = value<Degree, T>(s[i], coefficient);
+            else phi[k] = taylor<Degree, T>(s[i], coefficient);
+          }
+          const ChartSample<T> sample = chart_sample(r.base, {phi[0].value, phi[1].value, phi[2].value});
+#pragma GCC unroll 4
+          for (int k = 0; k < 4; ++k) out.q[k][i] = sample.q[k];
+          if constexpr (Wanted != Rates::none)
+            out.template store<Wanted>(i, chart_rates<Wanted>(phi, sample.x, per_step));
+        }
+        lay_out<Wanted>(out, here, target, at);
+      });
+}
+
+/// One sample: the three components of φ are lanes.
+template <Rates Wanted, class T>
+[[gnu::always_inline]] inline void chart_point(const ChartRecord<T>& r, T s, const Target<T>& target, std::size_t at) {
+  using V = Lanes<T>;
+  Taylor<V> all{};
+  const auto coefficient = [&](int k) __attribute__((always_inline)) { return lanes_at(r.rotation_vector[k]); };
+  if constexpr (Wanted == Rates::none) all.value = value<record_degree, V>(V{} + s, coefficient);
+  else all = taylor<record_degree, V>(V{} + s, coefficient);
+  const ChartSample<T> sample = chart_sample(r.base, {all.value[0], all.value[1], all.value[2]});
+  put<T>(lanes_at(sample.q), at, target);
+  if constexpr (Wanted != Rates::none) {
+    Taylor<T> phi[3];
+#pragma GCC unroll 3
+    for (int k = 0; k < 3; ++k) phi[k] = {all.value[k], all.first[k], all.second[k]};
+    put(chart_rates<Wanted>(phi, sample.x, static_cast<T>(r.per_step)), at, target);
+  }
+}
+
+template <class T>
+void chart(const ChartRecord<T>& r, const Clock& clock, std::size_t count, const Target<T>& target) {
+  if (count <= most_points) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const T s = local_time<T>(r, clock, i);
+      if (wants_rates(target)) chart_point<Rates::second>(r, s, target, i);
+      else chart_point<Rates::none>(r, s, target, i);
+    }
+    return;
+  }
+  by_rates(target, [&]<Rates Wanted>() {
+    if (r.short_degree) chart_block<5, Wanted>(r, clock, count, target);
+    else chart_block<record_degree, Wanted>(r, clock, count, target);
+  });
+}
+
+}  // namespace
+}  // namespace orispline::batch

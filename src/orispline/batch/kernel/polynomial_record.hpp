@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <orispline/batch/kernel/record.hpp>
+
+// Plain data only, for the reason given in record.hpp.
+
+namespace orispline::batch {
+
+/// A piece of a curve whose components are polynomials in s = (t - middle) * per_step, with rising powers.
+template <class T, int Components, int Degree>
+struct PolynomialRecord {
+  T coefficients[Components][Degree + 1];
+  double middle, per_step;  ///< [s], [1/s]
+};
+
+template <class T>
+inline constexpr int baked_degree = 9;
+template <>
+inline constexpr int baked_degree<float> = 5;
+
+/// A piece of a baked curve: qx, qy, qz, qw; s in [-1, 1].
+template <class T>
+using BakedRecord = PolynomialRecord<T, 4, baked_degree<T>>;
+
+/// A segment of a path: x, y, z [m]; s in [-1, 1].
+template <class T>
+using PathRecord = PolynomialRecord<T, 3, 7>;
+
+/// Where samples of a path go, as Target for orientations.
+template <class T>
+struct PathTarget {
+  T* position;
+  T* velocity;
+  T* acceleration;
+  std::ptrdiff_t planes;
+};
+
+/// The loops over polynomials of one instruction set. Each writes `count` samples of one piece.
+struct PolynomialKernels {
+  void (*baked)(const BakedRecord<double>&, const Clock&, std::size_t count, const Target<double>&);
+  void (*baked_float)(const BakedRecord<float>&, const Clock&, std::size_t count, const Target<float>&);
+  void (*path)(const PathRecord<double>&, const Clock&, std::size_t count, const PathTarget<double>&);
+  void (*path_float)(const PathRecord<float>&, const Clock&, std::size_t count, const PathTarget<float>&);
+};
+
+}  // namespace orispline::batch

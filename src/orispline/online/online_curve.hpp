@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include <orispline/online/online_segments.hpp>
+#include <orispline/curve/curve.hpp>
+
+namespace orispline {
+
+/// A curve whose keys arrive one by one, for loops that cannot wait for the last one.
+///
+/// A segment is *final* once the keys that it blends are here: for the four-key families when one key behind its end
+/// has come, for slerp at once. Final segments never change and are, bit for bit, those of the curve that `make_curve`
+/// builds through the same keys. The newest ones are kept in a ring, the others are forgotten.
+///
+/// Nothing is allocated after construction, but for the message of an error. For one thread: let the writer evaluate,
+/// or lock.
+class OnlineCurve {
+ public:
+  static constexpr std::size_t least_capacity = 2, greatest_capacity = 1'000'000;
+
+  /// The methods that have an online form: slerp and the four-key families.
+  [[nodiscard]] static std::span<const std::string_view> methods() noexcept { return online_methods(); }
+
+  /// A curve without keys. `capacity` is how many final keys stay available, the newest.
+  ///
+  /// Parameters have one value for all keys; the rule of the start is used at the first key, that of the end by
+  /// `finish`. Errors (bad_argument): a method without online form, a capacity out of range, a loop, parameters per
+  /// key, options that the family does not accept or with which no end can have the given rate.
+  [[nodiscard]] static Expected<OnlineCurve> make(std::string_view method, std::size_t capacity,
+                                                  const CurveOptions& options = {}, Signs signs = Signs::shortest);
+
+  /// Takes the next key, body to world, at `time` [s].
+  ///
+  /// Normalises, aligns the sign and refuses as `Keyframes::make` does (bad_data with the key's index, counted from 0
+  /// since construction or reset). A refused key leaves the curve as it was. Either all keys have a position or none;
+  /// after `finish` there are no more (bad_argument).
+  Expected<void> append(double time, const Eigen::Quaterniond& orientation) {
+    return take(time, orientation, std::nullopt);
+  }
+  /// The same with a position [m], world frame.
+  Expected<void> append(double time, const Eigen::Quaterniond& orientation, const Eigen::Vector3d& position) {
+    return take(time, orientation, position);
+  }
+
+  /// Declares the last key to be the end: by the end rule the last segment becomes final too.
+  ///
+  /// Errors: bad_data without keys or with fewer than the end rules need; the curve stays as it was.
+  Expected<void> finish();
+
+  /// Forgets all keys, not the method: a new curve, in the same memory.
+  void reset() noexcept;
+
+  /// From the first to the last key [s] between which the curve is final and kept; nothing before the first key.
+  [[nodiscard]] std::optional<Domain> available() const noexcept;
+
+  /// How many keys behind the end of a segment must have come before it is final: 1, for slerp 0.
+  [[nodiscard]] std::size_t look_ahead() const noexcept { return segments_->look_ahead(); }
+
+  /// Keys taken since construction or reset.
+  [[nodiscard]] std::uint64_t keys() const noexcept { return keys_; }
+
+  /// Orientation at time t [s]. Before and after what is available the orientation there is held. A NaN time gives NaN,
+  /// and so does a curve without keys.
+  [[nodiscard]] Eigen::Quaterniond operator()(double t) const noexcept;
+
+  /// Orientation with body rates at time t [s], held at rest outside what is available. At a key the right-hand
+  /// segment's or on request the left-hand one's; at the last one available always the left-hand one's.
+  [[nodiscard]] Motion motion(double t, Side side = Side::right) const noexcept;
+
+  /// The same, but a time that is not available is an error (bad_argument).
+  [[nodiscard]] Expected<Motion> checked_motion(double t) const;
+
+  /// Position with velocity and acceleration at time t [s], held at rest outside what is available; nothing when the
+  /// keys have no positions.
+  [[nodiscard]] std::optional<LinearMotion> linear_motion(double t, Side side = Side::right) const noexcept;
+
+ private:
+  OnlineCurve() = default;
+
+  [[nodiscard]] Expected<void> take(double time, const Eigen::Quaterniond& orientation,
+                                    const std::optional<Eigen::Vector3d>& position);
+  [[nodiscard]] std::optional<Error> check(double time, const std::optional<Eigen::Vector3d>& position) const;
+  [[nodiscard]] Expected<void> make_final(std::size_t pending);
+
+  [[nodiscard]] std::size_t places() const noexcept { return starts_.size() / 2; }
+  /// The place of the segment that is `index` after the oldest one kept.
+  [[nodiscard]] std::size_t place_of(std::size_t index) const noexcept {
+    const std::size_t place = next_place_ + places() - kept() + index;
+    return place < places() ? place : place - places();
+  }
+  [[nodiscard]] std::size_t place_at(double t, Side side) const noexcept;
+  [[nodiscard]] std::size_t kept() const noexcept;
+  [[nodiscard]] std::span<const double> starts() const noexcept;
+
+  const FamilyInfo* family_ = nullptr;
+  CurveOptions options_;
+  Signs signs_ = Signs::shortest;
+  std::uint64_t keys_at_start_ = 0, keys_at_finish_ = 0;  ///< what the first segment and the end rules wait for
+  std::unique_ptr<OnlineSegments> segments_;
+  std::vector<double> starts_;  ///< of the segments [s]; the ring twice, so that what is kept lies in one piece
+  double end_ = 0.0;            ///< of the last final segment [s]
+  RecentKeys recent_;
+  std::uint64_t keys_ = 0, final_segments_ = 0;
+  std::size_t next_place_ = 0;
+  bool has_positions_ = false, finished_ = false;
+};
+
+}  // namespace orispline

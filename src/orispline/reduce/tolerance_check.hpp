@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include <orispline/base/expected.hpp>
+#include <orispline/curve/keyframe.hpp>
+#include <orispline/math/so3.hpp>
+
+namespace orispline {
+
+/// Between an orientation and the same one evaluated in another order of operations [rad].
+inline constexpr double angle_rounding = 4e-15;
+
+/// The rotation vector of the shorter way from one orientation to another [rad], body frame of the first.
+[[nodiscard]] inline Eigen::Vector3d shorter_turn(const Eigen::Quaterniond& from, Eigen::Quaterniond to) noexcept {
+  if (from.dot(to) < 0.0) to.coeffs() = -to.coeffs();
+  return increment<double>(from, to);
+}
+
+/// How far a curve may be from every sample of a recording.
+struct Tolerance {
+  double angle;                                               ///< of the rotation from one to the other [rad]
+  double position = std::numeric_limits<double>::infinity();  ///< distance [m]
+
+  [[nodiscard]] bool bounds_positions() const noexcept { return position < std::numeric_limits<double>::infinity(); }
+};
+
+/// How far a curve is from the samples of a recording, at the worst of them.
+struct Deviation {
+  double angle = 0.0;                ///< [rad]
+  std::size_t angle_at = 0;          ///< index of the sample
+  std::optional<double> position{};  ///< [m]; absent where the recording has no positions
+  std::size_t position_at = 0;       ///< index of the sample
+};
+
+/// Keys at some times of a recording, the first and the last among them.
+struct KeySet {
+  std::vector<std::size_t> samples;              ///< indices of the samples at whose times they stand, rising
+  std::vector<Eigen::Quaterniond> orientations;  ///< one per key
+  std::vector<Eigen::Vector3d> positions{};      ///< [m], one per key where the recording has positions
+
+  [[nodiscard]] std::size_t size() const noexcept { return samples.size(); }
+};
+
+/// The sample that a segment misses most, its keys among them.
+struct WorstSample {
+  double excess = 0.0;  ///< square of the distance by the tolerance, small angles by their sines: above 1 it is broken
+  std::size_t sample = 0;  ///< its index
+};
+
+/// What a curve misses a sample by, in the world frame.
+struct Miss {
+  Eigen::Vector3d turn, shift;  ///< from the curve to the sample [rad], [m]
+  double excess;                ///< as in WorstSample
+};
+
+/// A recording that curves are measured against: steps between keys go the shorter way. Refers to its samples.
+class ToleranceCheck {
+ public:
+  ToleranceCheck(const Keyframes& samples, Tolerance tolerance);
+  ToleranceCheck(Keyframes&&, Tolerance) = delete;
+
+  [[nodiscard]] const Keyframes& samples() const noexcept { return samples_; }
+  [[nodiscard]] std::size_t size() const noexcept { return samples_.size(); }
+  [[nodiscard]] bool has_positions() const noexcept { return !samples_.positions().empty(); }
+  [[nodiscard]] Tolerance tolerance() const noexcept { return tolerance_; }
+  /// Whether positions are bounded as well.
+  [[nodiscard]] bool bounds_positions() const noexcept;
+
+  /// As in WorstSample, of one sample.
+  [[nodiscard]] double excess(std::size_t sample, const Eigen::Quaterniond& orientation) const noexcept;
+  [[nodiscard]] double excess(std::size_t sample, const Eigen::Vector3d& position) const noexcept;
+
+  [[nodiscard]] KeySet keys_at(std::vector<std::size_t> samples) const;
+  [[nodiscard]] Expected<Keyframes> keyframes(const KeySet& keys) const;
+
+  /// Of every segment of the method's curve through the keys. Errors: those of make_pose_curve().
+  [[nodiscard]] Expected<std::vector<WorstSample>> worst_samples(std::string_view method, const KeySet& keys) const;
+  /// Of every sample. Errors: those of make_pose_curve().
+  [[nodiscard]] Expected<std::vector<Miss>> misses(std::string_view method, const KeySet& keys) const;
+  /// Over all samples, each by the curve's own evaluator.
+  [[nodiscard]] Expected<Deviation> deviation(std::string_view method, const Keyframes& keys) const;
+
+ private:
+  const Keyframes& samples_;
+  Tolerance tolerance_;
+  double per_square_sine_, per_square_distance_;
+};
+
+/// The worst sample of every segment, the keys' own samples among them.
+[[nodiscard]] std::vector<WorstSample> worst_of_segments(const KeySet& keys, const std::vector<Miss>& misses);
+
+}  // namespace orispline

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/retime/limited_motion.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include <orispline/families/registry.hpp>
+
+namespace orispline {
+namespace {
+
+MotionSizes bounds_of(const SegmentPeaks& peaks) {
+  return {peaks.rate.bound, peaks.acceleration.bound, peaks.torque.bound};
+}
+
+MotionSizes sizes_of(const MotionLimits& limits) {
+  constexpr double unlimited = std::numeric_limits<double>::infinity();
+  return {limits.rate.value_or(unlimited), limits.acceleration.value_or(unlimited), limits.torque.value_or(unlimited)};
+}
+
+}  // namespace
+
+double needed_factor(const MotionSizes& peaks, const MotionLimits& limits) {
+  double factor = 0.0;
+  if (limits.rate) factor = std::max(factor, peaks.rate / *limits.rate);
+  if (limits.acceleration) factor = std::max(factor, std::sqrt(peaks.acceleration / *limits.acceleration));
+  if (limits.torque) factor = std::max(factor, std::sqrt(peaks.torque / *limits.torque));
+  return factor;
+}
+
+Expected<AnyCurve> LimitedMotion::curve(std::vector<double> times) const {
+  KeyframeData data{.times = std::move(times),
+                    .orientations = {keys_.orientations().begin(), keys_.orientations().end()}};
+  return Keyframes::make(std::move(data), Signs::as_given).and_then([this](const Keyframes& keys) {
+    return make_curve(method_, keys);
+  });
+}
+
+Expected<std::vector<SegmentPeaks>> LimitedMotion::certified(const AnyCurve& curve, const MotionSizes& floors) const {
+  if (auto peaks = certified_peaks(curve, limits_.inertia, floors)) return std::move(*peaks);
+  return failure(ErrorCode::bad_argument,
+                 fmt::format("{}: no bounds are known for the segments of this method, wanted one of polynomials, "
+                             "such as auto or timed-c2",
+                             method_));
+}
+
+Expected<std::vector<double>> LimitedMotion::sampled_factors(std::vector<double> times) const {
+  return curve(std::move(times)).transform([this](const AnyCurve& made) {
+    std::vector<double> factors;
+    for (const MotionSizes& peaks : sampled_peaks(made, limits_.inertia))
+      factors.push_back(needed_factor(peaks, limits_));
+    return factors;
+  });
+}
+
+Expected<std::vector<double>> LimitedMotion::certified_factors(std::vector<double> times) const {
+  return curve(std::move(times))
+      .and_then([this](const AnyCurve& made) { return certified(made, sizes_of(limits_)); })
+      .transform([this](const std::vector<SegmentPeaks>& peaks) {
+        std::vector<double> factors;
+        for (const SegmentPeaks& segment : peaks)
+          factors.push_back(std::max(1.0, needed_factor(bounds_of(segment), limits_)));
+        return factors;
+      });
+}
+
+Expected<std::vector<SegmentPeaks>> LimitedMotion::largest_peaks(std::vector<double> times) const {
+  return curve(std::move(times)).and_then([this](const AnyCurve& made) {
+    const MotionSizes limits = sizes_of(limits_);
+    MotionSizes floors{1e-3 * limits.rate, 1e-3 * limits.acceleration, 1e-3 * limits.torque};  // less matters to nobody
+    for (const MotionSizes& peaks : sampled_peaks(made, limits_.inertia))
+      floors = {std::max(floors.rate, peaks.rate), std::max(floors.acceleration, peaks.acceleration),
+                std::max(floors.torque, peaks.torque)};
+    return certified(made, floors);
+  });
+}
+
+double LimitedMotion::largest_factor(std::span<const SegmentPeaks> peaks) const {
+  double factor = 1.0;
+  for (const SegmentPeaks& segment : peaks) factor = std::max(factor, needed_factor(bounds_of(segment), limits_));
+  return factor;
+}
+
+}  // namespace orispline

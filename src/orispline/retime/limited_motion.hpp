@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include <orispline/curve/keyframe.hpp>
+#include <orispline/retime/motion_limits.hpp>
+#include <orispline/retime/rate_bounds.hpp>
+
+namespace orispline {
+
+/// By which factor a segment must be slowed at least, below 1 where it could be faster: ω goes with 1/s, α and torque
+/// with 1/s².
+[[nodiscard]] double needed_factor(const MotionSizes& peaks, const MotionLimits& limits);
+
+/// A method's curve through keys whose times are free, beside the limits that it shall keep. Refers to its arguments.
+class LimitedMotion {
+ public:
+  LimitedMotion(std::string_view method, const Keyframes& keys, const MotionLimits& limits)
+      : method_(method), keys_(keys), limits_(limits) {}
+
+  [[nodiscard]] std::span<const double> given_times() const noexcept { return keys_.times(); }
+
+  /// The factor that every segment needs at these times [s], by samples.
+  [[nodiscard]] Expected<std::vector<double>> sampled_factors(std::vector<double> times) const;
+  /// The same by bounds; 1 where none is needed.
+  [[nodiscard]] Expected<std::vector<double>> certified_factors(std::vector<double> times) const;
+  /// The peaks at these times; the bounds of those that are the largest of the curve are near.
+  [[nodiscard]] Expected<std::vector<SegmentPeaks>> largest_peaks(std::vector<double> times) const;
+  /// The largest of the factors, by bounds; 1 where none is needed.
+  [[nodiscard]] double largest_factor(std::span<const SegmentPeaks> peaks) const;
+
+ private:
+  [[nodiscard]] Expected<AnyCurve> curve(std::vector<double> times) const;
+  [[nodiscard]] Expected<std::vector<SegmentPeaks>> certified(const AnyCurve& curve, const MotionSizes& floors) const;
+
+  std::string_view method_;
+  const Keyframes& keys_;
+  const MotionLimits& limits_;
+};
+
+}  // namespace orispline

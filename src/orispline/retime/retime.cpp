@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/retime/retime.hpp>
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <orispline/analysis/continuity.hpp>
+#include <orispline/analysis/torque.hpp>
+#include <orispline/families/registry.hpp>
+#include <orispline/retime/interval_times.hpp>
+
+namespace orispline {
+namespace {
+
+constexpr double margin = 1e-9;  // of a factor, for the rounding of the new times; twice as much in every round
+constexpr std::size_t most_rounds = 30;
+constexpr double least_gain = 1e-4;    // of the duration, to which the slowing is the least one, for another path
+constexpr double most_time_scale = 1e15;  // thirty million years a second
+
+Expected<void> check(const FamilyInfo& family, const Keyframes& keys, const MotionLimits& limits) {
+  const auto refused = [](std::string message) { return failure(ErrorCode::bad_argument, std::move(message)); };
+  if (!limits.rate && !limits.acceleration && !limits.torque) return refused("found no limit, wanted one at least");
+  for (const auto& limit : {limits.rate, limits.acceleration, limits.torque})
+    if (limit && !(*limit > 0.0 && std::isfinite(*limit)))
+      return refused(fmt::format("found the limit {:.6g}, wanted a finite one above 0", *limit));
+  if (limits.torque && !limits.inertia) return refused("found a limit of torque without an inertia, wanted both");
+  if (limits.torque)
+    if (const auto inertia = checked_inertia(*limits.inertia); !inertia) return tl::unexpected(inertia.error());
+  if (family.rate_orders > 0)
+    return refused(fmt::format("{}: this method takes rates from the keys, wanted one that has its own", family.name));
+  if (keys.size() < 2) return failure(ErrorCode::bad_data, "found 1 key, wanted 2 at least: one key does not move");
+  return {};
+}
+
+/// Whether slowing can bring accelerations within limits at all.
+Expected<void> check_continuity(const FamilyInfo& family, const Keyframes& keys, Slowing slowing) {
+  const auto refused = [&](std::string_view why, std::string_view wanted) {
+    return failure(ErrorCode::bad_argument,
+                   fmt::format("{}: its angular velocity jumps at keys{}, which no slowing brings within a limit of "
+                               "acceleration or torque, wanted {}",
+                               family.name, why, wanted));
+  };
+  if (family.continuity_uneven >= 1) return {};
+  if (family.continuity_uniform < 1) return refused("", "a method that is C1, such as auto");
+  if (slowing == Slowing::per_interval)
+    return refused(" whose times are uneven",
+                   "all intervals slowed alike, or a method that is C1 on any, such as auto");
+  return make_curve(family.name, keys).and_then([&](const AnyCurve& curve) -> Expected<void> {
+    if (continuity_at_keys(curve).order() >= 1) return {};
+    return refused(" whose times are uneven, as these are", "even ones, or a method that is C1 on any, such as auto");
+  });
+}
+
+/// All intervals stretched by the factor that is needed still; `found`: the peaks at these times.
+Expected<Retiming> slowed(const LimitedMotion& motion, std::vector<double> times,
+                          Expected<std::vector<SegmentPeaks>> found, Slowing slowing) {
+  const auto time_scale = [before = motion.given_times()](const std::vector<double>& t) {
+    return (t.back() - t.front()) / (before.back() - before.front());
+  };
+  double more = margin;
+  for (std::size_t round = 0; found && round < most_rounds; ++round, more *= 2.0) {
+    const double factor = motion.largest_factor(*found);
+    if (!(factor > 1.0)) break;
+    if (!(factor * time_scale(times) <= most_time_scale))
+      return failure(ErrorCode::bad_argument,
+                     fmt::format("the limits ask for a slowing by {:.6g}, wanted limits that {:g} meets",
+                                 factor * time_scale(times), most_time_scale));
+    for (double& t : times) t = times.front() + factor * (1.0 + more) * (t - times.front());
+    found = motion.largest_peaks(times);
+  }
+  if (!found) return tl::unexpected(std::move(found.error()));
+  if (motion.largest_factor(*found) > 1.0)
+    return failure(ErrorCode::not_converged, fmt::format("no slowing up to {:.6g} meets the limits", time_scale(times)));
+  return Retiming{times, time_scale(times), slowing, std::move(*found)};
+}
+
+}  // namespace
+
+Expected<Retiming> retime(std::string_view method, const Keyframes& keys, const MotionLimits& limits, Slowing slowing) {
+  const auto family = find_family(method);
+  if (!family) return tl::unexpected(family.error());
+  if (auto checked = check(**family, keys, limits); !checked) return tl::unexpected(std::move(checked.error()));
+  if (limits.acceleration || limits.torque)
+    if (auto smooth = check_continuity(**family, keys, slowing); !smooth)
+      return tl::unexpected(std::move(smooth.error()));
+  const LimitedMotion motion(method, keys, limits);
+  const std::vector<double> given(keys.times().begin(), keys.times().end());
+  auto peaks = motion.largest_peaks(given);
+  if (!peaks) return tl::unexpected(std::move(peaks.error()));
+  const bool is_slow = !(motion.largest_factor(*peaks) > 1.0);
+  auto uniform = slowed(motion, given, std::move(peaks), is_slow ? slowing : Slowing::uniform);
+  if (slowing == Slowing::uniform || is_slow) return uniform;
+  auto separate = least_interval_times(motion, (*family)->support_keys).and_then([&](std::vector<double> times) {
+    auto found = motion.largest_peaks(times);
+    return slowed(motion, std::move(times), std::move(found), Slowing::per_interval);
+  });
+  return separate && (!uniform || separate->time_scale < (1.0 - least_gain) * uniform->time_scale) ? separate : uniform;
+}
+
+}  // namespace orispline

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <orispline/math/eigen.hpp>
+
+namespace orispline {
+
+/// What a smoothing curve keeps small.
+enum class Penalty {
+  acceleration,  ///< ∫|α|² dt [rad²/s³]
+  jerk,          ///< ∫|dα/dt|² dt [rad²/s⁵]
+};
+
+/// The order p of the penalty: that of the highest derivative of the orientation in it.
+[[nodiscard]] constexpr int order_of(Penalty penalty) noexcept { return penalty == Penalty::acceleration ? 2 : 3; }
+
+/// How the squared residual s, in units of the noise, counts. c is the threshold.
+enum class LossFunction {
+  l2,       ///< s
+  huber,    ///< s up to c², 2c√s - c² beyond
+  tukey,    ///< c²/3 (1 - (1 - s/c²)³) up to c², constant beyond
+};
+
+/// A noisy recording of an orientation, and of the body rate where there is a gyro.
+struct SmoothingProblem {
+  std::vector<double> times{};                     ///< [s], strictly increasing, at least two
+  std::vector<Eigen::Quaterniond> orientations{};  ///< unit, of any sign, body to world
+  std::vector<double> weights{};                   ///< 1/σ² [1/rad²], σ per axis; 0 where there is no orientation
+  std::vector<Eigen::Vector3d> gyro{};             ///< [rad/s], body frame; empty without a gyro
+  std::vector<double> gyro_weights{};              ///< 1/σ² [s²/rad²] per axis; 0 where there is no rate
+
+  [[nodiscard]] std::size_t size() const noexcept { return times.size(); }
+};
+
+/// What is to be made least.
+struct SmoothingObjective {
+  enum class Bias { none, constant };
+  Penalty penalty = Penalty::acceleration;
+  double lambda = 1.0;  ///< weight of the penalty [s³/rad²], of the jerk [s⁵/rad²]
+  LossFunction loss = LossFunction::l2;
+  double threshold = 2.5;  ///< of the loss, in units of σ
+  Bias bias = Bias::none;  ///< of the gyro
+};
+
+/// When the iteration ends; also where the cost stays and steps do not get shorter: that is rounding.
+struct SmoothingIteration {
+  double tolerance = 1e-9;  ///< largest turn of a node in the last step [rad]
+  int most = 60;            ///< steps
+};
+
+/// The unknowns: orientations and body rates at the times of the recording.
+struct SmoothedNodes {
+  std::vector<Eigen::Quaterniond> orientations{};
+  std::vector<Eigen::Vector3d> angular_velocities{};          ///< [rad/s]
+  std::vector<Eigen::Vector3d> angular_accelerations{};       ///< [rad/s²]
+  Eigen::Vector3d gyro_correction = Eigen::Vector3d::Zero();  ///< b [rad/s]: the gyro, b added, has no bias
+};
+
+/// The minimum and what is known about it.
+struct SmoothingFit {
+  SmoothedNodes nodes{};
+  std::vector<Eigen::Vector3d> residuals{};      ///< log(q⁻¹ Q) to the recording [rad], body frame of the node
+  std::vector<double> loss_weights{};            ///< ρ' of every residual: what is left of its weight
+  double data = 0.0, penalty = 0.0, gyro = 0.0;  ///< terms of the cost, the penalty without λ
+  double cost = 0.0;                             ///< data + λ penalty + gyro
+  int iterations = 0;
+  double last_step = 0.0;  ///< largest turn of a node in the last step [rad]
+};
+
+/// Minimises Σ ρ(w |r|²) + λ ∫|ω^(p-1)|² dt + Σ w_g |ω - g - b|² over orientations, rates and bias at the times of the
+/// recording, r = log(q⁻¹ Q). Linear in the number of times.
+///
+/// Gauss–Newton with the identity for the Hessian of |r|²/2, which majorises it, iterated weights for the loss, and
+/// step halving; each step by block QR from node to node, which squares no condition number. The penalty is that of
+/// the Hermite polynomial in the chart at the middle of each segment. Invariant under rotations of the world and of
+/// the body and under reversal of time. docs/smooth.md has the formulas, our own derivation.
+///
+/// `start`: the fit of a similar problem at the same times. Precondition: as many weights as times, at least p of them
+/// positive, and likewise for the gyro where there is one.
+[[nodiscard]] SmoothingFit fit_smoothing(const SmoothingProblem& problem, const SmoothingObjective& objective,
+                                         const SmoothingIteration& iteration = {},
+                                         const SmoothedNodes* start = nullptr);
+
+/// log det of the normal matrix at a fit, with the weights that the loss leaves.
+[[nodiscard]] double log_determinant(const SmoothingProblem& problem, const SmoothingObjective& objective,
+                                     const SmoothedNodes& nodes);
+
+}  // namespace orispline

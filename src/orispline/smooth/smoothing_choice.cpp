@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/smooth/smoothing_choice.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+
+#include <orispline/math/elementary.hpp>
+#include <orispline/smooth/smoothing_trace.hpp>
+
+namespace orispline {
+namespace {
+
+using elementary::natural_logarithm;
+
+constexpr double shortest_relative_time = 0.5;   // τ over the interval, where the scan begins
+constexpr double longest_relative_time = 500.0;  // beyond it the conditioning spoils the last digits
+constexpr double scan_ratio = 1.3;
+constexpr int coarse_step = 2, rises_until_sure = 2;  // in steps of the ratio; in coarse steps
+constexpr int most_scan_iterations = 20;
+constexpr double scan_tolerance = 1e-3, least_scan_tolerance = 1e-9;  // of the iteration, in units of the noise; [rad]
+constexpr std::size_t part_size = 2500;
+
+double power(double base, int exponent) {
+  double result = 1.0;
+  for (int k = 0; k < exponent; ++k) result *= base;
+  return result;
+}
+
+/// -2 log of the restricted likelihood, but for a constant.
+double restricted_likelihood(const StretchProblems& stretches, const StretchFits& fits,
+                             const SmoothingObjective& objective) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < stretches.size(); ++i) {
+    const auto segments = static_cast<double>(stretches[i].size() - 1);
+    sum += fits.fits[i].cost + log_determinant(stretches[i], objective, fits.fits[i].nodes) -
+           3.0 * order_of(objective.penalty) * segments * natural_logarithm(objective.lambda);
+  }
+  return sum;
+}
+
+double criterion_value(const StretchProblems& stretches, const StretchFits& fits, SmoothingCriterion criterion,
+                       const SmoothingObjective& objective) {
+  if (criterion == SmoothingCriterion::reml) return restricted_likelihood(stretches, fits, objective);
+  const double trace = hat_trace(stretches, fits, objective.penalty, objective.lambda);
+  if (criterion == SmoothingCriterion::ubre) return fits.data() + 6.0 * trace;
+  const auto count = static_cast<double>(observations(stretches));
+  const double freedom = 1.0 - trace / count;
+  return fits.data() / (3.0 * count) / (freedom * freedom);
+}
+
+/// Where the parabola through three equally spaced values has its minimum, in steps from the middle one.
+double parabola_minimum(double before, double middle, double after) {
+  const double curvature = before - 2.0 * middle + after;
+  return curvature > 0.0 && std::isfinite(curvature) ? 0.5 * (before - after) / curvature : 0.0;
+}
+
+double longest_smoothing_time(const StretchProblems& stretches, double interval) {
+  double span = 0.0;
+  for (const SmoothingProblem& stretch : stretches) span = std::max(span, stretch.times.back() - stretch.times.front());
+  return std::min(longest_relative_time * interval, span);
+}
+
+/// The criterion at τ = τ₀ ratio^k, each value found once.
+class Scan {
+ public:
+  Scan(const StretchProblems& stretches, SmoothingObjective objective, SmoothingCriterion criterion, double noise,
+       double interval, double origin)
+      : stretches_(stretches),
+        objective_(objective),
+        criterion_(criterion),
+        noise_(noise),
+        interval_(interval),
+        origin_(origin),
+        shortest_(shortest_relative_time * interval),
+        longest_(longest_smoothing_time(stretches, interval)) {}
+
+  /// Upward until the criterion has risen for some time, then around the least value.
+  [[nodiscard]] LambdaChoice from_below() {
+    int least = 0;
+    for (int k = 0; k - least <= rises_until_sure * coarse_step && inside(k); k += coarse_step)
+      if (value(k) < value(least)) least = k;
+    return around(least);
+  }
+
+  /// Down to the least value next to k, and by a parabola between the steps.
+  [[nodiscard]] LambdaChoice around(int k) {
+    for (;;) {
+      if (inside(k - 1) && value(k - 1) < value(k)) --k;
+      else if (inside(k + 1) && value(k + 1) < value(k)) ++k;
+      else break;
+    }
+    LambdaChoice choice;
+    double time = time_at(k);
+    if (!inside(k - 1)) choice.edge = LambdaChoice::Edge::shortest;
+    else if (!inside(k + 1)) choice.edge = LambdaChoice::Edge::longest;
+    else time *= std::exp(natural_logarithm(scan_ratio) * parabola_minimum(value(k - 1), value(k), value(k + 1)));
+    choice.lambda = lambda(time);
+    return choice;
+  }
+
+ private:
+  struct Tried {
+    double value;
+    StretchFits fits;
+  };
+
+  [[nodiscard]] double time_at(int k) const {
+    return origin_ * power(k < 0 ? 1.0 / scan_ratio : scan_ratio, std::abs(k));
+  }
+  [[nodiscard]] double lambda(double time) const { return lambda_of(time, objective_.penalty, noise_, interval_); }
+  [[nodiscard]] bool inside(int k) const { return k == 0 || (time_at(k) >= shortest_ && time_at(k) <= longest_); }
+
+  double value(int k) {
+    if (const auto known = tried_.find(k); known != tried_.end()) return known->second.value;
+    objective_.lambda = lambda(time_at(k));
+    const SmoothingIteration iteration{.tolerance = std::max(scan_tolerance * noise_, least_scan_tolerance),
+                                       .most = most_scan_iterations};
+    StretchFits fits = fit_stretches(stretches_, objective_, iteration, nearest_fits(k));
+    const double value = converged(fits, noise_) ? criterion_value(stretches_, fits, criterion_, objective_)
+                                                 : std::numeric_limits<double>::infinity();
+    tried_.emplace(k, Tried{value, std::move(fits)});
+    return value;
+  }
+
+  [[nodiscard]] StretchFits nearest_fits(int k) const {
+    const auto nearest =
+        std::ranges::min_element(tried_, {}, [k](const auto& tried) { return std::abs(tried.first - k); });
+    return nearest == tried_.end() ? StretchFits() : nearest->second.fits;
+  }
+
+  const StretchProblems& stretches_;
+  SmoothingObjective objective_;
+  SmoothingCriterion criterion_;
+  double noise_, interval_, origin_, shortest_, longest_;
+  std::map<int, Tried> tried_;
+};
+
+template <class T>
+std::vector<T> part_of(const std::vector<T>& all, std::size_t first, std::size_t count) {
+  if (all.empty()) return {};
+  const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
+  return {begin, begin + static_cast<std::ptrdiff_t>(count)};
+}
+
+}  // namespace
+
+double lambda_of(double smoothing_time, Penalty penalty, double noise, double interval) {
+  return power(smoothing_time, 2 * order_of(penalty)) / (noise * noise * interval);
+}
+
+double smoothing_time_of(double lambda, Penalty penalty, double noise, double interval) {
+  return std::exp(natural_logarithm(lambda * noise * noise * interval) / (2.0 * order_of(penalty)));
+}
+
+double StretchFits::data() const noexcept {
+  return std::accumulate(fits.begin(), fits.end(), 0.0, [](double sum, const SmoothingFit& f) { return sum + f.data; });
+}
+
+StretchFits fit_stretches(const StretchProblems& stretches, const SmoothingObjective& objective,
+                          const SmoothingIteration& iteration, const StretchFits& start) {
+  StretchFits result;
+  for (std::size_t i = 0; i < stretches.size(); ++i)
+    result.fits.push_back(
+        fit_smoothing(stretches[i], objective, iteration, start.fits.empty() ? nullptr : &start.fits[i].nodes));
+  return result;
+}
+
+bool converged(const StretchFits& fits, double noise) {
+  return std::ranges::all_of(fits.fits, [noise](const SmoothingFit& fit) { return fit.last_step <= noise; });
+}
+
+std::size_t observations(const StretchProblems& stretches) {
+  std::size_t count = 0;
+  for (const SmoothingProblem& stretch : stretches)
+    count += static_cast<std::size_t>(std::ranges::count_if(stretch.weights, [](double w) { return w > 0.0; }));
+  return count;
+}
+
+double hat_trace(const StretchProblems& stretches, const StretchFits& fits, Penalty penalty, double lambda) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < stretches.size(); ++i) {
+    std::vector<double> weights = stretches[i].weights;
+    for (std::size_t k = 0; k < weights.size(); ++k) weights[k] *= fits.fits[i].loss_weights[k];
+    sum += hat_trace(stretches[i].times, weights, penalty, lambda);
+  }
+  return sum;
+}
+
+LambdaChoice chosen_lambda(const StretchProblems& stretches, const SmoothingObjective& objective,
+                           SmoothingCriterion criterion, double noise, double interval, std::optional<double> near) {
+  Scan scan(stretches, objective, criterion, noise, interval, near.value_or(shortest_relative_time * interval));
+  return near ? scan.around(0) : scan.from_below();
+}
+
+StretchProblems representative_parts(const StretchProblems& stretches, std::size_t most) {
+  std::size_t all = 0;
+  for (const SmoothingProblem& stretch : stretches) all += stretch.size();
+  if (all <= most) return stretches;
+  StretchProblems parts;
+  for (const SmoothingProblem& stretch : stretches) {
+    const std::size_t share = most * stretch.size() / all;  // of the times
+    const std::size_t count = std::max<std::size_t>(1, share / part_size);
+    const std::size_t size = std::min(stretch.size(), std::max<std::size_t>(share / count, 100));
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t first = count == 1 ? (stretch.size() - size) / 2 : k * (stretch.size() - size) / (count - 1);
+      parts.push_back({.times = part_of(stretch.times, first, size),
+                       .orientations = part_of(stretch.orientations, first, size),
+                       .weights = part_of(stretch.weights, first, size),
+                       .gyro = part_of(stretch.gyro, first, size),
+                       .gyro_weights = part_of(stretch.gyro_weights, first, size)});
+    }
+  }
+  return parts;
+}
+
+}  // namespace orispline

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include <orispline/smooth/smoothing.hpp>
+
+namespace orispline {
+
+/// How the weight of the penalty is chosen where nobody states it.
+enum class SmoothingCriterion {
+  gcv,   ///< generalised cross-validation (Craven and Wahba 1979): the noise may be unknown
+  ubre,  ///< unbiased risk estimate (Mallows' C_p): the noise is what the weights say
+  reml,  ///< restricted likelihood by Laplace's method: likewise, and for the gyro too
+};
+
+/// λ of a smoothing time τ [s]: the smoother's gain at the frequency f is 1/(1 + (2π f τ)^2p), one half at 1/(2π τ).
+/// `noise`: σ per axis [rad]; `interval`: between samples [s].
+[[nodiscard]] double lambda_of(double smoothing_time, Penalty penalty, double noise, double interval);
+[[nodiscard]] double smoothing_time_of(double lambda, Penalty penalty, double noise, double interval);
+
+/// The stretches of a recording, which share λ and no motion.
+using StretchProblems = std::vector<SmoothingProblem>;
+
+/// Fits of all stretches.
+struct StretchFits {
+  std::vector<SmoothingFit> fits{};
+
+  [[nodiscard]] double data() const noexcept;
+};
+
+/// Fits every stretch. `start`: fits of the same stretches, or none.
+[[nodiscard]] StretchFits fit_stretches(const StretchProblems& stretches, const SmoothingObjective& objective,
+                                        const SmoothingIteration& iteration = {}, const StretchFits& start = {});
+
+/// Whether the last steps turned no node by more than the noise [rad].
+[[nodiscard]] bool converged(const StretchFits& fits, double noise);
+
+/// Times with an orientation that counts.
+[[nodiscard]] std::size_t observations(const StretchProblems& stretches);
+
+/// The trace of the hat matrix per axis, over all stretches, with the weights that the loss leaves.
+[[nodiscard]] double hat_trace(const StretchProblems& stretches, const StretchFits& fits, Penalty penalty,
+                               double lambda);
+
+/// λ of least criterion.
+struct LambdaChoice {
+  double lambda = 0.0;
+  enum class Edge {
+    none,
+    shortest,  ///< the least value stands at the shortest smoothing time: hardly any noise, or no motion to tell it
+               ///< from
+    longest,   ///< it stands at the longest one: as good as no motion
+  } edge = Edge::none;
+};
+
+/// Scans τ upward from half the interval until the criterion has risen for two steps of 1.3², looks about the least
+/// value in steps of 1.3 and refines it by a parabola in log τ. `noise`, `interval`: as of lambda_of(). The objective's
+/// λ is not used. Where `near` is given the scan goes from that τ downhill.
+[[nodiscard]] LambdaChoice chosen_lambda(const StretchProblems& stretches, const SmoothingObjective& objective,
+                                         SmoothingCriterion criterion, double noise, double interval,
+                                         std::optional<double> near = std::nullopt);
+
+/// Parts of the stretches, evenly spread, with `most` times altogether, or a little more; the stretches themselves
+/// where they have no more: for a choice of λ that need not see everything.
+[[nodiscard]] StretchProblems representative_parts(const StretchProblems& stretches, std::size_t most);
+
+}  // namespace orispline

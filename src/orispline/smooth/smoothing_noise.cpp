@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/smooth/smoothing_noise.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <orispline/smooth/smoothing_element.hpp>
+
+namespace orispline {
+namespace {
+
+/// `deviation(i, a)`: how far value i is from the share a of the way between its neighbours. Values that lie there to
+/// rounding, as while a recording rests or repeats itself, tell nothing of the noise.
+template <class Deviation>
+double noise_from(std::span<const double> times, Deviation deviation) {
+  std::vector<double> scaled;
+  for (std::size_t i = 1; i + 1 < times.size(); ++i) {
+    const double a = (times[i] - times[i - 1]) / (times[i + 1] - times[i - 1]);
+    const double distance = deviation(i, a);
+    if (distance > least_noise) scaled.push_back(distance / std::sqrt(1.0 + a * a + (1.0 - a) * (1.0 - a)));
+  }
+  return median_of(std::move(scaled)) / median_length;
+}
+
+}  // namespace
+
+double median_of(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  if (values.size() % 2 == 1) return *middle;
+  return 0.5 * (*middle + *std::max_element(values.begin(), middle));
+}
+
+double local_noise(std::span<const double> times, std::span<const Eigen::Quaterniond> orientations) {
+  return noise_from(times, [orientations](std::size_t i, double a) {
+    const Eigen::Vector3d before = shortest_increment(orientations[i - 1], orientations[i]),
+                          after = shortest_increment(orientations[i], orientations[i + 1]);
+    return ((1.0 - a) * before - a * after).norm();
+  });
+}
+
+double local_noise(std::span<const double> times, std::span<const Eigen::Vector3d> vectors) {
+  return noise_from(times, [vectors](std::size_t i, double a) {
+    return (vectors[i] - (1.0 - a) * vectors[i - 1] - a * vectors[i + 1]).norm();
+  });
+}
+
+}  // namespace orispline

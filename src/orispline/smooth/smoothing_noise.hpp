@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <orispline/math/eigen.hpp>
+
+namespace orispline {
+
+/// Median of the length of a vector of three normal variables of variance 1: of a chi variable with 3 degrees of
+/// freedom.
+inline constexpr double median_length = 1.5381722544550522;
+
+/// 0 without values.
+[[nodiscard]] double median_of(std::vector<double> values);
+
+/// Rounding of orientations in single precision [rad]: noise below it is not told apart.
+inline constexpr double least_noise = 1e-7;
+
+/// The noise of a recording per axis [rad], from the difference of the steps to its two neighbours that every
+/// orientation has: the median, so that outliers and quick turns do not count. It holds the bends of the motion too,
+/// but not orientations that differ from their neighbours' mean by less than `least_noise`.
+///
+/// Times [s] increase; 0 for fewer than three.
+[[nodiscard]] double local_noise(std::span<const double> times, std::span<const Eigen::Quaterniond> orientations);
+
+/// The same of vectors, such as rates, in their unit: from the straight line between the neighbours.
+[[nodiscard]] double local_noise(std::span<const double> times, std::span<const Eigen::Vector3d> vectors);
+
+}  // namespace orispline

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/smooth/smoothing_stretches.hpp>
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include <orispline/smooth/smoothing_noise.hpp>
+
+namespace orispline {
+namespace {
+
+constexpr double time_rounding = 1e-6;   // relative, of intervals
+constexpr std::size_t shortest_run = 3;  // of far samples that are rather motion than faults
+
+/// As many as tell noise from motion.
+std::size_t fewest_samples(Penalty penalty) { return static_cast<std::size_t>(order_of(penalty)) + 1; }
+
+template <class T>
+std::vector<T> in_stretch(std::span<const T> all, const Stretch& stretch) {
+  const auto part = all.subspan(stretch.first, stretch.count);
+  return {part.begin(), part.end()};
+}
+
+}  // namespace
+
+double median_interval(std::span<const double> times) {
+  std::vector<double> intervals;
+  for (std::size_t i = 1; i < times.size(); ++i) intervals.push_back(times[i] - times[i - 1]);
+  return median_of(std::move(intervals));
+}
+
+RecordingScale scale_of(const Keyframes& recording) {
+  return {.interval = median_interval(recording.times()),
+          .noise = std::max(least_noise, local_noise(recording.times(), recording.orientations()))};
+}
+
+Expected<std::vector<Stretch>> stretches_of(const Keyframes& recording, Penalty penalty, std::optional<double> gap) {
+  const auto t = recording.times();
+  const double interval = median_interval(t);
+  if (gap && *gap <= interval * (1.0 + time_rounding))
+    return failure(
+        ErrorCode::bad_argument,
+        fmt::format("gap: found {:.6g} s, wanted more than the median interval of {:.6g} s", *gap, interval));
+  std::vector<Stretch> stretches{{0, 1}};
+  for (std::size_t i = 1; i < t.size(); ++i)
+    if (gap && t[i] - t[i - 1] > *gap) stretches.push_back({i, 1});
+    else ++stretches.back().count;
+  std::erase_if(stretches, [&](const Stretch& stretch) { return stretch.count < fewest_samples(penalty); });
+  if (!stretches.empty()) return stretches;
+  return failure(ErrorCode::bad_data, fmt::format("found {} {}, wanted at least {} {}to smooth", t.size(),
+                                                  t.size() == 1 ? "sample" : "samples", fewest_samples(penalty),
+                                                  gap ? "without a gap " : ""));
+}
+
+StretchProblems problems_of(const Keyframes& recording, const std::vector<Stretch>& stretches, double noise) {
+  StretchProblems problems;
+  for (const Stretch& stretch : stretches)
+    problems.push_back({.times = in_stretch(recording.times(), stretch),
+                        .orientations = in_stretch(recording.orientations(), stretch),
+                        .weights = std::vector<double>(stretch.count, 1.0 / (noise * noise))});
+  return problems;
+}
+
+void add_gyro(StretchProblems& problems, const Keyframes& recording, const std::vector<Stretch>& stretches,
+              double noise) {
+  for (std::size_t k = 0; k < stretches.size(); ++k) {
+    problems[k].gyro = in_stretch(recording.angular_velocities(), stretches[k]);
+    problems[k].gyro_weights.assign(stretches[k].count, 1.0 / (noise * noise));
+  }
+}
+
+FarSamples far_samples(const StretchFits& fits, const std::vector<Stretch>& stretches, double limit) {
+  std::vector<std::vector<double>> lengths;
+  for (const SmoothingFit& fit : fits.fits) {
+    auto& those = lengths.emplace_back();
+    for (const Eigen::Vector3d& residual : fit.residuals) those.push_back(residual.norm());
+  }
+  return far_samples(lengths, stretches, limit);
+}
+
+FarSamples far_samples(const std::vector<std::vector<double>>& lengths, const std::vector<Stretch>& stretches,
+                       double limit) {
+  FarSamples far;
+  for (std::size_t k = 0; k < stretches.size(); ++k) {
+    const auto& those = lengths[k];
+    for (std::size_t begin = 0, end; begin < those.size(); begin = end + 1) {
+      end = begin;
+      while (end < those.size() && those[end] > limit) ++end;
+      auto& samples = end - begin >= shortest_run ? far.in_runs : far.single;
+      for (std::size_t i = begin; i < end; ++i) samples.push_back(stretches[k].first + i);
+    }
+  }
+  return far;
+}
+
+Expected<FarSamples> reject(StretchProblems& problems, const std::vector<Stretch>& stretches, FarSamples far,
+                            Penalty penalty) {
+  FarSamples done{.single = {}, .in_runs = std::move(far.in_runs)};
+  for (std::size_t k = 0; k < stretches.size(); ++k) {
+    const auto& [first, count] = stretches[k];
+    const auto begin = std::ranges::lower_bound(far.single, first);
+    const auto end = std::ranges::lower_bound(far.single, first + count);
+    const auto left = count - static_cast<std::size_t>(end - begin);
+    const bool enough = left >= fewest_samples(penalty);
+    if (!enough && stretches.size() == 1)
+      return failure(ErrorCode::bad_data, fmt::format("of {} samples {} are outliers, wanted at least {} others", count,
+                                                      count - left, fewest_samples(penalty)));
+    auto& samples = enough ? done.single : done.in_runs;
+    samples.insert(samples.end(), begin, end);
+    for (auto sample = begin; enough && sample != end; ++sample) problems[k].weights[*sample - first] = 0.0;
+  }
+  std::ranges::sort(done.in_runs);
+  return done;
+}
+
+}  // namespace orispline

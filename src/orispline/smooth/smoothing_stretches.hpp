@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <orispline/smooth/smooth.hpp>
+#include <orispline/smooth/smoothing_noise.hpp>
+
+namespace orispline {
+
+/// What can be read off a recording before anything is fitted.
+struct RecordingScale {
+  double interval = 0.0;  ///< median one [s]
+  double noise = 0.0;     ///< local_noise() [rad], at least `least_noise`
+};
+
+/// Of successive times; 0 for fewer than two.
+[[nodiscard]] double median_interval(std::span<const double> times);
+
+[[nodiscard]] RecordingScale scale_of(const Keyframes& recording);
+
+/// The recording cut at its gaps; stretches with too few samples for the penalty are left out. Errors: bad_argument for
+/// a gap not longer than the median interval; bad_data where no stretch is left.
+[[nodiscard]] Expected<std::vector<Stretch>> stretches_of(const Keyframes& recording, Penalty penalty,
+                                                          std::optional<double> gap);
+
+/// The problems of the stretches, all samples with the same σ [rad], without a gyro.
+[[nodiscard]] StretchProblems problems_of(const Keyframes& recording, const std::vector<Stretch>& stretches,
+                                          double noise);
+
+/// Adds the angular velocities as those of a gyro with that σ [rad/s].
+void add_gyro(StretchProblems& problems, const Keyframes& recording, const std::vector<Stretch>& stretches,
+              double noise);
+
+/// Samples whose residual is longer than a limit.
+struct FarSamples {
+  std::vector<std::size_t> single{};   ///< indices into the recording
+  std::vector<std::size_t> in_runs{};  ///< of which three or more follow each other, or fill a stretch
+};
+[[nodiscard]] FarSamples far_samples(const StretchFits& fits, const std::vector<Stretch>& stretches, double limit);
+
+/// The same of any lengths, those of each stretch by themselves.
+[[nodiscard]] FarSamples far_samples(const std::vector<std::vector<double>>& lengths,
+                                     const std::vector<Stretch>& stretches, double limit);
+
+/// Takes the weight of the single samples, and gives them back, but for stretches that would keep too few: theirs are
+/// added to those in runs. Error (bad_data): the only stretch would keep too few.
+[[nodiscard]] Expected<FarSamples> reject(StretchProblems& problems, const std::vector<Stretch>& stretches,
+                                          FarSamples far, Penalty penalty);
+
+}  // namespace orispline

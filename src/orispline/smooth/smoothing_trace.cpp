@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/smooth/smoothing_trace.hpp>
+
+#include <cmath>
+
+#include <orispline/smooth/chain_elimination.hpp>
+
+namespace orispline {
+namespace {
+
+/// The link of two nodes of the scalar smoother: its value and P-1 derivatives at both ends, whose combination has the
+/// squared norm ∫|f^(P)|² dt.
+template <int P>
+Eigen::Matrix<double, P, 2 * P> scalar_link(double h) {
+  Eigen::Matrix<double, P, 2 * P> link;
+  const double root3 = std::sqrt(3.0), root5 = std::sqrt(5.0), root = std::sqrt(h);
+  if constexpr (P == 2) {
+    link << 0.0, -h, 0.0, h,  //
+        2.0 * root3, root3 * h, -2.0 * root3, root3 * h;
+    return link / (h * root);
+  } else {
+    const double q = h * h;
+    link << 0.0, 0.0, -q, 0.0, 0.0, q,                                      //
+        0.0, 2.0 * root3 * h, root3 * q, 0.0, -2.0 * root3 * h, root3 * q,  //
+        -12.0 * root5, -6.0 * root5 * h, -root5 * q, 12.0 * root5, -6.0 * root5 * h, root5 * q;
+    return link / (q * root);
+  }
+}
+
+template <int P>
+double trace(std::span<const double> times, std::span<const double> weights, double lambda) {
+  using Chain = ChainElimination<P, 1, 1>;
+  Chain chain;
+  chain.start(times.size());
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    typename Chain::Low low = Chain::Low::Zero();
+    low(0, 0) = std::sqrt(weights[i]);
+    if (i + 1 < times.size())
+      low.template bottomLeftCorner<P, 2 * P>() = std::sqrt(lambda) * scalar_link<P>(times[i + 1] - times[i]);
+    static_cast<void>(chain.add(low));
+  }
+  using Block = Eigen::Matrix<double, P, P>;
+  Block covariance = Block::Zero();  // of the node behind
+  double sum = 0.0;
+  for (std::size_t i = times.size(); i-- > 0;) {
+    const auto factor = chain.rows()[i].template leftCols<P>().template triangularView<Eigen::Upper>();
+    const Block inverse = factor.solve(Block::Identity());
+    const Block gain = factor.solve(Block(chain.rows()[i].template middleCols<P>(P)));
+    covariance = (inverse * inverse.transpose() + gain * covariance * gain.transpose()).eval();
+    sum += weights[i] * covariance(0, 0);
+  }
+  return sum;
+}
+
+}  // namespace
+
+double hat_trace(std::span<const double> times, std::span<const double> weights, Penalty penalty, double lambda) {
+  return penalty == Penalty::acceleration ? trace<2>(times, weights, lambda) : trace<3>(times, weights, lambda);
+}
+
+}  // namespace orispline

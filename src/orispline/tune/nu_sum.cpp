@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/tune/nu_sum.hpp>
+
+#include <algorithm>
+#include <limits>
+
+#include <Eigen/SparseLU>
+
+#include <orispline/families/nu.hpp>
+#include <orispline/families/registry.hpp>
+
+namespace orispline {
+namespace {
+
+using families::Nu;
+using families::NuRatios;
+using families::NuRule;
+using families::NuSteps;
+using J = Jet<double, 1>;
+using Controls = std::vector<Quaternion<J>>;
+
+/// The control orientations, which turn by these rotation vectors per unit of a variable.
+Controls moving(const std::vector<Eigen::Quaterniond>& controls, const Eigen::VectorXd& turns) {
+  Controls moved;
+  for (std::size_t i = 0; i < controls.size(); ++i) {
+    Vector3<J> turn;
+    for (Eigen::Index axis = 0; axis < 3; ++axis) turn[axis].c[1] = turns[3 * static_cast<Eigen::Index>(i) + axis];
+    moved.push_back(constant<J>(controls[i]) * exp<J>(turn));
+  }
+  return moved;
+}
+
+/// By how much key i is missed, as a function of its controls.
+template <class Rule>
+Vector3<J> missed(const Rule& rule, std::size_t i, const Controls& d, const Eigen::Quaterniond& key) {
+  const std::size_t before = i > 0 ? i - 1 : i, after = std::min(i + 1, d.size() - 1);
+  return rule.template operator()<J>(i, d[before], d[i], d[after], constant<J>(key));
+}
+
+/// The ratios as functions of the ν of one key.
+NuRatios<J> ratios_along(NuSteps step, const std::vector<double>& nu, std::size_t key) {
+  std::vector<J> gamma;
+  for (std::size_t i = 0; i < nu.size(); ++i)
+    gamma.push_back(families::nu_gamma<J>(step, i, i == key ? J::variable(nu[i]) : J(nu[i])));
+  return families::nu_ratios<J>(step, gamma);
+}
+
+using SparseMatrix = Eigen::SparseMatrix<double>;
+
+/// Derivatives of what the keys are missed by along the turns of the controls.
+SparseMatrix control_jacobian(const Nu::Construction& made, std::span<const Eigen::Quaterniond> keys) {
+  const std::size_t n = keys.size();
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int color = 0; color < 9; ++color) {  // every third control moves about one axis: no equation sees two of them
+    const std::size_t first = static_cast<std::size_t>(color) / 3;
+    const int axis = color % 3;
+    Eigen::VectorXd turns = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(n));
+    for (std::size_t j = first; j < n; j += 3) turns[3 * static_cast<Eigen::Index>(j) + axis] = 1.0;
+    const Controls d = moving(made.controls, turns);
+    for (std::size_t i = 0; i < n; ++i) {
+      const Vector3<J> value = missed(made.rule, i, d, keys[i]);
+      const std::size_t j = (i + 1) % 3 == first ? i + 1 : i % 3 == first ? i : i - 1;  // the one that i sees
+      if (j >= n) continue;
+      for (int row = 0; row < 3; ++row)
+        entries.emplace_back(3 * static_cast<int>(i) + row, 3 * static_cast<int>(j) + axis, value[row].c[1]);
+    }
+  }
+  const auto size = 3 * static_cast<Eigen::Index>(n);
+  SparseMatrix matrix(size, size);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+Eigen::Vector3d values_of(const Vector3<J>& v) { return {v[0].c[0], v[1].c[0], v[2].c[0]}; }
+Eigen::Vector3d slopes_of(const Vector3<J>& v) { return {v[0].c[1], v[1].c[1], v[2].c[1]}; }
+
+/// The handles of the cubic after key i.
+struct Handles {
+  Vector3<J> leaving, arriving;
+};
+
+Handles handles(const Controls& d, const NuRatios<J>& ratios, std::span<const Eigen::Quaterniond> keys, std::size_t i) {
+  return {increment<J>(constant<J>(keys[i]), slerp<J>(d[i], d[i + 1], ratios.after[i])),
+          increment<J>(slerp<J>(d[i], d[i + 1], ratios.before[i + 1]), constant<J>(keys[i + 1]))};
+}
+
+}  // namespace
+
+NuSum::NuSum(const Keyframes& keys, const TensionModel& model, const Goal& goal)
+    : keys_(keys), model_(model), goal_(goal), variables_(keys.size() - 1) {
+  for (std::size_t i = 0; i < variables_.size(); ++i)
+    for (std::size_t v = i > reach ? i - reach : 0; v < std::min(model.variables.size(), i + reach); ++v)
+      variables_[i].push_back(v);
+  std::vector<double> values;
+  for (const Variable& variable : model.variables) values.push_back(variable.initial);
+  move_to(values);
+}
+
+void NuSum::move_to(const std::vector<double>& values) {
+  segments_.clear();
+  slopes_.assign(variables_.size(), {});
+  const CurveOptions options = model_.with(values);
+  const auto made = settle(Nu::info, options, keys_.size()).and_then([&](const FamilySettings& settings) {
+    return Nu::construction(keys_, settings);
+  });
+  if (!made) return;
+  const auto q = keys_.orientations();
+  const NuSteps step{keys_.times()};
+  const std::vector<double>& nu = options.parameters.find("nu")->second;
+  Eigen::SparseLU<SparseMatrix> equations(control_jacobian(*made, q));
+  if (equations.info() != Eigen::Success) return;
+  const auto size = 3 * static_cast<Eigen::Index>(q.size());
+  const Controls still = moving(made->controls, Eigen::VectorXd::Zero(size));
+  for (std::size_t i = 0; i < variables_.size(); ++i) {
+    const Handles h = handles(still, ratios_along(step, nu, 0), q, i);
+    segments_.push_back(
+        slerp_segment(keys_.times()[i], step(i + 1), q[i], q[i + 1], values_of(h.leaving), values_of(h.arriving)));
+  }
+  for (std::size_t v = 0; v < values.size(); ++v) {
+    const NuRule<J> rule{ratios_along(step, nu, model_.variables[v].key), made->rule.start, made->rule.end};
+    Eigen::VectorXd change = Eigen::VectorXd::Zero(size);
+    for (std::size_t i = 0; i < q.size(); ++i)
+      change.segment<3>(3 * static_cast<Eigen::Index>(i)) = slopes_of(missed(rule, i, still, q[i]));
+    const Controls d = moving(made->controls, equations.solve(-change));
+    for (std::size_t i = 0; i < variables_.size(); ++i) {
+      if (variables_[i].empty() || v < variables_[i].front() || v > variables_[i].back()) continue;
+      const Handles h = handles(d, rule.ratios, q, i);
+      slopes_[i].push_back({slopes_of(h.leaving), Eigen::Vector3d::Zero(), slopes_of(h.arriving)});
+    }
+  }
+}
+
+std::size_t NuSum::residual_count(std::size_t block) const { return orispline::residual_count(goal_, block); }
+
+Eigen::VectorXd NuSum::residuals(std::size_t block) const {
+  if (segments_.empty())
+    return Eigen::VectorXd::Constant(static_cast<Eigen::Index>(residual_count(block)),
+                                     std::numeric_limits<double>::quiet_NaN());
+  return residual_values(segments_[block], goal_, block, {});
+}
+
+Eigen::MatrixXd NuSum::jacobian(std::size_t block) const {
+  return residual_jacobian(segments_[block], goal_, block, slopes_[block]);
+}
+
+Expected<TensionModel> nu_model(const Keyframes& keys, const CurveOptions& options) {
+  return make_curve(Nu::info.name, keys, options)
+      .and_then([&](const AnyCurve&) { return settle(Nu::info, options, keys.size()); })
+      .map([&](const FamilySettings& settings) {
+        TensionModel model{.variables = {}, .segments = {}, .options = options};
+        const std::vector<double> nu = model.options.parameters["nu"] = settings.per_key("nu").all(keys.size());
+        const Parameter& p = Nu::parameters.front();
+        for (std::size_t key = 1; key + 1 < keys.size(); ++key)
+          model.variables.push_back({"nu", key, nu[key], p.lowest, p.highest});
+        return model;
+      });
+}
+
+}  // namespace orispline

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+#include <orispline/tune/objective.hpp>
+#include <orispline/tune/tension_model.hpp>
+
+namespace orispline {
+
+/// How many residuals a segment has: the sum of their squares is what it adds to the objective.
+[[nodiscard]] std::size_t residual_count(const Goal& goal, std::size_t segment);
+
+/// The residuals of a segment at the values of its own variables, in their order.
+///
+/// An integral over the segment becomes a sum by Gauss's quadrature: exact for `linearised`, else with a relative error
+/// of 3e-14 on steps of a radian.
+[[nodiscard]] Eigen::VectorXd residual_values(const TensionSegment& segment, const Goal& goal, std::size_t index,
+                                              std::span<const double> values);
+
+/// Their derivatives by the segment's variables, exact, from jets.
+[[nodiscard]] Eigen::MatrixXd residual_jacobian(const TensionSegment& segment, const Goal& goal, std::size_t index,
+                                                std::span<const double> values);
+
+/// The same by variables that change the increments and not the blending functions: how, per unit of each.
+[[nodiscard]] Eigen::MatrixXd residual_jacobian(const TensionSegment& segment, const Goal& goal, std::size_t index,
+                                                std::span<const Increments> slopes);
+
+}  // namespace orispline

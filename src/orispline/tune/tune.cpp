@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/tune/tune.hpp>
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <orispline/analysis/torque.hpp>
+#include <orispline/families/nu.hpp>
+#include <orispline/families/registry.hpp>
+#include <orispline/tune/nu_sum.hpp>
+#include <orispline/tune/tension_sum.hpp>
+
+namespace orispline {
+namespace {
+
+constexpr std::size_t fewest_keys = 3;
+/// Asked of the result: a Gauss–Newton step may lower the energy by no more than this share.
+constexpr double wanted_stationarity = 1e-8;
+/// An energy of this share of what it was is rounding.
+constexpr double rounding_energy = 1e-16;
+
+/// The parameters to vary.
+Expected<std::vector<std::string>> parameters_of(const FamilyInfo& family, const TuneOptions& options) {
+  std::vector<std::string> tunable = tunable_parameters(family.name);
+  if (tunable.empty())
+    return failure(ErrorCode::bad_argument, fmt::format("{}: this method has no tensions to tune, wanted one of {}",
+                                                        family.name, tunable_families()));
+  if (options.parameters.empty()) return tunable;
+  for (const std::string& name : options.parameters)
+    if (std::ranges::find(tunable, name) == tunable.end())
+      return failure(ErrorCode::bad_argument, fmt::format("{}: found '{}' to tune, wanted one of {}", family.name, name,
+                                                          fmt::join(tunable, ", ")));
+  return options.parameters;
+}
+
+/// Where the reference's orientations lie on the segments; those beyond the ends are left out.
+Expected<Goal> goal_of(const Keyframes& keys, const TuneOptions& options) {
+  Goal goal{.objective = options.objective, .inertia = options.inertia};
+  if (options.objective == Objective::torque)
+    if (const auto inertia = checked_inertia(options.inertia); !inertia) return tl::unexpected(inertia.error());
+  if (options.objective != Objective::fit) return goal;
+  const Knots knots({keys.times().begin(), keys.times().end()});
+  goal.reference_samples.resize(knots.segments());
+  for (std::size_t i = 0; i < options.reference.times.size(); ++i) {
+    const double t = options.reference.times[i];
+    if (!(knots.front() <= t && t <= knots.back())) continue;
+    const std::size_t segment = knots.segment_at(t);
+    goal.reference_samples[segment].push_back({knots.span(segment).normalised(t), options.reference.orientations[i]});
+    ++goal.sample_count;
+  }
+  if (goal.sample_count > 0) return goal;
+  return failure(
+      ErrorCode::bad_data,
+      fmt::format("the reference has no time between the first and the last key, wanted some from {} to {} s",
+                  knots.front(), knots.back()));
+}
+
+Expected<void> check_request(const FamilyInfo& family, const Keyframes& keys, const CurveOptions& curve,
+                             const TuneOptions& options) {
+  if (keys.size() < fewest_keys)
+    return failure(ErrorCode::bad_data, fmt::format("found {} key{}, wanted at least {} to tune tensions", keys.size(),
+                                                    keys.size() == 1 ? "" : "s", fewest_keys));
+  if (curve.loop)
+    return failure(ErrorCode::bad_argument, fmt::format("{}: tensions of a loop are not tuned", family.name));
+  if (options.bounds && !(options.bounds->lowest < options.bounds->highest))
+    return failure(ErrorCode::bad_argument, fmt::format("the bounds are {} and {}, wanted the lower one first",
+                                                        options.bounds->lowest, options.bounds->highest));
+  return {};
+}
+
+std::vector<double> initial_values(const TensionModel& model) {
+  std::vector<double> values;
+  for (const Variable& variable : model.variables) values.push_back(variable.initial);
+  return values;
+}
+
+std::vector<Interval> bounds_of(const TensionModel& model, const std::optional<Interval>& bounds) {
+  std::vector<Interval> all;
+  for (const Variable& variable : model.variables)
+    all.push_back(bounds
+                      ? Interval{std::max(bounds->lowest, variable.lowest), std::min(bounds->highest, variable.highest)}
+                      : Interval{variable.lowest, variable.highest});
+  return all;
+}
+
+bool inside(std::span<const double> values, std::span<const Interval> bounds) {
+  for (std::size_t v = 0; v < values.size(); ++v)
+    if (!(bounds[v].lowest <= values[v] && values[v] <= bounds[v].highest)) return false;
+  return true;
+}
+
+/// The closed form of `nu` is ν = 0: no curve through the keys has a smaller ∫|x''|² than the cubic spline (Holladay
+/// 1957).
+std::vector<double> least_nu(std::span<const Interval> bounds) {
+  std::vector<double> values;
+  for (const Interval& b : bounds) values.push_back(std::clamp(0.0, b.lowest, b.highest));
+  return values;
+}
+
+/// The least linearised energy within the bounds.
+std::vector<double> closed_form(const TensionModel& model, std::span<const Interval> bounds) {
+  const Goal linearised{.objective = Objective::linearised};
+  TensionSum sum(model, linearised);
+  std::vector<double> values = initial_values(model);
+  const std::vector<double> step = newton_step(sum, values.size());
+  for (std::size_t v = 0; v < values.size(); ++v) values[v] += step[v];
+  if (inside(values, bounds)) return values;
+  return minimised(sum, std::move(values), bounds).values;
+}
+
+/// The least energy near the closed form: free where that stays within the bounds.
+Minimum refined(SumOfSquares& sum, const std::vector<double>& start, std::span<const Interval> bounds) {
+  const std::vector<Interval> free(start.size());
+  const Minimum minimum = minimised(sum, start, free);
+  return inside(minimum.values, bounds) ? minimum : minimised(sum, start, bounds);
+}
+
+/// From the closed form `start` on.
+Expected<Tuning> tuned(const FamilyInfo& family, const TensionModel& model, SumOfSquares& sum,
+                       const std::vector<double>& start, std::span<const Interval> bounds, Objective objective) {
+  Tuning tuning{.options = {}, .parameters = {}, .energy_before = value_of(sum)};
+  Minimum minimum{start, 0};
+  if (objective != Objective::linearised) minimum = refined(sum, start, bounds);
+  sum.move_to(minimum.values);
+  tuning.energy_after = value_of(sum);
+  const double scale = std::max(tuning.energy_after, rounding_energy * tuning.energy_before);
+  if (objective != Objective::linearised && scale > 0.0)
+    tuning.stationarity = descent(sum, minimum.values, bounds).decrease / scale;
+  tuning.iterations = minimum.iterations;
+  tuning.options = model.with(minimum.values);
+  if (tuning.stationarity <= wanted_stationarity) return tuning;
+  return failure(ErrorCode::not_converged,
+                 fmt::format("{}: tuning came to rest where a step would lower the energy by {:.2g} of itself, wanted "
+                             "{:.2g} at most",
+                             family.name, tuning.stationarity, wanted_stationarity));
+}
+
+Expected<Tuning> tuned_affine(const FamilyInfo& family, const TensionModel& model, const Goal& goal,
+                              const TuneOptions& options) {
+  TensionSum sum(model, goal);
+  const std::vector<Interval> bounds = bounds_of(model, options.bounds);
+  return tuned(family, model, sum, closed_form(model, bounds), bounds, goal.objective);
+}
+
+Expected<Tuning> tuned_nu(const FamilyInfo& family, const Keyframes& keys, const TensionModel& model, const Goal& goal,
+                          const TuneOptions& options) {
+  NuSum sum(keys, model, goal);
+  const std::vector<Interval> bounds = bounds_of(model, options.bounds);
+  return tuned(family, model, sum, least_nu(bounds), bounds, goal.objective);
+}
+
+}  // namespace
+
+std::string tunable_families() {
+  std::vector<std::string_view> names;
+  for (const FamilyInfo& family : families_info())
+    if (!tunable_parameters(family.name).empty()) names.push_back(family.name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+Expected<Tuning> tune(std::string_view family, const Keyframes& keys, const CurveOptions& curve,
+                      const TuneOptions& options) {
+  const auto info = find_family(family);
+  if (!info) return tl::unexpected(info.error());
+  const auto parameters = parameters_of(**info, options);
+  if (!parameters) return tl::unexpected(parameters.error());
+  if (auto checked = check_request(**info, keys, curve, options); !checked)
+    return tl::unexpected(std::move(checked.error()));
+  const auto goal = goal_of(keys, options);
+  if (!goal) return tl::unexpected(goal.error());
+  const auto model =
+      family == families::Nu::info.name ? nu_model(keys, curve) : tension_model(**info, keys, curve, *parameters);
+  if (!model) return tl::unexpected(model.error());
+  const bool is_nu = model->segments.empty();
+  return (is_nu ? tuned_nu(**info, keys, *model, *goal, options) : tuned_affine(**info, *model, *goal, options))
+      .map([&](Tuning tuning) {
+        tuning.parameters = *parameters;
+        return tuning;
+      });
+}
+
+}  // namespace orispline

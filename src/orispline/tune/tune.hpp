@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <orispline/analysis/distance.hpp>
+#include <orispline/curve/family.hpp>
+#include <orispline/curve/keyframe.hpp>
+#include <orispline/tune/least_squares.hpp>
+#include <orispline/tune/objective.hpp>
+
+namespace orispline {
+
+/// How tensions are sought.
+struct TuneOptions {
+  Objective objective = Objective::acceleration;
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Identity();  ///< [kg m²], body frame; for `torque`
+  OrientationSeries reference{};                          ///< for `fit`; times [s] of the keys
+  std::optional<Interval> bounds{};                       ///< of every tension; absent: what the family accepts
+  std::vector<std::string> parameters{};                  ///< to vary; empty: all that the family lets vary
+};
+
+/// The result of tuning.
+struct Tuning {
+  CurveOptions options;                 ///< those given, with one value per key of every parameter that was varied
+  std::vector<std::string> parameters;  ///< the ones that were varied
+  double energy_before = 0.0, energy_after = 0.0;  ///< in the unit of the objective
+  std::size_t iterations = 0;                      ///< after the closed form; 0 where that is the answer
+  double stationarity = 0.0;  ///< by which share of the energy a Gauss–Newton step would lower it still
+};
+
+/// The families whose tensions can be tuned, between commas.
+[[nodiscard]] std::string tunable_families();
+
+/// The tensions that make the objective least, starting from those of the options.
+///
+/// The closed form minimises `linearised` by one banded solve in linear time; every other objective is refined from
+/// there to a stationarity of 1e-8 at most, usually 1e-14. Tensions without influence stay as they are.
+/// Source: docs/tune.md.
+/// Errors: those of make_curve(); bad_argument for a family without tensions, an unknown parameter, a loop, bounds
+/// without a number between them, an inertia that is none; bad_data for fewer than three keys and for a reference
+/// without a time between the first and the last key; not_converged.
+[[nodiscard]] Expected<Tuning> tune(std::string_view family, const Keyframes& keys, const CurveOptions& curve,
+                                    const TuneOptions& options);
+
+}  // namespace orispline

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// After construction an online curve allocates nothing: not for a key, not for a value, not for the end nor a new
+// start.
+#include <gtest/gtest.h>
+
+#include <batch/online_stream.hpp>
+#include <curve/counting_new.hpp>
+#include <orispline/families/registry.hpp>
+
+namespace orispline {
+namespace {
+
+using namespace testing_support;
+
+TEST(OnlineCurve, AllocatesNothingAfterConstruction) {
+  const KeyframeData data = raw_walk(601, 200);
+  for (const std::string_view method : OnlineCurve::methods())
+    for (const EndRule rule :
+         find_family(method).value()->ends.empty()
+             ? std::vector{EndRule::none}
+             : std::vector(find_family(method).value()->ends.begin(), find_family(method).value()->ends.end())) {
+      OnlineCurve curve = OnlineCurve::make(method, 20, {.start = {.rule = rule}, .end = {.rule = rule}}).value();
+      double sum = 0.0;
+      std::size_t refused = 0;
+
+      const std::size_t before = allocations_of_this_thread();
+      for (int stream = 0; stream < 2; ++stream) {
+        curve.reset();
+        for (std::size_t i = 0; i < data.times.size(); ++i) {
+          refused += curve.append(data.times[i], data.orientations[i], data.positions[i]) ? 0 : 1;
+          const Domain domain = curve.available().value();
+          for (const double t : {domain.start - 1.0, 0.5 * (domain.start + domain.end), domain.end - 0.01, 1e9})
+            sum += curve(t).w() + curve.motion(t).angular_jerk.x() + curve.linear_motion(t)->velocity.x();
+          sum += curve.checked_motion(domain.end).value().angular_velocity.x();
+        }
+        refused += curve.finish() ? 0 : 1;
+      }
+      const std::size_t after = allocations_of_this_thread();
+
+      EXPECT_EQ(after, before) << method << ", ends " << name_of(rule) << ", checksum " << sum;
+      EXPECT_EQ(refused, 0u);
+    }
+}
+
+}  // namespace
+}  // namespace orispline

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/tune/tune.hpp>
+
+#include <gtest/gtest.h>
+
+#include <orispline/analysis/energy.hpp>
+#include <orispline/families/registry.hpp>
+#include <orispline/tune/nu_sum.hpp>
+#include <support/data_table.hpp>
+#include <support/golden_case.hpp>
+
+namespace orispline {
+namespace {
+
+using testing_support::DataTable;
+
+const Eigen::Matrix3d inertia = Eigen::Vector3d(1.0, 2.0, 4.0).asDiagonal();
+
+Tuning tuned(std::string_view family, const Keyframes& keys, TuneOptions options) {
+  options.inertia = inertia;
+  auto tuning = tune(family, keys, {}, options);
+  EXPECT_TRUE(tuning) << describe(tuning.error());
+  return tuning.value_or(Tuning{});
+}
+
+/// The rows of one case of energies.csv: default, closed form, least acceleration, least torque.
+std::vector<std::vector<DataTable::Row>> golden_cases(const DataTable& table) {
+  std::vector<std::vector<DataTable::Row>> cases;
+  for (std::size_t i = 0; i + 3 < table.size(); i += 4)
+    cases.push_back({table.row(i), table.row(i + 1), table.row(i + 2), table.row(i + 3)});
+  return cases;
+}
+
+void expect_tensions(const Tuning& tuning, const DataTable::Row& row, double limit) {
+  const CurveOptions wanted = testing_support::options_of(row);
+  for (const auto& [name, values] : wanted.parameters)
+    for (std::size_t i = 0; i < values.size(); ++i)
+      EXPECT_NEAR(tuning.options.parameters.at(name).at(i), values[i], limit) << testing_support::label_of(row);
+}
+
+TEST(Tune, ClosedFormIsThatOfTheReference) {
+  const DataTable keys("golden/keys.csv"), table("golden/energies.csv");
+  for (const auto& rows : golden_cases(table)) {
+    const Keyframes q = testing_support::keys_of(keys, rows[0]);
+    expect_tensions(tuned(rows[0].text("family"), q, {.objective = Objective::linearised}), rows[1], 1e-9);
+  }
+}
+
+TEST(Tune, FindsTheLeastAccelerationOfTheReference) {
+  const DataTable keys("golden/keys.csv"), table("golden/energies.csv");
+  ASSERT_EQ(golden_cases(table).size(), 9u);
+  for (const auto& rows : golden_cases(table)) {
+    const Keyframes q = testing_support::keys_of(keys, rows[0]);
+    const Tuning found = tuned(rows[0].text("family"), q, {.objective = Objective::acceleration});
+    expect_tensions(found, rows[2], 1e-5);
+    EXPECT_NEAR(found.energy_before / rows[0].number("acceleration"), 1.0, 1e-9);
+    EXPECT_NEAR(found.energy_after / rows[2].number("acceleration"), 1.0, 1e-9);
+    EXPECT_LE(found.stationarity, 1e-8);
+  }
+}
+
+TEST(Tune, FindsTheLeastTorqueOfTheReference) {
+  const DataTable keys("golden/keys.csv"), table("golden/energies.csv");
+  for (const auto& rows : golden_cases(table)) {
+    const Keyframes q = testing_support::keys_of(keys, rows[0]);
+    const Tuning found = tuned(rows[0].text("family"), q, {.objective = Objective::torque});
+    expect_tensions(found, rows[3], 1e-5);
+    EXPECT_NEAR(found.energy_before / rows[0].number("torque"), 1.0, 1e-9);
+    EXPECT_NEAR(found.energy_after / rows[3].number("torque"), 1.0, 1e-9);
+  }
+}
+
+Eigen::Quaterniond turned(double x, double y, double z) { return exp<double>(Eigen::Vector3d(x, y, z)); }
+
+Keyframes some_keys() {
+  KeyframeData data{.times = {0.0, 0.8, 1.5, 2.9, 3.6, 4.0}, .orientations = {turned(0.1, 0.2, -0.3)}};
+  for (const auto& step : {turned(0.5, 0.3, 0.1), turned(0.2, -0.6, 0.4), turned(-0.1, 0.7, 0.9),
+                           turned(0.6, 0.1, -0.5), turned(0.3, 0.3, 0.2)})
+    data.orientations.push_back(data.orientations.back() * step);
+  return Keyframes::make(std::move(data)).value();
+}
+
+double energy_of(std::string_view family, const CurveOptions& options, Objective objective) {
+  const Energies e = energies(make_curve(family, some_keys(), options).value(), inertia);
+  return objective == Objective::jerk ? e.jerk : objective == Objective::torque ? e.torque : e.acceleration;
+}
+
+TEST(Tune, LeavesNoTensionThatWouldLowerTheEnergyIfItWereMoved) {
+  for (const std::string family : {"quintic", "sextic", "timed-c2", "timed-c3", "timed-sextic", "tcb", "nu"})
+    for (const Objective objective : {Objective::acceleration, Objective::torque}) {
+      const Tuning found = tuned(family, some_keys(), {.objective = objective});
+      const double least = energy_of(family, found.options, objective);
+      EXPECT_NEAR(found.energy_after / least, 1.0, 1e-9) << family;
+      EXPECT_LT(found.energy_after, found.energy_before) << family;
+      for (const std::string& name : found.parameters)
+        for (std::size_t key = 0; key < 6; ++key)
+          for (const double move : {-1e-3, 1e-3}) {
+            CurveOptions moved = found.options;
+            moved.parameters[name][key] += move;
+            EXPECT_GE(energy_of(family, moved, objective), least * (1.0 - 1e-12)) << family << " " << name << key;
+          }
+    }
+}
+
+TEST(Tune, KeepsTensionsWithoutInfluence) {
+  const Tuning found = tuned("timed-c2", some_keys(), {.objective = Objective::jerk});
+  EXPECT_EQ(found.options.parameters.at("tension2").front(), 1.0);
+  EXPECT_EQ(found.options.parameters.at("tension2").back(), 1.0);
+  EXPECT_NE(found.options.parameters.at("tension2")[1], 1.0);
+}
+
+TEST(Tune, StaysWithinBoundsThatAreAskedFor) {
+  const TuneOptions bounded{.objective = Objective::acceleration, .bounds = Interval{0.45, 0.55}};
+  const Tuning found = tuned("quintic", some_keys(), bounded);
+  const auto [lowest, highest] = std::ranges::minmax(found.options.parameters.at("tension"));
+  EXPECT_EQ(lowest, 0.45);
+  EXPECT_EQ(highest, 0.55);
+  EXPECT_GT(found.energy_after, tuned("quintic", some_keys(), {.objective = Objective::acceleration}).energy_after);
+}
+
+TEST(Tune, FitsTheTensionsThatMadeTheReference) {
+  const CurveOptions made{.parameters = {{"tension", {0.4, 0.7, 0.2, 0.6, 0.5, 0.3}}}};
+  const AnyCurve curve = make_curve("quintic", some_keys(), made).value();
+  std::vector<double> times;
+  std::vector<Eigen::Quaterniond> orientations;
+  for (double t = -0.5; t < 5.0; t += 0.05) {
+    times.push_back(t);
+    orientations.emplace_back(-curve(t).coeffs());
+  }
+  const Tuning found = tuned("quintic", some_keys(), {.objective = Objective::fit, .reference = {times, orientations}});
+  for (std::size_t key = 0; key < 6; ++key)
+    EXPECT_NEAR(found.options.parameters.at("tension")[key], made.parameters.at("tension")[key], 1e-9);
+  EXPECT_LT(found.energy_after, 1e-20);
+}
+
+TEST(Tune, RefusesWhatItCannotTune) {
+  const auto error = [](std::string_view family, const Keyframes& keys, const TuneOptions& options) {
+    const auto tuning = tune(family, keys, {}, options);
+    return tuning ? std::string("none") : tuning.error().message;
+  };
+  const Keyframes two = Keyframes::make({.times = {0, 1}, .orientations = {turned(0, 0, 0), turned(1, 0, 0)}}).value();
+  EXPECT_EQ(error("quintic", two, {}), "found 2 keys, wanted at least 3 to tune tensions");
+  EXPECT_EQ(error("auto", some_keys(), {}),
+            "auto: this method has no tensions to tune, wanted one of " + tunable_families());
+  EXPECT_EQ(error("quintic", some_keys(), {.objective = Objective::fit}),
+            "the reference has no time between the first and the last key, wanted some from 0 to 4 s");
+  EXPECT_EQ(error("quintic", some_keys(),
+                  {.objective = Objective::torque, .inertia = Eigen::Vector3d(1, -2, 3).asDiagonal()}),
+            "the inertia has the principal moments -2, 1, 3, wanted all of them greater than 0");
+  EXPECT_FALSE(is_physical_inertia(inertia));  // 4 > 1 + 2
+  EXPECT_TRUE(is_physical_inertia(Eigen::Matrix3d::Identity()));
+}
+
+TEST(Tune, KnowsHowACurveChangesWithNu) {
+  const Keyframes keys = some_keys();
+  for (const Objective objective : {Objective::acceleration, Objective::jerk}) {
+    const Goal goal{.objective = objective};
+    const TensionModel model = nu_model(keys, {}).value();
+    NuSum sum(keys, model, goal);
+    const std::vector<double> nu{0.4, -0.3, 0.8, 0.1};
+    constexpr double h = 1e-5;
+    for (std::size_t v = 0; v < nu.size(); ++v)
+      for (std::size_t block = 0; block < sum.blocks(); ++block) {
+        const auto at = [&](double move) {
+          std::vector<double> values = nu;
+          values[v] += move;
+          sum.move_to(values);
+          return sum.residuals(block);
+        };
+        const Eigen::VectorXd slope = (at(h) - at(-h)) / (2.0 * h);
+        sum.move_to(nu);
+        const Eigen::VectorXd exact = sum.jacobian(block).col(static_cast<Eigen::Index>(v));
+        EXPECT_NEAR((slope - exact).norm(), 0.0, 1e-7 * (1.0 + exact.norm())) << v << " " << block;
+      }
+  }
+}
+
+}  // namespace
+}  // namespace orispline
