@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The command line: which commands and options there are, and what the help says about them.
+#include <algorithm>
+#include <csignal>
+#include <new>
+#include <span>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
@@ -7,27 +12,21 @@
 #include <orispline/base/version.hpp>
 #include <orispline/batch/kernel/dispatch.hpp>
 
-#include "command_options.hpp"
-#include "compare.hpp"
-#include "completion.hpp"
-#include "convert.hpp"
-#include "exit_code.hpp"
-#include "inspect.hpp"
-#include "method_options.hpp"
-#include "methods.hpp"
-#include "plot.hpp"
-#include "reduce.hpp"
-#include "reproduce.hpp"
-#include "retime.hpp"
-#include "sample.hpp"
-#include "smooth.hpp"
-#include "standard_output.hpp"
-#include "tune.hpp"
-
-#include <algorithm>
-#include <csignal>
-#include <new>
-#include <span>
+#include "commands/compare/compare_options.hpp"
+#include "commands/completion/completion.hpp"
+#include "commands/convert/convert_options.hpp"
+#include "commands/inspect/inspect_options.hpp"
+#include "commands/methods/methods.hpp"
+#include "commands/plot/plot_options.hpp"
+#include "commands/reduce/reduce_options.hpp"
+#include "commands/retime/retime_options.hpp"
+#include "commands/sample/sample_options.hpp"
+#include "commands/smooth/smooth_options.hpp"
+#include "commands/tune/tune_options.hpp"
+#include "options/method_options.hpp"
+#include "output/exit_code.hpp"
+#include "output/standard_output.hpp"
+#include "papers/reproduce.hpp"
 
 namespace orispline::cli {
 namespace {
@@ -128,7 +127,7 @@ std::string command_line(std::span<char*> arguments) {
   std::string line = "orispline";
   for (const std::string_view argument : arguments) {
     const bool plain = !argument.empty() && argument.find_first_of(" \t\n'\"\\$&|;<>()*?[]#~`!{}") == argument.npos;
-    line += plain ? fmt::format(" {}", argument) : fmt::format(" {}", quoted(argument));
+    line += plain ? fmt::format(" {}", argument) : fmt::format(" {}", shell_word(argument));
   }
   return line;
 }

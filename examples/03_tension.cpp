@@ -16,7 +16,7 @@ int main() {
   for (const double tension : {1.0, 0.5, 0.0, -0.2}) {
     orispline::CurveOptions options;
     options.parameters["tension"] = {0.5, 0.5, tension, 0.5, 0.5};  // one per key; a single value would serve for all
-    const auto curve = orispline::make_curve("timed-c2", *keys, options);
+    const auto curve = orispline::make_curve({"timed-c2", options}, *keys);
     if (!curve) return 1;
     std::printf("%7.1f                          ", tension);
     for (const double t : {1.0, 1.5, 2.0, 2.5, 3.0}) std::printf(" %7.4f", curve->motion(t).angular_velocity.z());
@@ -25,5 +25,5 @@ int main() {
 
   orispline::CurveOptions wrong;
   wrong.parameters["tension"] = {0.5, 0.5};
-  std::printf("%s\n", orispline::describe(orispline::make_curve("timed-c2", *keys, wrong).error()).c_str());
+  std::printf("%s\n", orispline::describe(orispline::make_curve({"timed-c2", wrong}, *keys).error()).c_str());
 }

@@ -20,7 +20,7 @@ int main() {
   orispline::CurveOptions options;
   options.start = {.rule = orispline::EndRule::clamped, .angular_velocity = {0.2, 0.1, 0.4}};
   options.end.rule = orispline::EndRule::rest;
-  const auto curve = orispline::make_curve("timed-c2", *keys, options);
+  const auto curve = orispline::make_curve({"timed-c2", options}, *keys);
   if (!curve) return 1;
 
   for (const double t : {10.0, 11.5}) {

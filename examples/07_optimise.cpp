@@ -4,12 +4,12 @@
 
 #include <cmath>
 #include <cstdio>
+
+#include <orispline/orispline.hpp>
 #include <orispline/reduce/reduce.hpp>
 #include <orispline/retime/retime.hpp>
 #include <orispline/smooth/smooth.hpp>
 #include <orispline/tune/tune.hpp>
-#include <orispline/orispline.hpp>
-
 
 namespace {
 
@@ -28,43 +28,42 @@ orispline::Expected<orispline::Keyframes> recorded() {
   return orispline::Keyframes::make(data);
 }
 
-orispline::Expected<orispline::Keyframes> smoothed(const orispline::Keyframes& recording) {
+orispline::Expected<orispline::Track> smoothed(const orispline::Track& recording) {
   const auto smoothing = orispline::smooth(recording, {.penalty = orispline::Penalty::jerk});
   if (!smoothing) return tl::unexpected(smoothing.error());
-  const auto keys = orispline::smoothed_keyframes(recording, *smoothing);
   std::printf("smooth: noise of %.1f degrees per axis\n", smoothing->noise / degree);
-  return keys;
+  return smoothing->track;
 }
 
-orispline::Expected<orispline::Keyframes> reduced(const orispline::Keyframes& recording) {
-  const auto reduction = orispline::reduce("timed-c2", recording, {.tolerance = {.angle = 0.5 * degree}});
+orispline::Expected<orispline::Track> reduced(const orispline::Track& recording) {
+  const auto reduction = orispline::reduce(recording, "timed-c2", {.tolerance = {.angle = 0.5 * degree}});
   if (!reduction) return tl::unexpected(reduction.error());
-  std::printf("reduce: %zu of %zu keys, %s\n", reduction->keys.size(), recording.size(),
+  std::printf("reduce: %zu of %zu keys, %s\n", reduction->track.keys.size(), recording.keys.size(),
               reduction->deviation.angle <= 0.5 * degree ? "within half a degree" : "too far");
-  return reduction->keys;
+  return reduction->track;
 }
 
-orispline::Expected<orispline::AnyCurve> tuned(const orispline::Keyframes& keys) {
-  const auto tuning = orispline::tune("timed-c2", keys, {}, {.objective = orispline::Objective::acceleration});
+orispline::Expected<orispline::Track> tuned(const orispline::Track& keys) {
+  const auto tuning = orispline::tune(keys, "timed-c2", {.objective = orispline::Objective::acceleration});
   if (!tuning) return tl::unexpected(tuning.error());
   const bool lower = tuning->energy_after < tuning->energy_before;
   std::printf("tune: %zu tensions per key, %s energy\n", tuning->parameters.size(), lower ? "less" : "the same");
-  return orispline::make_curve("timed-c2", keys, tuning->options);
+  return tuning->track;
 }
 
-orispline::Expected<std::vector<double>> retimed(const orispline::Keyframes& keys) {
+orispline::Expected<orispline::AnyCurve> retimed(const orispline::Track& keys) {
   const orispline::MotionLimits limits{.rate = 20.0 * degree, .acceleration = 40.0 * degree};
-  const auto retiming = orispline::retime("timed-c2", keys, limits, orispline::Slowing::uniform);
+  const auto retiming = orispline::retime(keys, "timed-c2", {.limits = limits});
   if (!retiming) return tl::unexpected(retiming.error());
-  std::printf("retime: slowed by %.1f\n", retiming->stretch);
-  return retiming->times;
+  std::printf("retime: slowed by %.1f\n", retiming->time_scale);
+  return orispline::make_curve(retiming->method, retiming->track.keys);
 }
 
 }  // namespace
 
 int main() {
-  const auto keys = recorded().and_then(smoothed).and_then(reduced);
-  if (!keys || !tuned(*keys) || !retimed(*keys)) return 1;
-  const auto refused = orispline::retime("slerp", *keys, {.acceleration = 1.0}, orispline::Slowing::uniform);
+  const auto keys = recorded().and_then(smoothed).and_then(reduced).and_then(tuned);
+  if (!keys || !retimed(*keys)) return 1;
+  const auto refused = orispline::retime(*keys, "slerp", {.limits = {.acceleration = 1.0}});
   std::printf("%s\n", orispline::describe(refused.error()).c_str());
 }

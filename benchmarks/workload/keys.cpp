@@ -29,7 +29,7 @@ Track normalised(Track track) {
 AnyCurve curve_through(const Track& track, std::string_view method) {
   CurveOptions options;
   if (method == "quintic") options.parameters.emplace("tension", track.tensions);
-  return value_or_give_up(make_curve(method, keys_of(track), options));
+  return value_or_give_up(make_curve({method, options}, keys_of(track)));
 }
 
 }  // namespace orispline::bench

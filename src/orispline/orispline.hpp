@@ -4,5 +4,6 @@
 // The face of the library: keyframes in, curves with exact rates out.
 
 #include <orispline/curve/keyframe.hpp>
+#include <orispline/families/method_text.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/math/slerp.hpp>

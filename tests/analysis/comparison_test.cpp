@@ -20,7 +20,7 @@ struct Motions {
   std::vector<Eigen::Quaterniond> orientations;
   std::vector<Eigen::Vector3d> rates;
 
-  [[nodiscard]] Recording recording() const { return {times, orientations, rates}; }
+  [[nodiscard]] RecordedMotion recording() const { return {times, orientations, rates}; }
   [[nodiscard]] Keyframes every(std::size_t step) const {
     KeyframeData data;
     for (std::size_t i = 0; i < times.size(); i += step) {
@@ -83,10 +83,10 @@ TEST(Compare, GoesOnAfterAMethodThatFailsAndGivesTheSameOnAnyNumberOfThreads) {
   std::vector<Candidate> candidates;
   for (const char* method : {"slerp", "no-such-method", "auto", "timed-c2"})
     candidates.push_back({.method = method, .keys = motion.every(8)});
-  std::vector<std::size_t> counts;
+  std::vector<double> shares;
   const Comparison one = compare(candidates, motion.recording());
   const Comparison four =
-      compare(candidates, motion.recording(), {}, 4, [&](std::size_t done) { counts.push_back(done); });
+      compare(candidates, motion.recording(), {}, 4, {.show = [&](double share) { shares.push_back(share); }});
   EXPECT_TRUE(one.any());
   ASSERT_FALSE(one.measures[1]);
   EXPECT_EQ(one.measures[1].error().code, ErrorCode::bad_argument);
@@ -95,7 +95,18 @@ TEST(Compare, GoesOnAfterAMethodThatFailsAndGivesTheSameOnAnyNumberOfThreads) {
     EXPECT_EQ(one.measures[i]->distance.rms, four.measures[i]->distance.rms);
     EXPECT_EQ(one.measures[i]->energies.jerk, four.measures[i]->energies.jerk);
   }
-  EXPECT_EQ(counts, (std::vector<std::size_t>{1, 2, 3, 4}));
+  EXPECT_EQ(shares, (std::vector{0.25, 0.5, 0.75, 1.0}));
+}
+
+TEST(Compare, MeasuresNoMoreOnceItIsStopped) {
+  const Motions motion = cubic_motion();
+  const std::vector<Candidate> candidates(3, {.method = "slerp", .keys = motion.every(8)});
+  std::stop_source source;
+  const auto stop_after_one = [&](double) { source.request_stop(); };
+  const Comparison comparison =
+      compare(candidates, motion.recording(), {}, 1, {.stop = source.get_token(), .show = stop_after_one});
+  EXPECT_TRUE(comparison.measures[0]);
+  for (const std::size_t i : {1u, 2u}) EXPECT_EQ(comparison.measures[i].error().code, ErrorCode::cancelled);
 }
 
 TEST(LeaveOut, IsTheDistanceOfSlerpsToTheKeysThatTheySkip) {
@@ -104,7 +115,7 @@ TEST(LeaveOut, IsTheDistanceOfSlerpsToTheKeysThatTheySkip) {
       Keyframes::make({.times = {0, 1, 2, 3, 4},
                        .orientations = {about_x(0.0), about_x(0.1), about_x(0.4), about_x(0.5), about_x(0.8)}})
           .value();
-  const auto error = leave_out_error("slerp", keys);
+  const auto error = leave_out_error(keys, "slerp");
   ASSERT_TRUE(error);
   EXPECT_EQ(error->count, 3u);
   EXPECT_NEAR(error->rms, 0.1, 1e-15);
@@ -113,7 +124,7 @@ TEST(LeaveOut, IsTheDistanceOfSlerpsToTheKeysThatTheySkip) {
 
 TEST(LeaveOut, WantsThreeKeys) {
   const auto keys = Keyframes::make({.times = {0, 1}, .orientations = {about_x(0.0), about_x(0.1)}}).value();
-  EXPECT_EQ(leave_out_error("slerp", keys).error().message, "found 2 keys, wanted 3 to leave one out");
+  EXPECT_EQ(leave_out_error(keys, "slerp").error().message, "found 2 keys, wanted 3 to leave one out");
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ TEST(Energies, AreThoseOfTheReferenceAtItsTensions) {
   ASSERT_EQ(table.size(), 36u);
   for (const auto& row : table.rows()) {
     const auto curve =
-        make_curve(row.text("family"), testing_support::keys_of(keys, row), testing_support::options_of(row));
+        make_curve({row.text("family"), testing_support::options_of(row)}, testing_support::keys_of(keys, row));
     ASSERT_TRUE(curve) << describe(curve.error());
     const auto moments = row.numbers("inertia");
     const Energies found =

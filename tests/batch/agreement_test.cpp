@@ -40,7 +40,7 @@ TEST_P(BatchOfFamily, AgreesFarOutsideTheUsualRangeOfItsParameters) {
         SCOPED_TRACE(std::string(parameter.name) + " = " + std::to_string(value));
         CurveOptions options;
         options.parameters.emplace(parameter.name, std::vector{value});
-        const auto curve = make_curve(family.name, keys, options);
+        const auto curve = make_curve({family.name, options}, keys);
         if (!curve) continue;  // some values are none that the family takes on these keys
         ++built;
         EXPECT_TRUE(agree_in_both(*curve, 17));

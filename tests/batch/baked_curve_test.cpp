@@ -79,10 +79,10 @@ TEST(BakedCurve, OfALoopOrWithLargeAnglesIsWithinItsTolerance) {
   CurveOptions tense;
   tense.parameters.emplace("tension", std::vector{20.0});
   const Keyframes keys = keyframes(walk);
-  std::vector<AnyCurve> curves{make_curve("quintic", keys, tense).value()};
+  std::vector<AnyCurve> curves{make_curve({"quintic", tense}, keys).value()};
   for (const FamilyInfo& family : families_info())
     if (family.closes)
-      if (auto closed = make_curve(family.name, keys, loop)) curves.push_back(*std::move(closed));
+      if (auto closed = make_curve({family.name, loop}, keys)) curves.push_back(*std::move(closed));
   EXPECT_GT(curves.size(), 5U);
   for (const AnyCurve& curve : curves) {
     const auto baked = bake(curve, 1e-10);

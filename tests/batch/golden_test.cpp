@@ -23,7 +23,7 @@ TEST(BatchOnGoldenCases, AgreesWithTheScalarEvaluator) {
 
   for (const auto& golden_case : cases.rows()) {
     SCOPED_TRACE(label_of(golden_case));
-    const auto curve = make_curve(golden_case.text("family"), keys_of(keys, golden_case), options_of(golden_case));
+    const auto curve = make_curve({golden_case.text("family"), options_of(golden_case)}, keys_of(keys, golden_case));
     ASSERT_TRUE(curve) << describe(curve.error());
     expect_agreement(*curve);
   }

@@ -135,7 +135,7 @@ TEST(InstructionSets, GiveTheSameBitsForEveryFamily) {
 AnyCurve tense_curve(double tension) {
   CurveOptions options;
   options.parameters.emplace("tension", std::vector{tension});
-  return make_curve("quintic", keyframes(random_walk(103, 9, Spacing::uneven)), options).value();
+  return make_curve({"quintic", options}, keyframes(random_walk(103, 9, Spacing::uneven))).value();
 }
 
 TEST(InstructionSets, GiveTheSameBitsForAnyAngle) {

@@ -151,7 +151,7 @@ class BadUsage(CommandTest):
         for method, options in (("auto", "--closed"), ("slerp", "--method slerp --period 4")):
             with self.subTest(method):
                 self.assert_fails(f"sample keys.csv --rate 1 {options}", BAD_USAGE,
-                                  f"{method}: this method has no closed curves, wanted --method with one of {closing}")
+                                  f"{method}: this method has no closed curves, wanted one of {closing}")
 
     def test_the_command_alone_shows_how_to_begin(self):
         done = self.run_command("")

@@ -85,7 +85,7 @@ class Smooth(CommandTest):
         lines = recording(400, 0.02).splitlines()
         self.write("gap.csv", "\n".join(lines[:151] + lines[251:253] + lines[301:]) + "\n")  # 3 s to 6 s but 2 samples
         summary = json.loads(self.output_of("smooth gap.csv --gap 0.5 --loss l2 -o smooth.csv --json --report out.html"))
-        self.assertEqual((len(summary["stretches"]), len(summary["left_out"])), (2, 2))
+        self.assertEqual((len(summary["stretches"]), len(summary["samples_in_short_stretches"])), (2, 2))
         page = self.page("out.html")
         self.assertTrue(any("2 stretches between gaps" in note for note in page["notes"]))
         for method in page["methods"]:

@@ -36,7 +36,7 @@ CurveOptions differing_parameters(const FamilyInfo& family, std::size_t keys, do
 class ClosedContract : public FamilyContract {
  protected:
   [[nodiscard]] static PoseCurve closed(const Keyframes& keys, const CurveOptions& options) {
-    return make_pose_curve(GetParam().name, keys, options).value();
+    return make_pose_curve({GetParam().name, options}, keys).value();
   }
   [[nodiscard]] static int continuity(Spacing spacing) {
     return spacing == Spacing::even ? GetParam().continuity_uniform : GetParam().continuity_uneven;
@@ -221,7 +221,7 @@ class RefusesToClose : public FamilyContract {};
 
 TEST_P(RefusesToClose, UnlessItIsDeclaredToClose) {
   const KeyframeData data = walk(90, 4, Spacing::even);
-  const auto c = make_curve(GetParam().name, keyframes(data), {.loop = Loop{period_of(data, Spacing::even)}});
+  const auto c = make_curve({GetParam().name, {.loop = Loop{period_of(data, Spacing::even)}}}, keyframes(data));
   ASSERT_EQ(c.has_value(), GetParam().closes);
   if (c) return;
   EXPECT_EQ(c.error().code, ErrorCode::bad_argument);

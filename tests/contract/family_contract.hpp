@@ -24,7 +24,7 @@ namespace contract {
 class FamilyContract : public testing::TestWithParam<FamilyInfo> {
  protected:
   [[nodiscard]] static AnyCurve curve(const Keyframes& keys, const CurveOptions& options = {}) {
-    return make_curve(GetParam().name, keys, options).value();
+    return make_curve({GetParam().name, options}, keys).value();
   }
   [[nodiscard]] static testing_support::KeyUse use() { return testing_support::key_use(GetParam()); }
   /// Keys of a random walk, as many as the family needs for a curve of `segments` segments.

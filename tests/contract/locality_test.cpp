@@ -110,7 +110,7 @@ TEST_P(LocalityContract, OneValueMeansTheSameForEveryKey) {
     const std::string name(parameter.name);
     const double value = parameter.per_key ? 0.37 : parameter.highest;
     const AnyCurve one = curve(keys, {.parameters = {{name, {value}}}});
-    const auto each = make_curve(GetParam().name, keys, {.parameters = {{name, std::vector(keys.size(), value)}}});
+    const auto each = make_curve({GetParam().name, {.parameters = {{name, std::vector(keys.size(), value)}}}}, keys);
     ASSERT_EQ(each.has_value(), parameter.per_key) << name;
     if (!each) continue;
     for (const double t : times_on(one)) EXPECT_EQ(one(t).coeffs(), (*each)(t).coeffs());

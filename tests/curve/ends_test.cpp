@@ -68,10 +68,10 @@ TEST(Ghost, ErrorReachesTheCallerFromEitherEnd) {
   const Keyframes keys = keyframes(random_walk(231, 4, Spacing::even));
   const End clamped{.rule = EndRule::clamped, .angular_velocity = {1, 0, 0}};
   for (const char* family : {"timed-c2", "quintic"}) {
-    const auto start = make_curve(family, keys, {.parameters = {{"tension", {0, 1, 1, 1}}}, .start = clamped});
+    const auto start = make_curve({family, {.parameters = {{"tension", {0, 1, 1, 1}}}, .start = clamped}}, keys);
     ASSERT_FALSE(start);
     EXPECT_EQ(start.error().message, "a clamped end needs a non-zero tension at that key, found 0");
-    EXPECT_FALSE(make_curve(family, keys, {.parameters = {{"tension", {1, 1, 1, 0}}}, .end = clamped}));
+    EXPECT_FALSE(make_curve({family, {.parameters = {{"tension", {1, 1, 1, 0}}}, .end = clamped}}, keys));
   }
 }
 
@@ -89,9 +89,9 @@ TEST(Ghost, MirrorsWithTime) {
        {EndRule::repeat, EndRule::natural, EndRule::quadratic, EndRule::cubic, EndRule::clamped, EndRule::rest}) {
     const Eigen::Vector3d rate(0, rule == EndRule::clamped ? 0.7 : 0.0, 0);
     const AnyCurve forward =
-        make_curve("timed-c3", keyframes(data), {.start = {rule, rate}, .end = {.rule = EndRule::natural}}).value();
+        make_curve({"timed-c3", {.start = {rule, rate}, .end = {.rule = EndRule::natural}}}, keyframes(data)).value();
     const AnyCurve backward =
-        make_curve("timed-c3", keyframes(reversed), {.start = {.rule = EndRule::natural}, .end = {rule, -rate}})
+        make_curve({"timed-c3", {.start = {.rule = EndRule::natural}, .end = {rule, -rate}}}, keyframes(reversed))
             .value();
     for (const double t : sample_times(data.times, 4))
       EXPECT_TRUE(near(backward(2.4 - t), forward(t), tolerance::series)) << name_of(rule) << " at " << t;

@@ -47,7 +47,7 @@ KeyframeData with_positions(KeyframeData data, const Eigen::Vector3d& last) {
 class LoopRefuses : public testing::TestWithParam<BadLoop> {};
 
 TEST_P(LoopRefuses, WithWhatWasFoundAndWhatWasWanted) {
-  const auto c = make_pose_curve("timed-c2", keyframes(GetParam().keys), GetParam().options);
+  const auto c = make_pose_curve({"timed-c2", GetParam().options}, keyframes(GetParam().keys));
   ASSERT_FALSE(c);
   EXPECT_EQ(c.error().code, GetParam().code);
   EXPECT_EQ(describe(c.error()), GetParam().message);
@@ -124,15 +124,15 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(Loop, TakesAClosingKeyWithinRounding) {
   KeyframeData data = turned({0.0, 0.5, 1.0, 0.4 * closing_tolerance});
-  EXPECT_TRUE(make_curve("timed-c2", keyframes(data), {.loop = Loop{}}));
+  EXPECT_TRUE(make_curve({"timed-c2", {.loop = Loop{}}}, keyframes(data)));
   data.orientations.back() = about_z(4.0 * closing_tolerance);
-  EXPECT_FALSE(make_curve("timed-c2", keyframes(data), {.loop = Loop{}}));
+  EXPECT_FALSE(make_curve({"timed-c2", {.loop = Loop{}}}, keyframes(data)));
 }
 
 TEST(Loop, MayStateThePeriodThatItsClosingKeyGives) {
   const Keyframes keys = keyframes(turned({0.0, 0.5, 1.0, 0.0}));
-  const AnyCurve stated = make_curve("timed-c2", keys, {.loop = Loop{3.0}}).value();
-  const AnyCurve found = make_curve("timed-c2", keys, {.loop = Loop{}}).value();
+  const AnyCurve stated = make_curve({"timed-c2", {.loop = Loop{3.0}}}, keys).value();
+  const AnyCurve found = make_curve({"timed-c2", {.loop = Loop{}}}, keys).value();
   for (const double t : sample_times(found.knots().times())) EXPECT_EQ(stated(t).coeffs(), found(t).coeffs());
 }
 

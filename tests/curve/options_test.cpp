@@ -28,7 +28,7 @@ class OptionsRefuse : public testing::TestWithParam<BadOptions> {};
 
 TEST_P(OptionsRefuse, WithWhatWasFoundAndWhatWasWanted) {
   const auto& bad = GetParam();
-  const auto curve = make_curve(bad.family, keyframes(random_walk(241, bad.keys, Spacing::even)), bad.options);
+  const auto curve = make_curve({bad.family, bad.options}, keyframes(random_walk(241, bad.keys, Spacing::even)));
   ASSERT_FALSE(curve);
   EXPECT_EQ(curve.error().code, bad.code);
   EXPECT_EQ(describe(curve.error()), bad.message);
@@ -115,21 +115,21 @@ TEST(Options, NameTheEndRulesOfAFamily) {
 
 TEST(Options, AreRefusedByAFamilyWithoutEndRules) {
   const Keyframes keys = keyframes(random_walk(242, 3, Spacing::even));
-  const auto curve = make_curve("slerp", keys, start_at(EndRule::natural));
+  const auto curve = make_curve({"slerp", start_at(EndRule::natural)}, keys);
   ASSERT_FALSE(curve);
   EXPECT_EQ(curve.error().code, ErrorCode::bad_argument);
 }
 
 TEST(Options, HaveNegativeAndZeroTensions) {
   const Keyframes keys = keyframes(random_walk(243, 4, Spacing::even));
-  EXPECT_TRUE(make_curve("quintic", keys, tension({-0.1, 0.2, 0.0, -3.0})));
+  EXPECT_TRUE(make_curve({"quintic", tension({-0.1, 0.2, 0.0, -3.0})}, keys));
 }
 
 TEST(Options, AreCheckedEvenForASingleKey) {
   const Keyframes one = keyframes(random_walk(244, 1, Spacing::even));
-  EXPECT_TRUE(make_curve("timed-c2", one, tension({0.3})));
-  EXPECT_FALSE(make_curve("timed-c2", one, tension({1e9})));
-  EXPECT_FALSE(make_curve("timed-c2", one, {.parameters = {{"bias", {1.0}}}}));
+  EXPECT_TRUE(make_curve({"timed-c2", tension({0.3})}, one));
+  EXPECT_FALSE(make_curve({"timed-c2", tension({1e9})}, one));
+  EXPECT_FALSE(make_curve({"timed-c2", {.parameters = {{"bias", {1.0}}}}}, one));
 }
 
 TEST(Settings, HoldEveryParameterAndTheChosenEnds) {

@@ -21,7 +21,7 @@ KeyframeData walk_with_positions(std::uint64_t seed, Spacing spacing = Spacing::
 }
 
 AnyPath path(std::string_view family, const Keyframes& keys, const CurveOptions& options = {}) {
-  return make_pose_curve(family, keys, options)->position.value();
+  return make_pose_curve({family, options}, keys)->position.value();
 }
 
 TEST(Position, IsAbsentWhereTheKeysHaveNone) {
@@ -103,7 +103,7 @@ double deviation_from_constant_velocity(const FamilyInfo& family, Spacing spacin
   for (const double t : data.times) data.positions.push_back(velocity * t);
   CurveOptions options;
   if (std::ranges::count(family.ends, EndRule::natural) > 0) options.start.rule = options.end.rule = EndRule::natural;
-  const PoseCurve pose = make_pose_curve(family.name, keyframes(data), options).value();
+  const PoseCurve pose = make_pose_curve({family.name, options}, keyframes(data)).value();
   double deviation = 0.0;
   for (const double t : sample_times(pose.orientation.knots().times())) {
     const LinearMotion linear_motion = pose.position->linear_motion(t);
@@ -157,7 +157,7 @@ TEST(Position, FollowsTheSameBlendingFunctionsAsTheOrientation) {
       if (rule == EndRule::clamped) continue;  // an angular end rate says nothing about positions
       CurveOptions options = differing_parameters(family, keys.size());
       options.start.rule = options.end.rule = rule;
-      const PoseCurve pose = make_pose_curve(family.name, keys, options).value();
+      const PoseCurve pose = make_pose_curve({family.name, options}, keys).value();
       for (const double t : sample_times(pose.orientation.knots().times())) {
         const Motion m = pose.orientation.motion(t);
         const LinearMotion p = pose.position->linear_motion(t);

@@ -64,7 +64,7 @@ TEST(Registry, ListsWhatItKnowsWhenAskedForSomethingElse) {
 TEST(Registry, RefusesAPoseCurveAsItRefusesACurve) {
   const Keyframes keys = Keyframes::make({.times = {0.0}, .orientations = {Eigen::Quaterniond::Identity()}}).value();
   EXPECT_FALSE(make_pose_curve("nlerp", keys));
-  EXPECT_FALSE(make_pose_curve("quintic", keys, {.parameters = {{"tension", {1e9}}}}));
+  EXPECT_FALSE(make_pose_curve({"quintic", {.parameters = {{"tension", {1e9}}}}}, keys));
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ double error_with(const std::string& family, std::size_t segments, Knotting knot
     data.times.push_back(2.0 * (knotting == Knotting::even ? x : (std::pow(4.0, x) - 1.0) / 3.0));
     data.orientations.push_back(smooth_motion(data.times.back()));
   }
-  const AnyCurve curve = make_curve(family, keyframes(data, Signs::shortest), options).value();
+  const AnyCurve curve = make_curve({family, options}, keyframes(data, Signs::shortest)).value();
   double largest = 0.0;
   const auto compare = [&](double from, double to) {
     for (int k = 0; k <= 200; ++k) {

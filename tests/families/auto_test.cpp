@@ -17,7 +17,7 @@ using namespace testing_support;
 constexpr double golden_orientation = 1e-11, golden_velocity = 1e-9, golden_acceleration = 1e-7;
 
 AnyCurve curve_of(const KeyframeData& data, std::string_view family = "auto", const CurveOptions& options = {}) {
-  return make_curve(family, Keyframes::make(data).value(), options).value();
+  return make_curve({family, options}, Keyframes::make(data).value()).value();
 }
 
 KeyframeData about_one_axis(const std::vector<double>& times, double (*angle)(double)) {
@@ -108,7 +108,7 @@ TEST(Auto, HoldsStillBetweenEqualKeysOnRequest) {
 
 TEST(Auto, HoldsOrDoesNotAndNothingBetween) {
   const auto half =
-      make_curve("auto", keyframes(random_walk(443, 5, Spacing::even)), {.parameters = {{"hold", {0.5}}}});
+      make_curve({"auto", {.parameters = {{"hold", {0.5}}}}}, keyframes(random_walk(443, 5, Spacing::even)));
   ASSERT_FALSE(half);
   EXPECT_EQ(half.error().code, ErrorCode::bad_argument);
 }

@@ -56,7 +56,7 @@ const CurveOptions keys_as_control_points{.choices = {{"points", "control"}}};
 
 TEST(Averages, SolveTheirEquation) {
   const Keyframes keys = keyframes(random_walk(451, 8, Spacing::uneven));
-  const AnyCurve c = make_curve("averages", keys, keys_as_control_points).value();
+  const AnyCurve c = make_curve({"averages", keys_as_control_points}, keys).value();
   for (const double t : sample_times(keys.times(), 9)) {
     const std::size_t segment = c.knots().segment_at(t);
     EXPECT_LE(missing<double>(keys.times(), keys.orientations(), c(t), t, segment).norm(), tolerance::algebra) << t;
@@ -82,7 +82,7 @@ TEST(Averages, SolveTheirEquationWithAllDerivatives) {
 TEST(Averages, TurnAtTheRateOfTheImplicitFunctionTheorem) {
   // ω = (Σ N_k J_l⁻¹(φ_k))⁻¹ Σ N'_k φ_k, φ_k = log(q⁻¹ p_k).
   const Keyframes keys = keyframes(random_walk(453, 6, Spacing::uneven));
-  const AnyCurve c = make_curve("averages", keys, keys_as_control_points).value();
+  const AnyCurve c = make_curve({"averages", keys_as_control_points}, keys).value();
   const std::vector<double> knots = mirrored_knots(keys.times());
   const std::vector<Eigen::Quaterniond> points = with_mirrored_ends(keys.orientations());
   for (const double t : sample_times(keys.times())) {
@@ -102,7 +102,7 @@ TEST(Averages, TurnAtTheRateOfTheImplicitFunctionTheorem) {
 TEST(Averages, OfTwoKeysAreSlerp) {
   for (const CurveOptions& options : {CurveOptions{}, keys_as_control_points}) {
     const Keyframes keys = keyframes(random_walk(454, 2, Spacing::even));
-    const AnyCurve c = make_curve("averages", keys, options).value(), slerp = make_curve("slerp", keys).value();
+    const AnyCurve c = make_curve({"averages", options}, keys).value(), slerp = make_curve("slerp", keys).value();
     for (const double t : sample_times(keys.times(), 9))
       EXPECT_TRUE(near(c.motion(t), slerp.motion(t),
                        {tolerance::algebra, tolerance::series, tolerance::series, tolerance::rates}));
@@ -117,8 +117,8 @@ TEST(Averages, DoNotDependOnTheOrderOfTheControlPoints) {
   std::ranges::reverse(backwards.times);
   for (double& t : backwards.times) t = -t;
   const auto difference = [&](std::string_view method, const CurveOptions& options) {
-    const AnyCurve c = make_curve(method, keyframes(data), options).value();
-    const AnyCurve d = make_curve(method, keyframes(backwards), options).value();
+    const AnyCurve c = make_curve({method, options}, keyframes(data)).value();
+    const AnyCurve d = make_curve({method, options}, keyframes(backwards)).value();
     double largest = 0.0;
     for (const double t : sample_times(data.times)) largest = std::max(largest, angular_distance(c(t), d(-t)));
     return largest;
@@ -130,7 +130,7 @@ TEST(Averages, DoNotDependOnTheOrderOfTheControlPoints) {
 TEST(Averages, PassThroughTheKeysByDefaultOnly) {
   const Keyframes keys = keyframes(random_walk(456, 8, Spacing::uneven, 0.8));
   const AnyCurve through = make_curve("averages", keys).value();
-  const AnyCurve near_keys = make_curve("averages", keys, keys_as_control_points).value();
+  const AnyCurve near_keys = make_curve({"averages", keys_as_control_points}, keys).value();
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const double t = keys.times()[i];
     EXPECT_TRUE(near(through(t), keys.orientations()[i], tolerance::series)) << i;
@@ -142,7 +142,7 @@ TEST(Averages, PassThroughTheKeysByDefaultOnly) {
 TEST(Averages, BeginAndEndWithoutAcceleration) {
   const Keyframes keys = keyframes(random_walk(457, 6, Spacing::uneven, 0.8));
   for (const CurveOptions& options : {CurveOptions{}, keys_as_control_points}) {
-    const AnyCurve c = make_curve("averages", keys, options).value();
+    const AnyCurve c = make_curve({"averages", options}, keys).value();
     EXPECT_LE(c.motion(keys.times().front()).angular_acceleration.norm(), tolerance::rates);
     EXPECT_LE(c.motion(keys.times().back()).angular_acceleration.norm(), tolerance::rates);
   }
@@ -157,7 +157,7 @@ TEST(Averages, OnOneAxisAreTheSplineOfTheAngle) {
     data.positions.push_back(angles[i] * axis);
   }
   for (const CurveOptions& options : {CurveOptions{}, keys_as_control_points}) {
-    const PoseCurve pose = make_pose_curve("averages", keyframes(data), options).value();
+    const PoseCurve pose = make_pose_curve({"averages", options}, keyframes(data)).value();
     for (const double t : sample_times(data.times))
       EXPECT_LE((log<double>(pose.orientation(t)) - pose.position->linear_motion(t).position).norm(), tolerance::series);
   }
@@ -193,7 +193,7 @@ TEST(Averages, TellWhereTheirEquationsHaveNoSolution) {
   for (std::size_t i = 0; i < 6; ++i)
     data.orientations[i] = exp<double>(i % 2 == 0 ? Eigen::Vector3d(0, 0, 0) : Eigen::Vector3d(5.5, 0, 0));
   for (const CurveOptions& options : {CurveOptions{}, keys_as_control_points}) {
-    const auto c = make_curve("averages", keyframes(data), options);
+    const auto c = make_curve({"averages", options}, keyframes(data));
     if (c) continue;
     EXPECT_EQ(c.error().code, ErrorCode::not_converged);
     EXPECT_LT(c.error().where.key.value(), 6u);

@@ -56,7 +56,7 @@ TEST_P(BetaG2Forms, StayG2WithOtherRatiosOnUnevenTimes) {
 
 TEST_P(BetaG2Forms, RefusePolesWithTheKey) {
   const Keyframes keys = keyframes(random_walk(426, 5, Spacing::even));
-  const auto c = make_curve("beta-g2", keys, options(GetParam(), {{"beta2", {0, 0, 0, -4, 0}}}));
+  const auto c = make_curve({"beta-g2", options(GetParam(), {{"beta2", {0, 0, 0, -4, 0}}})}, keys);
   ASSERT_FALSE(c);
   EXPECT_EQ(c.error().code, ErrorCode::bad_argument);
   EXPECT_EQ(c.error().where.key, 3u);
@@ -79,8 +79,8 @@ TEST(BetaG2Local, CorrectsThePublishedCurveWhichIsNotG2) {
 TEST(BetaG2Local, LeavesTheFirstSegmentAndAllJointsAndTheirRatesAsPublished) {
   const Parameters betas = mixed_betas(8, 432);
   const Keyframes keys = keyframes(random_walk(433, 8, Spacing::uneven));
-  const AnyCurve corrected = make_curve("beta-g2", keys, {.parameters = betas}).value();
-  const AnyCurve published = make_curve("beta", keys, {.parameters = betas}).value();
+  const AnyCurve corrected = make_curve({"beta-g2", {.parameters = betas}}, keys).value();
+  const AnyCurve published = make_curve({"beta", {.parameters = betas}}, keys).value();
   const auto knots = published.knots().times();
   for (const double t : sample_times(knots.first(2), 8))
     EXPECT_TRUE(near(corrected(t), published(t), tolerance::algebra));
@@ -94,7 +94,7 @@ TEST(BetaG2Local, LeavesTheFirstSegmentAndAllJointsAndTheirRatesAsPublished) {
 
 TEST(BetaG2Global, PassesThroughItsKeys) {
   const Keyframes keys = keyframes(random_walk(434, 9, Spacing::uneven));
-  const AnyCurve c = make_curve("beta-g2", keys, options("global", mixed_betas(9, 435))).value();
+  const AnyCurve c = make_curve({"beta-g2", options("global", mixed_betas(9, 435))}, keys).value();
   EXPECT_EQ(c.domain().start, keys.times().front());
   EXPECT_EQ(c.domain().end, keys.times().back());
   for (std::size_t i = 0; i < keys.size(); ++i)
@@ -106,7 +106,7 @@ TEST(BetaG2Global, StartsAndEndsWithTheRateOfTheEndIncrements) {
   const Keyframes keys = keyframes(at_whole_times(random_walk(436, 6, Spacing::even)));
   const auto q = keys.orientations();
   const Parameters betas = mixed_betas(6, 437);
-  const AnyCurve c = make_curve("beta-g2", keys, options("global", betas)).value();
+  const AnyCurve c = make_curve({"beta-g2", options("global", betas)}, keys).value();
   EXPECT_TRUE(near(c.motion(0).angular_velocity, Eigen::Vector3d(betas.at("beta1")[0] * increment<double>(q[0], q[1])),
                    tolerance::series));
   EXPECT_TRUE(near(c.motion(5).angular_velocity, increment<double>(q[4], q[5]), tolerance::series));
@@ -117,7 +117,7 @@ TEST(BetaG2Global, OfPositionsFulfilsBarskysConstraints) {
   Dice dice(439);
   for (std::size_t i = 0; i < 7; ++i) data.positions.push_back(3.0 * dice.vector());
   const Parameters betas = mixed_betas(7, 440);
-  const PoseCurve pose = make_pose_curve("beta-g2", keyframes(data), options("global", betas)).value();
+  const PoseCurve pose = make_pose_curve({"beta-g2", options("global", betas)}, keyframes(data)).value();
   for (std::size_t i = 1; i < 6; ++i) {
     const double beta1 = betas.at("beta1")[i], beta2 = betas.at("beta2")[i];
     const LinearMotion before = pose.position->linear_motion(data.times[i], Side::left),
@@ -133,7 +133,7 @@ TEST(BetaG2Global, TellsWhereItsEquationsHaveNoSolution) {
   KeyframeData data = at_whole_times(random_walk(441, 6, Spacing::even));
   for (std::size_t i = 0; i < 6; ++i)
     data.orientations[i] = exp<double>(i % 2 == 0 ? Eigen::Vector3d(0, 0, 0) : Eigen::Vector3d(5.5, 0, 0));
-  const auto c = make_curve("beta-g2", keyframes(data), options("global", {{"beta1", {0.05}}}));
+  const auto c = make_curve({"beta-g2", options("global", {{"beta1", {0.05}}})}, keyframes(data));
   ASSERT_FALSE(c);
   EXPECT_EQ(c.error().code, ErrorCode::not_converged);
   EXPECT_LT(c.error().where.key.value(), 6u);

@@ -105,7 +105,7 @@ TEST(Beta, ControlPointsDivideTheirArcsAsStated) {
 
 TEST(Beta, LargeBeta2DrawsTheJointsToTheirControlPoints) {
   const Keyframes keys = keyframes(random_walk(383, 6, Spacing::even));
-  const AnyCurve c = make_curve("beta", keys, {.parameters = {{"beta2", {1e6}}}}).value();
+  const AnyCurve c = make_curve({"beta", {.parameters = {{"beta2", {1e6}}}}}, keys).value();
   for (std::size_t i = 1; i + 1 < keys.size(); ++i)
     EXPECT_LT(angular_distance(c(keys.times()[i]), keys.orientations()[i]), 1e-4) << i;
 }
@@ -127,7 +127,7 @@ TEST(Beta, ChangeOfBeta2TouchesFourSegments) {
 TEST(Beta, RefusesPolesAndFoldedRangesWithTheKey) {
   const Keyframes keys = keyframes(random_walk(385, 5, Spacing::even));
   const auto message = [&](std::vector<double> beta1, std::vector<double> beta2) {
-    const auto c = make_curve("beta", keys, {.parameters = {{"beta1", beta1}, {"beta2", beta2}}});
+    const auto c = make_curve({"beta", {.parameters = {{"beta1", beta1}, {"beta2", beta2}}}}, keys);
     EXPECT_TRUE(c || c.error().code == ErrorCode::bad_argument);
     return c ? std::string() : describe(c.error());
   };
@@ -146,14 +146,14 @@ TEST(Beta, RefusesPolesAndFoldedRangesWithTheKey) {
 TEST(Beta, RefusesThePoleForPositionsToo) {
   KeyframeData data = random_walk(386, 5, Spacing::even);
   data.positions.assign(5, Eigen::Vector3d(1, 2, 3));
-  EXPECT_FALSE(make_pose_curve("beta", keyframes(data), {.parameters = {{"beta2", {-4.0}}}}));
+  EXPECT_FALSE(make_pose_curve({"beta", {.parameters = {{"beta2", {-4.0}}}}}, keyframes(data)));
 }
 
 TEST(Beta, StaysFiniteOverItsWholeRange) {
   const Keyframes keys = keyframes(random_walk(387, 6, Spacing::even));
   for (const double beta1 : {1e-6, 1.0, 1e6})
     for (const double beta2 : {0.0, 1e6}) {
-      const AnyCurve c = make_curve("beta", keys, {.parameters = {{"beta1", {beta1}}, {"beta2", {beta2}}}}).value();
+      const AnyCurve c = make_curve({"beta", {.parameters = {{"beta1", {beta1}}, {"beta2", {beta2}}}}}, keys).value();
       for (const double t : sample_times(c.knots().times())) {
         const Motion m = c.motion(t);
         EXPECT_NEAR(m.orientation.norm(), 1.0, tolerance::algebra);

@@ -24,7 +24,7 @@ TEST(BetaThrough, PassesThroughItsKeysForMixedBetas) {
   for (const Spacing spacing : {Spacing::even, Spacing::uneven})
     for (const std::size_t more : {0u, 2u}) {
       const Keyframes keys = keyframes(random_walk(401, 9, spacing));
-      const AnyCurve c = make_curve("beta-through", keys, {.parameters = mixed_betas(9 + more, 402)}).value();
+      const AnyCurve c = make_curve({"beta-through", {.parameters = mixed_betas(9 + more, 402)}}, keys).value();
       for (std::size_t i = 0; i < keys.size(); ++i)
         for (const Side side : {Side::left, Side::right})
           EXPECT_TRUE(near(c.motion(keys.times()[i], side).orientation, keys.orientations()[i], tolerance::series));
@@ -69,7 +69,7 @@ TEST(BetaThrough, IsThePublishedCurveOfItsAuxiliaryPoints) {
   p.insert(p.begin(), first);
   p.push_back(last);
   for (int i = -1; i < 8; ++i) auxiliary.times.push_back(i);
-  const AnyCurve published = make_curve("beta", keyframes(auxiliary), {.parameters = betas}).value();
+  const AnyCurve published = make_curve({"beta", {.parameters = betas}}, keyframes(auxiliary)).value();
 
   for (const double t : sample_times(keys.times()))
     EXPECT_TRUE(near(curve.motion(t, curve.knots().segment_at(t)), published.motion(t),
@@ -79,7 +79,7 @@ TEST(BetaThrough, IsThePublishedCurveOfItsAuxiliaryPoints) {
 TEST(BetaThrough, GhostsHaveTheValuesOfTheirNeighboursUnlessTheyHaveTheirOwn) {
   const Keyframes keys = keyframes(random_walk(409, 4, Spacing::even));
   const auto with = [&](std::vector<double> beta2) {
-    return make_curve("beta-through", keys, {.parameters = {{"beta2", std::move(beta2)}}}).value();
+    return make_curve({"beta-through", {.parameters = {{"beta2", std::move(beta2)}}}}, keys).value();
   };
   const AnyCurve one = with({2.0, 1.0, 0.5, 3.0}), same = with({2.0, 2.0, 1.0, 0.5, 3.0, 3.0});
   const AnyCurve other = with({7.0, 2.0, 1.0, 0.5, 3.0, 3.0});
@@ -96,7 +96,7 @@ TEST(BetaThrough, OnOneAxisIsTheSplineOfTheAngle) {
     data.orientations[i] = exp<double>(angles[i] * axis);
     data.positions.push_back(angles[i] * axis);
   }
-  const PoseCurve pose = make_pose_curve("beta-through", keyframes(data), {.parameters = mixed_betas(6, 411)}).value();
+  const PoseCurve pose = make_pose_curve({"beta-through", {.parameters = mixed_betas(6, 411)}}, keyframes(data)).value();
   for (const double t : sample_times(data.times))
     EXPECT_TRUE(
         near(log<double>(pose.orientation(t)), Eigen::Vector3d(pose.position->linear_motion(t).position), tolerance::series));
@@ -106,7 +106,7 @@ TEST(BetaThrough, PositionsPassThroughTheirKeysFarFromTheOrigin) {
   KeyframeData data = random_walk(412, 7, Spacing::uneven);
   Dice dice(413);
   for (std::size_t i = 0; i < 7; ++i) data.positions.push_back(Eigen::Vector3d(6.4e6, -2e6, 1e5) + dice.vector());
-  const PoseCurve pose = make_pose_curve("beta-through", keyframes(data), {.parameters = mixed_betas(9, 414)}).value();
+  const PoseCurve pose = make_pose_curve({"beta-through", {.parameters = mixed_betas(9, 414)}}, keyframes(data)).value();
   for (std::size_t i = 0; i < 7; ++i)
     EXPECT_LE((pose.position->linear_motion(data.times[i]).position - data.positions[i]).norm(), 1e-8);  // 8 ulp of 6.4e6 m
 }
@@ -114,7 +114,7 @@ TEST(BetaThrough, PositionsPassThroughTheirKeysFarFromTheOrigin) {
 TEST(BetaThrough, RefusesPolesWithTheKeyThatTheyBelongTo) {
   const Keyframes keys = keyframes(random_walk(415, 4, Spacing::even));
   const auto key_of = [&](std::vector<double> beta2) {
-    const auto c = make_curve("beta-through", keys, {.parameters = {{"beta2", std::move(beta2)}}});
+    const auto c = make_curve({"beta-through", {.parameters = {{"beta2", std::move(beta2)}}}}, keys);
     EXPECT_EQ(c.error().code, ErrorCode::bad_argument);
     EXPECT_NE(c.error().message.find("more than -2 beta1 (1 + beta1) = -4"), std::string::npos);
     return c.error().where.key.value();
@@ -128,7 +128,7 @@ TEST(BetaThrough, RefusesPolesWithTheKeyThatTheyBelongTo) {
 TEST(BetaThrough, NamesTheGhostKeyThatAValueBelongsTo) {
   const Keyframes keys = keyframes(random_walk(415, 4, Spacing::even));
   const auto place_of = [&](std::vector<double> beta2) {
-    const auto c = make_curve("beta-through", keys, {.parameters = {{"beta2", std::move(beta2)}}});
+    const auto c = make_curve({"beta-through", {.parameters = {{"beta2", std::move(beta2)}}}}, keys);
     const std::string text = describe(c.error());
     return text.substr(0, text.find(": beta-through"));
   };

@@ -55,14 +55,14 @@ TYPED_TEST(Blend, IsAsSmoothInTimeAsItsOrderAndNoSmoother) {
 TYPED_TEST(Blend, HasOrderTwoByDefault) {
   const Keyframes keys = keyframes(random_walk(442, 6, Spacing::uneven, 0.8));
   const AnyCurve plain = make_curve(TypeParam::info.name, keys).value();
-  const AnyCurve second = make_curve(TypeParam::info.name, keys, of_order(2)).value();
+  const AnyCurve second = make_curve({TypeParam::info.name, of_order(2)}, keys).value();
   for (const double t : sample_times(keys.times())) EXPECT_EQ(plain(t).coeffs(), second(t).coeffs());
 }
 
 TYPED_TEST(Blend, RefusesOrdersThatAreNotOneTwoOrThree) {
   const Keyframes keys = keyframes(random_walk(443, 4, Spacing::even));
   const auto message = [&](double order) {
-    const auto curve = make_curve(TypeParam::info.name, keys, of_order(order));
+    const auto curve = make_curve({TypeParam::info.name, of_order(order)}, keys);
     return curve ? "accepted" : curve.error().message;
   };
   const std::string name(TypeParam::info.name);
@@ -77,7 +77,7 @@ TYPED_TEST(Blend, KeepsAConstantAccelerationAboutOneAxisAwayFromTheEnds) {
   const auto angle = [](double t) { return 0.3 * t + 0.15 * t * t; };
   for (const double t : uneven_times) data.orientations.push_back(exp<double>(angle(t) * axis));
   for (const double order : {1.0, 2.0, 3.0}) {
-    const AnyCurve curve = make_curve(TypeParam::info.name, keyframes(data), of_order(order)).value();
+    const AnyCurve curve = make_curve({TypeParam::info.name, of_order(order)}, keyframes(data)).value();
     for (double t = uneven_times[1]; t < uneven_times[5]; t += 0.07) {
       const Motion wanted{.orientation = exp<double>(angle(t) * axis),
                           .angular_velocity = (0.3 + 0.3 * t) * axis,

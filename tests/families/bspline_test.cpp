@@ -15,7 +15,7 @@ namespace {
 using namespace testing_support;
 
 PoseCurve bspline(const Keyframes& keys, std::size_t degree) {
-  return make_pose_curve("bspline", keys, {.parameters = {{"degree", {static_cast<double>(degree)}}}}).value();
+  return make_pose_curve({"bspline", {.parameters = {{"degree", {static_cast<double>(degree)}}}}}, keys).value();
 }
 
 /// N_{i,d}(t) by the recursion of Cox and de Boor, as every textbook has it; half-open spans.
@@ -163,7 +163,7 @@ TEST(BSpline, HasNoAngularAccelerationAtItsEndsOnEvenTimes) {
 TEST(BSpline, RefusesADegreeThatItHasNot) {
   const Keyframes keys = keyframes(random_walk(362, 4, Spacing::even));
   const auto message = [&](double degree) {
-    const auto c = make_curve("bspline", keys, {.parameters = {{"degree", {degree}}}});
+    const auto c = make_curve({"bspline", {.parameters = {{"degree", {degree}}}}}, keys);
     return c ? std::string() : c.error().message;
   };
   EXPECT_EQ(message(3.5), "bspline: degree is 3.5, wanted a whole number");

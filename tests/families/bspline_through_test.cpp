@@ -22,7 +22,7 @@ CurveOptions with_phantom(const char* phantom, const End& start = {}, const End&
 }
 
 AnyCurve curve_of(const KeyframeData& data, const CurveOptions& options = {}) {
-  return make_curve("bspline-through", keyframes(data), options).value();
+  return make_curve({"bspline-through", options}, keyframes(data)).value();
 }
 
 TEST(BSplineThrough, PassesThroughItsKeysWithEveryPhantomAndEnd) {

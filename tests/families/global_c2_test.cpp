@@ -17,7 +17,7 @@ using namespace testing_support;
 constexpr const char* both[] = {"global-c2", "nu-exact"};
 
 AnyCurve curve_of(std::string_view family, const KeyframeData& data, const CurveOptions& options = {}) {
-  return make_curve(family, keyframes(data), options).value();
+  return make_curve({family, options}, keyframes(data)).value();
 }
 
 CurveOptions with_nu(std::vector<double> nu) { return {.parameters = {{"nu", std::move(nu)}}}; }
@@ -203,14 +203,14 @@ TEST(GlobalC2, CarriesPositionsOnTheNaturalCubicSpline) {
 TEST(NuExact, CarriesPositionsOnTheNuSpline) {
   const KeyframeData data = posed_walk(518, 7, Spacing::uneven);
   const std::vector<double> nu{0.0, 1.0, 40.0, 0.0, 0.3, 2.0, 0.0};
-  expect_spline(make_pose_curve("nu-exact", keyframes(data), with_nu(nu)).value(),
+  expect_spline(make_pose_curve({"nu-exact", with_nu(nu)}, keyframes(data)).value(),
                 CubicSplineByDefinition(data.times, data.positions, {}, nu));
 }
 
 TEST(GlobalC2, BringsPositionsToRestWithTheOrientation) {
   const KeyframeData data = posed_walk(519, 6, Spacing::uneven);
   const End rest{.rule = EndRule::rest};
-  expect_spline(make_pose_curve("global-c2", keyframes(data), {.start = rest, .end = rest}).value(),
+  expect_spline(make_pose_curve({"global-c2", {.start = rest, .end = rest}}, keyframes(data)).value(),
                 CubicSplineByDefinition(data.times, data.positions,
                                         {.start = Eigen::Vector3d::Zero(), .end = Eigen::Vector3d::Zero()}));
 }

@@ -66,7 +66,7 @@ TEST_P(Golden, EveryRowAgreesWithTheReference) {
 
   for (const auto& [number, golden_case] : cases) {
     SCOPED_TRACE(label_of(golden_case));
-    const auto curve = make_curve(family, keys_of(keys, golden_case), options_of(golden_case));
+    const auto curve = make_curve({family, options_of(golden_case)}, keys_of(keys, golden_case));
     ASSERT_TRUE(curve) << describe(curve.error());
     const auto expected = rows.rows_where("case", number);
     ASSERT_FALSE(expected.empty());

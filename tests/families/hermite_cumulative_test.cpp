@@ -20,7 +20,7 @@ Keyframes keys_with_rates(std::uint64_t seed) {
 }
 
 AnyCurve hermite(const Keyframes& keys, const CurveOptions& options = {}) {
-  return make_curve("hermite-cumulative", keys, options).value();
+  return make_curve({"hermite-cumulative", options}, keys).value();
 }
 
 Eigen::Vector3d secant(const Keyframes& keys, std::size_t i) {

@@ -23,7 +23,7 @@ struct Method {
 
   [[nodiscard]] std::string name() const { return "hermite-c" + std::to_string(order); }
   [[nodiscard]] AnyCurve through(const Keyframes& keys, const char* stencil = "5") const {
-    return make_curve(name(), keys, {.choices = {{"form", form}, {"stencil", stencil}}}).value();
+    return make_curve({name(), {.choices = {{"form", form}, {"stencil", stencil}}}}, keys).value();
   }
 };
 
@@ -198,7 +198,7 @@ TEST(HermiteChart, RefusesAFullTurnAndNamesTheKeyBeforeIt) {
   ASSERT_FALSE(chart);
   EXPECT_EQ(chart.error().code, ErrorCode::bad_data);
   EXPECT_EQ(chart.error().where.key, 1u);
-  EXPECT_TRUE(make_curve("hermite-c2", keys, {.choices = {{"form", "cumulative"}}}));
+  EXPECT_TRUE(make_curve({"hermite-c2", {.choices = {{"form", "cumulative"}}}}, keys));
 }
 
 // ------------------------------------------------------------------------------------------------ order of accuracy

@@ -38,7 +38,7 @@ void expect_refused_or_solved(const std::string& family, int continuity, std::si
   for (const auto& row : rows) {
     SCOPED_TRACE(label_of(row));
     const Keyframes key_frames = keys_of(keys, row);
-    const auto curve = make_curve(family, key_frames, options_of(row));
+    const auto curve = make_curve({family, options_of(row)}, key_frames);
     if (curve) expect_solved(*curve, key_frames, continuity);
     else EXPECT_EQ(curve.error().code, ErrorCode::not_converged) << describe(curve.error());
   }

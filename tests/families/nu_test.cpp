@@ -18,8 +18,7 @@ namespace {
 using namespace testing_support;
 
 Expected<AnyCurve> made(const KeyframeData& data, std::vector<double> nu = {0.0}, End start = {}, End end = {}) {
-  return make_curve("nu", keyframes(data),
-                    {.parameters = {{"nu", std::move(nu)}}, .start = std::move(start), .end = std::move(end)});
+  return make_curve({"nu", {.parameters = {{"nu", std::move(nu)}}, .start = std::move(start), .end = std::move(end)}}, keyframes(data));
 }
 
 AnyCurve curve_of(const KeyframeData& data, std::vector<double> nu = {0.0}, End start = {}, End end = {}) {
@@ -146,7 +145,7 @@ TEST(Nu, ScalesItsNuWithTheClock) {
 
 TEST(Nu, DiffersFromTheExactConditionOnTheSphere) {
   const KeyframeData data = random_walk(540, 7, Spacing::even, 0.8);
-  const AnyCurve exact = make_curve("nu-exact", keyframes(data), {.parameters = {{"nu", {1.0}}}}).value();
+  const AnyCurve exact = make_curve({"nu-exact", {.parameters = {{"nu", {1.0}}}}}, keyframes(data)).value();
   const double distance = largest_distance(curve_of(data, {1.0}), exact);
   EXPECT_LE(distance, 0.05);
   EXPECT_GE(distance, tolerance::visible_jump);
@@ -155,7 +154,7 @@ TEST(Nu, DiffersFromTheExactConditionOnTheSphere) {
 TEST(Nu, CarriesPositionsOnTheNuSpline) {
   const KeyframeData data = posed_walk(541, 7, Spacing::uneven, 0.8);
   const std::vector<double> nu{0.0, 1.0, 40.0, 0.0, 0.3, 2.0, 0.0};
-  const PoseCurve pose = make_pose_curve("nu", keyframes(data), {.parameters = {{"nu", nu}}}).value();
+  const PoseCurve pose = make_pose_curve({"nu", {.parameters = {{"nu", nu}}}}, keyframes(data)).value();
   const CubicSplineByDefinition spline(data.times, data.positions, {}, nu);
   for (const double t : sample_times(data.times))
     EXPECT_TRUE(near(pose.position->linear_motion(t).position, spline.derivative(0, t, pose.orientation.knots().segment_at(t)),

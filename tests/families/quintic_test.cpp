@@ -19,7 +19,7 @@ using J = Jet<double, 5>;
 const std::vector<double> tensions{0.55, 0.66, 0.41, 0.36, 0.63, 0.6};
 
 AnyCurve quintic(const Keyframes& keys) {
-  return make_curve("quintic", keys, {.parameters = {{"tension", tensions}}}).value();
+  return make_curve({"quintic", {.parameters = {{"tension", tensions}}}}, keys).value();
 }
 
 /// The three blending functions of segment 0 over unit knots, as jets at u.
@@ -104,14 +104,14 @@ TEST(Quintic, ZeroTensionStopsTheMotionAtTheKey) {
   std::vector<double> stop = tensions;
   stop[2] = 0.0;
   const Keyframes keys = keyframes(random_walk(104, 6, Spacing::even));
-  const Motion m = make_curve("quintic", keys, {.parameters = {{"tension", stop}}})->motion(keys.times()[2]);
+  const Motion m = make_curve({"quintic", {.parameters = {{"tension", stop}}}}, keys)->motion(keys.times()[2]);
   EXPECT_TRUE(near(m.angular_velocity, Eigen::Vector3d::Zero(), tolerance::algebra));
   EXPECT_TRUE(near(m.angular_acceleration, Eigen::Vector3d::Zero(), tolerance::series));
 }
 
 TEST(Quintic, NegativeTensionRunsBackThroughTheKey) {
   const Keyframes keys = keyframes(steady_rotation({0, 1, 2, 3}, {0.5, 0, 0}));
-  const Motion m = make_curve("quintic", keys, {.parameters = {{"tension", {-0.3}}}})->motion(1.0);
+  const Motion m = make_curve({"quintic", {.parameters = {{"tension", {-0.3}}}}}, keys)->motion(1.0);
   EXPECT_TRUE(near(m.angular_velocity, Eigen::Vector3d(-0.3, 0, 0), tolerance::series));
 }
 

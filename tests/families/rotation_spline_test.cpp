@@ -15,7 +15,7 @@ namespace {
 using namespace testing_support;
 
 AnyCurve curve_of(const KeyframeData& data, const End& start = {}, const End& end = {}) {
-  return make_curve("rotation-spline", keyframes(data), {.start = start, .end = end}).value();
+  return make_curve({"rotation-spline", {.start = start, .end = end}}, keyframes(data)).value();
 }
 
 Eigen::Vector3d secant(const KeyframeData& data, std::size_t i) {
@@ -116,7 +116,7 @@ TEST(RotationSpline, CarriesPositionsOnTheCubicSplineWithTheSameEnds) {
         std::pair{EndRule::rest, Ends{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()}}}) {
     End end{.rule = rule};
     if (rule == EndRule::clamped) end.angular_velocity = {0.1, 0.2, 0.3};
-    const PoseCurve pose = make_pose_curve("rotation-spline", keyframes(data), {.start = end, .end = end}).value();
+    const PoseCurve pose = make_pose_curve({"rotation-spline", {.start = end, .end = end}}, keyframes(data)).value();
     const CubicSplineByDefinition spline(data.times, data.positions, ends);
     for (const double t : sample_times(data.times))
       EXPECT_TRUE(near(pose.position->linear_motion(t).position,

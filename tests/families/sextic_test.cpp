@@ -19,7 +19,7 @@ using J = Jet<double, 6>;
 const std::vector<double> tensions{0.109, 0.093, 0.055, 0.081, 0.112, 0.078};
 
 AnyCurve sextic(const Keyframes& keys) {
-  return make_curve("sextic", keys, {.parameters = {{"tension", tensions}}}).value();
+  return make_curve({"sextic", {.parameters = {{"tension", tensions}}}}, keys).value();
 }
 
 /// The three blending functions of segment 0 over unit knots, as jets at u.
@@ -100,7 +100,7 @@ TEST(Sextic, ZeroTensionStopsTheMotionButKeepsItsAcceleration) {
   std::vector<double> stop = tensions;
   stop[2] = 0.0;
   const Keyframes keys = keyframes(random_walk(113, 6, Spacing::even));
-  const Motion m = make_curve("sextic", keys, {.parameters = {{"tension", stop}}})->motion(keys.times()[2]);
+  const Motion m = make_curve({"sextic", {.parameters = {{"tension", stop}}}}, keys)->motion(keys.times()[2]);
   const Eigen::Vector3d a = increment<double>(keys.orientations()[1], keys.orientations()[2]);
   const Eigen::Vector3d b = increment<double>(keys.orientations()[2], keys.orientations()[3]);
   EXPECT_TRUE(near(m.angular_velocity, Eigen::Vector3d::Zero(), tolerance::algebra));

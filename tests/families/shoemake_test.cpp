@@ -44,7 +44,7 @@ TEST(Shoemake, AsPublishedIsTheBezierCurveOfDoubleAndBisect) {
       return Eigen::Quaterniond(bisected(doubled(q[n - 1].coeffs(), q[n].coeffs()), q[n + 1].coeffs()));
     };
     const Eigen::Quaterniond behind(doubled(target(3).coeffs(), q[3].coeffs()));
-    const AnyCurve curve = make_curve("shoemake", keys, timing("published")).value();
+    const AnyCurve curve = make_curve({"shoemake", timing("published")}, keys).value();
     for (const double u : {0.1, 0.5, 0.7}) {
       const double t = keys.times()[2] + u * (keys.times()[3] - keys.times()[2]);
       const auto wanted =
@@ -57,14 +57,14 @@ TEST(Shoemake, AsPublishedIsTheBezierCurveOfDoubleAndBisect) {
 TEST(Shoemake, InTimeIsThePublishedCurveOnEvenTimes) {
   const Keyframes keys = keyframes(random_walk(402, 7, Spacing::even));
   const AnyCurve in_time = make_curve("shoemake", keys).value();
-  const AnyCurve published = make_curve("shoemake", keys, timing("published")).value();
+  const AnyCurve published = make_curve({"shoemake", timing("published")}, keys).value();
   for (const double t : sample_times(keys.times()))
     EXPECT_TRUE(near(in_time.motion(t), published.motion(t), same_curve)) << t;
 }
 
 TEST(Shoemake, AsPublishedKeepsOnlyTheDirectionOfTheRateAcrossUnevenTimes) {
   const Keyframes keys = keyframes(random_walk(403, 6, Spacing::uneven, 0.6));
-  const AnyCurve curve = make_curve("shoemake", keys, timing("published")).value();
+  const AnyCurve curve = make_curve({"shoemake", timing("published")}, keys).value();
   for (std::size_t i = 1; i + 1 < keys.size(); ++i) {
     const double before = keys.times()[i] - keys.times()[i - 1], after = keys.times()[i + 1] - keys.times()[i];
     const Eigen::Vector3d left = curve.motion(keys.times()[i], Side::left).angular_velocity;
@@ -103,12 +103,12 @@ TEST(Shoemake, PositionsAsPublishedLeaveAlongTheChordOfTheNeighbours) {
   const Keyframes keys = keys_with_positions(406);
   const auto p = keys.positions();
   const double after = keys.times()[3] - keys.times()[2];
-  const PoseCurve pose = make_pose_curve("shoemake", keys, timing("published")).value();
+  const PoseCurve pose = make_pose_curve({"shoemake", timing("published")}, keys).value();
   EXPECT_TRUE(near(pose.position->linear_motion(keys.times()[2]).velocity, 0.5 * (p[3] - p[1]) / after, tolerance::rates));
 }
 
 TEST(Shoemake, RefusesAnotherTiming) {
-  const auto curve = make_curve("shoemake", keyframes(random_walk(407, 3, Spacing::even)), timing("uniform"));
+  const auto curve = make_curve({"shoemake", timing("uniform")}, keyframes(random_walk(407, 3, Spacing::even)));
   ASSERT_FALSE(curve);
   EXPECT_EQ(curve.error().message, "shoemake: timing is 'uniform', wanted one of time, published");
 }

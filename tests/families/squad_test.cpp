@@ -43,7 +43,7 @@ TEST(SquadFamily, EndKeyRuleStartsWithTheRateOfTheFirstStep) {
   // a_0 = q_0: S'(0) = q_0 log(q_0⁻¹q_1).
   const Keyframes keys = keyframes(random_walk(133, 5, Spacing::even));
   const End key{.rule = EndRule::key};
-  const AnyCurve curve = make_curve("squad", keys, {.start = key, .end = key}).value();
+  const AnyCurve curve = make_curve({"squad", {.start = key, .end = key}}, keys).value();
   EXPECT_TRUE(near(curve.motion(keys.times().front()).angular_velocity, step(keys, 0, 1) / 0.5, tolerance::series));
   EXPECT_TRUE(near(curve.motion(keys.times().back()).angular_velocity, step(keys, 3, 4) / 0.5, tolerance::series));
 }
@@ -51,7 +51,7 @@ TEST(SquadFamily, EndKeyRuleStartsWithTheRateOfTheFirstStep) {
 TEST(SquadFamily, PhantomRuleStartsWithHalfTheRateOfTheFirstStep) {
   const Keyframes keys = keyframes(random_walk(134, 5, Spacing::even));
   const End phantom{.rule = EndRule::phantom};
-  const AnyCurve curve = make_curve("squad", keys, {.start = phantom, .end = phantom}).value();
+  const AnyCurve curve = make_curve({"squad", {.start = phantom, .end = phantom}}, keys).value();
   EXPECT_TRUE(near(curve.motion(keys.times().front()).angular_velocity, step(keys, 0, 1) / 1.0, tolerance::series));
   EXPECT_TRUE(near(curve.motion(keys.times().back()).angular_velocity, step(keys, 3, 4) / 1.0, tolerance::series));
 }
@@ -70,7 +70,7 @@ TEST(SquadTimed, PassesAKeyWithTheTangentOfTheParabolaThroughItsNeighbours) {
 
 TEST(SquadTimed, InBoylesVariantPassesAKeyWithTheMeanOfTheRatesOnEitherSide) {
   const Keyframes keys = keyframes(random_walk(138, 7, Spacing::uneven, 0.6));
-  const AnyCurve curve = make_curve("squad-timed", keys, {.choices = {{"variant", "boyle"}}}).value();
+  const AnyCurve curve = make_curve({"squad-timed", {.choices = {{"variant", "boyle"}}}}, keys).value();
   for (std::size_t i = 1; i + 1 < keys.size(); ++i) {
     const double before = keys.times()[i] - keys.times()[i - 1], after = keys.times()[i + 1] - keys.times()[i];
     const Eigen::Vector3d wanted = 0.5 * (step(keys, i - 1, i) / before + step(keys, i, i + 1) / after);
@@ -81,8 +81,8 @@ TEST(SquadTimed, InBoylesVariantPassesAKeyWithTheMeanOfTheRatesOnEitherSide) {
 
 TEST(SquadTimed, HasOneCurveInBothVariantsOnEvenTimes) {
   const Keyframes keys = keyframes(random_walk(139, 6, Spacing::even));
-  const AnyCurve geier = make_curve("squad-timed", keys, {.choices = {{"variant", "geier"}}}).value();
-  const AnyCurve boyle = make_curve("squad-timed", keys, {.choices = {{"variant", "boyle"}}}).value();
+  const AnyCurve geier = make_curve({"squad-timed", {.choices = {{"variant", "geier"}}}}, keys).value();
+  const AnyCurve boyle = make_curve({"squad-timed", {.choices = {{"variant", "boyle"}}}}, keys).value();
   for (const double t : sample_times(keys.times()))
     EXPECT_TRUE(near(boyle.motion(t), geier.motion(t),
                      {tolerance::algebra, tolerance::series, tolerance::series, tolerance::rates}));

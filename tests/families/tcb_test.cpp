@@ -47,7 +47,7 @@ Rates published_rates(const Eigen::Vector3d& step_before, const Eigen::Vector3d&
 TEST(Tcb, PassesInnerKeysWithTheRatesOfKochanekAndBartels) {
   const Keyframes keys = posed_keys(411);
   const CurveOptions options = random_options(412, keys.size());
-  const PoseCurve pose = make_pose_curve("tcb", keys, options).value();
+  const PoseCurve pose = make_pose_curve({"tcb", options}, keys).value();
   const auto q = keys.orientations();
   const auto p = keys.positions();
   const auto t = keys.times();
@@ -72,13 +72,13 @@ TEST(Tcb, NaturalEndStartsWithTheRateOfTheFirstStepAndTheTensionOfItsKey) {
       increment<double>(keys.orientations()[0], keys.orientations()[1]) / (keys.times()[1] - keys.times()[0]);
   const AnyCurve plain = make_curve("tcb", keys).value();
   EXPECT_TRUE(near(plain.motion(keys.times()[0]).angular_velocity, secant, tolerance::series));
-  const AnyCurve tense = make_curve("tcb", keys, {.parameters = {{"tension", {0.4}}}}).value();
+  const AnyCurve tense = make_curve({"tcb", {.parameters = {{"tension", {0.4}}}}}, keys).value();
   EXPECT_TRUE(near(tense.motion(keys.times()[0]).angular_velocity, 0.6 * secant, tolerance::series));
 }
 
 TEST(Tcb, TensionOneStopsAtEveryKey) {
   const Keyframes keys = posed_keys(414);
-  const AnyCurve curve = make_curve("tcb", keys, {.parameters = {{"tension", {1}}}}).value();
+  const AnyCurve curve = make_curve({"tcb", {.parameters = {{"tension", {1}}}}}, keys).value();
   for (const double t : keys.times())
     for (const Side side : {Side::left, Side::right})
       EXPECT_LE(curve.motion(t, side).angular_velocity.norm(), tolerance::series);
@@ -86,7 +86,7 @@ TEST(Tcb, TensionOneStopsAtEveryKey) {
 
 TEST(Tcb, ContinuityOtherThanZeroMakesACornerInTime) {
   const Keyframes keys = posed_keys(415);
-  const AnyCurve curve = make_curve("tcb", keys, {.parameters = {{"continuity", {0.4}}}}).value();
+  const AnyCurve curve = make_curve({"tcb", {.parameters = {{"continuity", {0.4}}}}}, keys).value();
   for (std::size_t i = 1; i + 1 < keys.size(); ++i) {
     const double t = keys.times()[i];
     EXPECT_GT((curve.motion(t, Side::left).angular_velocity - curve.motion(t, Side::right).angular_velocity).norm(),
@@ -98,7 +98,7 @@ TEST(Tcb, HandleEndsHaveNoAcceleration) {
   const Keyframes keys = posed_keys(416);
   CurveOptions options = random_options(417, keys.size());
   options.start = options.end = handle;
-  const PoseCurve pose = make_pose_curve("tcb", keys, options).value();
+  const PoseCurve pose = make_pose_curve({"tcb", options}, keys).value();
   for (const double t : {keys.times().front(), keys.times().back()}) {
     EXPECT_LE(pose.orientation.motion(t).angular_acceleration.norm(), tolerance::rates);
     EXPECT_LE(pose.position->linear_motion(t).acceleration.norm(), tolerance::rates);
@@ -109,9 +109,9 @@ TEST(Tcb, ParametersOfAKeyWithAHandleEndDoNotMatter) {
   const Keyframes keys = posed_keys(418);
   CurveOptions options = random_options(419, keys.size());
   options.start = options.end = handle;
-  const AnyCurve before = make_curve("tcb", keys, options).value();
+  const AnyCurve before = make_curve({"tcb", options}, keys).value();
   for (auto& [name, values] : options.parameters) values.front() = values.back() = 0.9;
-  const AnyCurve after = make_curve("tcb", keys, options).value();
+  const AnyCurve after = make_curve({"tcb", options}, keys).value();
   for (const double t : sample_times(keys.times())) EXPECT_EQ(after(t).coeffs(), before(t).coeffs());
 }
 
@@ -120,7 +120,7 @@ TEST(Tcb, TwoKeysWithHandleEndsTurnAtAConstantRate) {
   const Eigen::Vector3d secant =
       increment<double>(keys.orientations()[0], keys.orientations()[1]) / (keys.times()[1] - keys.times()[0]);
   const AnyCurve curve =
-      make_curve("tcb", keys, {.parameters = {{"tension", {0.7}}}, .start = handle, .end = handle}).value();
+      make_curve({"tcb", {.parameters = {{"tension", {0.7}}}, .start = handle, .end = handle}}, keys).value();
   for (const double t : sample_times(keys.times()))
     EXPECT_TRUE(near(curve.motion(t).angular_velocity, secant, tolerance::series));
 }
@@ -131,7 +131,7 @@ TEST(Tcb, OneHandleEndOfTwoKeysLeavesTheOtherEndAlone) {
   CurveOptions one_handle = tense;
   one_handle.start = handle;
   const double end = keys.times().back();
-  const AnyCurve natural = make_curve("tcb", keys, tense).value(), curve = make_curve("tcb", keys, one_handle).value();
+  const AnyCurve natural = make_curve({"tcb", tense}, keys).value(), curve = make_curve({"tcb", one_handle}, keys).value();
   EXPECT_TRUE(near(curve.motion(end).angular_velocity, natural.motion(end).angular_velocity, tolerance::series));
   EXPECT_LE(curve.motion(keys.times().front()).angular_acceleration.norm(), tolerance::rates);
 }

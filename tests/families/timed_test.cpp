@@ -34,8 +34,8 @@ void expect_same(const AnyCurve& a, const AnyCurve& b) {
 TEST(Timed, C2WithEqualTensionsOnEvenTimesIsTansQuintic) {
   const Keyframes keys = keyframes(random_walk(141, 7, Spacing::even));
   const std::vector<double> alpha{0.5, 0.6, 0.3, 0.45, 0.7, 0.2, 0.5};
-  expect_same(make_curve("timed-c2", keys, with(EndRule::repeat, {{"tension", alpha}, {"tension2", alpha}})).value(),
-              make_curve("quintic", keys, with(EndRule::repeat, {{"tension", alpha}})).value());
+  expect_same(make_curve({"timed-c2", with(EndRule::repeat, {{"tension", alpha}, {"tension2", alpha}})}, keys).value(),
+              make_curve({"quintic", with(EndRule::repeat, {{"tension", alpha}})}, keys).value());
 }
 
 TEST(Timed, C3WithThePapersTensionsOnEvenTimesIsThe6thDegreeSpline) {
@@ -43,10 +43,10 @@ TEST(Timed, C3WithThePapersTensionsOnEvenTimesIsThe6thDegreeSpline) {
   const std::vector<double> beta{0.1, 0.08, 0.05, 0.12, 0.02, 0.09};
   std::vector<double> first, third;
   for (const double b : beta) first.push_back(6 * b), third.push_back(30 - 360 * b);
-  const AnyCurve sextic = make_curve("sextic", keys, with(EndRule::repeat, {{"tension", beta}})).value();
+  const AnyCurve sextic = make_curve({"sextic", with(EndRule::repeat, {{"tension", beta}})}, keys).value();
   const Parameters three{{"tension", first}, {"tension2", {2.5}}, {"tension3", third}};
-  expect_same(make_curve("timed-c3", keys, with(EndRule::repeat, three)).value(), sextic);
-  expect_same(make_curve("timed-sextic", keys, with(EndRule::repeat, {{"tension", first}})).value(), sextic);
+  expect_same(make_curve({"timed-c3", with(EndRule::repeat, three)}, keys).value(), sextic);
+  expect_same(make_curve({"timed-sextic", with(EndRule::repeat, {{"tension", first}})}, keys).value(), sextic);
 }
 
 TEST(Timed, C2WithTensionsHalfAndThreeOnEvenTimesIsAQuartic) {
@@ -89,7 +89,7 @@ KnotJets knot_jets(const std::string& name, double before, double after, std::ar
 class TimedFamily : public testing::TestWithParam<std::string> {
  protected:
   [[nodiscard]] static AnyCurve curve(const Keyframes& keys, const CurveOptions& options = {}) {
-    return make_curve(GetParam(), keys, options).value();
+    return make_curve({GetParam(), options}, keys).value();
   }
   [[nodiscard]] static int order() { return find_family(GetParam()).value()->continuity_uneven; }
 };
@@ -145,7 +145,7 @@ TEST_P(TimedFamily, StaysSmoothForLargeStepsAtSpacingRatiosOfTen) {
 TEST(Timed, NaturalEndHasNoAngularAcceleration) {
   const Keyframes keys = keyframes(random_walk(145, 5, Spacing::uneven));
   for (const char* name : {"timed-c2", "timed-c3", "timed-sextic"}) {
-    const AnyCurve c = make_curve(name, keys, with(EndRule::natural)).value();
+    const AnyCurve c = make_curve({name, with(EndRule::natural)}, keys).value();
     for (const double t : {keys.times().front(), keys.times().back()})
       EXPECT_TRUE(near(c.motion(t).angular_acceleration, Eigen::Vector3d::Zero(), tolerance::rates)) << name;
   }

@@ -71,7 +71,7 @@ TEST(WoundHandle, OfShoemakeIsAlsoAContinuedStepThatWindsRound) {
 TEST(WoundHandle, DependsOnTheParametersAndOnTheFamily) {
   const Keyframes keys = turn_and_rest(1.0);
   EXPECT_FALSE(overwound_tangent("tcb", keys).value());
-  EXPECT_TRUE(overwound_tangent("tcb", keys, {.parameters = {{"tension", {-2.0}}}}).value());
+  EXPECT_TRUE(overwound_tangent({"tcb", {.parameters = {{"tension", {-2.0}}}}}, keys).value());
   EXPECT_FALSE(overwound_tangent("timed-c1", turn_and_rest(3.0)).value());
   EXPECT_EQ(overwound_tangent("tcbb", keys).error().code, ErrorCode::bad_argument);
 }

@@ -53,7 +53,7 @@ TEST(XingQuartic, IsTheFamilyOfOrderTwoWithTensionsHalfAndThree) {
   const Keyframes keys = keyframes(random_walk(301, 7, Spacing::uneven));
   expect_same(
       make_curve("xing-quartic", keys).value(),
-      make_curve("family", keys, {.parameters = {{"order", {2}}, {"tension1", {0.5}}, {"tension2", {3}}}}).value());
+      make_curve({"family", {.parameters = {{"order", {2}}, {"tension1", {0.5}}, {"tension2", {3}}}}}, keys).value());
 }
 
 TEST(XingQuartic, CountsTheSecondDifferenceThreefoldAtAKey) {
@@ -88,7 +88,7 @@ TEST(XingQuintic, BlendsTheOuterKeysByFiveSixteenths) {
 TEST(XingQuintic, IsThe6thDegreeSplineAtBeta5Over96) {
   const Keyframes keys = keyframes(random_walk(302, 7, Spacing::uneven));
   expect_same(make_curve("xing-quintic", keys).value(),
-              make_curve("sextic", keys, {.parameters = {{"tension", {5.0 / 96.0}}}}).value());
+              make_curve({"sextic", {.parameters = {{"tension", {5.0 / 96.0}}}}}, keys).value());
 }
 
 TEST(XingQuintic, RipplesOnASteadyRotation) {

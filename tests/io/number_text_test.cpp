@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/io/number_text.hpp>
+#include <orispline/base/number_text.hpp>
 
 #include <array>
 #include <bit>
@@ -14,7 +14,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <orispline/io/decimal.hpp>
+#include <orispline/base/decimal.hpp>
 
 namespace orispline::io {
 namespace {

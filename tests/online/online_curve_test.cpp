@@ -94,7 +94,7 @@ TEST_P(EveryOnlineMethod, UsesTheRulesOfBothEnds) {
         options.end.angular_velocity = {-0.1, 0.4, 0.2};
       }
       const KeyframeData data = raw_walk(503, count);
-      const auto offline = make_pose_curve(family.name, keyframes(data, Signs::shortest), options);
+      const auto offline = make_pose_curve({family.name, options}, keyframes(data, Signs::shortest));
       OnlineCurve online = OnlineCurve::make(family.name, 10, options).value();
       ASSERT_TRUE(append(online, data, 0, count));
 
@@ -132,7 +132,7 @@ TEST(OnlineCurve, TakesParametersAndGivenSigns) {
   KeyframeData data = raw_walk(505, 50);
   for (Eigen::Quaterniond& q : data.orientations) q.normalize();
   const CurveOptions options{.parameters = {{"order", {3.0}}, {"tension1", {0.4}}, {"tension3", {0.2}}}};
-  const PoseCurve offline = make_pose_curve("family", keyframes(data, Signs::as_given), options).value();
+  const PoseCurve offline = make_pose_curve({"family", options}, keyframes(data, Signs::as_given)).value();
   OnlineCurve online = OnlineCurve::make("family", 50, options, Signs::as_given).value();
   ASSERT_TRUE(append(online, data, 0, 50));
   ASSERT_TRUE(online.finish());

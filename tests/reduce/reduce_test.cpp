@@ -78,13 +78,13 @@ std::size_t fewest_keys(const Keyframes& k, const Tolerance& tolerance) {
 }
 
 Reduction reduced(std::string_view method, const Keyframes& recording, const ReduceOptions& options) {
-  auto reduction = reduce(method, recording, options);
+  auto reduction = reduce(recording, method, options);
   EXPECT_TRUE(reduction) << method << ": " << (reduction ? "" : describe(reduction.error()));
-  return reduction ? std::move(*reduction) : Reduction{.keys = recording};
+  return reduction ? std::move(*reduction) : Reduction{.track = recording};
 }
 
 void expect_within(const Reduction& reduction, const Keyframes& recording, const Tolerance& tolerance) {
-  const PoseCurve curve = make_pose_curve(reduction.method, reduction.keys).value();
+  const PoseCurve curve = make_pose_curve(reduction.method, reduction.track.keys).value();
   double angle = 0.0, distance = 0.0;
   for (std::size_t i = 0; i < recording.size(); ++i) {
     const double t = recording.times()[i];
@@ -92,10 +92,10 @@ void expect_within(const Reduction& reduction, const Keyframes& recording, const
     if (!recording.positions().empty())
       distance = std::max(distance, (curve.position->linear_motion(t).position - recording.positions()[i]).norm());
   }
-  EXPECT_LE(angle, tolerance.angle * (1.0 + 1e-12)) << reduction.method;
-  EXPECT_LE(distance, tolerance.position) << reduction.method;
-  EXPECT_NEAR(reduction.deviation.angle, angle, 1e-12) << reduction.method;
-  EXPECT_NEAR(reduction.deviation.position.value_or(0.0), distance, 1e-12) << reduction.method;
+  EXPECT_LE(angle, tolerance.angle * (1.0 + 1e-12)) << reduction.method.name;
+  EXPECT_LE(distance, tolerance.position) << reduction.method.name;
+  EXPECT_NEAR(reduction.deviation.angle, angle, 1e-12) << reduction.method.name;
+  EXPECT_NEAR(reduction.deviation.position.value_or(0.0), distance, 1e-12) << reduction.method.name;
 }
 
 TEST(Reduce, NeedsNoMoreGeodesicsThanTheShortestChainOfAll) {
@@ -225,7 +225,7 @@ TEST(Reduce, AnEnormousToleranceLeavesTheTwoEnds) {
 TEST(Reduce, SaysWhatItCannotDo) {
   const Keyframes recording = about_an_axis(evenly(5, 0.1));
   const auto error = [&](std::string_view method, const Keyframes& samples, const Tolerance& tolerance) {
-    const auto reduction = reduce(method, samples, {.tolerance = tolerance});
+    const auto reduction = reduce(samples, method, {.tolerance = tolerance});
     return reduction ? std::string("none") : reduction.error().message;
   };
   for (const auto& [angle, shown] : {std::pair(0.0, "0"), {-1.0, "-1"}, {1e-13, "1e-13"}, {std::nan(""), "nan"}})
@@ -246,24 +246,25 @@ TEST(Reduce, SaysWhatItCannotDo) {
 }
 
 TEST(Reduce, GivesTheSameOnAnyNumberOfThreads) {
-  std::vector<Keyframes> tracks;
+  const std::vector<Method> methods(reducing_methods.begin(), reducing_methods.end());
+  std::vector<Track> tracks;
   for (unsigned seed = 0; seed < 5; ++seed)
     tracks.push_back(recorded({.samples = 60 + 20 * seed, .step = 0.03, .noise = 0.001, .shift = 0.0}, seed));
   tracks.push_back(about_an_axis({0.0}));
   const ReduceOptions options{.tolerance = {.angle = 0.5 * degree}, .values = KeyValues::refitted};
-  const auto alone = reduce_tracks(reducing_methods, tracks, options, 1);
+  const auto alone = reduce_tracks(tracks, methods, options, 1);
   ASSERT_EQ(alone.size(), tracks.size());
   EXPECT_FALSE(alone.back());
   for (const unsigned threads : {2u, 3u, 16u, 0u}) {
-    const auto found = reduce_tracks(reducing_methods, tracks, options, threads);
+    const auto found = reduce_tracks(tracks, methods, options, threads);
     for (std::size_t i = 0; i + 1 < tracks.size(); ++i)
       for (std::size_t m = 0; m < reducing_methods.size(); ++m) {
         const Reduction &a = alone[i]->at(m), &b = found[i]->at(m);
-        EXPECT_EQ(a.method, reducing_methods[m]);
+        EXPECT_EQ(a.method.name, reducing_methods[m]);
         EXPECT_EQ(a.samples, b.samples);
         EXPECT_EQ(a.deviation.angle, b.deviation.angle);
-        for (std::size_t k = 0; k < a.keys.size(); ++k)
-          EXPECT_EQ(a.keys.orientations()[k].coeffs(), b.keys.orientations()[k].coeffs());
+        for (std::size_t k = 0; k < a.track.keys.size(); ++k)
+          EXPECT_EQ(a.track.keys.orientations()[k].coeffs(), b.track.keys.orientations()[k].coeffs());
       }
   }
 }

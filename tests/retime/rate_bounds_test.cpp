@@ -8,7 +8,7 @@
 
 #include <orispline/families/registry.hpp>
 
-#include "random_motion.hpp"
+#include "support/random_motion.hpp"
 
 namespace orispline {
 namespace {

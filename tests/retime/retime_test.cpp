@@ -9,7 +9,7 @@
 #include <orispline/analysis/torque.hpp>
 #include <orispline/families/registry.hpp>
 
-#include "random_motion.hpp"
+#include "support/random_motion.hpp"
 
 namespace orispline {
 namespace {
@@ -23,13 +23,13 @@ Keyframes at_times(const Keyframes& keys, std::vector<double> times) {
       .value();
 }
 
-AnyCurve curve_of(std::string_view method, const Keyframes& keys, const Retiming& retiming) {
-  return make_curve(method, at_times(keys, retiming.times)).value();
+AnyCurve curve_of(std::string_view method, const Retiming& retiming) {
+  return make_curve(method, retiming.track.keys).value();
 }
 
 Retiming retimed(std::string_view method, const Keyframes& keys, const MotionLimits& limits,
                  Slowing slowing = Slowing::uniform) {
-  auto retiming = retime(method, keys, limits, slowing);
+  auto retiming = retime(keys, method, {.limits = limits, .slowing = slowing});
   EXPECT_TRUE(retiming) << describe(retiming.error());
   return retiming.value_or(Retiming{});
 }
@@ -73,7 +73,7 @@ TEST(Retime, UniformSlowingKeepsThePathAndScalesTheRates) {
       const Retiming slow = retimed(method, keys, limits);
       EXPECT_NEAR(slow.time_scale / 3.0, 1.0, 1e-4) << method;
       EXPECT_GE(slow.time_scale, 3.0 * (1.0 - 1e-6)) << method;
-      const AnyCurve after = curve_of(method, keys, slow);
+      const AnyCurve after = curve_of(method, slow);
       for (const double t : {0.3, 2.2, 5.0}) {
         const Motion a = before.motion(t), b = after.motion(slow.time_scale * t);
         EXPECT_LE(angle_between(a.orientation, b.orientation), 1e-7);
@@ -105,7 +105,7 @@ TEST(Retime, LeavesAMotionWithinItsLimitsAsItIs) {
   for (const Slowing slowing : {Slowing::uniform, Slowing::per_interval}) {
     const Retiming same = retimed("auto", keys, {.rate = bound * (1.0 + 1e-4)}, slowing);
     EXPECT_EQ(same.time_scale, 1.0);
-    EXPECT_TRUE(std::ranges::equal(same.times, keys.times()));
+    EXPECT_TRUE(std::ranges::equal(same.track.keys.times(), keys.times()));
   }
 }
 
@@ -121,7 +121,7 @@ TEST(Retime, DependsNeitherOnTheOriginOfTimeNorOnSigns) {
     const double time_scale = retimed("auto", keys, limits, slowing).time_scale;
     const Retiming shifted = retimed("auto", at_times(keys, late), limits, slowing);
     EXPECT_NEAR(shifted.time_scale / time_scale, 1.0, slowing == Slowing::uniform ? 1e-4 : 2e-3);
-    EXPECT_EQ(shifted.times.front(), late.front());
+    EXPECT_EQ(shifted.track.keys.times().front(), late.front());
     EXPECT_NEAR(retimed("auto", Keyframes::make(flipped).value(), limits, slowing).time_scale / time_scale, 1.0, 1e-9);
   }
 }
@@ -136,14 +136,14 @@ TEST(Retime, StaysWithinTheLimitsAndReachesOneOfThem) {
       const Retiming separate = retimed(method, keys, limits, Slowing::per_interval);
       EXPECT_LE(separate.time_scale, uniform.time_scale);
       for (const Retiming* retiming : {&uniform, &separate}) {
-        const MotionSizes peaks = sampled(curve_of(method, keys, *retiming));
+        const MotionSizes peaks = sampled(curve_of(method, *retiming));
         EXPECT_LE(peaks.rate, 1.0) << method;
         EXPECT_LE(peaks.acceleration, 2.0) << method;
         EXPECT_LE(peaks.torque, 3.0) << method;
         for (std::size_t i = 0; i + 1 < keys.size(); ++i)
-          EXPECT_GE(retiming->times[i + 1] - retiming->times[i], (keys.times()[i + 1] - keys.times()[i]) * (1 - 1e-12));
+          EXPECT_GE(retiming->track.keys.times()[i + 1] - retiming->track.keys.times()[i], (keys.times()[i + 1] - keys.times()[i]) * (1 - 1e-12));
       }
-      const MotionSizes peaks = sampled(curve_of(method, keys, uniform));
+      const MotionSizes peaks = sampled(curve_of(method, uniform));
       if (uniform.time_scale > 1.0) {
         EXPECT_GE(std::max({peaks.rate, peaks.acceleration / 2.0, peaks.torque / 3.0}), 1.0 - 3e-4);
       }
@@ -157,12 +157,12 @@ TEST(Retime, IntervalsOfGeodesicsTakeWhatTheyMust) {
   for (std::size_t i = 0; i + 1 < keys.size(); ++i)
     least += std::max(keys.times()[i + 1] - keys.times()[i],
                       angle_between(keys.orientations()[i], keys.orientations()[i + 1]));
-  EXPECT_GE(slow.times.back(), least);
-  EXPECT_LE(slow.times.back(), least * 1.002);
+  EXPECT_GE(slow.track.keys.times().back(), least);
+  EXPECT_LE(slow.track.keys.times().back(), least * 1.002);
 }
 
 std::string error(std::string_view method, const Keyframes& keys, const MotionLimits& limits) {
-  const auto retiming = retime(method, keys, limits, Slowing::uniform);
+  const auto retiming = retime(keys, method, {.limits = limits});
   return retiming ? std::string("none") : retiming.error().message;
 }
 

@@ -51,7 +51,7 @@ TEST(Smooth, StretchesDoNotKnowEachOther) {
   const auto whole = smooth(Keyframes::make(cut).value(), options).value();
   const auto part = smooth(Keyframes::make(first).value(), options).value();
   ASSERT_EQ(whole.stretches.size(), 2u);
-  EXPECT_EQ(whole.left_out, std::vector<std::size_t>{299});
+  EXPECT_EQ(whole.samples_in_short_stretches, std::vector<std::size_t>{299});
   ASSERT_EQ(whole.nodes.orientations.size(), 299u);
   const SmoothOptions plain{.smoothing_time = 0.05, .loss = Loss::l2, .gap = 1.0};
   const auto a = smooth(Keyframes::make(cut).value(), plain).value();

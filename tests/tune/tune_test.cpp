@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <orispline/analysis/energy.hpp>
+#include <orispline/analysis/torque.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/tune/nu_sum.hpp>
 #include <support/data_table.hpp>
@@ -18,7 +19,7 @@ const Eigen::Matrix3d inertia = Eigen::Vector3d(1.0, 2.0, 4.0).asDiagonal();
 
 Tuning tuned(std::string_view family, const Keyframes& keys, TuneOptions options) {
   options.inertia = inertia;
-  auto tuning = tune(family, keys, {}, options);
+  auto tuning = tune(keys, family, options);
   EXPECT_TRUE(tuning) << describe(tuning.error());
   return tuning.value_or(Tuning{});
 }
@@ -35,7 +36,7 @@ void expect_tensions(const Tuning& tuning, const DataTable::Row& row, double lim
   const CurveOptions wanted = testing_support::options_of(row);
   for (const auto& [name, values] : wanted.parameters)
     for (std::size_t i = 0; i < values.size(); ++i)
-      EXPECT_NEAR(tuning.options.parameters.at(name).at(i), values[i], limit) << testing_support::label_of(row);
+      EXPECT_NEAR(tuning.method.options.parameters.at(name).at(i), values[i], limit) << testing_support::label_of(row);
 }
 
 TEST(Tune, ClosedFormIsThatOfTheReference) {
@@ -81,7 +82,7 @@ Keyframes some_keys() {
 }
 
 double energy_of(std::string_view family, const CurveOptions& options, Objective objective) {
-  const Energies e = energies(make_curve(family, some_keys(), options).value(), inertia);
+  const Energies e = energies(make_curve({family, options}, some_keys()).value(), inertia);
   return objective == Objective::jerk ? e.jerk : objective == Objective::torque ? e.torque : e.acceleration;
 }
 
@@ -89,13 +90,13 @@ TEST(Tune, LeavesNoTensionThatWouldLowerTheEnergyIfItWereMoved) {
   for (const std::string family : {"quintic", "sextic", "timed-c2", "timed-c3", "timed-sextic", "tcb", "nu"})
     for (const Objective objective : {Objective::acceleration, Objective::torque}) {
       const Tuning found = tuned(family, some_keys(), {.objective = objective});
-      const double least = energy_of(family, found.options, objective);
+      const double least = energy_of(family, found.method.options, objective);
       EXPECT_NEAR(found.energy_after / least, 1.0, 1e-9) << family;
       EXPECT_LT(found.energy_after, found.energy_before) << family;
       for (const std::string& name : found.parameters)
         for (std::size_t key = 0; key < 6; ++key)
           for (const double move : {-1e-3, 1e-3}) {
-            CurveOptions moved = found.options;
+            CurveOptions moved = found.method.options;
             moved.parameters[name][key] += move;
             EXPECT_GE(energy_of(family, moved, objective), least * (1.0 - 1e-12)) << family << " " << name << key;
           }
@@ -104,15 +105,15 @@ TEST(Tune, LeavesNoTensionThatWouldLowerTheEnergyIfItWereMoved) {
 
 TEST(Tune, KeepsTensionsWithoutInfluence) {
   const Tuning found = tuned("timed-c2", some_keys(), {.objective = Objective::jerk});
-  EXPECT_EQ(found.options.parameters.at("tension2").front(), 1.0);
-  EXPECT_EQ(found.options.parameters.at("tension2").back(), 1.0);
-  EXPECT_NE(found.options.parameters.at("tension2")[1], 1.0);
+  EXPECT_EQ(found.method.options.parameters.at("tension2").front(), 1.0);
+  EXPECT_EQ(found.method.options.parameters.at("tension2").back(), 1.0);
+  EXPECT_NE(found.method.options.parameters.at("tension2")[1], 1.0);
 }
 
 TEST(Tune, StaysWithinBoundsThatAreAskedFor) {
   const TuneOptions bounded{.objective = Objective::acceleration, .bounds = Interval{0.45, 0.55}};
   const Tuning found = tuned("quintic", some_keys(), bounded);
-  const auto [lowest, highest] = std::ranges::minmax(found.options.parameters.at("tension"));
+  const auto [lowest, highest] = std::ranges::minmax(found.method.options.parameters.at("tension"));
   EXPECT_EQ(lowest, 0.45);
   EXPECT_EQ(highest, 0.55);
   EXPECT_GT(found.energy_after, tuned("quintic", some_keys(), {.objective = Objective::acceleration}).energy_after);
@@ -120,7 +121,7 @@ TEST(Tune, StaysWithinBoundsThatAreAskedFor) {
 
 TEST(Tune, FitsTheTensionsThatMadeTheReference) {
   const CurveOptions made{.parameters = {{"tension", {0.4, 0.7, 0.2, 0.6, 0.5, 0.3}}}};
-  const AnyCurve curve = make_curve("quintic", some_keys(), made).value();
+  const AnyCurve curve = make_curve({"quintic", made}, some_keys()).value();
   std::vector<double> times;
   std::vector<Eigen::Quaterniond> orientations;
   for (double t = -0.5; t < 5.0; t += 0.05) {
@@ -129,19 +130,19 @@ TEST(Tune, FitsTheTensionsThatMadeTheReference) {
   }
   const Tuning found = tuned("quintic", some_keys(), {.objective = Objective::fit, .reference = {times, orientations}});
   for (std::size_t key = 0; key < 6; ++key)
-    EXPECT_NEAR(found.options.parameters.at("tension")[key], made.parameters.at("tension")[key], 1e-9);
+    EXPECT_NEAR(found.method.options.parameters.at("tension")[key], made.parameters.at("tension")[key], 1e-9);
   EXPECT_LT(found.energy_after, 1e-20);
 }
 
 TEST(Tune, RefusesWhatItCannotTune) {
   const auto error = [](std::string_view family, const Keyframes& keys, const TuneOptions& options) {
-    const auto tuning = tune(family, keys, {}, options);
+    const auto tuning = tune(keys, family, options);
     return tuning ? std::string("none") : tuning.error().message;
   };
   const Keyframes two = Keyframes::make({.times = {0, 1}, .orientations = {turned(0, 0, 0), turned(1, 0, 0)}}).value();
   EXPECT_EQ(error("quintic", two, {}), "found 2 keys, wanted at least 3 to tune tensions");
   EXPECT_EQ(error("auto", some_keys(), {}),
-            "auto: this method has no tensions to tune, wanted one of " + tunable_families());
+            "auto: this method has no tensions to tune, wanted one of " + tunable_methods());
   EXPECT_EQ(error("quintic", some_keys(), {.objective = Objective::fit}),
             "the reference has no time between the first and the last key, wanted some from 0 to 4 s");
   EXPECT_EQ(error("quintic", some_keys(),

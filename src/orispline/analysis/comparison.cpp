@@ -29,7 +29,7 @@ struct Overlap {
   std::span<const Eigen::Vector3d> angular_velocities;
 };
 
-Expected<Overlap> overlap_of(const Recording& recording, Domain domain) {
+Expected<Overlap> overlap_of(const RecordedMotion& recording, Domain domain) {
   const auto [first, count] = times_within(recording.times, domain);
   if (count == 0)
     return failure(ErrorCode::bad_data, fmt::format("none of the {} reference times lies between the keys, {} to {} s",
@@ -59,13 +59,13 @@ void measure_shape(Measures& measures, const AnyCurve& curve, const MeasureOptio
 
 }  // namespace
 
-Expected<Measures> measure(const Candidate& candidate, const Recording& recording, const MeasureOptions& options) {
+Expected<Measures> measure(const Candidate& candidate, const RecordedMotion& recording, const MeasureOptions& options) {
   ORISPLINE_EXPECT(recording.times.size() == recording.orientations.size());
   const auto truth = overlap_of(recording, {candidate.keys.times().front(), candidate.keys.times().back()});
   if (!truth) return tl::unexpected(truth.error());
   Measures measures;
   const Clock::time_point start = Clock::now();
-  const auto curve = make_curve(candidate.method, candidate.keys, candidate.options);
+  const auto curve = make_curve(candidate.method, candidate.keys);
   if (!curve) return tl::unexpected(curve.error());
   measures.build_seconds = seconds_since(start);
   const bool has_rates = !truth->angular_velocities.empty();
@@ -75,7 +75,7 @@ Expected<Measures> measure(const Candidate& candidate, const Recording& recordin
   measure_errors(measures, samples, *truth);
   measure_shape(measures, *curve, options);
   if (options.leave_out == LeaveOut::yes)
-    if (const auto error = leave_out_error(candidate.method, candidate.keys, candidate.options))
+    if (const auto error = leave_out_error(candidate.keys, candidate.method))
       measures.leave_out = *error;
   return measures;
 }
@@ -84,15 +84,16 @@ bool Comparison::any() const noexcept {
   return std::ranges::any_of(measures, [](const Expected<Measures>& m) { return m.has_value(); });
 }
 
-Comparison compare(std::span<const Candidate> candidates, const Recording& recording, const MeasureOptions& options,
-                   unsigned threads, const std::function<void(std::size_t)>& measured) {
+Comparison compare(std::span<const Candidate> candidates, const RecordedMotion& recording, const MeasureOptions& options,
+                   unsigned threads, const Progress& progress) {
   Comparison comparison{std::vector<Expected<Measures>>(candidates.size())};
   std::mutex one_at_a_time;
   std::size_t done = 0;
   parallel_for(candidates.size(), threads, [&](std::size_t i) {
-    comparison.measures[i] = measure(candidates[i], recording, options);
+    comparison.measures[i] =
+        progress.stopped() ? Expected<Measures>(cancellation()) : measure(candidates[i], recording, options);
     const std::lock_guard lock(one_at_a_time);
-    if (measured) measured(++done);
+    progress.at(static_cast<double>(++done) / static_cast<double>(candidates.size()));
   });
   return comparison;
 }

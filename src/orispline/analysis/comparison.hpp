@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -11,13 +10,14 @@
 #include <orispline/analysis/distance.hpp>
 #include <orispline/analysis/energy.hpp>
 #include <orispline/analysis/peaks.hpp>
-#include <orispline/curve/family.hpp>
+#include <orispline/base/progress.hpp>
 #include <orispline/curve/keyframe.hpp>
+#include <orispline/curve/method.hpp>
 
 namespace orispline {
 
 /// A motion known densely. The caller's memory.
-struct Recording {
+struct RecordedMotion {
   std::span<const double> times;                             ///< [s], they do not decrease
   std::span<const Eigen::Quaterniond> orientations;          ///< body to world, one per time
   std::span<const Eigen::Vector3d> angular_velocities = {};  ///< [rad/s], body frame; empty where none were logged
@@ -25,8 +25,7 @@ struct Recording {
 
 /// A method at keys: one curve to be measured.
 struct Candidate {
-  std::string method;  ///< a name of the registry
-  CurveOptions options{};
+  Method method;
   Keyframes keys;
 };
 
@@ -53,7 +52,7 @@ struct Measures {
 
 /// Builds the curve and measures it. Errors: those of make_curve(); bad_data where no time of the recording lies
 /// between the first and the last key.
-[[nodiscard]] Expected<Measures> measure(const Candidate& candidate, const Recording& recording,
+[[nodiscard]] Expected<Measures> measure(const Candidate& candidate, const RecordedMotion& recording,
                                          const MeasureOptions& options = {});
 
 /// The measures of each candidate, or why it has none: one that fails does not hinder the others.
@@ -64,10 +63,9 @@ struct Comparison {
   [[nodiscard]] bool any() const noexcept;
 };
 
-/// Measures the candidates on up to `threads` threads (0: one per core). `measured` is called after each, with how many
-/// there are by then, from one thread at a time.
-[[nodiscard]] Comparison compare(std::span<const Candidate> candidates, const Recording& recording,
+/// Measures the candidates on up to `threads` threads (0: one per core). Those that a stop came before are cancelled.
+[[nodiscard]] Comparison compare(std::span<const Candidate> candidates, const RecordedMotion& recording,
                                  const MeasureOptions& options = {}, unsigned threads = 1,
-                                 const std::function<void(std::size_t)>& measured = {});
+                                 const Progress& progress = {});
 
 }  // namespace orispline

@@ -32,8 +32,7 @@ Parted parted(const Keyframes& keys, std::size_t phase) {
 
 }  // namespace
 
-Expected<DistanceStatistics> leave_out_error(std::string_view method, const Keyframes& keys,
-                                             const CurveOptions& options) {
+Expected<DistanceStatistics> leave_out_error(const Keyframes& keys, const Method& method) {
   if (keys.size() < 3)
     return failure(ErrorCode::bad_data, fmt::format("found {} keys, wanted 3 to leave one out", keys.size()));
   std::vector<double> distances(keys.size() - 2);
@@ -41,7 +40,7 @@ Expected<DistanceStatistics> leave_out_error(std::string_view method, const Keyf
     const Parted parts = parted(keys, phase);
     if (parts.left_out.empty()) continue;
     const auto curve = Keyframes::make(parts.kept, Signs::as_given).and_then([&](const Keyframes& kept) {
-      return make_curve(method, kept, options);
+      return make_curve(method, kept);
     });
     if (!curve) return tl::unexpected(curve.error());
     for (const std::size_t i : parts.left_out)

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string_view>
-
 #include <orispline/analysis/distance.hpp>
 #include <orispline/curve/family.hpp>
 #include <orispline/curve/keyframe.hpp>
+#include <orispline/curve/method.hpp>
 
 namespace orispline {
 
@@ -18,7 +17,6 @@ namespace orispline {
 ///
 /// Parameters with a value per key are refused, for the keys are others. Errors: those of make_curve(); bad_data for
 /// fewer than 3 keys.
-[[nodiscard]] Expected<DistanceStatistics> leave_out_error(std::string_view method, const Keyframes& keys,
-                                                           const CurveOptions& options = {});
+[[nodiscard]] Expected<DistanceStatistics> leave_out_error(const Keyframes& keys, const Method& method = {});
 
 }  // namespace orispline

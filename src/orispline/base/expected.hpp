@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <tl/expected.hpp>
@@ -16,6 +17,7 @@ enum class ErrorCode {
   bad_argument,   ///< a method name, parameter, end rule or option
   not_converged,  ///< the equations of a method, which it could not solve for the given keys
   bad_access,     ///< a file that cannot be opened, read, written or renamed
+  cancelled,      ///< a task that was asked to stop
 };
 
 /// Where it went wrong. Every member may be absent.
@@ -33,6 +35,9 @@ struct Error {
   ErrorCode code = ErrorCode::bad_data;
   std::string message{};
   Where where{};
+  /// The option that is at fault or would mend it, by the name that the library gives it, such as `time_scale`; empty
+  /// where there is none. Each face says in its own terms how that one is set.
+  std::string option{};
 };
 
 /// A value or the reason why there is none.
@@ -42,6 +47,11 @@ using Expected = tl::expected<T, Error>;
 /// Shorthand for returning a failure.
 [[nodiscard]] inline tl::unexpected<Error> failure(ErrorCode code, std::string message, Where where = {}) {
   return tl::unexpected<Error>(Error{code, std::move(message), std::move(where)});
+}
+
+/// That of an option, by the name that the library gives it.
+[[nodiscard]] inline tl::unexpected<Error> bad_option(std::string_view option, std::string message) {
+  return tl::unexpected<Error>(Error{ErrorCode::bad_argument, std::move(message), {}, std::string(option)});
 }
 
 /// `keys.csv:7:3: key 2: message`, with the absent parts left out: one line for people.

@@ -80,9 +80,52 @@ Keyframes Keyframes::first(std::size_t count) const {
   cut(kept_data.times);
   cut(kept_data.orientations);
   for (const Optional& some : optional_data) cut(kept_data.*some.values);
-  Keyframes kept = *this;
-  kept.data_ = std::make_shared<const KeyframeData>(std::move(kept_data));
-  return kept;
+  return with(std::move(kept_data));
+}
+
+Keyframes Keyframes::with(KeyframeData data) const {
+  Keyframes keys = *this;
+  keys.data_ = std::make_shared<const KeyframeData>(std::move(data));
+  return keys;
+}
+
+Keyframes Keyframes::at(std::span<const std::size_t> indices) const {
+  ORISPLINE_EXPECT(!indices.empty());
+  KeyframeData kept;
+  const auto pick = [indices](auto& to, const auto& from) {
+    if (from.empty()) return;
+    to.reserve(indices.size());
+    for (const std::size_t i : indices) to.push_back(from[i]);
+  };
+  pick(kept.times, data_->times);
+  pick(kept.orientations, data_->orientations);
+  for (const Optional& some : optional_data) pick(kept.*some.values, (*data_).*some.values);
+  for (std::size_t i = 1; i < kept.orientations.size(); ++i)
+    if (Eigen::Quaterniond& q = kept.orientations[i]; q.dot(kept.orientations[i - 1]) < 0.0) q.coeffs() = -q.coeffs();
+  return with(std::move(kept));
+}
+
+Expected<Keyframes> Keyframes::with_times(std::vector<double> times) const {
+  KeyframeData data = *data_;
+  data.times = std::move(times);
+  if (auto error = check_lengths(data)) return tl::unexpected(std::move(*error));
+  for (std::size_t i = 0; i < data.times.size(); ++i)
+    if (auto error = check_time(i, data.times[i], i > 0 ? std::optional(data.times[i - 1]) : std::nullopt))
+      return tl::unexpected(std::move(*error));
+  return with(std::move(data));
+}
+
+Expected<Keyframes> Keyframes::with_rates(std::vector<Eigen::Vector3d> angular_velocities,
+                                          std::vector<Eigen::Vector3d> angular_accelerations,
+                                          std::vector<Eigen::Vector3d> angular_jerks) const {
+  KeyframeData data = *data_;
+  data.angular_velocities = std::move(angular_velocities);
+  data.angular_accelerations = std::move(angular_accelerations);
+  data.angular_jerks = std::move(angular_jerks);
+  if (auto error = check_lengths(data)) return tl::unexpected(std::move(*error));
+  for (std::size_t i = 0; i < data.times.size(); ++i)
+    if (auto error = check_vectors(data, i)) return tl::unexpected(std::move(*error));
+  return with(std::move(data));
 }
 
 }  // namespace orispline

@@ -57,6 +57,21 @@ class Keyframes {
   /// The first `count` of these keys, 1 ≤ count ≤ size().
   [[nodiscard]] Keyframes first(std::size_t count) const;
 
+  /// The keys at these rising indices, at least one, with their signs aligned anew for the shortest way.
+  [[nodiscard]] Keyframes at(std::span<const std::size_t> indices) const;
+
+  /// The same orientations, positions and rates at other times [s].
+  ///
+  /// Errors (bad_data): not one time per key; times that Keyframes::make() refuses.
+  [[nodiscard]] Expected<Keyframes> with_times(std::vector<double> times) const;
+
+  /// These keys with angular rates of theirs, such as smoothed ones; an empty vector takes away those that were there.
+  ///
+  /// Errors (bad_data): not one rate per key, or one that is not finite.
+  [[nodiscard]] Expected<Keyframes> with_rates(std::vector<Eigen::Vector3d> angular_velocities,
+                                               std::vector<Eigen::Vector3d> angular_accelerations = {},
+                                               std::vector<Eigen::Vector3d> angular_jerks = {}) const;
+
   [[nodiscard]] std::size_t size() const noexcept { return data_->times.size(); }
   [[nodiscard]] std::span<const double> times() const noexcept { return data_->times; }
   [[nodiscard]] std::span<const Eigen::Quaterniond> orientations() const noexcept { return data_->orientations; }
@@ -75,6 +90,9 @@ class Keyframes {
   [[nodiscard]] const KeyframeReport& report() const noexcept { return report_; }
 
  private:
+  /// These keys with other data, which are known to be good.
+  [[nodiscard]] Keyframes with(KeyframeData data) const;
+
   std::shared_ptr<const KeyframeData> data_;  // immutable: copies share it
   KeyframeReport report_;
 };

@@ -87,13 +87,13 @@ void wrap_around(FamilySettings& settings, std::size_t keys) {
   }
 }
 
-Expected<Settled> choose(std::string_view family, const Keyframes& keys, const CurveOptions& options) {
-  const auto index = index_of(family);
+Expected<Settled> choose(const Method& method, const Keyframes& keys) {
+  const auto index = index_of(method.name);
   if (!index) return tl::unexpected(index.error());
-  auto settings = settle(infos[*index], options, keys.size());
+  auto settings = settle(infos[*index], method.options, keys.size());
   if (!settings) return tl::unexpected(std::move(settings.error()));
-  if (!options.loop) return Settled{*index, keys, std::move(*settings)};
-  return closed_keys(keys, *options.loop).map([&](ClosedKeys closed) {
+  if (!method.options.loop) return Settled{*index, keys, std::move(*settings)};
+  return closed_keys(keys, *method.options.loop).map([&](ClosedKeys closed) {
     settings->closure = closed.closure;
     wrap_around(*settings, closed.keys.size());
     return Settled{*index, std::move(closed.keys), std::move(*settings)};
@@ -108,21 +108,20 @@ Expected<const FamilyInfo*> find_family(std::string_view name) {
   return index_of(name).map([](std::size_t i) { return &infos[i]; });
 }
 
-Expected<AnyCurve> make_curve(std::string_view family, const Keyframes& keys, const CurveOptions& options) {
-  return choose(family, keys, options).and_then([](const Settled& settled) { return settled.curve(); });
+Expected<AnyCurve> make_curve(const Method& method, const Keyframes& keys) {
+  return choose(method, keys).and_then([](const Settled& settled) { return settled.curve(); });
 }
 
-Expected<std::optional<HandleTurn>> overwound_tangent(std::string_view family, const Keyframes& keys,
-                                                 const CurveOptions& options) {
-  return choose(family, keys, options).map([](const Settled& settled) -> std::optional<HandleTurn> {
+Expected<std::optional<HandleTurn>> overwound_tangent(const Method& method, const Keyframes& keys) {
+  return choose(method, keys).map([](const Settled& settled) -> std::optional<HandleTurn> {
     if (settled.keys.size() == 1) return std::nullopt;
     const HandleTurn widest = entries[settled.index].widest_handle(settled.keys, settled.settings);
     return widest.turn >= full_turn ? std::optional(widest) : std::nullopt;
   });
 }
 
-Expected<PoseCurve> make_pose_curve(std::string_view family, const Keyframes& keys, const CurveOptions& options) {
-  return choose(family, keys, options).and_then([](const Settled& settled) -> Expected<PoseCurve> {
+Expected<PoseCurve> make_pose_curve(const Method& method, const Keyframes& keys) {
+  return choose(method, keys).and_then([](const Settled& settled) -> Expected<PoseCurve> {
     auto curve = settled.curve();
     if (!curve) return tl::unexpected(std::move(curve.error()));
     if (settled.keys.positions().empty()) return PoseCurve{std::move(*curve)};

@@ -9,6 +9,7 @@
 #include <orispline/curve/family.hpp>
 #include <orispline/curve/handle_rates.hpp>
 #include <orispline/curve/keyframe.hpp>
+#include <orispline/curve/method.hpp>
 #include <orispline/curve/pose_curve.hpp>
 
 namespace orispline {
@@ -19,21 +20,19 @@ namespace orispline {
 /// The family of that name; an unknown name is an error (bad_argument) that lists the known ones.
 [[nodiscard]] Expected<const FamilyInfo*> find_family(std::string_view name);
 
-/// Builds the curve of a family, chosen by name, through (or near) the keys.
+/// Builds the curve of a method through (or near) the keys: `make_curve("auto", keys)`.
 ///
-/// One key gives a constant curve. Errors: bad_argument for an unknown name or options that the family does not accept;
-/// bad_data for too few keys.
-[[nodiscard]] Expected<AnyCurve> make_curve(std::string_view family, const Keyframes& keys,
-                                            const CurveOptions& options = {});
+/// One key gives a constant curve. Errors: bad_argument for an unknown name or options that the method does not accept;
+/// bad_data for too few keys; not_converged where the method solves equations that have no solution it can find.
+[[nodiscard]] Expected<AnyCurve> make_curve(const Method& method, const Keyframes& keys);
 
-/// The same with the path of the same kind through the keys' positions, if they have any.
-[[nodiscard]] Expected<PoseCurve> make_pose_curve(std::string_view family, const Keyframes& keys,
-                                                  const CurveOptions& options = {});
+/// The orientation curve with the path of its kind through the keys' positions, if they have any. Errors: those of
+/// make_curve().
+[[nodiscard]] Expected<PoseCurve> make_pose_curve(const Method& method, const Keyframes& keys);
 
 /// The handle that turns farthest away from its key, where that is a full turn or more: there a curve of slerps
 /// (`squad-timed`, `shoemake`, `tcb`) is no longer C1, or goes another way than its formula means. Absent for other
 /// families. Errors: those of make_curve() before anything is solved.
-[[nodiscard]] Expected<std::optional<HandleTurn>> overwound_tangent(std::string_view family, const Keyframes& keys,
-                                                               const CurveOptions& options = {});
+[[nodiscard]] Expected<std::optional<HandleTurn>> overwound_tangent(const Method& method, const Keyframes& keys);
 
 }  // namespace orispline

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <orispline/io/quoted.hpp>
+#include <orispline/base/quoted.hpp>
 
 namespace orispline::io {
 namespace {
@@ -40,16 +40,16 @@ Expected<std::optional<VectorColumns>> ColumnSearch::vector(std::span<const std:
 }
 
 std::string ColumnSearch::found_names() const {
-  return quoted(fmt::format("{}", fmt::join(header_, ",")), longest_list);
+  return in_quotes(fmt::format("{}", fmt::join(header_, ",")), longest_list);
 }
 
 tl::unexpected<Error> ColumnSearch::not_there(std::string_view canonical, std::string_view name) const {
   return failure(ErrorCode::bad_data,
-                 fmt::format("no column {} for {}, found {}", quoted(name), canonical, found_names()));
+                 fmt::format("no column {} for {}, found {}", in_quotes(name), canonical, found_names()));
 }
 
 tl::unexpected<Error> ColumnSearch::two_columns(std::string_view canonical, std::size_t one, std::size_t other) const {
-  const auto name = [this](std::size_t i) { return quoted(header_[i]); };
+  const auto name = [this](std::size_t i) { return in_quotes(header_[i]); };
   if (header_[one] == header_[other])
     return failure(ErrorCode::bad_data, fmt::format("the column {} is there twice, wanted it once", name(other)));
   return failure(ErrorCode::bad_data, fmt::format("{} and {} may both be {}, choose one with --columns {}=NAME",

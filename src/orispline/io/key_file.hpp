@@ -39,6 +39,7 @@ struct ReadOptions {
   bool drop_invalid = false;     ///< drop rows where a cell that is needed is empty, NaN or infinite
   bool sort = false;             ///< by time; rows of equal time keep their order
   bool keep_exact_times = false;
+  bool keep_as_read = false;  ///< orientations with the norms and signs of the file, for read_track()
   bool keep_table = false;
   /// Parameters that are read where a column has their name.
   std::vector<std::string> parameters{};

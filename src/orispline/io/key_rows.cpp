@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include <orispline/curve/motion.hpp>
-#include <orispline/io/quoted.hpp>
+#include <orispline/base/quoted.hpp>
 
 namespace orispline::io {
 namespace {
@@ -47,7 +47,7 @@ class RowReader {
     const std::string_view cell = table_.cells()[*not_finite_];
     return Error{ErrorCode::bad_data,
                  fmt::format("found {}, wanted a finite number (--drop-invalid drops such rows)",
-                             cell.empty() ? "an empty cell" : quoted(cell)),
+                             cell.empty() ? "an empty cell" : in_quotes(cell)),
                  table_.here(not_finite_)};
   }
 
@@ -58,7 +58,7 @@ class RowReader {
     if (!time) refuse(columns.time, time.error());
     else if (!*time) note_not_finite(columns.time);
     else if (columns.whole_times && !(*time)->is_whole())
-      refuse(columns.time, {ErrorCode::bad_data, fmt::format("found {}, wanted whole nanoseconds", quoted(cell)), {}});
+      refuse(columns.time, {ErrorCode::bad_data, fmt::format("found {}, wanted whole nanoseconds", in_quotes(cell)), {}});
     return time.value_or(std::nullopt).value_or(Decimal());
   }
   [[nodiscard]] double number(const NumberColumn& column) {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include <orispline/io/number_text.hpp>
+#include <orispline/base/number_text.hpp>
 
 namespace orispline::io {
 namespace {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <orispline/io/quoted.hpp>
+#include <orispline/base/quoted.hpp>
 
 namespace orispline::io {
 namespace {
@@ -75,7 +75,7 @@ Expected<void> settle_units(ColumnGroup& group, const ColumnSearch& search, std:
     if (!unit)
       return failure(ErrorCode::bad_data,
                      fmt::format("{} has no unit, wanted a name such as {}_deg or {}_rad, or --angle-unit deg|rad",
-                                 quoted(search.name(column.index)), name, name));
+                                 in_quotes(search.name(column.index)), name, name));
     if (unit == AngleUnit::degrees) column = {column.index, std::numbers::pi, 180.0};
   }
   return {};

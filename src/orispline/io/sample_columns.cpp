@@ -37,6 +37,10 @@ Expected<void> check_columns(const SampleColumns& columns) {
   if (!holds_all && columns.form.representation != Representation::quaternion)
     return failure(ErrorCode::bad_argument,
                    fmt::format("{} holds orientations as quaternions only", title_of(columns.format)));
+  if (columns.settings.size() > (holds_all ? most_settings : 0))
+    return failure(ErrorCode::bad_argument,
+                   fmt::format("{} columns of settings were asked for, and {} holds {}", columns.settings.size(),
+                               title_of(columns.format), holds_all ? most_settings : 0));
   return check("", columns.derivatives, highest_derivative).and_then([&] {
     return check(" of the position", columns.position_derivatives, highest_position_derivative);
   });
@@ -55,16 +59,18 @@ std::vector<std::string> column_names(const SampleColumns& columns) {
     append(rate_letters[order], columns.frame == Frame::world ? "_world" : "");
   for (std::size_t order = 0; order < static_cast<std::size_t>(columns.position_derivatives); ++order)
     append(position_rate_letters[order], "");
+  std::ranges::copy(columns.settings, std::back_inserter(names));
   return names;
 }
 
 void RowNumbers::add_named(const Sample& sample, const SampleColumns& columns) {
-  const auto& [motion, linear_motion] = sample;
+  const auto& [motion, linear_motion, settings] = sample;
   for (const double number : numbers_of(motion.orientation, columns.form)) add(number);
   if (columns.positions) add(linear_motion.position);
   for (int order = 1; order <= columns.derivatives; ++order) add(rate_of(motion, order, columns.frame));
   if (columns.position_derivatives > 0) add(linear_motion.velocity);
   if (columns.position_derivatives > 1) add(linear_motion.acceleration);
+  for (const double setting : settings) add(setting);
 }
 
 RowNumbers::RowNumbers(const Sample& sample, const SampleColumns& columns) {

@@ -23,26 +23,31 @@ struct SampleColumns {
   int derivatives = 0;           ///< highest order of the angular rates: 0 none, 1 ω, 2 and α, 3 and jerk
   int position_derivatives = 0;  ///< highest order of the rates of position: 0 none, 1 velocity, 2 and acceleration
   Frame frame = Frame::body;
+  std::vector<std::string> settings{};  ///< of CSV and NumPy: columns of a method's parameters behind all others
 };
 
 /// A moving body.
 struct Sample {
   Motion motion{};
   LinearMotion linear_motion{};
+  std::span<const double> settings{};  ///< one for each of the columns of settings
 };
+
+inline constexpr std::size_t most_settings = 8;  ///< columns of settings in a file
 
 /// Whether files of the format have columns for rates and for every form of orientation: CSV and NumPy.
 [[nodiscard]] bool holds_all_columns(FileFormat format) noexcept;
 /// Error (bad_argument): what the format cannot hold.
 [[nodiscard]] Expected<void> check_columns(const SampleColumns& columns);
 
-/// The names of the columns of CSV and NumPy: time, orientation, position, angular rates, rates of position.
+/// The names of the columns of CSV and NumPy: time, orientation, position, angular rates, rates of position,
+/// settings.
 [[nodiscard]] std::vector<std::string> column_names(const SampleColumns& columns);
 
 /// The numbers of a row after its time.
 class RowNumbers {
  public:
-  static constexpr std::size_t most = 9 + 3 + 9 + 6;  ///< a matrix, a position, three and two rates
+  static constexpr std::size_t most = 9 + 3 + 9 + 6 + most_settings;  ///< a matrix, a position, three and two rates, settings
 
   /// Those of a sample, in the order of the columns.
   RowNumbers(const Sample& sample, const SampleColumns& columns);

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include <orispline/io/number_text.hpp>
+#include <orispline/base/number_text.hpp>
 
 namespace orispline::io {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include <orispline/io/decimal.hpp>
+#include <orispline/base/decimal.hpp>
 #include <orispline/io/output_file.hpp>
 #include <orispline/io/sample_columns.hpp>
 #include <orispline/io/sample_rows.hpp>

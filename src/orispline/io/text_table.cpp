@@ -8,7 +8,7 @@
 
 #include <fast_float/fast_float.h>
 
-#include <orispline/io/quoted.hpp>
+#include <orispline/base/quoted.hpp>
 
 namespace orispline::io {
 namespace {
@@ -56,9 +56,9 @@ Expected<double> number_of(std::string_view cell) {
   const auto [end, status] = fast_float::from_chars(text.data(), text.data() + text.size(), value);
   const bool two_signs = text.size() < cell.size() && text.starts_with('-');
   if (two_signs || status == std::errc::invalid_argument || end != text.data() + text.size())
-    return failure(ErrorCode::bad_data, "found " + quoted(cell) + ", wanted a number such as -1.5e-3");
+    return failure(ErrorCode::bad_data, "found " + in_quotes(cell) + ", wanted a number such as -1.5e-3");
   if (std::isinf(value) && !is_word(text))
-    return failure(ErrorCode::bad_data, "found " + quoted(cell) + ", wanted a number below 1.8e308 in size");
+    return failure(ErrorCode::bad_data, "found " + in_quotes(cell) + ", wanted a number below 1.8e308 in size");
   return value;
 }
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include <orispline/io/decimal.hpp>
+#include <orispline/base/decimal.hpp>
 #include <orispline/io/line_reader.hpp>
 
 namespace orispline::io {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <orispline/io/decimal.hpp>
+#include <orispline/base/decimal.hpp>
 
 namespace orispline::io {
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include <orispline/io/key_columns.hpp>
-#include <orispline/io/quoted.hpp>
+#include <orispline/base/quoted.hpp>
 #include <orispline/io/text_table.hpp>
 
 namespace orispline::io {
@@ -28,7 +28,7 @@ Expected<std::string_view> only_cell(const TextTable& table) {
 Expected<Decimal> unit_of_header(const TextTable& table) {
   return only_cell(table).and_then([&table](std::string_view name) -> Expected<Decimal> {
     if (const auto unit = time_unit_of(name)) return *unit;
-    return at_row(table, fmt::format("found {}, wanted the header t or a number", quoted(name)));
+    return at_row(table, fmt::format("found {}, wanted the header t or a number", in_quotes(name)));
   });
 }
 
@@ -37,7 +37,7 @@ Expected<Decimal> time_of(const TextTable& table, const Decimal& unit) {
   return only_cell(table).and_then([&](std::string_view cell) -> Expected<Decimal> {
     const auto time = decimal_of(cell);
     if (!time) return at_row(table, time.error().message);
-    if (!*time) return at_row(table, fmt::format("found {}, wanted a finite time", quoted(cell)));
+    if (!*time) return at_row(table, fmt::format("found {}, wanted a finite time", in_quotes(cell)));
     return **time * unit;
   });
 }

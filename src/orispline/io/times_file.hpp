@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <orispline/io/decimal.hpp>
+#include <orispline/base/decimal.hpp>
 
 namespace orispline::io {
 

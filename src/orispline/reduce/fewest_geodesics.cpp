@@ -35,7 +35,10 @@ class Chains {
 
   std::vector<std::size_t> shortest() {
     std::size_t more = 0;
-    while (!is_found(to_end_.at_least(0) + more)) more += 1 + more / 8;
+    while (!is_found(to_end_.at_least(0) + more)) {
+      if (recording_.stopped()) return {};
+      more += 1 + more / 8;
+    }
     std::vector<std::size_t> chain{recording_.size() - 1};
     while (chain.back() != 0) chain.push_back(before_[chain.back()]);
     return {chain.rbegin(), chain.rend()};
@@ -52,7 +55,10 @@ class Chains {
       if (ends(levels_.back())) return true;
       const std::size_t first = to_end_.first_within(spans - levels_.size());
       std::vector<std::size_t> next;
-      for (auto i = levels_.back().rbegin(); i != levels_.back().rend(); ++i) extend(*i, first, next);
+      for (auto i = levels_.back().rbegin(); i != levels_.back().rend(); ++i) {
+        if (recording_.stopped()) return false;
+        extend(*i, first, next);
+      }
       std::sort(next.begin(), next.end());
       levels_.push_back(std::move(next));
       first_.push_back(first);

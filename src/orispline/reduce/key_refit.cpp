@@ -63,7 +63,7 @@ void move(const ToleranceCheck& recording, const std::vector<Miss>& misses, Rang
 Expected<void> refit(const LocalMethod& method, const ToleranceCheck& recording, const std::vector<std::size_t>& removed,
                      KeySet& rest) {
   for (std::size_t round = 0; round < rounds; ++round) {
-    const auto misses = recording.misses(method.name, rest);
+    const auto misses = recording.misses(method.method, rest);
     if (!misses) return tl::unexpected(misses.error());
     const auto broken = missed_keys(removed, worst_of_segments(rest, *misses));
     if (broken.empty()) break;

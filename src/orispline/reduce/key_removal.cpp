@@ -87,7 +87,7 @@ class Removal {
   /// Keeps what holds and gives back the other keys, with their neighbours as they were.
   Expected<void> settle(std::vector<std::size_t> removed, KeySet trial) {
     while (!removed.empty()) {
-      const auto worst = recording_.worst_samples(method_.name, trial);
+      const auto worst = recording_.worst_samples(method_.method, trial);
       if (!worst) return tl::unexpected(worst.error());
       const auto missed = missed_keys(removed, *worst);
       if (missed.empty()) break;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <string_view>
 #include <vector>
 
 #include <orispline/reduce/tolerance_check.hpp>
@@ -11,7 +10,7 @@ namespace orispline {
 
 /// A local method, as far as it concerns the search for keys: moving a key changes `reach` segments on either side.
 struct LocalMethod {
-  std::string_view name;
+  Method method;  ///< its settings are those of the samples
   std::size_t reach;
 };
 

@@ -9,7 +9,7 @@ namespace {
 
 Expected<KeySet> with_keys_added(const LocalMethod& method, const ToleranceCheck& recording, KeySet keys) {
   for (;;) {
-    const auto worst = recording.worst_samples(method.name, keys);
+    const auto worst = recording.worst_samples(method.method, keys);
     if (!worst) return tl::unexpected(worst.error());
     std::vector<std::size_t> samples;
     for (std::size_t s = 0; s < worst->size(); ++s) {

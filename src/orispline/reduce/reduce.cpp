@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <mutex>
 #include <optional>
 
 #include <fmt/format.h>
@@ -19,15 +20,25 @@ namespace {
 
 constexpr double smallest_tolerance = 1e-12;  // [rad]: far above the rounding of orientations
 
-Expected<LocalMethod> local_method(std::string_view name) {
-  const auto family = find_family(name);
+Expected<LocalMethod> local_method(const Method& given, const Track& recording) {
+  const auto family = find_family(given.name);
   if (!family) return tl::unexpected(family.error());
   const FamilyInfo& info = **family;
+  const auto refused = [&](std::string_view what) {
+    return failure(ErrorCode::bad_argument, fmt::format("{}: {}", info.name, what));
+  };
   if (info.support_keys == all_keys || !info.interpolates)
     return failure(ErrorCode::bad_argument,
-                   fmt::format("{}: found a method {}, wanted a local one through its keys, such as auto", name,
+                   fmt::format("{}: found a method {}, wanted a local one through its keys, such as auto", info.name,
                                info.interpolates ? "that depends on all keys" : "that passes near its keys"));
-  return LocalMethod{info.name, static_cast<std::size_t>(info.support_keys + 1) / 2};
+  const CurveOptions& options = given.options;
+  if (options.loop) return refused("loops are not reduced, wanted an open curve");
+  const std::size_t keys = std::max({static_cast<std::size_t>(info.min_keys), keys_needed(options.start.rule),
+                                     keys_needed(options.end.rule)});
+  if (keys > 2) return refused(fmt::format("with these ends it needs {} keys, wanted ends that 2 suffice for", keys));
+  if (auto settled = settle(info, options, recording.keys.size()); !settled)
+    return tl::unexpected(std::move(settled.error()));
+  return LocalMethod{completed(given, info, recording), static_cast<std::size_t>(info.support_keys + 1) / 2};
 }
 
 /// [m]: far above the rounding of positions; 0 where there are none.
@@ -57,15 +68,19 @@ Expected<void> check(const Keyframes& recording, const Tolerance& tolerance) {
 }
 
 Expected<KeySet> chosen_keys(const LocalMethod& method, const ToleranceCheck& recording) {
-  if (method.name == families::Slerp::info.name) return recording.keys_at(fewest_geodesics(recording));
-  return selected_keys(method, recording);
+  if (method.method.name != families::Slerp::info.name) return selected_keys(method, recording);
+  auto samples = fewest_geodesics(recording);
+  if (recording.stopped()) return cancellation();
+  return recording.keys_at(std::move(samples));
 }
 
 /// With the deviation of what was found, measured anew.
-Expected<Reduction> certified(const LocalMethod& method, const ToleranceCheck& recording, KeySet found) {
+Expected<Reduction> certified(const LocalMethod& local, const ToleranceCheck& recording, const Track& track,
+                              KeySet found) {
+  const Method method = local.method.at(found.samples, recording.size());
   auto keys = recording.keyframes(found);
   if (!keys) return tl::unexpected(std::move(keys.error()));
-  const auto deviation = recording.deviation(method.name, *keys);
+  const auto deviation = recording.deviation(method, *keys);
   if (!deviation) return tl::unexpected(deviation.error());
   const Tolerance tolerance = recording.tolerance();
   const auto missed = [&](double distance, double wanted, std::string_view unit) {
@@ -77,30 +92,38 @@ Expected<Reduction> certified(const LocalMethod& method, const ToleranceCheck& r
   if (deviation->angle > tolerance.angle) return missed(deviation->angle, tolerance.angle, "rad");
   if (deviation->position.value_or(0.0) > tolerance.position)
     return missed(*deviation->position, tolerance.position, "m");
-  return Reduction{method.name, std::move(found.samples), std::move(*keys), *deviation};
+  Track reduced = track.at(found.samples).with_keys(std::move(*keys));
+  reduced.settings = settings_per_key(method, found.samples.size());
+  return Reduction{std::move(reduced), method, std::move(found.samples), *deviation};
 }
 
 }  // namespace
 
-Expected<Reduction> reduce(std::string_view method, const Keyframes& samples, const ReduceOptions& options) {
-  const auto local = local_method(method);
+Expected<Reduction> reduce(const Track& track, const Method& method, const ReduceOptions& options,
+                           const Progress& progress) {
+  const auto local = local_method(method, track);
   if (!local) return tl::unexpected(local.error());
-  if (const auto checked = check(samples, options.tolerance); !checked) return tl::unexpected(checked.error());
-  const ToleranceCheck recording(samples, options.tolerance);
+  if (const auto checked = check(track.keys, options.tolerance); !checked) return tl::unexpected(checked.error());
+  const ToleranceCheck recording(track.keys, options.tolerance, progress.stop);
   return chosen_keys(*local, recording)
       .and_then([&](KeySet keys) -> Expected<KeySet> {
         if (options.values == KeyValues::sampled) return keys;
         return with_keys_refitted(*local, recording, std::move(keys));
       })
-      .and_then([&](KeySet keys) { return certified(*local, recording, std::move(keys)); });
+      .and_then([&](KeySet keys) { return certified(*local, recording, track, std::move(keys)); });
 }
 
-std::vector<Expected<std::vector<Reduction>>> reduce_tracks(std::span<const std::string_view> methods,
-                                                            std::span<const Keyframes> tracks,
-                                                            const ReduceOptions& options, unsigned threads) {
+std::vector<Expected<std::vector<Reduction>>> reduce_tracks(std::span<const Track> tracks,
+                                                            std::span<const Method> methods,
+                                                            const ReduceOptions& options, unsigned threads,
+                                                            const Progress& progress) {
   std::vector<std::optional<Expected<Reduction>>> found(tracks.size() * methods.size());
+  std::mutex one_at_a_time;
+  std::size_t done = 0;
   parallel_for(found.size(), threads, [&](std::size_t i) {
-    found[i] = reduce(methods[i % methods.size()], tracks[i / methods.size()], options);
+    found[i] = reduce(tracks[i / methods.size()], methods[i % methods.size()], options, {.stop = progress.stop});
+    const std::lock_guard lock(one_at_a_time);
+    progress.at(static_cast<double>(++done) / static_cast<double>(found.size()));
   });
   std::vector<Expected<std::vector<Reduction>>> of_tracks(tracks.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
@@ -110,12 +133,6 @@ std::vector<Expected<std::vector<Reduction>>> reduce_tracks(std::span<const std:
     else track = tl::unexpected(std::move(found[i]->error()));
   }
   return of_tracks;
-}
-
-Expected<std::vector<Reduction>> reduce_by_each(std::span<const std::string_view> methods, const Keyframes& recording,
-                                                const ReduceOptions& options) {
-  const auto threads = static_cast<unsigned>(methods.size());
-  return std::move(reduce_tracks(methods, std::span(&recording, 1), options, threads).front());
 }
 
 Expected<DistanceStatistics> distance_of(const Reduction& reduction, const Keyframes& samples,
@@ -129,7 +146,7 @@ Expected<DistanceStatistics> distance_of(const Reduction& reduction, const Keyfr
     times.push_back(samples.times()[i]);
     orientations.push_back(samples.orientations()[i]);
   }
-  return make_curve(reduction.method, reduction.keys).map([&](const AnyCurve& curve) {
+  return make_curve(reduction.method, reduction.track.keys).map([&](const AnyCurve& curve) {
     DistanceStatistics distance = distance_to_reference(curve, {times, orientations});
     if (distance.count > 0) distance.largest_at = kept[distance.largest_at];
     return distance;

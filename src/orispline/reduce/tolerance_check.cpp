@@ -16,13 +16,14 @@ double per_square(double bound) { return 1.0 / (bound * bound); }
 
 }  // namespace
 
-ToleranceCheck::ToleranceCheck(const Keyframes& samples, Tolerance tolerance)
+ToleranceCheck::ToleranceCheck(const Keyframes& samples, Tolerance tolerance, std::stop_token stop)
     : samples_(samples),
       tolerance_(tolerance),
       per_square_sine_(tolerance.angle < std::numbers::pi
                            ? per_square(elementary::sine_cosine(0.5 * (tolerance.angle - angle_rounding)).sine)
                            : 0.0),
-      per_square_distance_(tolerance.bounds_positions() ? per_square(tolerance.position) : 0.0) {}
+      per_square_distance_(tolerance.bounds_positions() ? per_square(tolerance.position) : 0.0),
+      stop_(std::move(stop)) {}
 
 bool ToleranceCheck::bounds_positions() const noexcept { return has_positions() && tolerance_.bounds_positions(); }
 
@@ -49,8 +50,16 @@ Expected<Keyframes> ToleranceCheck::keyframes(const KeySet& keys) const {
   return Keyframes::make(std::move(data), Signs::shortest);
 }
 
-Expected<std::vector<WorstSample>> ToleranceCheck::worst_samples(std::string_view method, const KeySet& keys) const {
-  const auto curve = keyframes(keys).and_then([&](const Keyframes& k) { return make_pose_curve(method, k); });
+Expected<PoseCurve> ToleranceCheck::curve(const Method& method, const KeySet& keys) const {
+  if (stopped()) return cancellation();
+  return keyframes(keys).and_then([&](const Keyframes& k) {
+    if (method.options.parameters.empty()) return make_pose_curve(method, k);
+    return make_pose_curve(method.at(keys.samples, size()), k);
+  });
+}
+
+Expected<std::vector<WorstSample>> ToleranceCheck::worst_samples(const Method& method, const KeySet& keys) const {
+  const auto curve = this->curve(method, keys);
   if (!curve) return tl::unexpected(curve.error());
   const SampledCurve at = sampled(curve->orientation, samples_.times(), Sampled::orientations);
   std::vector<WorstSample> worst(keys.size() - 1);
@@ -63,8 +72,8 @@ Expected<std::vector<WorstSample>> ToleranceCheck::worst_samples(std::string_vie
   return worst;
 }
 
-Expected<std::vector<Miss>> ToleranceCheck::misses(std::string_view method, const KeySet& keys) const {
-  const auto curve = keyframes(keys).and_then([&](const Keyframes& k) { return make_pose_curve(method, k); });
+Expected<std::vector<Miss>> ToleranceCheck::misses(const Method& method, const KeySet& keys) const {
+  const auto curve = this->curve(method, keys);
   if (!curve) return tl::unexpected(curve.error());
   const SampledCurve at = sampled(curve->orientation, samples_.times(), Sampled::orientations);
   std::vector<Miss> misses;
@@ -90,7 +99,7 @@ std::vector<WorstSample> worst_of_segments(const KeySet& keys, const std::vector
   return worst;
 }
 
-Expected<Deviation> ToleranceCheck::deviation(std::string_view method, const Keyframes& keys) const {
+Expected<Deviation> ToleranceCheck::deviation(const Method& method, const Keyframes& keys) const {
   return make_pose_curve(method, keys).map([&](const PoseCurve& curve) {
     Deviation worst;
     if (has_positions()) worst.position = 0.0;

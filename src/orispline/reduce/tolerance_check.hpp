@@ -3,11 +3,14 @@
 
 #include <limits>
 #include <optional>
-#include <string_view>
+#include <stop_token>
 #include <vector>
 
 #include <orispline/base/expected.hpp>
+#include <orispline/base/progress.hpp>
 #include <orispline/curve/keyframe.hpp>
+#include <orispline/curve/method.hpp>
+#include <orispline/curve/pose_curve.hpp>
 #include <orispline/math/so3.hpp>
 
 namespace orispline {
@@ -61,8 +64,8 @@ struct Miss {
 /// A recording that curves are measured against: steps between keys go the shorter way. Refers to its samples.
 class ToleranceCheck {
  public:
-  ToleranceCheck(const Keyframes& samples, Tolerance tolerance);
-  ToleranceCheck(Keyframes&&, Tolerance) = delete;
+  ToleranceCheck(const Keyframes& samples, Tolerance tolerance, std::stop_token stop = {});
+  ToleranceCheck(Keyframes&&, Tolerance, std::stop_token = {}) = delete;
 
   [[nodiscard]] const Keyframes& samples() const noexcept { return samples_; }
   [[nodiscard]] std::size_t size() const noexcept { return samples_.size(); }
@@ -77,18 +80,23 @@ class ToleranceCheck {
 
   [[nodiscard]] KeySet keys_at(std::vector<std::size_t> samples) const;
   [[nodiscard]] Expected<Keyframes> keyframes(const KeySet& keys) const;
+  /// The curve of a method for the samples, with the settings of those where the keys stand. Errors: those of
+  /// make_pose_curve(); cancelled.
+  [[nodiscard]] Expected<PoseCurve> curve(const Method& method, const KeySet& keys) const;
+  [[nodiscard]] bool stopped() const noexcept { return stop_.stop_requested(); }
 
-  /// Of every segment of the method's curve through the keys. Errors: those of make_pose_curve().
-  [[nodiscard]] Expected<std::vector<WorstSample>> worst_samples(std::string_view method, const KeySet& keys) const;
-  /// Of every sample. Errors: those of make_pose_curve().
-  [[nodiscard]] Expected<std::vector<Miss>> misses(std::string_view method, const KeySet& keys) const;
+  /// Of every segment of the method's curve through the keys. Errors: those of curve().
+  [[nodiscard]] Expected<std::vector<WorstSample>> worst_samples(const Method& method, const KeySet& keys) const;
+  /// Of every sample. Errors: those of curve().
+  [[nodiscard]] Expected<std::vector<Miss>> misses(const Method& method, const KeySet& keys) const;
   /// Over all samples, each by the curve's own evaluator.
-  [[nodiscard]] Expected<Deviation> deviation(std::string_view method, const Keyframes& keys) const;
+  [[nodiscard]] Expected<Deviation> deviation(const Method& method, const Keyframes& keys) const;
 
  private:
   const Keyframes& samples_;
   Tolerance tolerance_;
   double per_square_sine_, per_square_distance_;
+  std::stop_token stop_;
 };
 
 /// The worst sample of every segment, the keys' own samples among them.

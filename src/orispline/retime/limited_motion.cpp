@@ -32,11 +32,8 @@ double needed_factor(const MotionSizes& peaks, const MotionLimits& limits) {
 }
 
 Expected<AnyCurve> LimitedMotion::curve(std::vector<double> times) const {
-  KeyframeData data{.times = std::move(times),
-                    .orientations = {keys_.orientations().begin(), keys_.orientations().end()}};
-  return Keyframes::make(std::move(data), Signs::as_given).and_then([this](const Keyframes& keys) {
-    return make_curve(method_, keys);
-  });
+  if (stop_.stop_requested()) return cancellation();
+  return keys_.with_times(std::move(times)).and_then([this](const Keyframes& keys) { return make_curve(method_, keys); });
 }
 
 Expected<std::vector<SegmentPeaks>> LimitedMotion::certified(const AnyCurve& curve, const MotionSizes& floors) const {
@@ -44,7 +41,7 @@ Expected<std::vector<SegmentPeaks>> LimitedMotion::certified(const AnyCurve& cur
   return failure(ErrorCode::bad_argument,
                  fmt::format("{}: no bounds are known for the segments of this method, wanted one of polynomials, "
                              "such as auto or timed-c2",
-                             method_));
+                             method_.name));
 }
 
 Expected<std::vector<double>> LimitedMotion::sampled_factors(std::vector<double> times) const {

@@ -2,10 +2,14 @@
 #pragma once
 
 #include <span>
-#include <string_view>
+#include <stop_token>
+#include <utility>
 #include <vector>
 
+#include <orispline/base/progress.hpp>
+#include <orispline/curve/curve.hpp>
 #include <orispline/curve/keyframe.hpp>
+#include <orispline/curve/method.hpp>
 #include <orispline/retime/motion_limits.hpp>
 #include <orispline/retime/rate_bounds.hpp>
 
@@ -18,8 +22,9 @@ namespace orispline {
 /// A method's curve through keys whose times are free, beside the limits that it shall keep. Refers to its arguments.
 class LimitedMotion {
  public:
-  LimitedMotion(std::string_view method, const Keyframes& keys, const MotionLimits& limits)
-      : method_(method), keys_(keys), limits_(limits) {}
+  LimitedMotion(const Method& method, const Keyframes& keys, const MotionLimits& limits, std::stop_token stop = {})
+      : method_(method), keys_(keys), limits_(limits), stop_(std::move(stop)) {}
+  LimitedMotion(Method&&, const Keyframes&, const MotionLimits&, std::stop_token = {}) = delete;
 
   [[nodiscard]] std::span<const double> given_times() const noexcept { return keys_.times(); }
 
@@ -36,9 +41,10 @@ class LimitedMotion {
   [[nodiscard]] Expected<AnyCurve> curve(std::vector<double> times) const;
   [[nodiscard]] Expected<std::vector<SegmentPeaks>> certified(const AnyCurve& curve, const MotionSizes& floors) const;
 
-  std::string_view method_;
+  const Method& method_;
   const Keyframes& keys_;
   const MotionLimits& limits_;
+  std::stop_token stop_;  ///< curves are not made any more when it is asked for
 };
 
 }  // namespace orispline

@@ -18,7 +18,7 @@ constexpr std::size_t most_rounds = 30;
 constexpr double least_gain = 1e-4;    // of the duration, to which the slowing is the least one, for another path
 constexpr double most_time_scale = 1e15;  // thirty million years a second
 
-Expected<void> check(const FamilyInfo& family, const Keyframes& keys, const MotionLimits& limits) {
+Expected<void> check(const FamilyInfo& family, const Method& method, const Keyframes& keys, const MotionLimits& limits) {
   const auto refused = [](std::string message) { return failure(ErrorCode::bad_argument, std::move(message)); };
   if (!limits.rate && !limits.acceleration && !limits.torque) return refused("found no limit, wanted one at least");
   for (const auto& limit : {limits.rate, limits.acceleration, limits.torque})
@@ -29,31 +29,52 @@ Expected<void> check(const FamilyInfo& family, const Keyframes& keys, const Moti
     if (const auto inertia = checked_inertia(*limits.inertia); !inertia) return tl::unexpected(inertia.error());
   if (family.rate_orders > 0)
     return refused(fmt::format("{}: this method takes rates from the keys, wanted one that has its own", family.name));
+  if (method.options.loop) return refused(fmt::format("{}: loops are not slowed, wanted an open curve", family.name));
+  for (const End& end : {method.options.start, method.options.end})
+    if (!end.angular_velocity.isZero(0.0))
+      return refused(fmt::format("{}: found a rate at an end, which slowing would change, wanted an end rule without "
+                                 "one, such as natural or rest",
+                                 family.name));
   if (keys.size() < 2) return failure(ErrorCode::bad_data, "found 1 key, wanted 2 at least: one key does not move");
   return {};
 }
 
 /// Whether slowing can bring accelerations within limits at all.
-Expected<void> check_continuity(const FamilyInfo& family, const Keyframes& keys, Slowing slowing) {
+Expected<void> check_continuity(const FamilyInfo& family, const Method& method, const Keyframes& keys,
+                                Slowing slowing) {
   const auto refused = [&](std::string_view why, std::string_view wanted) {
     return failure(ErrorCode::bad_argument,
                    fmt::format("{}: its angular velocity jumps at keys{}, which no slowing brings within a limit of "
                                "acceleration or torque, wanted {}",
                                family.name, why, wanted));
   };
-  if (family.continuity_uneven >= 1) return {};
+  const auto is_smooth_here = [&](std::string_view why, std::string_view wanted) {
+    return make_curve(method, keys).and_then([&](const AnyCurve& curve) -> Expected<void> {
+      if (continuity_at_keys(curve).order() >= 1) return {};
+      return refused(why, wanted);
+    });
+  };
+  const bool as_promised = method.options.parameters.empty() && method.options.choices.empty();
+  if (family.continuity_uneven >= 1 && as_promised) return {};
+  if (family.continuity_uneven >= 1) return is_smooth_here(" with these settings", "others, with which it is C1");
   if (family.continuity_uniform < 1) return refused("", "a method that is C1, such as auto");
   if (slowing == Slowing::per_interval)
     return refused(" whose times are uneven",
                    "all intervals slowed alike, or a method that is C1 on any, such as auto");
-  return make_curve(family.name, keys).and_then([&](const AnyCurve& curve) -> Expected<void> {
-    if (continuity_at_keys(curve).order() >= 1) return {};
-    return refused(" whose times are uneven, as these are", "even ones, or a method that is C1 on any, such as auto");
-  });
+  return is_smooth_here(" whose times are uneven, as these are",
+                        "even ones, or a method that is C1 on any, such as auto");
 }
 
-/// All intervals stretched by the factor that is needed still; `found`: the peaks at these times.
-Expected<Retiming> slowed(const LimitedMotion& motion, std::vector<double> times,
+/// Times at which the motion keeps its limits, as in Retiming.
+struct Slowed {
+  std::vector<double> times;
+  double time_scale;
+  Slowing slowing;
+  std::vector<SegmentPeaks> peaks;
+};
+
+/// All intervals made longer by the factor that is needed still; `found`: the peaks at these times.
+Expected<Slowed> slowed(const LimitedMotion& motion, std::vector<double> times,
                           Expected<std::vector<SegmentPeaks>> found, Slowing slowing) {
   const auto time_scale = [before = motion.given_times()](const std::vector<double>& t) {
     return (t.back() - t.front()) / (before.back() - before.front());
@@ -72,30 +93,45 @@ Expected<Retiming> slowed(const LimitedMotion& motion, std::vector<double> times
   if (!found) return tl::unexpected(std::move(found.error()));
   if (motion.largest_factor(*found) > 1.0)
     return failure(ErrorCode::not_converged, fmt::format("no slowing up to {:.6g} meets the limits", time_scale(times)));
-  return Retiming{times, time_scale(times), slowing, std::move(*found)};
+  return Slowed{times, time_scale(times), slowing, std::move(*found)};
 }
 
-}  // namespace
-
-Expected<Retiming> retime(std::string_view method, const Keyframes& keys, const MotionLimits& limits, Slowing slowing) {
-  const auto family = find_family(method);
-  if (!family) return tl::unexpected(family.error());
-  if (auto checked = check(**family, keys, limits); !checked) return tl::unexpected(std::move(checked.error()));
-  if (limits.acceleration || limits.torque)
-    if (auto smooth = check_continuity(**family, keys, slowing); !smooth)
-      return tl::unexpected(std::move(smooth.error()));
-  const LimitedMotion motion(method, keys, limits);
-  const std::vector<double> given(keys.times().begin(), keys.times().end());
+/// The least slowing of the two, where both are asked for.
+Expected<Slowed> least_slowed(const LimitedMotion& motion, int support_keys, Slowing slowing) {
+  const std::vector<double> given(motion.given_times().begin(), motion.given_times().end());
   auto peaks = motion.largest_peaks(given);
   if (!peaks) return tl::unexpected(std::move(peaks.error()));
   const bool is_slow = !(motion.largest_factor(*peaks) > 1.0);
   auto uniform = slowed(motion, given, std::move(peaks), is_slow ? slowing : Slowing::uniform);
   if (slowing == Slowing::uniform || is_slow) return uniform;
-  auto separate = least_interval_times(motion, (*family)->support_keys).and_then([&](std::vector<double> times) {
+  auto separate = least_interval_times(motion, support_keys).and_then([&](std::vector<double> times) {
     auto found = motion.largest_peaks(times);
     return slowed(motion, std::move(times), std::move(found), Slowing::per_interval);
   });
+  if (!separate && separate.error().code == ErrorCode::cancelled) return separate;
   return separate && (!uniform || separate->time_scale < (1.0 - least_gain) * uniform->time_scale) ? separate : uniform;
+}
+
+}  // namespace
+
+Expected<Retiming> retime(const Track& track, const Method& given, const RetimeOptions& options,
+                          const Progress& progress) {
+  const auto family = find_family(given.name);
+  if (!family) return tl::unexpected(family.error());
+  const Method method = completed(given, **family, track);
+  const MotionLimits& limits = options.limits;
+  if (auto checked = check(**family, method, track.keys, limits); !checked)
+    return tl::unexpected(std::move(checked.error()));
+  if (limits.acceleration || limits.torque)
+    if (auto smooth = check_continuity(**family, method, track.keys, options.slowing); !smooth)
+      return tl::unexpected(std::move(smooth.error()));
+  const LimitedMotion motion(method, track.keys, limits, progress.stop);
+  return least_slowed(motion, (*family)->support_keys, options.slowing).and_then([&](Slowed slowed) {
+    return track.with_times(std::move(slowed.times)).map([&](Track later) {
+      later.settings = settings_per_key(method, later.keys.size());
+      return Retiming{std::move(later), method, slowed.time_scale, slowed.slowing, std::move(slowed.peaks)};
+    });
+  });
 }
 
 }  // namespace orispline

@@ -57,27 +57,29 @@ Expected<void> check(const Keyframes& recording, const SmoothOptions& options) {
   return {};
 }
 
-SmoothingObjective objective_of(const SmoothOptions& options) {
+SmoothingObjective objective_of(const SmoothOptions& options, std::stop_token stop) {
   return {.penalty = options.penalty,
           .loss = options.loss == Loss::l2 ? LossFunction::l2 : LossFunction::huber,
-          .threshold = huber_threshold};
+          .threshold = huber_threshold,
+          .stop = std::move(stop)};
 }
 
 /// The steps from a recording to its smoothed motion, each of which refines what is known.
 class Smoother {
  public:
-  Smoother(const Keyframes& recording, const SmoothOptions& options, std::vector<Stretch> stretches)
+  Smoother(const Keyframes& recording, const SmoothOptions& options, std::vector<Stretch> stretches,
+           const Progress& progress)
       : recording_(recording),
         options_(options),
         scale_(scale_of(recording)),
         noise_(options.noise.value_or(scale_.noise)),
         stretches_(std::move(stretches)),
         problems_(problems_of(recording, stretches_, noise_)),
-        objective_(objective_of(options)) {}
+        objective_(objective_of(options, progress.stop)) {}
 
   [[nodiscard]] Expected<Smoothing> run() {
     fit(options_.loss == Loss::robust ? SmoothingIteration{.tolerance = tolerance_to_find_outliers * noise_}
-                                              : SmoothingIteration{});
+                                      : SmoothingIteration{});
     if (options_.loss == Loss::tukey) fit_with_tukey();
     if (options_.loss == Loss::robust)
       if (auto done = fit_without_outliers(); !done) return tl::unexpected(std::move(done.error()));
@@ -235,7 +237,7 @@ class Smoother {
     }
     std::size_t next = 0;
     const auto leave_out_until = [&](std::size_t key) {
-      for (; next < key; ++next) result_.left_out.push_back(next);
+      for (; next < key; ++next) result_.samples_in_short_stretches.push_back(next);
     };
     for (const Stretch& stretch : stretches_) {
       leave_out_until(stretch.first);
@@ -257,15 +259,7 @@ class Smoother {
   Smoothing result_;
 };
 
-}  // namespace
-
-Expected<Smoothing> smooth(const Keyframes& recording, const SmoothOptions& options) {
-  return check(recording, options)
-      .and_then([&] { return stretches_of(recording, options.penalty, options.gap); })
-      .and_then(
-          [&](std::vector<Stretch> stretches) { return Smoother(recording, options, std::move(stretches)).run(); });
-}
-
+/// At the times of the keys that were smoothed, with their rates; their positions as they were.
 Expected<Keyframes> smoothed_keyframes(const Keyframes& recording, const Smoothing& smoothing) {
   const SmoothedNodes& nodes = smoothing.nodes;
   KeyframeData data;
@@ -277,6 +271,24 @@ Expected<Keyframes> smoothed_keyframes(const Keyframes& recording, const Smoothi
     if (!recording.positions().empty()) data.positions.push_back(recording.positions()[key]);
   }
   return Keyframes::make(std::move(data));
+}
+
+}  // namespace
+
+Expected<Smoothing> smooth(const Track& recording, const SmoothOptions& options, const Progress& progress) {
+  const Keyframes& keys = recording.keys;
+  return check(keys, options)
+      .and_then([&] { return stretches_of(keys, options.penalty, options.gap); })
+      .and_then([&](std::vector<Stretch> stretches) -> Expected<Smoothing> {
+        auto smoothing = Smoother(keys, options, std::move(stretches), progress).run();
+        return progress.stopped() ? Expected<Smoothing>(cancellation()) : smoothing;
+      })
+      .and_then([&](Smoothing smoothing) -> Expected<Smoothing> {
+        auto smoothed = smoothed_keyframes(keys, smoothing);
+        if (!smoothed) return tl::unexpected(std::move(smoothed.error()));
+        smoothing.track = recording.at(smoothing.keys).with_keys(std::move(*smoothed));
+        return smoothing;
+      });
 }
 
 }  // namespace orispline

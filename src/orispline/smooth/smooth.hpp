@@ -4,7 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include <orispline/curve/keyframe.hpp>
+#include <orispline/base/progress.hpp>
+#include <orispline/curve/track.hpp>
 #include <orispline/smooth/smoothing_choice.hpp>
 
 namespace orispline {
@@ -34,12 +35,17 @@ struct Stretch {
   std::size_t first, count;
 };
 
+/// The method whose curve through smoothed keys is the smooth motion: C2, through their orientations and rates.
+inline constexpr std::string_view smoothed_method = "hermite-c2";
+
 /// A smoothed recording.
 struct Smoothing {
+  Track track{};  ///< the keys, with body rates ω and α; positions as they were
+  Method method{smoothed_method};
   std::vector<std::size_t> keys{};      ///< of the recording, increasing: all but those left out
   SmoothedNodes nodes{};                ///< at the times of these keys
   std::vector<Stretch> stretches{};     ///< one, without gaps
-  std::vector<std::size_t> left_out{};  ///< keys of stretches too short to tell noise from motion
+  std::vector<std::size_t> samples_in_short_stretches{};  ///< keys of stretches too short to tell noise from motion
   double smoothing_time = 0.0;          ///< τ [s]
   double lambda = 0.0;                  ///< weight of the penalty against |r|²/σ²
   double noise = 0.0;        ///< σ of the orientations per axis [rad], estimated from the residuals, or as stated
@@ -68,11 +74,8 @@ inline constexpr std::size_t most_times_for_choice = 10000;
 /// stretch, four for the jerk; so few beside the outliers), where no smooth motion is near to them or more than half of
 /// them count as outliers, for a gyro without angular velocities and for one that contradicts the orientations;
 /// bad_argument for numbers out of their range, for a gap not longer than the median interval, and for options that
-/// contradict each other: `noise` and `smoothing_time`, `gyro` and `gap`, `gyro_noise` without `gyro`; not_converged.
-[[nodiscard]] Expected<Smoothing> smooth(const Keyframes& recording, const SmoothOptions& options = {});
-
-/// The smoothed recording as keys with rates, at the times of `smoothing.keys`; its positions as they were.
-/// Precondition: the smoothing is that of this recording. Errors: those of Keyframes::make().
-[[nodiscard]] Expected<Keyframes> smoothed_keyframes(const Keyframes& recording, const Smoothing& smoothing);
+/// contradict each other: `noise` and `smoothing_time`, `gyro` and `gap`, `gyro_noise` without `gyro`; not_converged; cancelled.
+[[nodiscard]] Expected<Smoothing> smooth(const Track& recording, const SmoothOptions& options = {},
+                                         const Progress& progress = {});
 
 }  // namespace orispline

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <stop_token>
 #include <vector>
 
 #include <orispline/math/eigen.hpp>
@@ -43,6 +44,7 @@ struct SmoothingObjective {
   LossFunction loss = LossFunction::l2;
   double threshold = 2.5;  ///< of the loss, in units of σ
   Bias bias = Bias::none;  ///< of the gyro
+  std::stop_token stop{};  ///< the iteration ends early when it is asked for
 };
 
 /// When the iteration ends; also where the cost stays and steps do not get shorter: that is rounding.

@@ -52,7 +52,7 @@ class Minimisation {
           std::abs(now.cost - cost_before) <= cost_rounding * cost_before;  // a step that grows is rounding
       if (step.largest_turn < iteration.tolerance && length == 1.0) break;
       if (stays && step.largest_turn >= turn_before) break;
-      if (fit.iterations >= iteration.most) break;
+      if (fit.iterations >= iteration.most || objective_.stop.stop_requested()) break;
       turn_before = step.largest_turn;
     }
     if (lowest_ && !(now.cost <= lowest_cost_)) {

@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include <Eigen/Core>
@@ -56,6 +57,8 @@ struct Minimum {
 
 /// Gauss–Newton steps with exact derivatives from the start, which is brought within the bounds, each halved until the
 /// sum is lower and stopped at the bounds, until the sum is at rest. Moves the sum there.
-[[nodiscard]] Minimum minimised(SumOfSquares& sum, std::vector<double> start, std::span<const Interval> bounds);
+/// Ends early where a stop is asked for.
+[[nodiscard]] Minimum minimised(SumOfSquares& sum, std::vector<double> start, std::span<const Interval> bounds,
+                                const std::stop_token& stop = {});
 
 }  // namespace orispline

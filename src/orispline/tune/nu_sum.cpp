@@ -144,7 +144,7 @@ Eigen::MatrixXd NuSum::jacobian(std::size_t block) const {
 }
 
 Expected<TensionModel> nu_model(const Keyframes& keys, const CurveOptions& options) {
-  return make_curve(Nu::info.name, keys, options)
+  return make_curve({Nu::info.name, options}, keys)
       .and_then([&](const AnyCurve&) { return settle(Nu::info, options, keys.size()); })
       .map([&](const FamilySettings& settings) {
         TensionModel model{.variables = {}, .segments = {}, .options = options};

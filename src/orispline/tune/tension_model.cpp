@@ -80,7 +80,7 @@ class Candidates {
 using Probe = std::vector<TensionSegment>;
 
 Expected<Probe> cumulative_probe(const FamilyInfo& family, const Keyframes& keys, const CurveOptions& options) {
-  return make_curve(family.name, keys, options).map([&](const AnyCurve& curve) {
+  return make_curve({family.name, options}, keys).map([&](const AnyCurve& curve) {
     Probe probe;
     for (std::size_t i = 0; i < curve.knots().segments(); ++i) {
       const SegmentForm segment_form = curve.form(i);

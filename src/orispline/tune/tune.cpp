@@ -26,7 +26,7 @@ Expected<std::vector<std::string>> parameters_of(const FamilyInfo& family, const
   std::vector<std::string> tunable = tunable_parameters(family.name);
   if (tunable.empty())
     return failure(ErrorCode::bad_argument, fmt::format("{}: this method has no tensions to tune, wanted one of {}",
-                                                        family.name, tunable_families()));
+                                                        family.name, tunable_methods()));
   if (options.parameters.empty()) return tunable;
   for (const std::string& name : options.parameters)
     if (std::ranges::find(tunable, name) == tunable.end())
@@ -111,25 +111,28 @@ std::vector<double> closed_form(const TensionModel& model, std::span<const Inter
 }
 
 /// The least energy near the closed form: free where that stays within the bounds.
-Minimum refined(SumOfSquares& sum, const std::vector<double>& start, std::span<const Interval> bounds) {
+Minimum refined(SumOfSquares& sum, const std::vector<double>& start, std::span<const Interval> bounds,
+                const Progress& progress) {
   const std::vector<Interval> free(start.size());
-  const Minimum minimum = minimised(sum, start, free);
-  return inside(minimum.values, bounds) ? minimum : minimised(sum, start, bounds);
+  const Minimum minimum = minimised(sum, start, free, progress.stop);
+  return inside(minimum.values, bounds) ? minimum : minimised(sum, start, bounds, progress.stop);
 }
 
 /// From the closed form `start` on.
 Expected<Tuning> tuned(const FamilyInfo& family, const TensionModel& model, SumOfSquares& sum,
-                       const std::vector<double>& start, std::span<const Interval> bounds, Objective objective) {
-  Tuning tuning{.options = {}, .parameters = {}, .energy_before = value_of(sum)};
+                       const std::vector<double>& start, std::span<const Interval> bounds, Objective objective,
+                       const Progress& progress) {
+  Tuning tuning{.energy_before = value_of(sum)};
   Minimum minimum{start, 0};
-  if (objective != Objective::linearised) minimum = refined(sum, start, bounds);
+  if (objective != Objective::linearised) minimum = refined(sum, start, bounds, progress);
+  if (progress.stopped()) return cancellation();
   sum.move_to(minimum.values);
   tuning.energy_after = value_of(sum);
   const double scale = std::max(tuning.energy_after, rounding_energy * tuning.energy_before);
   if (objective != Objective::linearised && scale > 0.0)
     tuning.stationarity = descent(sum, minimum.values, bounds).decrease / scale;
   tuning.iterations = minimum.iterations;
-  tuning.options = model.with(minimum.values);
+  tuning.method = {family.name, model.with(minimum.values)};
   if (tuning.stationarity <= wanted_stationarity) return tuning;
   return failure(ErrorCode::not_converged,
                  fmt::format("{}: tuning came to rest where a step would lower the energy by {:.2g} of itself, wanted "
@@ -138,45 +141,50 @@ Expected<Tuning> tuned(const FamilyInfo& family, const TensionModel& model, SumO
 }
 
 Expected<Tuning> tuned_affine(const FamilyInfo& family, const TensionModel& model, const Goal& goal,
-                              const TuneOptions& options) {
+                              const TuneOptions& options, const Progress& progress) {
   TensionSum sum(model, goal);
   const std::vector<Interval> bounds = bounds_of(model, options.bounds);
-  return tuned(family, model, sum, closed_form(model, bounds), bounds, goal.objective);
+  return tuned(family, model, sum, closed_form(model, bounds), bounds, goal.objective, progress);
 }
 
 Expected<Tuning> tuned_nu(const FamilyInfo& family, const Keyframes& keys, const TensionModel& model, const Goal& goal,
-                          const TuneOptions& options) {
+                          const TuneOptions& options, const Progress& progress) {
   NuSum sum(keys, model, goal);
   const std::vector<Interval> bounds = bounds_of(model, options.bounds);
-  return tuned(family, model, sum, least_nu(bounds), bounds, goal.objective);
+  return tuned(family, model, sum, least_nu(bounds), bounds, goal.objective, progress);
 }
 
 }  // namespace
 
-std::string tunable_families() {
+std::string tunable_methods() {
   std::vector<std::string_view> names;
   for (const FamilyInfo& family : families_info())
     if (!tunable_parameters(family.name).empty()) names.push_back(family.name);
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-Expected<Tuning> tune(std::string_view family, const Keyframes& keys, const CurveOptions& curve,
-                      const TuneOptions& options) {
-  const auto info = find_family(family);
+Expected<Tuning> tune(const Track& track, const Method& given, const TuneOptions& options, const Progress& progress) {
+  const auto info = find_family(given.name);
   if (!info) return tl::unexpected(info.error());
+  const Method method = completed(given, **info, track);
+  const Keyframes& keys = track.keys;
   const auto parameters = parameters_of(**info, options);
   if (!parameters) return tl::unexpected(parameters.error());
-  if (auto checked = check_request(**info, keys, curve, options); !checked)
+  if (auto checked = check_request(**info, keys, method.options, options); !checked)
     return tl::unexpected(std::move(checked.error()));
   const auto goal = goal_of(keys, options);
   if (!goal) return tl::unexpected(goal.error());
+  const bool is_nu = (*info)->name == families::Nu::info.name;
   const auto model =
-      family == families::Nu::info.name ? nu_model(keys, curve) : tension_model(**info, keys, curve, *parameters);
+      is_nu ? nu_model(keys, method.options) : tension_model(**info, keys, method.options, *parameters);
   if (!model) return tl::unexpected(model.error());
-  const bool is_nu = model->segments.empty();
-  return (is_nu ? tuned_nu(**info, keys, *model, *goal, options) : tuned_affine(**info, *model, *goal, options))
+  return (is_nu ? tuned_nu(**info, keys, *model, *goal, options, progress)
+                : tuned_affine(**info, *model, *goal, options, progress))
       .map([&](Tuning tuning) {
         tuning.parameters = *parameters;
+        tuning.track = track;
+        for (const std::string& name : *parameters)
+          tuning.track.settings[name] = tuning.method.options.parameters.find(name)->second;
         return tuning;
       });
 }

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include <orispline/analysis/distance.hpp>
-#include <orispline/curve/family.hpp>
-#include <orispline/curve/keyframe.hpp>
+#include <orispline/base/progress.hpp>
+#include <orispline/curve/track.hpp>
 #include <orispline/tune/least_squares.hpp>
 #include <orispline/tune/objective.hpp>
 
@@ -25,25 +25,27 @@ struct TuneOptions {
 
 /// The result of tuning.
 struct Tuning {
-  CurveOptions options;                 ///< those given, with one value per key of every parameter that was varied
-  std::vector<std::string> parameters;  ///< the ones that were varied
+  Track track{};                        ///< the one given, its settings the values that were found
+  Method method{};                      ///< the one given, with one value per key of every parameter that was varied
+  std::vector<std::string> parameters{};  ///< the ones that were varied
   double energy_before = 0.0, energy_after = 0.0;  ///< in the unit of the objective
   std::size_t iterations = 0;                      ///< after the closed form; 0 where that is the answer
   double stationarity = 0.0;  ///< by which share of the energy a Gauss–Newton step would lower it still
 };
 
-/// The families whose tensions can be tuned, between commas.
-[[nodiscard]] std::string tunable_families();
+/// The methods whose tensions can be tuned, between commas.
+[[nodiscard]] std::string tunable_methods();
 
-/// The tensions that make the objective least, starting from those of the options.
+/// The tensions that make the objective least, starting from those of the method and, where it is silent, of the track.
 ///
 /// The closed form minimises `linearised` by one banded solve in linear time; every other objective is refined from
 /// there to a stationarity of 1e-8 at most, usually 1e-14. Tensions without influence stay as they are.
 /// Source: docs/tune.md.
 /// Errors: those of make_curve(); bad_argument for a family without tensions, an unknown parameter, a loop, bounds
 /// without a number between them, an inertia that is none; bad_data for fewer than three keys and for a reference
-/// without a time between the first and the last key; not_converged.
-[[nodiscard]] Expected<Tuning> tune(std::string_view family, const Keyframes& keys, const CurveOptions& curve,
-                                    const TuneOptions& options);
+/// without a time between the first and the last key; not_converged;
+/// cancelled.
+[[nodiscard]] Expected<Tuning> tune(const Track& track, const Method& method, const TuneOptions& options = {},
+                                    const Progress& progress = {});
 
 }  // namespace orispline

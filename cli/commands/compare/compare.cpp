@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/compare/compare.hpp"
+
+#include <fmt/format.h>
+
+#include <orispline/tune/tension_model.hpp>
+#include <orispline/tune/tune.hpp>
+
+#include "commands/compare/compare_page.hpp"
+#include "output/progress.hpp"
+#include "output/standard_output.hpp"
+
+namespace orispline::cli {
+namespace {
+
+/// Progress looks at the clock only once in so many steps.
+constexpr std::size_t steps_per_method = 4096;
+
+/// The same with the tensions that make ∫|α|² least, or with the reason why there are none.
+ComparedMethod tuned(ComparedMethod method, const Track& track) {
+  Candidate& candidate = method.candidate;
+  method.label += ":tuned";
+  auto tuning = orispline::tune(track, candidate.method);
+  if (tuning) candidate.method = std::move(tuning->method);
+  else method.measures = tl::unexpected(track.located(std::move(tuning.error())));
+  return method;
+}
+
+std::vector<ComparedMethod> methods_to_compare(const CompareRequest& request, const ComparedData& data) {
+  std::vector<ComparedMethod> methods;
+  for (std::size_t i = 0; i < data.key_sets.size(); ++i)
+    for (const NamedMethod& method : request.methods) {
+      const Track& track = data.key_sets[i].track;
+      methods.push_back({.label = method.label,
+                         .key_set = i,
+                         .candidate = {completed(method.method, track), track.keys}});
+      if (request.tune && !orispline::tunable_parameters(method.method.name).empty())
+        methods.push_back(tuned(methods.back(), track));
+    }
+  return methods;
+}
+
+void measure_all(CompareReport& report, const CompareRequest& request, Progress::Show show) {
+  std::vector<Candidate> candidates;
+  for (const ComparedMethod& method : report.methods) candidates.push_back(method.candidate);
+  const MeasureOptions measures{.inertia = request.inertia.value_or(Eigen::Matrix3d::Identity()),
+                                .leave_out = request.leave_out};
+  Progress progress(steps_per_method * candidates.size(), show);
+  Comparison comparison =
+      orispline::compare(candidates, report.data.recording(), measures, static_cast<unsigned>(request.threads),
+                         {.show = [&](double share) {
+                           progress.advance_to(static_cast<std::size_t>(std::lround(
+                               share * static_cast<double>(steps_per_method * candidates.size()))));
+                         }});
+  for (std::size_t i = 0; i < report.methods.size(); ++i) {
+    ComparedMethod& method = report.methods[i];
+    if (!method.measures) continue;  // it could not be tuned
+    method.measures = std::move(comparison.measures[i]).map_error([&](Error error) {
+      return report.data.key_sets[method.key_set].track.located(std::move(error));
+    });
+  }
+}
+
+/// Exit code 0 wants one method that worked.
+Expected<void> any_worked(const CompareReport& report) {
+  for (const ComparedMethod& method : report.methods)
+    if (method.measures) return {};
+  return failure(ErrorCode::bad_data,
+                 fmt::format("none of the methods could be compared; {}: {}", report.methods.front().label,
+                             describe(report.methods.front().measures.error())));
+}
+
+Expected<CompareReport> compared(const CompareOptions& options, const CompareRequest& request) {
+  auto data = compared_data(request, options.reference);
+  if (!data) return tl::unexpected(std::move(data.error()));
+  CompareReport report{.data = std::move(*data),
+                       .methods = {},
+                       .inertia = request.inertia,
+                       .leave_out = request.leave_out,
+                       .sort = request.sort};
+  if (const auto sortable = sort(report); !sortable) return tl::unexpected(sortable.error());
+  report.methods = methods_to_compare(request, report.data);
+  measure_all(report, request, options.quiet ? Progress::Show::never : Progress::Show::on_terminal);
+  return sort(report).map([&] { return std::move(report); });
+}
+
+Expected<void> print(const CompareReport& report, const CompareOptions& options) {
+  return print_document(options.json  ? json_of(report)
+                        : options.csv ? csv_of(report)
+                                      : text_of(report))
+      .and_then([&] { return any_worked(report); });
+}
+
+}  // namespace
+
+Expected<void> compare(const CompareOptions& options) {
+  const auto request = compare_request(options);
+  if (!request) return tl::unexpected(request.error());
+  if (request->inertia) warn_unless_rigid(*request->inertia);
+  auto file = ReportFile::open(options.report);
+  if (!file) return tl::unexpected(std::move(file.error()));
+  return compared(options, *request).and_then([&](const CompareReport& report) {
+    return file->write([&] { return page_of(report, options.report, request->threads); })
+        .and_then([&] { return file->finish(); })
+        .and_then([&] { return print(report, options); });
+  });
+}
+
+}  // namespace orispline::cli

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "options/input_options.hpp"
+#include "output/report_file.hpp"
+
+namespace orispline::cli {
+
+/// `orispline compare`, as typed.
+struct CompareOptions {
+  InputOptions input;
+  std::vector<std::string> keep_every;  ///< whole numbers, or lists of them with commas between them
+  std::vector<std::string> methods;     ///< names with settings, or lists with commas between them; none: all
+  std::optional<std::string> random, reference, inertia, sort, threads;
+  bool jitter = false, tune = false, leave_out = false, json = false, csv = false, quiet = false;
+  ReportOptions report;
+};
+
+/// Says how near the curves of the methods come to a recording, how smooth they are and what they cost.
+[[nodiscard]] Expected<void> compare(const CompareOptions& options);
+
+}  // namespace orispline::cli

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/compare/compare_keys.hpp"
+
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include <orispline/analysis/sampled.hpp>
+
+namespace orispline::cli {
+namespace {
+
+/// With the name that the option for the rows has here, where `--sort` is for the table.
+Error in_words_of_compare(Error error) {
+  constexpr std::string_view hint = "(--sort ";
+  if (const std::size_t at = error.message.find(hint); at != std::string::npos)
+    error.message.replace(at, hint.size(), "(--sort-rows ");
+  return error;
+}
+
+/// A file whose keys are at least two.
+Expected<io::TrackFile> read_two_keys(const std::string& path, const io::ReadOptions& options, Signs signs) {
+  auto file = io::read_track(path, options, signs);
+  if (!file) return tl::unexpected(in_words_of_compare(std::move(file.error())));
+  if (file->track.keys.size() < 2)
+    return failure(ErrorCode::bad_data, "found 1 key, wanted 2 at least to compare curves", {.file = path});
+  return file;
+}
+
+Expected<ComparedKeys> decimated(const Track& input, const Decimation& decimation) {
+  const auto kept = kept_samples(decimation, input.keys.size());
+  if (kept.size() < 2)
+    return failure(ErrorCode::bad_data,
+                   fmt::format("--keep-every {} leaves 1 of the {} samples, wanted 2 keys at least",
+                               decimation.keep_every, input.keys.size()),
+                   {.file = input.name});
+  return ComparedKeys{decimation, input.at(kept), kept.back() + 1};
+}
+
+Expected<ComparedData> decimated_input(const CompareRequest& request) {
+  auto input = read_two_keys(request.input.path, request.input.read, request.input.signs);
+  if (!input) return tl::unexpected(std::move(input.error()));
+  const Track& track = input->track;
+  ComparedData data{.reference = track.name,
+                    .epoch = track.epoch,
+                    .samples = track.keys,
+                    .times = {track.keys.times().begin(), track.keys.times().end()},
+                    .key_sets = {},
+                    .repairs = input->repairs};
+  for (const Decimation& decimation : request.decimations) {
+    auto key_set = decimated(track, decimation);
+    if (!key_set) return tl::unexpected(std::move(key_set.error()));
+    data.key_sets.push_back(std::move(*key_set));
+  }
+  return data;
+}
+
+Expected<ComparedData> input_and_reference(const CompareRequest& request, const std::string& reference) {
+  auto input = read_two_keys(request.input.path, request.input.read, request.input.signs);
+  if (!input) return tl::unexpected(std::move(input.error()));
+  const auto truth =
+      read_two_keys(reference, {.conjugate = request.input.read.conjugate, .world_rates = true}, Signs::shortest);
+  if (!truth) return tl::unexpected(truth.error());
+  const Track& keys = input->track;
+  const double shift = (truth->track.epoch - keys.epoch).to_double();
+  std::vector<double> times(truth->track.keys.times().begin(), truth->track.keys.times().end());
+  for (double& t : times) t += shift;
+  const Domain domain{keys.keys.times().front(), keys.keys.times().back()};
+  const std::size_t compared = times_within(times, domain).count;
+  const auto text = [&](double t) { return (keys.epoch + Decimal::from_double(t)).to_string(); };
+  if (compared == 0)
+    return failure(
+        ErrorCode::bad_data,
+        fmt::format("none of the {} times, {} to {} s, lies between the keys of {}, {} to {} s", times.size(),
+                    text(times.front()), text(times.back()), keys.name, text(domain.start), text(domain.end)),
+        {.file = reference});
+  ComparedData data{.reference = reference,
+                    .epoch = keys.epoch,
+                    .samples = truth->track.keys,
+                    .times = std::move(times),
+                    .key_sets = {},
+                    .repairs = input->repairs};
+  data.key_sets.push_back({std::nullopt, keys, compared});
+  return data;
+}
+
+}  // namespace
+
+Expected<ComparedData> compared_data(const CompareRequest& request, const std::optional<std::string>& reference) {
+  return reference ? input_and_reference(request, *reference) : decimated_input(request);
+}
+
+}  // namespace orispline::cli

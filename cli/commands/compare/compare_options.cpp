@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/compare/compare_options.hpp"
+
+#include "commands/compare/compare_report.hpp"
+
+namespace orispline::cli {
+namespace {
+
+constexpr auto compare_footer = R"(Examples:
+  orispline compare flight.csv
+  orispline compare flight.csv --keep-every 8 --methods auto,slerp,quintic --json
+  orispline compare flight.csv --keep-every 4,16,64 --random 7 --sort max
+  orispline compare keys.csv --reference truth.csv --report report.html
+  orispline compare flight.csv --methods auto,quintic:tension=0.6,timed-c2:ends=repeat --inertia=1,2,2.5 --sort torque
+
+--keep-every N keeps the samples 0, N, 2N, ... of INPUT as keys, the last one only if it falls on the grid; the curves
+through them are compared with all samples from the first to the last key. With columns wx,wy,wz the angular velocities
+are compared too. Errors are full rotation angles. A method that fails stands in the table with the reason; the exit code
+is 0 if one worked. --leave-out is an estimate from the keys alone: it says how large the error is, not which method is
+the best (docs/compare.md).)";
+
+}  // namespace
+
+void add_compare_options(CLI::App& app, CompareOptions& o) {
+  add_input_options(app, o.input);
+  app.remove_option(app.get_option("--sort"));  // which means the table here
+  app.add_flag("--sort-rows", o.input.sort, "Sort the rows of INPUT by time")->group("Reading");
+  const std::string group = "Keys and reference";
+  app.add_option("--keep-every", o.keep_every, "Keep every N-th sample of INPUT as a key; repeatable, or a list [8]")
+      ->allow_extra_args(false)
+      ->type_name("N,...")
+      ->group(group);
+  app.add_flag("--jitter", o.jitter, "Move those keys by up to 35 % of N, at random")->group(group);
+  app.add_option("--random", o.random, "Steps of N/4, N/2, N, 2N drawn with this seed; of --jitter the seed")
+      ->type_name("SEED")
+      ->group(group);
+  app.add_option("--reference", o.reference, "Dense recording that curves through all keys of INPUT are compared with")
+      ->type_name(file_type)
+      ->group(group);
+  const std::string measures = "Methods and measures";
+  app.add_option("--methods", o.methods, "Methods, also NAME:SETTING=VALUE:ends=RULE; repeatable, or a list [all]")
+      ->allow_extra_args(false)
+      ->type_name(methods_type)
+      ->group(measures);
+  app.add_flag("--tune", o.tune, "Each method that has tensions also with those of the least angular acceleration")
+      ->group(measures);
+  app.add_option("--inertia", o.inertia,
+                 "Principal moments [kg m^2], or JXX,JYY,JZZ,JXY,JXZ,JYZ: torques are measured too")
+      ->type_name("JX,JY,JZ")
+      ->group(measures);
+  app.add_flag("--leave-out", o.leave_out, "Estimate the error also from keys that are left out")->group(measures);
+  app.add_option("--sort", o.sort, "Measure that the best of stands first [rms]")
+      ->type_name(sort_words())
+      ->group(measures);
+  app.add_option("--threads", o.threads, "Threads that work on the methods; 1 for undisturbed times [all cores]")
+      ->type_name("N")
+      ->group(measures);
+  const std::string output = "Output";
+  app.add_flag("--json", o.json, "Print one JSON array")->group(output);
+  app.add_flag("--csv", o.csv, "Print one CSV table")->group(output);
+  add_report_option(app, o.report);
+  app.add_flag("--quiet", o.quiet, "No progress bar")->group(output);
+  app.footer(compare_footer);
+}
+
+}  // namespace orispline::cli

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "commands/compare/compare.hpp"
+#include "options/command_options.hpp"
+
+namespace orispline::cli {
+
+/// The options of `orispline compare`, and what the help says about them.
+void add_compare_options(CLI::App& app, CompareOptions& options);
+
+}  // namespace orispline::cli

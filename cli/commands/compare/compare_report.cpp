@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/compare/compare_report.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "commands/sample/sample_report.hpp"
+
+namespace orispline::cli {
+namespace {
+
+constexpr std::string_view none = "–";
+
+std::string continuity_of(const ComparedMethod& method) {
+  return method.measures ? fmt::format("C{}", method.measures->continuity.order()) : std::string(none);
+}
+
+report::Cell cell_of(const ComparedMethod& method, const CompareFigure& figure, const ComparedData& data) {
+  const auto value = method.measures ? figure.value(*method.measures, data) : std::nullopt;
+  if (value) return *value;
+  return std::string(none);
+}
+
+/// Methods that are told the rates at the keys.
+std::vector<std::string> methods_with_rates(const CompareReport& report, std::size_t key_set) {
+  std::vector<std::string> names;
+  if (report.data.key_sets[key_set].track.keys.angular_velocities().empty()) return names;
+  for (const ComparedMethod& method : report.methods)
+    if (method.key_set == key_set && method.measures && find_family(method.candidate.method.name).value()->rate_orders > 0)
+      names.push_back(method.label);
+  return names;
+}
+
+std::vector<std::string> notes_of(const CompareReport& report, std::size_t key_set, bool some_jump) {
+  std::vector<std::string> notes;
+  if (const auto names = methods_with_rates(report, key_set); !names.empty())
+    notes.push_back(fmt::format("{} took the logged rates at the keys too.", fmt::join(names, ", ")));
+  if (some_jump) notes.emplace_back("∫|α|² is that inside the segments: with C0 the true one is infinite.");
+  if (report.leave_out == LeaveOut::yes)
+    notes.emplace_back("Left out: an estimate of the error from the keys alone; it is not fit for choosing a method.");
+  return notes;
+}
+
+report::Table table_of(const CompareReport& report, std::size_t key_set) {
+  report::Table table{.title = title_of(report, report.data.key_sets[key_set]), .columns = {{"method"}, {"order"}}};
+  std::vector<CompareFigure> figures = compare_figures(report);
+  std::erase_if(figures, [](const CompareFigure& figure) { return figure.column.name.empty(); });
+  for (const CompareFigure& figure : figures) table.columns.push_back(figure.column);
+  table.columns.push_back({""});  // why a method failed
+  bool some_jump = false;
+  for (const ComparedMethod& method : report.methods) {
+    if (method.key_set != key_set) continue;
+    auto& row = table.rows.emplace_back(std::vector<report::Cell>{method.label, continuity_of(method)});
+    for (const CompareFigure& figure : figures) row.push_back(cell_of(method, figure, report.data));
+    if (!method.measures) row.push_back(describe(method.measures.error()));
+    else some_jump |= method.measures->continuity.order() == 0;
+  }
+  table.notes = notes_of(report, key_set, some_jump);
+  return table;
+}
+
+/// A cell of a CSV, in quotes where it needs them.
+std::string csv_cell(std::string_view text) {
+  if (text.find_first_of(",\"\n\r") == std::string_view::npos) return std::string(text);
+  std::string cell = "\"";
+  for (const char c : text) cell.append(c == '"' ? 2 : 1, c);
+  return cell + "\"";
+}
+
+}  // namespace
+
+std::string title_of(const CompareReport& report, const ComparedKeys& keys) {
+  const std::string what = keys.decimation
+                               ? fmt::format("{}: {} sample kept", report.data.reference, name_of(*keys.decimation))
+                               : fmt::format("{} against {}", keys.track.name, report.data.reference);
+  return fmt::format("{}, {}, {} compared", what, counted(keys.track.keys.size(), "key"), counted(keys.compared, "sample"));
+}
+
+std::string text_of(const CompareReport& report) {
+  std::string text;
+  if (const std::string repairs = text_of(report.data.repairs); !repairs.empty()) text += repairs + "\n";
+  for (std::size_t i = 0; i < report.data.key_sets.size(); ++i)
+    text += (text.empty() ? "" : "\n") + text_of(table_of(report, i));
+  return text;
+}
+
+std::string csv_of(const CompareReport& report) {
+  const std::vector<CompareFigure> figures = compare_figures(report);
+  std::string text = "method,keep_every,keys,samples";
+  for (const CompareFigure& figure : figures) text += fmt::format(",{}", figure.id);
+  text += ",error\n";
+  for (const ComparedMethod& method : report.methods) {
+    const ComparedKeys& keys = report.data.key_sets[method.key_set];
+    text += fmt::format("{},{},{},{}", csv_cell(method.label),
+                        keys.decimation ? std::to_string(keys.decimation->keep_every) : "", keys.track.keys.size(),
+                        keys.compared);
+    for (const CompareFigure& figure : figures) {
+      const auto value = method.measures ? figure.value(*method.measures, report.data) : std::nullopt;
+      text += value ? fmt::format(",{}", *value) : ",";
+    }
+    text += "," + (method.measures ? "" : csv_cell(describe(method.measures.error()))) + "\n";
+  }
+  return text;
+}
+
+}  // namespace orispline::cli

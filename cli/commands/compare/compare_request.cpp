@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/compare/compare_request.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <Eigen/Cholesky>
+
+#include <orispline/analysis/torque.hpp>
+#include <orispline/families/method_text.hpp>
+
+#include "commands/compare/compare_report.hpp"
+#include "options/threads.hpp"
+#include "output/standard_output.hpp"
+
+namespace orispline::cli {
+namespace {
+
+constexpr std::size_t default_step = 8;
+constexpr std::string_view all_methods = "all", default_sort = "rms";
+
+Expected<NamedMethod> named_method(const std::string& text) {
+  return method_from_text(text)
+      .map([&](Method method) {
+        return NamedMethod{text, std::move(method)};
+      })
+      .map_error([](Error error) {
+        if (!error.option.empty()) error.message = fmt::format("--methods: {}", error.message);
+        return error;
+      });
+}
+
+std::vector<std::string> with_all_methods(std::vector<std::string> names) {
+  for (const FamilyInfo& family : families_info()) names.emplace_back(family.name);
+  return names;
+}
+
+Expected<std::vector<NamedMethod>> methods_in(const CompareOptions& options) {
+  std::vector<std::string> names;
+  for (const std::string& list : options.methods)
+    for (const std::string_view name : pieces_of(list, ',')) {
+      if (name == all_methods) names = with_all_methods(std::move(names));
+      else names.emplace_back(name);
+    }
+  if (names.empty()) names = with_all_methods({});
+  std::vector<NamedMethod> methods;
+  for (const std::string& name : names) {
+    auto method = named_method(name);
+    if (!method) return tl::unexpected(std::move(method.error()));
+    const auto known = std::ranges::find(methods, name, &NamedMethod::label);
+    if (known != methods.end()) return usage_failure(fmt::format("--methods: '{}' stands twice", name));
+    methods.push_back(std::move(*method));
+  }
+  return methods;
+}
+
+Expected<std::vector<std::size_t>> steps_in(const CompareOptions& options) {
+  std::vector<std::size_t> steps;
+  for (const std::string& list : options.keep_every)
+    for (const std::string_view piece : pieces_of(list, ',')) {
+      const auto step = count_in({"--keep-every", piece}, 2);
+      if (!step) return tl::unexpected(step.error());
+      if (std::ranges::find(steps, *step) != steps.end())
+        return usage_failure(fmt::format("--keep-every: {} stands twice", *step));
+      steps.push_back(*step);
+    }
+  if (steps.empty()) steps.push_back(default_step);
+  return steps;
+}
+
+Expected<std::vector<Decimation>> decimations_in(const CompareOptions& options) {
+  const bool decimates = !options.keep_every.empty() || options.jitter || options.random;
+  if (options.reference && decimates)
+    return usage_failure(
+        "found --reference and --keep-every, --jitter or --random, wanted a dense reference or samples of INPUT for "
+        "it");
+  if (options.reference) return std::vector<Decimation>();
+  FirstError checked;
+  const auto steps = checked(steps_in(options));
+  const auto seed =
+      checked(if_given("--random", options.random, [](OptionText text) { return count_in(text, 0); })).value_or(1);
+  const Spacing spacing = options.jitter ? Spacing::jittered : options.random ? Spacing::random : Spacing::even;
+  std::vector<Decimation> decimations;
+  for (const std::size_t step : steps) decimations.push_back({step, spacing, seed});
+  return std::move(checked).or_else(std::move(decimations));
+}
+
+/// What the options ask of each other.
+Expected<void> agree(const CompareOptions& options, const CompareRequest& request) {
+  if (options.json && options.csv) return usage_failure("found --json and --csv, wanted one of them");
+  std::vector<OtherFile> others{{"INPUT", options.input.path}};
+  if (options.reference) others.push_back({"that of --reference", *options.reference});
+  if (auto fits = check_report(options.report, others); !fits) return fits;
+  if (options.reference == io::standard_stream && options.input.path == io::standard_stream)
+    return usage_failure("found '-' for INPUT and --reference, wanted it for one at most");
+  if (request.sort == "torque" && !request.inertia) return wanted({"--sort", request.sort}, "--inertia as well");
+  return {};
+}
+
+}  // namespace
+
+Expected<Eigen::Matrix3d> inertia_in(OptionText option) {
+  const auto numbers = numbers_in(option);
+  if (!numbers || (numbers->size() != 3 && numbers->size() != 6))
+    return wanted(option, "three principal moments, or JXX,JYY,JZZ,JXY,JXZ,JYZ");
+  Eigen::Matrix3d inertia = Eigen::Vector3d(numbers->data()).asDiagonal();
+  if (numbers->size() == 6) {
+    inertia(0, 1) = inertia(1, 0) = (*numbers)[3];
+    inertia(0, 2) = inertia(2, 0) = (*numbers)[4];
+    inertia(1, 2) = inertia(2, 1) = (*numbers)[5];
+  }
+  if (Eigen::LLT<Eigen::Matrix3d>(inertia).info() != Eigen::Success)
+    return wanted(option, "a positive definite inertia");
+  return inertia;
+}
+
+void warn_unless_rigid(const Eigen::Matrix3d& inertia) {
+  if (!orispline::is_physical_inertia(inertia))
+    warn("--inertia: one principal moment is greater than the sum of the two others, as no rigid body has it");
+}
+
+Expected<CompareRequest> compare_request(const CompareOptions& options) {
+  FirstError checked;
+  CompareRequest request{.input = checked(input_request(options.input)),
+                         .decimations = checked(decimations_in(options)),
+                         .methods = checked(methods_in(options)),
+                         .inertia = checked(if_given("--inertia", options.inertia, inertia_in)),
+                         .tune = options.tune,
+                         .leave_out = options.leave_out ? LeaveOut::yes : LeaveOut::no,
+                         .sort = checked(sort_word_in({"--sort", options.sort.value_or(std::string(default_sort))})),
+                         .threads = checked(threads_in(options.threads))};
+  if (auto agreed = agree(options, request); !agreed) static_cast<void>(checked(agreed.map([] { return 0; })));
+  auto read = std::move(checked).or_else(std::move(request));
+  if (!read) return read;
+  read->input.read.rate_orders = 1;
+  read->input.read.world_rates = true;
+  for (const NamedMethod& method : read->methods) {
+    read->input.read.rate_orders = std::max(read->input.read.rate_orders, family_of(method.method).rate_orders);
+    if (!options.reference) continue;
+    for (std::string& name : open_parameters(method.method)) {
+      auto& parameters = read->input.read.parameters;
+      if (std::ranges::find(parameters, name) == parameters.end()) parameters.push_back(std::move(name));
+    }
+  }
+  return read;
+}
+
+}  // namespace orispline::cli

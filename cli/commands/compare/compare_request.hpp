@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <orispline/analysis/comparison.hpp>
+#include <orispline/analysis/decimation.hpp>
+
+#include "commands/compare/compare.hpp"
+#include "options/method_options.hpp"
+
+namespace orispline::cli {
+
+/// A method with its settings, and as the user names it: `quintic:tension=0.6`.
+struct NamedMethod {
+  std::string label;
+  Method method;
+};
+
+/// The command line of `orispline compare`, understood.
+struct CompareRequest {
+  InputRequest input;
+  std::vector<Decimation> decimations{};  ///< none: the keys are INPUT itself
+  std::vector<NamedMethod> methods{};
+  std::optional<Eigen::Matrix3d> inertia{};  ///< [kg m²]
+  bool tune = false;                         ///< methods with tensions once more, tuned
+  LeaveOut leave_out = LeaveOut::no;
+  std::string sort;  ///< the word of a measure
+  std::size_t threads = 1;
+};
+
+/// Errors: bad_argument.
+[[nodiscard]] Expected<CompareRequest> compare_request(const CompareOptions& options);
+
+/// Three principal moments, or those with the products of inertia Jxy, Jxz, Jyz [kg m²].
+[[nodiscard]] Expected<Eigen::Matrix3d> inertia_in(OptionText option);
+
+/// A warning of an inertia that no rigid body has.
+void warn_unless_rigid(const Eigen::Matrix3d& inertia);
+
+}  // namespace orispline::cli

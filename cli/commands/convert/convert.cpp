@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/convert/convert.hpp"
+
+#include <utility>
+
+#include <orispline/io/track_file.hpp>
+
+#include "commands/convert/convert_report.hpp"
+#include "output/interruption.hpp"
+
+namespace orispline::cli {
+namespace {
+
+Expected<io::TrackFile> open_source(InputRequest request) {
+  request.read.keep_exact_times = request.read.keep_as_read = true;
+  return io::read_track(request.path, request.read, request.signs);
+}
+
+io::Sample sample_at(const io::TrackFile& source, const io::SampleColumns& columns, std::size_t key) {
+  const bool keeps_digits = columns.form.representation == io::Representation::quaternion;
+  const Eigen::Quaterniond& q = source.track.keys.orientations()[key];
+  io::Sample sample{.motion = {.orientation = keeps_digits ? source.written(q, key) : q}};
+  if (columns.positions) sample.linear_motion.position = source.track.keys.positions()[key];
+  if (columns.derivatives > 0) sample.motion.angular_velocity = source.track.keys.angular_velocities()[key];
+  return sample;
+}
+
+Expected<void> write_keys(io::SampleWriter& writer, const io::TrackFile& source, const io::SampleColumns& columns) {
+  for (std::size_t i = 0; i < source.track.keys.size(); ++i) {
+    auto written = writer.write(source.track.exact_times[i], sample_at(source, columns, i));
+    if (written) continue;
+    if (written.error().code != ErrorCode::bad_data) return written;
+    written.error().where.key = i;
+    return tl::unexpected(source.track.located(std::move(written.error())));
+  }
+  return writer.finish();
+}
+
+ConvertReport report_on(const io::TrackFile& source, const ConvertOptions& options, const io::SampleColumns& columns) {
+  ConvertReport report{.input = options.input.path,
+                       .output = options.output.path,
+                       .input_format = source.format,
+                       .output_format = columns.format,
+                       .repairs = source.repairs,
+                       .keyframes = source.track.keys.report(),
+                       .keys = source.track.keys.size(),
+                       .start = source.track.exact_times.front(),
+                       .end = source.track.exact_times.back(),
+                       .dropped_columns = source.ignored_columns};
+  if (columns.derivatives == 0 && !source.track.keys.angular_velocities().empty())
+    report.dropped_columns.emplace_back("angular velocities");
+  if (!columns.positions)
+    report.positions =
+        io::holds_all_columns(columns.format) ? ConvertReport::Positions::absent : ConvertReport::Positions::zero;
+  return report;
+}
+
+}  // namespace
+
+Expected<void> convert(const ConvertOptions& options) {
+  FirstError checked;
+  auto input = checked(input_request(options.input, Signs::as_given));
+  auto columns = checked(output_columns(options.output));
+  auto request = std::move(checked).or_else(std::move(input));
+  if (!request) return tl::unexpected(std::move(request.error()));
+  if (auto fits = check_summary(options.summary, options.output.path, "keys"); !fits) return fits;
+  const auto source = open_source(std::move(*request));
+  if (!source) return tl::unexpected(source.error());
+  columns.positions = !source->track.keys.positions().empty();
+  columns.derivatives = io::holds_all_columns(columns.format) && !source->track.keys.angular_velocities().empty() ? 1 : 0;
+  const ConvertReport report = report_on(*source, options, columns);
+  return io::SampleWriter::open(options.output.path, columns, source->track.keys.size())
+      .and_then([&](io::SampleWriter writer) {
+        const RemovedWhenInterrupted unfinished(writer.part());
+        return write_keys(writer, *source, columns);
+      })
+      .and_then([&] { return summarise(options.summary, report); });
+}
+
+}  // namespace orispline::cli

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "options/input_options.hpp"
+#include "options/output_options.hpp"
+#include "output/summary.hpp"
+
+namespace orispline::cli {
+
+/// `orispline convert`, as typed.
+struct ConvertOptions {
+  InputOptions input;
+  OutputOptions output;
+  SummaryOptions summary;
+};
+
+/// The same keys in another format: exact times, and of the quaternions the very digits unless their norm is off.
+[[nodiscard]] Expected<void> convert(const ConvertOptions& options);
+
+}  // namespace orispline::cli

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/convert/convert_report.hpp"
+
+#include "options/output_options.hpp"
+#include "output/json_document.hpp"
+#include "output/repairs_json.hpp"
+
+namespace orispline::cli {
+
+std::string json_of(const ConvertReport& report) {
+  Json json{{"input", report.input},
+            {"input_format", word_of(format_choices, report.input_format)},
+            {"output", report.output},
+            {"output_format", word_of(output_format_choices, report.output_format)},
+            {"keys", report.keys},
+            {"start_s", report.start.to_string()},
+            {"end_s", report.end.to_string()},
+            {"sign_flips", report.keyframes.sign_flips},
+            {"non_unit_keys", report.keyframes.non_unit_keys}};
+  add_repairs(json, report.repairs);
+  json["dropped_columns"] = report.dropped_columns;
+  return document(json);
+}
+
+}  // namespace orispline::cli

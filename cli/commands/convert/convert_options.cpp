@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/convert/convert_options.hpp"
+
+#include <fmt/format.h>
+
+namespace orispline::cli {
+namespace {
+
+constexpr auto convert_footer = R"(Examples:
+  orispline convert data.csv -o trajectory.tum
+  orispline convert trajectory.tum -o data.csv --output-format euroc
+  orispline convert attitude.csv --euler ZXZ --angle-unit deg -o keys.csv
+  orispline convert keys.csv --output-orientation matrix -o matrices.csv
+
+Times are exact; EuRoC has whole nanoseconds. Quaternions keep their digits and signs; norms that are off are made 1 and
+counted. Positions are kept, angular velocities too where the output is CSV; other columns are named and left out.)";
+
+}  // namespace
+
+void add_convert_options(CLI::App& app, ConvertOptions& o) {
+  add_input_options(app, o.input, "as-given");
+  add_output_options(app, o.output);
+  add_summary_options(app, o.summary);
+  app.footer(convert_footer);
+}
+
+}  // namespace orispline::cli

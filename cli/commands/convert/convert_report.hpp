@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <orispline/curve/keyframe.hpp>
+#include <orispline/io/key_file.hpp>
+
+namespace orispline::cli {
+
+/// What `orispline convert` did.
+struct ConvertReport {
+  std::string input{}, output{};
+  io::FileFormat input_format{}, output_format{};
+  io::RepairReport repairs{};
+  KeyframeReport keyframes{};
+  std::size_t keys = 0;
+  Decimal start{}, end{};                  ///< of the keys, in the file's own time [s]
+  std::vector<std::string> dropped_columns{};  ///< of the input, which the output does not hold
+  enum class Positions { kept, absent, zero } positions = Positions::kept;
+};
+
+/// A few lines for people.
+[[nodiscard]] std::string text_of(const ConvertReport& report);
+
+/// One JSON document, described in docs/inspect-json.md.
+[[nodiscard]] std::string json_of(const ConvertReport& report);
+
+}  // namespace orispline::cli

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/inspect/inspect.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "commands/inspect/inspect_report.hpp"
+#include "output/standard_output.hpp"
+
+namespace orispline::cli {
+namespace {
+
+/// Read with every repair, so that a faulty file is reported instead of refused.
+Expected<io::KeyFile> read_leniently(const InputRequest& input) {
+  io::ReadOptions read = input.read;
+  read.drop_duplicates = read.drop_invalid = read.sort = true;
+  return io::read_keys(input.path, read);
+}
+
+/// What stands in the way of `sample` in a file that needed repairs; standard input cannot be read twice.
+std::optional<std::string> defect_in(const InputRequest& input, const io::RepairReport& repairs) {
+  const bool touched = repairs.duplicates_dropped + repairs.invalid_dropped + repairs.rows_moved > 0;
+  if (!touched || input.path == io::standard_stream) return std::nullopt;
+  const auto strict = io::read_keys(input.path, input.read);
+  return strict ? std::nullopt : std::optional(describe(strict.error()));
+}
+
+/// Quaternions of any norm but 0, scaled to 1.
+struct ScaledKeys {
+  KeyframeData data;
+  std::size_t wrong_norms = 0;
+  double largest_norm_error = 0.0;
+  std::optional<Error> first_error{};  ///< of the keys as they were
+};
+
+ScaledKeys scaled_to_unit(KeyframeData data) {
+  ScaledKeys scaled{.data = std::move(data)};
+  for (std::size_t i = 0; i < scaled.data.orientations.size(); ++i) {
+    Eigen::Quaterniond& q = scaled.data.orientations[i];
+    const double norm = q.coeffs().stableNorm(), norm_error = std::abs(norm - 1.0);
+    if (norm_error <= norm_error_limit || norm == 0.0) continue;
+    if (++scaled.wrong_norms == 1) {
+      scaled.first_error = Keyframes::make({.times = {0.0}, .orientations = {q}}).error();
+      scaled.first_error->where.key = i;
+    }
+    scaled.largest_norm_error = std::max(scaled.largest_norm_error, norm_error);
+    q.coeffs() /= norm;
+  }
+  return scaled;
+}
+
+Expected<InspectReport> inspected(const InputRequest& input, const std::vector<Method>& methods) {
+  auto file = read_leniently(input);
+  if (!file) return tl::unexpected(std::move(file.error()));
+  auto scaled = scaled_to_unit(std::exchange(file->data, {}));
+  auto keys = Keyframes::make(std::move(scaled.data), input.signs);
+  if (!keys) return tl::unexpected(located(*file, keys.error()));
+  InspectReport report{.file = io::track_file(std::move(*file), *keys),
+                       .statistics = key_statistics(*keys),
+                       .keyframes = keys->report(),
+                       .wrong_norms = scaled.wrong_norms};
+  const Track& track = report.file.track;
+  report.defect = defect_in(input, report.file.repairs);
+  report.keyframes.non_unit_keys += scaled.wrong_norms;
+  report.keyframes.largest_norm_error = std::max(report.keyframes.largest_norm_error, scaled.largest_norm_error);
+  if (!report.defect && scaled.first_error) report.defect = describe(track.located(*scaled.first_error));
+  if (!methods.empty())
+    if (const auto warning = closing_step_warning(methods.front(), *keys)) warn(*warning);
+  for (const Method& method : methods) {
+    const auto curve = shaped_curve(method, track);
+    if (!curve) return tl::unexpected(curve.error());
+    const Seam seam = method.options.loop ? Seam::closed : Seam::open;
+    report.methods.push_back({method.name, continuity_at_keys(curve->orientation, seam)});
+  }
+  return report;
+}
+
+}  // namespace
+
+Expected<void> inspect(const InspectOptions& options) {
+  auto input = input_request(options.input);
+  if (!input) return tl::unexpected(std::move(input.error()));
+  if (options.methods.empty() && any_given(options.shape))
+    return usage_failure("options that shape a curve want --method as well");
+  const auto methods = method_requests(options.methods, options.shape);
+  if (!methods) return tl::unexpected(methods.error());
+  input->read = read_for(*methods, std::move(input->read));
+  return inspected(*input, *methods).and_then([&](const InspectReport& report) {
+    return print_document(options.json ? json_of(report) : text_of(report));
+  });
+}
+
+}  // namespace orispline::cli

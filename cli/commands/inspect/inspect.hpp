@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "options/input_options.hpp"
+#include "options/method_options.hpp"
+
+namespace orispline::cli {
+
+/// `orispline inspect`, as typed.
+struct InspectOptions {
+  InputOptions input;
+  std::vector<std::string> methods;  ///< names, or lists of names with commas between them
+  MethodOptions shape;
+  bool json = false;
+};
+
+/// Says what a file of keys holds, faults included, and how continuous the methods are on it.
+[[nodiscard]] Expected<void> inspect(const InspectOptions& options);
+
+}  // namespace orispline::cli

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/inspect/inspect_report.hpp"
+
+#include "options/input_options.hpp"
+#include "options/quantity.hpp"
+#include "output/json_document.hpp"
+
+namespace orispline::cli {
+namespace {
+
+/// Three members for a key: its index, its line in the file, its exact time.
+void add_place(Json& json, const std::string& name, const InspectReport& report, std::size_t key) {
+  json[name + "_key"] = key;
+  json[name + "_line"] = report.file.track.lines[key];
+  json[name + "_time_s"] = report.time_of(key).to_string();
+}
+
+void add_statistics(Json& json, const InspectReport& report) {
+  json["span_s"] = report.statistics.span;
+  if (const auto& spacing = report.statistics.spacing) {
+    json["spacing_min_s"] = spacing->smallest;
+    json["spacing_median_s"] = spacing->median;
+    json["spacing_max_s"] = spacing->largest;
+    add_place(json, "spacing_max_after", report, spacing->largest_at);
+  }
+  if (const auto& step = report.statistics.step) {
+    json["step_median_deg"] = step->median * degrees;
+    json["step_max_deg"] = step->largest * degrees;
+    add_place(json, "step_max_after", report, step->largest_at);
+  }
+  json["near_180_steps"] = report.statistics.near_half_turns.size();
+  json["near_180_after_keys"] = report.statistics.near_half_turns;
+}
+
+void add_jump(Json& json, const std::string& name, const std::string& unit, const RateJump& jump) {
+  json[name + "_jump_max_" + unit] = jump.largest;
+  json[name + "_jump_max_relative"] = jump.relative;
+  json[name + "_jump_max_key"] = jump.key;
+  json[name + "_max_" + unit] = jump.magnitude;
+}
+
+Json methods(const InspectReport& report) {
+  Json methods = Json::array();
+  for (const auto& [name, continuity] : report.methods) {
+    Json method{{"method", name}, {"continuity_order", continuity.order()}};
+    add_jump(method, "angular_velocity", "rad_s", continuity.angular_velocity);
+    add_jump(method, "angular_acceleration", "rad_s2", continuity.angular_acceleration);
+    add_jump(method, "angular_jerk", "rad_s3", continuity.angular_jerk);
+    methods.push_back(std::move(method));
+  }
+  return methods;
+}
+
+}  // namespace
+
+std::string json_of(const InspectReport& report) {
+  const std::size_t last = report.keys() - 1;
+  Json json{{"file", report.file.track.name},
+            {"format", word_of(format_choices, report.file.format)},
+            {"keys", report.keys()},
+            {"start_s", report.time_of(0).to_string()},
+            {"end_s", report.time_of(last).to_string()}};
+  add_statistics(json, report);
+  json["sign_flips"] = report.keyframes.sign_flips;
+  json["non_unit_keys"] = report.keyframes.non_unit_keys;
+  json["wrong_norm_keys"] = report.wrong_norms;
+  json["norm_error_max"] = report.keyframes.largest_norm_error;
+  json["duplicate_times"] = report.file.repairs.duplicates_dropped;
+  json["out_of_order_rows"] = report.file.repairs.rows_moved;
+  json["invalid_rows"] = report.file.repairs.invalid_dropped;
+  json["defect"] = report.defect ? Json(*report.defect) : Json(nullptr);
+  json["methods"] = methods(report);
+  return document(json);
+}
+
+}  // namespace orispline::cli

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/inspect/inspect_options.hpp"
+
+#include <fmt/format.h>
+
+namespace orispline::cli {
+namespace {
+
+constexpr auto inspect_footer = R"(Examples:
+  orispline inspect keys.csv
+  orispline inspect keys.csv --method auto,quintic --method slerp
+  orispline inspect keys.csv --method sextic --json
+
+Faults that 'sample' refuses (duplicate or decreasing times, rows that are not numbers, norms far from 1) are repaired
+and counted. The JSON is described in docs/inspect-json.md.)";
+
+}  // namespace
+
+void add_inspect_options(CLI::App& app, InspectOptions& o) {
+  add_input_options(app, o.input);
+  app.add_option("--method", o.methods, "Methods whose continuity is measured; repeatable, or a list with commas")
+      ->allow_extra_args(false)
+      ->type_name(methods_type)
+      ->group("Shape of the curve");
+  add_method_options(app, o.shape);
+  add_loop_options(app, o.shape);
+  app.add_flag("--json", o.json, "Print one JSON document");
+  app.footer(inspect_footer);
+}
+
+}  // namespace orispline::cli

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/methods/methods.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <orispline/families/registry.hpp>
+
+#include "commands/methods/methods_json.hpp"
+#include "options/option_text.hpp"
+#include "output/standard_output.hpp"
+
+namespace orispline::cli {
+namespace {
+
+constexpr std::size_t page_width = 100;
+constexpr std::size_t name_width = 20, label_width = 10;  // of the two columns beside the text
+
+constexpr std::string_view introduction =
+    "Continuity is in time. Settings are given with --set, numbers also one per key unless it says\n"
+    "otherwise. Of the words of a setting and of the end rules the first is the default. Rates are read\n"
+    "from the columns named. Which method when: docs/choosing.md.\n";
+
+/// Characters on the screen: of UTF-8 every byte that begins one.
+std::size_t width_of(std::string_view text) {
+  return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+/// `head` and the words behind it, broken before they leave the page and continued below themselves.
+std::string wrapped(const std::string& head, std::string_view words) {
+  std::string text = head;
+  std::size_t column = width_of(head);
+  const std::size_t indent = column;
+  for (const std::string_view word : pieces_of(words, ' ')) {
+    if (column > indent && column + 1 + width_of(word) > page_width) {
+      text += "\n" + std::string(indent, ' ');
+      column = indent;
+    } else if (column > indent) {
+      text += " ";
+      ++column;
+    }
+    text += word;
+    column += width_of(word);
+  }
+  return text + "\n";
+}
+
+/// A line of its own for what a method has; nothing for what it has not.
+std::string labelled(std::string_view label, std::string_view words) {
+  if (words.empty()) return "";
+  return wrapped(fmt::format("{:{}}{:{}}", "", name_width, label, label_width), words);
+}
+
+std::string promises_of(const FamilyInfo& family) {
+  const int even = family.continuity_uniform, uneven = family.continuity_uneven;
+  std::string text = even == uneven
+                         ? fmt::format("C{} on any keys; a segment depends on ", even)
+                         : fmt::format("C{} on even keys, C{} on uneven ones; a segment depends on ", even, uneven);
+  text += family.support_keys == all_keys ? "all keys" : fmt::format("{} keys", family.support_keys);
+  if (family.min_keys > 2) text += fmt::format("; needs {} keys", family.min_keys);
+  if (family.closes) text += "; can be closed";
+  return text;
+}
+
+std::string settings_of(const FamilyInfo& family) {
+  std::vector<std::string> settings;
+  for (const Parameter& p : family.parameters)
+    settings.push_back(fmt::format("{}={:.4g}{}", p.name, p.initial, p.per_key ? "" : " (one for all)"));
+  for (const auto& [name, words] : family.choices)
+    settings.push_back(fmt::format("{}={}", name, fmt::join(words, "|")));
+  return fmt::format("{}", fmt::join(settings, ", "));
+}
+
+std::string ends_of(const FamilyInfo& family) {
+  std::vector<std::string_view> names;
+  for (const EndRule rule : family.ends) names.push_back(name_of(rule));
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string_view rates_of(const FamilyInfo& family) {
+  constexpr std::array<std::string_view, 4> columns{"", "wx,wy,wz", "wx,wy,wz[,ax,ay,az]",
+                                                    "wx,wy,wz[,ax,ay,az[,jx,jy,jz]]"};
+  return columns[static_cast<std::size_t>(family.rate_orders)];
+}
+
+std::string entry(const FamilyInfo& family) {
+  return "\n" + wrapped(fmt::format("{:{}}", family.name, name_width), family.title) +
+         wrapped(std::string(name_width, ' '), promises_of(family)) + labelled("settings", settings_of(family)) +
+         labelled("ends", ends_of(family)) + labelled("columns", rates_of(family)) + labelled("source", family.source);
+}
+
+template <class Belongs>
+std::string chapter(std::string_view heading, Belongs belongs) {
+  std::string text;
+  for (const FamilyInfo& family : families_info())
+    if (belongs(family)) text += entry(family);
+  return text.empty() ? text : fmt::format("\n{}\n{}", heading, text);
+}
+
+std::string page() {
+  const auto is_global = [](const FamilyInfo& family) { return family.support_keys == all_keys; };
+  return std::string(introduction) +
+         chapter("THROUGH THE KEYS, LOCAL: a segment depends on a few keys",
+                 [&](const FamilyInfo& family) { return family.interpolates && !is_global(family); }) +
+         chapter("THROUGH THE KEYS, GLOBAL: equations over all keys are solved",
+                 [&](const FamilyInfo& family) { return family.interpolates && is_global(family); }) +
+         chapter("NEAR THE KEYS: they are control points",
+                 [](const FamilyInfo& family) { return !family.interpolates; });
+}
+
+}  // namespace
+
+Expected<void> methods(const MethodsOptions& options) {
+  return print_document(options.json ? json_of(families_info()) : page());
+}
+
+}  // namespace orispline::cli

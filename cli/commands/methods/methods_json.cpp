@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/methods/methods_json.hpp"
+
+#include "output/json_document.hpp"
+
+namespace orispline::cli {
+namespace {
+
+Json parameters_of(const FamilyInfo& family) {
+  Json parameters = Json::array();
+  for (const Parameter& p : family.parameters)
+    parameters.push_back({{"name", p.name},
+                          {"default", p.initial},
+                          {"min", p.lowest},
+                          {"max", p.highest},
+                          {"per_key", p.per_key},
+                          {"ghosts", p.ghosts}});
+  return parameters;
+}
+
+Json choices_of(const FamilyInfo& family) {
+  Json choices = Json::array();
+  for (const auto& [name, words] : family.choices)
+    choices.push_back({{"name", name}, {"default", words.front()}, {"words", words}});
+  return choices;
+}
+
+Json ends_of(const FamilyInfo& family) {
+  Json ends = Json::array();
+  for (const EndRule rule : family.ends) ends.push_back(name_of(rule));
+  return ends;
+}
+
+Json method(const FamilyInfo& family) {
+  return {{"name", family.name},
+          {"title", family.title},
+          {"source", family.source},
+          {"interpolates", family.interpolates},
+          {"continuity_uniform", family.continuity_uniform},
+          {"continuity_uneven", family.continuity_uneven},
+          {"keeps_constant_rate_uniform", family.keeps_constant_rate_uniform},
+          {"keeps_constant_rate_uneven", family.keeps_constant_rate_uneven},
+          {"support_keys", family.support_keys == all_keys ? Json(nullptr) : Json(family.support_keys)},
+          {"min_keys", family.min_keys},
+          {"closes", family.closes},
+          {"rate_orders", family.rate_orders},
+          {"parameters", parameters_of(family)},
+          {"choices", choices_of(family)},
+          {"ends", ends_of(family)}};
+}
+
+}  // namespace
+
+std::string json_of(std::span<const FamilyInfo> families) {
+  Json list = Json::array();
+  for (const FamilyInfo& family : families) list.push_back(method(family));
+  return document(list);
+}
+
+}  // namespace orispline::cli

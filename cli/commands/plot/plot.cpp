@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/plot/plot.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <orispline/io/output_file.hpp>
+#include <orispline/report/motion_drawing.hpp>
+#include <orispline/report/page_samples.hpp>
+
+#include "output/interruption.hpp"
+#include "output/standard_output.hpp"
+
+namespace orispline::cli {
+namespace {
+
+/// The command line, understood.
+struct Request {
+  InputRequest input;
+  std::vector<Method> methods;
+  BodyAxis axis = BodyAxis::x;
+};
+
+Expected<std::vector<Method>> methods_in(const PlotOptions& options) {
+  auto methods = options.methods.empty() ? method_requests({std::string(default_method)}, options.shape)
+                                         : method_requests(options.methods, options.shape);
+  if (methods && methods->size() > report::most_drawn_methods)
+    return usage_failure(
+        fmt::format("--method: found {} methods, wanted at most {}", methods->size(), report::most_drawn_methods));
+  return methods;
+}
+
+Expected<Request> request_in(const PlotOptions& options) {
+  FirstError checked;
+  Request request{.input = checked(input_request(options.input)),
+                  .methods = checked(methods_in(options)),
+                  .axis = checked(if_given("--axis", options.axis, choice_of(axis_choices))).value_or(BodyAxis::x)};
+  request.input.read = read_for(request.methods, std::move(request.input.read));
+  return std::move(checked).or_else(std::move(request));
+}
+
+std::string title_of(const Track& track) {
+  const std::string start = track.epoch == Decimal() ? "" : fmt::format(", t = 0 at {} s", track.epoch.to_string());
+  const std::size_t keys = track.keys.size();
+  return fmt::format("{}: {} {}{}", track.name == io::standard_stream ? "standard input" : track.name, keys,
+                     keys == 1 ? "key" : "keys", start);
+}
+
+Expected<report::MotionPicture> picture_of(const Request& request) {
+  const auto file = io::read_track(request.input.path, request.input.read, request.input.signs);
+  if (!file) return tl::unexpected(file.error());
+  const Track& track = file->track;
+  const auto axis = static_cast<Eigen::Index>(request.axis);
+  report::MotionPicture picture{.title = title_of(track),
+                                .keys = report::page_keys(track.keys),
+                                .body_axis = Eigen::Vector3d::Unit(axis),
+                                .axis_name = std::string(axis_choices[static_cast<std::size_t>(axis)].first)};
+  if (const auto warning = closing_step_warning(request.methods.front(), track.keys)) warn(*warning);
+  for (const Method& method : request.methods) {
+    const auto curve = shaped_curve(method, track);
+    if (!curve) return tl::unexpected(curve.error());
+    if (const auto warning = overwound_tangent_warning(method, track)) warn(*warning);
+    picture.methods.push_back({.name = method.name, .samples = report::sampled(*curve)});
+  }
+  return picture;
+}
+
+}  // namespace
+
+Expected<void> plot(const PlotOptions& options) {
+  return request_in(options).and_then(picture_of).and_then([&](const report::MotionPicture& picture) {
+    return io::OutputFile::open(options.path).and_then([&](io::OutputFile file) {
+      const RemovedWhenInterrupted unfinished(file.part());
+      return file.write(report::motion_drawing(picture).document()).and_then([&] { return file.finish(); });
+    });
+  });
+}
+
+}  // namespace orispline::cli

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/plot/plot_options.hpp"
+
+#include <fmt/format.h>
+
+namespace orispline::cli {
+namespace {
+
+constexpr auto plot_footer = R"(Examples:
+  orispline plot keys.csv -o motion.svg
+  orispline plot keys.csv --method auto,quintic --method slerp -o methods.svg
+  orispline plot robot.csv --set hold=1 --axis z -o tool.svg
+
+Over time: the angle from the start, |w|, |alpha| and |jerk|, the keys marked; and the way of a body axis over the unit
+sphere. At most 6 methods, each in a colour of its own.)";
+
+}  // namespace
+
+void add_plot_options(CLI::App& app, PlotOptions& o) {
+  add_input_options(app, o.input);
+  app.add_option("--method", o.methods,
+                 fmt::format("Methods to draw [{}]; repeatable, or a list with commas", default_method))
+      ->allow_extra_args(false)
+      ->type_name(methods_type)
+      ->group("Shape of the curve");
+  add_method_options(app, o.shape);
+  add_loop_options(app, o.shape);
+  const std::string group = "Output";
+  app.add_option("-o,--output", o.path, "SVG file to write, complete or not at all [standard output]")
+      ->type_name(file_type)
+      ->group(group);
+  app.add_option("--axis", o.axis, "Body axis whose way over the sphere is drawn [x]")
+      ->type_name(one_of(axis_choices))
+      ->group(group);
+  app.footer(plot_footer);
+}
+
+}  // namespace orispline::cli

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/reduce/reduce.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <orispline/base/parallel.hpp>
+
+#include "commands/reduce/reduce_page.hpp"
+#include "commands/reduce/reduce_track.hpp"
+#include "commands/smooth/smooth_report.hpp"
+#include "options/quantity.hpp"
+#include "options/threads.hpp"
+#include "output/output_folder.hpp"
+#include "output/standard_output.hpp"
+
+namespace orispline::cli {
+namespace {
+
+/// The command line, understood.
+struct Request {
+  std::vector<InputRequest> inputs;
+  std::vector<std::string> outputs;        ///< one for each input
+  std::vector<io::SampleColumns> columns;  ///< of each output
+  std::vector<Method> methods;
+  orispline::ReduceOptions reduction;
+  std::optional<orispline::SmoothOptions> smoothing;
+  unsigned threads = 1;
+};
+
+/// What the options ask of each other.
+Expected<void> agree(const ReduceOptions& options, const Request& request) {
+  const bool to_standard_output = options.output.path == io::standard_stream;
+  if (options.folder && !to_standard_output)
+    return usage_failure("found -o and --output-folder, wanted one of them: a file for the keys, or their folder");
+  if (!options.folder && options.inputs.size() > 1)
+    return usage_failure(
+        fmt::format("found {} inputs, wanted --output-folder FOLDER for their keys", options.inputs.size()));
+  if (!options.folder)
+    if (auto fits = check_summary(options.summary, options.output.path, "keys"); !fits) return fits;
+  if (options.report.path && options.inputs.size() > 1)
+    return usage_failure(
+        fmt::format("--report: found {} inputs, wanted one: a page shows one recording", options.inputs.size()));
+  return check_report(options.report, {{options.folder ? "that of the keys" : "that of -o", request.outputs.front()},
+                                       {"INPUT", options.inputs.front()}});
+}
+
+Expected<std::vector<InputRequest>> inputs_in(const ReduceOptions& options) {
+  std::vector<InputRequest> inputs;
+  for (const std::string& path : options.inputs) {
+    InputOptions input = options.input;
+    input.path = path;
+    auto request = input_request(input);
+    if (!request) return tl::unexpected(std::move(request.error()));
+    request->read.rate_orders = 0;
+    request->read.keep_exact_times = true;
+    inputs.push_back(std::move(*request));
+  }
+  return inputs;
+}
+
+Expected<std::optional<orispline::SmoothOptions>> smoothing_wanted(const ReduceOptions& options) {
+  const SmoothnessOptions& smoothness = options.smoothness;
+  if (!options.smooth && !smoothness.noise && !smoothness.smoothing_time && !smoothness.cutoff)
+    return std::optional<orispline::SmoothOptions>();
+  return smoothing_in(smoothness).map([](const orispline::SmoothOptions& found) { return std::optional(found); });
+}
+
+Expected<orispline::ReduceOptions> reduction_in(const ReduceOptions& options) {
+  FirstError checked;
+  orispline::ReduceOptions reduction{
+      .tolerance = {.angle = checked(quantity_in({"--tolerance", options.tolerance}, angle_units))},
+      .values = options.refit ? orispline::KeyValues::refitted : orispline::KeyValues::sampled};
+  const auto position =
+      checked(if_given("--position-tolerance", options.position_tolerance, quantity_of(length_units)));
+  if (position) reduction.tolerance.position = *position;
+  return std::move(checked).or_else(reduction);
+}
+
+Expected<std::vector<Method>> methods_in(const ReduceOptions& options) {
+  if (options.method != smallest_method)
+    return method_request(options.method, options.shape).map([](Method method) { return std::vector{std::move(method)}; });
+  if (any_given(options.shape)) return usage_failure("options that shape a curve want --method with one method as well");
+  return std::vector<Method>(orispline::reducing_methods.begin(), orispline::reducing_methods.end());
+}
+
+/// Every file in the format of its name, unless one is asked for.
+Expected<std::vector<io::SampleColumns>> columns_in(const ReduceOptions& options,
+                                                    const std::vector<std::string>& outputs) {
+  std::vector<io::SampleColumns> columns;
+  for (const std::string& path : outputs) {
+    OutputOptions output = options.output;
+    output.path = path;
+    const auto found = output_columns(output);
+    if (!found) return tl::unexpected(found.error());
+    if (auto kept = check_times_are_kept(found->format, options.folder ? "--output-folder" : "-o", "the tolerance");
+        !kept)
+      return tl::unexpected(std::move(kept.error()));
+    columns.push_back(*found);
+  }
+  return columns;
+}
+
+Expected<std::vector<std::string>> outputs_of(const ReduceOptions& options) {
+  if (!options.folder) return std::vector{options.output.path};
+  if (options.folder->empty()) return usage_failure("--output-folder: found an empty name, wanted FOLDER");
+  return if_given("--output-format", options.output.format, choice_of(output_format_choices))
+      .and_then(
+          [&](std::optional<io::FileFormat> format) { return outputs_in(*options.folder, options.inputs, format); });
+}
+
+Expected<Request> request_in(const ReduceOptions& options) {
+  FirstError checked;
+  Request request{.inputs = checked(inputs_in(options)),
+                  .outputs = checked(outputs_of(options)),
+                  .columns = {},
+                  .methods = {},
+                  .reduction = {},
+                  .smoothing = {},
+                  .threads = static_cast<unsigned>(checked(threads_in(options.threads)))};
+  request.columns = checked(columns_in(options, request.outputs));
+  request.methods = checked(methods_in(options));
+  request.reduction = checked(reduction_in(options));
+  request.smoothing = checked(smoothing_wanted(options));
+  if (request.methods.size() == 1)  // the settings of one method may stand in columns
+    for (InputRequest& input : request.inputs) input.read.parameters = open_parameters(request.methods.front());
+  auto read = std::move(checked).or_else(std::move(request));
+  if (!read) return read;
+  return agree(options, *read).map([&] { return std::move(*read); });
+}
+
+/// All of them, or the first complaint.
+Expected<std::vector<ReducedTrack>> open_tracks(const Request& request, const ReduceOptions& options) {
+  std::vector<std::optional<Expected<ReducedTrack>>> opened(request.inputs.size());
+  parallel_for(opened.size(), request.threads,
+               [&](std::size_t i) { opened[i] = open_track(request.inputs[i], request.smoothing); });
+  std::vector<ReducedTrack> tracks;
+  for (auto& found : opened) {
+    Expected<ReducedTrack>& track = *found;
+    if (!track) return tl::unexpected(std::move(track.error()));
+    tracks.push_back(std::move(*track));
+    if (options.position_tolerance && tracks.back().samples().positions().empty())
+      return failure(ErrorCode::bad_data, "found no positions, wanted columns px,py,pz for --position-tolerance",
+                     {.file = tracks.back().recording.track.name});
+  }
+  return tracks;
+}
+
+void warn_of(const std::vector<ReducedTrack>& tracks, const ReduceOptions& options) {
+  const auto has_positions = [](const ReducedTrack& track) { return !track.samples().positions().empty(); };
+  if (!options.position_tolerance && std::ranges::any_of(tracks, has_positions))
+    warn("positions are carried along without a bound, wanted --position-tolerance LENGTH for one");
+  for (const ReducedTrack& track : tracks)
+    if (const std::string remark = track.smoothing ? remark_on(*track.smoothing) : ""; !remark.empty())
+      warn(tracks.size() == 1 ? remark : fmt::format("{}: {}", track.recording.track.name, remark));
+}
+
+Expected<std::vector<std::vector<orispline::Reduction>>> reductions_of(const Request& request,
+                                                                      const std::vector<ReducedTrack>& tracks) {
+  std::vector<Track> samples;
+  for (const ReducedTrack& track : tracks) samples.push_back(track.reduced);
+  std::vector<std::vector<orispline::Reduction>> reductions;
+  auto found = orispline::reduce_tracks(samples, request.methods, request.reduction, request.threads);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (!found[i] && tracks.size() == 1) return tl::unexpected(std::move(found[i].error()));
+    if (!found[i]) return tl::unexpected(tracks[i].recording.track.located(std::move(found[i].error())));
+    reductions.push_back(std::move(*found[i]));
+  }
+  return reductions;
+}
+
+Expected<ReduceReport> report_of(const Request& request, std::size_t i, const ReducedTrack& track,
+                                 std::vector<orispline::Reduction> reductions) {
+  const std::size_t chosen = orispline::smallest(reductions);
+  ReduceReport report{.input = request.inputs[i].path,
+                      .output = request.outputs[i],
+                      .samples = track.samples().size(),
+                      .repairs = track.recording.repairs,
+                      .options = request.reduction,
+                      .reductions = std::move(reductions),
+                      .chosen = chosen,
+                      .times = track.recording.track.exact_times,
+                      .lines = track.recording.track.lines,
+                      .smoothed = {}};
+  if (!track.smoothing) return report;
+  return orispline::distance_of(report.reductions[chosen], track.recording.track.keys, track.smoothing->rejected)
+      .map([&](const DistanceStatistics& distance) {
+        report.smoothed = SmoothedFirst{*track.smoothing, distance};
+        return std::move(report);
+      });
+}
+
+/// Of all tracks, in their order.
+Expected<std::vector<ReduceReport>> reports_of(const Request& request, const std::vector<ReducedTrack>& tracks) {
+  auto reductions = reductions_of(request, tracks);
+  if (!reductions) return tl::unexpected(std::move(reductions.error()));
+  std::vector<ReduceReport> reports;
+  for (std::size_t i = 0; i < tracks.size(); ++i) {
+    auto report = report_of(request, i, tracks[i], std::move((*reductions)[i]));
+    if (!report) return tl::unexpected(tracks[i].recording.track.located(std::move(report.error())));
+    reports.push_back(std::move(*report));
+  }
+  return reports;
+}
+
+/// Before the work: a folder that is not there is only made with the outputs.
+Expected<void> check_outputs(const Request& request, const ReduceOptions& options) {
+  if (options.folder)
+    if (auto able = check_folder(*options.folder); !able || !std::filesystem::exists(*options.folder)) return able;
+  for (const std::string& output : request.outputs)
+    if (auto able = io::check_output(output); !able) return able;
+  return {};
+}
+
+/// All or none.
+Expected<void> write_all(const Request& request, const std::vector<ReducedTrack>& tracks,
+                         const std::vector<ReduceReport>& reports) {
+  std::vector<UnfinishedKeys> outputs;
+  for (std::size_t i = 0; i < reports.size(); ++i) {
+    auto output =
+        write_keys(reports[i].output, request.columns[i], tracks[i], reports[i].reductions[reports[i].chosen]);
+    if (!output) return tl::unexpected(std::move(output.error()));
+    outputs.push_back(std::move(*output));
+  }
+  for (UnfinishedKeys& output : outputs)
+    if (auto finished = output.writer.finish(); !finished) return finished;
+  return {};
+}
+
+}  // namespace
+
+Expected<void> reduce(const ReduceOptions& options) {
+  const auto request = request_in(options);
+  if (!request) return tl::unexpected(request.error());
+  auto page = ReportFile::open(options.report);
+  if (!page) return tl::unexpected(std::move(page.error()));
+  if (auto able = check_outputs(*request, options); !able) return able;
+  const auto tracks = open_tracks(*request, options);
+  if (!tracks) return tl::unexpected(tracks.error());
+  warn_of(*tracks, options);
+  const auto reports = reports_of(*request, *tracks);
+  if (!reports) return tl::unexpected(reports.error());
+  if (options.folder)
+    if (auto made = make_folder(*options.folder); !made) return made;
+  const ReducedTrack& first = tracks->front();
+  return page->write([&] { return page_of(reports->front(), first.reduced, options.report); })
+      .and_then([&] { return write_all(*request, *tracks, *reports); })
+      .and_then([&] { return page->finish(); })
+      .and_then([&] {
+        return options.folder ? summarise(options.summary, std::span(*reports))
+                              : summarise(options.summary, reports->front());
+      });
+}
+
+}  // namespace orispline::cli

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <orispline/reduce/reduce.hpp>
+
+#include "options/input_options.hpp"
+#include "options/method_options.hpp"
+#include "options/output_options.hpp"
+#include "options/smoothness.hpp"
+#include "output/report_file.hpp"
+#include "output/summary.hpp"
+
+namespace orispline::cli {
+
+/// In the place of a method: of those that are tried where none is named, the one with the fewest keys.
+inline constexpr std::string_view smallest_method = "smallest";
+
+/// `orispline reduce`, as typed.
+struct ReduceOptions {
+  std::vector<std::string> inputs;
+  InputOptions input;  ///< how they are read
+  OutputOptions output;
+  ReportOptions report;
+  std::string tolerance, method{smallest_method};
+  MethodOptions shape;
+  std::optional<std::string> position_tolerance, folder, threads;
+  SmoothnessOptions smoothness;
+  bool refit = false, smooth = false;
+  SummaryOptions summary;
+};
+
+/// Dense recordings in, for each the fewest keys whose curve is within the tolerance out. Nothing is written before all
+/// of them are found.
+[[nodiscard]] Expected<void> reduce(const ReduceOptions& options);
+
+}  // namespace orispline::cli

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "commands/reduce/reduce.hpp"
+#include "options/command_options.hpp"
+
+namespace orispline::cli {
+
+/// The options of `orispline reduce`, and what the help says about them.
+void add_reduce_options(CLI::App& app, ReduceOptions& options);
+
+}  // namespace orispline::cli

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/reduce/reduce_report.hpp"
+
+#include <fmt/format.h>
+
+#include "commands/sample/sample_report.hpp"
+#include "commands/smooth/smooth_report.hpp"
+#include "commands/smooth/smoothing_json.hpp"
+#include "options/quantity.hpp"
+#include "output/json_document.hpp"
+#include "output/summary.hpp"
+
+namespace orispline::cli {
+namespace {
+
+std::string line_of(const ReduceReport& report, const orispline::Reduction& reduction) {
+  const orispline::Deviation& d = reduction.deviation;
+  std::string line = fmt::format("  {:<9}{:>9}{:>9.1f}{:>14.6g}° at {} s", reduction.method.name, reduction.samples.size(),
+                                 static_cast<double>(report.samples) / static_cast<double>(reduction.samples.size()),
+                                 d.angle * degrees, report.times[d.angle_at].to_string());
+  if (d.position) line += fmt::format(", {:.6g} m at {} s", *d.position, report.times[d.position_at].to_string());
+  return line + "\n";
+}
+
+Json method_json(const ReduceReport& report, const orispline::Reduction& reduction) {
+  const orispline::Deviation& d = reduction.deviation;
+  Json json{{"method", reduction.method.name},
+            {"keys", reduction.samples.size()},
+            {"error_max_deg", d.angle * degrees},
+            {"error_max_time_s", report.times[d.angle_at].to_string()}};
+  if (!d.position) return json;
+  json["position_error_max_m"] = *d.position;
+  json["position_error_max_time_s"] = report.times[d.position_at].to_string();
+  return json;
+}
+
+Json smoothing_json(const ReduceReport& report) {
+  const auto& [smoothing, raw] = *report.smoothed;
+  return {{"smoothing_time_s", smoothing.smoothing_time},
+          {"cutoff_hz", cutoff_of(smoothing)},
+          {"criterion", criterion_of(smoothing)},
+          {"noise_rad", smoothing.noise},
+          {"rejected", places_json(smoothing.rejected, report.lines, report.times)},
+          {"raw_error_rms_deg", raw.rms * degrees},
+          {"raw_error_max_deg", raw.largest * degrees},
+          {"raw_error_max_time_s", report.times[raw.largest_at].to_string()}};
+}
+
+Json track_json(const ReduceReport& report) {
+  const orispline::Reduction& chosen = report.reductions[report.chosen];
+  const orispline::Tolerance& tolerance = report.options.tolerance;
+  Json json{{"input", report.input},
+            {"output", report.output},
+            {"samples", report.samples},
+            {"tolerance_deg", tolerance.angle * degrees}};
+  if (tolerance.bounds_positions()) json["position_tolerance_m"] = tolerance.position;
+  json["refitted"] = report.options.values == orispline::KeyValues::refitted;
+  json.update(method_json(report, chosen));
+  Json& methods = json["methods"] = Json::array();
+  for (const orispline::Reduction& reduction : report.reductions) methods.push_back(method_json(report, reduction));
+  if (report.smoothed) json["smoothing"] = smoothing_json(report);
+  return json;
+}
+
+std::string smoothed_lines(const ReduceReport& report) {
+  const auto& [smoothing, raw] = *report.smoothed;
+  return "  " + choice_line(smoothing) +
+         fmt::format("  rejected        {}{}\n", smoothing.rejected.size(),
+                     places_text(smoothing.rejected, report.lines, report.times)) +
+         fmt::format("  raw samples     {:.6g}° RMS from the keys' curve, {:.6g}° at most, at {} s\n",
+                     raw.rms * degrees, raw.largest * degrees, report.times[raw.largest_at].to_string());
+}
+
+}  // namespace
+
+std::string text_of(const ReduceReport& report) {
+  const orispline::Reduction& chosen = report.reductions[report.chosen];
+  std::string text = fmt::format("{} from {}, tolerance {:.6g}°", counted(report.samples, "sample"), report.input,
+                                 report.options.tolerance.angle * degrees);
+  if (report.options.tolerance.bounds_positions())
+    text += fmt::format(" and {:.6g} m", report.options.tolerance.position);
+  text += "\n";
+  if (const std::string repairs = text_of(report.repairs); !repairs.empty()) text += repairs + "\n";
+  text += "  method        keys    ratio  largest error, at every sample\n";
+  for (const orispline::Reduction& reduction : report.reductions) text += line_of(report, reduction);
+  if (report.smoothed) text += smoothed_lines(report);
+  return text + fmt::format("{} of {} written to {}\n", counted(chosen.samples.size(), "key"), chosen.method.name,
+                            destination(report.output));
+}
+
+std::string text_of(std::span<const ReduceReport> reports) {
+  std::string text;
+  for (const ReduceReport& report : reports) {
+    const orispline::Reduction& chosen = report.reductions[report.chosen];
+    text +=
+        fmt::format("{}: {} of {} from {}, {:.6g}° off at most", report.output, counted(chosen.samples.size(), "key"),
+                    chosen.method.name, counted(report.samples, "sample"), chosen.deviation.angle * degrees);
+    if (chosen.deviation.position) text += fmt::format(", {:.6g} m", *chosen.deviation.position);
+    if (report.smoothed)
+      text += fmt::format("; smoothed with {:.4g} s, {} rejected, {:.6g}° RMS from the raw samples",
+                          report.smoothed->smoothing.smoothing_time, report.smoothed->smoothing.rejected.size(),
+                          report.smoothed->raw.rms * degrees);
+    if (const std::string repairs = text_of(report.repairs); !repairs.empty()) text += "; " + repairs;
+    text += "\n";
+  }
+  return text;
+}
+
+std::string json_of(const ReduceReport& report) { return document(track_json(report)); }
+
+std::string json_of(std::span<const ReduceReport> reports) {
+  Json tracks = Json::array();
+  for (const ReduceReport& report : reports) tracks.push_back(track_json(report));
+  return document(tracks);
+}
+
+}  // namespace orispline::cli

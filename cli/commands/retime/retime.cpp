@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/retime/retime.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <orispline/families/registry.hpp>
+#include <orispline/tune/tune.hpp>
+
+#include "commands/compare/compare_request.hpp"
+#include "commands/retime/retime_page.hpp"
+#include "options/quantity.hpp"
+#include "output/interruption.hpp"
+
+namespace orispline::cli {
+namespace {
+
+/// The command line, understood.
+struct Request {
+  InputRequest input;
+  Method method;
+  io::SampleColumns columns;
+  orispline::RetimeOptions retiming;
+};
+
+Expected<void> agree(const RetimeOptions& options) {
+  if (!options.rate && !options.acceleration && !options.torque)
+    return usage_failure("found no limit, wanted --max-rate, --max-acceleration or --max-torque");
+  if (options.torque && !options.inertia) return usage_failure("--max-torque: wanted --inertia JX,JY,JZ as well");
+  if (options.inertia && !options.torque) return usage_failure("--inertia: wanted --max-torque as well");
+  return check_summary(options.summary, options.output.path, "keys").and_then([&] {
+    return check_report(options.report, {{"that of -o", options.output.path}, {"INPUT", options.input.path}});
+  });
+}
+
+Expected<Request> request_in(const RetimeOptions& options) {
+  FirstError checked;
+  Request request{.input = checked(input_request(options.input)),
+                  .method = checked(method_request(options.method, options.shape)),
+                  .columns = checked(output_columns(options.output)),
+                  .retiming = {}};
+  request.retiming = {.limits = {.rate = checked(if_given("--max-rate", options.rate, quantity_of(rate_units))),
+                             .acceleration = checked(
+                                 if_given("--max-acceleration", options.acceleration, quantity_of(acceleration_units))),
+                             .torque = checked(if_given("--max-torque", options.torque, quantity_of(torque_units))),
+                             .inertia = checked(if_given("--inertia", options.inertia, inertia_in))},
+                  .slowing = options.per_interval ? orispline::Slowing::per_interval : orispline::Slowing::uniform};
+  request.input.read.rate_orders = 0;
+  request.input.read.keep_as_read = true;
+  request.input.read.parameters = open_parameters(request.method);
+  auto read = std::move(checked).or_else(std::move(request));
+  if (!read) return read;
+  if (auto agreed = agree(options); !agreed) return tl::unexpected(std::move(agreed.error()));
+  return check_times_are_kept(read->columns.format, "-o", "the limits").map([&] { return std::move(*read); });
+}
+
+/// At their new times, with the digits of the file.
+Expected<void> write_keys(io::SampleWriter& writer, const Track& track, const io::TrackFile& source) {
+  std::vector<double> settings(track.settings.size());
+  for (std::size_t key = 0; key < track.keys.size(); ++key) {
+    std::ranges::transform(track.settings, settings.begin(), [key](const auto& column) { return column.second[key]; });
+    io::Sample sample{.motion = {.orientation = source.written(track.keys.orientations()[key], key)}, .settings = settings};
+    if (!track.keys.positions().empty()) sample.linear_motion.position = track.keys.positions()[key];
+    if (auto written = writer.write(track.time_of(key), sample); !written) return written;
+  }
+  return writer.finish();
+}
+
+/// Settings with a value per key belong to the curve for which the limits hold: they are written as columns.
+Expected<io::SampleColumns> columns_for(const Track& track, io::SampleColumns columns) {
+  columns.positions = !track.keys.positions().empty();
+  columns.derivatives = 0;
+  for (const auto& [name, values] : track.settings) columns.settings.push_back(name);
+  if (columns.settings.empty() || io::holds_all_columns(columns.format)) return columns;
+  return usage_failure(fmt::format("-o: {} has no column for {}, with which the limits hold, wanted CSV",
+                                   a_file_of(columns.format), columns.settings.front()));
+}
+
+}  // namespace
+
+Expected<void> retime(const RetimeOptions& options) {
+  auto request = request_in(options);
+  if (!request) return tl::unexpected(std::move(request.error()));
+  auto page = ReportFile::open(options.report);
+  if (!page) return tl::unexpected(std::move(page.error()));
+  if (auto writable = io::check_output(options.output.path); !writable) return writable;
+  const auto file = io::read_track(request->input.path, request->input.read, request->input.signs);
+  if (!file) return tl::unexpected(file.error());
+  const Track& track = file->track;
+  if (!file->ignored_columns.empty()) warn(fmt::format("not carried over: {}", fmt::join(file->ignored_columns, ", ")));
+  const orispline::MotionLimits& limits = request->retiming.limits;
+  if (limits.inertia) warn_unless_rigid(*limits.inertia);
+  auto retiming = orispline::retime(track, request->method, request->retiming);
+  if (!retiming) return tl::unexpected(placed(track, std::move(retiming.error())));
+  const auto columns = columns_for(retiming->track, request->columns);
+  if (!columns) return tl::unexpected(columns.error());
+  const RetimeReport report{.input = options.input.path,
+                            .output = options.output.path,
+                            .limits = limits,
+                            .slowing = request->retiming.slowing,
+                            .duration_before = track.keys.times().back() - track.keys.times().front(),
+                            .retiming = std::move(*retiming)};
+  return page->write([&] { return page_of(report, track, options.report); })
+      .and_then([&] { return io::SampleWriter::open(options.output.path, *columns, track.keys.size()); })
+      .and_then([&](io::SampleWriter writer) {
+        const RemovedWhenInterrupted unfinished(writer.part());
+        return write_keys(writer, report.retiming.track, *file);
+      })
+      .and_then([&] { return page->finish(); })
+      .and_then([&] { return summarise(options.summary, report); });
+}
+
+}  // namespace orispline::cli

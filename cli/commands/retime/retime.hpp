@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <orispline/retime/retime.hpp>
+
+#include "options/input_options.hpp"
+#include "options/method_options.hpp"
+#include "options/output_options.hpp"
+#include "output/report_file.hpp"
+#include "output/summary.hpp"
+
+namespace orispline::cli {
+
+/// `orispline retime`, as typed.
+struct RetimeOptions {
+  InputOptions input;
+  OutputOptions output;
+  ReportOptions report;
+  std::string method{default_method};
+  MethodOptions shape;
+  std::optional<std::string> rate, acceleration, torque, inertia;
+  bool per_interval = false;
+  SummaryOptions summary;
+};
+
+/// Keyframes in, the same at later times out, so that the motion stays within the limits.
+[[nodiscard]] Expected<void> retime(const RetimeOptions& options);
+
+}  // namespace orispline::cli

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "commands/sample/sample_times.hpp"
+#include "options/input_options.hpp"
+#include "options/method_options.hpp"
+#include "options/output_options.hpp"
+#include "output/summary.hpp"
+
+namespace orispline::cli {
+
+enum class Extrapolation { hold, error };
+
+inline constexpr std::array frame_choices{Choice<io::Frame>{"body", io::Frame::body},
+                                          Choice<io::Frame>{"world", io::Frame::world}};
+inline constexpr std::array extrapolation_choices{Choice<Extrapolation>{"hold", Extrapolation::hold},
+                                                  Choice<Extrapolation>{"error", Extrapolation::error}};
+
+/// `orispline sample`, as typed.
+struct SampleOptions {
+  InputOptions input;
+  std::string method{default_method};
+  MethodOptions shape;
+  TimeOptions times;
+  OutputOptions output;
+  std::optional<std::string> derivatives, frame, extrapolate, truth, threads;
+  SummaryOptions summary;
+};
+
+/// Keyframes in, samples of the curve through them out.
+[[nodiscard]] Expected<void> sample(const SampleOptions& options);
+
+}  // namespace orispline::cli

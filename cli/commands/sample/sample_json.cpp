@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/sample/sample_report.hpp"
+
+#include "commands/sample/sample.hpp"
+#include "options/quantity.hpp"
+#include "output/json_document.hpp"
+#include "output/repairs_json.hpp"
+
+namespace orispline::cli {
+namespace {
+
+Json truth(const TruthReport& truth) {
+  const DistanceStatistics& d = truth.distance;
+  return {{"file", truth.path},
+          {"compared", d.count},
+          {"distance_rms_deg", d.rms * degrees},
+          {"distance_mean_deg", d.mean * degrees},
+          {"distance_max_deg", d.largest * degrees},
+          {"distance_max_time_s", truth.largest_time.to_string()}};
+}
+
+/// The names of the columns, where they may be many.
+Json columns_of(const io::SampleColumns& columns) {
+  return io::holds_all_columns(columns.format) ? Json(io::column_names(columns)) : Json(nullptr);
+}
+
+}  // namespace
+
+std::string json_of(const SampleReport& report) {
+  Json json{{"input", report.input},
+            {"output", report.output},
+            {"output_format", word_of(output_format_choices, report.columns.format)},
+            {"output_orientation", word_of(orientation_choices, report.columns.form.representation)},
+            {"method", report.method},
+            {"keys", report.keys},
+            {"start_s", report.start.to_string()},
+            {"end_s", report.end.to_string()},
+            {"samples", report.samples},
+            {"held_samples", report.held_samples},
+            {"columns", columns_of(report.columns)},
+            {"derivatives", report.columns.derivatives},
+            {"frame", word_of(frame_choices, report.columns.frame)},
+            {"sign_flips", report.keyframes.sign_flips},
+            {"non_unit_keys", report.keyframes.non_unit_keys}};
+  add_repairs(json, report.repairs);
+  json["truth"] = report.truth ? truth(*report.truth) : Json(nullptr);
+  return document(json);
+}
+
+}  // namespace orispline::cli

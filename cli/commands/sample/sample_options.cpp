@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/sample/sample_options.hpp"
+
+#include <fmt/format.h>
+
+#include "options/method_options.hpp"
+
+namespace orispline::cli {
+namespace {
+
+constexpr auto sample_footer = R"(Examples:
+  orispline sample keys.csv --rate 100 -o motion.csv
+  orispline sample keys.csv --method quintic --tension=0.4 --ends natural --count 500 | head
+  orispline sample flight.csv --method timed-c2 --start-rate=0,0,0.5 --times frames.csv -o motion.csv
+  orispline sample keys.csv --method squad-timed --set variant=boyle --rate 100 -o motion.csv
+  orispline sample robot.csv --set hold=1 --rate 100 -o motion.csv
+  orispline sample loop.csv --method timed-c2 --closed --rate 100 -o lap.csv
+  orispline sample trajectory.tum --drop-duplicates --rate 200 -o smooth.tum
+  orispline sample data.csv --rate 200 --output-orientation euler -o motion.csv
+  orispline sample keys.csv --rate 100000 -o motion.npy
+  orispline sample ck.csv --columns t=sclk,qw=q0,qx=q1,qy=q2,qz=q3 --conjugate --rate 10 --frame world
+
+INPUT has the columns t,qw,qx,qy,qz and optionally px,py,pz, wx,wy,wz[,ax,ay,az[,jx,jy,jz]] (for methods that take
+rates) and one column per parameter of the method (a value per key); a parameter on the command line wins over its
+column. Instead of the quaternion: roll,pitch,yaw; e1,e2,e3 with --euler; r11,r12,...,r33; rx,ry,rz.
+'-' is standard input or output.
+Columns out: t,qw,qx,qy,qz[,px,py,pz][,wx,wy,wz[,ax,ay,az[,jx,jy,jz]]][,vx,vy,vz[,apx,apy,apz]]
+in s, m, rad/s, rad/s^2, rad/s^3, m/s, m/s^2; angular rates in the body frame, positions and theirs in the world frame.
+TUM and EuRoC files always have positions: zeros when the keys have none.
+A NumPy file (-o motion.npy) is one array of doubles, shape (samples, columns), with the columns of the CSV.
+Without -o the samples go to standard output as CSV; summaries and warnings go to standard error.)";
+
+void add_time_options(CLI::App& app, TimeOptions& o) {
+  const std::string group = "Times (one of --rate, --count, --times)";
+  app.add_option("--rate", o.rate, "Samples per second, from the start up to the end")->type_name("HZ")->group(group);
+  app.add_option("--count", o.count, "Number of samples, both ends included")->type_name("N")->group(group);
+  app.add_option("--times", o.list, "File with one time a line, in any order")->type_name(file_type)->group(group);
+  app.add_option("--from", o.from, "Start [s], in the time of INPUT [of the curve]")->type_name("T")->group(group);
+  app.add_option("--to", o.to, "End [s], in the time of INPUT [of the curve]")->type_name("T")->group(group);
+}
+
+}  // namespace
+
+void add_sample_options(CLI::App& app, SampleOptions& o) {
+  add_input_options(app, o.input);
+  app.add_option("--method", o.method, fmt::format("Method [{}]; see 'orispline methods'", default_method))
+      ->type_name(method_type)
+      ->group("Shape of the curve");
+  add_method_options(app, o.shape);
+  add_loop_options(app, o.shape);
+  add_time_options(app, o.times);
+  app.add_option("--extrapolate", o.extrapolate, "Outside the curve hold the end orientation, or fail [hold]")
+      ->type_name(one_of(extrapolation_choices))
+      ->group("Times (one of --rate, --count, --times)");
+  add_output_options(app, o.output);
+  const std::string group = "Output";
+  app.add_option("--derivatives", o.derivatives, "Highest order of the rates [2 for CSV and npy, else 0]")
+      ->type_name("0|1|2|3")
+      ->group(group);
+  app.add_option("--frame", o.frame, "Frame of the angular rates [body]")
+      ->type_name(one_of(frame_choices))
+      ->group(group);
+  app.add_option("--threads", o.threads, "Threads that make the samples, which are the same on any number [all cores]")
+      ->type_name("N")
+      ->group(group);
+  app.add_option("--truth", o.truth, "Key file that the curve is compared with, in the summary")
+      ->type_name(file_type)
+      ->group(group);
+  app.add_flag("--json", o.summary.json, "Print the summary as JSON on standard output; needs -o")->group(group);
+  app.add_flag("--quiet", o.summary.quiet, "No summary, no progress bar")->group(group);
+  app.footer(sample_footer);
+}
+
+}  // namespace orispline::cli

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <orispline/analysis/distance.hpp>
+#include <orispline/io/key_file.hpp>
+#include <orispline/io/sample_writer.hpp>
+
+namespace orispline::cli {
+
+/// The distance of the curve to a file of reference orientations.
+struct TruthReport {
+  std::string path;
+  DistanceStatistics distance;
+  Decimal largest_time;  ///< in the file's own time [s]
+};
+
+/// What `orispline sample` did.
+struct SampleReport {
+  std::string input{}, output{}, method{};
+  std::size_t keys = 0;
+  io::RepairReport repairs{};
+  KeyframeReport keyframes{};
+  io::SampleColumns columns{};
+  std::size_t samples = 0, held_samples = 0;
+  std::size_t rate_orders = 0;                        ///< of the keys' own rates that the curve has
+  std::vector<std::string> rates_of_unknown_frame{};  ///< columns that could not be used
+  Decimal start{}, end{};                         ///< of the curve, in the file's own time [s]
+  std::optional<TruthReport> truth{};
+};
+
+/// `1 key`, `2 keys`
+[[nodiscard]] std::string counted(std::size_t count, std::string_view noun);
+
+/// A few lines for people.
+[[nodiscard]] std::string text_of(const SampleReport& report);
+
+/// What reading touched, one clause each: `dropped 2 rows of duplicate times`; empty when nothing.
+[[nodiscard]] std::string text_of(const io::RepairReport& repairs);
+
+/// One JSON document, described in docs/inspect-json.md.
+[[nodiscard]] std::string json_of(const SampleReport& report);
+
+}  // namespace orispline::cli

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <orispline/io/sample_writer.hpp>
+
+#include "commands/sample/sample_times.hpp"
+#include "options/method_options.hpp"
+#include "output/progress.hpp"
+
+namespace orispline::cli {
+
+/// What is sampled, and on how many threads.
+struct Sampling {
+  const PoseCurve& curve;
+  const SampleTimes& times;
+  io::SampleColumns columns;
+  std::size_t threads = 1;
+};
+
+/// Writes every sample, the same on any number of threads; the number of those that hold an end orientation.
+///
+/// Memory does not grow with the number of samples.
+[[nodiscard]] Expected<std::size_t> write_samples(io::SampleWriter& writer, const Sampling& sampling,
+                                                  Progress::Show show);
+
+}  // namespace orispline::cli

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/smooth/smooth.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <orispline/families/registry.hpp>
+#include <orispline/io/track_file.hpp>
+
+#include "commands/sample/sample_times.hpp"
+#include "commands/smooth/smooth_page.hpp"
+#include "commands/smooth/smooth_report.hpp"
+#include "options/method_options.hpp"
+#include "options/quantity.hpp"
+#include "output/interruption.hpp"
+#include "output/standard_output.hpp"
+
+namespace orispline::cli {
+namespace {
+
+/// The command line, understood.
+struct Request {
+  InputRequest input;
+  orispline::SmoothOptions smoothing;
+  io::SampleColumns columns;
+  std::optional<TimeRequest> times;  ///< of samples
+};
+
+/// What the options ask of each other.
+Expected<void> agree(const SmoothOptions& options) {
+  if (options.gyro_noise && !options.gyro) return usage_failure("--gyro-noise: wanted --gyro as well");
+  if (options.gyro && options.gap) return usage_failure("--gap: wanted no --gyro, which bridges gaps");
+  return check_summary(options.summary, options.output.path, "keys").and_then([&] {
+    return check_report(options.report, {{"that of -o", options.output.path}, {"INPUT", options.input.path}});
+  });
+}
+
+Expected<Request> request_in(const SmoothOptions& options) {
+  if (auto agreed = agree(options); !agreed) return tl::unexpected(std::move(agreed.error()));
+  FirstError checked;
+  Request request{.input = checked(input_request(options.input)),
+                  .smoothing = checked(smoothing_in(options.smoothness)),
+                  .columns = checked(output_columns(options.output)),
+                  .times = {}};
+  orispline::SmoothOptions& smoothing = request.smoothing;
+  smoothing.penalty =
+      checked(if_given("--penalty", options.penalty, choice_of(penalty_choices))).value_or(smoothing.penalty);
+  smoothing.loss = checked(if_given("--loss", options.loss, choice_of(loss_choices))).value_or(smoothing.loss);
+  smoothing.gap = checked(if_given("--gap", options.gap, positive_in));
+  smoothing.gyro = options.gyro;
+  smoothing.gyro_noise = checked(if_given("--gyro-noise", options.gyro_noise, quantity_of(angle_units)));
+  if (TimeOptions times; options.rate) {
+    times.rate = options.rate;
+    request.times = checked(time_request(times));
+  }
+  request.input.read.rate_orders = options.gyro ? 1 : 0;
+  request.input.read.world_rates = true;
+  request.input.read.keep_exact_times = true;
+  return std::move(checked).or_else(std::move(request));
+}
+
+Expected<std::size_t> write_keys(io::SampleWriter& writer, const orispline::Smoothing& smoothed) {
+  const Keyframes& keys = smoothed.track.keys;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    io::Sample sample{.motion = {.orientation = keys.orientations()[i],
+                                 .angular_velocity = keys.angular_velocities()[i],
+                                 .angular_acceleration = keys.angular_accelerations()[i]}};
+    if (!keys.positions().empty()) sample.linear_motion.position = keys.positions()[i];
+    if (auto written = writer.write(smoothed.track.time_of(i), sample); !written)
+      return tl::unexpected(std::move(written.error()));
+  }
+  return keys.size();
+}
+
+/// Samples of the curve through the keys, but none between two stretches.
+Expected<std::size_t> write_samples(io::SampleWriter& writer, const orispline::Smoothing& smoothed, const TimeRequest& request) {
+  const auto curve = make_pose_curve(smoothed.method, smoothed.track.keys);
+  if (!curve) return tl::unexpected(curve.error());
+  const auto times = SampleTimes::make(request, smoothed.track.epoch, curve->orientation.domain());
+  if (!times) return tl::unexpected(times.error());
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < times->size(); ++k) {
+    const Instant instant = (*times)[k];
+    if (!covers(smoothed, smoothed.track.keys.times(), instant.t)) continue;
+    io::Sample sample{.motion = curve->orientation.motion(instant.t)};
+    if (curve->position) sample.linear_motion = curve->position->linear_motion(instant.t);
+    if (auto written = writer.write(times->origin().plus(instant.offset), sample); !written)
+      return tl::unexpected(std::move(written.error()));
+    ++count;
+  }
+  return count;
+}
+
+Expected<std::size_t> write(const std::string& path, const Request& request, const orispline::Smoothing& smoothed) {
+  io::SampleColumns columns = request.columns;
+  columns.derivatives = io::holds_all_columns(columns.format) ? 2 : 0;
+  columns.positions = !smoothed.track.keys.positions().empty();
+  return io::SampleWriter::open(path, columns, smoothed.track.keys.size()).and_then([&](io::SampleWriter writer) {
+    const RemovedWhenInterrupted unfinished(writer.part());
+    const auto written = request.times ? write_samples(writer, smoothed, *request.times) : write_keys(writer, smoothed);
+    return written.and_then([&](std::size_t count) { return writer.finish().map([count] { return count; }); });
+  });
+}
+
+}  // namespace
+
+Expected<void> smooth(const SmoothOptions& options) {
+  const auto request = request_in(options);
+  if (!request) return tl::unexpected(request.error());
+  auto page = ReportFile::open(options.report);
+  if (!page) return tl::unexpected(std::move(page.error()));
+  const auto file = io::read_track(request->input.path, request->input.read, request->input.signs);
+  if (!file) return tl::unexpected(file.error());
+  const Track& recording = file->track;
+  auto smoothing = orispline::smooth(recording, request->smoothing);
+  if (!smoothing) return tl::unexpected(placed(recording, std::move(smoothing.error())));
+  if (const std::string remark = remark_on(*smoothing); !remark.empty()) warn(remark);
+  if (!io::holds_all_columns(request->columns.format))
+    warn("this format holds no rates: wx,wy,wz,ax,ay,az are not written, wanted a CSV file for them");
+  SmoothReport report{.recording = recording,
+                      .repairs = file->repairs,
+                      .output = options.output.path,
+                      .penalty = request->smoothing.penalty,
+                      .loss = request->smoothing.loss,
+                      .positions = !recording.keys.positions().empty(),
+                      .samples = request->times.has_value(),
+                      .smoothing = std::move(*smoothing)};
+  return page->write([&] { return page_of(report, options.report); })
+      .and_then([&] { return write(options.output.path, *request, report.smoothing); })
+      .map([&](std::size_t rows) { report.rows = rows; })
+      .and_then([&] { return page->finish(); })
+      .and_then([&] { return summarise(options.summary, report); });
+}
+
+}  // namespace orispline::cli

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "commands/smooth/smooth.hpp"
+#include "options/command_options.hpp"
+
+namespace orispline::cli {
+
+/// The options of `orispline smooth`, and what the help says about them.
+void add_smooth_options(CLI::App& app, SmoothOptions& options);
+
+}  // namespace orispline::cli

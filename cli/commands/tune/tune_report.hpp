@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <orispline/tune/tune.hpp>
+
+namespace orispline::cli {
+
+/// What `orispline tune` did.
+struct TuneReport {
+  std::string input{}, output{};
+  orispline::Objective objective{};
+  std::vector<double> times{};  ///< of the keys [s], in the file's own time
+  orispline::Tuning tuning{};
+};
+
+/// The unit of an objective.
+[[nodiscard]] std::string_view unit_of(orispline::Objective objective);
+
+/// A few lines for people.
+[[nodiscard]] std::string text_of(const TuneReport& report);
+
+/// One JSON document, described in docs/inspect-json.md.
+[[nodiscard]] std::string json_of(const TuneReport& report);
+
+}  // namespace orispline::cli

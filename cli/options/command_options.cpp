@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "options/command_options.hpp"
+
+#include <fmt/format.h>
+
+namespace orispline::cli {
+
+void add_input_options(CLI::App& app, InputOptions& o, std::string_view default_signs) {
+  app.add_option("INPUT", o.path, "CSV, TUM or EuRoC file of keyframes; '-' is standard input")
+      ->required()
+      ->type_name(file_type);
+  add_reading_options(app, o, default_signs);
+}
+
+void add_reading_options(CLI::App& app, InputOptions& o, std::string_view default_signs) {
+  const std::string group = "Reading";
+  app.add_option("--input-format", o.format, "Format of INPUT [by extension and content]")
+      ->type_name(one_of(format_choices))
+      ->group(group);
+  app.add_option("--columns", o.columns, "Other names of columns: t=sclk_ticks,qw=q0_w,...")
+      ->allow_extra_args(false)
+      ->type_name("NAME=COLUMN,...")
+      ->group(group);
+  app.add_option("--order", o.order, "Order of the quaternion columns when there is no header")
+      ->type_name(one_of(order_choices))
+      ->group(group);
+  app.add_option("--input-orientation", o.orientation, "What states the orientation [quaternion, else what is there]")
+      ->type_name(one_of(orientation_choices))
+      ->group(group);
+  app.add_option("--euler", o.euler, "Order of Euler angles: ZYX, XYZ, ZXZ, ... body axes; zyx, ... world axes [ZYX]")
+      ->type_name("ORDER")
+      ->group(group);
+  app.add_option("--angle-unit", o.angle_unit, "Of Euler angles whose column does not end in _deg or _rad")
+      ->type_name(one_of(angle_unit_choices))
+      ->group(group);
+  app.add_option("--time-scale", o.time_scale, "Seconds per unit of the time column [by its name, else 1]")
+      ->type_name("X")
+      ->group(group);
+  app.add_flag("--conjugate", o.conjugate, "The file holds world to body (SPICE, CCSDS)")->group(group);
+  app.add_option("--signs", o.signs, fmt::format("Negate quaternions for the shortest way, or not [{}]", default_signs))
+      ->type_name(one_of(sign_choices))
+      ->group(group);
+  app.add_flag("--drop-duplicates", o.drop_duplicates, "Of equal times keep the first row")->group(group);
+  app.add_flag("--drop-invalid", o.drop_invalid, "Drop rows with NaN, infinite or empty cells")->group(group);
+  app.add_flag("--sort", o.sort, "Sort the rows by time")->group(group);
+}
+
+void add_method_options(CLI::App& app, MethodOptions& o) {
+  const std::string group = "Shape of the curve";
+  app.add_option("--tension", o.tension, "Short for --set tension=X[,X...]")->type_name("X[,X...]")->group(group);
+  app.add_option("--set", o.settings, "A number, or one per key with commas; or a word where it is a choice")
+      ->allow_extra_args(false)
+      ->type_name(setting_type)
+      ->group(group);
+  app.add_option("--ends", o.ends, "End rule for both ends, or for each; see 'orispline methods'")
+      ->type_name(ends_type)
+      ->group(group);
+  app.add_option("--start-rate", o.start_rate, "Body rate at the first key [rad/s]; means --ends clamped there")
+      ->type_name("WX,WY,WZ")
+      ->group(group);
+  app.add_option("--end-rate", o.end_rate, "Body rate at the last key [rad/s]; means --ends clamped there")
+      ->type_name("WX,WY,WZ")
+      ->group(group);
+}
+
+void add_loop_options(CLI::App& app, MethodOptions& o) {
+  const std::string group = "Shape of the curve";
+  app.add_flag("--closed", o.closed, "A loop: the last key is the first one again, and joins it smoothly")
+      ->group(group);
+  app.add_option("--period", o.period, "A loop whose first key returns T seconds after it")
+      ->type_name("T")
+      ->group(group);
+}
+
+void add_output_file(CLI::App& app, std::string& path) {
+  app.add_option("-o,--output", path, "File to write, complete or not at all [standard output]")
+      ->type_name(file_type)
+      ->group("Output");
+}
+
+void add_summary_options(CLI::App& app, SummaryOptions& o) {
+  app.add_flag("--json", o.json, "Print the summary as JSON on standard output; needs -o")->group("Output");
+  app.add_flag("--quiet", o.quiet, "No summary")->group("Output");
+}
+
+void add_report_option(CLI::App& app, ReportOptions& o) {
+  app.add_option("--report", o.path, "Write a page to look at in a browser: measures, plots and a view in space")
+      ->type_name(file_type)
+      ->group("Output");
+}
+
+void add_output_options(CLI::App& app, OutputOptions& o) {
+  const std::string group = "Output";
+  add_output_file(app, o.path);
+  app.add_option("--output-format", o.format, "Format of the output [tum for .tum, npy for .npy, else csv]")
+      ->type_name(one_of(output_format_choices))
+      ->group(group);
+  app.add_option("--output-orientation", o.orientation,
+                 "Columns that state the orientation, in CSV and npy [quaternion]")
+      ->type_name(one_of(orientation_choices))
+      ->group(group);
+  app.add_option("--output-euler", o.euler, "Order of Euler angles that are written [ZYX: roll, pitch, yaw]")
+      ->type_name("ORDER")
+      ->group(group);
+  app.add_option("--output-angle-unit", o.angle_unit, "Unit of Euler angles that are written [deg]")
+      ->type_name(one_of(angle_unit_choices))
+      ->group(group);
+}
+
+}  // namespace orispline::cli

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "options/input_options.hpp"
+
+#include <fmt/format.h>
+
+namespace orispline::cli {
+namespace {
+
+using ColumnNames = std::map<std::string, std::string, std::less<>>;
+
+Expected<ColumnNames> column_names(const std::vector<std::string>& lists) {
+  ColumnNames names;
+  for (const std::string& list : lists)
+    for (const std::string_view piece : pieces_of(list, ',')) {
+      const auto assignment = assignment_in({"--columns", piece});
+      if (!assignment) return tl::unexpected(assignment.error());
+      const auto& [name, in_file] = *assignment;
+      if (!names.emplace(name, in_file).second) return usage_failure(fmt::format("--columns: '{}' stands twice", name));
+    }
+  return names;
+}
+
+Expected<io::OrientationReading> orientation_reading(const InputOptions& options) {
+  FirstError checked;
+  io::OrientationReading reading{
+      .representation = checked(if_given("--input-orientation", options.orientation, choice_of(orientation_choices))),
+      .euler = checked(if_given("--euler", options.euler, euler_order_in)),
+      .angle_unit = checked(if_given("--angle-unit", options.angle_unit, choice_of(angle_unit_choices)))};
+  return std::move(checked).or_else(std::move(reading));
+}
+
+Expected<Decimal> positive_decimal_in(OptionText option) {
+  const auto number = decimal_in(option);
+  if (!number || *number <= Decimal()) return wanted(option, "a number greater than 0");
+  return *number;
+}
+
+}  // namespace
+
+Expected<EulerOrder> euler_order_in(OptionText option) {
+  if (const auto order = euler_order_of(option.text)) return *order;
+  return wanted(option, "three axes such as ZYX (those of the body) or zyx (of the world), none twice in a row");
+}
+
+Expected<InputRequest> input_request(const InputOptions& options, Signs signs) {
+  if (options.path.empty()) return usage_failure("INPUT: found an empty name, wanted FILE or -");
+  FirstError checked;
+  io::ReadOptions read{.format = checked(if_given("--input-format", options.format, choice_of(format_choices))),
+                       .columns = checked(column_names(options.columns)),
+                       .order = checked(if_given("--order", options.order, choice_of(order_choices))),
+                       .orientation = checked(orientation_reading(options)),
+                       .time_scale = checked(if_given("--time-scale", options.time_scale, positive_decimal_in)),
+                       .conjugate = options.conjugate,
+                       .drop_duplicates = options.drop_duplicates,
+                       .drop_invalid = options.drop_invalid,
+                       .sort = options.sort};
+  const auto given_signs = checked(if_given("--signs", options.signs, choice_of(sign_choices)));
+  return std::move(checked).or_else(
+      InputRequest{.path = options.path, .read = std::move(read), .signs = given_signs.value_or(signs)});
+}
+
+}  // namespace orispline::cli

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <orispline/io/key_file.hpp>
+
+#include "options/option_text.hpp"
+
+namespace orispline::cli {
+
+inline constexpr std::array format_choices{Choice<io::FileFormat>{"csv", io::FileFormat::csv},
+                                           Choice<io::FileFormat>{"tum", io::FileFormat::tum},
+                                           Choice<io::FileFormat>{"euroc", io::FileFormat::euroc}};
+inline constexpr std::array orientation_choices{
+    Choice<io::Representation>{"quaternion", io::Representation::quaternion},
+    Choice<io::Representation>{"euler", io::Representation::euler},
+    Choice<io::Representation>{"matrix", io::Representation::matrix},
+    Choice<io::Representation>{"rotvec", io::Representation::rotation_vector}};
+inline constexpr std::array angle_unit_choices{Choice<io::AngleUnit>{"deg", io::AngleUnit::degrees},
+                                               Choice<io::AngleUnit>{"rad", io::AngleUnit::radians}};
+inline constexpr std::array order_choices{Choice<io::QuaternionOrder>{"wxyz", io::QuaternionOrder::wxyz},
+                                          Choice<io::QuaternionOrder>{"xyzw", io::QuaternionOrder::xyzw}};
+inline constexpr std::array sign_choices{Choice<Signs>{"shortest", Signs::shortest},
+                                         Choice<Signs>{"as-given", Signs::as_given}};
+
+/// How the user wants a file of keyframes to be read, as typed.
+struct InputOptions {
+  std::string path;
+  std::optional<std::string> format, order, orientation, euler, angle_unit, time_scale, signs;
+  std::vector<std::string> columns;
+  bool conjugate = false, drop_duplicates = false, drop_invalid = false, sort = false;
+};
+
+/// The same, understood.
+struct InputRequest {
+  std::string path;
+  io::ReadOptions read;
+  Signs signs = Signs::shortest;
+};
+
+/// `signs`: where the user says nothing about them.
+[[nodiscard]] Expected<InputRequest> input_request(const InputOptions& options, Signs signs = Signs::shortest);
+
+/// The order of three turns: `ZYX`, `zyx`.
+[[nodiscard]] Expected<EulerOrder> euler_order_in(OptionText option);
+
+}  // namespace orispline::cli

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <orispline/curve/method.hpp>
+#include <orispline/curve/pose_curve.hpp>
+#include <orispline/families/registry.hpp>
+#include <orispline/io/track_file.hpp>
+
+namespace orispline::cli {
+
+/// How the user wants a method to be shaped, as typed.
+struct MethodOptions {
+  std::vector<std::string> settings;  ///< NAME=X[,X…] or NAME=WORD
+  std::optional<std::string> tension, ends, start_rate, end_rate, period;
+  bool closed = false;
+};
+
+[[nodiscard]] inline bool any_given(const MethodOptions& o) {
+  return !o.settings.empty() || o.tension || o.ends || o.start_rate || o.end_rate || o.period || o.closed;
+}
+
+/// `NAME` or `NAME:SETTING=VALUE:…`, shaped by the other options as well. Every error names its option.
+[[nodiscard]] Expected<Method> method_request(std::string_view method, const MethodOptions& options);
+
+/// Several methods, by names or lists of names with commas between them, all shaped alike.
+[[nodiscard]] Expected<std::vector<Method>> method_requests(const std::vector<std::string>& lists,
+                                                            const MethodOptions& options);
+
+/// The family of a method that was understood.
+[[nodiscard]] const FamilyInfo& family_of(const Method& method);
+
+/// How a file is read for these methods: with the columns that one of them takes.
+[[nodiscard]] io::ReadOptions read_for(std::span<const Method> methods, io::ReadOptions read);
+
+/// Parameters of the method that the command line leaves to the columns of the key file.
+[[nodiscard]] std::vector<std::string> open_parameters(const Method& method);
+
+/// What the command line says and, where it is silent, the columns of the file.
+[[nodiscard]] Method completed(const Method& method, const Track& track);
+
+/// A line about a loop whose closing step is so much shorter than every other one that its rates are huge; else
+/// nothing.
+[[nodiscard]] std::optional<std::string> closing_step_warning(const Method& method, const Keyframes& keys);
+
+/// A line about a handle that turns a full turn or more away from its key, where a curve of slerps loses its
+/// continuity; else nothing.
+[[nodiscard]] std::optional<std::string> overwound_tangent_warning(const Method& method, const Track& track);
+
+/// Every `NAME=` or `NAME=WORD` that some method takes.
+[[nodiscard]] std::vector<std::string> known_settings();
+/// Every end rule that some method has.
+[[nodiscard]] std::vector<std::string> known_end_rules();
+
+/// The curve through the keys, shaped by the command line and, where that is silent, by the columns of the file.
+///
+/// A value that the file is to blame for is bad_data and names its line.
+[[nodiscard]] Expected<PoseCurve> shaped_curve(const Method& method, const Track& track);
+
+/// The error with its place in the file, unless the command line alone is at fault.
+[[nodiscard]] Error placed(const Track& track, Error error);
+
+}  // namespace orispline::cli

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "options/option_text.hpp"
+
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <orispline/io/text_table.hpp>
+
+namespace orispline::cli {
+
+tl::unexpected<Error> usage_failure(std::string message) {
+  return failure(ErrorCode::bad_argument, std::move(message));
+}
+
+tl::unexpected<Error> wanted(OptionText option, std::string_view what) {
+  return usage_failure(fmt::format("{}: found '{}', wanted {}", option.option, option.text, what));
+}
+
+Expected<double> number_in(OptionText option) {
+  const auto number = io::number_of(option.text);
+  if (!number || !std::isfinite(*number)) return wanted(option, "a number");
+  return *number;
+}
+
+Expected<std::vector<double>> numbers_in(OptionText option) {
+  std::vector<double> numbers;
+  for (const std::string_view piece : pieces_of(option.text, ',')) {
+    const auto number = number_in({option.option, piece});
+    if (!number) return wanted(option, "numbers with commas between them");
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+Expected<Eigen::Vector3d> vector_in(OptionText option) {
+  const auto numbers = numbers_in(option);
+  if (!numbers || numbers->size() != 3) return wanted(option, "three numbers with commas between them");
+  return Eigen::Vector3d((*numbers)[0], (*numbers)[1], (*numbers)[2]);
+}
+
+Expected<std::size_t> count_in(OptionText option, std::size_t lowest) {
+  std::size_t count = 0;
+  const char* const end = option.text.data() + option.text.size();
+  const auto [stop, error] = std::from_chars(option.text.data(), end, count);
+  if (error != std::errc{} || stop != end || count < lowest)
+    return wanted(option, fmt::format("a whole number from {} on", lowest));
+  return count;
+}
+
+Expected<Decimal> decimal_in(OptionText option) {
+  auto number = Decimal::parse(option.text);
+  if (!number) return wanted(option, "a number");
+  return number;
+}
+
+Expected<std::pair<std::string_view, std::string_view>> assignment_in(OptionText option) {
+  const std::size_t equals = option.text.find('=');
+  if (equals == 0 || equals == std::string_view::npos || equals + 1 == option.text.size())
+    return wanted(option, "NAME=VALUE");
+  return std::pair{option.text.substr(0, equals), option.text.substr(equals + 1)};
+}
+
+std::vector<std::string_view> pieces_of(std::string_view text, char separator) {
+  std::vector<std::string_view> pieces;
+  for (std::size_t end = text.find(separator); end != std::string_view::npos; end = text.find(separator)) {
+    pieces.push_back(text.substr(0, end));
+    text.remove_prefix(end + 1);
+  }
+  pieces.push_back(text);
+  return pieces;
+}
+
+}  // namespace orispline::cli

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <orispline/base/expected.hpp>
+#include <orispline/base/decimal.hpp>
+#include <orispline/math/eigen.hpp>
+
+// What the text after an option means. Every error is bad_argument and begins with the option.
+
+namespace orispline::cli {
+
+/// An option as the user typed it.
+struct OptionText {
+  std::string_view option;
+  std::string_view text;
+};
+
+[[nodiscard]] tl::unexpected<Error> usage_failure(std::string message);
+
+/// `--rate: found 'fast', wanted a number`.
+[[nodiscard]] tl::unexpected<Error> wanted(OptionText option, std::string_view what);
+
+/// A finite number.
+[[nodiscard]] Expected<double> number_in(OptionText option);
+/// Finite numbers between commas.
+[[nodiscard]] Expected<std::vector<double>> numbers_in(OptionText option);
+/// Three finite numbers between commas.
+[[nodiscard]] Expected<Eigen::Vector3d> vector_in(OptionText option);
+/// A whole number from `lowest` on.
+[[nodiscard]] Expected<std::size_t> count_in(OptionText option, std::size_t lowest);
+/// An exact number.
+[[nodiscard]] Expected<Decimal> decimal_in(OptionText option);
+/// The two sides of `NAME=VALUE`, neither empty.
+[[nodiscard]] Expected<std::pair<std::string_view, std::string_view>> assignment_in(OptionText option);
+
+/// The pieces between the separators; one empty piece for an empty text.
+[[nodiscard]] std::vector<std::string_view> pieces_of(std::string_view text, char separator);
+
+/// One word of an option's vocabulary and what it stands for.
+template <class T>
+using Choice = std::pair<std::string_view, T>;
+
+/// `body|world`: the vocabulary as the help shows it.
+template <class T, std::size_t N>
+[[nodiscard]] std::string one_of(const std::array<Choice<T>, N>& choices) {
+  std::string words;
+  for (const auto& [word, value] : choices) words.append(words.empty() ? "" : "|").append(word);
+  return words;
+}
+
+/// The word that stands for a value.
+template <class T, std::size_t N>
+[[nodiscard]] std::string_view word_of(const std::array<Choice<T>, N>& choices, T value) {
+  return std::ranges::find(choices, value, &Choice<T>::second)->first;
+}
+
+/// Reads a word of the vocabulary.
+template <class T, std::size_t N>
+[[nodiscard]] auto choice_of(const std::array<Choice<T>, N>& choices) {
+  return [&choices](OptionText option) -> Expected<T> {
+    for (const auto& [word, value] : choices)
+      if (word == option.text) return value;
+    return wanted(option, one_of(choices));
+  };
+}
+
+/// Reads an option only if the user typed it.
+template <class Read>
+[[nodiscard]] auto if_given(std::string_view option, const std::optional<std::string>& text, Read read)
+    -> Expected<std::optional<typename std::invoke_result_t<Read, OptionText>::value_type>> {
+  using Value = typename std::invoke_result_t<Read, OptionText>::value_type;
+  if (!text) return std::optional<Value>();
+  return read(OptionText{option, *text}).map([](Value value) { return std::optional<Value>(std::move(value)); });
+}
+
+/// Lets options be read one after the other and keeps the first complaint.
+class FirstError {
+ public:
+  /// The value, or after an error a default one that nobody gets to see.
+  template <class T>
+  [[nodiscard]] T operator()(Expected<T> result) {
+    if (result) return std::move(*result);
+    if (!error_) error_ = std::move(result.error());
+    return T{};
+  }
+
+  /// What was read, unless there was a complaint.
+  template <class T>
+  [[nodiscard]] Expected<T> or_else(T value) && {
+    if (error_) return tl::unexpected(std::move(*error_));
+    return value;
+  }
+
+ private:
+  std::optional<Error> error_;
+};
+
+}  // namespace orispline::cli

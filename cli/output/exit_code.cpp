@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/exit_code.hpp"
+
+#include "output/standard_output.hpp"
+
+namespace orispline::cli {
+
+ExitCode report(const Error& error) {
+  tell("orispline: " + describe(error) + "\n");
+  switch (error.code) {
+    case ErrorCode::bad_argument:
+      tell("Run 'orispline --help', or '--help' after a command, for what is accepted.\n");
+      return ExitCode::bad_usage;
+    case ErrorCode::bad_access:
+      return ExitCode::bad_access;
+    case ErrorCode::bad_data:
+    case ErrorCode::not_converged:
+    case ErrorCode::cancelled:
+      break;
+  }
+  return ExitCode::bad_data;
+}
+
+}  // namespace orispline::cli

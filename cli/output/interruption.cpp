@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/interruption.hpp"
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+
+#include <unistd.h>
+
+namespace orispline::cli {
+namespace {
+
+using Place = std::atomic<const char*>;  // a signal handler may touch nothing that locks or allocates
+static_assert(Place::is_always_lock_free);
+
+std::array<Place, 1000> unfinished{};  // null: nothing to remove
+
+bool is_free(const Place& place) { return place.load() == nullptr; }
+
+void remove_and_end(int signal) {
+  for (const Place& place : unfinished)
+    if (const char* path = place.load()) unlink(path);
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
+void on_interruption(void (*handler)(int)) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+    if (std::signal(signal, handler) == SIG_IGN) std::signal(signal, SIG_IGN);  // as a caller like nohup wants it
+}
+
+}  // namespace
+
+RemovedWhenInterrupted::RemovedWhenInterrupted(const std::string& path) : path_(path) {
+  const auto place = std::ranges::find_if(unfinished, is_free);
+  if (path_.empty() || place == unfinished.end()) return;
+  place_ = &*place;
+  *place_ = path_.c_str();
+  on_interruption(remove_and_end);
+}
+
+RemovedWhenInterrupted::~RemovedWhenInterrupted() {
+  if (place_ == nullptr) return;
+  *place_ = nullptr;
+  if (std::ranges::all_of(unfinished, is_free)) on_interruption(SIG_DFL);
+}
+
+}  // namespace orispline::cli

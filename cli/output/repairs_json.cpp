@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/repairs_json.hpp"
+
+namespace orispline::cli {
+
+void add_repairs(Json& json, const io::RepairReport& repairs) {
+  json["duplicates_dropped"] = repairs.duplicates_dropped;
+  json["invalid_dropped"] = repairs.invalid_dropped;
+  json["rows_moved"] = repairs.rows_moved;
+}
+
+}  // namespace orispline::cli

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <orispline/curve/pose_curve.hpp>
+#include <orispline/report/page_samples.hpp>
+
+#include "commands/compare/compare_report.hpp"
+#include "output/report_file.hpp"
+
+// What the pages of all commands with `--report` have alike.
+
+namespace orispline::cli {
+
+/// A page that says what it is about, with the keys; of very many some, and a note that says so.
+[[nodiscard]] report::Page begun_page(std::string title, const ReportOptions& options, const Decimal& epoch,
+                                      const Keyframes& keys);
+
+/// The keys as a page has them.
+[[nodiscard]] report::PageKeys keys_in_page(const Keyframes& keys);
+
+/// Orientations over time, all of them.
+[[nodiscard]] report::PagePath path_of(std::span<const double> times, std::span<const Eigen::Quaterniond> orientations);
+
+/// The columns of measures, the ones first that people look at first.
+[[nodiscard]] std::vector<report::PageColumn> columns_of(std::vector<CompareFigure> figures);
+
+/// A curve as a page shows it, its torques too where the inertia [kg m²] is known.
+[[nodiscard]] report::PageSamples samples_of(const PoseCurve& curve, const std::optional<Eigen::Matrix3d>& inertia,
+                                             std::size_t count);
+
+/// A curve that a page shows, with its own keys.
+struct ShownCurve {
+  std::string name;
+  Keyframes keys;
+  PoseCurve curve;
+  Measures measures;
+};
+
+/// What all curves of a page have alike.
+struct CurvePage {
+  ComparedData data;  ///< the recording, without sets of keys
+  std::vector<CompareFigure> figures{};
+  std::optional<Eigen::Matrix3d> inertia{};  ///< [kg m²]: torques are shown too
+};
+
+/// A recording, or keys, that the curves of a page are measured against; `file` names it.
+[[nodiscard]] ComparedData compared_with(std::string file, const Decimal& epoch, const Keyframes& samples);
+
+/// How many samples of a curve, of a recording and of errors a page has at most where it has few curves.
+inline constexpr std::size_t samples_of_few = 2000;
+
+/// The curve with its keys and measures, not yet with errors.
+[[nodiscard]] report::PageMethod method_of(const CurvePage& page, const ShownCurve& curve);
+
+/// Angles [deg] between the curve and a recording, at times of the recording that lie on the curve.
+[[nodiscard]] report::PageErrors errors_at(const PoseCurve& curve, const report::PagePath& recording);
+
+/// What the head says where errors or curves of so many samples are not shown in full.
+[[nodiscard]] std::vector<std::string> notes_on_samples(std::size_t samples);
+
+/// The method with the largest of these errors, and none over the gaps.
+[[nodiscard]] report::PageMethod with_errors(report::PageMethod method, const report::PageErrors& errors,
+                                             const report::Covers& covers);
+
+}  // namespace orispline::cli

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: Apache-2.0
+// He et al. 2022, examples 1 and 2.
+#include "papers/experiment.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include <orispline/families/beta.hpp>
+#include <orispline/report/sphere.hpp>
+
+#include "papers/papers_algebra.hpp"
+#include "papers/sampling.hpp"
+
+namespace orispline::cli {
+namespace {
+
+using report::Notation;
+namespace color = report::color;
+
+constexpr double degrees = 180.0 / std::numbers::pi;
+
+/// Quaternions as the paper prints them.
+using Points = std::vector<Eigen::Quaterniond>;
+
+Points example1() {
+  return {quaternion_wxyz(-0.2011, -0.7478, 0.0791, 0.6278), quaternion_wxyz(-0.1603, 0.6073, 0.3653, 0.6871),
+          quaternion_wxyz(-0.4696, 0.0554, -0.8480, -0.2394), quaternion_wxyz(-0.5268, -0.5665, -0.4194, -0.4751),
+          quaternion_wxyz(0.6921, -0.2551, 0.1314, 0.6623)};
+}
+
+Points example2() {
+  return {quaternion_wxyz(0.6387, -0.6301, -0.3306, 0.2927), quaternion_wxyz(0.4412, -0.7009, -0.5567, 0.0646),
+          quaternion_wxyz(-0.8180, 0.5011, 0.0249, 0.2813), quaternion_wxyz(0.7494, -0.5340, -0.0433, -0.3891),
+          quaternion_wxyz(0.9914, 0.0398, 0.1179, -0.0393)};
+}
+
+/// q_{1,0} … q_{2,3} of example 1 in the paper, the common one once.
+Points printed_control_points() {
+  return {quaternion_wxyz(-0.3796, 0.4589, 0.1106, 0.7956),    quaternion_wxyz(-0.4610, 0.6671, -0.1507, 0.5655),
+          quaternion_wxyz(-0.5894, 0.4380, -0.6543, 0.1810),   quaternion_wxyz(-0.6093, 0.1514, -0.7734, -0.0877),
+          quaternion_wxyz(-0.5263, -0.1607, -0.7619, -0.3415), quaternion_wxyz(-0.5474, -0.3901, -0.6038, -0.4284),
+          quaternion_wxyz(-0.3509, -0.7065, -0.5548, -0.2642)};
+}
+
+constexpr double beta1 = 1.0, beta2 = 0.5;  // of both examples, at every point
+
+/// The Beta curve of an example; times and local parameters have the same scale.
+struct BetaExample {
+  Keyframes keys;
+  CubicBezierCurve curve;
+};
+
+Expected<BetaExample> beta_example(Points points, Signs signs, double beta2_of_point1 = beta2) {
+  KeyframeData data{.times = {0.0, 1.0, 2.0, 3.0, 4.0}, .orientations = std::move(points)};
+  return Keyframes::make(std::move(data), signs).and_then([&](const Keyframes& keys) {
+    const CurveOptions options{
+        .parameters = {{"beta1", {beta1}}, {"beta2", {beta2, beta2_of_point1, beta2, beta2, beta2}}}};
+    return settle(families::Beta::info, options, keys.size())
+        .and_then([&](const FamilySettings& settings) { return families::Beta::curve(keys, settings); })
+        .map([&](CubicBezierCurve curve) {
+          return BetaExample{keys, std::move(curve)};
+        });
+  });
+}
+
+Points control_points(const CubicBezierCurve& curve) {
+  Points points{curve.polygon().bases[0]};
+  for (const Eigen::Vector3d& increment : curve.polygon().increments)
+    points.push_back(points.back() * exp<double>(increment));
+  return points;
+}
+
+/// s' and s'' of the two segments where they meet, in the local parameter.
+struct Joint {
+  AnyQuaternion before1, before2, after1, after2;
+};
+
+Joint joint_of(const CubicBezierCurve& curve) {
+  const auto t = Jet<double, 2>::variable(curve.knots().times()[1]);
+  const auto before = curve.orientation(t, 0), after = curve.orientation(t, 1);
+  return {derivative(before, 1), derivative(before, 2), derivative(after, 1), derivative(after, 2)};
+}
+
+double g1_residual(const Joint& j) { return gap(j.after1, beta1 * j.before1); }
+
+double g2_residual(const Joint& j, double delta) {
+  return gap(j.after2, beta1 * beta1 * j.before2 + delta * j.before1);
+}
+
+/// The δ that leaves the least of the second constraint.
+double best_delta(const Joint& j) {
+  const AnyQuaternion missing = j.after2 - beta1 * beta1 * j.before2;
+  return (missing * j.before1.conjugate()).scalar() / j.before1.norm();
+}
+
+/// What the condition of theorem 2, (10), leaves at the joint of point 2.
+struct Theorem2 {
+  double as_printed, corrected, gamma;
+};
+
+Theorem2 theorem2(const BetaExample& example) {
+  const double gamma = 2.0 * (1.0 + beta1) / (beta2 + 2.0 * beta1 * (1.0 + beta1));
+  const double delta = gamma + 1.0 + beta1 * beta1 * gamma;
+  const auto p = example.keys.orientations();
+  const Points q = control_points(example.curve);
+  const auto log_of = [](const AnyQuaternion& a, const AnyQuaternion& b) { return half_log(a * b); };
+  const AnyQuaternion joint = q[3], left = joint * log_of(q[2].conjugate(), q[4]);
+  const AnyQuaternion first = gamma / delta * (joint * log_of(p[2].conjugate(), p[3]));
+  const AnyQuaternion printed = beta1 * gamma / delta * (log_of(p[1].conjugate(), p[2]) * joint);
+  const AnyQuaternion right = beta1 * beta1 * gamma / delta * (log_of(p[2], p[1].conjugate()) * joint);
+  return {gap(left, first + printed), gap(left, first + right), gamma};
+}
+
+report::Table control_points_table(const BetaExample& example) {
+  report::Table table{.title = "Example 1: the control points of the two segments, in brackets as printed",
+                      .columns = {{"point"},
+                                  {"qw", Notation::fixed, 6},
+                                  {"qx", Notation::fixed, 6},
+                                  {"qy", Notation::fixed, 6},
+                                  {"qz", Notation::fixed, 6},
+                                  {"printed"},
+                                  {"largest difference", Notation::scientific, 1}}};
+  constexpr std::array names{"q10", "q11", "q12", "q13 = q20", "q21", "q22", "q23"};
+  const Points found = control_points(example.curve), printed = printed_control_points();
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const Eigen::Quaterniond &q = found[i], &p = printed[i];
+    table.rows.push_back({names[i], q.w(), q.x(), q.y(), q.z(),
+                          fmt::format("({:.4f}, {:.4f}, {:.4f}, {:.4f})", p.w(), p.x(), p.y(), p.z()),
+                          (q.coeffs() - p.coeffs()).lpNorm<Eigen::Infinity>()});
+  }
+  table.notes = {
+      "All seven agree to the printed digits, but only with the signs of the points as given: steps up to 252°."};
+  return table;
+}
+
+struct NamedExample {
+  std::string signs;
+  BetaExample example;
+};
+
+Expected<std::vector<NamedExample>> with_both_signs(const Points& points, double beta2_of_point1 = beta2) {
+  std::vector<NamedExample> examples;
+  for (const auto& [name, signs] : {std::pair{"as given", Signs::as_given}, std::pair{"shortest", Signs::shortest}}) {
+    auto example = beta_example(points, signs, beta2_of_point1);
+    if (!example) return tl::unexpected(std::move(example.error()));
+    examples.push_back({name, std::move(*example)});
+  }
+  return examples;
+}
+
+report::Table residuals_table(const std::string& title, const std::vector<NamedExample>& examples) {
+  report::Table table{.title = title + ": what the constraints leave at the joint; 0 would be G1 and G2",
+                      .columns = {{"signs"},
+                                  {"G1", Notation::scientific, 1},
+                                  {"G2", Notation::shortest, 3},
+                                  {"|s''|", Notation::shortest, 3},
+                                  {"best delta", Notation::fixed, 4},
+                                  {"G2 with it", Notation::shortest, 3},
+                                  {"(10) printed", Notation::shortest, 3},
+                                  {"(10) corrected", Notation::shortest, 3},
+                                  {"times 6/gamma", Notation::shortest, 3}}};
+  for (const auto& [signs, example] : examples) {
+    const Joint joint = joint_of(example.curve);
+    const Theorem2 theorem = theorem2(example);
+    const double best = best_delta(joint);
+    table.rows.push_back({signs, g1_residual(joint), g2_residual(joint, beta2), std::sqrt(joint.after2.norm()), best,
+                          g2_residual(joint, best), theorem.as_printed, theorem.corrected,
+                          6.0 / theorem.gamma * theorem.corrected});
+  }
+  table.notes = {"G1: |s2'(0) - beta1 s1'(1)|. G2: |s2''(0) - beta1² s1''(1) - delta s1'(1)| with delta = beta2 = 0.5.",
+                 "G2 fails for every delta, and so does the condition (10), as printed and corrected: docs/errata.md.",
+                 "Corrected, (10) is the G2 constraint itself, up to the factor 6/gamma."};
+  return table;
+}
+
+report::SpherePath path_of(const CubicBezierCurve& curve, std::string_view stroke) {
+  const AnyCurve any(curve);
+  return {axis_path(any, even_times(any.domain(), 401), Eigen::Vector3d::UnitX()), {stroke, 2.0}};
+}
+
+std::vector<report::SphereDot> dots(const BetaExample& example) {
+  std::vector<report::SphereDot> dots;
+  for (const Eigen::Vector3d& x : axis_path(example.keys.orientations(), Eigen::Vector3d::UnitX()))
+    dots.push_back({x, fmt::format("P{}", dots.size())});
+  return dots;
+}
+
+Picture path_picture(const BetaExample& example) {
+  report::Drawing drawing(860, 400);
+  report::SpherePicture picture{{path_of(example.curve, color::blue)}, dots(example)};
+  report::draw(drawing, report::facing(picture.paths[0].directions), {215.0, 205.0}, 165.0, picture);
+  drawing.text({215.0, 24.0}, "example 1: path of the body's x axis");
+  report::Chart chart{.title = "angular acceleration |α| [rad/s²]: it jumps at the joint",
+                      .series = {over_time(AnyCurve(example.curve), acceleration)},
+                      .marks = marks_at(example.curve.knots().times())};
+  chart.series[0].stroke = {color::blue, 2.0};
+  report::draw(drawing, {475.0, 90.0, 355.0, 220.0}, chart);
+  return {"001-example1", std::move(drawing)};
+}
+
+/// Example 2 with one value of β₂ at point 1.
+struct Variant {
+  double beta2_of_point1;
+  std::string_view color;
+  std::vector<NamedExample> examples;  ///< signs as given, shortest signs
+};
+
+Expected<std::vector<Variant>> variants() {
+  std::vector<Variant> result;
+  for (const auto& [value, name] :
+       {std::pair{0.5, color::blue}, std::pair{2.0, color::ink}, std::pair{4.0, color::red}}) {
+    auto examples = with_both_signs(example2(), value);
+    if (!examples) return tl::unexpected(std::move(examples.error()));
+    result.push_back({value, name, std::move(*examples)});
+  }
+  return result;
+}
+
+report::Table effect_table(const std::vector<Variant>& all) {
+  report::Table table{.title = "Figure 4: example 2 with beta2 of point 1 at 0.5, 2 and 4",
+                      .columns = {{"signs"},
+                                  {"beta2"},
+                                  {"first joint to point 1 [degrees]", Notation::fixed, 3},
+                                  {"moved by at most [degrees]", Notation::fixed, 3},
+                                  {"at the last joint", Notation::fixed, 3}}};
+  for (const std::size_t signs : {0U, 1U}) {
+    const AnyCurve base(all[0].examples[signs].example.curve);
+    for (const Variant& variant : all) {
+      const auto& [name, example] = variant.examples[signs];
+      const AnyCurve curve(example.curve);
+      const Domain domain = curve.domain();
+      table.rows.push_back({name, variant.beta2_of_point1,
+                            degrees * angular_distance(curve(domain.start), example.keys.orientations()[1]),
+                            degrees * largest_distance(curve, base, even_times(domain, 401)),
+                            degrees * angular_distance(curve(domain.end), base(domain.end))});
+    }
+  }
+  table.notes = {"A larger beta2 draws the joint to its control point. The last joint depends on other points only."};
+  return table;
+}
+
+Picture effect_picture(const std::vector<Variant>& all) {
+  report::Drawing drawing(860, 430);
+  for (const std::size_t signs : {0U, 1U}) {
+    report::SpherePicture picture{{}, dots(all[0].examples[signs].example)};
+    std::vector<report::Series> legend;
+    for (const Variant& variant : all) {
+      picture.paths.push_back(path_of(variant.examples[signs].example.curve, variant.color));
+      legend.push_back({fmt::format("β₁,₂ = {:g}", variant.beta2_of_point1), {}, {}, {variant.color}});
+    }
+    const double x = signs == 0 ? 215.0 : 645.0;
+    report::draw(drawing, report::facing(picture.paths[0].directions), {x, 250.0}, 165.0, picture);
+    drawing.text({x, 60.0}, "signs " + all[0].examples[signs].signs);
+    if (signs == 0) report::draw_legend(drawing, {50.0, 20.0}, legend);
+  }
+  return {"001-example2", std::move(drawing)};
+}
+
+}  // namespace
+
+Expected<Findings> experiment::beta_example1() {
+  return with_both_signs(example1()).map([](const std::vector<NamedExample>& examples) {
+    return Findings{{control_points_table(examples[0].example), residuals_table("Example 1", examples)},
+                    {path_picture(examples[0].example)}};
+  });
+}
+
+Expected<Findings> experiment::beta_example2() {
+  return variants().map([](const std::vector<Variant>& all) {
+    return Findings{{residuals_table("Example 2", all[0].examples), effect_table(all)}, {effect_picture(all)}};
+  });
+}
+
+}  // namespace orispline::cli

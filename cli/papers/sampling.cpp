@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "papers/sampling.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace orispline::cli {
+namespace {
+
+constexpr int steps_per_segment = 100;
+
+/// The motion at the times of one segment, one-sided at its ends.
+std::vector<std::pair<double, Motion>> motions_of_segment(const AnyCurve& curve, std::size_t segment) {
+  const KnotSpan span = curve.knots().span(segment);
+  std::vector<std::pair<double, Motion>> motions;
+  for (int k = 0; k <= steps_per_segment; ++k) {
+    const double t = std::lerp(span.start(), span.t[span.i + 1], static_cast<double>(k) / steps_per_segment);
+    motions.emplace_back(t, curve.motion(t, k == steps_per_segment ? Side::left : Side::right));
+  }
+  return motions;
+}
+
+}  // namespace
+
+std::vector<double> even_times(Domain domain, std::size_t count) {
+  std::vector<double> times;
+  for (std::size_t i = 0; i < count; ++i)
+    times.push_back(std::lerp(domain.start, domain.end, static_cast<double>(i) / static_cast<double>(count - 1)));
+  return times;
+}
+
+std::vector<Eigen::Vector3d> axis_path(const AnyCurve& curve, std::span<const double> times,
+                                       const Eigen::Vector3d& axis) {
+  std::vector<Eigen::Vector3d> path;
+  for (const double t : times) path.push_back(to_world<double>(curve(t), axis));
+  return path;
+}
+
+std::vector<Eigen::Vector3d> axis_path(std::span<const Eigen::Quaterniond> orientations, const Eigen::Vector3d& axis) {
+  std::vector<Eigen::Vector3d> path;
+  for (const Eigen::Quaterniond& q : orientations) path.push_back(to_world<double>(q, axis));
+  return path;
+}
+
+report::Series over_time(const AnyCurve& curve, const std::function<double(const Motion&)>& figure) {
+  report::Series series;
+  for (std::size_t segment = 0; segment < curve.knots().segments(); ++segment) {
+    for (const auto& [t, motion] : motions_of_segment(curve, segment)) {
+      series.x.push_back(t);
+      series.y.push_back(figure(motion));
+    }
+    series.x.push_back(series.x.back());
+    series.y.push_back(std::numeric_limits<double>::quiet_NaN());
+  }
+  return series;
+}
+
+double largest_over_time(const AnyCurve& curve, const std::function<double(const Motion&)>& figure) {
+  return report::range_of(over_time(curve, figure).y).high;
+}
+
+double largest_distance(const AnyCurve& a, const AnyCurve& b, std::span<const double> times) {
+  double largest = 0.0;
+  for (const double t : times) largest = std::max(largest, angular_distance(a(t), b(t)));
+  return largest;
+}
+
+std::vector<report::Mark> marks_at(std::span<const double> knots) {
+  std::vector<report::Mark> marks;
+  for (const double t : knots) marks.push_back({t, fmt::format("{:g} s", t)});
+  return marks;
+}
+
+double seconds_of(const std::function<void()>& work) {
+  std::array<double, 9> seconds{};
+  for (double& s : seconds) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+  std::ranges::nth_element(seconds, seconds.begin() + seconds.size() / 2);
+  return seconds[seconds.size() / 2];
+}
+
+}  // namespace orispline::cli

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// The 6th degree, section 4.2 and figure 7: the paper's uneven knots.
+#include "papers/experiment.hpp"
+
+#include <fmt/format.h>
+
+#include <orispline/report/chart.hpp>
+
+#include "papers/example_data.hpp"
+#include "papers/recipe.hpp"
+#include "papers/sampling.hpp"
+
+namespace orispline::cli {
+namespace {
+
+using report::Notation;
+namespace color = report::color;
+
+const std::vector<double> knots{0.0, 0.5, 1.5, 2.25, 4.0};
+
+std::vector<Recipe> methods() {
+  return {{"6th degree, β = 1/12", "sextic", {1.0 / 12.0}, {color::red, 1.8}},
+          {"6th degree, β = 0.025", "sextic", {0.025}, {color::purple, 1.8}},
+          {"timed-c3", "timed-c3", {}, {color::blue, 1.8}},
+          {"timed-sextic", "timed-sextic", {}, {color::green, 1.8}}};
+}
+
+report::Table jumps(const std::vector<Served>& curves) {
+  report::Table table{.title = "|ω| [rad/s] before and after each inner knot of 0, 0.5, 1.5, 2.25, 4 s",
+                      .columns = {{"curve"},
+                                  {"continuity"},
+                                  {"knot [s]"},
+                                  {"before", Notation::fixed, 6},
+                                  {"after", Notation::fixed, 6},
+                                  {"before/after", Notation::fixed, 6},
+                                  {"steps after/before", Notation::fixed, 6},
+                                  {"|jump of ω|", Notation::scientific, 1}}};
+  for (const auto& [recipe, curve] : curves)
+    for (std::size_t i = 1; i + 1 < knots.size(); ++i) {
+      const Motion before = curve.motion(knots[i], Side::left), after = curve.motion(knots[i], Side::right);
+      table.rows.push_back({recipe.label, measured_continuity(curve), knots[i], speed(before), speed(after),
+                            speed(before) / speed(after), (knots[i + 1] - knots[i]) / (knots[i] - knots[i - 1]),
+                            (before.angular_velocity - after.angular_velocity).norm()});
+    }
+  table.notes = {
+      "The curves of the paper are G3 here: ω jumps at every knot, by exactly the ratio of the steps beside it.",
+      "The timed methods are C3 in time on any knots; nothing jumps.",
+      "The paper's keys are not published: ours are the five of examples/data/five_keys.csv, at the paper's times."};
+  return table;
+}
+
+Picture picture(const std::vector<Served>& curves) {
+  report::Drawing drawing(860, 560);
+  report::Chart velocity{.title = "angular velocity |ω| [rad/s]", .series = {}, .marks = marks_at(knots)};
+  report::Chart acceleration_chart{
+      .title = "angular acceleration |α| [rad/s²]", .series = {}, .marks = marks_at(knots)};
+  for (const auto& [recipe, curve] : curves) {
+    velocity.series.push_back(over_time(curve, speed));
+    acceleration_chart.series.push_back(over_time(curve, acceleration));
+    for (report::Series* series : {&velocity.series.back(), &acceleration_chart.series.back()}) {
+      series->label = recipe.label;
+      series->stroke = recipe.stroke;
+    }
+  }
+  report::draw_legend(drawing, {50.0, 18.0}, velocity.series);
+  report::draw(drawing, {50.0, 58.0, 780.0, 200.0}, velocity);
+  report::draw(drawing, {50.0, 318.0, 780.0, 200.0}, acceleration_chart);
+  return {"003-figure7", std::move(drawing)};
+}
+
+}  // namespace
+
+Expected<Findings> experiment::sudden_turn() {
+  return five_keys_at(knots)
+      .and_then([](const Keyframes& keys) { return curves_through(keys, methods()); })
+      .map([](const std::vector<Served>& curves) {
+        return Findings{{jumps(curves)}, {picture(curves)}};
+      });
+}
+
+}  // namespace orispline::cli

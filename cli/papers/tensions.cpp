@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tan et al. 2018, figures 2 and 3.
+#include "papers/experiment.hpp"
+
+#include <array>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include <orispline/report/chart.hpp>
+#include <orispline/report/sphere.hpp>
+
+#include "papers/example_data.hpp"
+#include "papers/recipe.hpp"
+#include "papers/sampling.hpp"
+
+namespace orispline::cli {
+namespace {
+
+using report::Notation;
+using report::Point;
+namespace color = report::color;
+
+constexpr double degrees = 180.0 / std::numbers::pi;
+const std::vector<double> even{0.0, 1.0, 2.0, 3.0, 4.0};
+constexpr std::array colors{color::grey, color::blue, color::red, color::green, color::purple, color::gold};
+constexpr auto our_keys =
+    "The paper's keys are not published: ours are the five of examples/data/five_keys.csv, at t = 0, 1, 2, 3, 4 s.";
+
+report::SpherePicture paths_of(const std::vector<Served>& curves, const Keyframes& keys) {
+  report::SpherePicture picture;
+  for (const Served& served : curves)
+    picture.paths.push_back({axis_path(served.curve, even_times(served.curve.domain(), 401), Eigen::Vector3d::UnitX()),
+                             served.recipe.stroke});
+  for (const Eigen::Vector3d& x : axis_path(keys.orientations(), Eigen::Vector3d::UnitX()))
+    picture.dots.push_back({x, std::to_string(picture.dots.size() + 1)});
+  return picture;
+}
+
+/// Figure 2: all tensions 0.35 but that of key 3.
+std::vector<Recipe> with_tension_of_key3(std::initializer_list<double> values) {
+  std::vector<Recipe> recipes;
+  for (const double value : values)
+    recipes.push_back(
+        {fmt::format("α₃ = {:g}", value), "quintic", {0.35, 0.35, value, 0.35, 0.35}, {colors[recipes.size()], 2.0}});
+  return recipes;
+}
+
+report::Table one_tension_table(const std::vector<Served>& curves, const AnyCurve& base) {
+  report::Table table{.title = "How far the curve moves when the tension of key 3 is not 0.35: largest angle [degrees]",
+                      .columns = {{"tensions"}}};
+  for (int segment = 1; segment <= 4; ++segment)
+    table.columns.push_back({fmt::format("segment {}", segment), Notation::fixed, 4});
+  table.columns.push_back({"|ω| at key 3 [rad/s]", Notation::fixed, 4});
+  table.columns.push_back({"|α| at key 3 [rad/s²]", Notation::fixed, 4});
+  for (const Served& served : curves) {
+    auto& row = table.rows.emplace_back(std::vector<report::Cell>{text_of(served.recipe.tension)});
+    for (std::size_t i = 0; i + 1 < even.size(); ++i)
+      row.emplace_back(degrees * largest_distance(served.curve, base, even_times({even[i], even[i + 1]}, 101)));
+    const Motion at_key = served.curve.motion(even[2]);
+    row.emplace_back(speed(at_key));
+    row.emplace_back(acceleration(at_key));
+  }
+  table.notes = {"One tension reaches the two segments beside its key and no others.",
+                 "At the key ω = α (a + b)/h: a tension of 0 is a stop, a negative one a kink, as the paper says.",
+                 our_keys};
+  return table;
+}
+
+/// Figure 3: the three schemes it compares with, then the quintic with the tension vectors of (e) to (j).
+std::vector<Recipe> schemes_of_figure3() {
+  const auto all = [](double value) { return std::vector<double>(5, value); };
+  return {{"B-spline", "bspline-through", {}, {"#b4b4b4", 4.5}},
+          {"ν = 0", "nu", {}, {color::sky}},
+          {"ATBI type", "atbi", {}, {color::ink}},
+          {"α = 0.35", "quintic", all(0.35), {color::blue}},
+          {"α = 0.6", "quintic", all(0.6), {color::red}},
+          {"α = 0.1, 0.6, 0, 0.6, 0.1", "quintic", {0.1, 0.6, 0.0, 0.6, 0.1}, {color::green}},
+          {"α = 1", "quintic", all(1.0), {color::purple}},
+          {"α = 2", "quintic", all(2.0), {color::gold}},
+          {"α = 0", "quintic", all(0.0), {color::frame}}};
+}
+
+report::Table motions_table(const std::vector<Served>& curves) {
+  report::Table table{.title = "The rotations of figure 3 (b) to (j)",
+                      .columns = {{"curve"},
+                                  {"method"},
+                                  {"continuity"},
+                                  {"largest |ω| [rad/s]", Notation::fixed, 3},
+                                  {"largest |α| [rad/s²]", Notation::fixed, 3},
+                                  {"|ω| at key 3 [rad/s]", Notation::fixed, 3}}};
+  for (const Served& served : curves)
+    table.rows.push_back({served.recipe.label, served.recipe.method, measured_continuity(served.curve),
+                          largest_over_time(served.curve, speed), largest_over_time(served.curve, acceleration),
+                          speed(served.curve.motion(even[2]))});
+  table.notes = {"Continuity in time, measured at the keys. With α = 0 every key is a stop.",
+                 "The text of the ATBI paper could not be had: this is a curve of its type (docs/families/atbi.md).",
+                 our_keys};
+  return table;
+}
+
+/// Figure 3: 17 bodies on a straight line per curve, the keys green and the new ones red.
+Picture frames(const std::vector<Served>& curves) {
+  constexpr double row_height = 66.0, left = 205.0, spacing = 39.5;
+  report::Drawing drawing(860, 20.0 + row_height * static_cast<double>(curves.size()));
+  const report::View view({1.0, -0.9, 0.8});
+  double y = 44.0;
+  for (const Served& served : curves) {
+    drawing.text({14.0, y + 4.0}, served.recipe.label, {report::Anchor::start});
+    const auto times = even_times(served.curve.domain(), 17);
+    for (std::size_t k = 0; k < times.size(); ++k)
+      report::draw_body(drawing, view, {left + spacing * static_cast<double>(k), y}, 23.0, served.curve(times[k]),
+                        k % 4 == 0 ? color::green : color::red);
+    y += row_height;
+  }
+  return {"000-figure3", std::move(drawing)};
+}
+
+using Figure = std::function<double(const Motion&)>;
+
+report::Chart chart_of(const std::string& title, std::span<const Served> curves, const Figure& figure) {
+  report::Chart chart{.title = title, .series = {}, .marks = marks_at(even)};
+  for (const auto& [recipe, curve] : curves) {
+    chart.series.push_back(over_time(curve, figure));
+    chart.series.back().label = recipe.label;
+    chart.series.back().stroke = recipe.stroke;
+  }
+  return chart;
+}
+
+/// Over time: the four schemes of (b), (c), (d) and (f), then the tensions of (e) to (j).
+Picture rates(const std::vector<Served>& curves) {
+  const std::vector<Served> schemes{curves[0], curves[1], curves[2], curves[4]};
+  const auto tensions = std::span(curves).subspan(3);
+  report::Drawing drawing(860, 740);
+  double top = 58.0;
+  for (const report::Chart& chart :
+       {chart_of("angular velocity |ω| [rad/s] of the schemes", schemes, speed),
+        chart_of("angular acceleration |α| [rad/s²]", schemes, acceleration),
+        chart_of("angular velocity |ω| [rad/s] for six tension vectors", tensions, speed)}) {
+    report::draw_legend(drawing, {50.0, top - 34.0}, chart.series);
+    report::draw(drawing, {50.0, top, 780.0, 160.0}, chart);
+    top += 250.0;
+  }
+  return {"000-figure3-rates", std::move(drawing)};
+}
+
+}  // namespace
+
+Expected<Findings> experiment::one_tension() {
+  const auto keys = five_keys_at(even);
+  if (!keys) return tl::unexpected(keys.error());
+  auto recipes = with_tension_of_key3({0.35, 0.0, 0.7, 1.0, 2.0});
+  auto negative = with_tension_of_key3({0.35, -0.35, -0.7, -1.0, -2.0});
+  const auto upper = curves_through(*keys, std::move(recipes)), lower = curves_through(*keys, std::move(negative));
+  if (!upper) return tl::unexpected(upper.error());
+  if (!lower) return tl::unexpected(lower.error());
+  std::vector<Served> all = *upper;
+  all.insert(all.end(), lower->begin() + 1, lower->end());
+  report::Drawing drawing(860, 430);
+  const report::View view = report::facing(axis_path(keys->orientations(), Eigen::Vector3d::UnitX()));
+  double x = 215.0;
+  for (const auto* curves : {&*upper, &*lower}) {
+    std::vector<report::Series> legend;
+    for (const Served& served : *curves) legend.push_back({served.recipe.label, {}, {}, served.recipe.stroke});
+    report::draw_legend(drawing, {x - 195.0, 18.0}, std::span(legend).first(3));
+    report::draw_legend(drawing, {x - 195.0, 38.0}, std::span(legend).subspan(3));
+    report::draw(drawing, view, {x, 240.0}, 175.0, paths_of(*curves, *keys));
+    x += 430.0;
+  }
+  return Findings{{one_tension_table(all, upper->front().curve)}, {{"000-figure2", std::move(drawing)}}};
+}
+
+Expected<Findings> experiment::rigid_motions() {
+  return five_keys_at(even)
+      .and_then([](const Keyframes& keys) { return curves_through(keys, schemes_of_figure3()); })
+      .map([](const std::vector<Served>& curves) {
+        return Findings{{motions_table(curves)}, {frames(curves), rates(curves)}};
+      });
+}
+
+}  // namespace orispline::cli

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <compare>
+#include <string>
+#include <string_view>
+
+#include <orispline/base/expected.hpp>
+
+namespace orispline {
+
+/// Decimal number of up to 37 significant digits: time stamps as files write them, without the rounding of a double.
+///
+/// Sums, differences and products are exact while they need no more than `max_digits`; farther digits are cut off.
+/// Comparisons are always exact.
+class Decimal {
+ public:
+  static constexpr int max_digits = 37;
+  /// Parsed numbers are zero or of a size between 10^-limit and 10^limit, so that products stay finite doubles.
+  static constexpr int parsed_exponent_limit = 150;
+
+  Decimal() = default;  ///< zero
+
+  /// `-12`, `+1.5`, `.5`, `1e-9`; the whole text, without blanks.
+  ///
+  /// Errors (bad_data): not such a number, more digits than `max_digits`, out of range.
+  [[nodiscard]] static Expected<Decimal> parse(std::string_view text);
+  /// The shortest decimal that reads back as the same double. `value` is finite.
+  [[nodiscard]] static Decimal from_double(double value);
+
+  /// 10^exponent.
+  [[nodiscard]] static Decimal power_of_ten(int exponent) noexcept { return Decimal(1, exponent); }
+
+  /// The nearest double.
+  [[nodiscard]] double to_double() const;
+  [[nodiscard]] bool is_whole() const noexcept { return exponent_ >= 0; }
+  /// The nearest whole number; halves go away from zero.
+  [[nodiscard]] Decimal rounded() const noexcept;
+
+  /// All digits, without an exponent: `1311868163.8697`.
+  [[nodiscard]] std::string to_string() const;
+  /// The same at the end of a text.
+  void append_to(std::string& text) const;
+
+  [[nodiscard]] Decimal operator-() const noexcept { return Decimal(-coefficient_, exponent_); }
+  [[nodiscard]] Decimal operator+(const Decimal& other) const noexcept;
+  [[nodiscard]] Decimal operator-(const Decimal& other) const noexcept { return *this + -other; }
+  [[nodiscard]] Decimal operator*(const Decimal& other) const noexcept;
+  [[nodiscard]] bool operator==(const Decimal& other) const noexcept = default;
+  [[nodiscard]] std::strong_ordering operator<=>(const Decimal& other) const noexcept;
+
+ private:
+  __extension__ typedef __int128 Integer;
+
+  struct Aligned;
+
+  Decimal(Integer coefficient, int exponent) noexcept;
+  [[nodiscard]] static Aligned aligned(const Decimal& a, const Decimal& b) noexcept;
+
+  // coefficient · 10^exponent; the coefficient does not end in a zero digit, zero is 0 · 10^0.
+  Integer coefficient_ = 0;
+  int exponent_ = 0;
+};
+
+}  // namespace orispline

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <concepts>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <orispline/curve/family.hpp>
+
+namespace orispline {
+
+/// Near the motion, local, C2 in time on any keys, nothing to tune: for whoever says nothing.
+inline constexpr std::string_view default_method = "auto";
+
+/// What a user names to get a curve: a method of the registry with its settings, ends and, for a loop, its period.
+///
+/// A name alone is a method, so that `make_curve("auto", keys)` reads as it should. Its text form is read by
+/// method_from_text() and written by text_of(). The *family* of that name is the code that makes its curves.
+struct Method {
+  std::string name{default_method};
+  CurveOptions options{};
+
+  Method() = default;
+  template <std::convertible_to<std::string_view> Name>
+  Method(const Name& method, CurveOptions given = {})  // NOLINT: a name is a method
+      : name(std::string_view(method)), options(std::move(given)) {}
+
+  /// For some of the keys that this method is for, at rising indices: with the values of these keys where a setting has
+  /// one for each of the `keys`.
+  [[nodiscard]] Method at(std::span<const std::size_t> indices, std::size_t keys) const;
+};
+
+}  // namespace orispline

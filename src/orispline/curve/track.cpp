@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/curve/track.hpp>
+
+#include <utility>
+
+namespace orispline {
+namespace {
+
+template <class T>
+std::vector<T> picked(const std::vector<T>& values, std::span<const std::size_t> indices) {
+  std::vector<T> some;
+  if (values.empty()) return some;
+  some.reserve(indices.size());
+  for (const std::size_t i : indices) some.push_back(values[i]);
+  return some;
+}
+
+}  // namespace
+
+Decimal Track::time_of(std::size_t key) const {
+  return exact_times.empty() ? epoch + Decimal::from_double(keys.times()[key]) : exact_times[key];
+}
+
+Track Track::at(std::span<const std::size_t> indices) const {
+  Track some(keys.at(indices));
+  some.name = name;
+  some.epoch = epoch;
+  some.lines = picked(lines, indices);
+  some.exact_times = picked(exact_times, indices);
+  for (const auto& [parameter, values] : settings) some.settings.emplace(parameter, picked(values, indices));
+  return some;
+}
+
+Track Track::with_keys(Keyframes others) const {
+  Track track = *this;
+  track.keys = std::move(others);
+  return track;
+}
+
+Expected<Track> Track::with_times(std::vector<double> times) const {
+  return keys.with_times(std::move(times)).map([this](Keyframes moved) {
+    Track track = with_keys(std::move(moved));
+    track.exact_times.clear();
+    return track;
+  });
+}
+
+Error Track::located(Error error) const {
+  error.where.file = name;
+  if (error.where.key && *error.where.key < lines.size()) error.where.line = lines[*error.where.key];
+  return error;
+}
+
+std::map<std::string, std::vector<double>, std::less<>> settings_per_key(const Method& method, std::size_t keys) {
+  std::map<std::string, std::vector<double>, std::less<>> found;
+  for (const auto& [name, values] : method.options.parameters)
+    if (keys > 1 && values.size() == keys) found.emplace(name, values);
+  return found;
+}
+
+Method completed(Method method, const FamilyInfo& family, const Track& track) {
+  for (const Parameter& parameter : family.parameters)
+    if (const auto column = track.settings.find(parameter.name); column != track.settings.end())
+      method.options.parameters.insert(*column);  // which keeps what is there
+  return method;
+}
+
+}  // namespace orispline

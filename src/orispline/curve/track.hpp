@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <orispline/base/decimal.hpp>
+#include <orispline/curve/keyframe.hpp>
+#include <orispline/curve/method.hpp>
+
+namespace orispline {
+
+/// Keyframes with where they come from: what tasks take and give back, and what files hold.
+///
+/// Keys alone are a track without a name. Vectors that are not empty have one entry per key.
+struct Track {
+  Keyframes keys{};
+  std::string name{};                  ///< of the file, or of the track in it; `-` for standard input
+  Decimal epoch{};                     ///< [s], exact: what the times of the keys count from
+  std::vector<std::uint32_t> lines{};  ///< of the file, from 1
+  std::vector<Decimal> exact_times{};  ///< [s], as the file writes them
+  /// Values of a method's parameters, one per key, by their names: `tension`, `bias`, …
+  std::map<std::string, std::vector<double>, std::less<>> settings{};
+
+  Track() = default;
+  Track(Keyframes keyframes) : keys(std::move(keyframes)) {}  // NOLINT: keys are a track
+
+  /// [s], exact where the file's own text is known, else as near as a double.
+  [[nodiscard]] Decimal time_of(std::size_t key) const;
+
+  /// The keys at these rising indices, one at least, with all that belongs to them; signs for the shortest way.
+  [[nodiscard]] Track at(std::span<const std::size_t> indices) const;
+  /// These keys at other times; exact times are forgotten. Errors: those of Keyframes::with_times().
+  [[nodiscard]] Expected<Track> with_times(std::vector<double> times) const;
+  /// Other keys at the same times, such as smoothed ones.
+  [[nodiscard]] Track with_keys(Keyframes others) const;
+
+  /// The error with the name of the track and, where it names a key, its line.
+  [[nodiscard]] Error located(Error error) const;
+};
+
+/// The settings of a method that have a value of their own for every key, by name: what a file of these keys states in
+/// columns.
+[[nodiscard]] std::map<std::string, std::vector<double>, std::less<>> settings_per_key(const Method& method,
+                                                                                       std::size_t keys);
+
+/// The method with the track's settings for all that it has no values of its own for.
+[[nodiscard]] Method completed(Method method, const FamilyInfo& family, const Track& track);
+
+}  // namespace orispline

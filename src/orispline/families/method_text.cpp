@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/families/method_text.hpp>
+
+#include <algorithm>
+#include <locale>
+#include <sstream>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <orispline/families/registry.hpp>
+
+namespace orispline {
+namespace {
+
+constexpr std::string_view ends = "ends", start_rate = "start_rate", end_rate = "end_rate", closed = "closed",
+                           period = "period";
+
+template <class Named>
+bool has_name(std::span<const Named> list, std::string_view name) {
+  return std::ranges::find(list, name, &Named::name) != list.end();
+}
+
+/// The pieces between the separators; one empty piece for an empty text.
+std::vector<std::string_view> pieces_of(std::string_view text, char separator) {
+  std::vector<std::string_view> pieces;
+  for (std::size_t end = text.find(separator); end != std::string_view::npos; end = text.find(separator)) {
+    pieces.push_back(text.substr(0, end));
+    text.remove_prefix(end + 1);
+  }
+  pieces.push_back(text);
+  return pieces;
+}
+
+/// A finite number that is the whole text, whatever the language of the machine.
+std::optional<double> number_of(std::string_view text) {
+  std::istringstream stream{std::string(text)};
+  stream.imbue(std::locale::classic());
+  double number = 0.0;
+  stream >> std::noskipws >> number;
+  return stream && stream.peek() == std::istringstream::traits_type::eof() ? std::optional(number) : std::nullopt;
+}
+
+Expected<std::vector<double>> numbers_of(std::string_view option, std::string_view text) {
+  std::vector<double> numbers;
+  for (const std::string_view piece : pieces_of(text, ',')) {
+    const auto number = number_of(piece);
+    if (!number)
+      return bad_option(option, fmt::format("found '{}', wanted numbers with commas between them", text));
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+Expected<Method> with_rate_text(Method method, CurveEnd end, std::string_view option, std::string_view text) {
+  const auto numbers = numbers_of(option, text);
+  if (!numbers || numbers->size() != 3)
+    return bad_option(option, fmt::format("found '{}', wanted three numbers with commas between them", text));
+  return with_end_rate(std::move(method), end, Eigen::Vector3d(numbers->data()));
+}
+
+Expected<Method> with_period_text(Method method, std::string_view text) {
+  const auto seconds = number_of(text);
+  if (!seconds || *seconds <= 0.0)
+    return bad_option(period, fmt::format("found '{}', wanted a number of seconds greater than 0", text));
+  return with_loop(std::move(method), {.period = *seconds});
+}
+
+/// `SETTING=VALUE`, or `closed`.
+Expected<Method> with_piece(Method method, std::string_view piece) {
+  if (piece == closed) return with_loop(std::move(method), {});
+  const std::size_t equals = piece.find('=');
+  if (equals == 0 || equals == std::string_view::npos || equals + 1 == piece.size())
+    return bad_option("settings", fmt::format("found '{}', wanted NAME=VALUE", piece));
+  const std::string_view name = piece.substr(0, equals), value = piece.substr(equals + 1);
+  if (name == ends) return with_ends(std::move(method), value);
+  if (name == start_rate) return with_rate_text(std::move(method), CurveEnd::start, name, value);
+  if (name == end_rate) return with_rate_text(std::move(method), CurveEnd::end, name, value);
+  if (name == period) return with_period_text(std::move(method), value);
+  return with_setting(std::move(method), name, value);
+}
+
+std::string closing_methods() {
+  std::vector<std::string_view> names;
+  for (const FamilyInfo& family : families_info())
+    if (family.closes) names.push_back(family.name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string ends_text(const CurveOptions& options) {
+  if (options.start.rule == EndRule::none && options.end.rule == EndRule::none) return {};
+  if (options.start.rule == options.end.rule) return fmt::format(":{}={}", ends, name_of(options.start.rule));
+  return fmt::format(":{}={},{}", ends, name_of(options.start.rule), name_of(options.end.rule));
+}
+
+std::string rate_text(std::string_view name, const End& end) {
+  const Eigen::Vector3d& w = end.angular_velocity;
+  return end.rule == EndRule::clamped ? fmt::format(":{}={},{},{}", name, w.x(), w.y(), w.z()) : std::string();
+}
+
+}  // namespace
+
+Expected<Method> with_setting(Method method, std::string_view setting, std::string_view value) {
+  const auto family = find_family(method.name);
+  if (!family) return tl::unexpected(family.error());
+  const std::string name(setting);
+  CurveOptions& options = method.options;
+  if (options.parameters.contains(name) || options.choices.contains(name))
+    return bad_option(setting, fmt::format("'{}' is given twice, wanted it once", name));
+  if (has_name((*family)->parameters, setting))
+    return numbers_of(setting, value).map([&](std::vector<double> values) {
+      options.parameters.emplace(name, std::move(values));
+      return std::move(method);
+    });
+  options.choices.emplace(name, value);
+  const CurveOptions alone{.choices = {{name, std::string(value)}}};
+  return settle(**family, alone, 1).map([&](const FamilySettings&) { return std::move(method); });
+}
+
+Expected<Method> with_ends(Method method, std::string_view rules) {
+  const auto family = find_family(method.name);
+  if (!family) return tl::unexpected(family.error());
+  const auto names = pieces_of(rules, ',');
+  if (names.size() > 2) return bad_option(ends, fmt::format("found '{}', wanted RULE or START,END", rules));
+  const auto rule_of = [&](std::string_view name) {
+    return name == name_of(EndRule::none) && names.size() == 2 ? Expected<EndRule>(EndRule::none)
+                                                               : end_rule_by_name(**family, name);
+  };
+  const auto start = rule_of(names.front()), end = rule_of(names.back());
+  for (const auto& rule : {start, end})
+    if (!rule) return bad_option(ends, rule.error().message);
+  method.options.start.rule = *start;
+  method.options.end.rule = *end;
+  return method;
+}
+
+Expected<Method> with_end_rate(Method method, CurveEnd end, const Eigen::Vector3d& rate) {
+  const std::string_view option = end == CurveEnd::start ? start_rate : end_rate;
+  const auto family = find_family(method.name);
+  if (!family) return tl::unexpected(family.error());
+  End& changed = end == CurveEnd::start ? method.options.start : method.options.end;
+  if (changed.rule != EndRule::none && changed.rule != EndRule::clamped)
+    return bad_option(option, fmt::format("a rate needs the end rule clamped, found {}", name_of(changed.rule)));
+  if (const auto known = end_rule_by_name(**family, name_of(EndRule::clamped)); !known)
+    return bad_option(option, known.error().message);
+  changed = {EndRule::clamped, rate};
+  return method;
+}
+
+Expected<Method> with_loop(Method method, Loop loop) {
+  const auto family = find_family(method.name);
+  if (!family) return tl::unexpected(family.error());
+  if (!(*family)->closes)
+    return failure(ErrorCode::bad_argument,
+                   fmt::format("{}: this method has no closed curves, wanted one of {}", method.name, closing_methods()));
+  if (loop.period && !(*loop.period > 0.0))
+    return bad_option(period, fmt::format("found {}, wanted a number of seconds greater than 0", *loop.period));
+  method.options.loop = loop;
+  return method;
+}
+
+Expected<Method> method_from_text(std::string_view text) {
+  const auto pieces = pieces_of(text, ':');
+  const auto family = find_family(pieces.front());
+  if (!family) return tl::unexpected(family.error());
+  Expected<Method> method = Method((*family)->name);
+  for (const std::string_view piece : std::span(pieces).subspan(1))
+    method = std::move(method).and_then([&](Method so_far) { return with_piece(std::move(so_far), piece); });
+  return method;
+}
+
+std::string text_of(const Method& method) {
+  const CurveOptions& options = method.options;
+  std::string text = method.name;
+  for (const auto& [name, values] : options.parameters) text += fmt::format(":{}={}", name, fmt::join(values, ","));
+  for (const auto& [name, word] : options.choices) text += fmt::format(":{}={}", name, word);
+  text += ends_text(options) + rate_text(start_rate, options.start) + rate_text(end_rate, options.end);
+  if (options.loop && options.loop->period) text += fmt::format(":{}={}", period, *options.loop->period);
+  else if (options.loop) text += fmt::format(":{}", closed);
+  return text;
+}
+
+}  // namespace orispline
