@@ -72,7 +72,7 @@ class LeftChartPiece {
   [[nodiscard]] EndAccelerations<T> accelerations(const Vector3<T>& leaving, const Vector3<T>& arriving) const {
     const Vector3<T> slope = slope_ * arriving;
     const EndAccelerations<T> flat = flat_.accelerations<T>(leaving, slope);
-    return {flat.start, end_.operator()<T>(slope, flat.end)};
+    return {flat.start, end_(slope, flat.end)};
   }
   [[nodiscard]] bool plausible(const Eigen::Vector3d&) const noexcept { return true; }
 
