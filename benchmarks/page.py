@@ -16,6 +16,9 @@ AT_LEAST = [
     ("times the formula with libm, many curves, float", "many_curves_float_vs_libm", 12, 10, "×", True),
     ("times the formula with libm, single times, searches included", "random_access_vs_libm", 5, 5, "×", True),
     ("times SciPy, making the curve and its records", "setup_vs_scipy", 30, 30, "×", False),
+    ("times SciPy, making `rotation-spline` of 10 keys", "rotation_spline_vs_scipy_10", 60, 60, "×", False),
+    ("… of 1000 keys", "rotation_spline_vs_scipy_1000", 3, 3, "×", False),
+    ("… of 10000 keys", "rotation_spline_vs_scipy_10000", 3, 3, "×", False),
 ]
 AT_MOST = [
     ("times the time of only writing 32 B", "write_multiple", 4, 5, "×", True),

@@ -107,19 +107,25 @@ def construction(run):
     }
 
 
+def fits(run, scipy):
+    """Making SciPy's curve, by the number of keys."""
+    return {f"rotation_spline_vs_scipy_{count}": divided(scipy.get(str(count)), run.ns(f"setup/rotation-spline/{count}"))
+            for count in (10, 1000, 10_000)}
+
+
 def ratios_of(run, scipy):
-    context = run.context
+    context, fit_ns = run.context, scipy.get("fit_ns_per_key", {})
     results = {"machine": machine(), "date": datetime.date.today().isoformat(), "compiler": context["compiler"],
                "load": context.get("load_avg", [None])[0], "isa": context["isa"],
                "contraction": context["contraction"] == "true"}
-    results |= resampling(run) | across_curves(run) | construction(run)
+    results |= resampling(run) | across_curves(run) | construction(run) | fits(run, fit_ns)
     results |= {"random_access_ns": run.ns("random/ours"),
                 "random_access_vs_libm": divided(run.ns("random/Eigen product"), run.ns("random/ours")),
                 "online_append_ns_p999": run.counter("online/append", "p999"),
                 "max_error_double": float(context["max_error_double"]),
                 "max_error_float": float(context["max_error_float"]),
                 "vs_scipy": divided(scipy.get("sample_ns"), results["sample_ns"]),
-                "setup_vs_scipy": divided(scipy.get("fit_ns_per_key"),
+                "setup_vs_scipy": divided(fit_ns.get("1000"),
                                           added(results["setup_ns_per_key"], results["compile_ns_per_key"]))}
     return results
 

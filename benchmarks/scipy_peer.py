@@ -17,6 +17,7 @@ except ImportError:
     sys.exit(print("scipy_peer: no SciPy here, left out"))
 
 KEYS, SAMPLES, ROUNDS = 1000, 1_000_000, 5
+FITTED = 10, 1000, 10_000  # as ours makes them
 
 
 def keys(count):
@@ -48,6 +49,13 @@ def verified(curve, times, orientations):
     return curve
 
 
+def fit_ns(count):
+    """Nanoseconds per key of a curve through that many; short work is repeated."""
+    times, orientations = keys(count)
+    repeats = max(1, KEYS // count)
+    return median_ns(lambda: [RotationSpline(times, orientations) for _ in range(repeats)], count * repeats)
+
+
 def main():
     times, orientations = keys(KEYS)
     spline, slerp = (verified(kind(times, orientations), times, orientations) for kind in (RotationSpline, Slerp))
@@ -55,7 +63,7 @@ def main():
     result = {"version": scipy.__version__,
               "sample_ns": median_ns(lambda: spline(at).as_quat(), SAMPLES),
               "slerp_sample_ns": median_ns(lambda: slerp(at).as_quat(), SAMPLES),
-              "fit_ns_per_key": median_ns(lambda: RotationSpline(times, orientations), KEYS)}
+              "fit_ns_per_key": {str(count): fit_ns(count) for count in FITTED}}
     pathlib.Path(sys.argv[1]).write_text(json.dumps(result) + "\n", "utf-8")
 
 

@@ -2,16 +2,14 @@
 #include <orispline/curve/chain.hpp>
 
 #include <algorithm>
+#include <optional>
 
 #include <fmt/format.h>
-#include <Eigen/SparseCore>
-#include <Eigen/SparseLU>
+
+#include <orispline/math/banded_lu.hpp>
 
 namespace orispline::chain {
 namespace {
-
-using Matrix = Eigen::SparseMatrix<double>;
-using Solver = Eigen::SparseLU<Matrix, Eigen::NaturalOrdering<int>>;
 
 Outcome largest(const Steps& residual) {
   Outcome outcome{0.0, 0};
@@ -22,65 +20,42 @@ Outcome largest(const Steps& residual) {
   return outcome;
 }
 
-Eigen::VectorXd stacked(const Steps& v) {
+/// Where an unknown and its equation stand in the matrix: a loop is folded into a row of its two halves, so that its
+/// first and last are neighbours there too.
+std::size_t place(const Equations& e, std::size_t i) {
+  if (!e.closed) return i;
+  const std::size_t back = e.size - 1 - i;
+  return i <= back ? 2 * i : 2 * back + 1;
+}
+
+/// How far from the diagonal the blocks of neighbours reach.
+std::size_t band(const Equations& e) { return 3 * (e.closed ? 2 : 1) + 2; }
+
+Eigen::VectorXd stacked(const Equations& e, const Steps& v) {
   Eigen::VectorXd x(3 * static_cast<Eigen::Index>(v.size()));
-  for (std::size_t i = 0; i < v.size(); ++i) x.segment<3>(3 * static_cast<Eigen::Index>(i)) = v[i];
+  for (std::size_t i = 0; i < v.size(); ++i) x.segment<3>(3 * static_cast<Eigen::Index>(place(e, i))) = v[i];
   return x;
 }
 
-Steps unstacked(const Eigen::VectorXd& x, double scale) {
-  Steps v(static_cast<std::size_t>(x.size()) / 3);
-  for (std::size_t i = 0; i < v.size(); ++i) v[i] = scale * x.segment<3>(3 * static_cast<Eigen::Index>(i));
+Steps unstacked(const Equations& e, const Eigen::VectorXd& x, double scale) {
+  Steps v(e.size);
+  for (std::size_t i = 0; i < v.size(); ++i) v[i] = scale * x.segment<3>(3 * static_cast<Eigen::Index>(place(e, i)));
   return v;
 }
 
-/// Unknowns of one colour share no equation, so that one pass over jets differentiates by all of them at once.
-std::vector<std::size_t> colours(const Equations& e) {
-  std::vector<std::size_t> colour(e.size);
-  for (std::size_t i = 0; i < e.size; ++i) colour[i] = i % 3;
-  const std::size_t beyond = e.closed ? e.size % 3 : 0;  // where the row of three does not close
-  for (std::size_t k = 0; k < beyond; ++k) colour[e.size - 1 - k] = 3 + k;
-  return colour;
-}
-
-/// The equations that unknown i enters.
-std::vector<std::size_t> touched(const Equations& e, std::size_t i) {
-  std::vector<std::size_t> all{i};
-  if (i > 0 || e.closed) all.push_back((i + e.size - 1) % e.size);
-  if (i + 1 < e.size || e.closed) all.push_back((i + 1) % e.size);
-  std::ranges::sort(all);
-  all.erase(std::unique(all.begin(), all.end()), all.end());
-  return all;
-}
-
-Matrix jacobian(const Equations& e) {
-  const std::vector<std::size_t> colour = colours(e);
-  const std::size_t colour_count = 1 + *std::ranges::max_element(colour);
-  std::vector<Eigen::Triplet<double, int>> entries;
-  entries.reserve(27 * e.size);
-  for (std::size_t c = 0; c < colour_count; ++c)
-    for (Eigen::Index axis = 0; axis < 3; ++axis) {
-      JetSteps steps(e.size, Vector3<Jet<double, 1>>::Constant(Jet<double, 1>(0.0)));
-      for (std::size_t i = 0; i < e.size; ++i)
-        if (colour[i] == c) steps[i][axis] = Jet<double, 1>::variable(0.0);
-      const JetSteps residual = e.derivative(steps);
-      for (std::size_t i = 0; i < e.size; ++i)
-        if (colour[i] == c)
-          for (const std::size_t row : touched(e, i))
-            for (Eigen::Index k = 0; k < 3; ++k)
-              entries.emplace_back(static_cast<int>(3 * row) + static_cast<int>(k),
-                                   static_cast<int>(3 * i) + static_cast<int>(axis), residual[row][k].c[1]);
-    }
-  const auto size = static_cast<Eigen::Index>(3 * e.size);
-  Matrix j(size, size);
-  j.setFromTriplets(entries.begin(), entries.end());
+BandedMatrix jacobian(const Equations& e) {
+  BandedMatrix j(3 * e.size, band(e));
+  e.jacobian([&](std::size_t equation, std::size_t unknown, const Eigen::Matrix3d& block) {
+    j.add(3 * place(e, equation), 3 * place(e, unknown), block);
+  });
   return j;
 }
 
-/// Halves the step until the residual falls; moves there. False when it does not.
+/// Halves the step until the residual falls; moves there. False when it does not. Where the equations are solved it is
+/// rounding that keeps it from falling, and no shorter step is tried.
 bool descend(const Equations& e, const Eigen::VectorXd& step, Steps& residual, Outcome& now) {
-  for (double share = 1.0; share > 1e-4; share *= 0.5) {
-    const Steps steps = unstacked(step, share);
+  for (double share = 1.0; share > (now.solved() ? 0.5 : 1e-4); share *= 0.5) {
+    const Steps steps = unstacked(e, step, share);
     Steps there = e.residual(steps);
     const Outcome then = largest(there);
     if (!(then.residual < now.residual)) continue;
@@ -98,41 +73,39 @@ constexpr double nothing_gained = 0.999;
 
 /// True when it has come as near as rounding lets it.
 bool newton(const Equations& e, Steps& residual, Outcome& now) {
-  Solver solver;
-  int age = 0;  // steps taken with the present Jacobian, 0 when it is to be formed
+  std::optional<BandedLu> solver;  // absent when the Jacobian is to be formed
   for (int i = 0; i < newton_steps && now.residual > 0.0; ++i) {
-    if (age == 0) solver.compute(jacobian(e));
-    if (solver.info() != Eigen::Success) return now.solved();
+    const bool fresh = !solver;
+    if (fresh) solver.emplace(jacobian(e));
+    if (!solver->regular()) return now.solved();
     const Outcome before = now;
-    if (!descend(e, solver.solve(-stacked(residual)), residual, now)) {
-      if (before.solved() || age == 0) return before.solved();
-      age = 0;
+    if (!descend(e, solver->solve(-stacked(e, residual)), residual, now)) {
+      if (before.solved() || fresh) return before.solved();
+      solver.reset();
       continue;
     }
     if (before.solved() && now.residual > 0.25 * before.residual) return true;
-    age = now.residual > 0.1 * before.residual ? 0 : age + 1;
+    if (now.residual > 0.1 * before.residual) solver.reset();
   }
   return now.solved();
 }
 
 void marquardt(const Equations& e, Steps& residual, Outcome& now) {
   double damping = 1e-3;
-  Solver solver;
   for (int i = 0; i < marquardt_steps && now.residual > 1e-9; ++i) {
-    const Matrix j = jacobian(e);
-    const Matrix normal = j.transpose() * j;
-    const Eigen::VectorXd gradient = j.transpose() * stacked(residual);
-    const double before = stacked(residual).squaredNorm();
+    const BandedMatrix j = jacobian(e), normal = normal_matrix(j);
+    const Eigen::VectorXd gradient = transposed_product(j, stacked(e, residual));
+    const double before = stacked(e, residual).squaredNorm();
     double after = before;
     bool better = false;
     for (; !better && damping < 1e12; damping *= better ? 0.1 : 4.0) {
-      Matrix damped = normal;
-      for (Eigen::Index k = 0; k < damped.rows(); ++k) damped.coeffRef(k, k) += damping * (1.0 + normal.coeff(k, k));
-      solver.compute(damped);
-      if (solver.info() != Eigen::Success) continue;
-      const Steps steps = unstacked(solver.solve(-gradient), 1.0);
+      BandedMatrix damped = normal;
+      for (std::size_t k = 0; k < damped.size(); ++k) damped(k, k) += damping * (1.0 + normal(k, k));
+      const BandedLu solver(std::move(damped));
+      if (!solver.regular()) continue;
+      const Steps steps = unstacked(e, solver.solve(-gradient), 1.0);
       Steps there = e.residual(steps);
-      after = stacked(there).squaredNorm();
+      after = stacked(e, there).squaredNorm();
       better = after < before;
       if (!better) continue;
       e.move(steps);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <orispline/base/expected.hpp>
+#include <orispline/curve/chain_jacobian.hpp>
 #include <orispline/math/eigen.hpp>
 
 namespace orispline {
@@ -19,14 +20,13 @@ namespace orispline {
 ///
 /// A problem holds its present state. `residual(steps)` are the values of the equations [rad] or [m] at the state moved
 /// by the steps, over any Number; `move(steps)` moves the state. In a closed chain the first and the last are
-/// neighbours. `plausible()` is false at a solution of the equations that is not a curve worth having.
+/// neighbours. `plausible()` is false at a solution of the equations that is not a curve worth having. A problem that
+/// knows the derivatives of its equations tells them by `jacobian(take)`.
 template <class P>
-concept ChainProblem = std::copyable<P> &&
-    requires(P& p, const P& c, std::span<const Vector3<double>> steps, std::span<const Vector3<Jet<double, 1>>> jets) {
+concept ChainProblem = std::copyable<P> && requires(P& p, const P& c, std::span<const Vector3<double>> steps) {
   { c.size() } -> std::convertible_to<std::size_t>;
   { c.closed() } -> std::convertible_to<bool>;
   { c.template residual<double>(steps) } -> std::same_as<std::vector<Vector3<double>>>;
-  { c.template residual<Jet<double, 1>>(jets) } -> std::same_as<std::vector<Vector3<Jet<double, 1>>>>;
   { c.plausible() } -> std::convertible_to<bool>;
   p.move(steps);
 };
@@ -37,14 +37,13 @@ namespace chain {
 inline constexpr double tolerance = 1e-12;
 
 using Steps = std::vector<Eigen::Vector3d>;
-using JetSteps = std::vector<Vector3<Jet<double, 1>>>;
 
 /// A problem without its type.
 struct Equations {
   std::size_t size;
   bool closed;
   std::function<Steps(const Steps&)> residual;
-  std::function<JetSteps(const JetSteps&)> derivative;
+  std::function<void(const TakeBlock&)> jacobian;  ///< at the state
   std::function<void(const Steps&)> move;
 };
 
@@ -60,14 +59,23 @@ struct Outcome {
 
 [[nodiscard]] Error not_converged(std::string_view method, const Outcome& outcome, double share);
 
+/// The derivatives of a problem's equations: its own, or from its residual over duals.
+template <ChainProblem P>
+void differentiate(const P& problem, const TakeBlock& take) {
+  if constexpr (requires { problem.jacobian(take); }) problem.jacobian(take);
+  else
+    differentiate(
+        problem.size(), problem.closed(),
+        [&](const DualSteps& steps) { return problem.template residual<Dual9>(steps); }, take);
+}
+
 template <ChainProblem P>
 [[nodiscard]] Outcome solve(P& problem) {
-  return solve(
-      Equations{.size = problem.size(),
-                .closed = problem.closed(),
-                .residual = [&](const Steps& steps) { return problem.template residual<double>(steps); },
-                .derivative = [&](const JetSteps& steps) { return problem.template residual<Jet<double, 1>>(steps); },
-                .move = [&](const Steps& steps) { problem.move(steps); }});
+  return solve(Equations{.size = problem.size(),
+                         .closed = problem.closed(),
+                         .residual = [&](const Steps& steps) { return problem.template residual<double>(steps); },
+                         .jacobian = [&](const TakeBlock& take) { differentiate(problem, take); },
+                         .move = [&](const Steps& steps) { problem.move(steps); }});
 }
 
 }  // namespace chain

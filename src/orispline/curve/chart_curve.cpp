@@ -30,6 +30,14 @@ Eigen::Vector3d missing(const Eigen::Vector3d& rate, const Eigen::Vector3d& p, c
 
 }  // namespace
 
+ChartAcceleration::ChartAcceleration(const Eigen::Vector3d& p) : p_(p), jacobian_(right_jacobian<double>(p)) {
+  const Eigen::Matrix3d turning = skew<double>(p);
+  const auto x = Jet<double, 1>::variable(p.squaredNorm());
+  const auto versine = series::versine_ratio(x), defect = series::sine_defect_ratio(x);
+  changing_ = turning * (-2.0 * versine.c[1]) + turning * turning * (2.0 * defect.c[1]);
+  defect_ = defect.c[0];
+}
+
 std::array<Eigen::Vector3d, 3> body_rates(const Eigen::Vector3d& p, const ChartDerivatives& derivatives) {
   const auto rate = chart_rate<double, 3>(taylor<3>(p, derivatives));
   return {of_order(0, rate), of_order(1, rate), of_order(2, rate)};

@@ -26,6 +26,25 @@ template <Number T, int N>
   return derivative - turn * series::versine_ratio(x) + value.cross(turn) * series::sine_defect_ratio(x);
 }
 
+/// Body acceleration of exp(p(t)) at one p: α = J_r(p) p̈ + N(p, ṗ), N quadratic in ṗ.
+///
+/// What is there of p alone is found once. Source: docs/families/auto.md, Formula (5).
+class ChartAcceleration {
+ public:
+  explicit ChartAcceleration(const Eigen::Vector3d& p);
+
+  template <Number T>
+  [[nodiscard]] Vector3<T> operator()(const Vector3<T>& velocity, const Vector3<T>& acceleration) const noexcept {
+    const Vector3<T> turned = p_.cross(velocity);
+    return jacobian_ * acceleration + (changing_ * velocity) * T(p_.dot(velocity)) + velocity.cross(turned) * defect_;
+  }
+
+ private:
+  Eigen::Vector3d p_;
+  Eigen::Matrix3d jacobian_, changing_;
+  double defect_;
+};
+
 /// Time derivatives of orders 1…3 of a rotation vector.
 using ChartDerivatives = std::array<Eigen::Vector3d, 3>;
 

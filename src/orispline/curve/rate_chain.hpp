@@ -20,49 +20,66 @@ struct EndAccelerations {
 };
 
 /// The straight space of positions: cubic pieces. d is the displacement, h the duration [s].
-struct FlatPiece {
+class FlatPiece {
+ public:
+  FlatPiece(const Eigen::Vector3d& d, double h) : chord_(6.0 / (h * h) * d), frequency_(1.0 / h) {}
+
   template <Number T>
-  [[nodiscard]] static EndAccelerations<T> accelerations(const Vector3<T>& leaving, const Eigen::Vector3d& d,
-                                                         const Vector3<T>& arriving, double h) {
-    const Vector3<T> chord = constant<T>(Eigen::Vector3d(6.0 / (h * h) * d));
-    return {chord - (leaving * T(4.0) + arriving * T(2.0)) * T(1.0 / h),
-            (leaving * T(2.0) + arriving * T(4.0)) * T(1.0 / h) - chord};
+  [[nodiscard]] EndAccelerations<T> accelerations(const Vector3<T>& leaving, const Vector3<T>& arriving) const {
+    const Vector3<T> chord = constant<T>(chord_);
+    return {chord - (leaving * 4.0 + arriving * 2.0) * frequency_,
+            (leaving * 2.0 + arriving * 4.0) * frequency_ - chord};
   }
-  [[nodiscard]] static bool plausible(const Eigen::Vector3d&, double) noexcept { return true; }
+  [[nodiscard]] bool plausible(const Eigen::Vector3d&) const noexcept { return true; }
+
+ private:
+  Eigen::Vector3d chord_;
+  double frequency_;  ///< [1/s]
 };
 
 /// Cubics by de Casteljau's algorithm with slerps, handles of one third of the rate.
 ///
 /// Source: Bogfjellmo, Modin & Verdier 2018, in closed form on the unit quaternions.
-struct SlerpBezierPiece {
+class SlerpBezierPiece {
+ public:
+  SlerpBezierPiece(const Eigen::Vector3d& d, double h) : turn_(exp<double>(d)), step_(h) {}
+
   template <Number T>
-  [[nodiscard]] static EndAccelerations<T> accelerations(const Vector3<T>& leaving, const Eigen::Vector3d& d,
-                                                         const Vector3<T>& arriving, double h) {
-    const Vector3<T> first = leaving * T(h / 3.0), last = arriving * T(h / 3.0);
-    const Vector3<T> middle = log<T>(exp<T>(-first) * constant<T>(exp<double>(d)) * exp<T>(-last));
-    const T scale(6.0 / (h * h));
+  [[nodiscard]] EndAccelerations<T> accelerations(const Vector3<T>& leaving, const Vector3<T>& arriving) const {
+    const Vector3<T> first = leaving * (step_ / 3.0), last = arriving * (step_ / 3.0);
+    const Vector3<T> middle = log<T>(exp<T>(-first) * constant<T>(turn_) * exp<T>(-last));
+    const double scale = 6.0 / (step_ * step_);
     return {(right_jacobian_inverse<T>(first) * middle - first) * scale,
             (last - right_jacobian_inverse<T>(-last) * middle) * scale};
   }
   /// Beyond a full turn the handle of a key would alias: such a solution has jumps.
-  [[nodiscard]] static bool plausible(const Eigen::Vector3d& rate, double h) noexcept {
-    return rate.norm() * h / 3.0 < 2.0 * std::numbers::pi;
+  [[nodiscard]] bool plausible(const Eigen::Vector3d& rate) const noexcept {
+    return rate.norm() * step_ / 3.0 < 2.0 * std::numbers::pi;
   }
+
+ private:
+  Eigen::Quaterniond turn_;
+  double step_;
 };
 
 /// Cubic rotation vectors in the chart at the left key. Source: McEnnan 2003.
-struct LeftChartPiece {
+class LeftChartPiece {
+ public:
+  LeftChartPiece(const Eigen::Vector3d& d, double h)
+      : flat_(d, h), slope_(right_jacobian_inverse<double>(d)), end_(d) {}
+
   template <Number T>
-  [[nodiscard]] static EndAccelerations<T> accelerations(const Vector3<T>& leaving, const Eigen::Vector3d& d,
-                                                         const Vector3<T>& arriving, double h) {
-    const Vector3<T> chord = constant<T>(d), slope = right_jacobian_inverse<T>(chord) * arriving;
-    const EndAccelerations<T> flat = FlatPiece::accelerations<T>(leaving, d, slope, h);
-    Vector3<Jet<T, 2>> path;
-    for (Eigen::Index axis = 0; axis < 3; ++axis) path[axis].c = {chord[axis], slope[axis], flat.end[axis] * T(0.5)};
-    const auto rate = chart_rate<T, 2>(path);
-    return {flat.start, Vector3<T>(rate.x().c[1], rate.y().c[1], rate.z().c[1])};
+  [[nodiscard]] EndAccelerations<T> accelerations(const Vector3<T>& leaving, const Vector3<T>& arriving) const {
+    const Vector3<T> slope = slope_ * arriving;
+    const EndAccelerations<T> flat = flat_.accelerations<T>(leaving, slope);
+    return {flat.start, end_(slope, flat.end)};
   }
-  [[nodiscard]] static bool plausible(const Eigen::Vector3d&, double) noexcept { return true; }
+  [[nodiscard]] bool plausible(const Eigen::Vector3d&) const noexcept { return true; }
+
+ private:
+  FlatPiece flat_;
+  Eigen::Matrix3d slope_;  ///< the derivative in the chart of a body rate at the end
+  ChartAcceleration end_;
 };
 
 /// What a chain of rates asks for beside smoothness at the inner keys.
@@ -82,9 +99,14 @@ class RateChain {
   RateChain(std::span<const Eigen::Vector3d> increments, std::span<const double> steps, RateConditions conditions,
             double share, const RateChain* before)
       : steps_(steps.begin(), steps.end()), conditions_(std::move(conditions)), share_(share) {
-    for (const Eigen::Vector3d& d : increments) increments_.push_back(share * d);
+    pieces_.reserve(steps.size());
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      increments_.push_back(share * increments[i]);
+      pieces_.emplace_back(increments_[i], steps_[i]);
+    }
     for (auto* given : {&conditions_.start, &conditions_.end})
       if (*given) **given *= share;
+    for (std::size_t i = 0; i < size(); ++i) equations_.push_back(equation(i));
     if (before) {
       for (const Eigen::Vector3d& rate : before->rates_) rates_.push_back(share / before->share_ * rate);
     } else {
@@ -99,14 +121,30 @@ class RateChain {
   template <Number T>
   [[nodiscard]] std::vector<Vector3<T>> residual(std::span<const Vector3<T>> moved_by) const {
     const auto rate = [&](std::size_t i) -> Vector3<T> { return constant<T>(rates_[i]) + moved_by[i]; };
-    std::vector<EndAccelerations<T>> pieces;
-    pieces.reserve(steps_.size());
-    for (std::size_t i = 0; i < steps_.size(); ++i)
-      pieces.push_back(Piece::template accelerations<T>(rate(i), increments_[i], rate((i + 1) % size()), steps_[i]));
     std::vector<Vector3<T>> residual;
     residual.reserve(size());
-    for (std::size_t i = 0; i < size(); ++i) residual.push_back(equation<T>(i, rate(i), pieces));
+    for (std::size_t i = 0; i < size(); ++i)
+      residual.push_back(rate(i) * equations_[i].rate - constant<T>(equations_[i].wanted));
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      const std::size_t next = after(i);
+      const EndAccelerations<T> piece = pieces_[i].template accelerations<T>(rate(i), rate(next));
+      residual[i] += piece.start * equations_[i].leaving;
+      residual[next] += piece.end * equations_[next].arriving;
+    }
     return residual;
+  }
+
+  void jacobian(const chain::TakeBlock& take) const {
+    for (std::size_t i = 0; i < size(); ++i) take(i, i, equations_[i].rate * Eigen::Matrix3d::Identity());
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      const std::size_t next = after(i);
+      const auto piece = pieces_[i].template accelerations<Dual<6>>(chain::variables<6>(rates_[i], 0),
+                                                                    chain::variables<6>(rates_[next], 3));
+      take(i, i, equations_[i].leaving * chain::derivatives(piece.start, 0));
+      take(i, next, equations_[i].leaving * chain::derivatives(piece.start, 3));
+      take(next, i, equations_[next].arriving * chain::derivatives(piece.end, 0));
+      take(next, next, equations_[next].arriving * chain::derivatives(piece.end, 3));
+    }
   }
 
   void move(std::span<const Eigen::Vector3d> by) {
@@ -114,9 +152,8 @@ class RateChain {
   }
 
   [[nodiscard]] bool plausible() const {
-    for (std::size_t i = 0; i < steps_.size(); ++i)
-      if (!Piece::plausible(rates_[i], steps_[i]) || !Piece::plausible(rates_[(i + 1) % size()], steps_[i]))
-        return false;
+    for (std::size_t i = 0; i < pieces_.size(); ++i)
+      if (!pieces_[i].plausible(rates_[i]) || !pieces_[i].plausible(rates_[after(i)])) return false;
     return true;
   }
 
@@ -124,6 +161,7 @@ class RateChain {
   [[nodiscard]] bool has_before(std::size_t i) const { return i > 0 || closed(); }
   [[nodiscard]] bool has_after(std::size_t i) const { return i < steps_.size(); }
   [[nodiscard]] std::size_t before(std::size_t i) const { return i > 0 ? i - 1 : steps_.size() - 1; }
+  [[nodiscard]] std::size_t after(std::size_t i) const { return i + 1 < size() ? i + 1 : 0; }
 
   /// That of the parabola through a key and its neighbours; at an end the given one or the secant.
   [[nodiscard]] Eigen::Vector3d guess(std::size_t i) const {
@@ -133,27 +171,29 @@ class RateChain {
     return (h1 / h0 * increments_[before(i)] + h0 / h1 * increments_[i]) / (h0 + h1);
   }
 
+  /// What the accelerations on arriving at a key and on leaving it, and its rate, must sum to with these weights.
+  struct Equation {
+    double arriving = 0.0, leaving = 0.0, rate = 0.0;
+    Eigen::Vector3d wanted = Eigen::Vector3d::Zero();
+  };
+
   /// Scaled to an angle by the steps beside the key.
-  template <Number T>
-  [[nodiscard]] Vector3<T> equation(std::size_t i, const Vector3<T>& rate,
-                                    const std::vector<EndAccelerations<T>>& pieces) const {
-    if (!has_before(i)) {
-      const double h = steps_[i];
-      return conditions_.start ? Vector3<T>((rate - constant<T>(*conditions_.start)) * T(h))
-                               : Vector3<T>(pieces[i].start * T(-h * h / 4.0));
-    }
-    if (!has_after(i)) {
-      const double h = steps_[i - 1];
-      return conditions_.end ? Vector3<T>((rate - constant<T>(*conditions_.end)) * T(h))
-                             : Vector3<T>(pieces[i - 1].end * T(h * h / 4.0));
+  [[nodiscard]] Equation equation(std::size_t i) const {
+    if (!has_before(i) || !has_after(i)) {
+      const double h = steps_[has_after(i) ? i : i - 1];
+      if (const auto& given = has_after(i) ? conditions_.start : conditions_.end)
+        return {.rate = h, .wanted = h * *given};
+      return has_after(i) ? Equation{.leaving = -h * h / 4.0} : Equation{.arriving = h * h / 4.0};
     }
     const double nu = conditions_.nu[i], stiffness = 1.0 / steps_[before(i)] + 1.0 / steps_[i];
     const double scale = 1.0 / (stiffness * (4.0 * stiffness + std::abs(nu)));
-    return (pieces[before(i)].end - pieces[i].start + rate * T(nu)) * T(scale);
+    return {.arriving = scale, .leaving = -scale, .rate = nu * scale};
   }
 
   std::vector<double> steps_;
   std::vector<Eigen::Vector3d> increments_;
+  std::vector<Piece> pieces_;
+  std::vector<Equation> equations_;
   RateConditions conditions_;
   double share_;
   std::vector<Eigen::Vector3d> rates_;

@@ -4,12 +4,13 @@
 #include <array>
 #include <cstddef>
 
+#include <orispline/math/dual.hpp>
 #include <orispline/math/jet.hpp>
 
-// Entire functions of the squared angle, smooth through zero: what exp and the Jacobians are made of.
-// Each takes x = θ². Below its threshold a Taylor polynomial in x is used, above it the closed form. The polynomials
-// are long enough for three derivatives in x, which jets take; the closed forms have lost less than four bits at the
-// threshold.
+// Functions that are smooth through zero angle: what exp, log and the Jacobians are made of.
+// All but the last take x = θ². Below its threshold a Taylor polynomial in x is used, above it the closed form. The
+// polynomials are long enough for three derivatives in x, which jets take; the closed forms have lost less than four
+// bits at the threshold.
 
 namespace orispline::series {
 
@@ -33,6 +34,12 @@ template <class T, int K, std::size_t N>
   moved.c[0] = T(0.0);
   for (std::size_t m = orders - 1; m-- > 0;) sum = sum * moved + Jet<T, K>(taylor[m]);
   return sum;
+}
+
+/// Over duals: once for all directions.
+template <std::size_t K, std::size_t N>
+[[nodiscard]] Dual<K> horner(const std::array<double, N>& coefficients, const Dual<K>& x) noexcept {
+  return Dual<K>::chained(horner(coefficients, Jet<double, 1>::variable(x.value)), x);
 }
 
 /// 1/(2k + offset)! with alternating signs, k = 0…N-1.
@@ -95,6 +102,20 @@ template <Number T>
   T sine, cosine;
   sin_cos(half, sine, cosine);
   return (T(1.0) - half * cosine / sine) / x;
+}
+
+/// θ/sin θ as a function of y = 1 - cos θ < 0.25, smooth through θ = 0.
+///
+/// The series c_k = c_{k-1} k/(2k+1), whose terms fall like (y/2)^k.
+template <Number T>
+[[nodiscard]] T angle_over_sine(const T& y) noexcept {
+  T sum(1.0);
+  for (int k = 19; k >= 1; --k) sum = T(1.0) + sum * y * Plain<T>(k / (2.0 * k + 1.0));
+  return sum;
+}
+template <std::size_t K>
+[[nodiscard]] Dual<K> angle_over_sine(const Dual<K>& y) noexcept {
+  return Dual<K>::chained(angle_over_sine(Jet<double, 1>::variable(y.value)), y);
 }
 
 }  // namespace orispline::series

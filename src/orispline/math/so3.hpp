@@ -70,12 +70,7 @@ template <Number T>
     if (sine == T(0)) return q.w() < T(0) ? Vector3<T>(2 * std::numbers::pi_v<T>, T(0), T(0)) : Vector3<T>(v * T(2));
     return (2 * atan2_of(sine, q.w()) / sine) * v;
   } else {
-    // θ/sin θ as a series in y = 1 - cos θ (c_k = c_{k-1} k/(2k+1)), smooth through θ = 0; its terms fall like (y/2)^k.
-    if (const T y = T(1.0) - q.w(); value_of(y) < 0.25) {
-      T sum(1.0);
-      for (int k = 19; k >= 1; --k) sum = T(1.0) + sum * y * Plain<T>(k / (2.0 * k + 1.0));
-      return v * (sum * Plain<T>(2));
-    }
+    if (const T y = T(1.0) - q.w(); value_of(y) < 0.25) return v * (series::angle_over_sine(y) * Plain<T>(2));
     const T sine = sqrt_of(T(v.squaredNorm()));
     return v * (atan2_of(sine, q.w()) * Plain<T>(2) / sine);
   }

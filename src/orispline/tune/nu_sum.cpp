@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <limits>
 
-#include <Eigen/SparseLU>
-
+#include <orispline/curve/chain_jacobian.hpp>
 #include <orispline/families/nu.hpp>
 #include <orispline/families/registry.hpp>
+#include <orispline/math/banded_lu.hpp>
 
 namespace orispline {
 namespace {
@@ -17,7 +17,9 @@ using families::NuRatios;
 using families::NuRule;
 using families::NuSteps;
 using J = Jet<double, 1>;
-using Controls = std::vector<Quaternion<J>>;
+template <Number T>
+using ControlsOver = std::vector<Quaternion<T>>;
+using Controls = ControlsOver<J>;
 
 /// The control orientations, which turn by these rotation vectors per unit of a variable.
 Controls moving(const std::vector<Eigen::Quaterniond>& controls, const Eigen::VectorXd& turns) {
@@ -31,10 +33,10 @@ Controls moving(const std::vector<Eigen::Quaterniond>& controls, const Eigen::Ve
 }
 
 /// By how much key i is missed, as a function of its controls.
-template <class Rule>
-Vector3<J> missed(const Rule& rule, std::size_t i, const Controls& d, const Eigen::Quaterniond& key) {
+template <Number T, class Rule>
+Vector3<T> missed(const Rule& rule, std::size_t i, const ControlsOver<T>& d, const Eigen::Quaterniond& key) {
   const std::size_t before = i > 0 ? i - 1 : i, after = std::min(i + 1, d.size() - 1);
-  return rule.template operator()<J>(i, d[before], d[i], d[after], constant<J>(key));
+  return rule.template operator()<T>(i, d[before], d[i], d[after], constant<T>(key));
 }
 
 /// The ratios as functions of the ν of one key.
@@ -45,29 +47,21 @@ NuRatios<J> ratios_along(NuSteps step, const std::vector<double>& nu, std::size_
   return families::nu_ratios<J>(step, gamma);
 }
 
-using SparseMatrix = Eigen::SparseMatrix<double>;
-
 /// Derivatives of what the keys are missed by along the turns of the controls.
-SparseMatrix control_jacobian(const Nu::Construction& made, std::span<const Eigen::Quaterniond> keys) {
-  const std::size_t n = keys.size();
-  std::vector<Eigen::Triplet<double>> entries;
-  for (int color = 0; color < 9; ++color) {  // every third control moves about one axis: no equation sees two of them
-    const std::size_t first = static_cast<std::size_t>(color) / 3;
-    const int axis = color % 3;
-    Eigen::VectorXd turns = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(n));
-    for (std::size_t j = first; j < n; j += 3) turns[3 * static_cast<Eigen::Index>(j) + axis] = 1.0;
-    const Controls d = moving(made.controls, turns);
-    for (std::size_t i = 0; i < n; ++i) {
-      const Vector3<J> value = missed(made.rule, i, d, keys[i]);
-      const std::size_t j = (i + 1) % 3 == first ? i + 1 : i % 3 == first ? i : i - 1;  // the one that i sees
-      if (j >= n) continue;
-      for (int row = 0; row < 3; ++row)
-        entries.emplace_back(3 * static_cast<int>(i) + row, 3 * static_cast<int>(j) + axis, value[row].c[1]);
-    }
-  }
-  const auto size = 3 * static_cast<Eigen::Index>(n);
-  SparseMatrix matrix(size, size);
-  matrix.setFromTriplets(entries.begin(), entries.end());
+BandedMatrix control_jacobian(const Nu::Construction& made, std::span<const Eigen::Quaterniond> keys) {
+  using D = chain::Dual9;
+  const auto all_missed = [&](const chain::DualSteps& turns) {
+    ControlsOver<D> d;
+    for (std::size_t i = 0; i < keys.size(); ++i) d.push_back(constant<D>(made.controls[i]) * exp<D>(turns[i]));
+    chain::DualSteps values;
+    for (std::size_t i = 0; i < keys.size(); ++i) values.push_back(missed<D>(made.rule, i, d, keys[i]));
+    return values;
+  };
+  BandedMatrix matrix(3 * keys.size(), 5);
+  chain::differentiate(keys.size(), false, all_missed,
+                       [&](std::size_t key, std::size_t control, const Eigen::Matrix3d& block) {
+                         matrix.add(3 * key, 3 * control, block);
+                       });
   return matrix;
 }
 
@@ -107,8 +101,8 @@ void NuSum::move_to(const std::vector<double>& values) {
   const auto q = keys_.orientations();
   const NuSteps step{keys_.times()};
   const std::vector<double>& nu = options.parameters.find("nu")->second;
-  Eigen::SparseLU<SparseMatrix> equations(control_jacobian(*made, q));
-  if (equations.info() != Eigen::Success) return;
+  const BandedLu equations(control_jacobian(*made, q));
+  if (!equations.regular()) return;
   const auto size = 3 * static_cast<Eigen::Index>(q.size());
   const Controls still = moving(made->controls, Eigen::VectorXd::Zero(size));
   for (std::size_t i = 0; i < variables_.size(); ++i) {
@@ -120,7 +114,7 @@ void NuSum::move_to(const std::vector<double>& values) {
     const NuRule<J> rule{ratios_along(step, nu, model_.variables[v].key), made->rule.start, made->rule.end};
     Eigen::VectorXd change = Eigen::VectorXd::Zero(size);
     for (std::size_t i = 0; i < q.size(); ++i)
-      change.segment<3>(3 * static_cast<Eigen::Index>(i)) = slopes_of(missed(rule, i, still, q[i]));
+      change.segment<3>(3 * static_cast<Eigen::Index>(i)) = slopes_of(missed<J>(rule, i, still, q[i]));
     const Controls d = moving(made->controls, equations.solve(-change));
     for (std::size_t i = 0; i < variables_.size(); ++i) {
       if (variables_[i].empty() || v < variables_[i].front() || v > variables_[i].back()) continue;
