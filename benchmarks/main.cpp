@@ -63,6 +63,7 @@ void ask_everything(const Sizes& sizes) {
   ask_setup(sizes);
   ask_auto(sizes);
   ask_baked(sizes);
+  ask_motion(sizes);
 #if defined(ORISPLINE_BENCH_ONLINE)
   ask_online(sizes);
 #endif

@@ -110,6 +110,13 @@ def baked_table(run):
         yield f"| `{method}` | " + " | ".join("" if cell is None else shown(cell) + " ns" for cell in cells) + " |"
 
 
+def motion_table(run):
+    yield from ("| method | orientation, ω, α and jerk at one time |", "|---|---|")
+    for name in run.entries:
+        if name.startswith("motion/"):
+            yield f"| `{name.split('/')[1]}` | {shown(run.ns(name))} ns |"
+
+
 def sets_table(runs):
     yield from ("| instruction set | ours, double | ours, float | peak, 10⁹ products and sums/s | Eigen product |",
                 "|---|---|---|---|---|")
@@ -144,7 +151,8 @@ def page_text(results, runs, scipy):
     yield from (["Where another one is faster:", "", *slower, ""] if slower else [])
     for title, table in (("One curve", contenders_table(run, scipy)), ("Short segments", segments_table(run)),
                          ("Many curves", group_table(run, "many", "ns per curve", columns_of(run, "many"))),
-                         ("Baked curves", baked_table(run)), ("Instruction sets", sets_table(runs))):
+                         ("Baked curves", baked_table(run)), ("Single motions", motion_table(run)),
+                         ("Instruction sets", sets_table(runs))):
         yield from (f"## {title}", "", *table, "")
 
 

@@ -41,6 +41,7 @@ void ask_random_access(const Sizes& sizes, Errors& errors);        ///< what doe
 void ask_setup(const Sizes& sizes);                                ///< what does a curve cost before its first sample?
 void ask_auto(const Sizes& sizes);                                 ///< what do samples of `auto` cost?
 void ask_baked(const Sizes& sizes);                                ///< what do samples of baked curves cost?
+void ask_motion(const Sizes& sizes);                               ///< what does a single motion cost?
 void ask_online(const Sizes& sizes);                               ///< what does a key cost in a stream?
 
 }  // namespace orispline::bench

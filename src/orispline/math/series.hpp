@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <utility>
 
 #include <orispline/math/dual.hpp>
 #include <orispline/math/jet.hpp>
@@ -21,15 +22,22 @@ template <Number T, std::size_t N>
   return sum;
 }
 
+/// The Taylor coefficients at x of a polynomial, from those of the polynomial without its lowest coefficient.
+template <class T, std::size_t... M>
+constexpr void horner_step(std::array<T, sizeof...(M) + 1>& taylor, const T& x, const T& lowest,
+                           std::index_sequence<M...>) noexcept {
+  constexpr std::size_t last = sizeof...(M);
+  ((taylor[last - M] = taylor[last - M] * x + taylor[last - M - 1]), ...);
+  taylor[0] = taylor[0] * x + lowest;
+}
+
 /// The same by way of the polynomial's own Taylor series at the value of x: a third of the products of power series.
 template <class T, int K, std::size_t N>
 [[nodiscard]] Jet<T, K> horner(const std::array<double, N>& coefficients, const Jet<T, K>& x) noexcept {
   constexpr std::size_t orders = Jet<T, K>::size;
   std::array<T, orders> taylor{};
-  for (std::size_t k = N; k-- > 0;) {
-    for (std::size_t m = orders - 1; m > 0; --m) taylor[m] = taylor[m] * x.c[0] + taylor[m - 1];
-    taylor[0] = taylor[0] * x.c[0] + T(coefficients[k]);
-  }
+  for (std::size_t k = N; k-- > 0;)
+    horner_step(taylor, x.c[0], T(coefficients[k]), std::make_index_sequence<orders - 1>{});
   Jet<T, K> sum(taylor[orders - 1]), moved = x;
   moved.c[0] = T(0.0);
   for (std::size_t m = orders - 1; m-- > 0;) sum = sum * moved + Jet<T, K>(taylor[m]);
