@@ -54,7 +54,8 @@ TEST_P(BatchDoors, GiveTheSameBits) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, BatchDoors, testing::Values(Wanted::orientation, Wanted::velocity, Wanted::acceleration),
+INSTANTIATE_TEST_SUITE_P(Each, BatchDoors,
+                         testing::Values(Wanted::orientation, Wanted::velocity, Wanted::acceleration, Wanted::jerk),
                          [](const auto& test) { return "wanted_" + std::to_string(test.index); });
 
 template <class T>
@@ -80,12 +81,13 @@ TEST(BatchDoors, TimesInAnyOrderGiveTheSamplesOfThoseTimes) {
   const Grid<double> grid(curve.curve(), 500);
   std::vector<double> shuffled;
   for (std::size_t i = 0; i < 500; ++i) shuffled.push_back(grid.times[(i * 137) % 500]);
-  Sampled<double> sorted(500, Wanted::acceleration), any(500, Wanted::acceleration);
+  Sampled<double> sorted(500, Wanted::jerk), any(500, Wanted::jerk);
   ASSERT_TRUE(sample<double>(curve, grid.times, sorted.spans()));
   ASSERT_TRUE(sample_at<double>(curve, shuffled, any.spans()));
   for (std::size_t i = 0; i < 500; ++i) {
     EXPECT_EQ(any.orientation(i), sorted.orientation((i * 137) % 500));
     EXPECT_EQ(any.acceleration(i), sorted.acceleration((i * 137) % 500));
+    EXPECT_EQ(any.jerk(i), sorted.jerk((i * 137) % 500));
   }
 }
 
@@ -93,14 +95,15 @@ TEST(BatchDoors, ManyCurvesGiveEachItsOwnSample) {
   std::vector<CompiledCurve<>> curves;
   for (const auto& named : curve_of_every_family(79)) curves.emplace_back(named.curve);
   for (const double t : {-3.0, 0.37, 1.9, 1e6}) {
-    Sampled<double> together(curves.size(), Wanted::acceleration, Layout::planar);
+    Sampled<double> together(curves.size(), Wanted::jerk, Layout::planar);
     ASSERT_TRUE(sample_many<double>(curves, t, together.spans()));
     for (std::size_t i = 0; i < curves.size(); ++i) {
-      Sampled<double> alone(1, Wanted::acceleration);
+      Sampled<double> alone(1, Wanted::jerk);
       ASSERT_TRUE(sample<double>(curves[i], {&t, 1}, alone.spans()));
       EXPECT_EQ(together.orientation(i), alone.orientation(0)) << i;
       EXPECT_EQ(together.velocity(i), alone.velocity(0)) << i;
       EXPECT_EQ(together.acceleration(i), alone.acceleration(0)) << i;
+      EXPECT_EQ(together.jerk(i), alone.jerk(0)) << i;
     }
   }
 }

@@ -99,7 +99,7 @@ Expected<void> CurveBundle<T>::sample(double t, const Samples<T>& out) const {
   if (out.size() != size() || out.orientations.size() % 4 != 0)
     return failure(ErrorCode::bad_argument,
                    fmt::format("found room for {} orientations, wanted {}", out.orientations.size() / 4, size()));
-  if (!out.angular_velocities.empty() || !out.angular_accelerations.empty() || wants_positions(out))
+  if (wants_angular_rates(out) || wants_positions(out))
     return failure(ErrorCode::bad_argument, "a bundle gives orientations only, found room for more");
   const Domain domain = curves_.front().domain();
   const std::size_t index = curves_.front().knots().segment_at(t);

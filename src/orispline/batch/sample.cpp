@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include <orispline/batch/baked_sampler.hpp>
 #include <orispline/base/parallel.hpp>
+#include <orispline/batch/baked_sampler.hpp>
 #include <orispline/batch/path_sampler.hpp>
 #include <orispline/batch/segment_runs.hpp>
 #include <orispline/batch/segment_sampler.hpp>
@@ -32,8 +32,9 @@ std::optional<Error> check_sizes(const Samples<T>& out, std::size_t wanted) {
   };
   for (const auto& [what, span, components] :
        {Room{"orientations", out.orientations, 4}, Room{"angular velocities", out.angular_velocities, 3},
-        Room{"angular accelerations", out.angular_accelerations, 3}, Room{"positions", out.positions, 3},
-        Room{"velocities", out.velocities, 3}, Room{"accelerations", out.accelerations, 3}}) {
+        Room{"angular accelerations", out.angular_accelerations, 3}, Room{"angular jerks", out.angular_jerks, 3},
+        Room{"positions", out.positions, 3}, Room{"velocities", out.velocities, 3},
+        Room{"accelerations", out.accelerations, 3}}) {
     const bool may_be_empty = components == 3;
     if ((may_be_empty && span.empty()) || span.size() == components * wanted) continue;
     return Error{ErrorCode::bad_argument,
@@ -112,7 +113,7 @@ struct BakedSource {
   const BakedCurve<T>& curve;
 
   [[nodiscard]] std::optional<Error> check(const Samples<T>& out) const {
-    return !out.angular_velocities.empty() || !out.angular_accelerations.empty() || wants_positions(out)
+    return wants_angular_rates(out) || wants_positions(out)
                ? refusal("a baked curve gives orientations only, found room for more")
                : std::nullopt;
   }

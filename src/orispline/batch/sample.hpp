@@ -19,13 +19,14 @@ enum class Layout {
 /// Where samples go: memory of the caller, 4 numbers a sample for orientations, 3 for all else. Empty: not wanted, but
 /// for the orientations, which are always given.
 ///
-/// Angular rates are in the **body** frame, [rad/s] and [rad/s²]; positions with their rates, which only a PoseCurve
-/// has, in the world frame, [m], [m/s] and [m/s²].
+/// Angular rates are in the **body** frame, [rad/s], [rad/s²] and [rad/s³]; positions with their rates, which only a
+/// PoseCurve has, in the world frame, [m], [m/s] and [m/s²].
 template <class T>
 struct Samples {
   std::span<T> orientations;
   std::span<T> angular_velocities{};
   std::span<T> angular_accelerations{};
+  std::span<T> angular_jerks{};
   std::span<T> positions{};
   std::span<T> velocities{};
   std::span<T> accelerations{};
@@ -34,6 +35,10 @@ struct Samples {
   [[nodiscard]] std::size_t size() const noexcept { return orientations.size() / 4; }
 };
 
+template <class T>
+[[nodiscard]] bool wants_angular_rates(const Samples<T>& out) noexcept {
+  return !out.angular_velocities.empty() || !out.angular_accelerations.empty() || !out.angular_jerks.empty();
+}
 template <class T>
 [[nodiscard]] bool wants_positions(const Samples<T>& out) noexcept {
   return !out.positions.empty() || !out.velocities.empty() || !out.accelerations.empty();
