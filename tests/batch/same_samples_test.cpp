@@ -39,7 +39,8 @@ void expect_the_same_by_every_door(const AnyCurve& curve, std::size_t count, Wan
   expect_same("sample_uniform", [&](const Samples<T>& out) { return sample_uniform<T>(curve, grid.t0, grid.dt, out); });
   expect_same("sample_uniform, compiled",
               [&](const Samples<T>& out) { return sample_uniform<T>(compiled, grid.t0, grid.dt, out); });
-  expect_same("sample_at", [&](const Samples<T>& out) { return sample_at<T>(compiled, grid.times, out); });
+  expect_same("sample_at", [&](const Samples<T>& out) { return sample_at<T>(curve, grid.times, out); });
+  expect_same("sample_at, compiled", [&](const Samples<T>& out) { return sample_at<T>(compiled, grid.times, out); });
 }
 
 class BatchDoors : public testing::TestWithParam<Wanted> {};
@@ -76,18 +77,32 @@ TEST(BatchDoors, OneSampleIsAsOneOfMany) {
   }
 }
 
-TEST(BatchDoors, TimesInAnyOrderGiveTheSamplesOfThoseTimes) {
-  const CompiledCurve<> curve(specimen_curve("timed-c2"));
-  const Grid<double> grid(curve.curve(), 500);
-  std::vector<double> shuffled;
-  for (std::size_t i = 0; i < 500; ++i) shuffled.push_back(grid.times[(i * 137) % 500]);
-  Sampled<double> sorted(500, Wanted::jerk), any(500, Wanted::jerk);
+/// `place(i)` is where the i-th of the times to be asked for stands among 500 that rise.
+template <class Place>
+void expect_the_samples_of_the_same_times(const AnyCurve& curve, Place place) {
+  const CompiledCurve<> compiled(curve);
+  const Grid<double> grid(curve, 500);
+  std::vector<double> times;
+  for (std::size_t i = 0; i < 500; ++i) times.push_back(grid.times[place(i)]);
+  Sampled<double> sorted(500, Wanted::jerk), any(500, Wanted::jerk), from_compiled(500, Wanted::jerk);
   ASSERT_TRUE(sample<double>(curve, grid.times, sorted.spans()));
-  ASSERT_TRUE(sample_at<double>(curve, shuffled, any.spans()));
+  ASSERT_TRUE(sample_at<double>(curve, times, any.spans()));
+  ASSERT_TRUE(sample_at<double>(compiled, times, from_compiled.spans()));
+  EXPECT_TRUE(from_compiled.same_bits(any));
   for (std::size_t i = 0; i < 500; ++i) {
-    EXPECT_EQ(any.orientation(i), sorted.orientation((i * 137) % 500));
-    EXPECT_EQ(any.acceleration(i), sorted.acceleration((i * 137) % 500));
-    EXPECT_EQ(any.jerk(i), sorted.jerk((i * 137) % 500));
+    ASSERT_EQ(any.orientation(i), sorted.orientation(place(i))) << i;
+    ASSERT_EQ(any.acceleration(i), sorted.acceleration(place(i))) << i;
+    ASSERT_EQ(any.jerk(i), sorted.jerk(place(i))) << i;
+  }
+}
+
+TEST(BatchDoors, TimesInAnyOrderGiveTheSamplesOfThoseTimes) {
+  for (const char* kind : kinds_of_curves) {
+    SCOPED_TRACE(kind);
+    const AnyCurve curve = specimen_curve(kind);
+    expect_the_samples_of_the_same_times(curve, [](std::size_t i) { return (i * 137) % 500; });
+    expect_the_samples_of_the_same_times(curve, [](std::size_t i) { return 499 - i; });
+    expect_the_samples_of_the_same_times(curve, [](std::size_t i) { return i ^ 3U; });  // mostly within a segment
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <span>
 
 #include <orispline/base/expected.hpp>
@@ -31,8 +32,14 @@ struct Samples {
   std::span<T> velocities{};
   std::span<T> accelerations{};
   Layout layout = Layout::interleaved;
+  /// From the first number of one component to that of the next one in a planar layout, such as the rows of a larger
+  /// table of which the samples fill some; a span of n samples is then plane * (components - 1) + n long, and what lies
+  /// between is not touched. 0: the number of samples.
+  std::size_t plane = 0;
 
-  [[nodiscard]] std::size_t size() const noexcept { return orientations.size() / 4; }
+  [[nodiscard]] std::size_t size() const noexcept {
+    return plane == 0 ? orientations.size() / 4 : orientations.size() - std::min(orientations.size(), 3 * plane);
+  }
 };
 
 template <class T>
@@ -49,6 +56,15 @@ struct Work {
   unsigned threads = 1;  ///< 0: one per core
 };
 
+// Every kind of curve is sampled at every kind of times:
+//
+// |               | sample_uniform, sample, sample_at                                              |
+// |---------------|--------------------------------------------------------------------------------|
+// | AnyCurve      | orientation, angular velocity, acceleration, jerk                              |
+// | CompiledCurve | the same                                                                       |
+// | PoseCurve     | the same, and position, velocity, acceleration where its keys have positions   |
+// | BakedCurve    | orientation                                                                    |
+//
 // Curves of polynomial pieces (every cumulative family of up to three factors, every chart family) go through the
 // vector kernel, at a few nanoseconds a sample; others through their own evaluator. All samples agree with motion() to
 // rounding, have the same bits on every processor and with any number of threads, and at a knot are those of the
@@ -91,10 +107,16 @@ template <class T>
 [[nodiscard]] Expected<void> sample(const BakedCurve<T>& curve, std::span<const double> times, const Samples<T>& out,
                                     Work work = {});
 
-/// At times in any order.
+/// At times in any order; successive ones of one segment are as fast as sorted ones.
+template <class T>
+[[nodiscard]] Expected<void> sample_at(const AnyCurve& curve, std::span<const double> times, const Samples<T>& out,
+                                       Work work = {});
 template <class T>
 [[nodiscard]] Expected<void> sample_at(const CompiledCurve<T>& curve, std::span<const double> times,
                                        const Samples<T>& out, Work work = {});
+template <class T>
+[[nodiscard]] Expected<void> sample_at(const PoseCurve& curve, std::span<const double> times, const Samples<T>& out,
+                                       Work work = {});
 template <class T>
 [[nodiscard]] Expected<void> sample_at(const BakedCurve<T>& curve, std::span<const double> times, const Samples<T>& out,
                                        Work work = {});

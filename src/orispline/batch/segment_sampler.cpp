@@ -62,10 +62,10 @@ void SegmentSampler<T>::held(const Eigen::Quaterniond& orientation, std::size_t 
 
 template <class T>
 void SegmentSampler<T>::store(const Motion& motion, std::size_t at) noexcept {
-  put<T, 4>(out_.orientations, out_.layout, out_.size(), at, motion.orientation.coeffs());
-  put<T, 3>(out_.angular_velocities, out_.layout, out_.size(), at, motion.angular_velocity);
-  put<T, 3>(out_.angular_accelerations, out_.layout, out_.size(), at, motion.angular_acceleration);
-  put<T, 3>(out_.angular_jerks, out_.layout, out_.size(), at, motion.angular_jerk);
+  put<4>(out_, out_.orientations, at, motion.orientation.coeffs());
+  put<3>(out_, out_.angular_velocities, at, motion.angular_velocity);
+  put<3>(out_, out_.angular_accelerations, at, motion.angular_acceleration);
+  put<3>(out_, out_.angular_jerks, at, motion.angular_jerk);
 }
 
 template class SegmentSampler<double>;
