@@ -49,6 +49,8 @@ def main():
         show("sine_defect", kind, series(3), 4, count)
         show("versine_slope", kind, negative(series(4, lambda k: k + 1)), 4, count)
         show("sine_defect_slope", kind, negative(series(5, lambda k: k + 1)), 4, count)
+        show("versine_curvature", kind, series(6, lambda k: (k + 1) * (k + 2)), 4, count)
+        show("sine_defect_curvature", kind, series(7, lambda k: (k + 1) * (k + 2)), 4, count)
 
 
 if __name__ == "__main__":

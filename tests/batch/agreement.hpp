@@ -16,6 +16,7 @@ struct SegmentSize {
   double angle = 0.0;         ///< of any factor [rad]
   double velocity = 0.0;      ///< sum of the factors' own rates [rad/s]
   double acceleration = 0.0;  ///< the same with the products of rates [rad/s²]
+  double jerk = 0.0;          ///< the same, and the angles over the third power of the segment's length [rad/s³]
 };
 
 /// Largest coefficient of the derivative of that order in u, of a polynomial whose coefficients have a norm.
@@ -28,10 +29,13 @@ template <class Coefficients, class Norm>
   return largest;
 }
 
-inline void add_factor(SegmentSize& size, double angle, double first, double second) {
-  size.angle = std::max(size.angle, angle);
-  size.velocity += first;
-  size.acceleration += second;
+/// `bound(order)` is the largest derivative of the factor's angle in u, h the segment's length [s].
+template <class Bound>
+void add_factor(SegmentSize& size, double h, Bound bound) {
+  size.angle = std::max(size.angle, bound(0));
+  size.velocity += bound(1) / h;
+  size.acceleration += bound(2) / (h * h);
+  size.jerk += (bound(0) + bound(3)) / (h * h * h);
 }
 
 [[nodiscard]] inline SegmentSize size_of(const AnyCurve& curve, std::size_t segment) {
@@ -42,10 +46,9 @@ inline void add_factor(SegmentSize& size, double angle, double first, double sec
   if (const auto* cumulative = std::get_if<CumulativeForm>(&form)) {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto norm = [phi = cumulative->increments[k].norm()](double c) { return phi * std::abs(c); };
-      const auto bound = [&](std::size_t order) {
+      add_factor(size, h, [&](std::size_t order) {
         return largest_derivative(cumulative->blending[k].coefficients, cumulative->degree, order, norm);
-      };
-      add_factor(size, bound(0), bound(1) / h, bound(2) / (h * h));
+      });
     }
   } else if (const auto* chart = std::get_if<ChartForm>(&form)) {
     std::array<Eigen::Vector3d, form_degree + 1> psi;
@@ -53,39 +56,39 @@ inline void add_factor(SegmentSize& size, double angle, double first, double sec
       psi[i] = {chart->rotation_vector[0].coefficients[i], chart->rotation_vector[1].coefficients[i],
                 chart->rotation_vector[2].coefficients[i]};
     const auto norm = [](const Eigen::Vector3d& c) { return c.norm(); };
-    const auto bound = [&](std::size_t order) { return largest_derivative(psi, chart->degree, order, norm); };
-    add_factor(size, bound(0), bound(1) / h, bound(2) / (h * h));
+    add_factor(size, h, [&](std::size_t order) { return largest_derivative(psi, chart->degree, order, norm); });
   }
+  size.jerk += size.velocity * (3.0 * size.acceleration + size.velocity * size.velocity);
   size.acceleration += size.velocity * size.velocity;
   return size;
 }
 
 /// Allowed differences from the scalar evaluator, per max(1, angle) and max(1, size of the rate).
 struct Limits {
-  double orientation, velocity, acceleration;
+  double orientation, velocity, acceleration, jerk;
 };
 template <class T>
 [[nodiscard]] Limits limits();
 
-/// Orientation: the promise. ω and α: both evaluators sum some dozens of terms within the bounds; and where Bernstein
+/// Orientation: the promise. The rates: both evaluators sum some dozens of terms within the bounds; and where Bernstein
 /// coefficients differ little from each other, their differences keep the rounding of the coefficients themselves, of
-/// which the second derivative takes up to n (n - 1) = 42 times: measured at worst 14 and 55 units. In float only the
-/// polynomials' own rounding counts, the coefficients come from double.
+/// which the second derivative takes up to n (n - 1) = 42 times, the third 210 times: measured at worst 14, 55 and 516
+/// units. In float only the polynomials' own rounding counts, the coefficients come from double.
 template <>
 [[nodiscard]] inline Limits limits<double>() {
   constexpr double unit = std::numeric_limits<double>::epsilon();
-  return {4.0 * unit, 32.0 * unit, 128.0 * unit};
+  return {4.0 * unit, 32.0 * unit, 128.0 * unit, 1024.0 * unit};
 }
 template <>
 [[nodiscard]] inline Limits limits<float>() {
-  return {3e-7, 6e-7, 12e-7};
+  return {3e-7, 6e-7, 12e-7, 6e-7};
 }
 
 /// A curve's samples against the scalar evaluator's at the same times, which lie in its domain or beside it.
 template <class T>
 [[nodiscard]] ::testing::AssertionResult agree(const Sampled<T>& samples, const AnyCurve& curve,
                                                std::span<const double> times, Wanted wanted) {
-  const auto [q_limit, w_limit, a_limit] = limits<T>();
+  const auto [q_limit, w_limit, a_limit, j_limit] = limits<T>();
   for (std::size_t i = 0; i < times.size(); ++i) {
     const double t = times[i];
     const SegmentSize size = size_of(curve, curve.knots().segment_at(t));
@@ -101,15 +104,18 @@ template <class T>
     if (auto ok = beyond("orientation", samples.orientation(i), motion.orientation.coeffs(), q_limit * angle); !ok)
       return ok;
     const double velocity = std::max({1.0, size.velocity, motion.angular_velocity.norm()});
-    if (wanted != Wanted::orientation)
+    if (wanted >= Wanted::velocity)
       if (auto ok = beyond("velocity", samples.velocity(i), motion.angular_velocity, w_limit * angle * velocity); !ok)
         return ok;
     const double acceleration = std::max({1.0, size.acceleration, motion.angular_acceleration.norm()});
-    if (wanted == Wanted::acceleration)
+    if (wanted >= Wanted::acceleration)
       if (auto ok = beyond("acceleration", samples.acceleration(i), motion.angular_acceleration,
                            a_limit * angle * acceleration);
           !ok)
         return ok;
+    const double jerk = std::max({1.0, size.jerk, motion.angular_jerk.norm()});
+    if (wanted >= Wanted::jerk)
+      if (auto ok = beyond("jerk", samples.jerk(i), motion.angular_jerk, j_limit * angle * jerk); !ok) return ok;
   }
   return ::testing::AssertionSuccess();
 }
@@ -117,7 +123,7 @@ template <class T>
 /// The same for whatever can be asked of a sample.
 template <class T>
 [[nodiscard]] ::testing::AssertionResult agree(const AnyCurve& curve, std::span<const double> times) {
-  for (const Wanted wanted : {Wanted::orientation, Wanted::velocity, Wanted::acceleration}) {
+  for (const Wanted wanted : {Wanted::orientation, Wanted::velocity, Wanted::acceleration, Wanted::jerk}) {
     Sampled<T> samples(times.size(), wanted);
     if (const auto sampled = sample<T>(curve, times, samples.spans()); !sampled)
       return ::testing::AssertionFailure() << describe(sampled.error());

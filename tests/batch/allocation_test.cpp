@@ -20,7 +20,7 @@ void expect_no_allocation(const AnyCurve& curve) {
   const double dt = (end - start) / 280.0;
   std::vector<double> times;
   for (std::size_t k = 0; k < count; ++k) times.push_back(static_cast<double>(k) * dt + start);
-  Sampled<T> memory(count, Wanted::acceleration);
+  Sampled<T> memory(count, Wanted::jerk);
   const Samples<T> out = memory.spans();
 
   const auto allocations_of = [](auto take) {

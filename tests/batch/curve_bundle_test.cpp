@@ -81,7 +81,8 @@ TEST(CurveBundle, NamesTheCurveThatDoesNotBelong) {
 TEST(CurveBundle, RefusesRoomForAnotherNumberAndRates) {
   const auto bundle = CurveBundle<double>::make(curves_of("timed-c2", 3)).value();
   std::vector<double> q(12), wrong(16), rates(9);
-  EXPECT_EQ(bundle.sample(0.5, Samples<double>{wrong}).error().message, "found room for 4 orientations, wanted 3");
+  EXPECT_EQ(bundle.sample(0.5, Samples<double>{wrong}).error().message,
+            "found room for 16 numbers of orientations, wanted 12 numbers for 3 samples");
   EXPECT_FALSE(bundle.sample(0.5, Samples<double>{q, rates}));
 }
 

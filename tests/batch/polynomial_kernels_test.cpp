@@ -31,10 +31,10 @@ template <class T>
 using Numbers = std::vector<T>;
 
 void run(const PolynomialKernels& k, const batch::BakedRecord<double>& r, const Clock& clock, Numbers<double>& to) {
-  k.baked(r, clock, count, {to.data(), nullptr, nullptr, 0});
+  k.baked(r, clock, count, {.orientation = to.data()});
 }
 void run(const PolynomialKernels& k, const batch::BakedRecord<float>& r, const Clock& clock, Numbers<float>& to) {
-  k.baked_float(r, clock, count, {to.data(), nullptr, nullptr, 0});
+  k.baked_float(r, clock, count, {.orientation = to.data()});
 }
 template <class T>
 batch::PathTarget<T> path_target(Numbers<T>& to) {

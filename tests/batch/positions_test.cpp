@@ -138,10 +138,12 @@ TEST(BatchPositions, HaveTheSameBitsByEveryDoorAndAllocateNothing) {
     const double dt = 1.02 * (end - start) / count, t0 = start - 0.01 * (end - start);
     std::vector<double> times;
     for (std::size_t k = 0; k < count; ++k) times.push_back(static_cast<double>(k) * dt + t0);
-    Poses<double> given{count}, even{count}, planar{count, Layout::planar};
+    Poses<double> given{count}, even{count}, any{count}, planar{count, Layout::planar};
+    const std::vector<double> reversed(times.rbegin(), times.rend());
     const std::size_t before = allocations_of_this_thread();
     EXPECT_TRUE(sample<double>(curve, times, given.spans()));
     EXPECT_TRUE(sample_uniform<double>(curve, t0, dt, even.spans()));
+    EXPECT_TRUE(sample_at<double>(curve, reversed, any.spans()));
     EXPECT_TRUE(sample<double>(curve, times, planar.spans()));
     EXPECT_EQ(allocations_of_this_thread(), before);
     EXPECT_EQ(even.positions, given.positions);
@@ -150,6 +152,8 @@ TEST(BatchPositions, HaveTheSameBitsByEveryDoorAndAllocateNothing) {
     for (std::size_t i = 0; i < count; ++i) {
       ASSERT_EQ(planar[i].position, given[i].position) << i;
       ASSERT_EQ(planar[i].acceleration, given[i].acceleration) << i;
+      ASSERT_EQ(any[count - 1 - i].position, given[i].position) << i;
+      ASSERT_EQ(any[count - 1 - i].acceleration, given[i].acceleration) << i;
     }
   }
 }

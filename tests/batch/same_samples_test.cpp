@@ -39,7 +39,8 @@ void expect_the_same_by_every_door(const AnyCurve& curve, std::size_t count, Wan
   expect_same("sample_uniform", [&](const Samples<T>& out) { return sample_uniform<T>(curve, grid.t0, grid.dt, out); });
   expect_same("sample_uniform, compiled",
               [&](const Samples<T>& out) { return sample_uniform<T>(compiled, grid.t0, grid.dt, out); });
-  expect_same("sample_at", [&](const Samples<T>& out) { return sample_at<T>(compiled, grid.times, out); });
+  expect_same("sample_at", [&](const Samples<T>& out) { return sample_at<T>(curve, grid.times, out); });
+  expect_same("sample_at, compiled", [&](const Samples<T>& out) { return sample_at<T>(compiled, grid.times, out); });
 }
 
 class BatchDoors : public testing::TestWithParam<Wanted> {};
@@ -54,7 +55,8 @@ TEST_P(BatchDoors, GiveTheSameBits) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, BatchDoors, testing::Values(Wanted::orientation, Wanted::velocity, Wanted::acceleration),
+INSTANTIATE_TEST_SUITE_P(Each, BatchDoors,
+                         testing::Values(Wanted::orientation, Wanted::velocity, Wanted::acceleration, Wanted::jerk),
                          [](const auto& test) { return "wanted_" + std::to_string(test.index); });
 
 template <class T>
@@ -75,17 +77,32 @@ TEST(BatchDoors, OneSampleIsAsOneOfMany) {
   }
 }
 
-TEST(BatchDoors, TimesInAnyOrderGiveTheSamplesOfThoseTimes) {
-  const CompiledCurve<> curve(specimen_curve("timed-c2"));
-  const Grid<double> grid(curve.curve(), 500);
-  std::vector<double> shuffled;
-  for (std::size_t i = 0; i < 500; ++i) shuffled.push_back(grid.times[(i * 137) % 500]);
-  Sampled<double> sorted(500, Wanted::acceleration), any(500, Wanted::acceleration);
+/// `place(i)` is where the i-th of the times to be asked for stands among 500 that rise.
+template <class Place>
+void expect_the_samples_of_the_same_times(const AnyCurve& curve, Place place) {
+  const CompiledCurve<> compiled(curve);
+  const Grid<double> grid(curve, 500);
+  std::vector<double> times;
+  for (std::size_t i = 0; i < 500; ++i) times.push_back(grid.times[place(i)]);
+  Sampled<double> sorted(500, Wanted::jerk), any(500, Wanted::jerk), from_compiled(500, Wanted::jerk);
   ASSERT_TRUE(sample<double>(curve, grid.times, sorted.spans()));
-  ASSERT_TRUE(sample_at<double>(curve, shuffled, any.spans()));
+  ASSERT_TRUE(sample_at<double>(curve, times, any.spans()));
+  ASSERT_TRUE(sample_at<double>(compiled, times, from_compiled.spans()));
+  EXPECT_TRUE(from_compiled.same_bits(any));
   for (std::size_t i = 0; i < 500; ++i) {
-    EXPECT_EQ(any.orientation(i), sorted.orientation((i * 137) % 500));
-    EXPECT_EQ(any.acceleration(i), sorted.acceleration((i * 137) % 500));
+    ASSERT_EQ(any.orientation(i), sorted.orientation(place(i))) << i;
+    ASSERT_EQ(any.acceleration(i), sorted.acceleration(place(i))) << i;
+    ASSERT_EQ(any.jerk(i), sorted.jerk(place(i))) << i;
+  }
+}
+
+TEST(BatchDoors, TimesInAnyOrderGiveTheSamplesOfThoseTimes) {
+  for (const char* kind : kinds_of_curves) {
+    SCOPED_TRACE(kind);
+    const AnyCurve curve = specimen_curve(kind);
+    expect_the_samples_of_the_same_times(curve, [](std::size_t i) { return (i * 137) % 500; });
+    expect_the_samples_of_the_same_times(curve, [](std::size_t i) { return 499 - i; });
+    expect_the_samples_of_the_same_times(curve, [](std::size_t i) { return i ^ 3U; });  // mostly within a segment
   }
 }
 
@@ -93,14 +110,15 @@ TEST(BatchDoors, ManyCurvesGiveEachItsOwnSample) {
   std::vector<CompiledCurve<>> curves;
   for (const auto& named : curve_of_every_family(79)) curves.emplace_back(named.curve);
   for (const double t : {-3.0, 0.37, 1.9, 1e6}) {
-    Sampled<double> together(curves.size(), Wanted::acceleration, Layout::planar);
+    Sampled<double> together(curves.size(), Wanted::jerk, Layout::planar);
     ASSERT_TRUE(sample_many<double>(curves, t, together.spans()));
     for (std::size_t i = 0; i < curves.size(); ++i) {
-      Sampled<double> alone(1, Wanted::acceleration);
+      Sampled<double> alone(1, Wanted::jerk);
       ASSERT_TRUE(sample<double>(curves[i], {&t, 1}, alone.spans()));
       EXPECT_EQ(together.orientation(i), alone.orientation(0)) << i;
       EXPECT_EQ(together.velocity(i), alone.velocity(0)) << i;
       EXPECT_EQ(together.acceleration(i), alone.acceleration(0)) << i;
+      EXPECT_EQ(together.jerk(i), alone.jerk(0)) << i;
     }
   }
 }

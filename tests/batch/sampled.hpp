@@ -9,7 +9,7 @@
 namespace orispline::testing_support {
 
 /// What is asked of a sample.
-enum class Wanted { orientation, velocity, acceleration };
+enum class Wanted { orientation, velocity, acceleration, jerk };
 
 /// Memory for samples, and how to read them again in either layout.
 template <class T>
@@ -19,24 +19,27 @@ class Sampled {
       : count_(count),
         layout_(layout),
         orientations_(4 * count),
-        velocities_(wanted == Wanted::orientation ? 0 : 3 * count),
-        accelerations_(wanted == Wanted::acceleration ? 3 * count : 0) {}
+        velocities_(wanted >= Wanted::velocity ? 3 * count : 0),
+        accelerations_(wanted >= Wanted::acceleration ? 3 * count : 0),
+        jerks_(wanted >= Wanted::jerk ? 3 * count : 0) {}
 
   [[nodiscard]] Samples<T> spans() {
     return {.orientations = orientations_,
             .angular_velocities = velocities_,
             .angular_accelerations = accelerations_,
+            .angular_jerks = jerks_,
             .layout = layout_};
   }
 
   [[nodiscard]] Eigen::Vector4d orientation(std::size_t i) const { return read<4>(orientations_, i); }
   [[nodiscard]] Eigen::Vector3d velocity(std::size_t i) const { return read<3>(velocities_, i); }
   [[nodiscard]] Eigen::Vector3d acceleration(std::size_t i) const { return read<3>(accelerations_, i); }
+  [[nodiscard]] Eigen::Vector3d jerk(std::size_t i) const { return read<3>(jerks_, i); }
 
   /// Equal in every bit, NaN as well.
   [[nodiscard]] bool same_bits(const Sampled& other) const {
     return same_bits(orientations_, other.orientations_) && same_bits(velocities_, other.velocities_) &&
-           same_bits(accelerations_, other.accelerations_);
+           same_bits(accelerations_, other.accelerations_) && same_bits(jerks_, other.jerks_);
   }
 
  private:
@@ -56,7 +59,7 @@ class Sampled {
 
   std::size_t count_;
   Layout layout_;
-  std::vector<T> orientations_, velocities_, accelerations_;
+  std::vector<T> orientations_, velocities_, accelerations_, jerks_;
 };
 
 }  // namespace orispline::testing_support

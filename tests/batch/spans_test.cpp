@@ -18,15 +18,18 @@ class Guarded {
  public:
   Guarded(std::size_t samples, std::size_t offset, Layout layout)
       : samples_(samples), offset_(offset), layout_(layout) {
-    for (std::size_t k = 0; k < 3; ++k) memory_[k].assign(components(k) * samples + 2 * guards, T(untouched));
+    for (std::size_t k = 0; k < 4; ++k) memory_[k].assign(components(k) * samples + 2 * guards, T(untouched));
   }
   [[nodiscard]] Samples<T> spans() {
-    return {
-        .orientations = span(0), .angular_velocities = span(1), .angular_accelerations = span(2), .layout = layout_};
+    return {.orientations = span(0),
+            .angular_velocities = span(1),
+            .angular_accelerations = span(2),
+            .angular_jerks = span(3),
+            .layout = layout_};
   }
 
   [[nodiscard]] bool guards_are_untouched() {
-    for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t k = 0; k < 4; ++k)
       for (const T& value : memory_[k]) {
         const bool inside = &value >= span(k).data() && &value < span(k).data() + span(k).size();
         if (!inside && value != T(untouched)) return false;
@@ -43,7 +46,7 @@ class Guarded {
 
   std::size_t samples_, offset_;
   Layout layout_;
-  std::vector<T> memory_[3];
+  std::vector<T> memory_[4];
 };
 
 template <class T>
@@ -52,20 +55,22 @@ void expect_the_same_anywhere(const AnyCurve& curve, std::size_t count, Layout l
   const auto fill = [&](const Samples<T>& spans) {
     ASSERT_TRUE(sample_uniform<T>(curve, curve.domain().start + 0.3 * dt, dt, spans));
   };
-  Sampled<T> interleaved(count, Wanted::acceleration);
+  Sampled<T> interleaved(count, Wanted::jerk);
   fill(interleaved.spans());
   for (const std::size_t offset : {0U, 1U, 3U, 7U, 13U}) {
     Guarded<T> guarded(count, offset, layout);
     fill(guarded.spans());
     EXPECT_TRUE(guarded.guards_are_untouched()) << count << " samples at offset " << offset;
-    Sampled<T> read(count, Wanted::acceleration, layout);
+    Sampled<T> read(count, Wanted::jerk, layout);
     std::ranges::copy(guarded.spans().orientations, read.spans().orientations.begin());
     std::ranges::copy(guarded.spans().angular_velocities, read.spans().angular_velocities.begin());
     std::ranges::copy(guarded.spans().angular_accelerations, read.spans().angular_accelerations.begin());
+    std::ranges::copy(guarded.spans().angular_jerks, read.spans().angular_jerks.begin());
     for (std::size_t i = 0; i < count; ++i) {
       ASSERT_EQ(read.orientation(i), interleaved.orientation(i)) << i << " of " << count;
       ASSERT_EQ(read.velocity(i), interleaved.velocity(i)) << i << " of " << count;
       ASSERT_EQ(read.acceleration(i), interleaved.acceleration(i)) << i << " of " << count;
+      ASSERT_EQ(read.jerk(i), interleaved.jerk(i)) << i << " of " << count;
     }
   }
 }

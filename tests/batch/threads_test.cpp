@@ -28,10 +28,10 @@ constexpr std::size_t samples = 3 * 65536 + 1001;
 
 template <class Take>
 void expect_the_same_with_any_threads(Take take) {
-  Sampled<double> alone(samples, Wanted::acceleration);
+  Sampled<double> alone(samples, Wanted::jerk);
   ASSERT_TRUE(take(alone.spans(), Work{.threads = 1}));
   for (const unsigned threads : {0U, 2U, 3U, 8U}) {
-    Sampled<double> together(samples, Wanted::acceleration);
+    Sampled<double> together(samples, Wanted::jerk);
     ASSERT_TRUE(take(together.spans(), Work{.threads = threads}));
     EXPECT_TRUE(together.same_bits(alone)) << threads << " threads";
   }

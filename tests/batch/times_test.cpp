@@ -30,13 +30,14 @@ class BatchTimes : public testing::TestWithParam<const char*> {
     EXPECT_EQ(samples.orientation(i), q.coeffs()) << "sample " << i;
     EXPECT_EQ(samples.velocity(i), Eigen::Vector3d::Zero()) << "sample " << i;
     EXPECT_EQ(samples.acceleration(i), Eigen::Vector3d::Zero()) << "sample " << i;
+    EXPECT_EQ(samples.jerk(i), Eigen::Vector3d::Zero()) << "sample " << i;
   }
 };
 
 TEST_P(BatchTimes, OutsideTheDomainHoldTheEndsAtRest) {
   const std::vector<double> times{
       -infinity, start_ - 5.0, std::nextafter(start_, -infinity), std::nextafter(end_, infinity), end_ + 5.0, infinity};
-  Sampled<double> samples(times.size(), Wanted::acceleration);
+  Sampled<double> samples(times.size(), Wanted::jerk);
   ASSERT_TRUE(sample<double>(curve_, times, samples.spans()));
   for (std::size_t i = 0; i < 3; ++i) expect_at_rest(samples, i, sample_at_end(start_));
   for (std::size_t i = 3; i < 6; ++i) expect_at_rest(samples, i, sample_at_end(end_));
@@ -44,9 +45,9 @@ TEST_P(BatchTimes, OutsideTheDomainHoldTheEndsAtRest) {
 
 TEST_P(BatchTimes, AtTheFirstAndTheLastKnotAreInMotion) {
   const std::vector<double> times{start_, end_, end_};
-  Sampled<double> samples(times.size(), Wanted::acceleration);
+  Sampled<double> samples(times.size(), Wanted::jerk);
   ASSERT_TRUE(sample<double>(curve_, times, samples.spans()));
-  EXPECT_TRUE(agree(samples, curve_, times, Wanted::acceleration));
+  EXPECT_TRUE(agree(samples, curve_, times, Wanted::jerk));
   for (std::size_t i = 0; i < 3; ++i) EXPECT_GT(samples.velocity(i).norm(), 0.1) << i;
 }
 
@@ -61,13 +62,14 @@ TEST_P(BatchTimes, ThatAreNoNumbersGiveNone) {
   const double middle = 0.5 * (start_ + end_);
   const std::vector<double> times{not_a_number, start_ - 1.0, not_a_number, start_, middle,   not_a_number,
                                   not_a_number, middle,       end_,         end_,   infinity, not_a_number};
-  Sampled<double> samples(times.size(), Wanted::acceleration);
+  Sampled<double> samples(times.size(), Wanted::jerk);
   ASSERT_TRUE(sample<double>(curve_, times, samples.spans()));
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (std::isnan(times[i])) {
       EXPECT_TRUE(samples.orientation(i).array().isNaN().all()) << i;
       EXPECT_TRUE(samples.velocity(i).array().isNaN().all()) << i;
       EXPECT_TRUE(samples.acceleration(i).array().isNaN().all()) << i;
+      EXPECT_TRUE(samples.jerk(i).array().isNaN().all()) << i;
     } else {
       const Motion m = curve_.motion(times[i]);
       EXPECT_LE((samples.orientation(i) - m.orientation.coeffs()).norm(), 1e-14) << i;
@@ -78,20 +80,20 @@ TEST_P(BatchTimes, ThatAreNoNumbersGiveNone) {
 
 TEST_P(BatchTimes, ThatAreEvenMayStartBeforeAndEndAfterTheCurve) {
   const double dt = (end_ - start_) / 301.0, t0 = start_ - 20.0 * dt;
-  Sampled<double> samples(350, Wanted::acceleration);
+  Sampled<double> samples(350, Wanted::jerk);
   ASSERT_TRUE(sample_uniform<double>(curve_, t0, dt, samples.spans()));
   std::vector<double> times;
   for (int k = 0; k < 350; ++k) times.push_back(k * dt + t0);
-  EXPECT_TRUE(agree(samples, curve_, times, Wanted::acceleration));
+  EXPECT_TRUE(agree(samples, curve_, times, Wanted::jerk));
   expect_at_rest(samples, 0, sample_at_end(start_));
   expect_at_rest(samples, 349, sample_at_end(end_));
 }
 
 TEST_P(BatchTimes, ThatAreEvenMayStandStill) {
   for (const double t : {start_ - 1.0, start_, 0.3 * start_ + 0.7 * end_, end_, end_ + 1.0}) {
-    Sampled<double> samples(5, Wanted::acceleration);
+    Sampled<double> samples(5, Wanted::jerk);
     ASSERT_TRUE(sample_uniform<double>(curve_, t, 0.0, samples.spans()));
-    EXPECT_TRUE(agree(samples, curve_, std::vector(5, t), Wanted::acceleration));
+    EXPECT_TRUE(agree(samples, curve_, std::vector(5, t), Wanted::jerk));
   }
 }
 
@@ -106,14 +108,14 @@ TEST_P(BatchTimes, ThatAreEvenMayBeHugeOrTiny) {
 }
 
 TEST_P(BatchTimes, ThatStartNowhereAreAnsweredAsOneTimeIs) {
-  Sampled<double> samples(3, Wanted::acceleration);
+  Sampled<double> samples(3, Wanted::jerk);
   ASSERT_TRUE(sample_uniform<double>(curve_, -infinity, 1.0, samples.spans()));
   expect_at_rest(samples, 2, sample_at_end(start_));
   ASSERT_TRUE(sample_uniform<double>(curve_, infinity, 1.0, samples.spans()));
   expect_at_rest(samples, 2, sample_at_end(end_));
   ASSERT_TRUE(sample_uniform<double>(curve_, not_a_number, 1.0, samples.spans()));
   EXPECT_TRUE(samples.orientation(2).array().isNaN().all());
-  EXPECT_TRUE(samples.acceleration(2).array().isNaN().all());
+  EXPECT_TRUE(samples.jerk(2).array().isNaN().all());
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, BatchTimes, testing::ValuesIn(kinds_of_curves),
@@ -126,12 +128,13 @@ TEST(BatchTimesOfOneKey, AreAllAnsweredByIt) {
   const CompiledCurve<> compiled(curve);
   const std::vector<double> times{t, t, t + 1.0, t + 2.0};
   const auto expect_the_key = [&](auto take) {
-    Sampled<double> samples(4, Wanted::acceleration);
+    Sampled<double> samples(4, Wanted::jerk);
     ASSERT_TRUE(take(samples.spans()));
     for (std::size_t i = 0; i < 4; ++i) {
       EXPECT_EQ(samples.orientation(i), data.orientations.front().coeffs());
       EXPECT_EQ(samples.velocity(i), Eigen::Vector3d::Zero());
       EXPECT_EQ(samples.acceleration(i), Eigen::Vector3d::Zero());
+      EXPECT_EQ(samples.jerk(i), Eigen::Vector3d::Zero());
     }
   };
   expect_the_key([&](const auto& out) { return sample<double>(curve, times, out); });

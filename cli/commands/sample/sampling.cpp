@@ -2,7 +2,6 @@
 #include "commands/sample/sampling.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <vector>
 
 #include <orispline/base/parallel.hpp>
@@ -12,8 +11,6 @@ namespace orispline::cli {
 namespace {
 
 constexpr std::size_t chunk_size = 16384;  // samples that a thread makes at a time: far dearer than the thread
-
-constexpr int most_bulk_derivatives = 2;  // angular ones: the jerk comes from the scalar evaluator
 
 /// Successive samples that one thread makes.
 class Chunk {
@@ -31,12 +28,11 @@ class Chunk {
       instants_.push_back(sampling.times[k]);
       times_.push_back(instants_.back().t);
     }
-    const bool in_bulk = sampling.columns.derivatives <= most_bulk_derivatives;
-    evaluate(sampling, in_bulk ? sampling.columns.derivatives : 0);
+    evaluate(sampling);
     const Domain domain = sampling.curve.orientation.domain();
     for (std::size_t k = 0; k < times_.size() && made_; ++k) {
       if (!domain.contains(times_[k])) ++held_;
-      io::Sample sample{.motion = in_bulk ? motion(k) : sampling.curve.orientation.motion(times_[k])};
+      io::Sample sample{.motion = motion(k)};
       if (sampling.curve.position) sample.linear_motion = linear_motion(k);
       made_ = rows_.append(sampling.times.origin(), instants_[k].offset, sample);
     }
@@ -49,7 +45,8 @@ class Chunk {
   }
 
  private:
-  void evaluate(const Sampling& sampling, int derivatives) {
+  void evaluate(const Sampling& sampling) {
+    const int derivatives = sampling.columns.derivatives;
     const int of_position = sampling.curve.position ? sampling.columns.position_derivatives : -1;
     const auto room = [this](std::vector<double>& numbers, bool wanted) {
       numbers.resize(wanted ? 3 * times_.size() : 0);
@@ -57,37 +54,25 @@ class Chunk {
     orientations_.resize(4 * times_.size());
     room(angular_velocities_, derivatives >= 1);
     room(angular_accelerations_, derivatives >= 2);
+    room(angular_jerks_, derivatives >= 3);
     room(positions_, of_position >= 0);
     room(velocities_, of_position >= 1);
     room(accelerations_, of_position >= 2);
-    sort();
-    made_ = sample<double>(sampling.curve, sorted_,
-                           Samples<double>{.orientations = orientations_,
-                                           .angular_velocities = angular_velocities_,
-                                           .angular_accelerations = angular_accelerations_,
-                                           .positions = positions_,
-                                           .velocities = velocities_,
-                                           .accelerations = accelerations_});
-  }
-
-  /// The times in rising order, and where each one stands in it: a file may list them as it likes.
-  void sort() {
-    std::vector<std::size_t> order(times_.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    if (!std::ranges::is_sorted(times_))
-      std::ranges::stable_sort(order, {}, [this](std::size_t k) { return times_[k]; });
-    place_.resize(order.size());
-    sorted_.resize(order.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      place_[order[i]] = i;
-      sorted_[i] = times_[order[i]];
-    }
+    made_ = sample_at<double>(sampling.curve, times_,
+                              Samples<double>{.orientations = orientations_,
+                                              .angular_velocities = angular_velocities_,
+                                              .angular_accelerations = angular_accelerations_,
+                                              .angular_jerks = angular_jerks_,
+                                              .positions = positions_,
+                                              .velocities = velocities_,
+                                              .accelerations = accelerations_});
   }
 
   [[nodiscard]] Motion motion(std::size_t k) const {
-    return {.orientation = Eigen::Quaterniond(orientations_.data() + 4 * place_[k]),
+    return {.orientation = Eigen::Quaterniond(orientations_.data() + 4 * k),
             .angular_velocity = vector_of(angular_velocities_, k),
-            .angular_acceleration = vector_of(angular_accelerations_, k)};
+            .angular_acceleration = vector_of(angular_accelerations_, k),
+            .angular_jerk = vector_of(angular_jerks_, k)};
   }
   [[nodiscard]] LinearMotion linear_motion(std::size_t k) const {
     return {.position = vector_of(positions_, k),
@@ -96,12 +81,11 @@ class Chunk {
   }
   [[nodiscard]] Eigen::Vector3d vector_of(const std::vector<double>& numbers, std::size_t k) const {
     if (numbers.empty()) return Eigen::Vector3d::Zero();
-    return Eigen::Vector3d(numbers.data() + 3 * place_[k]);
+    return Eigen::Vector3d(numbers.data() + 3 * k);
   }
 
   std::vector<Instant> instants_;
-  std::vector<std::size_t> place_;
-  std::vector<double> times_, sorted_, orientations_, angular_velocities_, angular_accelerations_, positions_,
+  std::vector<double> times_, orientations_, angular_velocities_, angular_accelerations_, angular_jerks_, positions_,
       velocities_, accelerations_;
   io::SampleRows rows_;
   std::size_t held_ = 0;

@@ -39,7 +39,7 @@ void BakedSampler<T>::hold(Held held, std::size_t at, std::size_t count) noexcep
         curve_.piece(first ? 0 : knots().segments() - 1), {.times = &end, .start = 0.0, .step = 0.0, .first = 0.0}, 1,
         {.orientation = q.data(), .angular_velocity = nullptr, .angular_acceleration = nullptr, .planes = 0});
   }
-  for (std::size_t k = 0; k < count; ++k) put<T, 4>(out_.orientations, out_.layout, out_.size(), at + k, q);
+  for (std::size_t k = 0; k < count; ++k) put<4>(out_, out_.orientations, at + k, q);
 }
 
 template void sample_piece(const BakedRecord<double>&, const Clock&, std::size_t, const Target<double>&) noexcept;

@@ -35,59 +35,59 @@ consteval std::array<Powers, N + 1> centred_table() {
 }
 
 template <std::size_t N>
-Powers centred_of(const std::array<double, form_degree + 1>& bernstein) noexcept {
+Powers centred(const BernsteinForm& bernstein) noexcept {
   static constexpr auto table = centred_table<N>();
   Powers sum{};
   for (std::size_t i = 0; i <= N; ++i)
-    for (std::size_t k = 0; k <= N; ++k) sum[k] += bernstein[i] * table[i][k];
+    for (std::size_t k = 0; k <= N; ++k) sum[k] += bernstein.coefficients[i] * table[i][k];
   return sum;
 }
 
-Powers centred(std::size_t degree, const std::array<double, form_degree + 1>& bernstein) noexcept {
+/// Calls `run.operator()<N>()` for the degree N of a form, so that its loops have no more turns than they need.
+template <class Run>
+auto by_degree(std::size_t degree, Run run) noexcept {
   switch (degree) {
     case 1:
-      return centred_of<1>(bernstein);
+      return run.template operator()<1>();
     case 2:
-      return centred_of<2>(bernstein);
+      return run.template operator()<2>();
     case 3:
-      return centred_of<3>(bernstein);
+      return run.template operator()<3>();
     case 4:
-      return centred_of<4>(bernstein);
+      return run.template operator()<4>();
     case 5:
-      return centred_of<5>(bernstein);
+      return run.template operator()<5>();
     case 6:
-      return centred_of<6>(bernstein);
+      return run.template operator()<6>();
     default:
-      return centred_of<7>(bernstein);
+      return run.template operator()<7>();
   }
 }
 
-/// A factor's blending function without the multiple of ½ that it has in the middle, which goes into the constants.
-struct Centred {
-  double offset;
-  double largest;  ///< of the rest, by its Bernstein coefficients
-  Powers powers;
-};
-
-Centred without_offset(std::size_t degree, const BernsteinForm& form) noexcept {
-  Centred c{.offset = 0.0, .largest = 0.0, .powers = centred(degree, form.coefficients)};
-  c.offset = 0.5 * std::round(2.0 * c.powers[0]);
-  c.powers[0] -= c.offset;
-  for (std::size_t i = 0; i <= degree; ++i) c.largest = std::max(c.largest, std::abs(form.coefficients[i] - c.offset));
-  return c;
+/// How far a blending function gets from a number, by its Bernstein coefficients.
+template <std::size_t N>
+double largest_difference(const BernsteinForm& form, double from) noexcept {
+  double largest = 0.0;
+  for (std::size_t i = 0; i <= N; ++i) largest = std::max(largest, std::abs(form.coefficients[i] - from));
+  return largest;
 }
 
+/// The double nearest to a segment's middle; at large times it is not the middle itself.
 struct Place {
   double middle, per_step;
+  double off;  ///< from the middle, in steps
 };
-Place place_of(const KnotSpan& span) noexcept { return {span.start() + 0.5 * span.step(), 1.0 / span.step()}; }
+Place place_of(const KnotSpan& span) noexcept {
+  const double middle = span.start() + 0.5 * span.step();
+  return {middle, 1.0 / span.step(), ((middle - span.start()) - 0.5 * span.step()) / span.step()};
+}
 
-/// Powers of s about the double nearest to the middle, which at large times is not the middle itself.
-void shift_to(double middle, const KnotSpan& span, Powers& p) noexcept {
-  const double off = ((middle - span.start()) - 0.5 * span.step()) / span.step();
-  if (off == 0.0) return;
-  for (std::size_t r = 0; r < record_degree; ++r)
-    for (std::size_t k = record_degree; k-- > r;) p[k] += off * p[k + 1];
+/// Powers of s about the middle become those about its double.
+template <std::size_t N>
+void shift_to(const Place& place, Powers& p) noexcept {
+  if (place.off == 0.0) return;
+  for (std::size_t r = 0; r < N; ++r)
+    for (std::size_t k = N; k-- > r;) p[k] += place.off * p[k + 1];
 }
 
 /// Column `lane` of the rows that the kernel reads.
@@ -105,11 +105,11 @@ Eigen::Quaterniond pure(const Eigen::Vector3d& v) { return {0.0, v.x(), v.y(), v
 
 /// M {1,a} {1,b} {1,c}: bit k of the index takes the axis of factor k.
 template <class T>
-void store_products(const Eigen::Quaterniond& middle, const std::array<Eigen::Vector3d, 3>& axes,
+void store_products(const Eigen::Quaterniond& middle, const std::array<Eigen::Quaterniond, 3>& axes,
                     T (&to)[8][4]) noexcept {
   std::array<Eigen::Quaterniond, 8> all{middle};
   for (std::size_t k = 0; k < 3; ++k)
-    for (std::size_t low = 0; low < (1U << k); ++low) all[low | (1U << k)] = all[low] * pure(axes[k]);
+    for (std::size_t low = 0; low < (1U << k); ++low) all[low | (1U << k)] = all[low] * axes[k];
   for (std::size_t i = 0; i < 8; ++i)
     for (Eigen::Index k = 0; k < 4; ++k) to[i][k] = static_cast<T>(all[i].coeffs()[k]);
 }
@@ -120,62 +120,83 @@ AngleRange range_of(const std::array<double, 3>& largest) noexcept {
   return outer <= 1.0 && largest[1] <= 1.0 ? AngleRange::wide : AngleRange::any;
 }
 
-}  // namespace
-
-FactoredSegment factored(const CumulativeForm& form, const KnotSpan& span) noexcept {
-  const auto [middle, per_step] = place_of(span);
-  FactoredSegment segment{
-      .middle = form.base, .vectors = {}, .factors = {}, .largest = {}, .middle_time = middle, .per_step = per_step};
+/// The factors wait for each other only where their constant parts meet.
+template <std::size_t N>
+FactoredSegment factored_of_degree(const CumulativeForm& form, const KnotSpan& span) noexcept {
+  const Place place = place_of(span);
+  FactoredSegment segment;  // filled below: to clear it first takes time
+  segment.middle_time = place.middle;
+  segment.per_step = place.per_step;
+  std::array<double, 3>
+      offsets;  // the multiple of ½ that a blending function has in the middle goes into the constants
+  for (std::size_t k = 0; k < 3; ++k) {
+    Powers& factor = segment.factors[k];
+    factor = centred<N>(form.blending[k]);
+    offsets[k] = 0.5 * std::round(2.0 * factor[0]);
+    factor[0] -= offsets[k];
+    segment.largest[k] = largest_difference<N>(form.blending[k], offsets[k]);
+    shift_to<N>(place, factor);
+  }
+  const auto constant = [&](std::size_t k) {
+    return offsets[k] == 0.0 ? Eigen::Quaterniond::Identity() : exp<double>(offsets[k] * form.increments[k]);
+  };
+  const std::array<Eigen::Quaterniond, 3> constants{constant(0), constant(1), constant(2)};
   Eigen::Quaterniond after = Eigen::Quaterniond::Identity();
   for (std::size_t k = 3; k-- > 0;) {  // from the last: each vector is carried by the constant parts after it
-    Centred factor = without_offset(form.degree, form.blending[k]);
     segment.vectors[k] = to_body<double>(after, 0.5 * form.increments[k]);
-    segment.largest[k] = factor.largest;
-    shift_to(middle, span, factor.powers);
-    segment.factors[k] = factor.powers;
-    if (factor.offset != 0.0) after = exp<double>(factor.offset * form.increments[k]) * after;
+    if (offsets[k] != 0.0) after = constants[k] * after;
   }
   segment.middle = form.base * after;
   return segment;
 }
 
+}  // namespace
+
+FactoredSegment factored(const CumulativeForm& form, const KnotSpan& span) noexcept {
+  return by_degree(form.degree, [&]<std::size_t N>() { return factored_of_degree<N>(form, span); });
+}
+
 template <class T>
 CumulativeRecord<T> compile_segment(const CumulativeForm& form, const KnotSpan& span) noexcept {
   const FactoredSegment segment = factored(form, span);
-  CumulativeRecord<T> record{};
+  CumulativeRecord<T> record;  // filled below: to clear it first takes time
   record.middle = segment.middle_time;
   record.per_step = segment.per_step;
   record.short_degree = form.degree <= 5;
-  std::array<Eigen::Vector3d, 3> axes;
+  std::array<Eigen::Quaterniond, 3> axes;  // pure, and made well before the products, which load them two by two
   std::array<double, 3> largest;
   for (std::size_t k = 0; k < 3; ++k) {
     const double angle = norm_of<double>(segment.vectors[k]);
-    axes[k] = angle > 0.0 ? Eigen::Vector3d(segment.vectors[k] / angle) : Eigen::Vector3d::UnitX();
+    axes[k] = pure(angle > 0.0 ? Eigen::Vector3d(segment.vectors[k] / angle) : Eigen::Vector3d::UnitX());
     largest[k] = angle * segment.largest[k];
     store(segment.factors[k], angle, k, record.angles);
   }
-  store_products<T>(segment.middle, axes, record.products);
-  const Eigen::Vector3d along = axes[1].dot(axes[0]) * axes[1];
+  for (auto& row : record.angles) row[3] = T(0);
+  const Eigen::Vector3d a = axes[0].vec(), b = axes[1].vec(), along = b.dot(a) * b;
   store<T>(along, record.carried[0]);
-  store<T>(axes[0] - along, record.carried[1]);
-  store<T>(axes[0].cross(axes[1]), record.carried[2]);
-  store<T>(axes[1], record.axis_b);
-  store<T>(axes[2], record.axis_c);
+  store<T>(a - along, record.carried[1]);
+  store<T>(a.cross(b), record.carried[2]);
+  store<T>(b, record.axis_b);
+  store<T>(axes[2].vec(), record.axis_c);
+  store_products<T>(segment.middle, axes, record.products);
   record.range = range_of(largest);
   return record;
 }
 
 template <class T>
 CompiledChart<T> compile_segment(const ChartForm& form, const KnotSpan& span) noexcept {
-  const auto [middle, per_step] = place_of(span);
+  const Place place = place_of(span);
   CompiledChart<T> compiled{};
-  compiled.record.middle = middle;
-  compiled.record.per_step = per_step;
+  compiled.record.middle = place.middle;
+  compiled.record.per_step = place.per_step;
   compiled.record.short_degree = form.degree <= 5;
   for (Eigen::Index k = 0; k < 4; ++k) compiled.record.base[k] = static_cast<T>(form.base.coeffs()[k]);
   for (std::size_t k = 0; k < 3; ++k) {
-    Powers powers = centred(form.degree, form.rotation_vector[k].coefficients);
-    shift_to(middle, span, powers);
+    const Powers powers = by_degree(form.degree, [&]<std::size_t N>() {
+      Powers p = centred<N>(form.rotation_vector[k]);
+      shift_to<N>(place, p);
+      return p;
+    });
     store(powers, 1.0, k, compiled.record.rotation_vector);
   }
   for (std::size_t i = 0; i <= form.degree; ++i) {

@@ -3,10 +3,9 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-
 #include <orispline/batch/compile_segment.hpp>
 #include <orispline/batch/kernel/dispatch.hpp>
+#include <orispline/batch/sample_layout.hpp>
 #include <orispline/batch/segment_sampler.hpp>
 
 namespace orispline {
@@ -96,10 +95,8 @@ std::optional<Error> CurveBundle<T>::add_segment(std::size_t index) {
 
 template <class T>
 Expected<void> CurveBundle<T>::sample(double t, const Samples<T>& out) const {
-  if (out.size() != size() || out.orientations.size() % 4 != 0)
-    return failure(ErrorCode::bad_argument,
-                   fmt::format("found room for {} orientations, wanted {}", out.orientations.size() / 4, size()));
-  if (!out.angular_velocities.empty() || !out.angular_accelerations.empty() || wants_positions(out))
+  if (auto error = batch::check_room(out, size())) return tl::unexpected(std::move(*error));
+  if (wants_angular_rates(out) || wants_positions(out))
     return failure(ErrorCode::bad_argument, "a bundle gives orientations only, found room for more");
   const Domain domain = curves_.front().domain();
   const std::size_t index = curves_.front().knots().segment_at(t);
@@ -112,12 +109,11 @@ Expected<void> CurveBundle<T>::sample(double t, const Samples<T>& out) const {
   const double s = (t - segment.middle_time) * segment.per_step;
   batch::BundleSegment<T> record{.planes = segment.planes.data(), .plane = plane_, .factors = {}};
   for (std::size_t k = 0; k < 3; ++k) record.factors[k] = static_cast<T>(at(segment.factors[k], s));
-  const auto planes = out.layout == Layout::planar ? static_cast<std::ptrdiff_t>(size()) : 0;
   call(record, size(),
        {.orientation = out.orientations.data(),
         .angular_velocity = nullptr,
         .angular_acceleration = nullptr,
-        .planes = planes});
+        .planes = batch::plane_distance(out)});
   return {};
 }
 

@@ -81,9 +81,9 @@ void PathSampler<T>::hold(Held held, std::size_t at, std::size_t count) noexcept
 
 template <class T>
 void PathSampler<T>::store(const LinearMotion& linear_motion, std::size_t at) noexcept {
-  put<T, 3>(out_.positions, out_.layout, out_.size(), at, linear_motion.position);
-  put<T, 3>(out_.velocities, out_.layout, out_.size(), at, linear_motion.velocity);
-  put<T, 3>(out_.accelerations, out_.layout, out_.size(), at, linear_motion.acceleration);
+  put<3>(out_, out_.positions, at, linear_motion.position);
+  put<3>(out_, out_.velocities, at, linear_motion.velocity);
+  put<3>(out_, out_.accelerations, at, linear_motion.acceleration);
 }
 
 template std::optional<PathRecord<double>> record_of<double>(const AnyPath&, std::size_t) noexcept;

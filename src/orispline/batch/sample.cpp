@@ -7,42 +7,23 @@
 
 #include <fmt/format.h>
 
-#include <orispline/batch/baked_sampler.hpp>
 #include <orispline/base/parallel.hpp>
+#include <orispline/batch/baked_sampler.hpp>
 #include <orispline/batch/path_sampler.hpp>
+#include <orispline/batch/sample_layout.hpp>
 #include <orispline/batch/segment_runs.hpp>
 #include <orispline/batch/segment_sampler.hpp>
 
 namespace orispline {
 namespace {
 
+using batch::check_room;
 using batch::Held;
 using batch::sample_one;
 using batch::sample_part;
 
 /// Samples that one thread takes at a time.
 constexpr std::size_t part_size = 1U << 16U;
-
-template <class T>
-std::optional<Error> check_sizes(const Samples<T>& out, std::size_t wanted) {
-  struct Room {
-    const char* what;
-    std::span<T> span;
-    std::size_t components;
-  };
-  for (const auto& [what, span, components] :
-       {Room{"orientations", out.orientations, 4}, Room{"angular velocities", out.angular_velocities, 3},
-        Room{"angular accelerations", out.angular_accelerations, 3}, Room{"positions", out.positions, 3},
-        Room{"velocities", out.velocities, 3}, Room{"accelerations", out.accelerations, 3}}) {
-    const bool may_be_empty = components == 3;
-    if ((may_be_empty && span.empty()) || span.size() == components * wanted) continue;
-    return Error{ErrorCode::bad_argument,
-                 fmt::format("found room for {} numbers of {}, wanted {} numbers for {} samples", span.size(), what,
-                             components * wanted, wanted),
-                 {}};
-  }
-  return std::nullopt;
-}
 
 std::optional<Error> refusal(const char* message) { return Error{ErrorCode::bad_argument, message, {}}; }
 
@@ -112,7 +93,7 @@ struct BakedSource {
   const BakedCurve<T>& curve;
 
   [[nodiscard]] std::optional<Error> check(const Samples<T>& out) const {
-    return !out.angular_velocities.empty() || !out.angular_accelerations.empty() || wants_positions(out)
+    return wants_angular_rates(out) || wants_positions(out)
                ? refusal("a baked curve gives orientations only, found room for more")
                : std::nullopt;
   }
@@ -125,7 +106,7 @@ struct BakedSource {
 
 template <class T, class Source>
 std::optional<Error> check(const Source& source, const Samples<T>& out, std::size_t wanted) {
-  auto error = check_sizes(out, wanted);
+  auto error = check_room(out, wanted);
   return error ? error : source.check(out);
 }
 
@@ -156,31 +137,32 @@ Expected<void> sample_uniform_of(const Source& source, double t0, double dt, con
 }
 
 template <class T, class Source>
-Expected<void> sample_of(const Source& source, std::span<const double> times, const Samples<T>& out, Work work) {
+Expected<void> sample_at_of(const Source& source, std::span<const double> times, const Samples<T>& out, Work work) {
   if (auto error = check(source, out, times.size())) return tl::unexpected(std::move(*error));
-  double latest = -std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < times.size(); ++k) {
-    if (times[k] >= latest) latest = times[k];
-    else if (!std::isnan(times[k]))
-      return failure(ErrorCode::bad_argument,
-                     fmt::format("{} s comes after {} s, wanted times that do not decrease", times[k], latest),
-                     {.time_index = k});
-  }
   in_parts(times.size(), work, [&](std::size_t from, std::size_t to) {
     source.with_samplers(out, [&](auto& sampler) { sample_part(sampler, times, from, to); });
   });
   return {};
 }
 
+/// The first time that is less than one before it.
+std::optional<Error> decrease(std::span<const double> times) {
+  double latest = -std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    if (times[k] >= latest) latest = times[k];
+    else if (!std::isnan(times[k]))
+      return Error{ErrorCode::bad_argument,
+                   fmt::format("{} s comes after {} s, wanted times that do not decrease", times[k], latest),
+                   {.time_index = k}};
+  }
+  return std::nullopt;
+}
+
 template <class T, class Source>
-Expected<void> sample_at_of(const Source& source, std::span<const double> times, const Samples<T>& out, Work work) {
+Expected<void> sample_of(const Source& source, std::span<const double> times, const Samples<T>& out, Work work) {
   if (auto error = check(source, out, times.size())) return tl::unexpected(std::move(*error));
-  in_parts(times.size(), work, [&](std::size_t from, std::size_t to) {
-    source.with_samplers(out, [&](auto& sampler) {
-      for (std::size_t k = from; k < to; ++k) sample_one(sampler, times[k], k);
-    });
-  });
-  return {};
+  if (auto error = decrease(times)) return tl::unexpected(std::move(*error));
+  return sample_at_of(source, times, out, work);
 }
 
 }  // namespace
@@ -226,9 +208,19 @@ Expected<void> sample(const BakedCurve<T>& curve, std::span<const double> times,
 }
 
 template <class T>
+Expected<void> sample_at(const AnyCurve& curve, std::span<const double> times, const Samples<T>& out, Work work) {
+  return sample_at_of(CurveSource<T>{curve}, times, out, work);
+}
+
+template <class T>
 Expected<void> sample_at(const CompiledCurve<T>& curve, std::span<const double> times, const Samples<T>& out,
                          Work work) {
   return sample_at_of(CurveSource<T>{curve.curve(), &curve}, times, out, work);
+}
+
+template <class T>
+Expected<void> sample_at(const PoseCurve& curve, std::span<const double> times, const Samples<T>& out, Work work) {
+  return sample_at_of(PoseSource<T>{curve}, times, out, work);
 }
 
 template <class T>
@@ -238,7 +230,7 @@ Expected<void> sample_at(const BakedCurve<T>& curve, std::span<const double> tim
 
 template <class T>
 Expected<void> sample_many(std::span<const CompiledCurve<T>> curves, double t, const Samples<T>& out, Work work) {
-  if (auto error = check_sizes(out, curves.size())) return tl::unexpected(std::move(*error));
+  if (auto error = check_room(out, curves.size())) return tl::unexpected(std::move(*error));
   if (wants_positions(out))
     return failure(ErrorCode::bad_argument, "found room for positions, wanted none: the curves have orientations only");
   in_parts(curves.size(), work, [&](std::size_t from, std::size_t to) {
@@ -250,16 +242,15 @@ Expected<void> sample_many(std::span<const CompiledCurve<T>> curves, double t, c
   return {};
 }
 
-#define ORISPLINE_SAMPLE_FROM(Curve, T)                                                             \
-  template Expected<void> sample_uniform<T>(const Curve&, double, double, const Samples<T>&, Work); \
-  template Expected<void> sample<T>(const Curve&, std::span<const double>, const Samples<T>&, Work);
-#define ORISPLINE_SAMPLE(T)                                                                                        \
-  ORISPLINE_SAMPLE_FROM(AnyCurve, T)                                                                               \
-  ORISPLINE_SAMPLE_FROM(CompiledCurve<T>, T)                                                                       \
-  ORISPLINE_SAMPLE_FROM(PoseCurve, T)                                                                              \
-  ORISPLINE_SAMPLE_FROM(BakedCurve<T>, T)                                                                          \
-  template Expected<void> sample_at<T>(const CompiledCurve<T>&, std::span<const double>, const Samples<T>&, Work); \
-  template Expected<void> sample_at<T>(const BakedCurve<T>&, std::span<const double>, const Samples<T>&, Work);    \
+#define ORISPLINE_SAMPLE_FROM(Curve, T)                                                              \
+  template Expected<void> sample_uniform<T>(const Curve&, double, double, const Samples<T>&, Work);  \
+  template Expected<void> sample<T>(const Curve&, std::span<const double>, const Samples<T>&, Work); \
+  template Expected<void> sample_at<T>(const Curve&, std::span<const double>, const Samples<T>&, Work);
+#define ORISPLINE_SAMPLE(T)                  \
+  ORISPLINE_SAMPLE_FROM(AnyCurve, T)         \
+  ORISPLINE_SAMPLE_FROM(CompiledCurve<T>, T) \
+  ORISPLINE_SAMPLE_FROM(PoseCurve, T)        \
+  ORISPLINE_SAMPLE_FROM(BakedCurve<T>, T)    \
   template Expected<void> sample_many<T>(std::span<const CompiledCurve<T>>, double, const Samples<T>&, Work);
 ORISPLINE_SAMPLE(double)
 ORISPLINE_SAMPLE(float)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <span>
 
 #include <orispline/base/expected.hpp>
@@ -19,21 +20,32 @@ enum class Layout {
 /// Where samples go: memory of the caller, 4 numbers a sample for orientations, 3 for all else. Empty: not wanted, but
 /// for the orientations, which are always given.
 ///
-/// Angular rates are in the **body** frame, [rad/s] and [rad/s²]; positions with their rates, which only a PoseCurve
-/// has, in the world frame, [m], [m/s] and [m/s²].
+/// Angular rates are in the **body** frame, [rad/s], [rad/s²] and [rad/s³]; positions with their rates, which only a
+/// PoseCurve has, in the world frame, [m], [m/s] and [m/s²].
 template <class T>
 struct Samples {
   std::span<T> orientations;
   std::span<T> angular_velocities{};
   std::span<T> angular_accelerations{};
+  std::span<T> angular_jerks{};
   std::span<T> positions{};
   std::span<T> velocities{};
   std::span<T> accelerations{};
   Layout layout = Layout::interleaved;
+  /// From the first number of one component to that of the next one in a planar layout, such as the rows of a larger
+  /// table of which the samples fill some; a span of n samples is then plane * (components - 1) + n long, and what lies
+  /// between is not touched. 0: the number of samples.
+  std::size_t plane = 0;
 
-  [[nodiscard]] std::size_t size() const noexcept { return orientations.size() / 4; }
+  [[nodiscard]] std::size_t size() const noexcept {
+    return plane == 0 ? orientations.size() / 4 : orientations.size() - std::min(orientations.size(), 3 * plane);
+  }
 };
 
+template <class T>
+[[nodiscard]] bool wants_angular_rates(const Samples<T>& out) noexcept {
+  return !out.angular_velocities.empty() || !out.angular_accelerations.empty() || !out.angular_jerks.empty();
+}
 template <class T>
 [[nodiscard]] bool wants_positions(const Samples<T>& out) noexcept {
   return !out.positions.empty() || !out.velocities.empty() || !out.accelerations.empty();
@@ -44,6 +56,15 @@ struct Work {
   unsigned threads = 1;  ///< 0: one per core
 };
 
+// Every kind of curve is sampled at every kind of times:
+//
+// |               | sample_uniform, sample, sample_at                                              |
+// |---------------|--------------------------------------------------------------------------------|
+// | AnyCurve      | orientation, angular velocity, acceleration, jerk                              |
+// | CompiledCurve | the same                                                                       |
+// | PoseCurve     | the same, and position, velocity, acceleration where its keys have positions   |
+// | BakedCurve    | orientation                                                                    |
+//
 // Curves of polynomial pieces (every cumulative family of up to three factors, every chart family) go through the
 // vector kernel, at a few nanoseconds a sample; others through their own evaluator. All samples agree with motion() to
 // rounding, have the same bits on every processor and with any number of threads, and at a knot are those of the
@@ -86,10 +107,16 @@ template <class T>
 [[nodiscard]] Expected<void> sample(const BakedCurve<T>& curve, std::span<const double> times, const Samples<T>& out,
                                     Work work = {});
 
-/// At times in any order.
+/// At times in any order; successive ones of one segment are as fast as sorted ones.
+template <class T>
+[[nodiscard]] Expected<void> sample_at(const AnyCurve& curve, std::span<const double> times, const Samples<T>& out,
+                                       Work work = {});
 template <class T>
 [[nodiscard]] Expected<void> sample_at(const CompiledCurve<T>& curve, std::span<const double> times,
                                        const Samples<T>& out, Work work = {});
+template <class T>
+[[nodiscard]] Expected<void> sample_at(const PoseCurve& curve, std::span<const double> times, const Samples<T>& out,
+                                       Work work = {});
 template <class T>
 [[nodiscard]] Expected<void> sample_at(const BakedCurve<T>& curve, std::span<const double> times, const Samples<T>& out,
                                        Work work = {});

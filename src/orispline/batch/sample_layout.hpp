@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include <orispline/batch/sample.hpp>
 
 namespace orispline::batch {
 
-/// One sample's components of a span in either layout; an empty span is not wanted.
-template <class T, int Components, class Vector>
-void put(std::span<T> to, Layout layout, std::size_t samples, std::size_t at, const Vector& v) noexcept {
-  if (to.empty()) return;
-  for (int k = 0; k < Components; ++k) {
-    const auto component = static_cast<std::size_t>(k);
-    const std::size_t index = layout == Layout::planar ? component * samples + at : Components * at + component;
-    to[index] = static_cast<T>(v[k]);
-  }
-}
+/// The error (bad_argument) of spans or planes that do not belong together, or are for another number of samples.
+template <class T>
+[[nodiscard]] std::optional<Error> check_room(const Samples<T>& out, std::size_t wanted);
 
 /// Where the components of sample `at` begin; null for an empty span.
 template <class T>
@@ -27,7 +21,17 @@ template <class T>
 /// The distance between the planes of samples, 0 where their components lie side by side.
 template <class T>
 [[nodiscard]] std::ptrdiff_t plane_distance(const Samples<T>& out) noexcept {
-  return out.layout == Layout::planar ? static_cast<std::ptrdiff_t>(out.size()) : 0;
+  if (out.layout != Layout::planar) return 0;
+  return static_cast<std::ptrdiff_t>(out.plane == 0 ? out.size() : out.plane);
+}
+
+/// One sample's components to a span of `out`; an empty span is not wanted.
+template <int Components, class T, class Vector>
+void put(const Samples<T>& out, std::span<T> to, std::size_t at, const Vector& v) noexcept {
+  T* place = place_of(to, out.layout, Components, at);
+  if (!place) return;
+  const std::ptrdiff_t next = out.layout == Layout::planar ? plane_distance(out) : 1;
+  for (int k = 0; k < Components; ++k) place[k * next] = static_cast<T>(v[k]);
 }
 
 /// The time of the k-th sample of a run.

@@ -57,7 +57,7 @@ void sample_part(Sampler& sampler, double t0, double dt, std::size_t from, std::
   if (to > end) sampler.hold(Held::last, end, to - end);
 }
 
-/// Times `from` … `to - 1`, which do not decrease; NaN may stand between them.
+/// Times `from` … `to - 1`, in any order and NaN among them: successive ones of one segment are a run.
 template <RunSampler Sampler>
 void sample_part(Sampler& sampler, std::span<const double> times, std::size_t from, std::size_t to) {
   const Knots& all = sampler.knots();
@@ -78,11 +78,11 @@ void sample_part(Sampler& sampler, std::span<const double> times, std::size_t fr
     } else if (t > knots.back() || knots.size() == 1) {
       sampler.hold(Held::last, k, count = run([&](double next) { return next > knots.back(); }));
     } else {
-      if (segment + 2 < knots.size() && t >= knots[segment + 1]) segment = all.segment_at(t);
+      if (t < knots[segment] || (segment + 2 < knots.size() && t >= knots[segment + 1])) segment = all.segment_at(t);
       const bool last = segment + 2 >= knots.size();
       const double limit =
           last ? std::nextafter(knots.back(), std::numeric_limits<double>::infinity()) : knots[segment + 1];
-      count = run([&](double next) { return next < limit; });
+      count = run([&, start = knots[segment]](double next) { return next >= start && next < limit; });
       sampler.on_segment(segment, Clock{.times = times.data() + k, .start = 0.0, .step = 0.0, .first = 0.0}, k, count);
     }
     k += count;

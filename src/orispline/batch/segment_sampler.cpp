@@ -20,6 +20,7 @@ Target<T> SegmentSampler<T>::target_from(std::size_t at) const noexcept {
   return {.orientation = place_of(out_.orientations, out_.layout, 4, at),
           .angular_velocity = place_of(out_.angular_velocities, out_.layout, 3, at),
           .angular_acceleration = place_of(out_.angular_accelerations, out_.layout, 3, at),
+          .angular_jerk = place_of(out_.angular_jerks, out_.layout, 3, at),
           .planes = plane_distance(out_)};
 }
 
@@ -37,7 +38,7 @@ template <class T>
 void SegmentSampler<T>::on_segment(std::size_t segment, const Clock& clock, std::size_t at,
                                    std::size_t count) noexcept {
   if (by_kernel(record(segment), clock, count, target_from(at))) return;
-  const bool rates = !out_.angular_velocities.empty() || !out_.angular_accelerations.empty();
+  const bool rates = wants_angular_rates(out_);
   for (std::size_t k = 0; k < count; ++k) {
     const double t = time_of(clock, k);
     store(rates ? curve_.motion_on(segment, t) : Motion{.orientation = curve_.orientation_on(segment, t)}, at + k);
@@ -55,15 +56,16 @@ template <class T>
 void SegmentSampler<T>::held(const Eigen::Quaterniond& orientation, std::size_t at, std::size_t count) noexcept {
   Motion motion{.orientation = orientation};
   if (orientation.coeffs().hasNaN())
-    motion.angular_velocity = motion.angular_acceleration = orientation.coeffs().head<3>();
+    motion.angular_velocity = motion.angular_acceleration = motion.angular_jerk = orientation.coeffs().head<3>();
   for (std::size_t k = 0; k < count; ++k) store(motion, at + k);
 }
 
 template <class T>
 void SegmentSampler<T>::store(const Motion& motion, std::size_t at) noexcept {
-  put<T, 4>(out_.orientations, out_.layout, out_.size(), at, motion.orientation.coeffs());
-  put<T, 3>(out_.angular_velocities, out_.layout, out_.size(), at, motion.angular_velocity);
-  put<T, 3>(out_.angular_accelerations, out_.layout, out_.size(), at, motion.angular_acceleration);
+  put<4>(out_, out_.orientations, at, motion.orientation.coeffs());
+  put<3>(out_, out_.angular_velocities, at, motion.angular_velocity);
+  put<3>(out_, out_.angular_accelerations, at, motion.angular_acceleration);
+  put<3>(out_, out_.angular_jerks, at, motion.angular_jerk);
 }
 
 template class SegmentSampler<double>;

@@ -20,22 +20,25 @@ using Plane = T[block];
 constexpr std::size_t most_points = 3;
 
 /// What a sample is to hold beside the orientation.
-enum class Rates { none, first, second };
+enum class Rates { none, first, second, third };
 
 /// What the loops over a block write for the caller.
 template <class T>
 struct OutputPlanes {
-  alignas(64) Plane<T> q[4], omega[3], alpha[3];
+  alignas(64) Plane<T> q[4], omega[3], alpha[3], jerk[3];
 
   template <Rates Wanted>
   [[gnu::always_inline]] void store(int i, const BodyRates<T>& rates) {
-    omega[0][i] = rates.omega.x;
-    omega[1][i] = rates.omega.y;
-    omega[2][i] = rates.omega.z;
-    if constexpr (Wanted != Rates::second) return;
-    alpha[0][i] = rates.alpha.x;
-    alpha[1][i] = rates.alpha.y;
-    alpha[2][i] = rates.alpha.z;
+    store(i, rates.omega, omega);
+    if constexpr (Wanted >= Rates::second) store(i, rates.alpha, alpha);
+    if constexpr (Wanted >= Rates::third) store(i, rates.jerk, jerk);
+  }
+
+ private:
+  [[gnu::always_inline]] static void store(int i, const Vector<T>& v, Plane<T> (&to)[3]) {
+    to[0][i] = v.x;
+    to[1][i] = v.y;
+    to[2][i] = v.z;
   }
 };
 
@@ -89,7 +92,9 @@ template <Rates Wanted, class T>
   lay_out(planes.q, count, target.orientation, at, target.planes);
   if constexpr (Wanted != Rates::none)
     if (target.angular_velocity) lay_out(planes.omega, count, target.angular_velocity, at, target.planes);
-  if constexpr (Wanted == Rates::second) lay_out(planes.alpha, count, target.angular_acceleration, at, target.planes);
+  if constexpr (Wanted >= Rates::second)
+    if (target.angular_acceleration) lay_out(planes.alpha, count, target.angular_acceleration, at, target.planes);
+  if constexpr (Wanted >= Rates::third) lay_out(planes.jerk, count, target.angular_jerk, at, target.planes);
 }
 
 /// One sample to the caller's layout.
@@ -113,6 +118,7 @@ template <class T>
 [[gnu::always_inline]] inline void put(const BodyRates<T>& rates, std::size_t at, const Target<T>& target) {
   if (target.angular_velocity) put(rates.omega, target.angular_velocity, at, target.planes);
   if (target.angular_acceleration) put(rates.alpha, target.angular_acceleration, at, target.planes);
+  if (target.angular_jerk) put(rates.jerk, target.angular_jerk, at, target.planes);
 }
 
 /// Calls `compute(at, here, padded)` for each block of up to `block` samples.
@@ -124,16 +130,20 @@ template <class Compute>
   }
 }
 
-template <class T>
-[[gnu::always_inline]] inline bool wants_rates(const Target<T>& target) {
-  return target.angular_velocity || target.angular_acceleration;
-}
-
 /// What is asked for, as a template argument of `run`.
 template <class T, class Run>
 [[gnu::always_inline]] inline void by_rates(const Target<T>& target, Run run) {
-  if (target.angular_acceleration) run.template operator()<Rates::second>();
+  if (target.angular_jerk) run.template operator()<Rates::third>();
+  else if (target.angular_acceleration) run.template operator()<Rates::second>();
   else if (target.angular_velocity) run.template operator()<Rates::first>();
+  else run.template operator()<Rates::none>();
+}
+
+/// The same for single samples, which save nothing by ω alone.
+template <class T, class Run>
+[[gnu::always_inline]] inline void by_rates_of_points(const Target<T>& target, Run run) {
+  if (target.angular_jerk) run.template operator()<Rates::third>();
+  else if (target.angular_velocity || target.angular_acceleration) run.template operator()<Rates::second>();
   else run.template operator()<Rates::none>();
 }
 

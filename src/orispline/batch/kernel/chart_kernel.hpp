@@ -28,22 +28,33 @@ template <class T>
            (base[3] * w - base[0] * v.x) - (base[1] * v.y + base[2] * v.z)}};
 }
 
-/// ω = J_r(φ) φ̇ and its derivative.
+/// ω = J_r(φ) φ̇ and its derivatives: each term is a coefficient in x = ‖φ‖² times φ × φ̇ or φ × (φ × φ̇).
 template <Rates Wanted, class T>
 [[gnu::always_inline]] inline BodyRates<T> chart_rates(const Taylor<T> (&phi)[3], T x, T per_step) {
   using S = Series<T>;
   const Vector<T> v{phi[0].value, phi[1].value, phi[2].value}, d{phi[0].first, phi[1].first, phi[2].first};
   const T versine = polynomial(S::versine, x), defect = polynomial(S::sine_defect, x);
   const Vector<T> turn = cross(v, d), tilt = cross(v, turn);
-  BodyRates<T> body{.omega = per_step * (d + (defect * tilt - versine * turn)), .alpha = {}};
-  if constexpr (Wanted == Rates::second) {
-    const Vector<T> d2{phi[0].second, phi[1].second, phi[2].second};
-    const T growth = T(2) * dot(v, d);
-    const T versine_rate = growth * polynomial(S::versine_slope, x),
-            defect_rate = growth * polynomial(S::sine_defect_slope, x);
-    const Vector<T> turn_rate = cross(v, d2), tilt_rate = cross(d, turn) + cross(v, turn_rate);
-    const Vector<T> slope = (defect_rate * tilt - versine_rate * turn) + (defect * tilt_rate - versine * turn_rate);
-    body.alpha = (per_step * per_step) * (d2 + slope);
+  BodyRates<T> body{.omega = per_step * (d + (defect * tilt - versine * turn)), .alpha = {}, .jerk = {}};
+  if constexpr (Wanted == Rates::none || Wanted == Rates::first) return body;
+  const Vector<T> d2{phi[0].second, phi[1].second, phi[2].second};
+  const T growth = T(2) * dot(v, d);
+  const T versine_slope = polynomial(S::versine_slope, x), defect_slope = polynomial(S::sine_defect_slope, x);
+  const T versine_rate = growth * versine_slope, defect_rate = growth * defect_slope;
+  const Vector<T> turn_rate = cross(v, d2), tilt_rate = cross(d, turn) + cross(v, turn_rate);
+  const Vector<T> slope = (defect_rate * tilt - versine_rate * turn) + (defect * tilt_rate - versine * turn_rate);
+  body.alpha = (per_step * per_step) * (d2 + slope);
+  if constexpr (Wanted == Rates::third) {
+    const Vector<T> d3{phi[0].third, phi[1].third, phi[2].third};
+    const T growth_rate = T(2) * (dot(d, d) + dot(v, d2)), growth_2 = growth * growth;
+    const T versine_bend = growth_rate * versine_slope + growth_2 * polynomial(S::versine_curvature, x),
+            defect_bend = growth_rate * defect_slope + growth_2 * polynomial(S::sine_defect_curvature, x);
+    const Vector<T> turn_bend = cross(d, d2) + cross(v, d3);
+    const Vector<T> tilt_bend = cross(d2, turn) + (T(2) * cross(d, turn_rate) + cross(v, turn_bend));
+    const Vector<T> bend =
+        (defect_bend * tilt - versine_bend * turn) +
+        (T(2) * (defect_rate * tilt_rate - versine_rate * turn_rate) + (defect * tilt_bend - versine * turn_bend));
+    body.jerk = (per_step * per_step * per_step) * (d3 + bend);
   }
   return body;
 }
@@ -89,7 +100,7 @@ template <Rates Wanted, class T>
   if constexpr (Wanted != Rates::none) {
     Taylor<T> phi[3];
 #pragma GCC unroll 3
-    for (int k = 0; k < 3; ++k) phi[k] = {all.value[k], all.first[k], all.second[k]};
+    for (int k = 0; k < 3; ++k) phi[k] = {all.value[k], all.first[k], all.second[k], all.third[k]};
     put(chart_rates<Wanted>(phi, sample.x, static_cast<T>(r.per_step)), at, target);
   }
 }
@@ -99,8 +110,7 @@ void chart(const ChartRecord<T>& r, const Clock& clock, std::size_t count, const
   if (count <= most_points) {
     for (std::size_t i = 0; i < count; ++i) {
       const T s = local_time<T>(r, clock, i);
-      if (wants_rates(target)) chart_point<Rates::second>(r, s, target, i);
-      else chart_point<Rates::none>(r, s, target, i);
+      by_rates_of_points(target, [&]<Rates Wanted>() { chart_point<Wanted>(r, s, target, i); });
     }
     return;
   }

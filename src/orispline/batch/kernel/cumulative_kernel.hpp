@@ -14,7 +14,7 @@ namespace {
 /// all, the sums of one step wait for each other longer than the processor looks ahead.
 template <class T>
 struct FactorPlanes {
-  alignas(64) Plane<T> sine, cosine, first, second;  ///< the derivatives are those of the angle
+  alignas(64) Plane<T> sine, cosine, first, second, third;  ///< the derivatives are those of the angle
 };
 
 template <int Degree, class Range, Rates Wanted, class T>
@@ -29,7 +29,8 @@ template <int Degree, class Range, Rates Wanted, class T>
     to.sine[i] = circle.sine;
     to.cosine[i] = circle.cosine;
     if constexpr (Wanted != Rates::none) to.first[i] = angle.first;
-    if constexpr (Wanted == Rates::second) to.second[i] = angle.second;
+    if constexpr (Wanted >= Rates::second) to.second[i] = angle.second;
+    if constexpr (Wanted >= Rates::third) to.third[i] = angle.third;
   }
 }
 
@@ -42,8 +43,8 @@ template <class V, class T, class Row>
   return c.sine * turned + c.cosine * straight;
 }
 
-/// Twice the half rates of exp(a x_a) exp(b x_b) exp(c x_c), first in the frame after b, then turned by the last
-/// factor.
+/// The body rates of exp(a x_a) exp(b x_b) exp(c x_c): twice the half rates, first in the frame after b, then turned by
+/// the last factor. Derivation: docs/performance.md.
 template <Rates Wanted, class T>
 [[gnu::always_inline]] inline BodyRates<T> rates(const CumulativeRecord<T>& r, const Taylor<T>& a, const Taylor<T>& b,
                                                  const Taylor<T>& c, Circle<T> cb, Circle<T> cc, T per_step) {
@@ -56,12 +57,19 @@ template <Rates Wanted, class T>
     return cos_c * v + (sin_c * cross(v, axis_c) + (versine_c * dot(axis_c, v)) * axis_c);
   };
   const Vector<T> before = turned(a.first * axis_a + b.first * axis_b);
-  BodyRates<T> body{.omega = (T(2) * per_step) * (before + c.first * axis_c), .alpha = {}};
-  if constexpr (Wanted == Rates::second) {
-    const Vector<T> axis_a_rate = (T(2) * b.first) * (cos_b * p2 - sin_b * p1);
-    const Vector<T> rate = (a.second * axis_a + a.first * axis_a_rate) + b.second * axis_b;
-    body.alpha =
-        (T(2) * per_step * per_step) * (turned(rate) + ((T(2) * c.first) * cross(before, axis_c) + c.second * axis_c));
+  BodyRates<T> body{.omega = (T(2) * per_step) * (before + c.first * axis_c), .alpha = {}, .jerk = {}};
+  if constexpr (Wanted == Rates::none || Wanted == Rates::first) return body;
+  const Vector<T> slope = cos_b * p2 - sin_b * p1, axis_a_rate = (T(2) * b.first) * slope;
+  const Vector<T> rate = (a.second * axis_a + a.first * axis_a_rate) + b.second * axis_b;
+  const Vector<T> turned_rate = turned(rate), turn = cross(before, axis_c);
+  body.alpha = (T(2) * per_step * per_step) * (turned_rate + ((T(2) * c.first) * turn + c.second * axis_c));
+  if constexpr (Wanted == Rates::third) {
+    const Vector<T> bend = (T(2) * b.second) * slope - (T(4) * b.first * b.first) * (cos_b * p1 + sin_b * p2);
+    const Vector<T> rate_rate =
+        (a.third * axis_a + (T(2) * a.second) * axis_a_rate) + (a.first * bend + b.third * axis_b);
+    const Vector<T> turns = (T(2) * c.second) * turn + (T(4) * c.first) * cross(turned_rate, axis_c);
+    const Vector<T> bent = (T(4) * c.first * c.first) * cross(turn, axis_c) + c.third * axis_c;
+    body.jerk = (T(2) * per_step * per_step * per_step) * (turned(rate_rate) + (turns + bent));
   }
   return body;
 }
@@ -77,8 +85,10 @@ struct CumulativePlanes {
   }
   template <Rates Wanted>
   [[gnu::always_inline]] Taylor<T> angle(int factor, int i) const {
-    if constexpr (Wanted == Rates::second) return {T(0), factors[factor].first[i], factors[factor].second[i]};
-    else return {T(0), factors[factor].first[i], T(0)};
+    Taylor<T> angle{.value = T(0), .first = factors[factor].first[i], .second = T(0), .third = T(0)};
+    if constexpr (Wanted >= Rates::second) angle.second = factors[factor].second[i];
+    if constexpr (Wanted >= Rates::third) angle.third = factors[factor].third[i];
+    return angle;
   }
 };
 
@@ -124,7 +134,9 @@ template <class Range, Rates Wanted, class T>
              a, b, c, [&](int j) __attribute__((always_inline)) { return lanes_at(r.products[j]); }),
          at, target);
   if constexpr (Wanted != Rates::none) {
-    const auto angle = [&](int k) __attribute__((always_inline)) { return Taylor<T>{T(0), x.first[k], x.second[k]}; };
+    const auto angle = [&](int k) __attribute__((always_inline)) {
+      return Taylor<T>{T(0), x.first[k], x.second[k], x.third[k]};
+    };
     put(rates<Wanted>(r, angle(0), angle(1), angle(2), b, c, static_cast<T>(r.per_step)), at, target);
   }
 }
@@ -151,8 +163,7 @@ void cumulative(const CumulativeRecord<T>& r, const Clock& clock, std::size_t co
   if (count <= most_points) {
     for (std::size_t i = 0; i < count; ++i) {
       const T s = local_time<T>(r, clock, i);
-      if (wants_rates(target)) cumulative_point_of<Rates::second>(r, s, target, i);
-      else cumulative_point_of<Rates::none>(r, s, target, i);
+      by_rates_of_points(target, [&]<Rates Wanted>() { cumulative_point_of<Wanted>(r, s, target, i); });
     }
     return;
   }

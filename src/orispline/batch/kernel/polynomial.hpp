@@ -82,10 +82,10 @@ template <int Degree, int Lowest = 0, class V, class Coefficient>
   }
 }
 
-/// A polynomial with its first two derivatives.
+/// A polynomial with its first three derivatives.
 template <class V>
 struct Taylor {
-  V value, first, second;
+  V value, first, second, third;
 };
 
 template <int Degree, class V, class Coefficient>
@@ -96,7 +96,10 @@ template <int Degree, class V, class Coefficient>
           estrin<Degree - 1>(
               x, [&](int k) __attribute__((always_inline)) { return coefficient(k + 1) * T(k + 1); }),
           estrin<Degree - 2>(
-              x, [&](int k) __attribute__((always_inline)) { return coefficient(k + 2) * T((k + 1) * (k + 2)); })};
+              x, [&](int k) __attribute__((always_inline)) { return coefficient(k + 2) * T((k + 1) * (k + 2)); }),
+          estrin<Degree - 3>(
+              x, [&](int k)
+                     __attribute__((always_inline)) { return coefficient(k + 3) * T((k + 1) * (k + 2) * (k + 3)); })};
 }
 
 template <int Degree, class V, class Coefficient>

@@ -56,6 +56,7 @@ struct Target {
   T* orientation;
   T* angular_velocity = nullptr;
   T* angular_acceleration = nullptr;
+  T* angular_jerk = nullptr;
   std::ptrdiff_t planes = 0;  ///< 0: the components of a sample side by side; else the distance between planes
 };
 

@@ -40,10 +40,10 @@ template <class T>
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// Angular velocity and acceleration of a sample.
+/// Angular velocity, acceleration and jerk of a sample.
 template <class T>
 struct BodyRates {
-  Vector<T> omega, alpha;
+  Vector<T> omega, alpha, jerk;
 };
 
 /// exp of a half rotation vector v times s by even series: neither root nor division.

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+// Planar samples as some rows of a larger table: its columns are the planes, its other numbers stay as they are.
+#include <gtest/gtest.h>
+
+#include <batch/sampled.hpp>
+#include <batch/specimen_curves.hpp>
+#include <orispline/batch/curve_bundle.hpp>
+#include <support/tracks.hpp>
+
+namespace orispline {
+namespace {
+
+using namespace testing_support;
+
+constexpr std::size_t rows = 400, first_row = 61, count = 201, columns = 22;
+
+/// Columns of `rows` numbers each, of which the samples take the middle ones from `first_row` on.
+template <class T>
+class Table {
+ public:
+  Table() : numbers_(rows * columns, untouched) {}
+
+  /// Room for samples in the components from a column on.
+  [[nodiscard]] std::span<T> room(std::size_t column, std::size_t components) {
+    return std::span(numbers_).subspan(column * rows + first_row, (components - 1) * rows + count);
+  }
+  [[nodiscard]] Samples<T> angular() {
+    return {.orientations = room(0, 4),
+            .angular_velocities = room(4, 3),
+            .angular_accelerations = room(7, 3),
+            .angular_jerks = room(10, 3),
+            .layout = Layout::planar,
+            .plane = rows};
+  }
+  [[nodiscard]] Samples<T> all() {
+    Samples<T> spans = angular();
+    spans.positions = room(13, 3);
+    spans.velocities = room(16, 3);
+    spans.accelerations = room(19, 3);
+    return spans;
+  }
+
+  /// The rows of the samples hold what the planes of their own hold, the other rows and columns nothing.
+  void expect(std::size_t column, std::size_t components, const std::vector<T>& planes) {
+    for (std::size_t k = 0; k < components; ++k)
+      for (std::size_t row = 0; row < rows; ++row) {
+        const bool inside = row >= first_row && row < first_row + count;
+        const T wanted = inside ? planes[k * count + row - first_row] : untouched;
+        ASSERT_EQ(numbers_[(column + k) * rows + row], wanted) << "column " << column + k << ", row " << row;
+      }
+  }
+  void expect_untouched_from(std::size_t column) {
+    for (std::size_t i = column * rows; i < numbers_.size(); ++i) ASSERT_EQ(numbers_[i], untouched);
+  }
+
+ private:
+  static constexpr T untouched = T(12345);
+  std::vector<T> numbers_;
+};
+
+/// Planes of the samples alone.
+template <class T>
+struct Planes {
+  std::vector<T> orientations = std::vector<T>(4 * count), angular_velocities = std::vector<T>(3 * count),
+                 angular_accelerations = angular_velocities, angular_jerks = angular_velocities,
+                 positions = angular_velocities, velocities = angular_velocities, accelerations = angular_velocities;
+
+  [[nodiscard]] Samples<T> angular() {
+    return {.orientations = orientations,
+            .angular_velocities = angular_velocities,
+            .angular_accelerations = angular_accelerations,
+            .angular_jerks = angular_jerks,
+            .layout = Layout::planar};
+  }
+  [[nodiscard]] Samples<T> all() {
+    Samples<T> spans = angular();
+    spans.positions = positions;
+    spans.velocities = velocities;
+    spans.accelerations = accelerations;
+    return spans;
+  }
+};
+
+/// Times over the whole domain and beyond, where the ends are held.
+struct Grid {
+  explicit Grid(const Domain& domain)
+      : step(1.1 * (domain.end - domain.start) / count), start(domain.start - 9.0 * step) {
+    for (std::size_t k = 0; k < count; ++k) times.push_back(static_cast<double>(k) * step + start);
+  }
+  double step, start;
+  std::vector<double> times;
+};
+
+template <class T>
+void expect_rows_of_a_table(const PoseCurve& curve) {
+  const Grid grid(curve.orientation.domain());
+  Planes<T> planes;
+  ASSERT_TRUE(sample<T>(curve, grid.times, planes.all()));
+  const auto expect_in = [&](Table<T>& table) {
+    table.expect(0, 4, planes.orientations);
+    table.expect(4, 3, planes.angular_velocities);
+    table.expect(7, 3, planes.angular_accelerations);
+    table.expect(10, 3, planes.angular_jerks);
+  };
+  Table<T> poses, evenly, compiled, orientations;
+  ASSERT_TRUE(sample_at<T>(curve, grid.times, poses.all()));
+  expect_in(poses);
+  poses.expect(13, 3, planes.positions);
+  poses.expect(16, 3, planes.velocities);
+  poses.expect(19, 3, planes.accelerations);
+  ASSERT_TRUE(sample_uniform<T>(curve.orientation, grid.start, grid.step, evenly.angular()));
+  expect_in(evenly);
+  evenly.expect_untouched_from(13);
+  ASSERT_TRUE(sample<T>(CompiledCurve<T>(curve.orientation), grid.times, compiled.angular()));
+  expect_in(compiled);
+  compiled.expect_untouched_from(13);
+  const BakedCurve<T> baked = bake<T>(curve.orientation, 1e-6).value();
+  ASSERT_TRUE(sample<T>(baked, grid.times, {.orientations = planes.orientations, .layout = Layout::planar}));
+  ASSERT_TRUE(
+      sample<T>(baked, grid.times, {.orientations = orientations.room(0, 4), .layout = Layout::planar, .plane = rows}));
+  orientations.expect(0, 4, planes.orientations);
+  orientations.expect_untouched_from(4);
+}
+
+TEST(BatchPlanes, MayBeTheColumnsOfALargerTable) {
+  for (const char* kind : kinds_of_curves) {
+    SCOPED_TRACE(kind);
+    const PoseCurve curve = make_pose_curve(kind, keyframes(posed_walk(151, 9, Spacing::uneven, 0.7))).value();
+    expect_rows_of_a_table<double>(curve);
+    expect_rows_of_a_table<float>(curve);
+  }
+}
+
+TEST(BatchPlanes, OfABundleMayBeTheColumnsOfALargerTable) {
+  std::vector<AnyCurve> curves(count, specimen_curve("timed-c2"));
+  const auto bundle = CurveBundle<double>::make(curves).value();
+  for (const double t : {0.4, curves.front().domain().end + 1.0}) {
+    Planes<double> planes;
+    Table<double> table;
+    ASSERT_TRUE(bundle.sample(t, {.orientations = planes.orientations, .layout = Layout::planar}));
+    ASSERT_TRUE(bundle.sample(t, {.orientations = table.room(0, 4), .layout = Layout::planar, .plane = rows}));
+    table.expect(0, 4, planes.orientations);
+    table.expect_untouched_from(4);
+  }
+}
+
+void expect_bad_argument(const Samples<double>& out, const std::string& message) {
+  const AnyCurve curve = specimen_curve("timed-c2");
+  const auto sampled = sample_uniform<double>(curve, 0.0, 0.01, out);
+  ASSERT_FALSE(sampled);
+  EXPECT_EQ(sampled.error().code, ErrorCode::bad_argument);
+  EXPECT_EQ(sampled.error().message, message);
+}
+
+TEST(BatchPlanes, ThatDoNotBelongTogetherAreAnError) {
+  std::vector<double> q(35), v(26);
+  expect_bad_argument({.orientations = q, .layout = Layout::interleaved, .plane = 10},
+                      "found a distance between planes for samples that are interleaved, wanted a planar layout");
+  expect_bad_argument({.orientations = q, .layout = Layout::planar, .plane = 4},
+                      "found planes 4 numbers apart, wanted 23 or more for as many samples");
+  expect_bad_argument({.orientations = q, .angular_velocities = v, .layout = Layout::planar, .plane = 10},
+                      "found room for 26 numbers of angular velocities, wanted 25 numbers for 5 samples");
+  const AnyCurve curve = specimen_curve("timed-c2");
+  EXPECT_TRUE(sample<double>(curve, std::vector(5, 0.0), {.orientations = q, .layout = Layout::planar, .plane = 10}));
+  EXPECT_FALSE(sample<double>(curve, std::vector(6, 0.0), {.orientations = q, .layout = Layout::planar, .plane = 10}));
+  EXPECT_TRUE(sample<double>(curve, {}, {.orientations = {}, .layout = Layout::planar, .plane = 10}));
+}
+
+}  // namespace
+}  // namespace orispline
