@@ -81,7 +81,7 @@ struct Joint {
 
 Joint joint_of(const CubicBezierCurve& curve) {
   const auto t = Jet<double, 2>::variable(curve.knots().times()[1]);
-  const auto before = curve.orientation(t, 0), after = curve.orientation(t, 1);
+  const auto before = curve.point(t, 0), after = curve.point(t, 1);
   return {derivative(before, 1), derivative(before, 2), derivative(after, 1), derivative(after, 2)};
 }
 

@@ -58,7 +58,7 @@ TYPED_TEST(JetOracle, EvaluatorAgreesWithJetsOfTheWholeQuaternion) {
     const AnyCurve erased = make_curve(TypeParam::info.name, keys).value();
     for (const double t : sample_times(erased.knots().times(), 7)) {
       const std::size_t segment = erased.knots().segment_at(t);
-      const Motion oracle = motion_from_jet(typed.orientation(Jet<double, 3>::variable(t), segment));
+      const Motion oracle = motion_from_jet(typed.point(Jet<double, 3>::variable(t), segment));
       EXPECT_TRUE(near(erased.motion(t), oracle, same_motion)) << t;
     }
   }

@@ -22,7 +22,7 @@ Keyframes posed_walk(std::uint64_t seed, Spacing spacing) {
 template <Path P>
 double relative_jump(const P& path, std::size_t k) {
   const auto derivative = [&path, k](double t, std::size_t segment) -> Eigen::Vector3d {
-    const auto p = path.position(Jet<double, 4>::variable(t), segment);
+    const auto p = path.point(Jet<double, 4>::variable(t), segment);
     return {p.x().derivative(k), p.y().derivative(k), p.z().derivative(k)};
   };
   double jump = 0.0, size = 0.0;
@@ -66,7 +66,7 @@ TYPED_TEST(PathContinuity, IsThatOfThePathThatTheRegistryGives) {
   const auto typed = typed_path<TypeParam>(keys);
   const PoseCurve pose = make_pose_curve(TypeParam::info.name, keys).value();
   for (const double t : sample_times(typed.knots().times())) {
-    const Eigen::Vector3d wanted = typed.position(t, typed.knots().segment_at(t));
+    const Eigen::Vector3d wanted = typed.point(t, typed.knots().segment_at(t));
     EXPECT_TRUE(near(pose.position->linear_motion(t).position, wanted, tolerance::algebra)) << t;
   }
   EXPECT_EQ(pose.orientation.domain().start, typed.knots().front());

@@ -101,7 +101,7 @@ struct Spinning {
   Knots spinning_knots{{0.0, 10.0}};
   [[nodiscard]] const Knots& knots() const noexcept { return spinning_knots; }
   template <Number T>
-  [[nodiscard]] Quaternion<T> orientation(const T& t, std::size_t) const noexcept {
+  [[nodiscard]] Quaternion<T> point(const T& t, std::size_t) const noexcept {
     return exp<T>(constant<T>(Eigen::Vector3d(0, 0, 0.5)) * (t * t));
   }
 };
@@ -117,7 +117,7 @@ TEST(AnyCurve, RoundTripsATypedCurve) {
   const auto typed = families::Slerp::curve(keys, {}).value();
   const AnyCurve erased(typed);
   for (const double t : sample_times(keys.times()))
-    EXPECT_EQ(erased(t).coeffs(), typed.orientation(t, typed.knots().segment_at(t)).coeffs());
+    EXPECT_EQ(erased(t).coeffs(), typed.point(t, typed.knots().segment_at(t)).coeffs());
 }
 
 TEST(ConstantCurve, HoldsItsOnlyKeyForEver) {

@@ -103,7 +103,7 @@ TEST(Ghost, PolygonHoldsItsIncrementsEvenBeyondAFullTurn) {
   FamilySettings settings;
   settings.start = settings.end = {.rule = EndRule::clamped, .angular_velocity = {40.0, 0, 0}};
 
-  const ControlPolygon polygon = ghosted_polygon(keys, settings, {1, 1}, {1, 1}).value();
+  const ControlPolygon<> polygon = ghosted_polygon<Eigen::Quaterniond>(keys, settings, {1, 1}, {1, 1}).value();
 
   ASSERT_EQ(polygon.bases.size(), 3u);
   ASSERT_EQ(polygon.increments.size(), 5u);

@@ -55,6 +55,7 @@ TEST(Position, HoldsTheEndsAtRestOutside) {
     EXPECT_EQ(p.linear_motion(100.0).position, p.linear_motion(domain.end).position) << family.name;
     EXPECT_EQ(p.linear_motion(100.0).velocity, Eigen::Vector3d::Zero());
     EXPECT_EQ(p.linear_motion(-100.0).acceleration, Eigen::Vector3d::Zero());
+    EXPECT_EQ(p.linear_motion(100.0).jerk, Eigen::Vector3d::Zero());
   }
 }
 
@@ -92,6 +93,7 @@ TEST(Position, HasTheDerivativesOfItself) {
       const LinearMotion before = p.linear_motion(t - h), here = p.linear_motion(t), after = p.linear_motion(t + h);
       EXPECT_TRUE(near((after.position - before.position) / (2 * h), here.velocity, tolerance::difference));
       EXPECT_TRUE(near((after.velocity - before.velocity) / (2 * h), here.acceleration, tolerance::difference));
+      EXPECT_TRUE(near((after.acceleration - before.acceleration) / (2 * h), here.jerk, tolerance::difference));
     }
   }
 }
@@ -164,6 +166,7 @@ TEST(Position, FollowsTheSameBlendingFunctionsAsTheOrientation) {
         EXPECT_TRUE(near(exp<double>(p.position), m.orientation, tolerance::algebra)) << family.name;
         EXPECT_TRUE(near(p.velocity, m.angular_velocity, tolerance::series)) << family.name;
         EXPECT_TRUE(near(p.acceleration, m.angular_acceleration, tolerance::rates)) << family.name;
+        EXPECT_TRUE(near(p.jerk, m.angular_jerk, tolerance::rates)) << family.name;
       }
     }
   }
@@ -174,7 +177,8 @@ TEST(Position, ContinuesNaturallyWhereTheOrientationIsClamped) {
   const End clamped{.rule = EndRule::clamped, .angular_velocity = {1, 2, 3}}, natural{.rule = EndRule::natural};
   const AnyPath found = path("timed-c2", keys, {.start = clamped, .end = clamped});
   const AnyPath wanted = path("timed-c2", keys, {.start = natural, .end = natural});
-  for (const double t : sample_times(keys.times())) EXPECT_EQ(found.linear_motion(t).position, wanted.linear_motion(t).position);
+  for (const double t : sample_times(keys.times()))
+    EXPECT_EQ(found.linear_motion(t).position, wanted.linear_motion(t).position);
 }
 
 TEST(Position, OfSquadsIsCatmullRomInTime) {
@@ -190,8 +194,8 @@ TEST(Position, OfSquadsIsCatmullRomInTime) {
         EXPECT_TRUE(near(p.linear_motion(keys.times()[i], side).velocity, tangent_of_the_parabola, tolerance::series));
     }
     const double h = keys.times()[1] - keys.times()[0];
-    EXPECT_TRUE(
-        near(p.linear_motion(keys.times()[0]).velocity, (keys.positions()[1] - keys.positions()[0]) / h, tolerance::series));
+    EXPECT_TRUE(near(p.linear_motion(keys.times()[0]).velocity, (keys.positions()[1] - keys.positions()[0]) / h,
+                     tolerance::series));
   }
 }
 

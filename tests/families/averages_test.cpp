@@ -71,8 +71,8 @@ TEST(Averages, SolveTheirEquationWithAllDerivatives) {
   for (const double t : sample_times(keys.times())) {
     const std::size_t segment = curve.knots().segment_at(t);
     const double h = curve.knots().span(segment).step();
-    const auto left = missing<J>(keys.times(), keys.orientations(), curve.orientation(J::variable(t), segment),
-                                 J::variable(t), segment);
+    const auto left =
+        missing<J>(keys.times(), keys.orientations(), curve.point(J::variable(t), segment), J::variable(t), segment);
     for (int axis = 0; axis < 3; ++axis)
       for (std::size_t order = 0; order <= 4; ++order)
         EXPECT_NEAR(left[axis].c[order] * std::pow(h, order), 0.0, tolerance::series) << "order " << order;
@@ -159,7 +159,8 @@ TEST(Averages, OnOneAxisAreTheSplineOfTheAngle) {
   for (const CurveOptions& options : {CurveOptions{}, keys_as_control_points}) {
     const PoseCurve pose = make_pose_curve({"averages", options}, keyframes(data)).value();
     for (const double t : sample_times(data.times))
-      EXPECT_LE((log<double>(pose.orientation(t)) - pose.position->linear_motion(t).position).norm(), tolerance::series);
+      EXPECT_LE((log<double>(pose.orientation(t)) - pose.position->linear_motion(t).position).norm(),
+                tolerance::series);
   }
 }
 
@@ -170,7 +171,7 @@ TEST(Averages, OfPositionsAreTheNaturalCubicSplineFarFromTheOriginToo) {
     for (std::size_t i = 0; i < 7; ++i) data.positions.push_back(dice.vector() + Eigen::Vector3d(far, 0, 0));
     const auto path = typed_path<Averages>(keyframes(data));
     const auto derivative = [&](double t, std::size_t segment, std::size_t k) {
-      const auto p = path.position(Jet<double, 2>::variable(t), segment);
+      const auto p = path.point(Jet<double, 2>::variable(t), segment);
       return Eigen::Vector3d(p.x().derivative(k), p.y().derivative(k), p.z().derivative(k));
     };
     const double rounding = 1e-15 * std::max(1.0, far), h2 = 0.01;  // the shortest step squared

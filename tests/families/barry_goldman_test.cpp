@@ -35,7 +35,7 @@ TEST(BarryGoldman, OfPositionsIsCatmullRomInTime) {
   const CatmullRomPath wanted(keys);
   const AnyPath path = make_pose_curve("barry-goldman", keys)->position.value();
   for (const double t : sample_times(keys.times()))
-    EXPECT_TRUE(near(path.linear_motion(t).position, wanted.position(t, wanted.knots().segment_at(t)), tolerance::series));
+    EXPECT_TRUE(near(path.linear_motion(t).position, wanted.point(t, wanted.knots().segment_at(t)), tolerance::series));
 }
 
 TEST(BarryGoldman, AboutOneAxisTurnsByTheAngleOfItsOwnPath) {

@@ -63,8 +63,8 @@ TEST(Beta, IsG2InSpaceAsBarskySays) {
   for (std::size_t joint = 1; joint < path.knots().segments(); ++joint) {
     const double t = path.knots().times()[joint];
     const double beta1 = betas.at("beta1")[joint + 1], beta2 = betas.at("beta2")[joint + 1];
-    const auto before = path.position(Jet<double, 2>::variable(t), joint - 1);
-    const auto after = path.position(Jet<double, 2>::variable(t), joint);
+    const auto before = path.point(Jet<double, 2>::variable(t), joint - 1);
+    const auto after = path.point(Jet<double, 2>::variable(t), joint);
     for (int axis = 0; axis < 3; ++axis) {
       EXPECT_NEAR(after[axis].derivative(0), before[axis].derivative(0), tolerance::algebra);
       EXPECT_NEAR(after[axis].derivative(1), beta1 * before[axis].derivative(1), tolerance::series);
@@ -82,7 +82,8 @@ TEST(Beta, AtItsDefaultsIsTheCubicBSplineInSpaceButNotOnTheSphere) {
   const PoseCurve found = make_pose_curve("beta", keys).value(), bspline = make_pose_curve("bspline", keys).value();
   double largest = 0.0;
   for (const double t : sample_times(found.orientation.knots().times())) {
-    EXPECT_TRUE(near(found.position->linear_motion(t).position, bspline.position->linear_motion(t).position, tolerance::algebra));
+    EXPECT_TRUE(near(found.position->linear_motion(t).position, bspline.position->linear_motion(t).position,
+                     tolerance::algebra));
     largest = std::max(largest, angular_distance(found.orientation(t), bspline.orientation(t)));
   }
   EXPECT_GT(largest, tolerance::visible_jump);

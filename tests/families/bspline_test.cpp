@@ -65,7 +65,7 @@ TYPED_TEST(BSplineDegree, IsTheCurveOfItsDefinition) {
     const Keyframes keys = posed_walk(352, count, Spacing::uneven);
     const PoseCurve found = bspline(keys, degree);
     const AnyCurve curve(bspline_curve<degree>(keys));
-    const AnyPath path(bspline_path<degree>(keys));
+    const AnyPath path(bspline_curve<degree, Eigen::Vector3d>(keys));
     for (const double t : sample_times(curve.knots().times())) {
       EXPECT_TRUE(near(found.orientation.motion(t), curve.motion(t),
                        {tolerance::algebra, tolerance::rates, tolerance::rates, tolerance::rates}))
@@ -86,11 +86,11 @@ TYPED_TEST(BSplineDegree, IsExactlyAsSmoothInTimeOnUnevenKnots) {
 
 TYPED_TEST(BSplineDegree, IsOfItsDegreeInSpace) {
   constexpr std::size_t degree = TypeParam::value;
-  const auto path = bspline_path<degree>(posed_walk(356, 6, Spacing::uneven));
+  const auto path = bspline_curve<degree, Eigen::Vector3d>(posed_walk(356, 6, Spacing::uneven));
   using J = Jet<double, static_cast<int>(degree) + 1>;
   for (std::size_t s = 0; s < path.knots().segments(); ++s) {
     const KnotSpan span = path.knots().span(s);
-    const auto x = path.position(J::variable(span.start() + 0.4 * span.step()), s).x();
+    const auto x = path.point(J::variable(span.start() + 0.4 * span.step()), s).x();
     EXPECT_NEAR(x.c[degree + 1] * std::pow(span.step(), degree + 1), 0.0, tolerance::rates);
     EXPECT_GT(std::abs(x.c[degree]), tolerance::visible_jump);
   }

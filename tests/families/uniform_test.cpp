@@ -76,10 +76,11 @@ TYPED_TEST(UniformOrder, HasTheStatedDerivativesInSpace) {
   const Keyframes keys = keyframes(data);
   const Parameters parameters = random_tensions(this->order, 319);
   const FamilySettings settings = settle(UniformFamily::info, {.parameters = parameters}, key_count).value();
-  const auto path = four_key_path(keys, settings, uniform_basis<TestFixture::order>(settings)).value();
+  const auto path =
+      four_key_curve<Eigen::Vector3d>(keys, settings, uniform_basis<TestFixture::order>(settings)).value();
   for (std::size_t i = 1; i + 1 < key_count; ++i)
     for (const std::size_t segment : {i - 1, i}) {
-      const auto p = path.position(Jet<double, 5>::variable(data.times[i]), segment);
+      const auto p = path.point(Jet<double, 5>::variable(data.times[i]), segment);
       const auto &before = data.positions[i - 1], &here = data.positions[i], &after = data.positions[i + 1];
       for (std::size_t m = 1; m <= this->order; ++m) {
         const double tension = parameters.at("tension" + std::to_string(m))[i];

@@ -3,8 +3,8 @@
 // start.
 #include <gtest/gtest.h>
 
-#include <batch/online_stream.hpp>
 #include <curve/counting_new.hpp>
+#include <online/online_stream.hpp>
 #include <orispline/families/registry.hpp>
 
 namespace orispline {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <batch/online_stream.hpp>
+#include <online/online_stream.hpp>
 #include <orispline/families/registry.hpp>
 
 namespace orispline {
@@ -17,7 +17,7 @@ bool same(const Motion& a, const Motion& b) {
          a.angular_acceleration == b.angular_acceleration && a.angular_jerk == b.angular_jerk;
 }
 bool same(const LinearMotion& a, const LinearMotion& b) {
-  return a.position == b.position && a.velocity == b.velocity && a.acceleration == b.acceleration;
+  return a.position == b.position && a.velocity == b.velocity && a.acceleration == b.acceleration && a.jerk == b.jerk;
 }
 
 /// How many of nine times from start to end, both included, have other bits than the offline curve.

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <batch/online_stream.hpp>
+#include <online/online_stream.hpp>
 
 namespace orispline {
 namespace {

@@ -5,7 +5,6 @@
 
 #include <orispline/curve/bspline_basis.hpp>
 #include <orispline/curve/cumulative_curve.hpp>
-#include <orispline/curve/cumulative_path.hpp>
 
 // The B-spline family written down once more as docs/families/bspline.md defines it: every knot and every control point
 // in a list, ghosts by repeated reflection. Its own types, for tests that need more derivatives than a Motion has.
@@ -48,8 +47,12 @@ template <std::size_t Degree>
 
 /// Control points with `Degree / 2` ghosts on either side, each mirrored at the end key from the polygon so far: for
 /// few keys a ghost is the image of a ghost.
-template <std::size_t Degree, class Point, class Mirror>
-[[nodiscard]] std::vector<Point> ghosted(std::span<const Point> keys, Mirror mirror) {
+template <std::size_t Degree, class Point>
+[[nodiscard]] std::vector<Point> ghosted(std::span<const Point> keys) {
+  const auto mirror = [](const auto& at, const auto& p) -> Point {
+    if constexpr (std::same_as<Point, Eigen::Quaterniond>) return at * p.conjugate() * at;
+    else return 2.0 * at - p;
+  };
   std::vector<Point> points(keys.begin(), keys.end());
   for (std::size_t ghost = 1; ghost <= Degree / 2; ++ghost) {
     const std::size_t first = ghost - 1, last = points.size() - ghost;
@@ -61,24 +64,15 @@ template <std::size_t Degree, class Point, class Mirror>
   return points;
 }
 
-template <std::size_t Degree>
+template <std::size_t Degree, CurvePoint P = Eigen::Quaterniond>
 [[nodiscard]] auto bspline_curve(const Keyframes& keys) {
-  const auto points = ghosted<Degree>(
-      keys.orientations(), [](const auto& at, const auto& q) { return Eigen::Quaterniond(at * q.conjugate() * at); });
-  ControlPolygon polygon{.bases = points, .increments = {}};
+  const std::vector<P> points = ghosted<Degree>(keys.points<P>());
+  ControlPolygon<P> polygon{.bases = points, .increments = {}};
   for (std::size_t i = 0; i + 1 < points.size(); ++i)
-    polygon.increments.push_back(increment<double>(points[i], points[i + 1]));
+    polygon.increments.push_back(displacement<double>(points[i], points[i + 1]));
   using Basis = BSplineBasis<Degree>;
-  return CumulativeCurve<Basis>(bspline_spans<Degree>(keys.times()), Basis{bspline_knots<Degree>(keys.times())},
-                                std::move(polygon));
-}
-
-template <std::size_t Degree>
-[[nodiscard]] auto bspline_path(const Keyframes& keys) {
-  using Basis = BSplineBasis<Degree>;
-  return CumulativePath<Basis>(
-      bspline_spans<Degree>(keys.times()), Basis{bspline_knots<Degree>(keys.times())},
-      ghosted<Degree>(keys.positions(), [](const auto& at, const auto& p) { return Eigen::Vector3d(2.0 * at - p); }));
+  return CumulativeCurve<Basis, P>(bspline_spans<Degree>(keys.times()), Basis{bspline_knots<Degree>(keys.times())},
+                                   std::move(polygon));
 }
 
 }  // namespace orispline::testing_support

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <orispline/families/build.hpp>
 #include <orispline/families/families.hpp>
 #include <support/bspline_by_definition.hpp>
 
@@ -40,27 +41,23 @@ template <std::size_t K>
 return basis;
 }
 
-/// A family's own curve type, built with all its settings; those that choose the type at run time at their defaults.
-template <class F>
+/// A family's own curve through points of one kind, built with all its settings; those that choose the type at run time
+/// at their defaults.
+template <class F, CurvePoint P = Eigen::Quaterniond>
 [[nodiscard]] auto typed_curve(const Keyframes& keys, const CurveOptions& options = {}) {
   const FamilySettings settings = settle(F::info, options, keys.size()).value();
-  if constexpr (requires { F::basis(settings); }) return four_key_curve(keys, settings, F::basis(settings)).value();
-  else if constexpr (std::same_as<F, families::UniformFamily>)
-    return four_key_curve(keys, settings, uniform_basis<2>(settings)).value();
-  else if constexpr (std::same_as<F, families::BSpline>) return bspline_curve<3>(keys);
-  else if constexpr (requires { F::chart(keys, settings); }) return F::chart(keys, settings).value();
-  else return F::curve(keys, settings).value();
+  constexpr bool is_orientation = std::same_as<P, Eigen::Quaterniond>;
+  if constexpr (std::same_as<F, families::UniformFamily>)
+    return four_key_curve<P>(keys, settings, uniform_basis<2>(settings)).value();
+  else if constexpr (std::same_as<F, families::BSpline>) return bspline_curve<3, P>(keys);
+  else if constexpr (is_orientation && requires { F::chart(keys, settings); }) return F::chart(keys, settings).value();
+  else return build<F, P>(keys, settings).value();
 }
 
 /// Its own path type.
 template <class F>
 [[nodiscard]] auto typed_path(const Keyframes& keys, const CurveOptions& options = {}) {
-  const FamilySettings settings = settle(F::info, options, keys.size()).value();
-  if constexpr (requires { F::basis(settings); }) return four_key_path(keys, settings, F::basis(settings)).value();
-  else if constexpr (std::same_as<F, families::UniformFamily>)
-    return four_key_path(keys, settings, uniform_basis<2>(settings)).value();
-  else if constexpr (std::same_as<F, families::BSpline>) return bspline_path<3>(keys);
-  else return F::path(keys, settings).value();
+  return typed_curve<F, Eigen::Vector3d>(keys, options);
 }
 
 /// The k-th derivative in time of the orientation, not divided by k!, on one segment.
@@ -68,7 +65,7 @@ template <Curve C, std::size_t Orders = 5>
 [[nodiscard]] std::array<Eigen::Vector4d, Orders> quaternion_derivatives(const C& curve, double t,
                                                                          std::size_t segment) {
   using J = Jet<double, static_cast<int>(Orders) - 1>;
-  const Quaternion<J> q = curve.orientation(J::variable(t), segment);
+  const Quaternion<J> q = curve.point(J::variable(t), segment);
   std::array<Eigen::Vector4d, Orders> derivatives;
   for (std::size_t k = 0; k < Orders; ++k)
     derivatives[k] = {q.x().derivative(k), q.y().derivative(k), q.z().derivative(k), q.w().derivative(k)};

@@ -37,7 +37,7 @@ class AverageCurve {
   }
 
   template <Number T>
-  [[nodiscard]] Quaternion<T> orientation(const T& t, std::size_t segment) const noexcept {
+  [[nodiscard]] Quaternion<T> point(const T& t, std::size_t segment) const noexcept {
     const Weights<T> w = weights(t, segment);
     Weights<double> values{};
     for (std::size_t k = 0; k < active; ++k) values[k] = static_cast<double>(value_of(w[k]));

@@ -28,13 +28,13 @@ Expected<BetaShape> beta_shape(std::string_view method, const std::vector<double
   return shape;
 }
 
-ControlPolygon beta_polygon(std::span<const Eigen::Quaterniond> points, const BetaShape& shape) {
+ControlPolygon<Eigen::Quaterniond> beta_polygon(std::span<const Eigen::Quaterniond> points, const BetaShape& shape) {
   std::vector<Eigen::Quaterniond> inner1, inner2;  // q_{i,1}, q_{i,2} of the paper
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     inner1.push_back(on_geodesic(points[i], points[i + 1], shape.inner1[i]));
     inner2.push_back(on_geodesic(points[i], points[i + 1], shape.inner2[i]));
   }
-  ControlPolygon polygon;
+  ControlPolygon<Eigen::Quaterniond> polygon;
   for (std::size_t i = 1; i + 2 < points.size(); ++i) {
     const Eigen::Vector3d in = displacement(inner2[i - 1], inner1[i]);
     const Eigen::Vector3d out = displacement(inner2[i], inner1[i + 1]);
@@ -46,15 +46,15 @@ ControlPolygon beta_polygon(std::span<const Eigen::Quaterniond> points, const Be
   return polygon;
 }
 
-PathPolygon beta_polygon(std::span<const Eigen::Vector3d> points, const BetaShape& shape) {
-  PathPolygon polygon;
+ControlPolygon<Eigen::Vector3d> beta_polygon(std::span<const Eigen::Vector3d> points, const BetaShape& shape) {
+  std::vector<Eigen::Vector3d> controls;
   for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-    polygon.push_back(shape.joint_at(i, points[i - 1], points[i], points[i + 1]));
+    controls.push_back(shape.joint_at(i, points[i - 1], points[i], points[i + 1]));
     if (i + 2 == points.size()) break;
-    polygon.push_back(on_geodesic(points[i], points[i + 1], shape.inner1[i]));
-    polygon.push_back(on_geodesic(points[i], points[i + 1], shape.inner2[i]));
+    controls.push_back(on_geodesic(points[i], points[i + 1], shape.inner1[i]));
+    controls.push_back(on_geodesic(points[i], points[i + 1], shape.inner2[i]));
   }
-  return polygon;
+  return polygon_through<Eigen::Vector3d>(controls, 3, 3);
 }
 
 }  // namespace orispline

@@ -28,8 +28,11 @@ struct BetaShape {
 [[nodiscard]] Expected<BetaShape> beta_shape(std::string_view method, const std::vector<double>& beta1,
                                              const std::vector<double>& beta2);
 
-/// The composite cubic from joint 1 to the last but one.
-[[nodiscard]] ControlPolygon beta_polygon(std::span<const Eigen::Quaterniond> points, const BetaShape& shape);
-[[nodiscard]] PathPolygon beta_polygon(std::span<const Eigen::Vector3d> points, const BetaShape& shape);
+/// The composite cubic from joint 1 to the last but one. Two formulas for one polygon: on the sphere increments are
+/// shares of known ones, in space differences of points.
+[[nodiscard]] ControlPolygon<Eigen::Quaterniond> beta_polygon(std::span<const Eigen::Quaterniond> points,
+                                                              const BetaShape& shape);
+[[nodiscard]] ControlPolygon<Eigen::Vector3d> beta_polygon(std::span<const Eigen::Vector3d> points,
+                                                           const BetaShape& shape);
 
 }  // namespace orispline

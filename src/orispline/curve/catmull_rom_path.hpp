@@ -22,7 +22,7 @@ class CatmullRomPath {
   [[nodiscard]] const Knots& knots() const noexcept { return knots_; }
 
   template <Number T>
-  [[nodiscard]] Vector3<T> position(const T& t, std::size_t segment) const noexcept {
+  [[nodiscard]] Vector3<T> point(const T& t, std::size_t segment) const noexcept {
     const KnotSpan span = knots_.span(segment);
     const auto basis = bernstein_basis<3>(span.normalised(t));
     const Eigen::Vector3d &p0 = positions_[segment], &p1 = positions_[segment + 1];

@@ -77,7 +77,7 @@ class ChartCurve {
   [[nodiscard]] const Knots& knots() const noexcept { return knots_; }
 
   template <Number T>
-  [[nodiscard]] Quaternion<T> orientation(const T& t, std::size_t segment) const noexcept {
+  [[nodiscard]] Quaternion<T> point(const T& t, std::size_t segment) const noexcept {
     return constant<T>(pieces_[segment].base) * exp<T>(rotation_vector(t, segment));
   }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/curve/control_points.hpp>
 
-#include <orispline/curve/increments.hpp>
-
 namespace orispline {
 namespace {
 
@@ -21,23 +19,21 @@ Eigen::Vector3d extrapolated(std::size_t nodes, const EndNeighbourhood& end) {
 
 enum class EndKey { first, last };
 
-/// The keys seen inwards from one end; `between(i, j)` is the displacement from key i to key j.
-template <class Between>
-EndNeighbourhood inwards_from(EndKey end, const Keyframes& keys, Between between) {
+/// The keys seen inwards from one end.
+template <CurvePoint P>
+EndNeighbourhood inwards_from(EndKey end, const Keyframes& keys) {
   const std::size_t last = keys.size() - 1;
   const auto key = [end, last](std::size_t j) { return end == EndKey::first ? j : last - j; };
   return {.distance = [&keys, key](std::size_t j) { return std::abs(keys.times()[key(j)] - keys.times()[key(0)]); },
-          .displacement = [key, between](std::size_t j) { return between(key(0), key(j)); }};
+          .displacement = [key,
+                           p = keys.points<P>()](std::size_t j) { return displacement<double>(p[key(0)], p[key(j)]); }};
 }
 
-EndNeighbourhood orientations_from(EndKey end, const Keyframes& keys) {
-  return inwards_from(
-      end, keys, [q = keys.orientations()](std::size_t i, std::size_t j) { return increment<double>(q[i], q[j]); });
-}
-
-EndNeighbourhood positions_from(EndKey end, const Keyframes& keys) {
-  return inwards_from(end, keys,
-                      [p = keys.positions()](std::size_t i, std::size_t j) -> Eigen::Vector3d { return p[j] - p[i]; });
+/// The end for points of this kind: at a clamped one positions, for which there is no rate, continue naturally.
+template <CurvePoint P>
+End end_for(const End& end) {
+  if constexpr (std::same_as<P, Eigen::Quaterniond>) return end;
+  else return {.rule = rule_for_positions(end.rule)};
 }
 
 /// The error of an end, at its key.
@@ -70,44 +66,33 @@ Expected<Eigen::Vector3d> ghost_increment(EndRule rule, const Eigen::Vector3d& i
   }
 }
 
-Expected<ControlPolygon> ghosted_polygon(const Keyframes& keys, const FamilySettings& settings, RateWeights at_start,
-                                         RateWeights at_end) {
-  const auto before = ghost_increment(settings.start.rule, settings.start.angular_velocity, at_start,
-                                      orientations_from(EndKey::first, keys));
+template <CurvePoint P>
+Expected<ControlPolygon<P>> ghosted_polygon(const Keyframes& keys, const FamilySettings& settings, RateWeights at_start,
+                                            RateWeights at_end) {
+  const End start = end_for<P>(settings.start), end = end_for<P>(settings.end);
+  const auto before =
+      ghost_increment(start.rule, start.angular_velocity, at_start, inwards_from<P>(EndKey::first, keys));
   if (!before) return at_key(0, before.error());
   // Seen from the last key inwards time runs backwards: rates and increments change sign.
-  const auto after = ghost_increment(settings.end.rule, -settings.end.angular_velocity, at_end.mirrored(),
-                                     orientations_from(EndKey::last, keys));
+  const auto after =
+      ghost_increment(end.rule, -end.angular_velocity, at_end.mirrored(), inwards_from<P>(EndKey::last, keys));
   if (!after) return at_key(keys.size() - 1, after.error());
-  const auto q = keys.orientations();
-  ControlPolygon polygon;
-  polygon.bases.reserve(q.size() - 1);
-  polygon.increments.reserve(q.size() + 1);
-  polygon.bases.push_back(q.front() * exp<double>(-*before));
-  polygon.bases.insert(polygon.bases.end(), q.begin(), q.end() - 2);
-  polygon.increments.push_back(*before);
-  const std::vector<Eigen::Vector3d> inner = increments_between(q);
-  polygon.increments.insert(polygon.increments.end(), inner.begin(), inner.end());
-  polygon.increments.push_back(-*after);
+  const auto p = keys.points<P>();
+  std::vector<P> points{displaced(p.front(), -*before)};
+  points.reserve(p.size() + 2);
+  points.insert(points.end(), p.begin(), p.end());
+  points.push_back(displaced(p.back(), -*after));
+  auto polygon = polygon_through<P>(points, 3, 1);
+  if constexpr (std::same_as<P, Eigen::Quaterniond>) {  // no logarithm gives an increment beyond a full turn back
+    polygon.increments.front() = *before;
+    polygon.increments.back() = -*after;
+  }
   return polygon;
 }
 
-Expected<PathPolygon> ghosted_path(const Keyframes& keys, const FamilySettings& settings, RateWeights at_start,
-                                   RateWeights at_end) {
-  const Eigen::Vector3d at_rest = Eigen::Vector3d::Zero();
-  const auto before =
-      ghost_increment(rule_for_positions(settings.start.rule), at_rest, at_start, positions_from(EndKey::first, keys));
-  if (!before) return at_key(0, before.error());
-  const auto after = ghost_increment(rule_for_positions(settings.end.rule), at_rest, at_end.mirrored(),
-                                     positions_from(EndKey::last, keys));
-  if (!after) return at_key(keys.size() - 1, after.error());
-  const auto p = keys.positions();
-  PathPolygon polygon;
-  polygon.reserve(p.size() + 2);
-  polygon.push_back(p.front() - *before);
-  polygon.insert(polygon.end(), p.begin(), p.end());
-  polygon.push_back(p.back() - *after);
-  return polygon;
-}
+template Expected<ControlPolygon<Eigen::Quaterniond>> ghosted_polygon(const Keyframes&, const FamilySettings&,
+                                                                      RateWeights, RateWeights);
+template Expected<ControlPolygon<Eigen::Vector3d>> ghosted_polygon(const Keyframes&, const FamilySettings&, RateWeights,
+                                                                   RateWeights);
 
 }  // namespace orispline

@@ -4,7 +4,6 @@
 #include <functional>
 
 #include <orispline/curve/cumulative_curve.hpp>
-#include <orispline/curve/cumulative_path.hpp>
 #include <orispline/curve/family.hpp>
 #include <orispline/curve/keyframe.hpp>
 
@@ -43,12 +42,9 @@ struct EndNeighbourhood {
                                                         RateWeights weights, const EndNeighbourhood& end);
 
 /// The four-key polygon with a ghost beyond either end: segment i starts from key i-1, n keys give n+1 increments.
-[[nodiscard]] Expected<ControlPolygon> ghosted_polygon(const Keyframes& keys, const FamilySettings& settings,
-                                                       RateWeights at_start, RateWeights at_end);
-
-/// The same for positions, by their rule.
-[[nodiscard]] Expected<PathPolygon> ghosted_path(const Keyframes& keys, const FamilySettings& settings,
-                                                 RateWeights at_start, RateWeights at_end);
+template <CurvePoint P>
+[[nodiscard]] Expected<ControlPolygon<P>> ghosted_polygon(const Keyframes& keys, const FamilySettings& settings,
+                                                          RateWeights at_start, RateWeights at_end);
 
 /// Weights of the first knot's rate in a four-key basis, read off the basis itself.
 template <CumulativeBasis B>

@@ -5,7 +5,7 @@ namespace orispline {
 
 CubicBezierCurve hermite_curve(Knots knots, std::span<const Eigen::Quaterniond> joints,
                                std::span<const Eigen::Vector3d> rates) {
-  ControlPolygon polygon{.bases = {joints.begin(), joints.end() - 1}, .increments = {}};
+  ControlPolygon<> polygon{.bases = {joints.begin(), joints.end() - 1}, .increments = {}};
   polygon.increments.reserve(3 * knots.segments());
   for (std::size_t i = 0; i < knots.segments(); ++i) {
     const double third = knots.span(i).step() / 3.0;
@@ -15,19 +15,6 @@ CubicBezierCurve hermite_curve(Knots knots, std::span<const Eigen::Quaterniond> 
     polygon.increments.insert(polygon.increments.end(), {leaving, increment<double>(inner_start, inner_end), arriving});
   }
   return {std::move(knots), CubicBezierBasis{}, std::move(polygon)};
-}
-
-CubicBezierPath handle_path(Knots knots, std::span<const Eigen::Vector3d> positions,
-                            std::span<const Eigen::Vector3d> leaving, std::span<const Eigen::Vector3d> arriving) {
-  PathPolygon points{positions[0]};
-  points.reserve(3 * knots.segments() + 1);
-  for (std::size_t i = 0; i < knots.segments(); ++i) {
-    const double third = knots.span(i).step() / 3.0;
-    points.push_back(positions[i] + third * leaving[i]);
-    points.push_back(positions[i + 1] - third * arriving[i + 1]);
-    points.push_back(positions[i + 1]);
-  }
-  return {std::move(knots), CubicBezierBasis{}, std::move(points)};
 }
 
 }  // namespace orispline

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <orispline/curve/cumulative_curve.hpp>
-#include <orispline/curve/cumulative_path.hpp>
 
 namespace orispline {
 
@@ -27,10 +26,5 @@ using CubicBezierPath = CumulativePath<CubicBezierBasis>;
 /// Segment i goes from joint i with leaving rate to joint i+1 with arriving rate; exact at both ends.
 [[nodiscard]] CubicBezierCurve hermite_curve(Knots knots, std::span<const Eigen::Quaterniond> joints,
                                              std::span<const Eigen::Vector3d> rates);
-
-/// The composite cubic through positions with the velocity on leaving and on arriving at each [m/s].
-[[nodiscard]] CubicBezierPath handle_path(Knots knots, std::span<const Eigen::Vector3d> positions,
-                                          std::span<const Eigen::Vector3d> leaving,
-                                          std::span<const Eigen::Vector3d> arriving);
 
 }  // namespace orispline

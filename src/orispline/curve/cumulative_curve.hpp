@@ -6,19 +6,31 @@
 #include <vector>
 
 #include <orispline/curve/cumulative_basis.hpp>
+#include <orispline/curve/increments.hpp>
 #include <orispline/curve/motion.hpp>
 #include <orispline/curve/segment_form.hpp>
 #include <orispline/curve/two_point_blending.hpp>
 
 namespace orispline {
 
-/// What a cumulative curve multiplies together: segment i is bases[i] ∏ exp(β̃_k increments[i·stride + k - 1]).
+/// What a cumulative curve multiplies together, or in space adds up: segment i is
+/// bases[i] ∏ exp(β̃_k increments[i·stride + k - 1]).
 ///
-/// Increments are kept, not recomputed from control orientations: those of ghost keys may be longer than 2π.
+/// Increments are kept, not recomputed from control points: those of ghost keys may be longer than 2π.
+template <CurvePoint P = Eigen::Quaterniond>
 struct ControlPolygon {
-  std::vector<Eigen::Quaterniond> bases;    ///< one per segment
-  std::vector<Eigen::Vector3d> increments;  ///< rotation vectors [rad] from each control orientation to the next
+  std::vector<P> bases;                     ///< one per segment
+  std::vector<Displacement<P>> increments;  ///< from each control point to the next
 };
+
+/// The polygon through control points: segment i begins at point i · stride.
+template <CurvePoint P>
+[[nodiscard]] ControlPolygon<P> polygon_through(std::span<const P> points, std::size_t increments, std::size_t stride) {
+  ControlPolygon<P> polygon{.bases = {}, .increments = increments_between(points)};
+  polygon.bases.reserve((points.size() - increments) / stride + 1);
+  for (std::size_t i = 0; i + increments < points.size(); i += stride) polygon.bases.push_back(points[i]);
+  return polygon;
+}
 
 /// The motion after one more factor exp(b(t) φ), b as a jet in t.
 ///
@@ -39,20 +51,17 @@ template <Number T>
                           T(2.0) * b1 * carried_acceleration.cross(phi) - b1 * b1 * turn.cross(phi) + b3 * phi};
 }
 
-/// q(t) = base ∏ exp(β̃_k(t) φ_k) over any Number, on one knot span.
-template <CumulativeBasis B, Number T>
-[[nodiscard]] Quaternion<T> cumulative_orientation(
-    const B& basis, KnotSpan span, const T& t, const Eigen::Quaterniond& base,
-    std::span<const Eigen::Vector3d, B::increments> increments) noexcept {
+/// base ∏ exp(β̃_k(t) φ_k), in space base + Σ β̃_k(t) d_k, over any Number on one knot span.
+template <CumulativeBasis B, CurvePoint P, Number T>
+[[nodiscard]] PointOver<P, T> cumulative_point(const B& basis, KnotSpan span, const T& t, const P& base,
+                                               std::span<const Displacement<P>, B::increments> increments) noexcept {
   const std::array<T, B::increments> b = basis(span, t);
-  std::array<Vector3<T>, B::increments> parts;
+  std::array<Displacement<P, T>, B::increments> parts;
   for (std::size_t k = 0; k < B::increments; ++k) parts[k] = constant<T>(increments[k]) * b[k];
-  Quaternion<T> q = constant<T>(base);
-  for (const Quaternion<T>& factor : exp_of_each(parts)) q = q * factor;
-  return q;
+  return displaced_in_turn(constant<T>(base), parts);
 }
 
-/// The same with body rates, at t [s].
+/// The same orientation with body rates, at t [s].
 template <CumulativeBasis B>
 [[nodiscard]] Motion cumulative_motion(const B& basis, KnotSpan span, double t, const Eigen::Quaterniond& base,
                                        std::span<const Eigen::Vector3d, B::increments> increments) noexcept {
@@ -62,38 +71,46 @@ template <CumulativeBasis B>
   return m;
 }
 
-/// THE evaluator: any cumulative basis over control orientations becomes orientation, ω, α and jerk.
+/// THE evaluator: any cumulative basis over control orientations becomes orientation, ω, α and jerk, and over control
+/// positions a curve in space.
 ///
-/// q(t) = q₀ ∏ exp(β̃_k(t) φ_k). Each factor carries the rates of the product before it into its own frame and adds its
-/// own.
+/// q(t) = q₀ ∏ exp(β̃_k(t) φ_k) and p(t) = p₀ + Σ β̃_k(t) (p_k - p_{k-1}). Each factor carries the rates of the product
+/// before it into its own frame and adds its own.
 /// Source: Kim, Kim & Shin 1995 (the form); Sommer et al. 2020 (the recurrence), here with the jerk, derived in
-/// docs/conventions.md.
-template <CumulativeBasis B>
+/// docs/conventions.md; the papers' curves in R^d (Tan 2018, (3.1); 003 §3.1.1).
+template <CumulativeBasis B, CurvePoint P = Eigen::Quaterniond>
 class CumulativeCurve {
  public:
-  CumulativeCurve(Knots knots, B basis, ControlPolygon polygon)
+  static constexpr int degree = B::degree;
+
+  CumulativeCurve(Knots knots, B basis, ControlPolygon<P> polygon)
       : knots_(std::move(knots)), basis_(std::move(basis)), polygon_(std::move(polygon)) {
     ORISPLINE_EXPECT(polygon_.bases.size() >= knots_.segments());
     ORISPLINE_EXPECT(polygon_.increments.size() >= (knots_.segments() - 1) * B::stride + B::increments);
   }
+  /// From the control points themselves.
+  CumulativeCurve(Knots knots, B basis, std::span<const P> points)
+      : CumulativeCurve(std::move(knots), std::move(basis), polygon_through(points, B::increments, B::stride)) {}
 
   [[nodiscard]] const Knots& knots() const noexcept { return knots_; }
   [[nodiscard]] const B& basis() const noexcept { return basis_; }
-  [[nodiscard]] const ControlPolygon& polygon() const noexcept { return polygon_; }
+  [[nodiscard]] const ControlPolygon<P>& polygon() const noexcept { return polygon_; }
 
-  /// Orientation over any Number; with jets in t this is the whole-quaternion oracle of the recurrence.
+  /// The point over any Number; of an orientation, with jets in t, this is the whole-quaternion oracle of the
+  /// recurrence.
   template <Number T>
-  [[nodiscard]] Quaternion<T> orientation(const T& t, std::size_t segment) const noexcept {
-    return cumulative_orientation(basis_, knots_.span(segment), t, polygon_.bases[segment], increments_of(segment));
+  [[nodiscard]] PointOver<P, T> point(const T& t, std::size_t segment) const noexcept {
+    return cumulative_point<B, P, T>(basis_, knots_.span(segment), t, polygon_.bases[segment], increments_of(segment));
   }
 
   /// Orientation and body rates at t [s] of the given segment.
-  [[nodiscard]] Motion motion(double t, std::size_t segment) const noexcept {
+  [[nodiscard]] Motion motion(double t,
+                              std::size_t segment) const noexcept requires std::same_as<P, Eigen::Quaterniond> {
     return cumulative_motion(basis_, knots_.span(segment), t, polygon_.bases[segment], increments_of(segment));
   }
 
   /// The segment as polynomials, where it is of at most three factors of degree 7 at most.
-  [[nodiscard]] SegmentForm form(std::size_t segment) const noexcept {
+  [[nodiscard]] SegmentForm form(std::size_t segment) const noexcept requires std::same_as<P, Eigen::Quaterniond> {
     if constexpr (B::increments > 3 || B::degree < 1 || B::degree > static_cast<int>(form_degree)) return {};
     else {
       CumulativeForm form{.degree = static_cast<std::size_t>(B::degree),
@@ -113,14 +130,18 @@ class CumulativeCurve {
   }
 
  private:
-  [[nodiscard]] std::span<const Eigen::Vector3d, B::increments> increments_of(std::size_t segment) const noexcept {
-    return std::span<const Eigen::Vector3d, B::increments>(polygon_.increments.data() + segment * B::stride,
+  [[nodiscard]] std::span<const Displacement<P>, B::increments> increments_of(std::size_t segment) const noexcept {
+    return std::span<const Displacement<P>, B::increments>(polygon_.increments.data() + segment * B::stride,
                                                            B::increments);
   }
 
   Knots knots_;
   [[no_unique_address]] B basis_;
-  ControlPolygon polygon_;
+  ControlPolygon<P> polygon_;
 };
+
+/// The Euclidean curve of the same blending functions.
+template <CumulativeBasis B>
+using CumulativePath = CumulativeCurve<B, Eigen::Vector3d>;
 
 }  // namespace orispline

@@ -25,7 +25,7 @@ class HermitePath {
   [[nodiscard]] const Knots& knots() const noexcept { return knots_; }
 
   template <Number T>
-  [[nodiscard]] Vector3<T> position(const T& t, std::size_t segment) const noexcept {
+  [[nodiscard]] Vector3<T> point(const T& t, std::size_t segment) const noexcept {
     const KnotSpan span = knots_.span(segment);
     const auto basis = bernstein_basis<Degree>(span.normalised(t));
     const auto local = [h = span.step()](Derivatives d) {

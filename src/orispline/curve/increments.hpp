@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <span>
 #include <vector>
 
-#include <orispline/math/so3.hpp>
+#include <orispline/math/geodesic.hpp>
 
 namespace orispline {
 
-/// From each orientation to the next: n of them give n-1 rotation vectors [rad].
-[[nodiscard]] std::vector<Eigen::Vector3d> increments_between(std::span<const Eigen::Quaterniond> keys);
-
-/// From each position to the next [m].
-[[nodiscard]] std::vector<Eigen::Vector3d> increments_between(std::span<const Eigen::Vector3d> positions);
+/// From each point of a list to the next: n of them give n-1 displacements, rotation vectors [rad] or differences [m].
+template <class Points>
+[[nodiscard]] auto increments_between(const Points& points) {
+  using P = typename Points::value_type;
+  std::vector<Displacement<P>> increments;
+  increments.reserve(points.size());
+  for (std::size_t i = 0; i + 1 < points.size(); ++i)
+    increments.push_back(displacement<double>(points[i], points[i + 1]));
+  return increments;
+}
 
 }  // namespace orispline

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <orispline/base/expected.hpp>
-#include <orispline/math/eigen.hpp>
+#include <orispline/math/geodesic.hpp>
 
 namespace orispline {
 
@@ -77,6 +77,12 @@ class Keyframes {
   [[nodiscard]] std::span<const Eigen::Quaterniond> orientations() const noexcept { return data_->orientations; }
   /// Empty when the keys carry no positions.
   [[nodiscard]] std::span<const Eigen::Vector3d> positions() const noexcept { return data_->positions; }
+  /// The orientations or the positions.
+  template <CurvePoint P>
+  [[nodiscard]] std::span<const P> points() const noexcept {
+    if constexpr (std::same_as<P, Eigen::Quaterniond>) return orientations();
+    else return positions();
+  }
   /// Empty when the keys carry no angular velocities. [rad/s], body frame.
   [[nodiscard]] std::span<const Eigen::Vector3d> angular_velocities() const noexcept {
     return data_->angular_velocities;

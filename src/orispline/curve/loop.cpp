@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <orispline/curve/increments.hpp>
-
 namespace orispline {
 namespace {
 
@@ -23,6 +21,12 @@ std::optional<std::string> gap_at_seam(const Keyframes& keys) {
 double sign_towards_first(const Keyframes& keys, const Eigen::Quaterniond& from) {
   return from.dot(keys.orientations().front()) < 0.0 ? -1.0 : 1.0;
 }
+
+/// A key of the loop, one period away.
+Eigen::Quaterniond come_round(const Eigen::Quaterniond& key, const Closure& closure) {
+  return Eigen::Quaterniond(closure.sign * key.coeffs());
+}
+Eigen::Vector3d come_round(const Eigen::Vector3d& key, const Closure&) { return key; }
 
 }  // namespace
 
@@ -56,25 +60,20 @@ Knots closed_knots(const Keyframes& keys, const Closure& closure) {
 
 std::vector<Eigen::Quaterniond> joint_orientations(const Keyframes& keys, const FamilySettings& settings) {
   std::vector<Eigen::Quaterniond> joints(keys.orientations().begin(), keys.orientations().end());
-  if (settings.closure) joints.emplace_back(settings.closure->sign * joints.front().coeffs());
+  if (settings.closure) joints.push_back(come_round(joints.front(), *settings.closure));
   return joints;
 }
 
-ControlPolygon closed_polygon(const Keyframes& keys, const Closure& closure) {
-  const auto q = keys.orientations();
-  const auto wrapped = [&](const Eigen::Quaterniond& key) { return Eigen::Quaterniond(closure.sign * key.coeffs()); };
-  std::vector<Eigen::Quaterniond> around{wrapped(q.back())};
-  around.insert(around.end(), q.begin(), q.end());
-  around.insert(around.end(), {wrapped(q[0]), wrapped(q[1])});
-  return {.bases = {around.begin(), around.end() - 3}, .increments = increments_between(around)};
+template <CurvePoint P>
+ControlPolygon<P> closed_polygon(const Keyframes& keys, const Closure& closure) {
+  const auto p = keys.points<P>();
+  std::vector<P> around{come_round(p.back(), closure)};
+  around.insert(around.end(), p.begin(), p.end());
+  around.insert(around.end(), {come_round(p[0], closure), come_round(p[1], closure)});
+  return polygon_through<P>(around, 3, 1);
 }
 
-PathPolygon closed_path(const Keyframes& keys) {
-  const auto p = keys.positions();
-  PathPolygon around{p.back()};
-  around.insert(around.end(), p.begin(), p.end());
-  around.insert(around.end(), {p[0], p[1]});
-  return around;
-}
+template ControlPolygon<Eigen::Quaterniond> closed_polygon(const Keyframes&, const Closure&);
+template ControlPolygon<Eigen::Vector3d> closed_polygon(const Keyframes&, const Closure&);
 
 }  // namespace orispline

@@ -31,9 +31,7 @@ struct ClosedKeys {
 
 /// The four-key polygon of a loop: n distinct keys give n segments, the keys beyond the seam are those of the other
 /// side.
-[[nodiscard]] ControlPolygon closed_polygon(const Keyframes& keys, const Closure& closure);
-
-/// The same for positions.
-[[nodiscard]] PathPolygon closed_path(const Keyframes& keys);
+template <CurvePoint P>
+[[nodiscard]] ControlPolygon<P> closed_polygon(const Keyframes& keys, const Closure& closure);
 
 }  // namespace orispline

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <orispline/math/so3.hpp>
+#include <orispline/math/geodesic.hpp>
 
 namespace orispline {
 
@@ -14,6 +14,18 @@ struct MotionOver {
   Vector3<T> angular_jerk = Vector3<T>::Zero();           ///< dα/dt [rad/s³]
 };
 using Motion = MotionOver<double>;
+
+/// Position with its rates at one time, in the **world** frame.
+struct LinearMotion {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();      ///< [m]
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();      ///< [m/s]
+  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();  ///< [m/s²]
+  Eigen::Vector3d jerk = Eigen::Vector3d::Zero();          ///< [m/s³]
+};
+
+/// How a point of one kind moves.
+template <CurvePoint P>
+using MotionOf = std::conditional_t<std::same_as<P, Eigen::Quaterniond>, Motion, LinearMotion>;
 
 /// ω in the world frame [rad/s]: R ω.
 [[nodiscard]] inline Eigen::Vector3d angular_velocity_world(const Motion& m) noexcept {
@@ -50,6 +62,14 @@ template <Number T>
           .angular_velocity = term(0, 1),
           .angular_acceleration = term(0, 2) + term(1, 1),
           .angular_jerk = T(2.0) * (term(0, 3) + term(1, 2) + term(2, 1))};
+}
+
+/// Position and rates from a position given with its first three time derivatives.
+[[nodiscard]] inline LinearMotion motion_from_jet(const Vector3<Jet<double, 3>>& p) noexcept {
+  const auto order = [&p](std::size_t k) {
+    return Eigen::Vector3d(p.x().derivative(k), p.y().derivative(k), p.z().derivative(k));
+  };
+  return {.position = order(0), .velocity = order(1), .acceleration = order(2), .jerk = order(3)};
 }
 
 }  // namespace orispline

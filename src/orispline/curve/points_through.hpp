@@ -87,31 +87,25 @@ class PointChain {
   Rule rule_;
 };
 
-/// The control orientations, one per key, whose curve passes through the keys. Errors: not_converged.
-template <class Rule>
-[[nodiscard]] Expected<std::vector<Eigen::Quaterniond>> control_points_through(std::span<const Eigen::Quaterniond> keys,
-                                                                               std::string_view method, Rule rule) {
-  using Chain = PointChain<Eigen::Quaterniond, Rule>;
-  return solve_chain(method,
-                     [&](double share, const Chain* before) { return Chain(with_steps_of(share, keys), rule, before); })
-      .map([](const Chain& solved) { return solved.points(); });
-}
-
-/// The same for positions.
-template <class Rule>
-[[nodiscard]] Expected<std::vector<Eigen::Vector3d>> control_points_through(std::span<const Eigen::Vector3d> keys,
-                                                                            std::string_view method, Rule rule) {
-  using Chain = PointChain<Eigen::Vector3d, Rule>;
-  const UnitPositions unit(keys);
-  return solve_chain(method,
-                     [&](double share, const Chain* before) {
-                       return Chain(with_steps_of<Eigen::Vector3d>(share, unit.points), rule, before);
-                     })
-      .map([&](const Chain& solved) {
-        std::vector<Eigen::Vector3d> points;
-        for (const Eigen::Vector3d& p : solved.points()) points.push_back(unit.origin + unit.extent * p);
-        return points;
-      });
+/// The control points, one per key, whose curve passes through the keys. Errors: not_converged.
+template <CurvePoint P, class Rule>
+[[nodiscard]] Expected<std::vector<P>> control_points_through(std::span<const P> keys, std::string_view method,
+                                                              Rule rule) {
+  using Chain = PointChain<P, Rule>;
+  const auto solved = [&](std::span<const P> points) {
+    return solve_chain(method, [&](double share,
+                                   const Chain* before) { return Chain(with_steps_of(share, points), rule, before); })
+        .map([](const Chain& chain) { return chain.points(); });
+  };
+  if constexpr (std::same_as<P, Eigen::Quaterniond>) {
+    return solved(keys);
+  } else {
+    const UnitPositions unit(keys);
+    return solved(unit.points).map([&](std::vector<P> points) {
+      for (P& p : points) p = unit.origin + unit.extent * p;
+      return points;
+    });
+  }
 }
 
 }  // namespace orispline

@@ -8,6 +8,10 @@
 
 namespace orispline {
 
+/// Any curve through points of one kind.
+template <CurvePoint P>
+using AnyCurveThrough = std::conditional_t<std::same_as<P, Eigen::Quaterniond>, AnyCurve, AnyPath>;
+
 /// A moving body: its orientation curve and, when the keys carry positions, the path of the same kind.
 struct PoseCurve {
   AnyCurve orientation;

@@ -4,46 +4,34 @@
 #include <cstddef>
 #include <span>
 
-#include <orispline/math/eigen.hpp>
+#include <orispline/math/geodesic.hpp>
 
 namespace orispline {
 
-/// A sequence continued beyond its ends by reflection: element -k mirrors element k at the first one, and so at the
-/// last.
-template <class Point, class Mirror>
+/// A time mirrored at another one.
+[[nodiscard]] inline double mirrored(double at, double t) noexcept { return 2.0 * at - t; }
+
+/// Points or times continued beyond their ends by reflection: element -k mirrors element k at the first one, and so at
+/// the last.
+template <class Element>
 class Reflected {
  public:
-  /// `mirror(at, point)` is the image of the point in the end element.
-  Reflected(std::span<const Point> points, Mirror mirror) : points_(points), mirror_(mirror) {}
+  explicit Reflected(std::span<const Element> elements) : elements_(elements) {}
 
-  [[nodiscard]] Point operator[](std::ptrdiff_t i) const {
-    const auto last = static_cast<std::ptrdiff_t>(points_.size()) - 1;
-    if (i < 0) return mirror_(points_.front(), (*this)[-i]);
-    if (i > last) return mirror_(points_.back(), (*this)[2 * last - i]);
-    return points_[static_cast<std::size_t>(i)];
+  [[nodiscard]] Element operator[](std::ptrdiff_t i) const {
+    const auto last = static_cast<std::ptrdiff_t>(elements_.size()) - 1;
+    if (i < 0) return mirrored(elements_.front(), (*this)[-i]);
+    if (i > last) return mirrored(elements_.back(), (*this)[2 * last - i]);
+    return elements_[static_cast<std::size_t>(i)];
   }
 
  private:
-  std::span<const Point> points_;
-  Mirror mirror_;
+  std::span<const Element> elements_;
 };
 
-/// Orientations continued by point reflection on the geodesic: at · q⁻¹ · at.
-[[nodiscard]] inline auto reflected(std::span<const Eigen::Quaterniond> keys) {
-  return Reflected(keys, [](const Eigen::Quaterniond& at, const Eigen::Quaterniond& q) -> Eigen::Quaterniond {
-    return at * q.conjugate() * at;
-  });
-}
-
-/// Positions continued by point reflection.
-[[nodiscard]] inline auto reflected(std::span<const Eigen::Vector3d> points) {
-  return Reflected(points,
-                   [](const Eigen::Vector3d& at, const Eigen::Vector3d& p) -> Eigen::Vector3d { return 2.0 * at - p; });
-}
-
-/// Times continued by reflection.
-[[nodiscard]] inline auto reflected(std::span<const double> times) {
-  return Reflected(times, [](double at, double t) { return 2.0 * at - t; });
+template <class Element>
+[[nodiscard]] Reflected<Element> reflected(std::span<const Element> elements) {
+  return Reflected<Element>(elements);
 }
 
 }  // namespace orispline

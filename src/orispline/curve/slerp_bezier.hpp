@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include <orispline/curve/knots.hpp>
@@ -23,21 +24,13 @@ template <Number T>
 /// Symmetric in time and bi-invariant, not cumulative: rates come from jets. At u = 0 the rate is 3 log(c₀⁻¹c₁)/h.
 class SlerpBezierCurve {
  public:
-  /// The three arcs of the control polygon: where each begins and its increment [rad].
-  struct Segment {
-    std::array<Eigen::Quaterniond, 3> starts;
-    std::array<Eigen::Vector3d, 3> increments;
-  };
-
-  SlerpBezierCurve(Knots knots, std::vector<Segment> segments)
-      : knots_(std::move(knots)), segments_(std::move(segments)) {
-    ORISPLINE_EXPECT(segments_.size() == knots_.segments());
-  }
+  /// From the control orientations: a segment's last one is the next one's first.
+  SlerpBezierCurve(Knots knots, std::span<const Eigen::Quaterniond> controls);
 
   [[nodiscard]] const Knots& knots() const noexcept { return knots_; }
 
   template <Number T>
-  [[nodiscard]] Quaternion<T> orientation(const T& t, std::size_t segment) const noexcept {
+  [[nodiscard]] Quaternion<T> point(const T& t, std::size_t segment) const noexcept {
     const T u = knots_.span(segment).normalised(t);
     const Segment& s = segments_[segment];
     return slerp_cubic<T>({constant<T>(s.starts[0]), constant<T>(s.starts[1]), constant<T>(s.starts[2])},
@@ -46,16 +39,12 @@ class SlerpBezierCurve {
   }
 
  private:
+  struct Segment {  // the three arcs of the control polygon: where each begins and its increment [rad]
+    std::array<Eigen::Quaterniond, 3> starts;
+    std::array<Eigen::Vector3d, 3> increments;
+  };
   Knots knots_;
   std::vector<Segment> segments_;
 };
-
-/// The segment from one key over the inner control orientations to the other.
-[[nodiscard]] SlerpBezierCurve::Segment slerp_bezier_segment(const std::array<Eigen::Quaterniond, 4>& controls);
-
-/// The composite cubic through keys with the rate on leaving and on arriving at each key [rad/s], body frame.
-[[nodiscard]] SlerpBezierCurve slerp_bezier_curve(Knots knots, std::span<const Eigen::Quaterniond> keys,
-                                                  std::span<const Eigen::Vector3d> leaving,
-                                                  std::span<const Eigen::Vector3d> arriving);
 
 }  // namespace orispline

@@ -31,21 +31,11 @@ double gap_share(double roughness, double step_ratio) {
   return switched(roughness, 0.8, 1.0) * switched(elementary::natural_logarithm(step_ratio), log_of_5, log_of_15);
 }
 
-/// Orientations as the method sees them: increments between keys and the angles of these.
-struct OrientationSteps {
-  std::span<const Eigen::Quaterniond> keys;
-  [[nodiscard]] Eigen::Vector3d increment(std::size_t i, std::size_t j) const {
-    return orispline::increment<double>(keys[i], keys[j]);
-  }
-  [[nodiscard]] static double turn(const Eigen::Vector3d& increment) { return increment.norm(); }
-};
-
-/// Positions, which turn by nothing.
-struct PositionSteps {
-  std::span<const Eigen::Vector3d> keys;
-  [[nodiscard]] Eigen::Vector3d increment(std::size_t i, std::size_t j) const { return keys[j] - keys[i]; }
-  [[nodiscard]] static double turn(const Eigen::Vector3d&) { return 0.0; }
-};
+/// By how much a step turns [rad]; positions turn by nothing.
+template <CurvePoint P>
+double turn_of(const Displacement<P>& step) {
+  return std::same_as<P, Eigen::Quaterniond> ? step.norm() : 0.0;
+}
 
 /// (1) How far five keys are from a cubic: 0 for one, 1 for a kick or alternating noise.
 double roughness_of(const Window& w) {
@@ -87,12 +77,12 @@ Rates geodesic_rates(const Beside& beside) {
 
 /// Rates at the keys of a track, asked for key after key, from the first to the last. What several keys need, the
 /// increments between near keys above all, is found once and kept while it is near.
-template <class Steps>
+template <CurvePoint P>
 class RatesAlong {
  public:
   /// `reach` is 3 for auto, 2 for auto5.
-  RatesAlong(std::span<const double> times, Steps steps, std::size_t reach, bool hold)
-      : times_(times), steps_(steps), reach_(reach), hold_(hold) {}
+  RatesAlong(const Keyframes& keys, std::size_t reach, bool hold)
+      : times_(keys.times()), points_(keys.points<P>()), reach_(reach), hold_(hold) {}
 
   [[nodiscard]] Rates next() {
     const std::size_t i = next_++;
@@ -127,8 +117,9 @@ class RatesAlong {
 
   void find(std::size_t i) {
     Key& key = keys_[i % places];
-    for (std::size_t k = 1; k <= std::min(reach_, size() - 1 - i); ++k) key.to[k - 1] = steps_.increment(i, i + k);
-    key.turn = i + 1 < size() ? Steps::turn(key.to[0]) : 0.0;
+    for (std::size_t k = 1; k <= std::min(reach_, size() - 1 - i); ++k)
+      key.to[k - 1] = displacement<double>(points_[i], points_[i + k]);
+    key.turn = i + 1 < size() ? turn_of<P>(key.to[0]) : 0.0;
     key.roughness = i >= 4 ? roughness_of(window(i - 2, i - 4, 5)) : 1.0;
   }
 
@@ -136,7 +127,7 @@ class RatesAlong {
   [[nodiscard]] Eigen::Vector3d increment(std::size_t i, std::size_t j) const {
     if (i == j) return Eigen::Vector3d::Zero();
     const std::size_t first = std::min(i, j), apart = std::max(i, j) - first;
-    if (apart > reach_) return steps_.increment(i, j);
+    if (apart > reach_) return displacement<double>(points_[i], points_[j]);
     return i < j ? known(first).to[apart - 1] : Eigen::Vector3d(-known(first).to[apart - 1]);
   }
 
@@ -201,7 +192,7 @@ class RatesAlong {
   }
 
   std::span<const double> times_;
-  Steps steps_;
+  std::span<const P> points_;
   std::size_t reach_;
   bool hold_;
   std::array<Key, places> keys_;
@@ -216,7 +207,7 @@ Expected<bool> holds(const FamilySettings& settings) {
 Expected<ChartCurve<5>> curve_of_reach(const Keyframes& keys, std::size_t reach, const FamilySettings& settings) {
   const auto hold = holds(settings);
   if (!hold) return tl::unexpected(hold.error());
-  RatesAlong along(keys.times(), OrientationSteps{keys.orientations()}, reach, *hold);
+  RatesAlong<Eigen::Quaterniond> along(keys, reach, *hold);
   const auto next = [&along] {
     const Rates rates = along.next();
     return std::array<Eigen::Vector3d, 3>{rates.first, rates.second, Eigen::Vector3d::Zero()};
@@ -234,9 +225,10 @@ Expected<ChartCurve<5>> curve_of_reach(const Keyframes& keys, std::size_t reach,
   return ChartCurve<5>(key_knots(keys), std::move(pieces));
 }
 
+/// In space, which needs no chart, the Hermite quintic.
 Expected<HermitePath<5>> path_of_reach(const Keyframes& keys, std::size_t reach, const FamilySettings& settings) {
   return holds(settings).map([&](bool hold) {
-    RatesAlong along(keys.times(), PositionSteps{keys.positions()}, reach, hold);
+    RatesAlong<Eigen::Vector3d> along(keys, reach, hold);
     std::vector<HermitePath<5>::Derivatives> derivatives(keys.size());
     for (auto& derivative : derivatives) {
       const Rates rates = along.next();

@@ -94,10 +94,10 @@ std::optional<Error> without_average(const AverageCurve& curve, std::size_t segm
   std::optional<Motion> before;
   for (int k = 0; k <= parts; ++k) {
     const double t = span.start() + span.step() * k / parts;
-    const double missing = curve.missing(curve.orientation(t, segment), curve.weights(t, segment), segment).norm();
+    const double missing = curve.missing(curve.point(t, segment), curve.weights(t, segment), segment).norm();
     if (!(missing <= allowed)) return misses_average(segment, missing);
     if (one_at_most) continue;
-    const Motion here = motion_from_jet(curve.orientation(Jet<double, 3>::variable(t), segment));
+    const Motion here = motion_from_jet(curve.point(Jet<double, 3>::variable(t), segment));
     const double jump = before ? jump_between(*before, here, span.step() / parts) : 0.0;
     if (jump > 0.0) return too_far_apart(segment, fmt::format("the average jumps by {:.3g} rad", jump));
     before = here;
@@ -116,7 +116,7 @@ std::optional<Error> without_average(const AverageCurve& curve) {
 std::optional<Error> beside_average(const AverageCurve& curve, std::span<const Eigen::Quaterniond> keys) {
   for (std::size_t i = 0; i < curve.knots().segments(); ++i)
     for (const std::size_t key : {i, i + 1}) {
-      const double missing = angular_distance(curve.orientation(curve.knots().times()[key], i), keys[key]);
+      const double missing = angular_distance(curve.point(curve.knots().times()[key], i), keys[key]);
       if (!(missing <= chain::tolerance)) return misses_average(key, missing);
     }
   return std::nullopt;
@@ -135,8 +135,8 @@ Expected<AverageCurve> Averages::curve(const Keyframes& keys, const FamilySettin
 }
 
 Expected<CumulativePath<BSplineBasis<3>>> Averages::path(const Keyframes& keys, const FamilySettings& settings) {
-  return control_points(keys, keys.positions(), settings).map([&](PathPolygon points) {
-    return CumulativePath<BSplineBasis<3>>(key_knots(keys), basis_on(keys.times()), std::move(points));
+  return control_points(keys, keys.positions(), settings).map([&](const std::vector<Eigen::Vector3d>& points) {
+    return CumulativePath<BSplineBasis<3>>(key_knots(keys), basis_on(keys.times()), points);
   });
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <orispline/curve/average_curve.hpp>
-#include <orispline/curve/cumulative_path.hpp>
+#include <orispline/curve/cumulative_curve.hpp>
 #include <orispline/curve/family.hpp>
 #include <orispline/curve/keyframe.hpp>
 
@@ -26,7 +26,7 @@ struct Averages {
                                    .choices = choices};
   /// Errors: not_converged, also where a segment's control orientations lie too far apart to have an average.
   [[nodiscard]] static Expected<AverageCurve> curve(const Keyframes& keys, const FamilySettings& settings);
-  /// The cubic spline of the positions: natural, or the B-spline.
+  /// The cubic spline of the positions: natural, or the B-spline. In space the weighted average is a sum.
   [[nodiscard]] static Expected<CumulativePath<BSplineBasis<3>>> path(const Keyframes& keys,
                                                                       const FamilySettings& settings);
 };

@@ -15,14 +15,14 @@ namespace orispline::families {
 /// Barry and Goldman's pyramid over four points of each segment, for orientations by slerps, for positions by lines.
 ///
 /// Its base are the geodesics through neighbouring points in time; two more stages blend them: C1 in time.
-template <class Point>
+template <CurvePoint Point>
 class Pyramid {
  public:
   /// Four points around a segment with their times, and the displacement from each to the next.
   struct Segment {
     std::array<Point, 4> points;
     std::array<double, 4> times;
-    std::array<Eigen::Vector3d, 3> steps;
+    std::array<Displacement<Point>, 3> steps;
   };
 
   Pyramid(Knots knots, std::vector<Segment> segments) : knots_(std::move(knots)), segments_(std::move(segments)) {
@@ -32,16 +32,7 @@ class Pyramid {
   [[nodiscard]] const Knots& knots() const noexcept { return knots_; }
 
   template <Number T>
-  requires std::same_as<Point, Eigen::Quaterniond>
-  [[nodiscard]] Quaternion<T> orientation(const T& t, std::size_t segment) const noexcept { return top(t, segment); }
-
-  template <Number T>
-  requires std::same_as<Point, Eigen::Vector3d>
-  [[nodiscard]] Vector3<T> position(const T& t, std::size_t segment) const noexcept { return top(t, segment); }
-
- private:
-  template <Number T>
-  [[nodiscard]] auto top(const T& t, std::size_t segment) const noexcept {
+  [[nodiscard]] PointOver<Point, T> point(const T& t, std::size_t segment) const noexcept {
     const Segment& s = segments_[segment];
     const auto fraction = [&](std::size_t from, std::size_t to) -> T {
       return (t - T(s.times[from])) / (s.times[to] - s.times[from]);
@@ -54,6 +45,7 @@ class Pyramid {
                           fraction(1, 2));
   }
 
+ private:
   Knots knots_;
   std::vector<Segment> segments_;
 };
@@ -70,8 +62,8 @@ struct BarryGoldman {
                                    .keeps_constant_rate_uneven = true,
                                    .support_keys = 4,
                                    .ends = ends};
-  [[nodiscard]] static Expected<Pyramid<Eigen::Quaterniond>> curve(const Keyframes& keys, const FamilySettings&);
-  [[nodiscard]] static Expected<Pyramid<Eigen::Vector3d>> path(const Keyframes& keys, const FamilySettings&);
+  template <CurvePoint P = Eigen::Quaterniond>
+  [[nodiscard]] static Expected<Pyramid<P>> curve(const Keyframes& keys, const FamilySettings&);
 };
 
 }  // namespace orispline::families

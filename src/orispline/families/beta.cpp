@@ -14,16 +14,16 @@ Knots joint_times(const Keyframes& keys) { return Knots({keys.times().begin() + 
 
 }  // namespace
 
-Expected<CubicBezierCurve> Beta::curve(const Keyframes& keys, const FamilySettings& settings) {
+template <CurvePoint P>
+Expected<CumulativeCurve<CubicBezierBasis, P>> Beta::curve(const Keyframes& keys, const FamilySettings& settings) {
   return shape_of(keys.size(), settings).map([&](const BetaShape& shape) {
-    return CubicBezierCurve(joint_times(keys), CubicBezierBasis{}, beta_polygon(keys.orientations(), shape));
+    return CumulativeCurve<CubicBezierBasis, P>(joint_times(keys), {}, beta_polygon(keys.points<P>(), shape));
   });
 }
 
-Expected<CubicBezierPath> Beta::path(const Keyframes& keys, const FamilySettings& settings) {
-  return shape_of(keys.size(), settings).map([&](const BetaShape& shape) {
-    return CubicBezierPath(joint_times(keys), CubicBezierBasis{}, beta_polygon(keys.positions(), shape));
-  });
-}
+template Expected<CumulativeCurve<CubicBezierBasis, Eigen::Quaterniond>> Beta::curve<Eigen::Quaterniond>(
+    const Keyframes&, const FamilySettings&);
+template Expected<CumulativeCurve<CubicBezierBasis, Eigen::Vector3d>> Beta::curve<Eigen::Vector3d>(
+    const Keyframes&, const FamilySettings&);
 
 }  // namespace orispline::families

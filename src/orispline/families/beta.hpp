@@ -26,8 +26,9 @@ struct Beta {
                                    .parameters = parameters};
   /// Errors: bad_argument with the key index where β₂ ≤ -2β₁(1+β₁), for there the construction has a pole or folds
   /// back.
-  [[nodiscard]] static Expected<CubicBezierCurve> curve(const Keyframes& keys, const FamilySettings& settings);
-  [[nodiscard]] static Expected<CubicBezierPath> path(const Keyframes& keys, const FamilySettings& settings);
+  template <CurvePoint P = Eigen::Quaterniond>
+  [[nodiscard]] static Expected<CumulativeCurve<CubicBezierBasis, P>> curve(const Keyframes& keys,
+                                                                            const FamilySettings& settings);
 };
 
 }  // namespace orispline::families

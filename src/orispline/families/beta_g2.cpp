@@ -24,7 +24,7 @@ Expected<BetaShape> shape_of(const Betas& betas) { return beta_shape(BetaG2::inf
 
 /// What each segment's acceleration lacks at its left joint: β₁² α + β₂ ω of the segment before less its own α. Rates
 /// in the local parameter; corrections before do not change them, for they vanish at u = 1.
-std::vector<Eigen::Vector3d> corrections(const ControlPolygon& published, const Betas& betas) {
+std::vector<Eigen::Vector3d> corrections(const ControlPolygon<>& published, const Betas& betas) {
   std::vector<double> whole(published.bases.size() + 1);
   std::iota(whole.begin(), whole.end(), 0.0);
   const CubicBezierCurve curve(Knots(std::move(whole)), CubicBezierBasis{}, published);
@@ -39,8 +39,8 @@ std::vector<Eigen::Vector3d> corrections(const ControlPolygon& published, const 
 }
 
 /// A polygon of cubic segments, each with its correction behind it.
-ControlPolygon with_corrections(const ControlPolygon& cubic, const std::vector<Eigen::Vector3d>& corrections) {
-  ControlPolygon polygon{.bases = cubic.bases, .increments = {}};
+ControlPolygon<> with_corrections(const ControlPolygon<>& cubic, const std::vector<Eigen::Vector3d>& corrections) {
+  ControlPolygon<> polygon{.bases = cubic.bases, .increments = {}};
   for (std::size_t i = 0; i < cubic.bases.size(); ++i) {
     const auto* segment = cubic.increments.data() + 3 * i;
     polygon.increments.insert(polygon.increments.end(), segment, segment + 3);
@@ -144,12 +144,12 @@ Expected<CumulativeCurve<BetaG2::Basis>> BetaG2::curve(const Keyframes& keys, co
   const auto shape = shape_of(betas);
   if (!shape) return tl::unexpected(shape.error());
   if (!is_global(settings)) {
-    const ControlPolygon published = beta_polygon(q, *shape);
+    const ControlPolygon<> published = beta_polygon(q, *shape);
     return CumulativeCurve<Basis>(joint_times(keys), Basis{},
                                   with_corrections(published, corrections(published, betas)));
   }
   return solved_handles(q, betas).map([&](const HandleChain<Eigen::Quaterniond>& chain) {
-    ControlPolygon cubic{.bases = {q.begin(), q.end() - 1}, .increments = {}};
+    ControlPolygon<> cubic{.bases = {q.begin(), q.end() - 1}, .increments = {}};
     for (std::size_t i = 0; i + 1 < q.size(); ++i)
       cubic.increments.insert(cubic.increments.end(), {chain.leaving(i), chain.middle(i), chain.handles()[i + 1]});
     const std::vector<Eigen::Vector3d> none(q.size() - 1, Eigen::Vector3d::Zero());
@@ -166,13 +166,13 @@ Expected<CubicBezierPath> BetaG2::path(const Keyframes& keys, const FamilySettin
     return CubicBezierPath(joint_times(keys), CubicBezierBasis{}, beta_polygon(p, *shape));
   const UnitPositions unit(p);
   return solved_handles<Eigen::Vector3d>(unit.points, betas).map([&](const HandleChain<Eigen::Vector3d>& chain) {
-    PathPolygon polygon{p[0]};
+    std::vector<Eigen::Vector3d> points{p[0]};
     for (std::size_t i = 0; i + 1 < p.size(); ++i) {
-      polygon.push_back(p[i] + unit.extent * chain.leaving(i));
-      polygon.push_back(p[i + 1] - unit.extent * chain.handles()[i + 1]);
-      polygon.push_back(p[i + 1]);
+      points.push_back(p[i] + unit.extent * chain.leaving(i));
+      points.push_back(p[i + 1] - unit.extent * chain.handles()[i + 1]);
+      points.push_back(p[i + 1]);
     }
-    return CubicBezierPath(key_knots(keys), CubicBezierBasis{}, std::move(polygon));
+    return CubicBezierPath(key_knots(keys), CubicBezierBasis{}, points);
   });
 }
 

@@ -42,6 +42,7 @@ struct BetaG2 {
 
   /// Errors: bad_argument with the key index where β₂ ≤ -2β₁(1+β₁); not_converged.
   [[nodiscard]] static Expected<CumulativeCurve<Basis>> curve(const Keyframes& keys, const FamilySettings& settings);
+  /// In space the published curve is G2 by itself and needs no corrections.
   [[nodiscard]] static Expected<CubicBezierPath> path(const Keyframes& keys, const FamilySettings& settings);
 };
 

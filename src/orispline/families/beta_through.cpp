@@ -37,7 +37,7 @@ Expected<BetaShape> shape_of(std::size_t keys, const FamilySettings& settings) {
 
 /// The polygon of the curve whose joints are the keys.
 template <CurvePoint P>
-auto polygon_through(std::span<const P> keys, const BetaShape& shape) {
+Expected<ControlPolygon<P>> polygon_through_joints(std::span<const P> keys, const BetaShape& shape) {
   return control_points_through(keys, BetaThrough::info.name, JointToKey{&shape})
       .map([&](const std::vector<P>& solved) {
         const auto points = reflected(std::span<const P>(solved));
@@ -50,20 +50,19 @@ auto polygon_through(std::span<const P> keys, const BetaShape& shape) {
 
 }  // namespace
 
-Expected<CubicBezierCurve> BetaThrough::curve(const Keyframes& keys, const FamilySettings& settings) {
+template <CurvePoint P>
+Expected<CumulativeCurve<CubicBezierBasis, P>> BetaThrough::curve(const Keyframes& keys,
+                                                                  const FamilySettings& settings) {
   return shape_of(keys.size(), settings)
-      .and_then([&](const BetaShape& shape) { return polygon_through(keys.orientations(), shape); })
-      .map([&](ControlPolygon polygon) {
-        return CubicBezierCurve(key_knots(keys), CubicBezierBasis{}, std::move(polygon));
+      .and_then([&](const BetaShape& shape) { return polygon_through_joints(keys.points<P>(), shape); })
+      .map([&](ControlPolygon<P> polygon) {
+        return CumulativeCurve<CubicBezierBasis, P>(key_knots(keys), {}, std::move(polygon));
       });
 }
 
-Expected<CubicBezierPath> BetaThrough::path(const Keyframes& keys, const FamilySettings& settings) {
-  return shape_of(keys.size(), settings)
-      .and_then([&](const BetaShape& shape) { return polygon_through(keys.positions(), shape); })
-      .map([&](PathPolygon polygon) {
-        return CubicBezierPath(key_knots(keys), CubicBezierBasis{}, std::move(polygon));
-      });
-}
+template Expected<CumulativeCurve<CubicBezierBasis, Eigen::Quaterniond>> BetaThrough::curve<Eigen::Quaterniond>(
+    const Keyframes&, const FamilySettings&);
+template Expected<CumulativeCurve<CubicBezierBasis, Eigen::Vector3d>> BetaThrough::curve<Eigen::Vector3d>(
+    const Keyframes&, const FamilySettings&);
 
 }  // namespace orispline::families

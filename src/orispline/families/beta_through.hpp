@@ -24,8 +24,9 @@ struct BetaThrough {
                                    .support_keys = all_keys,
                                    .parameters = parameters};
   /// Errors: bad_argument with the key index where β₂ ≤ -2β₁(1+β₁); not_converged.
-  [[nodiscard]] static Expected<CubicBezierCurve> curve(const Keyframes& keys, const FamilySettings& settings);
-  [[nodiscard]] static Expected<CubicBezierPath> path(const Keyframes& keys, const FamilySettings& settings);
+  template <CurvePoint P = Eigen::Quaterniond>
+  [[nodiscard]] static Expected<CumulativeCurve<CubicBezierBasis, P>> curve(const Keyframes& keys,
+                                                                            const FamilySettings& settings);
 };
 
 }  // namespace orispline::families

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <orispline/curve/increments.hpp>
-
 namespace orispline::families {
 namespace {
 
@@ -19,21 +17,15 @@ Expected<Knots> joint_times(const Keyframes& keys) {
 
 }  // namespace
 
-Expected<CubicBezierCurve> Bezier::curve(const Keyframes& keys, const FamilySettings&) {
-  return joint_times(keys).map([&](Knots knots) {
-    const auto q = keys.orientations();
-    ControlPolygon polygon{.bases = {}, .increments = increments_between(q)};
-    polygon.bases.reserve(knots.segments());
-    for (std::size_t i = 0; i + 1 < q.size(); i += 3) polygon.bases.push_back(q[i]);
-    return CubicBezierCurve(std::move(knots), CubicBezierBasis{}, std::move(polygon));
-  });
+template <CurvePoint P>
+Expected<CumulativeCurve<CubicBezierBasis, P>> Bezier::curve(const Keyframes& keys, const FamilySettings&) {
+  return joint_times(keys).map(
+      [&](Knots knots) { return CumulativeCurve<CubicBezierBasis, P>(std::move(knots), {}, keys.points<P>()); });
 }
 
-Expected<CubicBezierPath> Bezier::path(const Keyframes& keys, const FamilySettings&) {
-  return joint_times(keys).map([&](Knots knots) {
-    return CubicBezierPath(std::move(knots), CubicBezierBasis{},
-                           PathPolygon(keys.positions().begin(), keys.positions().end()));
-  });
-}
+template Expected<CumulativeCurve<CubicBezierBasis, Eigen::Quaterniond>> Bezier::curve<Eigen::Quaterniond>(
+    const Keyframes&, const FamilySettings&);
+template Expected<CumulativeCurve<CubicBezierBasis, Eigen::Vector3d>> Bezier::curve<Eigen::Vector3d>(
+    const Keyframes&, const FamilySettings&);
 
 }  // namespace orispline::families

@@ -22,8 +22,9 @@ struct Bezier {
                                    .support_keys = 4,
                                    .min_keys = 4};
   /// Errors: bad_data unless there are 3k+1 keys.
-  [[nodiscard]] static Expected<CubicBezierCurve> curve(const Keyframes& keys, const FamilySettings&);
-  [[nodiscard]] static Expected<CubicBezierPath> path(const Keyframes& keys, const FamilySettings&);
+  template <CurvePoint P = Eigen::Quaterniond>
+  [[nodiscard]] static Expected<CumulativeCurve<CubicBezierBasis, P>> curve(const Keyframes& keys,
+                                                                            const FamilySettings&);
 };
 
 }  // namespace orispline::families

@@ -14,7 +14,7 @@ namespace {
 constexpr double nearest_keys_of_a_circle = 1e-6;
 
 /// Three neighbouring points with their times.
-template <class Point>
+template <CurvePoint Point>
 struct Triple {
   Point previous, key, next;
   double time, before, after;  ///< of the key; steps to its neighbours [s]
@@ -27,11 +27,11 @@ struct Triple {
   }
 };
 
-template <class Point>
+template <CurvePoint Point>
 Parabola<Point> chart_parabola(const Triple<Point>& p) {
   return {p.key, p.time,
-          p.template parabola<Eigen::Vector3d>(displacement<double>(p.key, p.previous),
-                                               displacement<double>(p.key, p.next))};
+          p.template parabola<Displacement<Point>>(displacement<double>(p.key, p.previous),
+                                                   displacement<double>(p.key, p.next))};
 }
 
 /// The stereographic image of `q` seen from `centre`, which itself goes to infinity: circles through the centre become
@@ -81,13 +81,15 @@ Expected<Blended> blended(std::span<const Point> points, std::span<const double>
 
 }  // namespace
 
-Expected<LogParabola::Curve> LogParabola::curve(const Keyframes& keys, const FamilySettings& settings) {
-  return blended<Curve>(keys.orientations(), keys.times(), settings, chart_parabola<Eigen::Quaterniond>);
+template <CurvePoint P>
+Expected<BlendedParabolas<P>> LogParabola::curve(const Keyframes& keys, const FamilySettings& settings) {
+  return blended<BlendedParabolas<P>>(keys.points<P>(), keys.times(), settings, chart_parabola<P>);
 }
 
-Expected<BlendedPath> LogParabola::path(const Keyframes& keys, const FamilySettings& settings) {
-  return blended<BlendedPath>(keys.positions(), keys.times(), settings, chart_parabola<Eigen::Vector3d>);
-}
+template Expected<BlendedParabolas<Eigen::Quaterniond>> LogParabola::curve<Eigen::Quaterniond>(const Keyframes&,
+                                                                                               const FamilySettings&);
+template Expected<BlendedParabolas<Eigen::Vector3d>> LogParabola::curve<Eigen::Vector3d>(const Keyframes&,
+                                                                                         const FamilySettings&);
 
 Expected<Circular::Curve> Circular::curve(const Keyframes& keys, const FamilySettings& settings) {
   return blended<Curve>(keys.orientations(), keys.times(), settings, circle);

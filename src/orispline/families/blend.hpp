@@ -19,14 +19,14 @@ struct ParabolaThroughZero {
 };
 
 /// The parabola through three points in the chart at the middle one: q exp(a τ + b τ²), or p + a τ + b τ².
-template <class Point>
+template <CurvePoint Point>
 struct Parabola {
   Point key;
   double time;
-  ParabolaThroughZero<Eigen::Vector3d> displacement;
+  ParabolaThroughZero<Displacement<Point>> displacement;
 
   template <Number T>
-  [[nodiscard]] auto operator()(const T& t) const noexcept {
+  [[nodiscard]] PointOver<Point, T> operator()(const T& t) const noexcept {
     const T tau = t - T(time);
     return displaced<T>(constant<T>(key),
                         (constant<T>(displacement.linear) + constant<T>(displacement.quadratic) * tau) * tau);
@@ -79,7 +79,7 @@ template <Number T>
 /// Two neighbouring primitives, each a curve through three points, blended along the geodesic between them.
 ///
 /// C^order in time on any knots: near a key the two differ by O(u) and the blending moves by O(u^order).
-template <class Primitive, class Point>
+template <class Primitive, CurvePoint Point>
 class BlendedCurve {
  public:
   /// One primitive per point.
@@ -91,32 +91,24 @@ class BlendedCurve {
   [[nodiscard]] const Knots& knots() const noexcept { return knots_; }
 
   template <Number T>
-  requires std::same_as<Point, Eigen::Quaterniond>
-  [[nodiscard]] Quaternion<T> orientation(const T& t, std::size_t segment) const noexcept { return blend(t, segment); }
-
-  template <Number T>
-  requires std::same_as<Point, Eigen::Vector3d>
-  [[nodiscard]] Vector3<T> position(const T& t, std::size_t segment) const noexcept { return blend(t, segment); }
-
- private:
-  template <Number T>
-  [[nodiscard]] auto blend(const T& t, std::size_t segment) const noexcept {
+  [[nodiscard]] PointOver<Point, T> point(const T& t, std::size_t segment) const noexcept {
     const T u = knots_.span(segment).normalised(t);
     return on_geodesic<T>(primitives_[segment](t), primitives_[segment + 1](t), smooth_step(order_, u));
   }
 
+ private:
   Knots knots_;
   std::vector<Primitive> primitives_;
   int order_;
 };
 
-using BlendedPath = BlendedCurve<Parabola<Eigen::Vector3d>, Eigen::Vector3d>;
+template <CurvePoint Point>
+using BlendedParabolas = BlendedCurve<Parabola<Point>, Point>;
 inline constexpr std::array blend_parameters{Parameter{"order", 2.0, 1.0, 3.0, false}};
 inline constexpr std::array blend_ends{EndRule::natural};
 
 /// Blended parabolas in the rotation-vector chart at each key.
 struct LogParabola {
-  using Curve = BlendedCurve<Parabola<Eigen::Quaterniond>, Eigen::Quaterniond>;
   static constexpr FamilyInfo info{.name = "log-parabola",
                                    .title = "Blended parabolas in the logarithm",
                                    .source = "derived, docs/families/log-parabola.md; after Kim & Nam 1995",
@@ -127,8 +119,8 @@ struct LogParabola {
                                    .support_keys = 4,
                                    .parameters = blend_parameters,
                                    .ends = blend_ends};
-  [[nodiscard]] static Expected<Curve> curve(const Keyframes& keys, const FamilySettings& settings);
-  [[nodiscard]] static Expected<BlendedPath> path(const Keyframes& keys, const FamilySettings& settings);
+  template <CurvePoint P = Eigen::Quaterniond>
+  [[nodiscard]] static Expected<BlendedParabolas<P>> curve(const Keyframes& keys, const FamilySettings& settings);
 };
 
 /// Blended circular arcs, their arc angle a parabola in time.
@@ -145,8 +137,10 @@ struct Circular {
                                    .parameters = blend_parameters,
                                    .ends = blend_ends};
   [[nodiscard]] static Expected<Curve> curve(const Keyframes& keys, const FamilySettings& settings);
-  [[nodiscard]] static Expected<BlendedPath> path(const Keyframes& keys, const FamilySettings& settings) {
-    return LogParabola::path(keys, settings);
+  /// The parabolas of log-parabola: a circle through three positions knows nothing of time, and may be a line.
+  [[nodiscard]] static Expected<BlendedParabolas<Eigen::Vector3d>> path(const Keyframes& keys,
+                                                                        const FamilySettings& settings) {
+    return LogParabola::curve<Eigen::Vector3d>(keys, settings);
   }
 };
 

@@ -3,7 +3,6 @@
 
 #include <orispline/curve/bspline_basis.hpp>
 #include <orispline/curve/cumulative_curve.hpp>
-#include <orispline/curve/cumulative_path.hpp>
 #include <orispline/curve/reflected.hpp>
 
 namespace orispline::families {
@@ -46,56 +45,37 @@ template <std::size_t Degree>
 constexpr std::ptrdiff_t first_point = Degree % 2 == 0 ? -ghosts(Degree)
                                                        : 1 - static_cast<std::ptrdiff_t>(Degree + 1) / 2;
 
-template <std::size_t Degree>
-AnyCurve curve_of_degree(const Keyframes& keys) {
-  using Basis = BSplineBasis<Degree>;
-  const auto points = reflected(keys.orientations());
+template <std::size_t Degree, CurvePoint P>
+AnyCurveThrough<P> curve_of_degree(const Keyframes& keys) {
+  const auto continued_points = reflected(keys.points<P>());
   Knots knots = curve_knots<Degree>(keys.times());
-  ControlPolygon polygon;
-  const auto spans = static_cast<std::ptrdiff_t>(knots.segments());
-  for (std::ptrdiff_t i = 0; i + 1 < spans + static_cast<std::ptrdiff_t>(Degree); ++i) {
-    const Eigen::Quaterniond from = points[first_point<Degree> + i], to = points[first_point<Degree> + i + 1];
-    if (i < spans) polygon.bases.push_back(from);
-    polygon.increments.push_back(increment<double>(from, to));
-  }
-  return CumulativeCurve<Basis>(std::move(knots), Basis{basis_knots<Degree>(keys.times())}, std::move(polygon));
-}
-
-template <std::size_t Degree>
-AnyPath path_of_degree(const Keyframes& keys) {
-  using Basis = BSplineBasis<Degree>;
-  const auto points = reflected(keys.positions());
-  Knots knots = curve_knots<Degree>(keys.times());
-  PathPolygon polygon;
+  std::vector<P> points;
   const auto count = static_cast<std::ptrdiff_t>(knots.segments() + Degree);
-  for (std::ptrdiff_t i = 0; i < count; ++i) polygon.push_back(points[first_point<Degree> + i]);
-  return CumulativePath<Basis>(std::move(knots), Basis{basis_knots<Degree>(keys.times())}, std::move(polygon));
-}
-
-template <class Built, class Make>
-Expected<Built> with_degree(const FamilySettings& settings, Make make) {
-  return settings.whole("degree").map([&](int degree) -> Built {
-    switch (degree) {
-      case 2:
-        return make(std::integral_constant<std::size_t, 2>{});
-      case 3:
-        return make(std::integral_constant<std::size_t, 3>{});
-      case 4:
-        return make(std::integral_constant<std::size_t, 4>{});
-      default:
-        return make(std::integral_constant<std::size_t, 5>{});
-    }
-  });
+  for (std::ptrdiff_t i = 0; i < count; ++i) points.push_back(continued_points[first_point<Degree> + i]);
+  return CumulativeCurve<BSplineBasis<Degree>, P>(std::move(knots), {basis_knots<Degree>(keys.times())}, points);
 }
 
 }  // namespace
 
-Expected<AnyCurve> BSpline::curve(const Keyframes& keys, const FamilySettings& settings) {
-  return with_degree<AnyCurve>(settings, [&](auto degree) { return curve_of_degree<degree()>(keys); });
+template <CurvePoint P>
+Expected<AnyCurveThrough<P>> BSpline::curve(const Keyframes& keys, const FamilySettings& settings) {
+  return settings.whole("degree").map([&](int degree) {
+    switch (degree) {
+      case 2:
+        return curve_of_degree<2, P>(keys);
+      case 3:
+        return curve_of_degree<3, P>(keys);
+      case 4:
+        return curve_of_degree<4, P>(keys);
+      default:
+        return curve_of_degree<5, P>(keys);
+    }
+  });
 }
 
-Expected<AnyPath> BSpline::path(const Keyframes& keys, const FamilySettings& settings) {
-  return with_degree<AnyPath>(settings, [&](auto degree) { return path_of_degree<degree()>(keys); });
-}
+template Expected<AnyCurveThrough<Eigen::Quaterniond>> BSpline::curve<Eigen::Quaterniond>(const Keyframes&,
+                                                                                          const FamilySettings&);
+template Expected<AnyCurveThrough<Eigen::Vector3d>> BSpline::curve<Eigen::Vector3d>(const Keyframes&,
+                                                                                    const FamilySettings&);
 
 }  // namespace orispline::families

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <orispline/curve/curve.hpp>
 #include <orispline/curve/family.hpp>
 #include <orispline/curve/keyframe.hpp>
-#include <orispline/curve/path.hpp>
+#include <orispline/curve/pose_curve.hpp>
 
 namespace orispline::families {
 
@@ -26,8 +25,8 @@ struct BSpline {
                                    .support_keys = 4,
                                    .parameters = parameters};
 
-  [[nodiscard]] static Expected<AnyCurve> curve(const Keyframes& keys, const FamilySettings& settings);
-  [[nodiscard]] static Expected<AnyPath> path(const Keyframes& keys, const FamilySettings& settings);
+  template <CurvePoint P = Eigen::Quaterniond>
+  [[nodiscard]] static Expected<AnyCurveThrough<P>> curve(const Keyframes& keys, const FamilySettings& settings);
 };
 
 }  // namespace orispline::families

@@ -85,8 +85,8 @@ class BSplineChain {
   }
 
   /// From the control before the first one to the one after the last.
-  [[nodiscard]] ControlPolygon polygon() const {
-    ControlPolygon polygon{.bases = {}, .increments = increments<double>(controls_)};
+  [[nodiscard]] ControlPolygon<> polygon() const {
+    ControlPolygon<> polygon{.bases = {}, .increments = increments<double>(controls_)};
     const std::vector<Eigen::Vector3d> w = polygon.increments;
     polygon.bases.push_back(controls_[0] * exp<double>(-w[0]));
     polygon.bases.insert(polygon.bases.end(), controls_.begin(), controls_.end() - (closed() ? 1 : 2));

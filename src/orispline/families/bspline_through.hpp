@@ -31,7 +31,7 @@ struct BSplineThrough {
   /// Errors: not_converged, as on widely turning keys with uneven times.
   [[nodiscard]] static Expected<CumulativeCurve<BSplineBasis<3>>> curve(const Keyframes& keys,
                                                                         const FamilySettings& settings);
-  /// The cubic spline through the positions.
+  /// The cubic spline through the positions: in space the equations are linear.
   [[nodiscard]] static Expected<HermitePath<3>> path(const Keyframes& keys, const FamilySettings& settings);
 };
 

@@ -2,6 +2,7 @@
 #include <orispline/families/global_c2.hpp>
 
 #include <orispline/curve/four_key_curve.hpp>
+#include <orispline/curve/handle_curve.hpp>
 #include <orispline/curve/increments.hpp>
 #include <orispline/curve/rate_chain.hpp>
 
@@ -15,7 +16,7 @@ Expected<SlerpBezierCurve> solved_curve(std::string_view method, const Keyframes
   const std::vector<Eigen::Vector3d> increments = increments_between(joints);
   return solve_rates<SlerpBezierPiece>(method, increments, knots, rate_conditions(settings, increments, knots))
       .map([&](const std::vector<Eigen::Vector3d>& rates) {
-        return slerp_bezier_curve(std::move(knots), joints, rates, rates);
+        return handle_curve<Eigen::Quaterniond>(std::move(knots), joints, rates, rates);
       });
 }
 

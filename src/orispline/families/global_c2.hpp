@@ -28,6 +28,7 @@ struct GlobalC2 {
                                    .closes = true};
   /// Errors: not_converged.
   [[nodiscard]] static Expected<SlerpBezierCurve> curve(const Keyframes& keys, const FamilySettings& settings);
+  /// The cubic spline: in space the equations are linear in the velocities.
   [[nodiscard]] static Expected<HermitePath<3>> path(const Keyframes& keys, const FamilySettings& settings);
 };
 
@@ -48,6 +49,7 @@ struct NuExact {
                                    .closes = true};
   /// Errors: not_converged.
   [[nodiscard]] static Expected<SlerpBezierCurve> curve(const Keyframes& keys, const FamilySettings& settings);
+  /// The cubic spline: in space the equations are linear in the velocities.
   [[nodiscard]] static Expected<HermitePath<3>> path(const Keyframes& keys, const FamilySettings& settings);
 };
 

@@ -16,12 +16,18 @@ constexpr double full_turn_margin = 1e-6;
 
 std::size_t reach_of(const FamilySettings& settings) { return settings.choice("stencil") == "3" ? 1 : 2; }
 
+/// The derivatives of orders 1…3 at key i of the polynomial through the nearest keys as they are seen from it.
+template <CurvePoint P>
+std::array<Displacement<P>, 3> stencil_derivatives(const Keyframes& keys, std::size_t i, std::size_t reach) {
+  return polynomial_derivatives(shifted_window(
+      keys.times(), i, reach,
+      [p = keys.points<P>()](std::size_t from, std::size_t to) { return displacement<double>(p[from], p[to]); }));
+}
+
 /// The key's orientation with its own rates where it has them, else with those of the stencil.
 KeyMotion motion_at(const Keyframes& keys, std::size_t i, std::size_t reach) {
-  const auto q = keys.orientations();
-  const auto displacement = [q](std::size_t from, std::size_t to) { return increment<double>(q[from], q[to]); };
-  KeyMotion key{q[i], body_rates(Eigen::Vector3d::Zero(),
-                                 polynomial_derivatives(shifted_window(keys.times(), i, reach, displacement)))};
+  KeyMotion key{keys.orientations()[i],
+                body_rates(Eigen::Vector3d::Zero(), stencil_derivatives<Eigen::Quaterniond>(keys, i, reach))};
   const std::array given{keys.angular_velocities(), keys.angular_accelerations(), keys.angular_jerks()};
   for (std::size_t k = 0; k < given.size(); ++k)
     if (!given[k].empty()) key.rates[k] = given[k][i];
@@ -62,7 +68,7 @@ template <std::size_t K>
 typename Hermite<K>::Cumulative Hermite<K>::cumulative(const Keyframes& keys, const FamilySettings& settings) {
   Knots knots = key_knots(keys);
   const auto motions = motions_at_keys(keys, settings);
-  ControlPolygon polygon{.bases = {keys.orientations().begin(), keys.orientations().end() - 1}, .increments = {}};
+  ControlPolygon<> polygon{.bases = {keys.orientations().begin(), keys.orientations().end() - 1}, .increments = {}};
   polygon.increments.reserve((2 * K + 1) * knots.segments());
   for (std::size_t i = 0; i < knots.segments(); ++i) {
     const auto increments = cumulative_hermite_increments<K>(motions[i], motions[i + 1], knots.span(i).step());
@@ -80,10 +86,9 @@ Expected<AnyCurve> Hermite<K>::curve(const Keyframes& keys, const FamilySettings
 template <std::size_t K>
 Expected<HermitePath<2 * K + 1>> Hermite<K>::path(const Keyframes& keys, const FamilySettings& settings) {
   const auto p = keys.positions();
-  const auto displacement = [p](std::size_t from, std::size_t to) -> Eigen::Vector3d { return p[to] - p[from]; };
   std::vector<typename HermitePath<2 * K + 1>::Derivatives> derivatives(p.size());
   for (std::size_t i = 0; i < p.size(); ++i) {
-    const auto all = polynomial_derivatives(shifted_window(keys.times(), i, reach_of(settings), displacement));
+    const auto all = stencil_derivatives<Eigen::Vector3d>(keys, i, reach_of(settings));
     std::copy_n(all.begin(), K, derivatives[i].begin());
   }
   return HermitePath<2 * K + 1>(key_knots(keys), {p.begin(), p.end()}, std::move(derivatives));

@@ -36,6 +36,7 @@ struct Hermite {
                                    .rate_orders = K};
   /// In the form that is chosen. Error (bad_data) in the chart: a step of a full turn.
   [[nodiscard]] static Expected<AnyCurve> curve(const Keyframes& keys, const FamilySettings& settings);
+  /// Space needs no chart, and the keys have no rates there.
   [[nodiscard]] static Expected<HermitePath<2 * K + 1>> path(const Keyframes& keys, const FamilySettings& settings);
 
   using Cumulative = CumulativeCurve<CumulativeBernsteinBasis<2 * K + 1>>;

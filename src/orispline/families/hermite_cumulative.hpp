@@ -25,6 +25,7 @@ struct HermiteCumulative {
                                    .parameters = parameters,
                                    .rate_orders = 1};
   [[nodiscard]] static Expected<CubicBezierCurve> curve(const Keyframes& keys, const FamilySettings& settings);
+  /// Catmull–Rom in time: the angular rates of the keys say nothing about positions.
   [[nodiscard]] static Expected<CatmullRomPath> path(const Keyframes& keys, const FamilySettings& settings) {
     return CatmullRomPath(keys, settings.per_key("tension"));
   }

@@ -55,11 +55,11 @@ Expected<NuRule<double>> rule_of(const Keyframes& keys, const FamilySettings& se
 /// Every segment from a key over the two inner points on its arc of the control polygon to the next key.
 SlerpBezierCurve curve_of(const Keyframes& keys, const std::vector<Eigen::Quaterniond>& d, const Ratios& ratios) {
   const auto q = keys.orientations();
-  std::vector<SlerpBezierCurve::Segment> segments;
+  std::vector<Eigen::Quaterniond> points{q[0]};
   for (std::size_t i = 0; i + 1 < q.size(); ++i)
-    segments.push_back(slerp_bezier_segment({q[i], slerp<double>(d[i], d[i + 1], ratios.after[i]),
-                                             slerp<double>(d[i], d[i + 1], ratios.before[i + 1]), q[i + 1]}));
-  return {key_knots(keys), std::move(segments)};
+    points.insert(points.end(), {slerp<double>(d[i], d[i + 1], ratios.after[i]),
+                                 slerp<double>(d[i], d[i + 1], ratios.before[i + 1]), q[i + 1]});
+  return {key_knots(keys), points};
 }
 
 }  // namespace

@@ -37,6 +37,7 @@ struct Nu {
   /// Errors: bad_argument where ν is so negative that the construction has a pole, or where an end rate makes a handle
   /// of a full turn; not_converged.
   [[nodiscard]] static Expected<SlerpBezierCurve> curve(const Keyframes& keys, const FamilySettings& settings);
+  /// The cubic ν-spline: in space the equations are linear in the velocities.
   [[nodiscard]] static Expected<HermitePath<3>> path(const Keyframes& keys, const FamilySettings& settings);
 };
 

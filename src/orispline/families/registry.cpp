@@ -6,29 +6,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <orispline/families/build.hpp>
 #include <orispline/families/families.hpp>
 
 namespace orispline {
 namespace {
 
-/// A family states either a four-key basis, and is built by the common rule, or its own curve and path.
-template <class F>
-concept FourKeyFamily = requires(const FamilySettings& settings) {
-  F::basis(settings);
-};
-
-template <class F>
-Expected<AnyCurve> build_curve(const Keyframes& keys, const FamilySettings& settings) {
-  const auto as_any = [](auto curve) { return AnyCurve(std::move(curve)); };
-  if constexpr (FourKeyFamily<F>) return four_key_curve(keys, settings, F::basis(settings)).map(as_any);
-  else return F::curve(keys, settings).map(as_any);
-}
-
-template <class F>
-Expected<AnyPath> build_path(const Keyframes& keys, const FamilySettings& settings) {
-  const auto as_any = [](auto path) { return AnyPath(std::move(path)); };
-  if constexpr (FourKeyFamily<F>) return four_key_path(keys, settings, F::basis(settings)).map(as_any);
-  else return F::path(keys, settings).map(as_any);
+template <class F, CurvePoint P>
+Expected<AnyCurveThrough<P>> build_any(const Keyframes& keys, const FamilySettings& settings) {
+  return build<F, P>(keys, settings).map([](auto curve) { return AnyCurveThrough<P>(std::move(curve)); });
 }
 
 template <class F>
@@ -47,7 +33,7 @@ constexpr auto infos = []<class... F>(std::tuple<F...>*) {
   return std::array{F::info...};
 }(static_cast<Families*>(nullptr));
 constexpr auto entries = []<class... F>(std::tuple<F...>*) {
-  return std::array{Entry{build_curve<F>, build_path<F>, widest_handle_of<F>}...};
+  return std::array{Entry{build_any<F, Eigen::Quaterniond>, build_any<F, Eigen::Vector3d>, widest_handle_of<F>}...};
 }(static_cast<Families*>(nullptr));
 
 Expected<std::size_t> index_of(std::string_view name) {
@@ -71,7 +57,7 @@ struct Settled {
     return entries[index].curve(keys, settings);
   }
   [[nodiscard]] Expected<AnyPath> path() const {
-    if (keys.size() == 1) return AnyPath(ConstantPath(keys.times()[0], keys.positions()[0]));
+    if (keys.size() == 1) return AnyPath(ConstantCurve(keys.times()[0], keys.positions()[0]));
     return entries[index].path(keys, settings);
   }
 };

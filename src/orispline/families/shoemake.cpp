@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/families/shoemake.hpp>
 
-#include <orispline/curve/handle_rates.hpp>
 #include <orispline/curve/key_knots.hpp>
 #include <orispline/curve/reflected.hpp>
-#include <orispline/math/geodesic.hpp>
 
 namespace orispline::families {
 namespace {
@@ -18,7 +16,7 @@ double ratio_of(double before, double after, std::string_view timing) {
 ///
 /// a_i = slerp(slerp(p_{i-1}, p_i; 1 + h₊/h₋), p_{i+1}; h₋/(h₋+h₊)) is where the leaving handle points; the arriving
 /// one lies opposite, longer by h₋/h₊. The published rule has h₋ = h₊ = 1 there: Double, then Bisect.
-template <class Point>
+template <CurvePoint Point>
 HandleRates handle_rates(std::span<const Point> points, std::span<const double> times, std::string_view timing) {
   const auto p = reflected(points);
   const auto t = reflected(times);
@@ -37,10 +35,16 @@ HandleRates handle_rates(std::span<const Point> points, std::span<const double> 
 
 }  // namespace
 
-Expected<SlerpBezierCurve> Shoemake::curve(const Keyframes& keys, const FamilySettings& settings) {
-  const HandleRates rates = handle_rates(keys.orientations(), keys.times(), settings.choice("timing"));
-  return slerp_bezier_curve(key_knots(keys), keys.orientations(), rates.leaving, rates.arriving);
+template <CurvePoint P>
+Expected<HandleCurve<P>> Shoemake::curve(const Keyframes& keys, const FamilySettings& settings) {
+  const HandleRates rates = handle_rates(keys.points<P>(), keys.times(), settings.choice("timing"));
+  return handle_curve(key_knots(keys), keys.points<P>(), rates.leaving, rates.arriving);
 }
+
+template Expected<HandleCurve<Eigen::Quaterniond>> Shoemake::curve<Eigen::Quaterniond>(const Keyframes&,
+                                                                                       const FamilySettings&);
+template Expected<HandleCurve<Eigen::Vector3d>> Shoemake::curve<Eigen::Vector3d>(const Keyframes&,
+                                                                                 const FamilySettings&);
 
 HandleTurn Shoemake::widest_handle(const Keyframes& keys, const FamilySettings& settings) {
   const auto q = keys.orientations();
@@ -52,11 +56,6 @@ HandleTurn Shoemake::widest_handle(const Keyframes& keys, const FamilySettings& 
     widest = wider_of(widest, {i, ratio * increment<double>(q[i - 1], q[i]).norm()});
   }
   return widest;
-}
-
-Expected<CubicBezierPath> Shoemake::path(const Keyframes& keys, const FamilySettings& settings) {
-  const HandleRates rates = handle_rates(keys.positions(), keys.times(), settings.choice("timing"));
-  return handle_path(key_knots(keys), keys.positions(), rates.leaving, rates.arriving);
 }
 
 }  // namespace orispline::families

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <orispline/curve/cumulative_bezier.hpp>
 #include <orispline/curve/family.hpp>
+#include <orispline/curve/handle_curve.hpp>
 #include <orispline/curve/handle_rates.hpp>
 #include <orispline/curve/keyframe.hpp>
-#include <orispline/curve/slerp_bezier.hpp>
 
 namespace orispline::families {
 
@@ -28,11 +27,11 @@ struct Shoemake {
                                    .support_keys = 4,
                                    .choices = choices,
                                    .ends = ends};
-  [[nodiscard]] static Expected<SlerpBezierCurve> curve(const Keyframes& keys, const FamilySettings& settings);
+  template <CurvePoint P = Eigen::Quaterniond>
+  [[nodiscard]] static Expected<HandleCurve<P>> curve(const Keyframes& keys, const FamilySettings& settings);
   /// The handle that turns farthest, or the step continued to find one; from a full turn on the curve goes elsewhere or
   /// C1 is lost.
   [[nodiscard]] static HandleTurn widest_handle(const Keyframes& keys, const FamilySettings& settings);
-  [[nodiscard]] static Expected<CubicBezierPath> path(const Keyframes& keys, const FamilySettings& settings);
 };
 
 }  // namespace orispline::families

@@ -2,10 +2,8 @@
 #pragma once
 
 #include <orispline/curve/cumulative_curve.hpp>
-#include <orispline/curve/cumulative_path.hpp>
 #include <orispline/curve/family.hpp>
-#include <orispline/curve/increments.hpp>
-#include <orispline/curve/keyframe.hpp>
+#include <orispline/curve/key_knots.hpp>
 
 namespace orispline::families {
 
@@ -29,15 +27,9 @@ struct Slerp {
     }
   };
 
-  [[nodiscard]] static Expected<CumulativeCurve<Basis>> curve(const Keyframes& keys, const FamilySettings&) {
-    const auto q = keys.orientations();
-    return CumulativeCurve(Knots({keys.times().begin(), keys.times().end()}), Basis{},
-                           ControlPolygon{.bases = {q.begin(), q.end() - 1}, .increments = increments_between(q)});
-  }
-
-  [[nodiscard]] static Expected<CumulativePath<Basis>> path(const Keyframes& keys, const FamilySettings&) {
-    return CumulativePath(Knots({keys.times().begin(), keys.times().end()}), Basis{},
-                          PathPolygon(keys.positions().begin(), keys.positions().end()));
+  template <CurvePoint P = Eigen::Quaterniond>
+  [[nodiscard]] static Expected<CumulativeCurve<Basis, P>> curve(const Keyframes& keys, const FamilySettings&) {
+    return CumulativeCurve<Basis, P>(key_knots(keys), {}, keys.points<P>());
   }
 };
 

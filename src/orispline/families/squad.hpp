@@ -41,7 +41,7 @@ class SquadCurve {
   [[nodiscard]] const Knots& knots() const noexcept { return knots_; }
 
   template <Number T>
-  [[nodiscard]] Quaternion<T> orientation(const T& t, std::size_t segment) const noexcept {
+  [[nodiscard]] Quaternion<T> point(const T& t, std::size_t segment) const noexcept {
     const T u = knots_.span(segment).normalised(t);
     const Piece& piece = pieces_[segment];
     const Quaternion<T> outer = constant<T>(piece.key) * exp<T>(constant<T>(piece.key_increment) * u);
@@ -71,6 +71,7 @@ struct Squad {
                                    .support_keys = 4,
                                    .ends = ends};
   [[nodiscard]] static Expected<SquadCurve> curve(const Keyframes& keys, const FamilySettings& settings);
+  /// Catmull–Rom in time: a quadrangle of positions would be C1 on even key times only.
   [[nodiscard]] static Expected<CatmullRomPath> path(const Keyframes& keys, const FamilySettings&) {
     return CatmullRomPath(keys);
   }
@@ -98,6 +99,7 @@ struct SquadTimed {
   [[nodiscard]] static Expected<SquadCurve> curve(const Keyframes& keys, const FamilySettings& settings);
   /// The handle that turns farthest; C1 is lost from a full turn on.
   [[nodiscard]] static HandleTurn widest_handle(const Keyframes& keys, const FamilySettings& settings);
+  /// That of `squad`.
   [[nodiscard]] static Expected<CatmullRomPath> path(const Keyframes& keys, const FamilySettings&) {
     return CatmullRomPath(keys);
   }

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/families/tcb.hpp>
 
-#include <orispline/curve/handle_rates.hpp>
 #include <orispline/curve/key_knots.hpp>
 #include <orispline/curve/reflected.hpp>
-#include <orispline/math/geodesic.hpp>
 
 namespace orispline::families {
 namespace {
 
 /// Orientations or positions with what Kochanek and Bartels make of them.
-template <class Point>
+template <CurvePoint Point>
 class TangentRule {
  public:
   TangentRule(std::span<const Point> points, std::span<const double> times, const FamilySettings& settings)
@@ -67,10 +65,15 @@ class TangentRule {
 
 }  // namespace
 
-Expected<SlerpBezierCurve> Tcb::curve(const Keyframes& keys, const FamilySettings& settings) {
-  const HandleRates rates = handle_rates(keys, settings);
-  return slerp_bezier_curve(key_knots(keys), keys.orientations(), rates.leaving, rates.arriving);
+template <CurvePoint P>
+Expected<HandleCurve<P>> Tcb::curve(const Keyframes& keys, const FamilySettings& settings) {
+  const HandleRates rates = TangentRule(keys.points<P>(), keys.times(), settings).rates(settings);
+  return handle_curve(key_knots(keys), keys.points<P>(), rates.leaving, rates.arriving);
 }
+
+template Expected<HandleCurve<Eigen::Quaterniond>> Tcb::curve<Eigen::Quaterniond>(const Keyframes&,
+                                                                                  const FamilySettings&);
+template Expected<HandleCurve<Eigen::Vector3d>> Tcb::curve<Eigen::Vector3d>(const Keyframes&, const FamilySettings&);
 
 HandleTurn Tcb::widest_handle(const Keyframes& keys, const FamilySettings& settings) {
   return orispline::widest_handle(keys.times(), handle_rates(keys, settings));
@@ -78,11 +81,6 @@ HandleTurn Tcb::widest_handle(const Keyframes& keys, const FamilySettings& setti
 
 HandleRates Tcb::handle_rates(const Keyframes& keys, const FamilySettings& settings) {
   return TangentRule(keys.orientations(), keys.times(), settings).rates(settings);
-}
-
-Expected<CubicBezierPath> Tcb::path(const Keyframes& keys, const FamilySettings& settings) {
-  const HandleRates rates = TangentRule(keys.positions(), keys.times(), settings).rates(settings);
-  return handle_path(key_knots(keys), keys.positions(), rates.leaving, rates.arriving);
 }
 
 }  // namespace orispline::families

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <orispline/curve/cumulative_bezier.hpp>
 #include <orispline/curve/family.hpp>
+#include <orispline/curve/handle_curve.hpp>
 #include <orispline/curve/handle_rates.hpp>
 #include <orispline/curve/keyframe.hpp>
-#include <orispline/curve/slerp_bezier.hpp>
 
 namespace orispline::families {
 
@@ -27,12 +26,12 @@ struct Tcb {
                                    .support_keys = 4,
                                    .parameters = parameters,
                                    .ends = ends};
-  [[nodiscard]] static Expected<SlerpBezierCurve> curve(const Keyframes& keys, const FamilySettings& settings);
+  template <CurvePoint P = Eigen::Quaterniond>
+  [[nodiscard]] static Expected<HandleCurve<P>> curve(const Keyframes& keys, const FamilySettings& settings);
   /// The handle that turns farthest; C1 is lost from a full turn on.
   [[nodiscard]] static HandleTurn widest_handle(const Keyframes& keys, const FamilySettings& settings);
   /// The rates on leaving and on arriving at every key [rad/s], affine in the tension of that key under natural ends.
   [[nodiscard]] static HandleRates handle_rates(const Keyframes& keys, const FamilySettings& settings);
-  [[nodiscard]] static Expected<CubicBezierPath> path(const Keyframes& keys, const FamilySettings& settings);
 };
 
 }  // namespace orispline::families

@@ -3,12 +3,15 @@
 
 namespace orispline::families {
 
-Expected<AnyCurve> UniformFamily::curve(const Keyframes& keys, const FamilySettings& settings) {
-  return with_basis<AnyCurve>(settings, [&](auto basis) { return four_key_curve(keys, settings, std::move(basis)); });
+template <CurvePoint P>
+Expected<AnyCurveThrough<P>> UniformFamily::curve(const Keyframes& keys, const FamilySettings& settings) {
+  return with_basis<AnyCurveThrough<P>>(
+      settings, [&](auto basis) { return four_key_curve<P>(keys, settings, std::move(basis)); });
 }
 
-Expected<AnyPath> UniformFamily::path(const Keyframes& keys, const FamilySettings& settings) {
-  return with_basis<AnyPath>(settings, [&](auto basis) { return four_key_path(keys, settings, std::move(basis)); });
-}
+template Expected<AnyCurveThrough<Eigen::Quaterniond>> UniformFamily::curve<Eigen::Quaterniond>(const Keyframes&,
+                                                                                                const FamilySettings&);
+template Expected<AnyCurveThrough<Eigen::Vector3d>> UniformFamily::curve<Eigen::Vector3d>(const Keyframes&,
+                                                                                          const FamilySettings&);
 
 }  // namespace orispline::families

@@ -4,9 +4,8 @@
 #include <string>
 #include <utility>
 
-#include <orispline/curve/curve.hpp>
 #include <orispline/curve/four_key_curve.hpp>
-#include <orispline/curve/path.hpp>
+#include <orispline/curve/pose_curve.hpp>
 #include <orispline/curve/two_point_blending.hpp>
 #include <orispline/math/bernstein.hpp>
 
@@ -79,8 +78,8 @@ struct UniformFamily {
     }
   }
 
-  [[nodiscard]] static Expected<AnyCurve> curve(const Keyframes& keys, const FamilySettings& settings);
-  [[nodiscard]] static Expected<AnyPath> path(const Keyframes& keys, const FamilySettings& settings);
+  template <CurvePoint P = Eigen::Quaterniond>
+  [[nodiscard]] static Expected<AnyCurveThrough<P>> curve(const Keyframes& keys, const FamilySettings& settings);
 
  private:
   template <std::size_t K>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <type_traits>
 
@@ -19,8 +20,12 @@ concept CurvePoint = std::same_as<P, Eigen::Quaterniond> || std::same_as<P, Eige
 template <CurvePoint P, Number T>
 using PointOver = std::conditional_t<std::same_as<P, Eigen::Quaterniond>, Quaternion<T>, Vector3<T>>;
 
-/// What the geodesic from one point to the other needs: a rotation vector [rad] in the body frame of `from`, or the
+/// What leads from one point to another of its kind: a rotation vector [rad] in the body frame of the first one, or a
 /// difference of positions [m].
+template <CurvePoint P, Number T = double>
+using Displacement = Vector3<T>;
+
+/// The displacement along the geodesic from one point to the other.
 template <Number T>
 [[nodiscard]] Vector3<T> displacement(const Quaternion<T>& from, const Quaternion<T>& to) noexcept {
   return increment<T>(from, to);
@@ -40,6 +45,18 @@ template <Number T>
   return from + by;
 }
 
+/// The point at which displacements one after the other end: the product of their exponentials, or their sum.
+template <Number T, std::size_t N>
+[[nodiscard]] Quaternion<T> displaced_in_turn(Quaternion<T> from, const std::array<Vector3<T>, N>& by) noexcept {
+  for (const Quaternion<T>& factor : exp_of_each(by)) from = from * factor;
+  return from;
+}
+template <Number T, std::size_t N>
+[[nodiscard]] Vector3<T> displaced_in_turn(Vector3<T> from, const std::array<Vector3<T>, N>& by) noexcept {
+  for (const Vector3<T>& step : by) from += step;
+  return from;
+}
+
 /// The point at fraction s of the geodesic from a to b: slerp, or the straight line. s may lie outside [0, 1].
 template <Number T>
 [[nodiscard]] Quaternion<T> on_geodesic(const Quaternion<T>& a, const Quaternion<T>& b,
@@ -50,6 +67,15 @@ template <Number T>
 [[nodiscard]] Vector3<T> on_geodesic(const Vector3<T>& a, const Vector3<T>& b,
                                      const std::type_identity_t<T>& s) noexcept {
   return a + (b - a) * s;
+}
+
+/// The image of a point in another one, as far beyond it on the geodesic as the point lies before it.
+[[nodiscard]] inline Eigen::Quaterniond mirrored(const Eigen::Quaterniond& at,
+                                                 const Eigen::Quaterniond& point) noexcept {
+  return at * point.conjugate() * at;
+}
+[[nodiscard]] inline Eigen::Vector3d mirrored(const Eigen::Vector3d& at, const Eigen::Vector3d& point) noexcept {
+  return 2.0 * at - point;
 }
 
 }  // namespace orispline

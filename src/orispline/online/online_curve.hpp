@@ -77,8 +77,8 @@ class OnlineCurve {
   /// The same, but a time that is not available is an error (bad_argument).
   [[nodiscard]] Expected<Motion> checked_motion(double t) const;
 
-  /// Position with velocity and acceleration at time t [s], held at rest outside what is available; nothing when the
-  /// keys have no positions.
+  /// Position with velocity, acceleration and jerk at time t [s], held at rest outside what is available; nothing when
+  /// the keys have no positions.
   [[nodiscard]] std::optional<LinearMotion> linear_motion(double t, Side side = Side::right) const noexcept;
 
  private:

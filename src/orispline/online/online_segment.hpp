@@ -47,6 +47,13 @@ struct OnlineSegment {
     return {std::span(times).first(knots), start, times[1] - times[0], times[knots - 1] - times[knots - 2]};
   }
 
+  /// From each of the positions to the next.
+  [[nodiscard]] std::array<Eigen::Vector3d, B::increments> displacements() const noexcept {
+    std::array<Eigen::Vector3d, B::increments> all;
+    for (std::size_t k = 0; k < B::increments; ++k) all[k] = points[k + 1] - points[k];
+    return all;
+  }
+
   /// Becomes, in place, the segment between the inner two of four keys.
   void blend(const B& basis, const RecentKeys& four_keys) noexcept {
     static_assert(B::increments == RecentKeys::most - 1);

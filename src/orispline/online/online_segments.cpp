@@ -33,7 +33,7 @@ class SegmentsOf final : public OnlineSegments {
   }
   [[nodiscard]] Eigen::Quaterniond orientation(double t, std::size_t place) const noexcept override {
     const OnlineSegment<B>& s = ring_[place];
-    return cumulative_orientation(s.blending, s.span(), t, s.base, std::span(s.increments));
+    return cumulative_point(s.blending, s.span(), t, s.base, std::span(s.increments));
   }
   [[nodiscard]] Motion motion(double t, std::size_t place) const noexcept override {
     const OnlineSegment<B>& s = ring_[place];
@@ -41,7 +41,9 @@ class SegmentsOf final : public OnlineSegments {
   }
   [[nodiscard]] LinearMotion linear_motion(double t, std::size_t place) const noexcept override {
     const OnlineSegment<B>& s = ring_[place];
-    return linear_motion_from_jet(cumulative_position(s.blending, s.span(), Jet<double, 2>::variable(t), std::span(s.points)));
+    const auto displacements = s.displacements();
+    return motion_from_jet(
+        cumulative_point(s.blending, s.span(), Jet<double, 3>::variable(t), s.points[0], std::span(displacements)));
   }
 
  private:

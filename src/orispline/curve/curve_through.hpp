@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <concepts>
+#include <memory>
+
+#include <orispline/curve/knots.hpp>
+#include <orispline/curve/motion.hpp>
+#include <orispline/curve/segment_form.hpp>
+
+namespace orispline {
+
+/// A curve through points of one kind over knots, evaluated segment by segment. Every family builds one.
+///
+/// `point(t, segment)` takes any Number. A curve may also state `motion(t, segment)` when it has something faster than
+/// jets.
+template <class C, class P>
+concept CurveThrough = CurvePoint<P> && requires(const C& c, double t, Jet<double, 3> jet, std::size_t segment) {
+  { c.knots() } -> std::convertible_to<const Knots&>;
+  { c.point(t, segment) } -> std::same_as<P>;
+  { c.point(jet, segment) } -> std::same_as<PointOver<P, Jet<double, 3>>>;
+}
+&&std::copyable<C>;
+
+/// The motion of any curve on one of its segments: its own evaluator, or jets through the whole point.
+template <class C>
+[[nodiscard]] auto motion_on_segment(const C& curve, double t, std::size_t segment) noexcept {
+  if constexpr (requires { curve.motion(t, segment); }) return curve.motion(t, segment);
+  else return motion_from_jet(curve.point(Jet<double, 3>::variable(t), segment));
+}
+
+/// One key for ever: what every family becomes when there is a single keyframe.
+template <CurvePoint P>
+class ConstantCurve {
+ public:
+  ConstantCurve(double time, const P& point) : knots_({time}), point_(point) {}
+  [[nodiscard]] const Knots& knots() const noexcept { return knots_; }
+  template <Number T>
+  [[nodiscard]] PointOver<P, T> point(const T&, std::size_t) const noexcept {
+    return constant<T>(point_);
+  }
+
+ private:
+  Knots knots_;
+  P point_;
+};
+
+/// Any curve through points of one kind, without its own type: immutable, cheap to copy, evaluation allocates nothing.
+template <CurvePoint P>
+class ErasedCurve {
+ public:
+  template <class C>
+  requires(!std::same_as<C, ErasedCurve> && CurveThrough<C, P>) explicit ErasedCurve(C curve)
+      : model_(std::make_shared<Model<C>>(std::move(curve))) {}
+
+  [[nodiscard]] const Knots& knots() const noexcept { return model_->knots(); }
+  [[nodiscard]] P point(double t, std::size_t segment) const noexcept { return model_->point(t, segment); }
+  [[nodiscard]] MotionOf<P> motion(double t, std::size_t segment) const noexcept { return model_->motion(t, segment); }
+  [[nodiscard]] SegmentForm form(std::size_t segment) const noexcept { return model_->form(segment); }
+
+ private:
+  struct Interface {
+    virtual ~Interface() = default;
+    [[nodiscard]] virtual const Knots& knots() const noexcept = 0;
+    [[nodiscard]] virtual P point(double t, std::size_t segment) const noexcept = 0;
+    [[nodiscard]] virtual MotionOf<P> motion(double t, std::size_t segment) const noexcept = 0;
+    [[nodiscard]] virtual SegmentForm form(std::size_t segment) const noexcept = 0;
+  };
+  template <CurveThrough<P> C>
+  struct Model final : Interface {
+    explicit Model(C c) : curve(std::move(c)) {}
+    [[nodiscard]] const Knots& knots() const noexcept override { return curve.knots(); }
+    [[nodiscard]] P point(double t, std::size_t segment) const noexcept override { return curve.point(t, segment); }
+    [[nodiscard]] MotionOf<P> motion(double t, std::size_t segment) const noexcept override {
+      return motion_on_segment(curve, t, segment);
+    }
+    [[nodiscard]] SegmentForm form(std::size_t segment) const noexcept override {
+      if constexpr (requires { curve.form(segment); }) return curve.form(segment);
+      else return {};
+    }
+    C curve;
+  };
+
+  std::shared_ptr<const Interface> model_;
+};
+
+}  // namespace orispline
