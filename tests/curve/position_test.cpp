@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <orispline/families/registry.hpp>
-#include <support/key_use.hpp>
 #include <support/near.hpp>
 #include <support/specimens.hpp>
 #include <support/tolerance.hpp>
@@ -36,7 +35,7 @@ TEST(Position, PassesThroughTheKeysThatTheOrientationTouches) {
     for (std::size_t i = 0; i < keys.size(); ++i)
       for (const Side side : {Side::left, Side::right}) {
         const Eigen::Vector3d found = p.linear_motion(keys.times()[i], side).position;
-        if (key_use(family).touches_key(i)) {
+        if (family.passes_through(i)) {
           EXPECT_TRUE(near(found, keys.positions()[i], tolerance::algebra)) << family.name;
         } else {
           EXPECT_GE((found - keys.positions()[i]).norm(), tolerance::visible_jump) << family.name;
@@ -174,7 +173,8 @@ TEST(Position, ContinuesNaturallyWhereTheOrientationIsClamped) {
   const End clamped{.rule = EndRule::clamped, .angular_velocity = {1, 2, 3}}, natural{.rule = EndRule::natural};
   const AnyPath found = path("timed-c2", keys, {.start = clamped, .end = clamped});
   const AnyPath wanted = path("timed-c2", keys, {.start = natural, .end = natural});
-  for (const double t : sample_times(keys.times())) EXPECT_EQ(found.linear_motion(t).position, wanted.linear_motion(t).position);
+  for (const double t : sample_times(keys.times()))
+    EXPECT_EQ(found.linear_motion(t).position, wanted.linear_motion(t).position);
 }
 
 TEST(Position, OfSquadsIsCatmullRomInTime) {
@@ -190,8 +190,8 @@ TEST(Position, OfSquadsIsCatmullRomInTime) {
         EXPECT_TRUE(near(p.linear_motion(keys.times()[i], side).velocity, tangent_of_the_parabola, tolerance::series));
     }
     const double h = keys.times()[1] - keys.times()[0];
-    EXPECT_TRUE(
-        near(p.linear_motion(keys.times()[0]).velocity, (keys.positions()[1] - keys.positions()[0]) / h, tolerance::series));
+    EXPECT_TRUE(near(p.linear_motion(keys.times()[0]).velocity, (keys.positions()[1] - keys.positions()[0]) / h,
+                     tolerance::series));
   }
 }
 

@@ -3,7 +3,7 @@
 // start.
 #include <gtest/gtest.h>
 
-#include <batch/online_stream.hpp>
+#include <online/online_stream.hpp>
 #include <curve/counting_new.hpp>
 #include <orispline/families/registry.hpp>
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <batch/online_stream.hpp>
+#include <online/online_stream.hpp>
 #include <orispline/families/registry.hpp>
 
 namespace orispline {
@@ -132,8 +132,8 @@ TEST(OnlineCurve, TakesParametersAndGivenSigns) {
   KeyframeData data = raw_walk(505, 50);
   for (Eigen::Quaterniond& q : data.orientations) q.normalize();
   const CurveOptions options{.parameters = {{"order", {3.0}}, {"tension1", {0.4}}, {"tension3", {0.2}}}};
-  const PoseCurve offline = make_pose_curve({"family", options}, keyframes(data, Signs::as_given)).value();
-  OnlineCurve online = OnlineCurve::make("family", 50, options, Signs::as_given).value();
+  const PoseCurve offline = make_pose_curve({"uniform", options}, keyframes(data, Signs::as_given)).value();
+  OnlineCurve online = OnlineCurve::make("uniform", 50, options, Signs::as_given).value();
   ASSERT_TRUE(append(online, data, 0, 50));
   ASSERT_TRUE(online.finish());
   EXPECT_EQ(differing(online, offline, data.times.front(), data.times.back()), 0);

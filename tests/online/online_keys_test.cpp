@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <batch/online_stream.hpp>
+#include <online/online_stream.hpp>
 
 namespace orispline {
 namespace {
@@ -31,8 +31,8 @@ TEST(OnlineCurve, RefusesOptionsWithWhatWasWanted) {
             "quintic: found 4 values of tension, wanted 1 for all keys of an online curve");
   EXPECT_EQ(refusal(OnlineCurve::make("quintic", 8, {.parameters = {{"tension", {nan}}}})),
             "quintic: tension is nan, wanted -100 to 100");
-  EXPECT_EQ(refusal(OnlineCurve::make("family", 8, {.parameters = {{"order", {2.5}}}})),
-            "family: order is 2.5, wanted a whole number");
+  EXPECT_EQ(refusal(OnlineCurve::make("uniform", 8, {.parameters = {{"order", {2.5}}}})),
+            "uniform: order is 2.5, wanted a whole number");
 }
 
 TEST(OnlineCurve, RefusesEndsThatNoKeysCanHaveBeforeThereAreAny) {

@@ -69,7 +69,8 @@ struct BarryGoldman {
                                    .keeps_constant_rate_uniform = true,
                                    .keeps_constant_rate_uneven = true,
                                    .support_keys = 4,
-                                   .ends = ends};
+                                   .ends = ends,
+                                   .key_use = {.widest_turn = 0.8}};  // geodesics go on for ten times their length
   [[nodiscard]] static Expected<Pyramid<Eigen::Quaterniond>> curve(const Keyframes& keys, const FamilySettings&);
   [[nodiscard]] static Expected<Pyramid<Eigen::Vector3d>> path(const Keyframes& keys, const FamilySettings&);
 };
