@@ -26,8 +26,6 @@ std::optional<Error> check_method(std::string_view method) {
 OnlineCurve::OnlineCurve(StreamMethod method, std::size_t capacity, Signs signs)
     : method_(std::move(method)),
       signs_(signs),
-      keys_at_finish_(std::max({keys_needed(method_.options.start.rule), keys_needed(method_.options.end.rule),
-                                static_cast<std::size_t>(method_.family->min_keys)})),
       segments_(segments_in_place(method_, capacity - 1)),
       starts_(2 * (capacity - 1)) {
   if (!segments_) segments_ = segments_of_windows(method_, capacity - 1);
@@ -77,9 +75,9 @@ Expected<void> OnlineCurve::append(const StreamKey& key) {
 /// Makes the segments final that have all their keys.
 Expected<void> OnlineCurve::make_final(Stream stream) {
   const KeyUse& use = method_.family->key_use;
-  const std::size_t pending = stream == Stream::open ? look_ahead() : use.first;
+  const std::size_t pending = stream == Stream::open ? look_ahead() : method_.first_key;
   for (;; ++final_segments_) {
-    const std::uint64_t start = use.first + use.stride * final_segments_;
+    const std::uint64_t start = method_.first_key + use.stride * final_segments_;
     if (start + use.stride + pending >= keys_) return {};
     const auto stored = segments_->store(next_place_, static_cast<std::size_t>(keys_ - 1 - start), stream);
     if (!stored) return tl::unexpected(stored.error());
@@ -91,9 +89,7 @@ Expected<void> OnlineCurve::make_final(Stream stream) {
 
 Expected<void> OnlineCurve::finish() {
   if (keys_ == 0) return failure(ErrorCode::bad_data, "empty: no keys");
-  const auto count = static_cast<std::size_t>(keys_);
-  if (count > 1 && (count < keys_at_finish_ || method_.family->key_use.cut(count) != count))
-    return tl::unexpected(settle(*method_.family, method_.options, count).error());
+  if (auto error = method_.check_count(static_cast<std::size_t>(keys_))) return tl::unexpected(std::move(*error));
   auto made = make_final(Stream::finished);
   if (made) finished_ = true;
   return made;

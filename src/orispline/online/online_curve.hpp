@@ -114,7 +114,6 @@ class OnlineCurve {
 
   StreamMethod method_;
   Signs signs_;
-  std::uint64_t keys_at_finish_;  ///< what the end rules wait for
   std::unique_ptr<OnlineSegments> segments_;
   std::vector<double> starts_;  ///< of the segments [s]; the ring twice, so that what is kept lies in one piece
   double end_ = 0.0;            ///< of the last final segment [s]

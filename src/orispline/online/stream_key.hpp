@@ -29,6 +29,7 @@ struct StreamKey {
 /// What the keys of a stream have besides time and orientation: all of them or none.
 struct KeyParts {
   bool position = false, angular_velocity = false, angular_acceleration = false, angular_jerk = false;
+  bool operator==(const KeyParts&) const = default;
 };
 
 [[nodiscard]] KeyParts parts_of(const StreamKey& key) noexcept;

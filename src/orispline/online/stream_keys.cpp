@@ -2,6 +2,7 @@
 #include <orispline/online/stream_keys.hpp>
 
 #include <algorithm>
+#include <limits>
 
 #include <orispline/families/registry.hpp>
 
@@ -60,6 +61,27 @@ KeyParts StreamKeys::parts() const noexcept {
           .angular_velocity = !data_.angular_velocities.empty(),
           .angular_acceleration = !data_.angular_accelerations.empty(),
           .angular_jerk = !data_.angular_jerks.empty()};
+}
+
+Expected<StreamKeys> StreamKeys::from_kept(std::uint64_t first, KeyframeData data,
+                                           std::vector<std::vector<double>> settings, const StreamMethod& method) {
+  const std::size_t kept = data.times.size();
+  if (const auto checked = Keyframes::make(data, Signs::as_given); !checked) return tl::unexpected(checked.error());
+  const auto refused = [](const char* what) { return failure(ErrorCode::bad_data, what); };
+  if (first > std::numeric_limits<std::uint64_t>::max() / 4 || first % method.family->key_use.stride != 0)
+    return refused("the keys of a state begin where none can");
+  if (settings.size() != method.per_key.size()) return refused("a state has settings of other parameters");
+  for (std::size_t i = 0; i < settings.size(); ++i) {
+    if (settings[i].size() != kept) return refused("a state has settings for another number of keys");
+    for (const double value : settings[i])
+      if (auto settled = settle(*method.family, {.parameters = {{method.per_key[i], {value}}}}, 1); !settled)
+        return refused("a state has a setting out of its range");
+  }
+  StreamKeys keys;
+  keys.data_ = std::move(data);
+  keys.settings_ = std::move(settings);
+  keys.first_ = first;
+  return keys;
 }
 
 std::uint64_t StreamKeys::needed_from(std::uint64_t start, const StreamMethod& method) const noexcept {

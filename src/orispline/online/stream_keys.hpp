@@ -33,6 +33,7 @@ class StreamKeys {
   [[nodiscard]] double time(std::uint64_t key) const noexcept {
     return data_.times[static_cast<std::size_t>(key - first_)];
   }
+  [[nodiscard]] std::span<const double> times() const noexcept { return data_.times; }
   /// What all keys have; false everywhere without keys.
   [[nodiscard]] KeyParts parts() const noexcept;
 
@@ -42,6 +43,14 @@ class StreamKeys {
   /// The curve through the keys from that one to the newest, of which the segments in the middle have the bits of the
   /// whole curve; with the end rule if the stream is finished. Errors: those of make_curve().
   [[nodiscard]] Expected<PoseCurve> curve_from(std::uint64_t key, const StreamMethod& method, Stream stream) const;
+
+  [[nodiscard]] const KeyframeData& data() const noexcept { return data_; }
+  /// The values of the parameters that come with the keys, by parameter.
+  [[nodiscard]] const std::vector<std::vector<double>>& settings() const noexcept { return settings_; }
+  /// Keys as they were kept. Errors (bad_data): keys or settings that no stream of the method can keep.
+  [[nodiscard]] static Expected<StreamKeys> from_kept(std::uint64_t first, KeyframeData data,
+                                                      std::vector<std::vector<double>> settings,
+                                                      const StreamMethod& method);
 
  private:
   KeyframeData data_;

@@ -39,20 +39,19 @@ std::vector<std::string> taken_per_key(const FamilyInfo& family, CurveOptions& o
   return per_key;
 }
 
-/// What no keys can have is refused before there are any: here through keys in one place.
-std::optional<Error> try_out(const FamilyInfo& family, const CurveOptions& options) {
+/// The curve through keys in one place, a second apart from 0 s on: what no keys can have is refused before there are
+/// any.
+Expected<AnyCurve> trial_curve(const FamilyInfo& family, const CurveOptions& options) {
   KeyframeData data;
   for (std::size_t i = 0; i < family.key_use.keys_for(segments_of_a_trial); ++i) {
     data.times.push_back(static_cast<double>(i));
     data.orientations.push_back(Eigen::Quaterniond::Identity());
   }
-  const auto curve = Keyframes::make(std::move(data)).and_then([&](const Keyframes& keys) {
+  auto curve = Keyframes::make(std::move(data)).and_then([&](const Keyframes& keys) {
     return make_curve(family.name, keys, options);
   });
-  if (curve) return std::nullopt;
-  Error error = curve.error();
-  error.where = {};
-  return error;
+  if (!curve) curve.error().where = {};
+  return curve;
 }
 
 }  // namespace
@@ -62,10 +61,17 @@ Expected<StreamMethod> StreamMethod::make(std::string_view method, const CurveOp
   if (!found) return tl::unexpected(found.error());
   const FamilyInfo& family = **found;
   if (auto error = check_options(family, options)) return tl::unexpected(std::move(*error));
-  StreamMethod made{
-      .family = &family, .options = options, .per_key = {}, .keys_beside = {}, .keys_at_start = 0, .keys_at_end = 0};
+  StreamMethod made{.family = &family,
+                    .options = options,
+                    .per_key = {},
+                    .keys_beside = {},
+                    .first_key = 0,
+                    .keys_at_start = 0,
+                    .keys_at_end = 0};
   made.per_key = taken_per_key(family, made.options);
-  if (auto error = try_out(family, made.options)) return tl::unexpected(std::move(*error));
+  const auto trial = trial_curve(family, made.options);
+  if (!trial) return tl::unexpected(trial.error());
+  made.first_key = static_cast<std::size_t>(trial->domain().start);
   const auto settings = settle(family, made.options, family.key_use.keys_for(segments_of_a_trial));
   if (!settings) return tl::unexpected(settings.error());
   made.keys_beside = orispline::keys_beside(family, *settings);
@@ -74,6 +80,13 @@ Expected<StreamMethod> StreamMethod::make(std::string_view method, const CurveOp
   made.keys_at_start = std::max(window, keys_needed(settings->start.rule));
   made.keys_at_end = std::max({window + 1, keys_needed(settings->end.rule), static_cast<std::size_t>(family.min_keys)});
   return made;
+}
+
+std::optional<Error> StreamMethod::check_count(std::size_t keys) const {
+  const std::size_t least = std::max(
+      {keys_needed(options.start.rule), keys_needed(options.end.rule), static_cast<std::size_t>(family->min_keys)});
+  if (keys == 1 || (keys >= least && family->key_use.cut(keys) == keys)) return std::nullopt;
+  return settle(*family, options, keys).error();
 }
 
 std::optional<Error> StreamMethod::check_settings(std::uint64_t index, const StreamKey& key) const {

@@ -18,6 +18,7 @@ struct StreamMethod {
   CurveOptions options;              ///< every parameter has one value for all keys …
   std::vector<std::string> per_key;  ///< … but for these, in the order of their names, whose values come with the keys
   std::optional<std::size_t> keys_beside;  ///< on either side of a segment; absent: a segment depends on all keys
+  std::size_t first_key;                   ///< where the curve begins; it ends as many before the last
   std::size_t keys_at_start;               ///< that must have come before any segment is final
   std::size_t keys_at_end;                 ///< the last ones, on which the end depends
 
@@ -27,6 +28,9 @@ struct StreamMethod {
   /// with which no end can have the given rate.
   [[nodiscard]] static Expected<StreamMethod> make(std::string_view method, const CurveOptions& options);
 
+  /// That so many keys make a curve: bad_data for fewer than the end rules need or another count than the method takes.
+  /// Success allocates nothing.
+  [[nodiscard]] std::optional<Error> check_count(std::size_t keys) const;
   /// That the key brings values of the parameters `per_key` and of no others, each in its range.
   [[nodiscard]] std::optional<Error> check_settings(std::uint64_t index, const StreamKey& key) const;
 };
