@@ -11,7 +11,7 @@ import sys
 GROUND = {"base", "math", "curve"}
 FLOORS = {  # folder of src/orispline -> what it may include besides itself
     "base": set(), "math": {"base"}, "curve": GROUND, "families": GROUND, "io": GROUND, "report": GROUND,
-    "batch/kernel": {"base"}, "batch": GROUND | {"families", "batch/kernel"}, "online": GROUND | {"families"},
+    "batch/kernel": {"base"}, "batch": GROUND | {"families", "batch/kernel"}, "online": GROUND | {"families", "batch"},
     "analysis": GROUND | {"families", "batch"}, "smooth": GROUND | {"families", "analysis"}, "tune": GROUND | {"families", "analysis"},
     "reduce": GROUND | {"families", "batch", "analysis"}, "retime": GROUND | {"families", "batch", "analysis"}}
 GUESTS = {"fast_float/": "src/orispline/io/", "CLI/": "cli/", "nlohmann/": "cli/",

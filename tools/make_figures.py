@@ -87,7 +87,7 @@ def families(command):
         "rotation-spline": [arcs, curve("rotation-spline"),
                             curve("with natural ends", "--ends", "natural", method="rotation-spline"), curve("timed-c2")],
         "bspline-through": [arcs, curve("bspline-through"), curve("bspline"), curve("timed-c2")],
-        "family": [arcs, *(curve(f"order {k}", "--set", f"order={k}", method="family") for k in (1, 2, 3, 5))],
+        "uniform": [arcs, *(curve(f"order {k}", "--set", f"order={k}", method="uniform") for k in (1, 2, 3, 5))],
         **{f"hermite-c{k}": [arcs, curve(f"hermite-c{k}"), curve("3 keys", "--set", "stencil=3", method=f"hermite-c{k}"),
                              curve("cumulative", "--set", "form=cumulative", method=f"hermite-c{k}")]
            for k in (1, 2, 3)},

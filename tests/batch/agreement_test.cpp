@@ -2,6 +2,7 @@
 // Samples in bulk against the scalar evaluator for every family: random keys, and the far corners of what is allowed.
 #include <batch/agreement.hpp>
 #include <orispline/families/registry.hpp>
+#include <support/key_use.hpp>
 #include <support/properties.hpp>
 
 namespace orispline {
@@ -30,10 +31,10 @@ TEST_P(BatchOfFamily, AgreesWithTheScalarEvaluatorOnRandomKeys) {
 
 TEST_P(BatchOfFamily, AgreesFarOutsideTheUsualRangeOfItsParameters) {
   const FamilyInfo& family = *find_family(GetParam()).value();
-  const KeyUse use = key_use(family);
+  const KeyUse& use = family.key_use;
   int built = 0;
   for (const Spacing spacing : {Spacing::even, Spacing::uneven}) {
-    const Keyframes keys = keyframes(random_walk(31, use.keys_for(6), spacing, use.step_on(spacing, 1.2)));
+    const Keyframes keys = keyframes(random_walk(31, use.keys_for(6), spacing, step_on(family, spacing, 1.2)));
     for (const Parameter& parameter : family.parameters)
       for (const double wanted : {-100.0, -7.0, 12.0, 100.0}) {
         const double value = std::clamp(wanted, parameter.lowest, parameter.highest);
@@ -51,7 +52,7 @@ TEST_P(BatchOfFamily, AgreesFarOutsideTheUsualRangeOfItsParameters) {
 
 TEST_P(BatchOfFamily, AgreesOnWideTurns) {
   const FamilyInfo& family = *find_family(GetParam()).value();
-  const KeyUse use = key_use(family);
+  const KeyUse& use = family.key_use;
   for (const double turn : {3.0, 3.14159, 4.5, 6.2}) {
     SCOPED_TRACE(turn);
     const auto curve =
@@ -63,8 +64,8 @@ TEST_P(BatchOfFamily, AgreesOnWideTurns) {
 
 TEST_P(BatchOfFamily, AgreesAtTimesOfTheClock) {
   const FamilyInfo& family = *find_family(GetParam()).value();
-  const KeyUse use = key_use(family);
-  KeyframeData data = random_walk(41, use.keys_for(6), Spacing::uneven, use.step_on(Spacing::uneven, 0.8));
+  KeyframeData data =
+      random_walk(41, family.key_use.keys_for(6), Spacing::uneven, step_on(family, Spacing::uneven, 0.8));
   for (double& t : data.times) t += 1.7e9;  // [s]: the epoch of 1970, half a microsecond apart at the finest
   const auto curve = make_curve(family.name, keyframes(data));
   ASSERT_TRUE(curve) << describe(curve.error());

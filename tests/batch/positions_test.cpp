@@ -48,8 +48,8 @@ struct NamedPose {
 std::vector<NamedPose> pose_of_every_family(std::uint64_t seed, double first_time = 0.0) {
   std::vector<NamedPose> curves;
   for (const FamilyInfo& family : families_info()) {
-    const KeyUse use = key_use(family);
-    KeyframeData walk = posed_walk(seed, use.keys_for(7), Spacing::uneven, use.step_on(Spacing::uneven, 0.7));
+    KeyframeData walk =
+        posed_walk(seed, family.key_use.keys_for(7), Spacing::uneven, step_on(family, Spacing::uneven, 0.7));
     for (double& t : walk.times) t += first_time;
     curves.push_back({std::string(family.name), make_pose_curve(family.name, keyframes(walk)).value()});
   }

@@ -19,9 +19,8 @@ struct NamedCurve {
 [[nodiscard]] inline std::vector<NamedCurve> curve_of_every_family(std::uint64_t seed, std::size_t segments = 7) {
   std::vector<NamedCurve> curves;
   for (const FamilyInfo& family : families_info()) {
-    const KeyUse use = key_use(family);
     const KeyframeData walk =
-        random_walk(seed, use.keys_for(segments), Spacing::uneven, use.step_on(Spacing::uneven, 0.7));
+        random_walk(seed, family.key_use.keys_for(segments), Spacing::uneven, step_on(family, Spacing::uneven, 0.7));
     curves.push_back({std::string(family.name), make_curve(family.name, keyframes(walk)).value()});
   }
   return curves;

@@ -7,7 +7,7 @@ import os
 from command import BAD_USAGE, HINT, CommandTest, main
 
 METHODS = ("auto, auto5, slerp, squad, squad-timed, shoemake, tcb, barry-goldman, circular, log-parabola, "
-           "quintic, sextic, timed-c1, timed-c2, timed-c3, timed-sextic, xing-quartic, xing-quintic, family, "
+           "quintic, sextic, timed-c1, timed-c2, timed-c3, timed-sextic, xing-quartic, xing-quintic, uniform, "
            "atbi, hermite-c1, hermite-c2, hermite-c3, hermite-cumulative, global-c2, rotation-spline, nu, "
            "nu-exact, bezier, bspline, bspline-through, averages, beta, beta-through, beta-g2")
 ENDS = "natural, repeat, quadratic, cubic, clamped, rest"

@@ -41,7 +41,7 @@ CurveOptions random_parameters(const FamilyInfo& family, std::size_t keys, std::
 
 template <class F>
 std::size_t keys_for(std::size_t segments) {
-  return key_use(F::info).keys_for(segments);
+  return F::info.key_use.keys_for(segments);
 }
 
 template <class F>
@@ -70,7 +70,7 @@ TYPED_TEST(Continuity, HoldsForRandomParametersAtEveryKey) {
     const FamilyInfo& info = TypeParam::info;
     const int declared = spacing == Spacing::even ? info.continuity_uniform : info.continuity_uneven;
     expect_continuous_to_exactly(
-        std::min(declared, key_use(info).smoothest_with_parameters),
+        std::min(declared, info.key_use.smoothest_with_parameters),
         relative_jumps(typed_curve<TypeParam>(keys, random_parameters(info, keys.size(), 58))));
   }
 }

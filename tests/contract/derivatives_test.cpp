@@ -51,8 +51,8 @@ TYPED_TEST_SUITE(JetOracle, FamilyTypes, FamilyNames);
 
 TYPED_TEST(JetOracle, EvaluatorAgreesWithJetsOfTheWholeQuaternion) {
   for (const Spacing spacing : {Spacing::even, Spacing::uneven}) {
-    const KeyUse use = key_use(TypeParam::info);
-    const Keyframes keys = keyframes(random_walk(43, use.keys_for(7), spacing, use.step_on(spacing, 2.5)));
+    const FamilyInfo& info = TypeParam::info;
+    const Keyframes keys = keyframes(random_walk(43, info.key_use.keys_for(7), spacing, step_on(info, spacing, 2.5)));
     const auto typed = typed_curve<TypeParam>(keys);
     if constexpr (std::same_as<std::remove_cv_t<decltype(typed)>, AnyCurve>) continue;  // differences have to do
     const AnyCurve erased = make_curve(TypeParam::info.name, keys).value();

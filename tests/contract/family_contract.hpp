@@ -26,11 +26,12 @@ class FamilyContract : public testing::TestWithParam<FamilyInfo> {
   [[nodiscard]] static AnyCurve curve(const Keyframes& keys, const CurveOptions& options = {}) {
     return make_curve({GetParam().name, options}, keys).value();
   }
-  [[nodiscard]] static testing_support::KeyUse use() { return testing_support::key_use(GetParam()); }
+  [[nodiscard]] static const KeyUse& use() { return GetParam().key_use; }
   /// Keys of a random walk, as many as the family needs for a curve of `segments` segments.
   [[nodiscard]] static KeyframeData walk(std::uint64_t seed, std::size_t segments, testing_support::Spacing spacing,
                                          double largest_step = 1.5) {
-    return testing_support::random_walk(seed, use().keys_for(segments), spacing, use().step_on(spacing, largest_step));
+    return testing_support::random_walk(seed, use().keys_for(segments), spacing,
+                                        testing_support::step_on(GetParam(), spacing, largest_step));
   }
   /// Times on every segment of a curve, the knots included.
   [[nodiscard]] static std::vector<double> times_on(const AnyCurve& curve, std::size_t count = 5) {

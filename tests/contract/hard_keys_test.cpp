@@ -13,10 +13,12 @@ enum class Refusal { not_allowed, allowed };
 class HardKeyContract : public FamilyContract {
  protected:
   [[nodiscard]] static Refusal turns_are_too_wide() {
-    return use().may_refuse() ? Refusal::allowed : Refusal::not_allowed;
+    return testing_support::may_refuse(GetParam()) ? Refusal::allowed : Refusal::not_allowed;
   }
   /// A solved curve that turned by radians within microseconds goes on turning for thousands of rounds.
-  [[nodiscard]] static Refusal times_are_too_uneven() { return use().solved ? Refusal::allowed : Refusal::not_allowed; }
+  [[nodiscard]] static Refusal times_are_too_uneven() {
+    return GetParam().is_global() ? Refusal::allowed : Refusal::not_allowed;
+  }
 
   static void expect_finite_motion_through(const Keyframes& keys, Refusal refusal = turns_are_too_wide()) {
     const auto made = make_curve(GetParam().name, keys);
@@ -30,7 +32,7 @@ class HardKeyContract : public FamilyContract {
           << t;
     }
     for (std::size_t i = 0; i < keys.size(); ++i)
-      if (use().touches_key(i)) {
+      if (GetParam().passes_through(i)) {
         EXPECT_TRUE(near(c(keys.times()[i]), keys.orientations()[i], tolerance::series)) << "key " << i;
       }
   }

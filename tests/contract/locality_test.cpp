@@ -35,20 +35,19 @@ class LocalityContract : public FamilyContract {
   /// Segments away from the ends, which feel their end rule.
   static constexpr std::array<std::size_t, 5> inner_segments{3, 4, 5, 6, 7};
   /// The keys at the ends of a segment.
-  [[nodiscard]] static std::size_t key_at_start(std::size_t segment) {
-    return use().first_key + segment * use().stride;
-  }
+  [[nodiscard]] static std::size_t key_at_start(std::size_t segment) { return use().first + segment * use().stride; }
   [[nodiscard]] static std::size_t key_at_end(std::size_t segment) { return key_at_start(segment) + use().stride; }
 
   /// Keys that a segment may depend on, as many on either side, and so many more.
   [[nodiscard]] static bool within_support(std::size_t key, std::size_t segment, std::size_t more = 0) {
-    if (use().solved) return true;
-    const std::size_t beyond = (static_cast<std::size_t>(GetParam().support_keys) - 1 - use().stride) / 2 + more;
+    if (GetParam().is_global()) return true;
+    const std::size_t beyond = GetParam().reach() + more;
     return key + beyond >= key_at_start(segment) && key <= key_at_end(segment) + beyond;
   }
   [[nodiscard]] static bool parameter_acts(std::size_t key, std::size_t segment) {
-    if (use().solved && GetParam().parameters.front().ghosts > 0) return true;
-    if (use().solved) return key > 0 && key < use().keys_for(segment_count) - 1;  // they join segments: none at an end
+    if (GetParam().is_global() && GetParam().parameters.front().ghosts > 0) return true;
+    if (GetParam().is_global())
+      return key > 0 && key < use().keys_for(segment_count) - 1;  // they join segments: none at an end
     if (use().parameters_reach_far) return within_support(key, segment);
     return key == key_at_start(segment) || key == key_at_end(segment);
   }
@@ -79,7 +78,7 @@ TEST_P(LocalityContract, KeyTimesBeyondTheSupportDoNotMatter) {
         expect_stretched(before, after, segment);
       } else if (!within_support(moved, segment, use().further_times)) {
         EXPECT_FALSE(segment_changed(before, after, segment)) << "key " << moved << ", segment " << segment;
-      } else if (use().further_times > 0 || use().solved) {
+      } else if (use().further_times > 0 || GetParam().is_global()) {
         EXPECT_TRUE(segment_changed(before, after, segment)) << "key " << moved << ", segment " << segment;
       }
   }
@@ -151,7 +150,7 @@ TEST_P(InfluenceContract, OfAKeyDiesAwayWithTheKeysBetween) {
 
 std::vector<FamilyInfo> solved_families() {
   std::vector<FamilyInfo> families(families_info().begin(), families_info().end());
-  std::erase_if(families, [](const FamilyInfo& family) { return !key_use(family).solved; });
+  std::erase_if(families, [](const FamilyInfo& family) { return !family.is_global(); });
   return families;
 }
 

@@ -10,8 +10,7 @@ using namespace testing_support;
 
 template <class F>
 Keyframes posed_walk(std::uint64_t seed, Spacing spacing) {
-  const KeyUse use = key_use(F::info);
-  KeyframeData data = random_walk(seed, use.keys_for(8), spacing, use.step_on(spacing, 0.8));
+  KeyframeData data = random_walk(seed, F::info.key_use.keys_for(8), spacing, step_on(F::info, spacing, 0.8));
   Dice dice(seed + 1);
   for (std::size_t i = 0; i < data.times.size(); ++i) data.positions.push_back(3.0 * dice.vector());
   return keyframes(data);

@@ -52,7 +52,7 @@ INSTANTIATE_TEST_SUITE_P(
                    bad_argument,
                    "no method 'quintik', wanted one of auto, auto5, slerp, squad, squad-timed, shoemake, tcb, "
                    "barry-goldman, circular, log-parabola, quintic, sextic, timed-c1, timed-c2, timed-c3, "
-                   "timed-sextic, xing-quartic, xing-quintic, family, atbi, hermite-c1, hermite-c2, hermite-c3, "
+                   "timed-sextic, xing-quartic, xing-quintic, uniform, atbi, hermite-c1, hermite-c2, hermite-c3, "
                    "hermite-cumulative, global-c2, rotation-spline, nu, nu-exact, bezier, bspline, bspline-through,"
                    " averages, beta, beta-through, beta-g2"},
         BadOptions{"UnknownParameter",

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <orispline/families/registry.hpp>
-#include <support/key_use.hpp>
 #include <support/near.hpp>
 #include <support/specimens.hpp>
 #include <support/tolerance.hpp>
@@ -36,7 +35,7 @@ TEST(Position, PassesThroughTheKeysThatTheOrientationTouches) {
     for (std::size_t i = 0; i < keys.size(); ++i)
       for (const Side side : {Side::left, Side::right}) {
         const Eigen::Vector3d found = p.linear_motion(keys.times()[i], side).position;
-        if (key_use(family).touches_key(i)) {
+        if (family.passes_through(i)) {
           EXPECT_TRUE(near(found, keys.positions()[i], tolerance::algebra)) << family.name;
         } else {
           EXPECT_GE((found - keys.positions()[i]).norm(), tolerance::visible_jump) << family.name;

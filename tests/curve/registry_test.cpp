@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <orispline/families/families.hpp>
+
 namespace orispline {
 namespace {
 
@@ -17,7 +19,19 @@ TEST(Registry, DescribesEveryFamilyOnce) {
     EXPECT_FALSE(family.source.empty()) << family.name;
     EXPECT_EQ(find_family(family.name).value(), &family);
   }
-  EXPECT_EQ(names.size(), 35u);
+  EXPECT_EQ(names.size(), std::tuple_size_v<Families>);
+}
+
+TEST(Registry, FindsFamiliesByTheirFormerNamesToo) {
+  std::set<std::string_view> names;
+  for (const FamilyInfo& family : families_info()) names.insert(family.name);
+  for (const FamilyInfo& family : families_info()) {
+    if (family.alias.empty()) continue;
+    EXPECT_TRUE(names.insert(family.alias).second) << family.alias;
+    EXPECT_EQ(find_family(family.alias).value(), &family);
+  }
+  EXPECT_EQ(find_family("family").value()->name, "uniform");
+  EXPECT_FALSE(find_family(""));
 }
 
 TEST(Registry, HasParametersWithinTheirOwnRanges) {

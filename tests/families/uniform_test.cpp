@@ -62,7 +62,7 @@ TYPED_TEST(UniformOrder, IsC0InTimeOnUnevenTimes) {
 TYPED_TEST(UniformOrder, OfTheRegistryIsTheSameCurve) {
   const Keyframes keys = keyframes(random_walk(315, key_count, Spacing::uneven));
   const CurveOptions options{.parameters = random_tensions(this->order, 316)};
-  const AnyCurve erased = make_curve({"family", options}, keys).value(), typed(TestFixture::typed(keys, options));
+  const AnyCurve erased = make_curve({"uniform", options}, keys).value(), typed(TestFixture::typed(keys, options));
   for (const double t : sample_times(keys.times()))
     EXPECT_TRUE(near(erased.motion(t), typed.motion(t), {0.0, 0.0, 0.0, 0.0})) << t;
 }
@@ -96,7 +96,7 @@ void expect_same(const char* family, const Parameters& parameters, const Paramet
                  std::uint64_t seed) {
   const Keyframes keys = keyframes(random_walk(seed, key_count, Spacing::uneven));
   const AnyCurve wanted = make_curve({family, {.parameters = parameters}}, keys).value();
-  const AnyCurve found = make_curve({"family", {.parameters = of_the_family}}, keys).value();
+  const AnyCurve found = make_curve({"uniform", {.parameters = of_the_family}}, keys).value();
   for (const double t : sample_times(keys.times(), 7))
     for (const Side side : {Side::left, Side::right})
       EXPECT_TRUE(near(found.motion(t, side), wanted.motion(t, side), same_curve)) << family << " at " << t;
@@ -126,14 +126,14 @@ TEST(UniformFamily, OfOrderThreeWithOneSpecialSetIsXingsQuintic) {
 TEST(UniformFamily, OfOrderOneIsCatmullRomOnEvenTimes) {
   const Keyframes keys = keyframes(random_walk(324, key_count, Spacing::even));
   const CurveOptions options{.parameters = {{"order", {1}}}};
-  const AnyCurve cubic = make_curve({"family", options}, keys).value();
+  const AnyCurve cubic = make_curve({"uniform", options}, keys).value();
   const AnyCurve timed = make_curve({"timed-c1", {.start = {EndRule::repeat}, .end = {EndRule::repeat}}}, keys).value();
   for (const double t : sample_times(keys.times(), 7))
     EXPECT_TRUE(near(cubic.motion(t), timed.motion(t), same_curve)) << t;
 }
 
 TEST(UniformFamily, DefaultsToOrderTwo) {
-  expect_same("family", {{"order", {2}}, {"tension1", {0.5}}, {"tension2", {1.0}}}, {}, 325);
+  expect_same("uniform", {{"order", {2}}, {"tension1", {0.5}}, {"tension2", {1.0}}}, {}, 325);
 }
 
 TEST(UniformFamily, HasSpecialTensionsThatLowerItsDegree) {
@@ -159,19 +159,19 @@ EXPECT_LE(leading(five, {0.5 - t3 / 36.0 - t5 / 15120.0, 2.25 - t4 / 112.0, t3, 
 
 TEST(UniformFamily, RefusesAnOrderThatIsNotAWholeNumber) {
   const Keyframes keys = keyframes(random_walk(326, 4, Spacing::even));
-  const auto half = make_curve({"family", {.parameters = {{"order", {2.5}}}}}, keys);
+  const auto half = make_curve({"uniform", {.parameters = {{"order", {2.5}}}}}, keys);
   ASSERT_FALSE(half);
   EXPECT_EQ(half.error().code, ErrorCode::bad_argument);
-  EXPECT_EQ(half.error().message, "family: order is 2.5, wanted a whole number");
+  EXPECT_EQ(half.error().message, "uniform: order is 2.5, wanted a whole number");
   for (const double order : {0.0, 6.0, -1.0}) {
-    const auto refused = make_curve({"family", {.parameters = {{"order", {order}}}}}, keys);
+    const auto refused = make_curve({"uniform", {.parameters = {{"order", {order}}}}}, keys);
     ASSERT_FALSE(refused) << order;
     EXPECT_EQ(refused.error().message,
-              "family: order is " + std::to_string(static_cast<int>(order)) + ", wanted 1 to 5");
+              "uniform: order is " + std::to_string(static_cast<int>(order)) + ", wanted 1 to 5");
   }
-  const auto each = make_curve({"family", {.parameters = {{"order", {2, 2, 2, 3}}}}}, keys);
+  const auto each = make_curve({"uniform", {.parameters = {{"order", {2, 2, 2, 3}}}}}, keys);
   ASSERT_FALSE(each);
-  EXPECT_EQ(each.error().message, "family: found 4 values of order, wanted 1");
+  EXPECT_EQ(each.error().message, "uniform: found 4 values of order, wanted 1");
 }
 
 }  // namespace

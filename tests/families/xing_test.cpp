@@ -53,7 +53,7 @@ TEST(XingQuartic, IsTheFamilyOfOrderTwoWithTensionsHalfAndThree) {
   const Keyframes keys = keyframes(random_walk(301, 7, Spacing::uneven));
   expect_same(
       make_curve("xing-quartic", keys).value(),
-      make_curve({"family", {.parameters = {{"order", {2}}, {"tension1", {0.5}}, {"tension2", {3}}}}}, keys).value());
+      make_curve({"uniform", {.parameters = {{"order", {2}}, {"tension1", {0.5}}, {"tension2", {3}}}}}, keys).value());
 }
 
 TEST(XingQuartic, CountsTheSecondDifferenceThreefoldAtAKey) {

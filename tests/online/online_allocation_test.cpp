@@ -14,7 +14,10 @@ using namespace testing_support;
 
 TEST(OnlineCurve, AllocatesNothingAfterConstruction) {
   const KeyframeData data = raw_walk(601, 200);
-  for (const std::string_view method : OnlineCurve::methods())
+  std::size_t in_place = 0;
+  for (const std::string_view method : OnlineCurve::methods()) {
+    if (OnlineCurve::make(method, 20).value().allocates()) continue;
+    ++in_place;
     for (const EndRule rule :
          find_family(method).value()->ends.empty()
              ? std::vector{EndRule::none}
@@ -40,6 +43,24 @@ TEST(OnlineCurve, AllocatesNothingAfterConstruction) {
       EXPECT_EQ(after, before) << method << ", ends " << name_of(rule) << ", checksum " << sum;
       EXPECT_EQ(refused, 0u);
     }
+  }
+  EXPECT_GE(in_place, 11u);  // slerp and the families of four keys
+}
+
+TEST(OnlineCurve, AllocatesNothingWhenItIsEvaluated) {
+  const KeyframeData data = raw_walk(602, 30);
+  for (const std::string_view method : OnlineCurve::methods()) {
+    OnlineCurve curve = OnlineCurve::make(method, 20).value();
+    ASSERT_TRUE(append(curve, data, 0, 30));
+    const Domain domain = curve.available().value();
+    double sum = 0.0;
+    const std::size_t before = allocations_of_this_thread();
+    for (int k = -5; k <= 105; ++k) {
+      const double t = domain.start + (domain.end - domain.start) * k / 100.0;
+      sum += curve(t).w() + curve.motion(t).angular_jerk.x() + curve.linear_motion(t)->velocity.x();
+    }
+    EXPECT_EQ(allocations_of_this_thread(), before) << method << ", checksum " << sum;
+  }
 }
 
 }  // namespace

@@ -43,42 +43,50 @@ INSTANTIATE_TEST_SUITE_P(Methods, EveryOnlineMethod, testing::ValuesIn(OnlineCur
 });
 
 TEST_P(EveryOnlineMethod, HasTheBitsOfTheOfflineCurveOnEverySegmentThatBecomesFinal) {
-  constexpr std::size_t count = 3000;
+  OnlineCurve online = OnlineCurve::make(GetParam(), 7).value();
+  const FinalKeys final_keys(GetParam(), online);
+  const std::size_t count = final_keys.use.cut(3000);
   const KeyframeData data = raw_walk(501, count);
   const PoseCurve offline = make_pose_curve(GetParam(), keyframes(data, Signs::shortest)).value();
-  OnlineCurve online = OnlineCurve::make(GetParam(), 7).value();
 
   int wrong = 0;
   std::size_t segments = 0;
   for (std::size_t i = 0; i < count; ++i) {
     ASSERT_TRUE(append(online, data, i, i + 1));
-    if (i < 1 + online.look_ahead()) continue;
-    const double end = online.available()->end;
-    ASSERT_EQ(end, data.times[i - online.look_ahead()]);
-    wrong += differing(online, offline, data.times[segments], end);
-    ++segments;
+    for (; segments < final_keys.segments(i + 1); ++segments)
+      wrong += differing(online, offline, data.times[final_keys.start(segments)],
+                         data.times[final_keys.start(segments + 1)]);
+    if (segments > 0) {
+      ASSERT_EQ(online.available()->end, data.times[final_keys.start(segments)]);
+    }
   }
   EXPECT_EQ(wrong, 0);
-  EXPECT_EQ(segments, count - 1 - online.look_ahead());
+  EXPECT_EQ(segments, (count - 1 - final_keys.use.first - online.look_ahead()) / final_keys.use.stride);
 
   ASSERT_TRUE(online.finish());
-  EXPECT_EQ(differing(online, offline, data.times[count - 2], data.times[count - 1]), 0);
+  const std::size_t last = count - 1 - final_keys.use.first;
+  EXPECT_EQ(online.available()->end, data.times[last]);
+  for (; final_keys.start(segments) < last; ++segments)
+    wrong +=
+        differing(online, offline, data.times[final_keys.start(segments)], data.times[final_keys.start(segments + 1)]);
+  EXPECT_EQ(wrong, 0);
 }
 
 TEST_P(EveryOnlineMethod, KeepsTheNewestFinalKeysAndFindsEachOfTheirSegments) {
+  const KeyframeData data = raw_walk(502, 100);
+  const PoseCurve offline = make_pose_curve(GetParam(), keyframes(data, Signs::shortest)).value();
   for (const std::size_t capacity : {2u, 3u, 8u, 33u}) {
-    const KeyframeData data = raw_walk(502, 100);
-    const PoseCurve offline = make_pose_curve(GetParam(), keyframes(data, Signs::shortest)).value();
     OnlineCurve online = OnlineCurve::make(GetParam(), capacity).value();
+    const FinalKeys final_keys(GetParam(), online);
     int wrong = 0;
     for (std::size_t i = 0; i < 100; ++i) {
       ASSERT_TRUE(append(online, data, i, i + 1));
-      if (i < 1 + online.look_ahead()) continue;
-      const std::size_t newest = i - online.look_ahead();
-      const std::size_t oldest = newest - std::min(newest, capacity - 1);
-      ASSERT_EQ(online.available()->start, data.times[oldest]);
-      for (std::size_t k = oldest; k < newest; ++k)
-        wrong += differing(online, offline, data.times[k], data.times[k + 1]);
+      const std::size_t segments = final_keys.segments(i + 1);
+      if (segments == 0) continue;
+      const std::size_t oldest = segments - std::min(segments, capacity - 1);
+      ASSERT_EQ(online.available()->start, data.times[final_keys.start(oldest)]);
+      for (std::size_t k = oldest; k < segments; ++k)
+        wrong += differing(online, offline, data.times[final_keys.start(k)], data.times[final_keys.start(k + 1)]);
     }
     EXPECT_EQ(wrong, 0) << capacity;
   }
@@ -86,8 +94,10 @@ TEST_P(EveryOnlineMethod, KeepsTheNewestFinalKeysAndFindsEachOfTheirSegments) {
 
 TEST_P(EveryOnlineMethod, UsesTheRulesOfBothEnds) {
   const FamilyInfo& family = *find_family(GetParam()).value();
-  for (const EndRule rule : family.ends)
-    for (const std::size_t count : {2u, 3u, 4u, 5u, 9u}) {
+  std::vector<EndRule> rules(family.ends.begin(), family.ends.end());
+  if (rules.empty()) rules.push_back(EndRule::none);
+  for (const EndRule rule : rules)
+    for (const std::size_t count : {1u, 2u, 3u, 4u, 5u, 6u, 7u, 8u, 9u, 10u}) {
       CurveOptions options{.start = {.rule = rule}, .end = {.rule = rule}};
       if (rule == EndRule::clamped) {
         options.start.angular_velocity = {0.3, -0.2, 0.7};
@@ -106,34 +116,37 @@ TEST_P(EveryOnlineMethod, UsesTheRulesOfBothEnds) {
         continue;
       }
       int wrong = 0;
+      const Domain domain = offline->orientation.domain();
       for (std::size_t i = 0; i + 1 < count; ++i)
-        wrong += differing(online, *offline, data.times[i], data.times[i + 1]);
+        if (domain.start <= data.times[i] && data.times[i + 1] <= domain.end)
+          wrong += differing(online, *offline, data.times[i], data.times[i + 1]);
       EXPECT_EQ(wrong, 0) << name_of(rule) << ", keys: " << count;
-      EXPECT_EQ(online.available()->end, data.times.back());
+      EXPECT_EQ(online.available()->end, domain.end);
     }
 }
 
 TEST_P(EveryOnlineMethod, NeverChangesWhatIsFinal) {
   const KeyframeData data = raw_walk(504, 60);
   OnlineCurve online = OnlineCurve::make(GetParam(), 100).value();
+  const FinalKeys final_keys(GetParam(), online);
   std::vector<std::pair<double, Motion>> seen;
   for (std::size_t i = 0; i < 60; ++i) {
     ASSERT_TRUE(append(online, data, i, i + 1));
-    const Domain domain = online.available().value();
-    if (domain.start == domain.end) continue;
-    const double t = 0.4 * data.times[i - online.look_ahead() - 1] + 0.6 * domain.end;
-    seen.emplace_back(t, online.motion(t));
+    for (std::size_t segment = seen.size(); segment < final_keys.segments(i + 1); ++segment) {
+      const double t = 0.4 * data.times[final_keys.start(segment)] + 0.6 * data.times[final_keys.start(segment + 1)];
+      seen.emplace_back(t, online.motion(t));
+    }
     for (const auto& [time, motion] : seen) ASSERT_TRUE(same(online.motion(time), motion)) << time;
   }
-  EXPECT_EQ(seen.size(), 59 - online.look_ahead());
+  EXPECT_EQ(seen.size(), final_keys.segments(60));
 }
 
 TEST(OnlineCurve, TakesParametersAndGivenSigns) {
   KeyframeData data = raw_walk(505, 50);
   for (Eigen::Quaterniond& q : data.orientations) q.normalize();
   const CurveOptions options{.parameters = {{"order", {3.0}}, {"tension1", {0.4}}, {"tension3", {0.2}}}};
-  const PoseCurve offline = make_pose_curve({"family", options}, keyframes(data, Signs::as_given)).value();
-  OnlineCurve online = OnlineCurve::make("family", 50, options, Signs::as_given).value();
+  const PoseCurve offline = make_pose_curve({"uniform", options}, keyframes(data, Signs::as_given)).value();
+  OnlineCurve online = OnlineCurve::make("uniform", 50, options, Signs::as_given).value();
   ASSERT_TRUE(append(online, data, 0, 50));
   ASSERT_TRUE(online.finish());
   EXPECT_EQ(differing(online, offline, data.times.front(), data.times.back()), 0);

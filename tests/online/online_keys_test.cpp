@@ -21,18 +21,24 @@ std::string refusal(const Expected<OnlineCurve>& made) { return made ? "made" : 
 std::string refusal(const Expected<void>& taken) { return taken ? "taken" : describe(taken.error()); }
 
 TEST(OnlineCurve, RefusesOptionsWithWhatWasWanted) {
-  EXPECT_EQ(refusal(OnlineCurve::make("auto", 8)),
-            "no online curve of method 'auto', wanted one of slerp, quintic, sextic, timed-c1, timed-c2, timed-c3, "
-            "timed-sextic, xing-quartic, xing-quintic, family, atbi");
+  EXPECT_EQ(refusal(OnlineCurve::make("nu", 8)),
+            "no online curve of method 'nu', wanted one of auto, auto5, slerp, squad, squad-timed, shoemake, tcb, "
+            "barry-goldman, circular, log-parabola, quintic, sextic, timed-c1, timed-c2, timed-c3, timed-sextic, "
+            "xing-quartic, xing-quintic, uniform, atbi, hermite-c1, hermite-c2, hermite-c3, hermite-cumulative, "
+            "bezier, bspline, beta, beta-g2");
+  EXPECT_EQ(refusal(OnlineCurve::make("beta-g2", 8, {.choices = {{"form", "global"}}})),
+            "beta-g2: with these settings a segment depends on all keys, wanted others for an online curve");
   EXPECT_EQ(refusal(OnlineCurve::make("slerp", 1)), "the capacity is 1 keys, wanted 2 to 1000000");
   EXPECT_EQ(refusal(OnlineCurve::make("slerp", 1'000'001)), "the capacity is 1000001 keys, wanted 2 to 1000000");
   EXPECT_EQ(refusal(OnlineCurve::make("quintic", 8, {.loop = Loop{}})), "an online curve is open, found a loop");
-  EXPECT_EQ(refusal(OnlineCurve::make("quintic", 8, {.parameters = {{"tension", {0.5, 0.5, 0.5, 0.5}}}})),
-            "quintic: found 4 values of tension, wanted 1 for all keys of an online curve");
+  EXPECT_EQ(
+      refusal(OnlineCurve::make("quintic", 8, {.parameters = {{"tension", {0.5, 0.5, 0.5, 0.5}}}})),
+      "quintic: found 4 values of tension, wanted 1 for all keys of an online curve, or none where each key brings "
+      "its own");
   EXPECT_EQ(refusal(OnlineCurve::make("quintic", 8, {.parameters = {{"tension", {nan}}}})),
             "quintic: tension is nan, wanted -100 to 100");
-  EXPECT_EQ(refusal(OnlineCurve::make("family", 8, {.parameters = {{"order", {2.5}}}})),
-            "family: order is 2.5, wanted a whole number");
+  EXPECT_EQ(refusal(OnlineCurve::make("uniform", 8, {.parameters = {{"order", {2.5}}}})),
+            "uniform: order is 2.5, wanted a whole number");
 }
 
 TEST(OnlineCurve, RefusesEndsThatNoKeysCanHaveBeforeThereAreAny) {

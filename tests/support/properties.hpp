@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include <support/key_use.hpp>
+#include <orispline/curve/family.hpp>
 #include <support/specimens.hpp>
 
 namespace orispline::testing_support {
@@ -57,10 +57,10 @@ inline KeyframeData fitting(const FamilyInfo& family, const RandomKeys& random) 
     const double turn = 0.2 * static_cast<double>(data.times.size());
     data.orientations.push_back(data.orientations.back() * exp<double>(Eigen::Vector3d(turn, 0.4, -turn)));
   }
-  const std::size_t count = key_use(family).cut(data.times.size());
+  const std::size_t count = family.key_use.cut(data.times.size());
   data.times.resize(count);
   data.orientations.resize(count);
-  const double widest = key_use(family).widest_turn;
+  const double widest = family.key_use.widest_turn;
   return widest < 2.0 * pi ? with_turns_within(widest, data) : data;
 }
 

@@ -87,6 +87,18 @@ Expected<End> settle_end(const FamilyInfo& family, End end, std::size_t keys) {
   return end;
 }
 
+std::optional<Error> check_count(const FamilyInfo& family, std::size_t keys) {
+  const auto least = static_cast<std::size_t>(family.min_keys);
+  const std::size_t stride = family.key_use.stride;
+  if (keys < least)
+    return Error{ErrorCode::bad_data, fmt::format("{} needs {} keys, found {}", family.name, least, keys), {}};
+  if (family.key_use.cut(keys) == keys) return std::nullopt;
+  return Error{ErrorCode::bad_data,
+               fmt::format("{} needs {}k+1 keys ({}, {}, {}, ...), found {}", family.name, stride, least,
+                           least + stride, least + 2 * stride, keys),
+               {}};
+}
+
 std::optional<Error> check_loop(const FamilyInfo& family, const CurveOptions& options) {
   if (!family.closes) return argument_error(fmt::format("{}: this method has no closed curves", family.name));
   if (options.start.rule != EndRule::none || options.end.rule != EndRule::none)
@@ -107,6 +119,12 @@ Expected<EndRule> end_rule_by_name(const FamilyInfo& family, std::string_view na
     if (name_of(rule) == name) return rule;
   return tl::unexpected(
       argument_error(fmt::format("{}: no end rule '{}', wanted {}", family.name, name, list_of_ends(family))));
+}
+
+std::optional<std::size_t> keys_beside(const FamilyInfo& family, const FamilySettings& settings) {
+  if (family.is_global()) return std::nullopt;
+  if (family.keys_beside) return family.keys_beside(settings);
+  return family.reach() + family.key_use.further_times;
 }
 
 Expected<int> FamilySettings::whole(std::string_view name) const {
@@ -144,8 +162,8 @@ Expected<FamilySettings> settle(const FamilyInfo& family, const CurveOptions& op
     if (auto error = check_values(family, parameter, values, keys)) return tl::unexpected(std::move(*error));
     settings.parameters.emplace(parameter.name, PerKey(std::move(values)));
   }
-  if (keys > 1 && keys < static_cast<std::size_t>(family.min_keys))
-    return failure(ErrorCode::bad_data, fmt::format("{} needs {} keys, found {}", family.name, family.min_keys, keys));
+  if (keys > 1)
+    if (auto error = check_count(family, keys)) return tl::unexpected(std::move(*error));
   if (options.loop) {
     if (auto error = check_loop(family, options)) return tl::unexpected(std::move(*error));
     return settings;

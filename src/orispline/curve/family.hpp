@@ -11,6 +11,7 @@
 
 #include <orispline/base/expect.hpp>
 #include <orispline/base/expected.hpp>
+#include <orispline/curve/key_use.hpp>
 #include <orispline/math/eigen.hpp>
 
 namespace orispline {
@@ -22,7 +23,14 @@ struct Parameter {
   double lowest, highest;  ///< allowed range, inclusive
   bool per_key = true;     ///< one value for all keys or one per key; else one value only
   int ghosts = 0;  ///< keys beyond either end that may be given values of their own, before and after the others
+  bool tunable = false;
 };
+
+/// One whose values tuning can choose.
+[[nodiscard]] constexpr Parameter tunable(Parameter parameter) {
+  parameter.tunable = true;
+  return parameter;
+}
 
 /// A choice between words that shapes a family's curves.
 struct Choice {
@@ -54,10 +62,13 @@ enum class EndRule {
 /// For FamilyInfo::support_keys: a segment depends on every key, because the curve solves equations over all of them.
 inline constexpr int all_keys = 0;
 
-/// What a family says about itself. Continuity is the order in **time** for non-zero tensions; constant rates are kept
-/// at the default parameters, with natural ends where the family has them.
+struct FamilySettings;
+
+/// What a family says about itself: all that is known of it elsewhere. Continuity is the order in **time** for non-zero
+/// tensions; constant rates are kept at the default parameters, with natural ends where the family has them.
 struct FamilyInfo {
-  std::string_view name;  ///< for --method and make_curve
+  std::string_view name;     ///< for --method and make_curve
+  std::string_view alias{};  ///< a former name, taken for it too
   std::string_view title;
   std::string_view source;                   ///< paper and equation, or the section of our own derivation
   bool interpolates = true;                  ///< passes through every key
@@ -72,6 +83,18 @@ struct FamilyInfo {
   std::span<const EndRule> ends{};  ///< the first is the default; empty: no choice
   bool closes = false;              ///< can be a loop
   int rate_orders = 0;  ///< rates of the keys that it uses where they have them: 1 is ω, 2 also α, 3 also the jerk
+  KeyUse key_use{};
+  /// Where settings change what a segment depends on: the keys on either side, or none for all. Null: as above.
+  std::optional<std::size_t> (*keys_beside)(const FamilySettings& settings) = nullptr;
+
+  [[nodiscard]] constexpr bool is_global() const noexcept { return support_keys == all_keys; }
+  [[nodiscard]] constexpr bool passes_through(std::size_t key) const noexcept {
+    return interpolates || (key_use.stride > 1 && key % key_use.stride == 0);
+  }
+  /// Keys whose orientations a segment of a local family depends on, on either side of those that it joins.
+  [[nodiscard]] constexpr std::size_t reach() const noexcept {
+    return (static_cast<std::size_t>(support_keys) - 1 - key_use.stride) / 2;
+  }
 };
 
 /// One end of a curve.
@@ -165,6 +188,10 @@ struct FamilySettings {
 /// number of values, a value out of range or not finite, an unknown end rule; bad_data for too few keys for the family
 /// or the rule.
 [[nodiscard]] Expected<FamilySettings> settle(const FamilyInfo& family, const CurveOptions& options, std::size_t keys);
+
+/// Keys on either side of those that a segment joins which a curve must go through to have the bits of the whole one
+/// there. Absent: all keys, for then equations over them are solved.
+[[nodiscard]] std::optional<std::size_t> keys_beside(const FamilyInfo& family, const FamilySettings& settings);
 
 /// The end rule of that name, or an error that lists those of the family.
 [[nodiscard]] Expected<EndRule> end_rule_by_name(const FamilyInfo& family, std::string_view name);

@@ -68,7 +68,7 @@ template <std::size_t K, class Value>
 
 /// The cumulative blending functions with the given derivatives (in the local parameter) at the two ends of a segment.
 ///
-/// The two-point Taylor (Hermite) polynomials of degree 2K+1; derivation: docs/families/family.md.
+/// The two-point Taylor (Hermite) polynomials of degree 2K+1; derivation: docs/families/uniform.md.
 template <std::size_t K>
 [[nodiscard]] FourKeyBlending<K> two_point_blending(const KnotDerivatives<K>& left,
                                                     const KnotDerivatives<K>& right) noexcept {

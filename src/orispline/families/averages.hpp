@@ -23,7 +23,8 @@ struct Averages {
                                    .keeps_constant_rate_uniform = true,
                                    .keeps_constant_rate_uneven = true,
                                    .support_keys = all_keys,
-                                   .choices = choices};
+                                   .choices = choices,
+                                   .key_use = {.widest_turn = 0.5}};
   /// Errors: not_converged, also where a segment's control orientations lie too far apart to have an average.
   [[nodiscard]] static Expected<AverageCurve> curve(const Keyframes& keys, const FamilySettings& settings);
   /// The cubic spline of the positions: natural, or the B-spline. In space the weighted average is a sum.

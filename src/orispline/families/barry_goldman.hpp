@@ -61,7 +61,8 @@ struct BarryGoldman {
                                    .keeps_constant_rate_uniform = true,
                                    .keeps_constant_rate_uneven = true,
                                    .support_keys = 4,
-                                   .ends = ends};
+                                   .ends = ends,
+                                   .key_use = {.widest_turn = 0.8}};  // geodesics go on for ten times their length
   template <CurvePoint P = Eigen::Quaterniond>
   [[nodiscard]] static Expected<Pyramid<P>> curve(const Keyframes& keys, const FamilySettings&);
 };

@@ -23,7 +23,8 @@ struct Beta {
                                    .keeps_constant_rate_uneven = false,
                                    .support_keys = 4,
                                    .min_keys = 4,
-                                   .parameters = parameters};
+                                   .parameters = parameters,
+                                   .key_use = {.first = 1, .parameters_reach_far = true}};
   /// Errors: bad_argument with the key index where β₂ ≤ -2β₁(1+β₁), for there the construction has a pole or folds
   /// back.
   template <CurvePoint P = Eigen::Quaterniond>

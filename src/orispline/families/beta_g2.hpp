@@ -15,6 +15,10 @@ struct BetaG2 {
   static constexpr std::array parameters{Parameter{"beta1", 1.0, 1e-6, 1e6}, Parameter{"beta2", 0.0, -1e6, 1e6}};
   static constexpr std::array<std::string_view, 2> forms{"local", "global"};
   static constexpr std::array choices{Choice{"form", forms}};
+  /// A correction of the acceleration needs the segment before, but not its keys.
+  [[nodiscard]] static std::optional<std::size_t> keys_beside(const FamilySettings& settings) {
+    return settings.choice("form") == "global" ? std::nullopt : std::optional<std::size_t>(2);
+  }
   static constexpr FamilyInfo info{.name = "beta-g2",
                                    .title = "Beta quaternion spline, truly G2",
                                    .source = "orispline, docs/families/beta-g2.md",
@@ -26,7 +30,9 @@ struct BetaG2 {
                                    .support_keys = 4,
                                    .min_keys = 4,
                                    .parameters = parameters,
-                                   .choices = choices};
+                                   .choices = choices,
+                                   .key_use = {.first = 1, .parameters_reach_far = true},
+                                   .keys_beside = keys_beside};
 
   /// A cubic Bézier segment times exp(w(u) z), w = u²(1-u)³/2: it changes nothing but the acceleration at u = 0, by z.
   struct Basis {

@@ -22,7 +22,8 @@ struct BetaThrough {
                                    .keeps_constant_rate_uniform = true,
                                    .keeps_constant_rate_uneven = false,
                                    .support_keys = all_keys,
-                                   .parameters = parameters};
+                                   .parameters = parameters,
+                                   .key_use = {.feels_times = false}};
   /// Errors: bad_argument with the key index where β₂ ≤ -2β₁(1+β₁); not_converged.
   template <CurvePoint P = Eigen::Quaterniond>
   [[nodiscard]] static Expected<CumulativeCurve<CubicBezierBasis, P>> curve(const Keyframes& keys,

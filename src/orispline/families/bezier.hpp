@@ -20,8 +20,8 @@ struct Bezier {
                                    .keeps_constant_rate_uniform = true,
                                    .keeps_constant_rate_uneven = false,
                                    .support_keys = 4,
-                                   .min_keys = 4};
-  /// Errors: bad_data unless there are 3k+1 keys.
+                                   .min_keys = 4,
+                                   .key_use = {.stride = 3}};
   template <CurvePoint P = Eigen::Quaterniond>
   [[nodiscard]] static Expected<CumulativeCurve<CubicBezierBasis, P>> curve(const Keyframes& keys,
                                                                             const FamilySettings&);

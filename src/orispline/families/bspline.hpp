@@ -14,6 +14,10 @@ namespace orispline::families {
 /// beyond the ends are the keys reflected at the end key.
 struct BSpline {
   static constexpr std::array parameters{Parameter{"degree", 3.0, 2.0, 5.0, false}};
+  /// The knots of a span, which of even degrees are midpoints between keys.
+  [[nodiscard]] static std::optional<std::size_t> keys_beside(const FamilySettings& settings) {
+    return 2 * (static_cast<std::size_t>(settings.per_key("degree")[0]) / 2);
+  }
   static constexpr FamilyInfo info{.name = "bspline",
                                    .title = "Cumulative B-spline",
                                    .source = "Kim, Kim & Shin 1995; docs/families/bspline.md",
@@ -23,7 +27,9 @@ struct BSpline {
                                    .keeps_constant_rate_uniform = true,
                                    .keeps_constant_rate_uneven = false,
                                    .support_keys = 4,
-                                   .parameters = parameters};
+                                   .parameters = parameters,
+                                   .key_use = {.further_times = 1},
+                                   .keys_beside = keys_beside};
 
   template <CurvePoint P = Eigen::Quaterniond>
   [[nodiscard]] static Expected<AnyCurveThrough<P>> curve(const Keyframes& keys, const FamilySettings& settings);

@@ -27,7 +27,8 @@ struct BSplineThrough {
                                    .support_keys = all_keys,
                                    .choices = choices,
                                    .ends = ends,
-                                   .closes = true};
+                                   .closes = true,
+                                   .key_use = {.widest_turn = 0.8}};
   /// Errors: not_converged, as on widely turning keys with uneven times.
   [[nodiscard]] static Expected<CumulativeCurve<BSplineBasis<3>>> curve(const Keyframes& keys,
                                                                         const FamilySettings& settings);

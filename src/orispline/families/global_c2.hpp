@@ -25,7 +25,8 @@ struct GlobalC2 {
                                    .support_keys = all_keys,
                                    .parameters = parameters,
                                    .ends = ends,
-                                   .closes = true};
+                                   .closes = true,
+                                   .key_use = {.smoothest_with_parameters = 1}};
   /// Errors: not_converged.
   [[nodiscard]] static Expected<SlerpBezierCurve> curve(const Keyframes& keys, const FamilySettings& settings);
   /// The cubic spline: in space the equations are linear in the velocities.
@@ -46,7 +47,8 @@ struct NuExact {
                                    .support_keys = all_keys,
                                    .parameters = GlobalC2::parameters,
                                    .ends = GlobalC2::ends,
-                                   .closes = true};
+                                   .closes = true,
+                                   .key_use = {.smoothest_with_parameters = 1}};
   /// Errors: not_converged.
   [[nodiscard]] static Expected<SlerpBezierCurve> curve(const Keyframes& keys, const FamilySettings& settings);
   /// The cubic spline: in space the equations are linear in the velocities.

@@ -15,7 +15,7 @@ namespace orispline::families {
 /// In space it is the ν-spline, whose acceleration jumps by ν times the velocity; on the sphere that holds only nearly,
 /// see nu-exact.
 struct Nu {
-  static constexpr std::array parameters{Parameter{"nu", 0.0, -1e9, 1e9}};
+  static constexpr std::array parameters{tunable({"nu", 0.0, -1e9, 1e9})};
   static constexpr std::array ends{EndRule::natural, EndRule::clamped, EndRule::rest};
   static constexpr FamilyInfo info{.name = "nu",
                                    .title = "Nu-quaternion spline",
@@ -26,7 +26,8 @@ struct Nu {
                                    .keeps_constant_rate_uneven = true,
                                    .support_keys = all_keys,
                                    .parameters = parameters,
-                                   .ends = ends};
+                                   .ends = ends,
+                                   .key_use = {.widest_turn = 0.8}};
   /// What the curve is made of: one control orientation per key, and where the inner points of the cubics lie between.
   struct Construction {
     NuRule<double> rule;

@@ -39,7 +39,7 @@ constexpr auto entries = []<class... F>(std::tuple<F...>*) {
 Expected<std::size_t> index_of(std::string_view name) {
   std::vector<std::string_view> names;
   for (std::size_t i = 0; i < infos.size(); ++i) {
-    if (infos[i].name == name) return i;
+    if (name == infos[i].name || (!name.empty() && name == infos[i].alias)) return i;
     names.push_back(infos[i].name);
   }
   return failure(ErrorCode::bad_argument,

@@ -17,7 +17,7 @@ namespace orispline {
 /// Every family's description, in the order of the list.
 [[nodiscard]] std::span<const FamilyInfo> families_info() noexcept;
 
-/// The family of that name; an unknown name is an error (bad_argument) that lists the known ones.
+/// The family of that name or alias; an unknown name is an error (bad_argument) that lists the known ones.
 [[nodiscard]] Expected<const FamilyInfo*> find_family(std::string_view name);
 
 /// Builds the curve of a method through (or near) the keys: `make_curve("auto", keys)`.

@@ -12,7 +12,7 @@ namespace orispline::families {
 ///
 /// C1 in time on any knots where the continuity parameter is 0; tension 1 stops the motion at the key.
 struct Tcb {
-  static constexpr std::array parameters{Parameter{"tension", 0.0, -100.0, 100.0},
+  static constexpr std::array parameters{tunable({"tension", 0.0, -100.0, 100.0}),
                                          Parameter{"continuity", 0.0, -100.0, 100.0},
                                          Parameter{"bias", 0.0, -100.0, 100.0}};
   static constexpr std::array ends{EndRule::natural, EndRule::handle};

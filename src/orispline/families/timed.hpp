@@ -80,7 +80,7 @@ struct TimedC1 {
 
 /// Quintic, C2 in time on any knots; on uniform knots with equal tensions it is Tan's quintic.
 struct TimedC2 {
-  static constexpr std::array parameters{timed::tension_1, timed::tension_2};
+  static constexpr std::array parameters{tunable(timed::tension_1), tunable(timed::tension_2)};
   static constexpr FamilyInfo info{.name = "timed-c2",
                                    .title = "Local quintic spline, C2 in time",
                                    .source = "orispline, docs/families/timed-c2.md",
@@ -98,7 +98,8 @@ struct TimedC2 {
 
 /// Septic, C3 in time on any knots.
 struct TimedC3 {
-  static constexpr std::array parameters{timed::tension_1, timed::tension_2, timed::tension_3};
+  static constexpr std::array parameters{tunable(timed::tension_1), tunable(timed::tension_2),
+                                         tunable(timed::tension_3)};
   static constexpr FamilyInfo info{.name = "timed-c3",
                                    .title = "Local septic spline, C3 in time",
                                    .source = "orispline, docs/families/timed-c3.md",
@@ -121,7 +122,7 @@ struct TimedC3 {
 /// Second derivatives at a key are chosen so that both septic terms vanish; the third ones follow and need not be
 /// formed.
 struct TimedSextic {
-  static constexpr std::array parameters{timed::tension_1};
+  static constexpr std::array parameters{tunable(timed::tension_1)};
   static constexpr FamilyInfo info{.name = "timed-sextic",
                                    .title = "Local 6th-degree spline, C3 in time",
                                    .source = "orispline, docs/families/timed-sextic.md",

@@ -20,9 +20,10 @@ struct UniformFamily {
       Parameter{"order", 2.0, 1.0, 5.0, false},      Parameter{"tension1", 0.5, -100.0, 100.0},
       Parameter{"tension2", 1.0, -100.0, 100.0},     Parameter{"tension3", 0.0, -1000.0, 1000.0},
       Parameter{"tension4", 0.0, -10000.0, 10000.0}, Parameter{"tension5", 0.0, -100000.0, 100000.0}};
-  static constexpr FamilyInfo info{.name = "family",
+  static constexpr FamilyInfo info{.name = "uniform",
+                                   .alias = "family",
                                    .title = "General uniform family of order 1 to 5",
-                                   .source = "orispline, docs/families/family.md",
+                                   .source = "orispline, docs/families/uniform.md",
                                    .continuity_uniform = 2,
                                    .continuity_uneven = 0,
                                    .keeps_constant_rate_uniform = true,

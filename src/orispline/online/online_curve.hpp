@@ -8,31 +8,33 @@
 #include <string_view>
 #include <vector>
 
-#include <orispline/online/online_segments.hpp>
 #include <orispline/curve/curve.hpp>
+#include <orispline/online/online_segments.hpp>
 
 namespace orispline {
 
 /// A curve whose keys arrive one by one, for loops that cannot wait for the last one.
 ///
-/// A segment is *final* once the keys that it blends are here: for the four-key families when one key behind its end
-/// has come, for slerp at once. Final segments never change and are, bit for bit, those of the curve that `make_curve`
-/// builds through the same keys. The newest ones are kept in a ring, the others are forgotten.
+/// A segment is *final* once the keys that it depends on are here: for the four-key families when one key behind its
+/// end has come, for `auto` three, for slerp at once. Final segments never change and are, bit for bit, those of the
+/// curve that `make_curve` builds through the same keys. The newest ones are kept in a ring, the others are forgotten.
 ///
-/// Nothing is allocated after construction, but for the message of an error. For one thread: let the writer evaluate,
-/// or lock.
+/// Where a segment blends two or four keys nothing is allocated after construction, but for the message of an error.
+/// The other methods, and parameters that come with the keys, allocate when a key is appended, never when the curve is
+/// evaluated: `allocates()` tells. For one thread: let the writer evaluate, or lock.
 class OnlineCurve {
  public:
   static constexpr std::size_t least_capacity = 2, greatest_capacity = 1'000'000;
 
-  /// The methods that have an online form: slerp and the four-key families.
+  /// The methods that have an online form: those of which a segment depends on a few keys.
   [[nodiscard]] static std::span<const std::string_view> methods() noexcept { return online_methods(); }
 
-  /// A curve without keys. `capacity` is how many final keys stay available, the newest.
+  /// A curve without keys. `capacity` is how many ends of final segments stay available, the newest.
   ///
-  /// Parameters have one value for all keys; the rule of the start is used at the first key, that of the end by
-  /// `finish`. Errors (bad_argument): a method without online form, a capacity out of range, a loop, parameters per
-  /// key, options that the family does not accept or with which no end can have the given rate.
+  /// Parameters have one value for all keys, or in the options none: then every key brings its own. The rule of the
+  /// start is used at the first key, that of the end by `finish`. Errors (bad_argument): a method without online form,
+  /// a capacity out of range, a loop, several values of a parameter, options that the family does not accept or with
+  /// which no end can have the given rate.
   [[nodiscard]] static Expected<OnlineCurve> make(std::string_view method, std::size_t capacity,
                                                   const CurveOptions& options = {}, Signs signs = Signs::shortest);
 
@@ -42,16 +44,19 @@ class OnlineCurve {
   /// since construction or reset). A refused key leaves the curve as it was. Either all keys have a position or none;
   /// after `finish` there are no more (bad_argument).
   Expected<void> append(double time, const Eigen::Quaterniond& orientation) {
-    return take(time, orientation, std::nullopt);
+    return append({.time = time, .orientation = orientation});
   }
   /// The same with a position [m], world frame.
   Expected<void> append(double time, const Eigen::Quaterniond& orientation, const Eigen::Vector3d& position) {
-    return take(time, orientation, position);
+    return append({.time = time, .orientation = orientation, .position = position});
   }
+  /// The same with rates, which some methods use, and with values of the parameters that come with the keys.
+  Expected<void> append(const StreamKey& key);
 
   /// Declares the last key to be the end: by the end rule the last segment becomes final too.
   ///
-  /// Errors: bad_data without keys or with fewer than the end rules need; the curve stays as it was.
+  /// Errors: bad_data without keys, with fewer than the end rules need or with another count than the method takes; the
+  /// curve stays as it was.
   Expected<void> finish();
 
   /// Forgets all keys, not the method: a new curve, in the same memory.
@@ -60,8 +65,12 @@ class OnlineCurve {
   /// From the first to the last key [s] between which the curve is final and kept; nothing before the first key.
   [[nodiscard]] std::optional<Domain> available() const noexcept;
 
-  /// How many keys behind the end of a segment must have come before it is final: 1, for slerp 0.
-  [[nodiscard]] std::size_t look_ahead() const noexcept { return segments_->look_ahead(); }
+  /// How many keys behind the end of a segment must have come before it is final: half of those that a segment depends
+  /// on beside its own. The first segments wait for as many keys as the start depends on.
+  [[nodiscard]] std::size_t look_ahead() const noexcept { return *method_.keys_beside; }
+
+  /// True where `append` and `finish` allocate memory.
+  [[nodiscard]] bool allocates() const noexcept { return segments_->allocates(); }
 
   /// Keys taken since construction or reset.
   [[nodiscard]] std::uint64_t keys() const noexcept { return keys_; }
@@ -82,12 +91,9 @@ class OnlineCurve {
   [[nodiscard]] std::optional<LinearMotion> linear_motion(double t, Side side = Side::right) const noexcept;
 
  private:
-  OnlineCurve() = default;
+  OnlineCurve(StreamMethod method, std::size_t capacity, Signs signs);
 
-  [[nodiscard]] Expected<void> take(double time, const Eigen::Quaterniond& orientation,
-                                    const std::optional<Eigen::Vector3d>& position);
-  [[nodiscard]] std::optional<Error> check(double time, const std::optional<Eigen::Vector3d>& position) const;
-  [[nodiscard]] Expected<void> make_final(std::size_t pending);
+  [[nodiscard]] Expected<void> make_final(Stream stream);
 
   [[nodiscard]] std::size_t places() const noexcept { return starts_.size() / 2; }
   /// The place of the segment that is `index` after the oldest one kept.
@@ -99,17 +105,23 @@ class OnlineCurve {
   [[nodiscard]] std::size_t kept() const noexcept;
   [[nodiscard]] std::span<const double> starts() const noexcept;
 
-  const FamilyInfo* family_ = nullptr;
-  CurveOptions options_;
-  Signs signs_ = Signs::shortest;
-  std::uint64_t keys_at_start_ = 0, keys_at_finish_ = 0;  ///< what the first segment and the end rules wait for
+  /// A key as far as later ones and times without a segment ask for it.
+  struct Place {
+    double time = 0.0;
+    Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  };
+
+  StreamMethod method_;
+  Signs signs_;
   std::unique_ptr<OnlineSegments> segments_;
   std::vector<double> starts_;  ///< of the segments [s]; the ring twice, so that what is kept lies in one piece
   double end_ = 0.0;            ///< of the last final segment [s]
-  RecentKeys recent_;
+  Place first_, newest_;
+  KeyParts parts_;
   std::uint64_t keys_ = 0, final_segments_ = 0;
   std::size_t next_place_ = 0;
-  bool has_positions_ = false, finished_ = false;
+  bool finished_ = false;
 };
 
 }  // namespace orispline

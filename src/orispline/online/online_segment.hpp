@@ -4,8 +4,8 @@
 #include <array>
 #include <utility>
 
-#include <orispline/online/recent_keys.hpp>
 #include <orispline/math/bernstein.hpp>
+#include <orispline/online/recent_keys.hpp>
 
 namespace orispline {
 

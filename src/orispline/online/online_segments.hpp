@@ -5,35 +5,41 @@
 #include <span>
 #include <string_view>
 
-#include <orispline/online/recent_keys.hpp>
+#include <orispline/curve/curve.hpp>
 #include <orispline/curve/motion.hpp>
 #include <orispline/curve/path.hpp>
+#include <orispline/online/stream_keys.hpp>
 
 namespace orispline {
 
-/// The segments of one family by their place in a ring: nothing is allocated after construction.
+/// The keys that the next segments need, and the segments of one method by their place in a ring.
 class OnlineSegments {
  public:
   virtual ~OnlineSegments() = default;
-  /// Keys behind the end of a segment that it blends.
-  [[nodiscard]] virtual std::size_t look_ahead() const noexcept = 0;
-  /// Makes the segment from key `s` of these to the next one. Errors: those of `ghost_increment`.
-  [[nodiscard]] virtual Expected<void> store(std::size_t place, const RecentKeys& keys, std::size_t s) = 0;
+  /// True where keys and segments are put on the heap one by one.
+  [[nodiscard]] virtual bool allocates() const noexcept = 0;
+
+  /// Takes the next key, which is checked: its orientation is of unit norm as `unit` says, with the sign chosen.
+  virtual void push(const StreamKey& key, const Eigen::Quaterniond& unit) = 0;
+  /// Takes the newest key back.
+  virtual void pop() noexcept = 0;
+  virtual void reset() noexcept = 0;
+  /// Makes the segment whose first key came `behind` keys before the newest. Errors: those of make_curve().
+  [[nodiscard]] virtual Expected<Domain> store(std::size_t place, std::size_t behind, Stream stream) = 0;
+
   [[nodiscard]] virtual Eigen::Quaterniond orientation(double t, std::size_t place) const noexcept = 0;
-  [[nodiscard]] virtual Motion motion(double t, std::size_t place) const noexcept = 0;
-  [[nodiscard]] virtual LinearMotion linear_motion(double t, std::size_t place) const noexcept = 0;
+  [[nodiscard]] virtual Motion motion(double t, Side side, std::size_t place) const noexcept = 0;
+  [[nodiscard]] virtual LinearMotion linear_motion(double t, Side side, std::size_t place) const noexcept = 0;
 };
 
-/// A family of which a stream of keys can be interpolated.
-struct OnlineMethod {
-  const FamilyInfo* family;
-  Expected<std::unique_ptr<OnlineSegments>> (*segments)(std::size_t places, const FamilySettings& settings);
-};
+/// Segments that blend two or four keys and hold all that they depend on: nothing is allocated after construction. Null
+/// where the method has no such segments, or its keys bring settings of their own.
+[[nodiscard]] std::unique_ptr<OnlineSegments> segments_in_place(const StreamMethod& method, std::size_t places);
 
-/// The names of these families.
+/// Segments of any local method: each is the middle of a curve through its own keys and those beside them.
+[[nodiscard]] std::unique_ptr<OnlineSegments> segments_of_windows(const StreamMethod& method, std::size_t places);
+
+/// The names of the methods whose segments depend on a few keys.
 [[nodiscard]] std::span<const std::string_view> online_methods() noexcept;
-
-/// The one of that name; another one is an error (bad_argument) that lists them.
-[[nodiscard]] Expected<OnlineMethod> find_online_method(std::string_view name);
 
 }  // namespace orispline

@@ -231,12 +231,12 @@ CurveOptions TensionModel::with(const std::vector<double>& values) const {
   return changed;
 }
 
-std::vector<std::string> tunable_parameters(std::string_view family) {
-  if (family == "quintic" || family == "sextic" || family == "timed-sextic" || family == "tcb") return {"tension"};
-  if (family == "timed-c2") return {"tension", "tension2"};
-  if (family == "timed-c3") return {"tension", "tension2", "tension3"};
-  if (family == "nu") return {"nu"};
-  return {};
+std::vector<std::string> tunable_parameters(std::string_view method) {
+  std::vector<std::string> names;
+  if (const auto family = find_family(method))
+    for (const Parameter& parameter : (*family)->parameters)
+      if (parameter.tunable) names.emplace_back(parameter.name);
+  return names;
 }
 
 Expected<TensionModel> tension_model(const FamilyInfo& family, const Keyframes& keys, const CurveOptions& options,

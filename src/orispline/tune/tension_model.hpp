@@ -54,10 +54,9 @@ struct TensionModel {
                                            const Eigen::Vector3d& arriving);
 
 /// The parameters of a family that tuning can free, in the order of the family; empty for other families.
-[[nodiscard]] std::vector<std::string> tunable_parameters(std::string_view family);
+[[nodiscard]] std::vector<std::string> tunable_parameters(std::string_view method);
 
-/// The model of a family that is affine in the parameters named (quintic, sextic, timed-c2, timed-c3, timed-sextic,
-/// tcb).
+/// The model of a family that is affine in the parameters named, as all tunable ones but those of `nu` are.
 ///
 /// It is read off the family itself: a function that is affine is known from its values at 0 and at 1. The tensions of
 /// an end key that is clamped or at rest stay as they are, for there the ghost key follows them.

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include <orispline/online/track_sampler.hpp>
+
+namespace orispline {
+
+/// Keys of many tracks, column by column. Those of track i are offsets[i] … offsets[i + 1] - 1.
+struct TrackColumns {
+  std::span<const std::int64_t> offsets;
+  std::span<const double> times;                        ///< [s]
+  std::array<std::span<const double>, 4> orientations;  ///< qx, qy, qz, qw, body to world
+  std::array<std::span<const double>, 3> positions{};   ///< x, y, z [m]; empty: none
+};
+
+/// What samples have besides time and orientation.
+struct WantedSamples {
+  bool angular_velocities = false, angular_accelerations = false;
+  bool positions = false, velocities = false, accelerations = false;
+};
+
+/// Samples of many tracks, column by column as the keys. Columns that are not wanted are empty.
+struct SampledTracks {
+  std::vector<std::int64_t> offsets;
+  std::vector<double> times;                                                         ///< [s]
+  std::array<std::vector<double>, 4> orientations;                                   ///< qx, qy, qz, qw
+  std::array<std::vector<double>, 3> angular_velocities{}, angular_accelerations{};  ///< [rad/s], [rad/s²], body frame
+  std::array<std::vector<double>, 3> positions{}, velocities{}, accelerations{};  ///< [m], [m/s], [m/s²], world frame
+  std::vector<Error> errors;  ///< of the tracks that have no samples for it: `where.curve` says of which, in order
+};
+
+/// Samples every track on a grid of its own, as a TrackSampler does; the samples do not depend on the threads.
+///
+/// A track whose keys are refused, or make no curve, has no samples and does not hinder the others. Errors
+/// (bad_argument): those of TrackSampler::make; columns of different length, offsets that do not rise from 0 on within
+/// them, positions that are wanted of keys that have none.
+[[nodiscard]] Expected<SampledTracks> sample_tracks(std::string_view method, const TrackColumns& keys,
+                                                    const TrackGrid& grid, const WantedSamples& wanted = {},
+                                                    const TrackOptions& options = {}, Work work = {});
+
+}  // namespace orispline

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/online/stream_key.hpp>
+
+#include <array>
+
+#include <fmt/format.h>
+
+#include <orispline/curve/key_check.hpp>
+
+namespace orispline {
+namespace {
+
+struct Part {
+  std::optional<Eigen::Vector3d> StreamKey::*value;
+  bool KeyParts::*wanted;
+  const char *name, *one;
+};
+constexpr std::array parts{
+    Part{&StreamKey::position, &KeyParts::position, "position", "a position"},
+    Part{&StreamKey::angular_velocity, &KeyParts::angular_velocity, "angular velocity", "an angular velocity"},
+    Part{&StreamKey::angular_acceleration, &KeyParts::angular_acceleration, "angular acceleration",
+         "an angular acceleration"},
+    Part{&StreamKey::angular_jerk, &KeyParts::angular_jerk, "angular jerk", "an angular jerk"}};
+
+}  // namespace
+
+Eigen::Quaterniond unit_orientation(const Eigen::Quaterniond& orientation) {
+  return Eigen::Quaterniond(orientation.coeffs() / checked_norm(0, orientation).value());
+}
+
+KeyParts parts_of(const StreamKey& key) noexcept {
+  KeyParts found;
+  for (const Part& part : parts) found.*part.wanted = (key.*part.value).has_value();
+  return found;
+}
+
+Expected<Eigen::Quaterniond> checked_orientation(std::uint64_t index, const StreamKey& key,
+                                                 std::optional<double> before, const KeyParts& wanted) {
+  const auto place = static_cast<std::size_t>(index);
+  if (auto error = check_time(place, key.time, before)) return tl::unexpected(std::move(*error));
+  for (const Part& part : parts) {
+    const auto& value = key.*part.value;
+    if (before && value.has_value() != wanted.*part.wanted)
+      return failure(ErrorCode::bad_data,
+                     value ? fmt::format("found {}, wanted none as the keys before have none", part.one)
+                           : fmt::format("found no {}, wanted one as the keys before have", part.name),
+                     {.key = place});
+    if (value)
+      if (auto error = check_vector(place, part.name, *value)) return tl::unexpected(std::move(*error));
+  }
+  const auto norm = checked_norm(place, key.orientation);
+  if (!norm) return tl::unexpected(norm.error());
+  return Eigen::Quaterniond(key.orientation.coeffs() / *norm);
+}
+
+}  // namespace orispline

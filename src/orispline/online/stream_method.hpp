@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <orispline/curve/family.hpp>
+#include <orispline/online/stream_key.hpp>
+
+namespace orispline {
+
+/// A family with the options of a curve whose keys arrive one by one, and which keys a part of that curve needs to have
+/// the bits of the whole.
+struct StreamMethod {
+  const FamilyInfo* family;
+  CurveOptions options;              ///< every parameter has one value for all keys …
+  std::vector<std::string> per_key;  ///< … but for these, in the order of their names, whose values come with the keys
+  std::optional<std::size_t> keys_beside;  ///< on either side of a segment; absent: a segment depends on all keys
+  std::size_t first_key;                   ///< where the curve begins; it ends as many before the last
+  std::size_t keys_at_start;               ///< that must have come before any segment is final
+  std::size_t keys_at_end;                 ///< the last ones, on which the end depends
+
+  /// Options as for make_curve(); a parameter without values has them with the keys.
+  ///
+  /// Errors (bad_argument): an unknown method, a loop, parameters per key, options that the family does not accept or
+  /// with which no end can have the given rate.
+  [[nodiscard]] static Expected<StreamMethod> make(std::string_view method, const CurveOptions& options);
+
+  /// That so many keys make a curve: bad_data for fewer than the end rules need or another count than the method takes.
+  /// Success allocates nothing.
+  [[nodiscard]] std::optional<Error> check_count(std::size_t keys) const;
+  /// That the key brings values of the parameters `per_key` and of no others, each in its range.
+  [[nodiscard]] std::optional<Error> check_settings(std::uint64_t index, const StreamKey& key) const;
+};
+
+}  // namespace orispline

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include <orispline/batch/sample.hpp>
+#include <orispline/online/track_stretch.hpp>
+
+namespace orispline {
+
+/// How a track is sampled, besides the grid.
+struct TrackOptions {
+  /// As for a curve; a parameter without values has them with the keys.
+  CurveOptions curve{};
+  Signs signs = Signs::shortest;
+  /// A longer interval between two keys [s] ends one curve and begins the next. Absent: one curve.
+  std::optional<double> gap{};
+};
+
+/// Even samples of a track whose keys arrive in pieces, and whose state can be put away between them as bytes.
+///
+/// However the keys are cut into pieces, and through any number of states, the samples are bit for bit those that
+/// sample() takes of the curve through all keys of a stretch. A sample is final when the keys on which its segment
+/// depends have come; of a method that solves equations over all keys when the stretch has ended. Keys on which no
+/// coming sample depends are forgotten: the memory grows with the samples that are not taken, and of global methods
+/// with the stretch. The signs of the keys are aligned from the first key of a stretch on. Between stretches there are
+/// no samples.
+class TrackSampler {
+ public:
+  /// Errors (bad_argument): a grid without a step greater than 0, a gap that is not greater than 0, an unknown method,
+  /// a loop, options that the method does not accept.
+  [[nodiscard]] static Expected<TrackSampler> make(std::string_view method, const TrackGrid& grid,
+                                                   const TrackOptions& options = {});
+
+  /// Takes the next key. Errors as of OnlineCurve::append; after a gap also those of finish() for the stretch before. A
+  /// refused key changes nothing.
+  Expected<void> append(const StreamKey& key);
+  /// The same for many keys, until the first that is refused. `settings`: a value per key of every parameter that comes
+  /// with the keys.
+  Expected<void> append(const KeyframeData& keys,
+                        const std::map<std::string, std::vector<double>, std::less<>>& settings = {});
+
+  /// Declares the last key to be the end. Errors: bad_data without keys, with fewer than the end rules need or another
+  /// count than the method takes.
+  Expected<void> finish();
+
+  /// How many samples are final and not taken.
+  [[nodiscard]] std::uint64_t ready() const noexcept;
+  /// Builds the curves of the samples that are ready, as take() does else. Errors: those of make_curve().
+  Expected<void> prepare();
+  /// The next samples, interleaved, as many as there is room for; their times too where they are wanted.
+  ///
+  /// Errors: bad_argument for more than are ready and for what sample() refuses; those of make_curve(). Nothing is
+  /// taken then.
+  Expected<void> take(const Samples<double>& out, std::span<double> times = {});
+
+  /// Keys taken so far.
+  [[nodiscard]] std::uint64_t keys() const noexcept { return keys_; }
+  /// Of them those that are still there.
+  [[nodiscard]] std::size_t kept() const noexcept;
+
+  /// All that is needed to go on elsewhere, the same on every machine.
+  [[nodiscard]] std::vector<std::byte> state() const;
+  /// Errors: bad_data for bytes that are no state.
+  [[nodiscard]] static Expected<TrackSampler> from_state(std::span<const std::byte> bytes);
+
+ private:
+  friend class TrackState;
+
+  TrackSampler(StreamMethod method, const TrackGrid& grid, TrackOptions options)
+      : method_(std::move(method)), grid_(grid), options_(std::move(options)) {}
+
+  /// The samples of a stretch that are final and not taken.
+  struct Part {
+    TrackStretch* stretch;
+    SampleRange samples;
+  };
+  [[nodiscard]] std::vector<Part> parts_ready();
+  /// Known from the first key on where the grid starts of itself.
+  [[nodiscard]] std::optional<TrackClock> clock() const noexcept;
+  void forget();
+  /// That the stretches of a state follow each other, all but the last finished, and are those of its keys.
+  [[nodiscard]] Expected<void> check_order() const;
+
+  StreamMethod method_;
+  TrackGrid grid_;
+  TrackOptions options_;
+  std::deque<TrackStretch> stretches_;
+  std::uint64_t keys_ = 0, next_ = 0;  ///< keys taken; the next sample
+  std::optional<double> newest_;       ///< time of the newest key [s]
+  KeyParts parts_;
+  bool finished_ = false;
+};
+
+}  // namespace orispline

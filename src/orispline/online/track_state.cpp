@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/online/track_state.hpp>
+
+namespace orispline {
+namespace {
+
+constexpr std::uint64_t mark = 0x314b434152545249u;  // "IRTRACK1", lowest byte first
+
+tl::unexpected<Error> no_state(const std::string& why) {
+  return failure(ErrorCode::bad_data, "the bytes are no state of a track: " + why);
+}
+
+void write(StateWriter& out, const std::optional<double>& number) {
+  out.whole(number ? 1 : 0);
+  out.real(number.value_or(0.0));
+}
+std::optional<double> read_optional(StateReader& in) {
+  const bool there = in.below(2) == 1;
+  const double number = in.real();
+  return there ? std::optional(number) : std::nullopt;
+}
+
+void write(StateWriter& out, const End& end) {
+  out.whole(static_cast<std::uint64_t>(end.rule));
+  out.vector(end.angular_velocity);
+}
+End read_end(StateReader& in) {
+  const auto rule = static_cast<EndRule>(in.below(static_cast<std::uint64_t>(EndRule::secant) + 1));
+  return {.rule = rule, .angular_velocity = in.vector()};
+}
+
+void write(StateWriter& out, const CurveOptions& options) {
+  out.whole(options.parameters.size());
+  for (const auto& [name, values] : options.parameters) {
+    out.text(name);
+    out.reals(values);
+  }
+  out.whole(options.choices.size());
+  for (const auto& [name, word] : options.choices) {
+    out.text(name);
+    out.text(word);
+  }
+  write(out, options.start);
+  write(out, options.end);
+}
+CurveOptions read_options(StateReader& in) {
+  CurveOptions options;
+  for (std::size_t left = in.count(); left > 0; --left) {
+    std::string name = in.text();
+    options.parameters[std::move(name)] = in.reals();
+  }
+  for (std::size_t left = in.count(); left > 0; --left) {
+    std::string name = in.text();
+    options.choices[std::move(name)] = in.text();
+  }
+  options.start = read_end(in);
+  options.end = read_end(in);
+  return options;
+}
+
+template <class Data>
+auto vectors_of(Data& data) {
+  return std::array{&data.positions, &data.angular_velocities, &data.angular_accelerations, &data.angular_jerks};
+}
+
+void write(StateWriter& out, const TrackStretch& stretch) {
+  out.whole(stretch.is_finished() ? 1 : 0);
+  out.whole(stretch.first_key());
+  write(out, stretch.start());
+  out.whole(stretch.keys().first());
+  const KeyframeData& data = stretch.keys().data();
+  out.reals(data.times);
+  for (const Eigen::Quaterniond& q : data.orientations)
+    for (const double component : q.coeffs()) out.real(component);
+  for (const auto* vectors : vectors_of(data)) {
+    out.whole(vectors->empty() ? 0 : 1);
+    for (const Eigen::Vector3d& v : *vectors) out.vector(v);
+  }
+  out.whole(stretch.keys().settings().size());
+  for (const auto& values : stretch.keys().settings()) out.reals(values);
+}
+
+KeyframeData read_data(StateReader& in) {
+  KeyframeData data{.times = in.reals()};
+  for (std::size_t i = 0; i < data.times.size(); ++i) {
+    const Eigen::Vector3d xyz = in.vector();
+    data.orientations.push_back(quaternion_xyzw(xyz.x(), xyz.y(), xyz.z(), in.real()));
+  }
+  for (auto* vectors : vectors_of(data))
+    if (in.below(2) == 1)
+      for (std::size_t i = 0; i < data.times.size(); ++i) vectors->push_back(in.vector());
+  return data;
+}
+
+Expected<TrackStretch> read_stretch(StateReader& in, std::uint64_t next, const StreamMethod& method,
+                                    std::optional<TrackClock> clock) {
+  const Stream stream = in.below(2) == 1 ? Stream::finished : Stream::open;
+  const std::uint64_t first_key = in.whole();
+  const auto start = read_optional(in);
+  const std::uint64_t first = in.whole();
+  KeyframeData data = read_data(in);
+  std::vector<std::vector<double>> settings;
+  for (std::size_t left = in.count(); left > 0; --left) settings.push_back(in.reals());
+  if (!in.is_sound()) return no_state("they end too early");
+  return StreamKeys::from_kept(first, std::move(data), std::move(settings), method).and_then([&](StreamKeys keys) {
+    return TrackStretch::from_kept(std::move(keys), stream, first_key, start, next, method, clock);
+  });
+}
+
+}  // namespace
+
+std::vector<std::byte> TrackState::bytes_of(const TrackSampler& sampler) {
+  StateWriter out;
+  out.whole(mark);
+  out.text(sampler.method_.family->name);
+  write(out, sampler.options_.curve);
+  out.whole(sampler.options_.signs == Signs::shortest ? 0 : 1);
+  write(out, sampler.options_.gap);
+  out.real(sampler.grid_.step);
+  write(out, sampler.grid_.start);
+  out.whole(sampler.keys_);
+  out.whole(sampler.next_);
+  write(out, sampler.newest_);
+  for (const bool part : {sampler.parts_.position, sampler.parts_.angular_velocity, sampler.parts_.angular_acceleration,
+                          sampler.parts_.angular_jerk, sampler.finished_})
+    out.whole(part ? 1 : 0);
+  out.whole(sampler.stretches_.size());
+  for (const TrackStretch& stretch : sampler.stretches_) write(out, stretch);
+  return std::move(out).sealed();
+}
+
+Expected<TrackSampler> TrackState::sampler_from(std::span<const std::byte> bytes) {
+  StateReader in(bytes);
+  if (!in.is_sound() || in.whole() != mark) return no_state("their mark or their checksum is another");
+  const std::string method = in.text();
+  TrackOptions options{.curve = read_options(in)};
+  options.signs = in.below(2) == 0 ? Signs::shortest : Signs::as_given;
+  options.gap = read_optional(in);
+  TrackGrid grid{.step = in.real()};
+  grid.start = read_optional(in);
+  if (!in.is_sound()) return no_state("they end too early");
+  auto sampler = TrackSampler::make(method, grid, options);
+  if (!sampler) return no_state(sampler.error().message);
+  if (auto rest = read_rest(in, *sampler); !rest) return no_state(rest.error().message);
+  return sampler;
+}
+
+Expected<void> TrackState::read_rest(StateReader& in, TrackSampler& sampler) {
+  sampler.keys_ = in.whole();
+  sampler.next_ = in.below(static_cast<std::uint64_t>(TrackGrid::most_samples) + 1);
+  sampler.newest_ = read_optional(in);
+  for (bool* part : {&sampler.parts_.position, &sampler.parts_.angular_velocity, &sampler.parts_.angular_acceleration,
+                     &sampler.parts_.angular_jerk, &sampler.finished_})
+    *part = in.below(2) == 1;
+  for (std::size_t left = in.count(); left > 0; --left) {
+    auto stretch = read_stretch(in, sampler.next_, sampler.method_, sampler.clock());
+    if (!stretch) return tl::unexpected(std::move(stretch.error()));
+    sampler.stretches_.push_back(std::move(*stretch));
+  }
+  return in.is_complete() ? sampler.check_order() : Expected<void>(failure(ErrorCode::bad_data, "they end elsewhere"));
+}
+
+}  // namespace orispline

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include <orispline/online/stream_keys.hpp>
+#include <orispline/online/track_grid.hpp>
+
+namespace orispline {
+
+/// Samples `first` … `end - 1` of a grid.
+struct SampleRange {
+  std::uint64_t first = 0, end = 0;
+  [[nodiscard]] std::uint64_t size() const noexcept { return end > first ? end - first : 0; }
+};
+
+/// One curve of a track: the keys that are still needed, and what of it is final.
+class TrackStretch {
+ public:
+  /// `first_key`: how many keys of the track came before.
+  explicit TrackStretch(std::uint64_t first_key) noexcept : first_key_(first_key) {}
+
+  void push(const StreamKey& key, const StreamMethod& method, Signs signs);
+  /// Declares the newest key to be the last. Errors: bad_data for fewer keys than the end rules need, or another count
+  /// than the method takes.
+  [[nodiscard]] Expected<void> finish(const StreamMethod& method);
+
+  [[nodiscard]] bool is_finished() const noexcept { return stream_ == Stream::finished; }
+  /// When the curve begins, once the key has come where it does [s].
+  [[nodiscard]] std::optional<double> start() const noexcept { return start_; }
+  /// The final samples.
+  [[nodiscard]] SampleRange final_samples(const StreamMethod& method, const TrackClock& clock) const noexcept;
+  /// Forgets the keys on which no sample from that one on depends.
+  void forget_before(std::uint64_t sample, const StreamMethod& method, const TrackClock& clock);
+  /// Where samples from that one on are final, the curve of which they have the bits of the whole. Errors: those of
+  /// make_curve().
+  [[nodiscard]] Expected<const PoseCurve*> curve_from(std::uint64_t sample, const StreamMethod& method,
+                                                      const TrackClock& clock);
+
+  [[nodiscard]] const StreamKeys& keys() const noexcept { return keys_; }
+  [[nodiscard]] std::uint64_t first_key() const noexcept { return first_key_; }
+  /// A stretch as it was. Error (bad_data): it lacks keys on which that sample or a later one depends.
+  [[nodiscard]] static Expected<TrackStretch> from_kept(StreamKeys keys, Stream stream, std::uint64_t first_key,
+                                                        std::optional<double> start, std::uint64_t sample,
+                                                        const StreamMethod& method, std::optional<TrackClock> clock);
+
+ private:
+  /// The last joint that is final or, while the stretch is open, up to which it will be next; absent before the first.
+  [[nodiscard]] std::optional<std::uint64_t> last_joint(const StreamMethod& method) const noexcept;
+  /// The key where the segment of a time begins.
+  [[nodiscard]] std::uint64_t joint_before(double t, const StreamMethod& method) const noexcept;
+
+  StreamKeys keys_;
+  Stream stream_ = Stream::open;
+  std::uint64_t first_key_;
+  std::optional<double> start_;
+  std::optional<PoseCurve> curve_;  ///< of the keys that are there, once it is asked for
+};
+
+}  // namespace orispline

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// Many tracks in one call: each has the samples of its own curve, whatever the threads and the other tracks.
+#include <orispline/online/sample_tracks.hpp>
+
+#include <gtest/gtest.h>
+
+#include <online/track_stream.hpp>
+
+namespace orispline {
+namespace {
+
+using namespace testing_support;
+
+constexpr double step = 0.05;  // [s]
+constexpr WantedSamples all{.angular_velocities = true,
+                            .angular_accelerations = true,
+                            .positions = true,
+                            .velocities = true,
+                            .accelerations = true};
+
+struct Tracks {
+  std::vector<KeyframeData> data;
+  std::vector<std::int64_t> offsets{0};
+  std::vector<double> times;
+  std::array<std::vector<double>, 4> orientations;
+  std::array<std::vector<double>, 3> positions;
+
+  explicit Tracks(const std::vector<std::size_t>& sizes) {
+    for (const std::size_t size : sizes) add(raw_walk(841 + data.size(), size));
+  }
+  void add(const KeyframeData& track) {
+    data.push_back(track);
+    for (std::size_t i = 0; i < track.times.size(); ++i) {
+      times.push_back(track.times[i]);
+      for (std::size_t c = 0; c < 4; ++c)
+        orientations[c].push_back(track.orientations[i].coeffs()[static_cast<Eigen::Index>(c)]);
+      for (std::size_t c = 0; c < 3; ++c) positions[c].push_back(track.positions[i][static_cast<Eigen::Index>(c)]);
+    }
+    offsets.push_back(static_cast<std::int64_t>(times.size()));
+  }
+  [[nodiscard]] TrackColumns columns() const {
+    return {.offsets = offsets,
+            .times = times,
+            .orientations = {orientations[0], orientations[1], orientations[2], orientations[3]},
+            .positions = {positions[0], positions[1], positions[2]}};
+  }
+};
+
+/// Whether the columns from a sample on are those rows.
+template <std::size_t N>
+bool same(const std::array<std::vector<double>, N>& columns, std::size_t first, const std::vector<double>& rows) {
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (columns[i % N][first + i / N] != rows[i]) return false;
+  return true;
+}
+
+TEST(SampleTracks, GivesEachTrackTheSamplesOfItsOwnCurve) {
+  const Tracks tracks({30, 1, 7, 200, 2});
+  for (const std::string_view method : {"auto", "rotation-spline"})
+    for (const unsigned threads : {1u, 3u}) {
+      const auto table = sample_tracks(method, tracks.columns(), {.step = step}, all, {}, {.threads = threads});
+      ASSERT_TRUE(table) << describe(table.error());
+      EXPECT_TRUE(table->errors.empty());
+      ASSERT_EQ(table->offsets.size(), 6u);
+      for (std::size_t i = 0; i < tracks.data.size(); ++i) {
+        const auto curve = make_pose_curve(method, keyframes(tracks.data[i], Signs::shortest)).value();
+        const TrackSamples wanted = of_whole(curve, tracks.data[i].times.front(), step);
+        const auto first = static_cast<std::size_t>(table->offsets[i]);
+        ASSERT_EQ(static_cast<std::size_t>(table->offsets[i + 1]) - first, wanted.size());
+        EXPECT_TRUE(std::ranges::equal(std::span(table->times).subspan(first, wanted.size()), wanted.times));
+        EXPECT_TRUE(same(table->orientations, first, wanted.orientations));
+        EXPECT_TRUE(same(table->angular_velocities, first, wanted.angular_velocities));
+        EXPECT_TRUE(same(table->angular_accelerations, first, wanted.angular_accelerations));
+        EXPECT_TRUE(same(table->positions, first, wanted.positions));
+        EXPECT_TRUE(same(table->velocities, first, wanted.velocities));
+        EXPECT_TRUE(same(table->accelerations, first, wanted.accelerations));
+      }
+    }
+}
+
+TEST(SampleTracks, SaysOfWhichTracksTheKeysAreBadAndSamplesTheOthers) {
+  Tracks tracks({20, 20, 0, 20});
+  const auto good = sample_tracks("auto", tracks.columns(), {.step = step}).value();
+  ASSERT_EQ(good.errors.size(), 1u);
+  EXPECT_EQ(describe(good.errors[0]), describe({ErrorCode::bad_data, "empty: no keys", {.curve = 2}}));
+  tracks.times[25] = tracks.times[24];
+  const auto table = sample_tracks("auto", tracks.columns(), {.step = step}).value();
+  ASSERT_EQ(table.errors.size(), 2u);
+  EXPECT_EQ(table.errors[0].where.curve, 1u);
+  EXPECT_EQ(table.errors[0].where.key, 5u);
+  EXPECT_EQ(table.offsets[1], table.offsets[2]);
+  EXPECT_EQ(table.offsets[4] - table.offsets[3], good.offsets[4] - good.offsets[3]);
+  EXPECT_TRUE(
+      std::equal(table.orientations[2].rbegin(), table.orientations[2].rbegin() + 20, good.orientations[2].rbegin()));
+  EXPECT_TRUE(table.angular_velocities[0].empty());
+}
+
+TEST(SampleTracks, RefusesColumnsThatDoNotBelongTogether) {
+  const Tracks tracks({20, 20});
+  const auto refusal = [](const TrackColumns& columns, const WantedSamples& wanted = {}) {
+    const auto table = sample_tracks("auto", columns, {.step = step}, wanted);
+    return table ? "taken" : table.error().message;
+  };
+  TrackColumns columns = tracks.columns();
+  columns.orientations[3] = columns.orientations[3].first(39);
+  EXPECT_EQ(refusal(columns), "found 39 orientations for 40 times, wanted as many");
+  columns = tracks.columns();
+  columns.positions[1] = {};
+  EXPECT_EQ(refusal(columns), "found 0 positions for 40 times, wanted as many or none");
+  columns.positions = {};
+  EXPECT_EQ(refusal(columns, {.velocities = true}), "positions are wanted, and the keys have none");
+  for (const std::vector<std::int64_t>& offsets : {std::vector<std::int64_t>{}, {0, 41}, {-1, 40}, {0, 30, 20}}) {
+    columns = tracks.columns();
+    columns.offsets = offsets;
+    EXPECT_EQ(refusal(columns), "the offsets do not rise from 0 on to 40, the number of keys, at most");
+  }
+}
+
+}  // namespace
+}  // namespace orispline
