@@ -29,7 +29,7 @@ void expect_same_bits(std::string_view method, const KeyframeData& data, const C
   CurveOptions of_stream = options;
   for (auto& [name, values] : of_stream.parameters)
     if (values.size() > 1) values.clear();
-  const auto offline = make_pose_curve(method, keyframes(data, Signs::shortest), options);
+  const auto offline = make_pose_curve({method, options}, keyframes(data, Signs::shortest));
   ASSERT_TRUE(offline) << describe(offline.error());
   OnlineCurve online = OnlineCurve::make(method, count, of_stream).value();
   for (std::size_t i = 0; i < count; ++i) {

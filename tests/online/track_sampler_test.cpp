@@ -54,7 +54,7 @@ TEST_P(EveryMethodOfTracks, HasTheSamplesOfTheWholeCurveHoweverFewItsKeysAreAndW
       const CurveOptions options{.start = {.rule = rule}, .end = {.rule = rule}};
       KeyframeData data = walk(804, 20);
       data = part_of(data, 0, count);
-      const auto whole = make_pose_curve(GetParam().name, keyframes(data, Signs::shortest), options);
+      const auto whole = make_pose_curve({GetParam().name, options}, keyframes(data, Signs::shortest));
       TrackSampler sampler = TrackSampler::make(GetParam().name, {.step = step}, {.curve = options}).value();
       if (whole) {
         EXPECT_TRUE(streamed(sampler, data, {}, count) == of_whole(*whole, whole->orientation.domain().start, step))
@@ -81,7 +81,7 @@ TEST_P(EveryMethodOfTracks, TakesParametersThatComeWithTheKeys) {
     options.parameters[name] = settings[name];
     of_stream.parameters[name] = {};
   }
-  const auto whole = make_pose_curve(GetParam().name, keyframes(data, Signs::shortest), options);
+  const auto whole = make_pose_curve({GetParam().name, options}, keyframes(data, Signs::shortest));
   ASSERT_TRUE(whole) << describe(whole.error());
   const TrackSampler sampler = TrackSampler::make(GetParam().name, {.step = step}, {.curve = of_stream}).value();
   EXPECT_TRUE(streamed(sampler, data, settings, 807) == of_whole(*whole, whole->orientation.domain().start, step));
@@ -109,7 +109,7 @@ TEST(TrackSampler, HoldsEqualKeysAtRest) {
   for (const std::size_t i : {1u, 9u, 10u, 21u, 33u, 59u}) data.orientations[i] = data.orientations[i - 1];
   const CurveOptions options{.parameters = {{"hold", {1.0}}}};
   for (const std::string_view method : {"auto", "auto5"}) {
-    const PoseCurve whole = make_pose_curve(method, keyframes(data, Signs::shortest), options).value();
+    const PoseCurve whole = make_pose_curve({method, options}, keyframes(data, Signs::shortest)).value();
     const TrackSampler sampler = TrackSampler::make(method, {.step = step}, {.curve = options}).value();
     EXPECT_TRUE(streamed(sampler, data, {}, 812) == of_whole(whole, data.times.front(), step)) << method;
   }
@@ -123,7 +123,7 @@ TEST(TrackSampler, TakesSettingsOnWhichTheKeysOfASegmentDepend) {
   for (const double degree : {2.0, 3.0, 4.0, 5.0})
     curves.push_back({"bspline", {.parameters = {{"degree", {degree}}}}});
   for (const auto& [method, options] : curves) {
-    const PoseCurve whole = make_pose_curve(method, keyframes(data, Signs::shortest), options).value();
+    const PoseCurve whole = make_pose_curve({method, options}, keyframes(data, Signs::shortest)).value();
     const TrackSampler sampler = TrackSampler::make(method, {.step = step}, {.curve = options}).value();
     EXPECT_TRUE(streamed(sampler, data, {}, 814) == of_whole(whole, whole.orientation.domain().start, step)) << method;
   }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/families/bezier.hpp>
 
-
 namespace orispline::families {
 namespace {
 

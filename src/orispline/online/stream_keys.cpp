@@ -113,7 +113,7 @@ Expected<PoseCurve> StreamKeys::curve_from(std::uint64_t key, const StreamMethod
                        .angular_accelerations = part(data_.angular_accelerations),
                        .angular_jerks = part(data_.angular_jerks)},
                       Signs::as_given)
-          .and_then([&](const Keyframes& keys) { return make_pose_curve(method.family->name, keys, options); });
+          .and_then([&](const Keyframes& keys) { return make_pose_curve({method.family->name, options}, keys); });
   if (curve || !curve.error().where.key) return curve;
   Error error = std::move(curve.error());
   *error.where.key += static_cast<std::size_t>(key);

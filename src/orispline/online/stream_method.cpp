@@ -48,7 +48,7 @@ Expected<AnyCurve> trial_curve(const FamilyInfo& family, const CurveOptions& opt
     data.orientations.push_back(Eigen::Quaterniond::Identity());
   }
   auto curve = Keyframes::make(std::move(data)).and_then([&](const Keyframes& keys) {
-    return make_curve(family.name, keys, options);
+    return make_curve({family.name, options}, keys);
   });
   if (!curve) curve.error().where = {};
   return curve;
