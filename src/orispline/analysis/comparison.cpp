@@ -5,12 +5,11 @@
 #include <chrono>
 #include <mutex>
 
-#include <fmt/format.h>
-
 #include <orispline/analysis/angle_travelled.hpp>
 #include <orispline/analysis/leave_out.hpp>
 #include <orispline/analysis/sampled.hpp>
 #include <orispline/base/expect.hpp>
+#include <orispline/base/formatted.hpp>
 #include <orispline/base/parallel.hpp>
 #include <orispline/families/registry.hpp>
 
@@ -32,7 +31,7 @@ struct Overlap {
 Expected<Overlap> overlap_of(const RecordedMotion& recording, Domain domain) {
   const auto [first, count] = times_within(recording.times, domain);
   if (count == 0)
-    return failure(ErrorCode::bad_data, fmt::format("none of the {} reference times lies between the keys, {} to {} s",
+    return failure(ErrorCode::bad_data, formatted("none of the {} reference times lies between the keys, {} to {} s",
                                                     recording.times.size(), domain.start, domain.end));
   const bool has_rates = !recording.angular_velocities.empty();
   return Overlap{first, recording.times.subspan(first, count), recording.orientations.subspan(first, count),

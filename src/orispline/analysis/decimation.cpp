@@ -6,9 +6,8 @@
 #include <cmath>
 #include <random>
 
-#include <fmt/format.h>
-
 #include <orispline/base/expect.hpp>
+#include <orispline/base/formatted.hpp>
 
 namespace orispline {
 namespace {
@@ -47,7 +46,7 @@ std::vector<T> kept_of(const std::vector<T>& values, std::span<const std::size_t
 std::string ordinal(std::size_t n) {
   const std::size_t last = n % 10;
   const bool teen = n % 100 / 10 == 1;
-  return fmt::format("{}{}", n, teen ? "th" : last == 1 ? "st" : last == 2 ? "nd" : last == 3 ? "rd" : "th");
+  return formatted("{}{}", n, teen ? "th" : last == 1 ? "st" : last == 2 ? "nd" : last == 3 ? "rd" : "th");
 }
 
 }  // namespace
@@ -75,12 +74,12 @@ KeyframeData kept_keys(const KeyframeData& data, std::span<const std::size_t> ke
 }
 
 std::string name_of(const Decimation& decimation) {
-  const std::string every = fmt::format("every {}", ordinal(decimation.keep_every));
+  const std::string every = formatted("every {}", ordinal(decimation.keep_every));
   switch (decimation.spacing) {
     case Spacing::jittered:
-      return fmt::format("{}, jittered (seed {})", every, decimation.seed);
+      return formatted("{}, jittered (seed {})", every, decimation.seed);
     case Spacing::random:
-      return fmt::format("{} in the mean, at random (seed {})", every, decimation.seed);
+      return formatted("{} in the mean, at random (seed {})", every, decimation.seed);
     case Spacing::even:
       break;
   }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/analysis/leave_out.hpp>
 
-#include <fmt/format.h>
-
 #include <orispline/analysis/decimation.hpp>
+#include <orispline/base/formatted.hpp>
 #include <orispline/families/registry.hpp>
 
 namespace orispline {
@@ -34,7 +33,7 @@ Parted parted(const Keyframes& keys, std::size_t phase) {
 
 Expected<DistanceStatistics> leave_out_error(const Keyframes& keys, const Method& method) {
   if (keys.size() < 3)
-    return failure(ErrorCode::bad_data, fmt::format("found {} keys, wanted 3 to leave one out", keys.size()));
+    return failure(ErrorCode::bad_data, formatted("found {} keys, wanted 3 to leave one out", keys.size()));
   std::vector<double> distances(keys.size() - 2);
   for (std::size_t phase = 0; phase < phases; ++phase) {
     const Parted parts = parted(keys, phase);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/analysis/torque.hpp>
 
-#include <fmt/format.h>
 #include <Eigen/Eigenvalues>
+
+#include <orispline/base/formatted.hpp>
 
 namespace orispline {
 namespace {
@@ -17,7 +18,7 @@ Expected<Eigen::Matrix3d> checked_inertia(const Eigen::Matrix3d& inertia) {
     return refused("the inertia is not symmetric, wanted a symmetric tensor");
   const Eigen::Vector3d moments = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia).eigenvalues();
   const std::string found =
-      fmt::format("the inertia has the principal moments {:.6g}, {:.6g}, {:.6g}", moments[0], moments[1], moments[2]);
+      formatted("the inertia has the principal moments {:.6g}, {:.6g}, {:.6g}", moments[0], moments[1], moments[2]);
   if (!(moments[0] > 0.0)) return refused(found + ", wanted all of them greater than 0");
   return inertia;
 }

@@ -11,10 +11,9 @@
 #include <sstream>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include <orispline/base/expect.hpp>
 #include <orispline/base/decimal_digits.hpp>
+#include <orispline/base/formatted.hpp>
 #include <orispline/base/number_text.hpp>
 #include <orispline/base/quoted.hpp>
 
@@ -151,16 +150,16 @@ Decimal::Decimal(Integer coefficient, int exponent) noexcept : coefficient_(coef
 
 Expected<Decimal> Decimal::parse(std::string_view text) {
   const auto found = [text](std::string_view wanted) {
-    return failure(ErrorCode::bad_data, fmt::format("found {}, wanted {}", in_quotes(text), wanted));
+    return failure(ErrorCode::bad_data, formatted("found {}, wanted {}", in_quotes(text), wanted));
   };
   const std::optional<Written> written = scan(text);
   if (!written) return found("a number such as -1.5e-3");
   const Significand& significand = written->significand;
   if (significand.digits == 0) return Decimal();
-  if (significand.digits > max_digits) return found(fmt::format("at most {} significant digits", max_digits));
+  if (significand.digits > max_digits) return found(formatted("at most {} significant digits", max_digits));
   const std::int64_t size = written->exponent + significand.digits;
   if (size > parsed_exponent_limit || size <= -parsed_exponent_limit)
-    return found(fmt::format("a number between 1e-{0} and 1e{0} in size", parsed_exponent_limit));
+    return found(formatted("a number between 1e-{0} and 1e{0} in size", parsed_exponent_limit));
   Decimal number;
   number.coefficient_ = written->sign * significand.value();
   number.exponent_ = static_cast<int>(written->exponent);

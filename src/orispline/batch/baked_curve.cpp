@@ -5,8 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include <fmt/format.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/batch/baked_sampler.hpp>
 #include <orispline/batch/interpolation.hpp>
 
@@ -107,7 +106,7 @@ BakedRecord<T> constant_piece(const AnyCurve& curve) {
 template <class T>
 Expected<BakedCurve<T>> bake(const AnyCurve& curve, double tolerance) {
   if (!(tolerance >= least_bake_tolerance<T>) || !std::isfinite(tolerance))
-    return failure(ErrorCode::bad_argument, fmt::format("the tolerance is {} rad, wanted a number from {} on",
+    return failure(ErrorCode::bad_argument, formatted("the tolerance is {} rad, wanted a number from {} on",
                                                         tolerance, least_bake_tolerance<T>));
   const Knots& knots = curve.knots();
   if (knots.segments() == 0) return BakedCurve<T>(knots, {constant_piece<T>(curve)}, 0.0);
@@ -116,7 +115,7 @@ Expected<BakedCurve<T>> bake(const AnyCurve& curve, double tolerance) {
     if (!baker.add({i, knots.span(i).start(), knots.span(i).end()}))
       return failure(
           ErrorCode::bad_argument,
-          fmt::format("at {} s even the shortest piece is {:.2g} rad off, wanted {} at most: ask for a larger "
+          formatted("at {} s even the shortest piece is {:.2g} rad off, wanted {} at most: ask for a larger "
                       "tolerance",
                       baker.failed_at(), baker.largest_difference(), tolerance / reserve),
           {.key = i});

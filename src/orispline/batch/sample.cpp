@@ -5,8 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include <fmt/format.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/base/parallel.hpp>
 #include <orispline/batch/baked_sampler.hpp>
 #include <orispline/batch/path_sampler.hpp>
@@ -123,7 +122,7 @@ template <class T, class Source>
 Expected<void> sample_uniform_of(const Source& source, double t0, double dt, const Samples<T>& out, Work work) {
   if (auto error = check(source, out, out.size())) return tl::unexpected(std::move(*error));
   if (!(dt >= 0.0) || !std::isfinite(dt))
-    return failure(ErrorCode::bad_argument, fmt::format("the step is {} s, wanted 0 or more", dt));
+    return failure(ErrorCode::bad_argument, formatted("the step is {} s, wanted 0 or more", dt));
   if (out.size() == 0) return {};
   if (!std::isfinite(t0)) {
     const Held held = std::isnan(t0) ? Held::nothing : t0 < 0.0 ? Held::first : Held::last;
@@ -152,7 +151,7 @@ std::optional<Error> decrease(std::span<const double> times) {
     if (times[k] >= latest) latest = times[k];
     else if (!std::isnan(times[k]))
       return Error{ErrorCode::bad_argument,
-                   fmt::format("{} s comes after {} s, wanted times that do not decrease", times[k], latest),
+                   formatted("{} s comes after {} s, wanted times that do not decrease", times[k], latest),
                    {.time_index = k}};
   }
   return std::nullopt;

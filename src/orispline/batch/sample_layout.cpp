@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/batch/sample_layout.hpp>
 
-#include <fmt/format.h>
+#include <orispline/base/formatted.hpp>
 
 namespace orispline::batch {
 
@@ -12,7 +12,7 @@ std::optional<Error> check_room(const Samples<T>& out, std::size_t wanted) {
     return error("found a distance between planes for samples that are interleaved, wanted a planar layout");
   if (out.plane != 0 && out.plane < wanted)
     return error(
-        fmt::format("found planes {} numbers apart, wanted {} or more for as many samples", out.plane, wanted));
+        formatted("found planes {} numbers apart, wanted {} or more for as many samples", out.plane, wanted));
   struct Room {
     const char* what;
     std::span<T> span;
@@ -26,7 +26,7 @@ std::optional<Error> check_room(const Samples<T>& out, std::size_t wanted) {
     const std::size_t numbers = (components - 1) * (out.plane == 0 ? wanted : out.plane) + wanted;
     const bool may_be_empty = components == 3 || wanted == 0;
     if ((may_be_empty && span.empty()) || span.size() == numbers) continue;
-    return error(fmt::format("found room for {} numbers of {}, wanted {} numbers for {} samples", span.size(), what,
+    return error(formatted("found room for {} numbers of {}, wanted {} numbers for {} samples", span.size(), what,
                              numbers, wanted));
   }
   return std::nullopt;

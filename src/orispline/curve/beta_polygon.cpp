@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/curve/beta_polygon.hpp>
 
-#include <fmt/format.h>
+#include <orispline/base/formatted.hpp>
 
 namespace orispline {
 
@@ -13,7 +13,7 @@ Expected<BetaShape> beta_shape(std::string_view method, const std::vector<double
     const double b1 = beta1[i], b2 = beta2[i], pole = -2.0 * b1 * (1.0 + b1);
     if (!(b2 > pole))
       return failure(ErrorCode::bad_argument,
-                     fmt::format("{}: beta2 is {}, wanted more than -2 beta1 (1 + beta1) = {}: there the control "
+                     formatted("{}: beta2 is {}, wanted more than -2 beta1 (1 + beta1) = {}: there the control "
                                  "points of the construction meet a pole or fold back",
                                  method, b2, pole),
                      {.key = i});

@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <optional>
 
-#include <fmt/format.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/math/banded_lu.hpp>
 
 namespace orispline::chain {
@@ -130,11 +129,11 @@ Outcome solve(const Equations& equations) {
 Error not_converged(std::string_view method, const Outcome& outcome, double share) {
   const std::string found = outcome.solved()
                                 ? std::string("its equations hold only for a curve that winds round")
-                                : fmt::format("the residual stays at {:.3g}, wanted {:g}", outcome.residual, tolerance);
-  const std::string nearer = share > 0.0 ? fmt::format("it does for increments of {:.2g} times their length", share)
+                                : formatted("the residual stays at {:.3g}, wanted {:g}", outcome.residual, tolerance);
+  const std::string nearer = share > 0.0 ? formatted("it does for increments of {:.2g} times their length", share)
                                          : std::string("nor does it for shorter increments");
   return {ErrorCode::not_converged,
-          fmt::format("{} does not converge for these keys: {}; {}", method, found, nearer),
+          formatted("{} does not converge for these keys: {}; {}", method, found, nearer),
           {.key = outcome.worst}};
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/curve/curve.hpp>
 
-#include <fmt/format.h>
+#include <orispline/base/formatted.hpp>
 
 namespace orispline {
 
@@ -9,7 +9,7 @@ Expected<Motion> AnyCurve::checked_motion(double t) const {
   const Domain d = domain();
   if (!d.contains(t))
     return failure(ErrorCode::bad_argument,
-                   fmt::format("time {} is outside the curve, wanted {} to {}", t, d.start, d.end));
+                   formatted("time {} is outside the curve, wanted {} to {}", t, d.start, d.end));
   return motion(t);
 }
 

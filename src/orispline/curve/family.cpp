@@ -5,8 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <orispline/base/formatted.hpp>
 
 namespace orispline {
 namespace {
@@ -21,13 +20,13 @@ Error argument_error(std::string message, std::optional<std::size_t> key = {}) {
 std::string list_of_ends(const FamilyInfo& family) {
   std::vector<std::string_view> names;
   for (EndRule rule : family.ends) names.push_back(name_of(rule));
-  return names.empty() ? "none: this method has no end rules" : fmt::format("one of {}", fmt::join(names, ", "));
+  return names.empty() ? "none: this method has no end rules" : formatted("one of {}", joined(names, ", "));
 }
 
 std::string wanted_values(const Parameter& parameter, std::size_t keys, std::size_t with_ghosts) {
   if (!parameter.per_key) return "1";
-  if (with_ghosts == keys) return fmt::format("1 or one per key ({})", keys);
-  return fmt::format("1, one per key ({}) or one per key and ghost key ({})", keys, with_ghosts);
+  if (with_ghosts == keys) return formatted("1 or one per key ({})", keys);
+  return formatted("1, one per key ({}) or one per key and ghost key ({})", keys, with_ghosts);
 }
 
 std::optional<Error> check_values(const FamilyInfo& family, const Parameter& parameter,
@@ -36,11 +35,11 @@ std::optional<Error> check_values(const FamilyInfo& family, const Parameter& par
   const bool right_count =
       values.size() == 1 || (parameter.per_key && (values.size() == keys || values.size() == with_ghosts));
   if (!right_count)
-    return argument_error(fmt::format("{}: found {} values of {}, wanted {}", family.name, values.size(),
+    return argument_error(formatted("{}: found {} values of {}, wanted {}", family.name, values.size(),
                                       parameter.name, wanted_values(parameter, keys, with_ghosts)));
   for (std::size_t i = 0; i < values.size(); ++i)
     if (!(parameter.lowest <= values[i] && values[i] <= parameter.highest)) {
-      Error error = argument_error(fmt::format("{}: {} is {}, wanted {} to {}", family.name, parameter.name, values[i],
+      Error error = argument_error(formatted("{}: {} is {}, wanted {} to {}", family.name, parameter.name, values[i],
                                                parameter.lowest, parameter.highest));
       return values.size() == 1 ? error : at_value(std::move(error), i, values.size(), keys);
     }
@@ -56,9 +55,9 @@ Error unknown_parameter(const FamilyInfo& family, std::string_view name) {
   std::vector<std::string_view> names;
   for (const Parameter& p : family.parameters) names.push_back(p.name);
   for (const Choice& c : family.choices) names.push_back(c.name);
-  return argument_error(fmt::format(
+  return argument_error(formatted(
       "{}: no parameter '{}', wanted {}", family.name, name,
-      names.empty() ? "none: this method has no parameters" : fmt::format("one of {}", fmt::join(names, ", "))));
+      names.empty() ? "none: this method has no parameters" : formatted("one of {}", joined(names, ", "))));
 }
 
 /// The chosen word as the family spells it.
@@ -67,23 +66,23 @@ Expected<std::string_view> settle_word(const FamilyInfo& family, const Choice& c
   if (given == options.choices.end()) return choice.words.front();
   const auto word = std::ranges::find(choice.words, given->second);
   if (word != choice.words.end()) return *word;
-  return tl::unexpected(argument_error(fmt::format("{}: {} is '{}', wanted one of {}", family.name, choice.name,
-                                                   given->second, fmt::join(choice.words, ", "))));
+  return tl::unexpected(argument_error(formatted("{}: {} is '{}', wanted one of {}", family.name, choice.name,
+                                                   given->second, joined(choice.words, ", "))));
 }
 
 Expected<End> settle_end(const FamilyInfo& family, End end, std::size_t keys) {
   if (end.rule == EndRule::none && !family.ends.empty()) end.rule = family.ends.front();
   if (end.rule != EndRule::none && std::ranges::find(family.ends, end.rule) == family.ends.end())
     return tl::unexpected(argument_error(
-        fmt::format("{}: no end rule '{}', wanted {}", family.name, name_of(end.rule), list_of_ends(family))));
+        formatted("{}: no end rule '{}', wanted {}", family.name, name_of(end.rule), list_of_ends(family))));
   if (keys < keys_needed(end.rule))
-    return failure(ErrorCode::bad_data, fmt::format("{}: ends '{}' need {} keys, found {}", family.name,
+    return failure(ErrorCode::bad_data, formatted("{}: ends '{}' need {} keys, found {}", family.name,
                                                     name_of(end.rule), keys_needed(end.rule), keys));
   if (!end.angular_velocity.allFinite())
-    return tl::unexpected(argument_error(fmt::format("{}: an end rate is not finite", family.name)));
+    return tl::unexpected(argument_error(formatted("{}: an end rate is not finite", family.name)));
   if (end.rule != EndRule::clamped && !end.angular_velocity.isZero(0.0))
     return tl::unexpected(argument_error(
-        fmt::format("{}: an end rate needs the end rule clamped, found {}", family.name, name_of(end.rule))));
+        formatted("{}: an end rate needs the end rule clamped, found {}", family.name, name_of(end.rule))));
   return end;
 }
 
@@ -91,18 +90,18 @@ std::optional<Error> check_count(const FamilyInfo& family, std::size_t keys) {
   const auto least = static_cast<std::size_t>(family.min_keys);
   const std::size_t stride = family.key_use.stride;
   if (keys < least)
-    return Error{ErrorCode::bad_data, fmt::format("{} needs {} keys, found {}", family.name, least, keys), {}};
+    return Error{ErrorCode::bad_data, formatted("{} needs {} keys, found {}", family.name, least, keys), {}};
   if (family.key_use.cut(keys) == keys) return std::nullopt;
   return Error{ErrorCode::bad_data,
-               fmt::format("{} needs {}k+1 keys ({}, {}, {}, ...), found {}", family.name, stride, least,
+               formatted("{} needs {}k+1 keys ({}, {}, {}, ...), found {}", family.name, stride, least,
                            least + stride, least + 2 * stride, keys),
                {}};
 }
 
 std::optional<Error> check_loop(const FamilyInfo& family, const CurveOptions& options) {
-  if (!family.closes) return argument_error(fmt::format("{}: this method has no closed curves", family.name));
+  if (!family.closes) return argument_error(formatted("{}: this method has no closed curves", family.name));
   if (options.start.rule != EndRule::none || options.end.rule != EndRule::none)
-    return argument_error(fmt::format("{}: a closed curve has no ends, found an end rule", family.name));
+    return argument_error(formatted("{}: a closed curve has no ends, found an end rule", family.name));
   return std::nullopt;
 }
 
@@ -118,7 +117,7 @@ Expected<EndRule> end_rule_by_name(const FamilyInfo& family, std::string_view na
   for (EndRule rule : family.ends)
     if (name_of(rule) == name) return rule;
   return tl::unexpected(
-      argument_error(fmt::format("{}: no end rule '{}', wanted {}", family.name, name, list_of_ends(family))));
+      argument_error(formatted("{}: no end rule '{}', wanted {}", family.name, name, list_of_ends(family))));
 }
 
 std::optional<std::size_t> keys_beside(const FamilyInfo& family, const FamilySettings& settings) {
@@ -130,7 +129,7 @@ std::optional<std::size_t> keys_beside(const FamilyInfo& family, const FamilySet
 Expected<int> FamilySettings::whole(std::string_view name) const {
   const double value = per_key(name)[0];
   if (value == std::round(value)) return static_cast<int>(value);
-  return tl::unexpected(argument_error(fmt::format("{}: {} is {}, wanted a whole number", method, name, value)));
+  return tl::unexpected(argument_error(formatted("{}: {} is {}, wanted a whole number", method, name, value)));
 }
 
 Error at_value(Error error, std::size_t value, std::size_t values, std::size_t keys) {
@@ -139,7 +138,7 @@ Error at_value(Error error, std::size_t value, std::size_t values, std::size_t k
     error.where.key = value - ghosts;
   } else {
     error.where.key.reset();
-    error.message = fmt::format("ghost key {} key {}: {}", value < ghosts ? "before" : "after",
+    error.message = formatted("ghost key {} key {}: {}", value < ghosts ? "before" : "after",
                                 value < ghosts ? 0 : keys - 1, error.message);
   }
   return error;

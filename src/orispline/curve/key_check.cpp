@@ -3,8 +3,7 @@
 
 #include <cmath>
 
-#include <fmt/format.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/curve/keyframe.hpp>
 
 namespace orispline {
@@ -16,18 +15,18 @@ Error key_error(std::size_t key, std::string message) {
 
 /// What is wrong with a time that cannot follow.
 Error time_error(std::size_t key, double time, std::optional<double> before) {
-  if (!std::isfinite(time) || !before) return key_error(key, fmt::format("time is {}, wanted a finite number", time));
-  if (time == *before) return key_error(key, fmt::format("duplicate time {}, wanted strictly increasing times", time));
+  if (!std::isfinite(time) || !before) return key_error(key, formatted("time is {}, wanted a finite number", time));
+  if (time == *before) return key_error(key, formatted("duplicate time {}, wanted strictly increasing times", time));
   if (time < *before)
-    return key_error(key, fmt::format("time {} comes after {}, wanted strictly increasing times", time, *before));
-  return key_error(key, fmt::format("the step from time {} to {} is {:g} s, wanted {:g} to {:g}", *before, time,
+    return key_error(key, formatted("time {} comes after {}, wanted strictly increasing times", time, *before));
+  return key_error(key, formatted("the step from time {} to {} is {:g} s, wanted {:g} to {:g}", *before, time,
                                     time - *before, shortest_step, longest_step));
 }
 
 Error norm_error(std::size_t key, const Eigen::Vector4d& components) {
   if (!components.allFinite())
     return key_error(key, "the quaternion has a component that is not finite, wanted a unit quaternion");
-  return key_error(key, fmt::format("the quaternion has norm {:.6g}, wanted 1 within {:g}", components.stableNorm(),
+  return key_error(key, formatted("the quaternion has norm {:.6g}, wanted 1 within {:g}", components.stableNorm(),
                                     norm_error_limit));
 }
 
@@ -49,7 +48,7 @@ Expected<double> checked_norm(std::size_t key, const Eigen::Quaterniond& q) {
 
 std::optional<Error> check_vector(std::size_t key, const char* what, const Eigen::Vector3d& v) {
   if (v.allFinite()) return std::nullopt;
-  return key_error(key, fmt::format("the {} has a component that is not finite", what));
+  return key_error(key, formatted("the {} has a component that is not finite", what));
 }
 
 }  // namespace orispline

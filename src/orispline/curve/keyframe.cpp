@@ -5,9 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include <orispline/base/expect.hpp>
+#include <orispline/base/formatted.hpp>
 #include <orispline/curve/key_check.hpp>
 
 namespace orispline {
@@ -27,7 +26,7 @@ constexpr std::array optional_data{
 std::optional<Error> check_lengths(const KeyframeData& data) {
   const std::size_t n = data.times.size();
   const auto differs = [n](const char* what, std::size_t size) -> std::optional<Error> {
-    return Error{ErrorCode::bad_data, fmt::format("found {} {} for {} times, wanted one per key", size, what, n), {}};
+    return Error{ErrorCode::bad_data, formatted("found {} {} for {} times, wanted one per key", size, what, n), {}};
   };
   if (data.orientations.size() != n) return differs("orientations", data.orientations.size());
   for (const Optional& some : optional_data)

@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include <fmt/format.h>
+#include <orispline/base/formatted.hpp>
 
 namespace orispline {
 namespace {
@@ -11,10 +11,10 @@ namespace {
 /// What keeps the last key from being the first one come back; nothing if it is.
 std::optional<std::string> gap_at_seam(const Keyframes& keys) {
   const double angle = angular_distance(keys.orientations().front(), keys.orientations().back());
-  if (angle > closing_tolerance) return fmt::format("{:.6g} degrees", angle * 180.0 / std::numbers::pi);
+  if (angle > closing_tolerance) return formatted("{:.6g} degrees", angle * 180.0 / std::numbers::pi);
   if (keys.positions().empty()) return std::nullopt;
   const double distance = (keys.positions().front() - keys.positions().back()).norm();
-  if (distance > closing_tolerance) return fmt::format("{:.6g} m", distance);
+  if (distance > closing_tolerance) return formatted("{:.6g} m", distance);
   return std::nullopt;
 }
 
@@ -32,7 +32,7 @@ Eigen::Vector3d come_round(const Eigen::Vector3d& key, const Closure&) { return 
 
 Expected<ClosedKeys> closed_keys(const Keyframes& keys, const Loop& loop) {
   if (keys.size() < 2)
-    return failure(ErrorCode::bad_data, fmt::format("a closed curve needs 2 keys, found {}", keys.size()));
+    return failure(ErrorCode::bad_data, formatted("a closed curve needs 2 keys, found {}", keys.size()));
   const std::size_t last = keys.size() - 1;
   const double span = keys.times()[last] - keys.times()[0];
   const double period = loop.period.value_or(span);
@@ -42,11 +42,11 @@ Expected<ClosedKeys> closed_keys(const Keyframes& keys, const Loop& loop) {
     if (shortest_step <= closing_step && closing_step <= longest_step) return ClosedKeys{keys, {period, sign}};
     return failure(
         ErrorCode::bad_argument,
-        fmt::format("the period is {} s, wanted a finite number greater than the keys' span of {} s", period, span));
+        formatted("the period is {} s, wanted a finite number greater than the keys' span of {} s", period, span));
   }
   if (const auto gap = gap_at_seam(keys))
     return failure(ErrorCode::bad_data,
-                   fmt::format("the last key is {} from the first, wanted the first again or a period", *gap),
+                   formatted("the last key is {} from the first, wanted the first again or a period", *gap),
                    {.key = last});
   if (last < 2) return failure(ErrorCode::bad_data, "a closed curve needs 2 different keys, found 1");
   return ClosedKeys{keys.first(last), {period, sign}};

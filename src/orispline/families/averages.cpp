@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include <fmt/format.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/curve/key_knots.hpp>
 #include <orispline/curve/motion.hpp>
 #include <orispline/curve/points_through.hpp>
@@ -60,14 +59,14 @@ Expected<std::vector<P>> control_points(const Keyframes& keys, std::span<const P
 
 Error too_far_apart(std::size_t key, std::string_view found) {
   return {ErrorCode::not_converged,
-          fmt::format("averages does not converge for these keys: {}, for the control orientations around this key lie "
+          formatted("averages does not converge for these keys: {}, for the control orientations around this key lie "
                       "too far apart to have one average",
                       found),
           {.key = key}};
 }
 
 Error misses_average(std::size_t key, double missing) {
-  return too_far_apart(key, fmt::format("the residual stays at {:.3g} rad, wanted 0", missing));
+  return too_far_apart(key, formatted("the residual stays at {:.3g} rad, wanted 0", missing));
 }
 
 /// Then they have one average, and no more.
@@ -99,7 +98,7 @@ std::optional<Error> without_average(const AverageCurve& curve, std::size_t segm
     if (one_at_most) continue;
     const Motion here = motion_from_jet(curve.point(Jet<double, 3>::variable(t), segment));
     const double jump = before ? jump_between(*before, here, span.step() / parts) : 0.0;
-    if (jump > 0.0) return too_far_apart(segment, fmt::format("the average jumps by {:.3g} rad", jump));
+    if (jump > 0.0) return too_far_apart(segment, formatted("the average jumps by {:.3g} rad", jump));
     before = here;
   }
   return std::nullopt;

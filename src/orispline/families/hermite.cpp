@@ -3,8 +3,7 @@
 
 #include <numbers>
 
-#include <fmt/format.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/curve/key_knots.hpp>
 #include <orispline/curve/window.hpp>
 
@@ -54,7 +53,7 @@ Expected<ChartCurve<2 * K + 1>> Hermite<K>::chart(const Keyframes& keys, const F
     const Eigen::Vector3d step = increment<double>(start.orientation, end.orientation);
     if (step.norm() > 2.0 * std::numbers::pi - full_turn_margin)
       return failure(ErrorCode::bad_data,
-                     fmt::format("{}: the step to the next key is a full turn, which has no axis; wanted less, or the "
+                     formatted("{}: the step to the next key is a full turn, which has no axis; wanted less, or the "
                                  "form cumulative",
                                  info.name),
                      {.key = i});

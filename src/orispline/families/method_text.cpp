@@ -6,9 +6,7 @@
 #include <sstream>
 #include <vector>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/families/registry.hpp>
 
 namespace orispline {
@@ -47,7 +45,7 @@ Expected<std::vector<double>> numbers_of(std::string_view option, std::string_vi
   for (const std::string_view piece : pieces_of(text, ',')) {
     const auto number = number_of(piece);
     if (!number)
-      return bad_option(option, fmt::format("found '{}', wanted numbers with commas between them", text));
+      return bad_option(option, formatted("found '{}', wanted numbers with commas between them", text));
     numbers.push_back(*number);
   }
   return numbers;
@@ -56,14 +54,14 @@ Expected<std::vector<double>> numbers_of(std::string_view option, std::string_vi
 Expected<Method> with_rate_text(Method method, CurveEnd end, std::string_view option, std::string_view text) {
   const auto numbers = numbers_of(option, text);
   if (!numbers || numbers->size() != 3)
-    return bad_option(option, fmt::format("found '{}', wanted three numbers with commas between them", text));
+    return bad_option(option, formatted("found '{}', wanted three numbers with commas between them", text));
   return with_end_rate(std::move(method), end, Eigen::Vector3d(numbers->data()));
 }
 
 Expected<Method> with_period_text(Method method, std::string_view text) {
   const auto seconds = number_of(text);
   if (!seconds || *seconds <= 0.0)
-    return bad_option(period, fmt::format("found '{}', wanted a number of seconds greater than 0", text));
+    return bad_option(period, formatted("found '{}', wanted a number of seconds greater than 0", text));
   return with_loop(std::move(method), {.period = *seconds});
 }
 
@@ -72,7 +70,7 @@ Expected<Method> with_piece(Method method, std::string_view piece) {
   if (piece == closed) return with_loop(std::move(method), {});
   const std::size_t equals = piece.find('=');
   if (equals == 0 || equals == std::string_view::npos || equals + 1 == piece.size())
-    return bad_option("settings", fmt::format("found '{}', wanted NAME=VALUE", piece));
+    return bad_option("settings", formatted("found '{}', wanted NAME=VALUE", piece));
   const std::string_view name = piece.substr(0, equals), value = piece.substr(equals + 1);
   if (name == ends) return with_ends(std::move(method), value);
   if (name == start_rate) return with_rate_text(std::move(method), CurveEnd::start, name, value);
@@ -85,18 +83,18 @@ std::string closing_methods() {
   std::vector<std::string_view> names;
   for (const FamilyInfo& family : families_info())
     if (family.closes) names.push_back(family.name);
-  return fmt::format("{}", fmt::join(names, ", "));
+  return joined(names, ", ");
 }
 
 std::string ends_text(const CurveOptions& options) {
   if (options.start.rule == EndRule::none && options.end.rule == EndRule::none) return {};
-  if (options.start.rule == options.end.rule) return fmt::format(":{}={}", ends, name_of(options.start.rule));
-  return fmt::format(":{}={},{}", ends, name_of(options.start.rule), name_of(options.end.rule));
+  if (options.start.rule == options.end.rule) return formatted(":{}={}", ends, name_of(options.start.rule));
+  return formatted(":{}={},{}", ends, name_of(options.start.rule), name_of(options.end.rule));
 }
 
 std::string rate_text(std::string_view name, const End& end) {
   const Eigen::Vector3d& w = end.angular_velocity;
-  return end.rule == EndRule::clamped ? fmt::format(":{}={},{},{}", name, w.x(), w.y(), w.z()) : std::string();
+  return end.rule == EndRule::clamped ? formatted(":{}={},{},{}", name, w.x(), w.y(), w.z()) : std::string();
 }
 
 }  // namespace
@@ -107,7 +105,7 @@ Expected<Method> with_setting(Method method, std::string_view setting, std::stri
   const std::string name(setting);
   CurveOptions& options = method.options;
   if (options.parameters.contains(name) || options.choices.contains(name))
-    return bad_option(setting, fmt::format("'{}' is given twice, wanted it once", name));
+    return bad_option(setting, formatted("'{}' is given twice, wanted it once", name));
   if (has_name((*family)->parameters, setting))
     return numbers_of(setting, value).map([&](std::vector<double> values) {
       options.parameters.emplace(name, std::move(values));
@@ -122,7 +120,7 @@ Expected<Method> with_ends(Method method, std::string_view rules) {
   const auto family = find_family(method.name);
   if (!family) return tl::unexpected(family.error());
   const auto names = pieces_of(rules, ',');
-  if (names.size() > 2) return bad_option(ends, fmt::format("found '{}', wanted RULE or START,END", rules));
+  if (names.size() > 2) return bad_option(ends, formatted("found '{}', wanted RULE or START,END", rules));
   const auto rule_of = [&](std::string_view name) {
     return name == name_of(EndRule::none) && names.size() == 2 ? Expected<EndRule>(EndRule::none)
                                                                : end_rule_by_name(**family, name);
@@ -141,7 +139,7 @@ Expected<Method> with_end_rate(Method method, CurveEnd end, const Eigen::Vector3
   if (!family) return tl::unexpected(family.error());
   End& changed = end == CurveEnd::start ? method.options.start : method.options.end;
   if (changed.rule != EndRule::none && changed.rule != EndRule::clamped)
-    return bad_option(option, fmt::format("a rate needs the end rule clamped, found {}", name_of(changed.rule)));
+    return bad_option(option, formatted("a rate needs the end rule clamped, found {}", name_of(changed.rule)));
   if (const auto known = end_rule_by_name(**family, name_of(EndRule::clamped)); !known)
     return bad_option(option, known.error().message);
   changed = {EndRule::clamped, rate};
@@ -153,9 +151,9 @@ Expected<Method> with_loop(Method method, Loop loop) {
   if (!family) return tl::unexpected(family.error());
   if (!(*family)->closes)
     return failure(ErrorCode::bad_argument,
-                   fmt::format("{}: this method has no closed curves, wanted one of {}", method.name, closing_methods()));
+                   formatted("{}: this method has no closed curves, wanted one of {}", method.name, closing_methods()));
   if (loop.period && !(*loop.period > 0.0))
-    return bad_option(period, fmt::format("found {}, wanted a number of seconds greater than 0", *loop.period));
+    return bad_option(period, formatted("found {}, wanted a number of seconds greater than 0", *loop.period));
   method.options.loop = loop;
   return method;
 }
@@ -173,11 +171,11 @@ Expected<Method> method_from_text(std::string_view text) {
 std::string text_of(const Method& method) {
   const CurveOptions& options = method.options;
   std::string text = method.name;
-  for (const auto& [name, values] : options.parameters) text += fmt::format(":{}={}", name, fmt::join(values, ","));
-  for (const auto& [name, word] : options.choices) text += fmt::format(":{}={}", name, word);
+  for (const auto& [name, values] : options.parameters) text += formatted(":{}={}", name, joined(values, ","));
+  for (const auto& [name, word] : options.choices) text += formatted(":{}={}", name, word);
   text += ends_text(options) + rate_text(start_rate, options.start) + rate_text(end_rate, options.end);
-  if (options.loop && options.loop->period) text += fmt::format(":{}={}", period, *options.loop->period);
-  else if (options.loop) text += fmt::format(":{}", closed);
+  if (options.loop && options.loop->period) text += formatted(":{}={}", period, *options.loop->period);
+  else if (options.loop) text += formatted(":{}", closed);
   return text;
 }
 

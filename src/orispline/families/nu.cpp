@@ -3,8 +3,7 @@
 
 #include <cmath>
 
-#include <fmt/format.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/curve/key_knots.hpp>
 #include <orispline/curve/points_through.hpp>
 #include <orispline/curve/rate_chain.hpp>
@@ -22,7 +21,7 @@ Expected<Ratios> ratios_of(std::span<const double> t, const PerKey& nu) {
     gamma.push_back(nu_gamma<double>(step, i, nu[i]));
     if (!(gamma[i] > 0.0 && std::isfinite(gamma[i])))
       return failure(ErrorCode::bad_argument,
-                     fmt::format("nu: nu is {}, wanted more than {:.6g} between these key times", nu[i],
+                     formatted("nu: nu is {}, wanted more than {:.6g} between these key times", nu[i],
                                  -2.0 * (step(i) + step(i + 1)) / (step(i) * step(i + 1))),
                      {.key = i});
   }
@@ -36,7 +35,7 @@ Expected<Handle> handle_of(const End& end, double third, std::size_t key) {
   Eigen::Vector3d handle = third * end.angular_velocity;
   if (handle.norm() < NuRule<double>::forbidden_turn) return handle;
   return failure(ErrorCode::bad_argument,
-                 fmt::format("nu: the end rate is {:.6g} rad/s, wanted less than {:.6g} for the length of this end's "
+                 formatted("nu: the end rate is {:.6g} rad/s, wanted less than {:.6g} for the length of this end's "
                              "segment: the handle would wind round",
                              end.angular_velocity.norm(), NuRule<double>::forbidden_turn / std::abs(third)),
                  {.key = key});

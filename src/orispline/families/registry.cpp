@@ -3,9 +3,7 @@
 
 #include <array>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/families/build.hpp>
 #include <orispline/families/families.hpp>
 
@@ -43,7 +41,7 @@ Expected<std::size_t> index_of(std::string_view name) {
     names.push_back(infos[i].name);
   }
   return failure(ErrorCode::bad_argument,
-                 fmt::format("no method '{}', wanted one of {}", name, fmt::join(names, ", ")));
+                 formatted("no method '{}', wanted one of {}", name, joined(names, ", ")));
 }
 
 /// A family's place in the list with the options settled for the keys that its curve goes through.

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/io/column_search.hpp>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 
 namespace orispline::io {
@@ -35,24 +33,24 @@ Expected<std::optional<VectorColumns>> ColumnSearch::vector(std::span<const std:
   if (!found) return tl::unexpected(found.error());
   if (found->is_absent()) return std::nullopt;
   if (found->is_complete()) return VectorColumns{found->columns[0], found->columns[1], found->columns[2]};
-  return failure(ErrorCode::bad_data, fmt::format("found {} without {}, wanted all three columns or none",
-                                                  fmt::join(found->present, ", "), fmt::join(found->missing, ", ")));
+  return failure(ErrorCode::bad_data, formatted("found {} without {}, wanted all three columns or none",
+                                                  joined(found->present, ", "), joined(found->missing, ", ")));
 }
 
 std::string ColumnSearch::found_names() const {
-  return in_quotes(fmt::format("{}", fmt::join(header_, ",")), longest_list);
+  return in_quotes(joined(header_, ","), longest_list);
 }
 
 tl::unexpected<Error> ColumnSearch::not_there(std::string_view canonical, std::string_view name) const {
   return failure(ErrorCode::bad_data,
-                 fmt::format("no column {} for {}, found {}", in_quotes(name), canonical, found_names()));
+                 formatted("no column {} for {}, found {}", in_quotes(name), canonical, found_names()));
 }
 
 tl::unexpected<Error> ColumnSearch::two_columns(std::string_view canonical, std::size_t one, std::size_t other) const {
   const auto name = [this](std::size_t i) { return in_quotes(header_[i]); };
   if (header_[one] == header_[other])
-    return failure(ErrorCode::bad_data, fmt::format("the column {} is there twice, wanted it once", name(other)));
-  return failure(ErrorCode::bad_data, fmt::format("{} and {} may both be {}, choose one with --columns {}=NAME",
+    return failure(ErrorCode::bad_data, formatted("the column {} is there twice, wanted it once", name(other)));
+  return failure(ErrorCode::bad_data, formatted("{} and {} may both be {}, choose one with --columns {}=NAME",
                                                   name(one), name(other), canonical, canonical));
 }
 

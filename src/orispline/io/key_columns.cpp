@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/io/euroc.hpp>
 
 namespace orispline::io {
@@ -46,8 +44,8 @@ Expected<void> check_mappings(const HeaderReading& reading) {
   const auto wanted = canonical_names(reading.parameters);
   for (const auto& [canonical, name] : reading.names)
     if (std::ranges::find(wanted, canonical) == wanted.end())
-      return failure(ErrorCode::bad_argument, fmt::format("--columns {}={}: no such column is read, wanted one of {}",
-                                                          canonical, name, fmt::join(wanted, ", ")));
+      return failure(ErrorCode::bad_argument, formatted("--columns {}={}: no such column is read, wanted one of {}",
+                                                          canonical, name, joined(wanted, ", ")));
   return {};
 }
 
@@ -67,8 +65,8 @@ Expected<RequiredColumns> required_columns(const ColumnSearch& search, const Ori
   if (!*time) missing.insert(missing.begin(), time_names.front());
   if (missing.empty()) return RequiredColumns{**time, std::move(*orientation)};
   return failure(ErrorCode::bad_data,
-                 fmt::format("no column {}, found {}; other names are given by --columns {}=NAME,...",
-                             fmt::join(missing, ", "), search.found_names(), missing[0]));
+                 formatted("no column {}, found {}; other names are given by --columns {}=NAME,...",
+                             joined(missing, ", "), search.found_names(), missing[0]));
 }
 
 Expected<std::vector<ParameterColumn>> parameter_columns(const ColumnSearch& search,
@@ -144,7 +142,7 @@ Expected<KeyColumns> columns_of_header(std::span<const std::string_view> header,
 Expected<KeyColumns> columns_of_order(std::size_t columns, QuaternionOrder order) {
   if (columns != 5 && columns != 8)
     return failure(ErrorCode::bad_data,
-                   fmt::format("found {} columns without a header, wanted 5 (t and the quaternion) or 8 (px, py, pz "
+                   formatted("found {} columns without a header, wanted 5 (t and the quaternion) or 8 (px, py, pz "
                                "after them)",
                                columns));
   KeyColumns result{.width = columns, .orientation = {{1}, {2}, {3}, {4}}};
@@ -160,14 +158,14 @@ KeyColumns columns_of_tum() {
 Expected<KeyColumns> columns_of_euroc(std::size_t columns) {
   if (columns < euroc_columns)
     return failure(ErrorCode::bad_data,
-                   fmt::format("found {} column{}, wanted at least 8 (time, position, quaternion w,x,y,z)", columns,
+                   formatted("found {} column{}, wanted at least 8 (time, position, quaternion w,x,y,z)", columns,
                                columns == 1 ? "" : "s"));
   KeyColumns result{.width = columns,
                     .time_unit = Decimal::power_of_ten(-9),
                     .whole_times = true,
                     .orientation = {{4}, {5}, {6}, {7}},
                     .position = three_columns_from(1)};
-  if (columns > euroc_columns) result.ignored = {fmt::format("columns {} to {}", euroc_columns + 1, columns)};
+  if (columns > euroc_columns) result.ignored = {formatted("columns {} to {}", euroc_columns + 1, columns)};
   return result;
 }
 

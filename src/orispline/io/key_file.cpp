@@ -3,8 +3,7 @@
 
 #include <utility>
 
-#include <fmt/format.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/io/euroc.hpp>
 #include <orispline/io/key_rows.hpp>
 
@@ -57,7 +56,7 @@ Expected<Layout> at(const TextTable& table, Expected<KeyColumns> columns, FileFo
 Expected<Layout> tum_layout(const TextTable& table, const ReadOptions& options) {
   if (options.order) return contradiction(table, "--order is for CSV, and TUM is always t tx ty tz qx qy qz qw");
   if (const auto option = header_option(options))
-    return contradiction(table, fmt::format("{} needs a header, and TUM has none", *option));
+    return contradiction(table, formatted("{} needs a header, and TUM has none", *option));
   return Layout{FileFormat::tum, columns_of_tum(), Layout::FirstRow::key};
 }
 
@@ -65,7 +64,7 @@ Expected<Layout> euroc_layout(const TextTable& table, const ReadOptions& options
   if (options.order)
     return contradiction(table, "--order is for CSV, and EuRoC is always time, position, quaternion w,x,y,z");
   if (const auto option = header_option(options))
-    return contradiction(table, fmt::format("{} is for CSV, and the columns of EuRoC are fixed", *option));
+    return contradiction(table, formatted("{} is for CSV, and the columns of EuRoC are fixed", *option));
   return at(table, columns_of_euroc(width_of(table.cells())), FileFormat::euroc,
             is_header(table.cells()) ? Layout::FirstRow::header : Layout::FirstRow::key);
 }
@@ -87,13 +86,13 @@ Expected<Layout> header_layout(const TextTable& table, const ReadOptions& option
 
 Expected<Layout> order_layout(const TextTable& table, const ReadOptions& options) {
   if (const auto option = header_option(options))
-    return contradiction(table, fmt::format("{} needs a header, and the file has none", *option));
+    return contradiction(table, formatted("{} needs a header, and the file has none", *option));
   const std::string_view other_format = has_tum_shape(table)     ? " (or --input-format tum)"
                                         : has_euroc_shape(table) ? " (or --input-format euroc)"
                                                                  : "";
   if (!options.order)
     return failure(ErrorCode::bad_data,
-                   fmt::format("no header, wanted a first line such as t,qw,qx,qy,qz or the order of the columns by "
+                   formatted("no header, wanted a first line such as t,qw,qx,qy,qz or the order of the columns by "
                                "--order wxyz|xyzw{}",
                                other_format),
                    table.here());
@@ -122,7 +121,7 @@ std::vector<std::string> names_of(const TextTable& table, const Layout& layout, 
   else if (layout.first_row == Layout::FirstRow::header) return {table.cells().begin(), table.cells().end()};
   else if (options.order == QuaternionOrder::xyzw) names = {"t", "qx", "qy", "qz", "qw", "px", "py", "pz"};
   else names = {"t", "qw", "qx", "qy", "qz", "px", "py", "pz"};
-  for (std::size_t i = names.size(); i < layout.columns.width; ++i) names.push_back(fmt::format("column{}", i + 1));
+  for (std::size_t i = names.size(); i < layout.columns.width; ++i) names.push_back(formatted("column{}", i + 1));
   names.resize(layout.columns.width);
   return names;
 }
@@ -131,7 +130,7 @@ std::vector<std::string> names_of(const TextTable& table, const Layout& layout, 
 
 Expected<KeyFile> read_keys(const std::string& path, const ReadOptions& options) {
   if (options.time_scale && *options.time_scale <= Decimal())
-    return failure(ErrorCode::bad_argument, fmt::format("the time scale is {}, wanted a number greater than 0",
+    return failure(ErrorCode::bad_argument, formatted("the time scale is {}, wanted a number greater than 0",
                                                         options.time_scale->to_string()));
   const std::optional<FileFormat> format = options.format ? options.format : format_of_extension(path);
   if (format == FileFormat::npy)

@@ -7,8 +7,7 @@
 #include <numeric>
 #include <utility>
 
-#include <fmt/format.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/curve/motion.hpp>
 #include <orispline/base/quoted.hpp>
 
@@ -46,7 +45,7 @@ class RowReader {
     if (!not_finite_) return std::nullopt;
     const std::string_view cell = table_.cells()[*not_finite_];
     return Error{ErrorCode::bad_data,
-                 fmt::format("found {}, wanted a finite number (--drop-invalid drops such rows)",
+                 formatted("found {}, wanted a finite number (--drop-invalid drops such rows)",
                              cell.empty() ? "an empty cell" : in_quotes(cell)),
                  table_.here(not_finite_)};
   }
@@ -58,7 +57,7 @@ class RowReader {
     if (!time) refuse(columns.time, time.error());
     else if (!*time) note_not_finite(columns.time);
     else if (columns.whole_times && !(*time)->is_whole())
-      refuse(columns.time, {ErrorCode::bad_data, fmt::format("found {}, wanted whole nanoseconds", in_quotes(cell)), {}});
+      refuse(columns.time, {ErrorCode::bad_data, formatted("found {}, wanted whole nanoseconds", in_quotes(cell)), {}});
     return time.value_or(std::nullopt).value_or(Decimal());
   }
   [[nodiscard]] double number(const NumberColumn& column) {
@@ -99,7 +98,7 @@ Expected<void> check_width(const TextTable& table, std::size_t width) {
   if (cells.size() >= width && std::all_of(cells.begin() + static_cast<std::ptrdiff_t>(width), cells.end(), is_empty))
     return {};
   return failure(ErrorCode::bad_data,
-                 fmt::format("found {} cell{}, wanted {}", cells.size(), cells.size() == 1 ? "" : "s", width),
+                 formatted("found {} cell{}, wanted {}", cells.size(), cells.size() == 1 ? "" : "s", width),
                  table.here());
 }
 
@@ -194,12 +193,12 @@ Expected<bool> KeyRows::append_time(const Decimal& time, std::string_view text, 
   const auto shown = [&] { return text.empty() ? time.to_string() : std::string(text); };
   if (times.empty()) first_ = time;
   else if (time < latest_)
-    return refused(fmt::format("time {} comes after {}, wanted increasing times (--sort orders the rows)", shown(),
+    return refused(formatted("time {} comes after {}, wanted increasing times (--sort orders the rows)", shown(),
                                latest_.to_string()));
   else if (time == latest_) {
     if (!options_.drop_duplicates)
       return refused(
-          fmt::format("duplicate time {}, as in line {}, wanted increasing times (--drop-duplicates keeps the first)",
+          formatted("duplicate time {}, as in line {}, wanted increasing times (--drop-duplicates keeps the first)",
                       shown(), latest_line_));
     ++file_.repairs.duplicates_dropped;
     return false;
@@ -208,7 +207,7 @@ Expected<bool> KeyRows::append_time(const Decimal& time, std::string_view text, 
   const double seconds = ((time - first_) * columns_.time_unit).to_double();
   if (!times.empty() && seconds <= times.back())
     return refused(
-        fmt::format("time {} is too near to {} to be told apart in double precision", shown(), latest_.to_string()));
+        formatted("time {} is too near to {} to be told apart in double precision", shown(), latest_.to_string()));
   times.push_back(seconds);
   if (options_.keep_exact_times) file_.exact_times.push_back(time * columns_.time_unit);
   latest_ = time;
@@ -243,7 +242,7 @@ Expected<void> KeyRows::sort() {
 Expected<KeyFile> KeyRows::finish() && {
   if (file_.lines.empty()) {
     const std::size_t dropped = file_.repairs.invalid_dropped;
-    const std::string reason = dropped > 0 ? fmt::format(" (all {} rows were dropped as invalid)", dropped) : "";
+    const std::string reason = dropped > 0 ? formatted(" (all {} rows were dropped as invalid)", dropped) : "";
     return failure(ErrorCode::bad_data, "empty: no keys" + reason, {.file = file_.path});
   }
   if (options_.sort)

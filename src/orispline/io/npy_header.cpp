@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include <fmt/format.h>
+#include <orispline/base/formatted.hpp>
 
 namespace orispline::io {
 
@@ -13,10 +13,10 @@ std::string npy_header(std::size_t rows, std::size_t columns) {
   constexpr auto magic_and_version = "\x93NUMPY\x01\x00"sv;
   constexpr std::size_t length = size - magic_and_version.size() - size_of_length;  // below 256: its high byte is 0
   const std::string dictionary =
-      fmt::format("{{'descr': '<f8', 'fortran_order': False, 'shape': ({}, {}), }}", rows, columns);
+      formatted("{{'descr': '<f8', 'fortran_order': False, 'shape': ({}, {}), }}", rows, columns);
   std::string header(magic_and_version);
   header += {static_cast<char>(length), '\0'};
-  return header + fmt::format("{:<{}}\n", dictionary, length - 1);
+  return header + formatted("{:<{}}\n", dictionary, length - 1);
 }
 
 }  // namespace orispline::io

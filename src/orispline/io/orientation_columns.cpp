@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 
 namespace orispline::io {
@@ -61,8 +59,8 @@ Expected<Representation> representation_in(const ColumnSearch& search, const Ori
   if (found.size() > 1)
     return failure(
         ErrorCode::bad_data,
-        fmt::format("{} may all state the orientation, choose one with --input-orientation euler|matrix|rotvec",
-                    fmt::join(examples, ", ")));
+        formatted("{} may all state the orientation, choose one with --input-orientation euler|matrix|rotvec",
+                    joined(examples, ", ")));
   return found.empty() ? Representation::quaternion : found.front();
 }
 
@@ -74,7 +72,7 @@ Expected<void> settle_units(ColumnGroup& group, const ColumnSearch& search, std:
     const std::string_view name = group.present[i];
     if (!unit)
       return failure(ErrorCode::bad_data,
-                     fmt::format("{} has no unit, wanted a name such as {}_deg or {}_rad, or --angle-unit deg|rad",
+                     formatted("{} has no unit, wanted a name such as {}_deg or {}_rad, or --angle-unit deg|rad",
                                  in_quotes(search.name(column.index)), name, name));
     if (unit == AngleUnit::degrees) column = {column.index, std::numbers::pi, 180.0};
   }
@@ -87,9 +85,9 @@ Expected<OrientationColumns> euler_columns(const ColumnSearch& search, const Ori
   const auto by_number = names_by_component(Representation::euler);
   if (!reading.euler && !group->is_absent() && std::ranges::count(by_number, group->present.front()) > 0)
     return failure(ErrorCode::bad_data,
-                   fmt::format("found {}, wanted the order of these turns as well, by --euler ORDER "
+                   formatted("found {}, wanted the order of these turns as well, by --euler ORDER "
                                "(such as ZYX, or zyx about the axes of the world)",
-                               fmt::join(group->present, ", ")));
+                               joined(group->present, ", ")));
   if (auto settled = settle_units(*group, search, reading.angle_unit); !settled)
     return tl::unexpected(std::move(settled.error()));
   return OrientationColumns{{.representation = Representation::euler, .order = reading.euler.value_or(EulerOrder{})},
@@ -114,8 +112,8 @@ Expected<OrientationColumns> orientation_columns(const ColumnSearch& search, con
   if (*representation == Representation::euler) return euler_columns(search, reading);
   if (reading.angle_unit)
     return failure(ErrorCode::bad_argument,
-                   fmt::format("--angle-unit is for Euler angles, and the orientation is in {}",
-                               fmt::join(names_by_component(*representation), ", ")));
+                   formatted("--angle-unit is for Euler angles, and the orientation is in {}",
+                               joined(names_by_component(*representation), ", ")));
   return group_of(search, names_by_component(*representation), *representation).map([&](ColumnGroup group) {
     return OrientationColumns{{.representation = *representation}, std::move(group)};
   });

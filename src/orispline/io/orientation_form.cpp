@@ -3,8 +3,7 @@
 
 #include <numbers>
 
-#include <fmt/format.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/math/rotation_matrix.hpp>
 
 namespace orispline::io {
@@ -24,12 +23,12 @@ Expected<Eigen::Quaterniond> orientation_from_matrix(const Matrix3<double>& m) {
   if (!(error <= orthonormality_limit))
     return failure(
         ErrorCode::bad_data,
-        fmt::format("the matrix is no rotation: its transpose times itself is off by {:.3g} from 1, wanted at "
+        formatted("the matrix is no rotation: its transpose times itself is off by {:.3g} from 1, wanted at "
                     "most {:g}",
                     error, orthonormality_limit));
   if (m.determinant() < 0.0)
     return failure(ErrorCode::bad_data,
-                   fmt::format("the matrix is a reflection: its determinant is {:.4g}, wanted 1", m.determinant()));
+                   formatted("the matrix is a reflection: its determinant is {:.4g}, wanted 1", m.determinant()));
   return quaternion_from_matrix(m);
 }
 

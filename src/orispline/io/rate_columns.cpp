@@ -3,8 +3,7 @@
 
 #include <numbers>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <orispline/base/formatted.hpp>
 
 namespace orispline::io {
 namespace {
@@ -58,7 +57,7 @@ Expected<std::optional<RateVector>> rate_vector(const ColumnSearch& search, cons
 }
 
 std::string name_of(const ColumnSearch& search, const RateVector& rates) {
-  return fmt::format("{}, {}, {}", search.name(rates.columns[0].index), search.name(rates.columns[1].index),
+  return formatted("{}, {}, {}", search.name(rates.columns[0].index), search.name(rates.columns[1].index),
                      search.name(rates.columns[2].index));
 }
 
@@ -79,8 +78,8 @@ Expected<RateColumns> rate_columns(const ColumnSearch& search, const RateReading
     columns[k] = *found;
     if (k > 0 && columns[k] && !columns[k - 1])
       return failure(ErrorCode::bad_data,
-                     fmt::format("found {} without {}: {} want {} beside them", name_of(search, *columns[k]),
-                                 fmt::join(orders[k - 1].in_body, ", "), orders[k].plural, orders[k - 1].plural));
+                     formatted("found {} without {}: {} want {} beside them", name_of(search, *columns[k]),
+                                 joined(orders[k - 1].in_body, ", "), orders[k].plural, orders[k - 1].plural));
   }
   return columns;
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string_view>
 
-#include <fmt/format.h>
+#include <orispline/base/formatted.hpp>
 
 namespace orispline::io {
 namespace {
@@ -31,15 +31,15 @@ Expected<void> check_columns(const SampleColumns& columns) {
   const auto check = [&](std::string_view what, int asked, int highest) -> Expected<void> {
     if (0 <= asked && asked <= (holds_all ? highest : 0)) return {};
     return failure(ErrorCode::bad_argument,
-                   fmt::format("{} derivatives{} were asked for, and {} holds 0{}", asked, what,
-                               title_of(columns.format), holds_all ? fmt::format(" to {}", highest) : ""));
+                   formatted("{} derivatives{} were asked for, and {} holds 0{}", asked, what,
+                               title_of(columns.format), holds_all ? formatted(" to {}", highest) : ""));
   };
   if (!holds_all && columns.form.representation != Representation::quaternion)
     return failure(ErrorCode::bad_argument,
-                   fmt::format("{} holds orientations as quaternions only", title_of(columns.format)));
+                   formatted("{} holds orientations as quaternions only", title_of(columns.format)));
   if (columns.settings.size() > (holds_all ? most_settings : 0))
     return failure(ErrorCode::bad_argument,
-                   fmt::format("{} columns of settings were asked for, and {} holds {}", columns.settings.size(),
+                   formatted("{} columns of settings were asked for, and {} holds {}", columns.settings.size(),
                                title_of(columns.format), holds_all ? most_settings : 0));
   return check("", columns.derivatives, highest_derivative).and_then([&] {
     return check(" of the position", columns.position_derivatives, highest_position_derivative);
@@ -52,7 +52,7 @@ std::vector<std::string> column_names(const SampleColumns& columns) {
   std::vector<std::string> names{"t"};
   std::ranges::copy(written_names(columns.form), std::back_inserter(names));
   const auto append = [&names](std::string_view letters, std::string_view suffix) {
-    for (const char axis : {'x', 'y', 'z'}) names.push_back(fmt::format("{}{}{}", letters, axis, suffix));
+    for (const char axis : {'x', 'y', 'z'}) names.push_back(formatted("{}{}{}", letters, axis, suffix));
   };
   if (columns.positions) append("p", "");
   for (std::size_t order = 0; order < static_cast<std::size_t>(columns.derivatives); ++order)

@@ -7,8 +7,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include <fmt/format.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/base/number_text.hpp>
 
 namespace orispline::io {
@@ -16,13 +15,13 @@ namespace {
 
 tl::unexpected<Error> not_finite(const Decimal& time) {
   return failure(ErrorCode::bad_data,
-                 fmt::format("the sample at time {} has a number that is not finite", time.to_string()));
+                 formatted("the sample at time {} has a number that is not finite", time.to_string()));
 }
 
 tl::unexpected<Error> same_nanosecond(const Decimal& nanosecond) {
   return failure(
       ErrorCode::bad_data,
-      fmt::format("two samples fall on the nanosecond {}, wanted times that differ in EuRoC", nanosecond.to_string()));
+      formatted("two samples fall on the nanosecond {}, wanted times that differ in EuRoC", nanosecond.to_string()));
 }
 
 using DoubleBytes = std::array<char, sizeof(double)>;

@@ -3,9 +3,7 @@
 
 #include <utility>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/io/euroc.hpp>
 #include <orispline/io/npy_header.hpp>
 
@@ -17,9 +15,9 @@ constexpr std::size_t block = std::size_t{256} << 10;  // [bytes] written at a t
 std::string header_of(const SampleColumns& columns, std::size_t rows) {
   switch (columns.format) {
     case FileFormat::csv:
-      return fmt::format("{}\n", fmt::join(column_names(columns), ","));
+      return formatted("{}\n", joined(column_names(columns), ","));
     case FileFormat::euroc:
-      return fmt::format("{}\n", euroc_header);
+      return formatted("{}\n", euroc_header);
     case FileFormat::npy:
       return npy_header(rows, column_names(columns).size());
     case FileFormat::tum:

@@ -3,8 +3,7 @@
 
 #include <utility>
 
-#include <fmt/format.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/io/key_columns.hpp>
 #include <orispline/base/quoted.hpp>
 #include <orispline/io/text_table.hpp>
@@ -20,7 +19,7 @@ tl::unexpected<Error> at_row(const TextTable& table, std::string message) {
 Expected<std::string_view> only_cell(const TextTable& table) {
   std::size_t count = table.cells().size();
   while (count > 1 && table.cells()[count - 1].empty()) --count;
-  if (count > 1) return at_row(table, fmt::format("found {} cells, wanted one time a line", count));
+  if (count > 1) return at_row(table, formatted("found {} cells, wanted one time a line", count));
   return table.cells()[0];
 }
 
@@ -28,7 +27,7 @@ Expected<std::string_view> only_cell(const TextTable& table) {
 Expected<Decimal> unit_of_header(const TextTable& table) {
   return only_cell(table).and_then([&table](std::string_view name) -> Expected<Decimal> {
     if (const auto unit = time_unit_of(name)) return *unit;
-    return at_row(table, fmt::format("found {}, wanted the header t or a number", in_quotes(name)));
+    return at_row(table, formatted("found {}, wanted the header t or a number", in_quotes(name)));
   });
 }
 
@@ -37,7 +36,7 @@ Expected<Decimal> time_of(const TextTable& table, const Decimal& unit) {
   return only_cell(table).and_then([&](std::string_view cell) -> Expected<Decimal> {
     const auto time = decimal_of(cell);
     if (!time) return at_row(table, time.error().message);
-    if (!*time) return at_row(table, fmt::format("found {}, wanted a finite time", in_quotes(cell)));
+    if (!*time) return at_row(table, formatted("found {}, wanted a finite time", in_quotes(cell)));
     return **time * unit;
   });
 }

@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/families/registry.hpp>
 
 namespace orispline {
@@ -18,7 +16,7 @@ std::optional<Error> check_method(std::string_view method) {
   const auto family = find_family(method);
   if (family && !(*family)->is_global()) return std::nullopt;
   return argument_error(
-      fmt::format("no online curve of method '{}', wanted one of {}", method, fmt::join(online_methods(), ", ")));
+      formatted("no online curve of method '{}', wanted one of {}", method, joined(online_methods(), ", ")));
 }
 
 }  // namespace
@@ -36,11 +34,11 @@ Expected<OnlineCurve> OnlineCurve::make(std::string_view method, std::size_t cap
   if (auto error = check_method(method)) return tl::unexpected(std::move(*error));
   if (capacity < least_capacity || capacity > greatest_capacity)
     return tl::unexpected(argument_error(
-        fmt::format("the capacity is {} keys, wanted {} to {}", capacity, least_capacity, greatest_capacity)));
+        formatted("the capacity is {} keys, wanted {} to {}", capacity, least_capacity, greatest_capacity)));
   auto made = StreamMethod::make(method, options);
   if (!made) return tl::unexpected(std::move(made.error()));
   if (!made->keys_beside)
-    return tl::unexpected(argument_error(fmt::format(
+    return tl::unexpected(argument_error(formatted(
         "{}: with these settings a segment depends on all keys, wanted others for an online curve", method)));
   return OnlineCurve(std::move(*made), capacity, signs);
 }
@@ -153,7 +151,7 @@ Expected<Motion> OnlineCurve::checked_motion(double t) const {
   if (!domain) return tl::unexpected(argument_error("the curve has no keys, wanted at least one"));
   if (domain->contains(t)) return motion(t);
   return tl::unexpected(
-      argument_error(fmt::format("time {} is not available, wanted {} to {}", t, domain->start, domain->end)));
+      argument_error(formatted("time {} is not available, wanted {} to {}", t, domain->start, domain->end)));
 }
 
 std::optional<LinearMotion> OnlineCurve::linear_motion(double t, Side side) const noexcept {

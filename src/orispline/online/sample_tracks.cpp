@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <optional>
 
-#include <fmt/format.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/base/parallel.hpp>
 
 namespace orispline {
@@ -17,13 +16,13 @@ std::optional<Error> check_columns(const TrackColumns& keys, const WantedSamples
   const bool has_positions = !keys.positions[0].empty();
   for (const auto& column : keys.orientations)
     if (column.size() != size)
-      return refused(fmt::format("found {} orientations for {} times, wanted as many", column.size(), size));
+      return refused(formatted("found {} orientations for {} times, wanted as many", column.size(), size));
   for (const auto& column : keys.positions)
     if (column.size() != (has_positions ? size : 0))
-      return refused(fmt::format("found {} positions for {} times, wanted as many or none", column.size(), size));
+      return refused(formatted("found {} positions for {} times, wanted as many or none", column.size(), size));
   if (keys.offsets.empty() || keys.offsets.front() < 0 || !std::ranges::is_sorted(keys.offsets) ||
       static_cast<std::uint64_t>(keys.offsets.back()) > size)
-    return refused(fmt::format("the offsets do not rise from 0 on to {}, the number of keys, at most", size));
+    return refused(formatted("the offsets do not rise from 0 on to {}, the number of keys, at most", size));
   if (!has_positions && size > 0 && (wanted.positions || wanted.velocities || wanted.accelerations))
     return refused("positions are wanted, and the keys have none");
   return std::nullopt;

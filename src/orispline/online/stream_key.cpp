@@ -3,8 +3,7 @@
 
 #include <array>
 
-#include <fmt/format.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/curve/key_check.hpp>
 
 namespace orispline {
@@ -42,8 +41,8 @@ Expected<Eigen::Quaterniond> checked_orientation(std::uint64_t index, const Stre
     const auto& value = key.*part.value;
     if (before && value.has_value() != wanted.*part.wanted)
       return failure(ErrorCode::bad_data,
-                     value ? fmt::format("found {}, wanted none as the keys before have none", part.one)
-                           : fmt::format("found no {}, wanted one as the keys before have", part.name),
+                     value ? formatted("found {}, wanted none as the keys before have none", part.one)
+                           : formatted("found no {}, wanted one as the keys before have", part.name),
                      {.key = place});
     if (value)
       if (auto error = check_vector(place, part.name, *value)) return tl::unexpected(std::move(*error));

@@ -3,9 +3,7 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/families/registry.hpp>
 
 namespace orispline {
@@ -20,7 +18,7 @@ std::optional<Error> check_options(const FamilyInfo& family, const CurveOptions&
   if (options.loop) return argument_error("an online curve is open, found a loop");
   for (const auto& [name, values] : options.parameters)
     if (values.size() > 1)
-      return argument_error(fmt::format(
+      return argument_error(formatted(
           "{}: found {} values of {}, wanted 1 for all keys of an online curve, or none where each key brings its own",
           family.name, values.size(), name));
   return std::nullopt;
@@ -103,8 +101,8 @@ std::optional<Error> StreamMethod::check_settings(std::uint64_t index, const Str
   if (std::ranges::equal(key.settings, per_key, is_of_key)) return std::nullopt;
   std::vector<std::string_view> names;
   for (const auto& [name, value] : key.settings) names.push_back(name);
-  return refused(argument_error(fmt::format("{}: found values of [{}] with the key, wanted those of [{}]", family->name,
-                                            fmt::join(names, ", "), fmt::join(per_key, ", "))));
+  return refused(argument_error(formatted("{}: found values of [{}] with the key, wanted those of [{}]", family->name,
+                                            joined(names, ", "), joined(per_key, ", "))));
 }
 
 }  // namespace orispline

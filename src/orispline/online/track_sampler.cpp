@@ -6,8 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include <fmt/format.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/online/track_state.hpp>
 
 namespace orispline {
@@ -34,14 +33,14 @@ std::optional<Error> check_room(const Samples<double>& out, std::span<const doub
   const auto refused = [](std::string message) { return Error{ErrorCode::bad_argument, std::move(message), {}}; };
   if (out.layout != Layout::interleaved) return refused("found room for planar samples, wanted interleaved");
   if (out.size() > ready)
-    return refused(fmt::format("found room for {} samples, wanted {} at most: so many are ready", out.size(), ready));
+    return refused(formatted("found room for {} samples, wanted {} at most: so many are ready", out.size(), ready));
   for (const auto& span :
        {out.angular_velocities, out.angular_accelerations, out.positions, out.velocities, out.accelerations})
     if (!span.empty() && span.size() != 3 * out.size())
       return refused(
-          fmt::format("found room for {} numbers, wanted {} for {} samples", span.size(), 3 * out.size(), out.size()));
+          formatted("found room for {} numbers, wanted {} for {} samples", span.size(), 3 * out.size(), out.size()));
   if (!times.empty() && times.size() != out.size())
-    return refused(fmt::format("found room for {} times, wanted {}", times.size(), out.size()));
+    return refused(formatted("found room for {} times, wanted {}", times.size(), out.size()));
   return std::nullopt;
 }
 
@@ -62,11 +61,11 @@ Expected<void> sample_block(const PoseCurve& curve, const TrackClock& clock, std
 
 Expected<TrackSampler> TrackSampler::make(std::string_view method, const TrackGrid& grid, const TrackOptions& options) {
   if (!(grid.step > 0.0) || !std::isfinite(grid.step) || !std::isfinite(grid.start.value_or(0.0)))
-    return failure(ErrorCode::bad_argument, fmt::format("the grid starts at {} s with the step {} s, wanted finite "
+    return failure(ErrorCode::bad_argument, formatted("the grid starts at {} s with the step {} s, wanted finite "
                                                         "numbers and a step greater than 0",
                                                         grid.start.value_or(0.0), grid.step));
   if (options.gap && !(*options.gap > 0.0))
-    return failure(ErrorCode::bad_argument, fmt::format("the gap is {} s, wanted more than 0", *options.gap));
+    return failure(ErrorCode::bad_argument, formatted("the gap is {} s, wanted more than 0", *options.gap));
   return StreamMethod::make(method, options.curve).map([&](StreamMethod made) {
     return TrackSampler(std::move(made), grid, options);
   });
@@ -99,7 +98,7 @@ Expected<void> TrackSampler::append(const KeyframeData& keys,
   if (keys.orientations.size() != count || !fits(keys.positions) || !fits(keys.angular_velocities) ||
       !fits(keys.angular_accelerations) || !fits(keys.angular_jerks) || !settings_fit)
     return failure(ErrorCode::bad_data,
-                   fmt::format("found lists of different length, wanted {} entries, one per key", count));
+                   formatted("found lists of different length, wanted {} entries, one per key", count));
   const auto at = [](const std::vector<Eigen::Vector3d>& list, std::size_t i) {
     return list.empty() ? std::nullopt : std::optional(list[i]);
   };

@@ -7,8 +7,7 @@
 #include <limits>
 #include <set>
 
-#include <fmt/format.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/report/characters.hpp>
 
 namespace orispline::report {
@@ -51,7 +50,7 @@ void draw_grid(Drawing& drawing, const Axes& axes, const Chart& chart) {
   for (const double value : round_values(axes.y)) {
     const double y = axes.at(axes.x.low, value).y;
     drawing.line(std::array{Point{axes.box.left, y}, Point{axes.right(), y}}, {color::grid, 1.0});
-    drawing.text({axes.box.left - 6.0, y + 4.0}, fmt::format("{:g}", value), {Anchor::end});
+    drawing.text({axes.box.left - 6.0, y + 4.0}, formatted("{:g}", value), {Anchor::end});
   }
   for (const Mark& mark : chart.marks) {
     const double x = axes.at(mark.x, 0.0).x;
@@ -60,7 +59,7 @@ void draw_grid(Drawing& drawing, const Axes& axes, const Chart& chart) {
   }
   if (std::ranges::any_of(chart.marks, [](const Mark& mark) { return !mark.label.empty(); })) return;
   for (const double value : round_values(axes.x))
-    drawing.text({axes.at(value, 0.0).x, axes.bottom() + 16.0}, fmt::format("{:g}{}", value, chart.x_unit));
+    drawing.text({axes.at(value, 0.0).x, axes.bottom() + 16.0}, formatted("{:g}{}", value, chart.x_unit));
 }
 
 /// Values outside the range are left out.

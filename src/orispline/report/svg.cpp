@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include <orispline/base/formatted.hpp>
+
 namespace orispline::report {
 namespace {
 
@@ -21,14 +23,14 @@ std::string listed(std::span<const Point> points) {
 }
 
 std::string attributes(const Stroke& stroke) {
-  std::string text = fmt::format(R"( stroke="{}" stroke-width="{:g}")", escaped(stroke.color), stroke.width);
-  if (!stroke.dashes.empty()) text += fmt::format(R"( stroke-dasharray="{}")", escaped(stroke.dashes));
+  std::string text = formatted(R"( stroke="{}" stroke-width="{:g}")", escaped(stroke.color), stroke.width);
+  if (!stroke.dashes.empty()) text += formatted(R"( stroke-dasharray="{}")", escaped(stroke.dashes));
   return text;
 }
 
 std::string attributes(const Fill& fill) {
-  std::string text = fmt::format(R"( fill="{}")", escaped(fill.color));
-  if (fill.opacity < 1.0) text += fmt::format(R"( fill-opacity="{:g}")", fill.opacity);
+  std::string text = formatted(R"( fill="{}")", escaped(fill.color));
+  if (fill.opacity < 1.0) text += formatted(R"( fill-opacity="{:g}")", fill.opacity);
   return text;
 }
 
@@ -62,32 +64,32 @@ void Drawing::line(std::span<const Point> points, const Stroke& stroke) {
     begin = std::find_if(begin, points.end(), is_finite);
     const auto end = std::find_if_not(begin, points.end(), is_finite);
     if (end - begin > 1)
-      parts_ += fmt::format("<polyline points=\"{}\" fill=\"none\"{}/>\n", listed({begin, end}), attributes(stroke));
+      parts_ += formatted("<polyline points=\"{}\" fill=\"none\"{}/>\n", listed({begin, end}), attributes(stroke));
     begin = end;
   }
 }
 
 void Drawing::polygon(std::span<const Point> corners, const Fill& fill, const Stroke& outline) {
   if (!std::ranges::all_of(corners, is_finite)) return;
-  parts_ += fmt::format("<polygon points=\"{}\"{}{}/>\n", listed(corners), attributes(fill), attributes(outline));
+  parts_ += formatted("<polygon points=\"{}\"{}{}/>\n", listed(corners), attributes(fill), attributes(outline));
 }
 
 void Drawing::circle(Point center, double radius, const Fill& fill, const Stroke& outline) {
   if (!is_finite(center)) return;
-  parts_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:g}\"{}{}/>\n", center.x, center.y, radius,
+  parts_ += formatted("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:g}\"{}{}/>\n", center.x, center.y, radius,
                         attributes(fill), attributes(outline));
 }
 
 void Drawing::text(Point at, std::string_view words, const Lettering& lettering) {
   if (!is_finite(at)) return;
-  parts_ += fmt::format(R"(<text x="{:.1f}" y="{:.1f}" text-anchor="{}" fill="{}" font-size="{:g}">{}</text>)", at.x,
+  parts_ += formatted(R"(<text x="{:.1f}" y="{:.1f}" text-anchor="{}" fill="{}" font-size="{:g}">{}</text>)", at.x,
                         at.y, anchor_names[static_cast<std::size_t>(lettering.anchor)], escaped(lettering.color),
                         lettering.size, escaped(words)) +
             "\n";
 }
 
 std::string Drawing::document() const {
-  return fmt::format(
+  return formatted(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" height=\"{1:g}\" "
       "font-family=\"sans-serif\" stroke-linejoin=\"round\">\n"
       "<rect width=\"{0:g}\" height=\"{1:g}\" fill=\"white\"/>\n{2}</svg>\n",

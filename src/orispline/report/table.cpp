@@ -3,8 +3,7 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/report/characters.hpp>
 
 namespace orispline::report {
@@ -17,13 +16,13 @@ std::string text_of(const Cell& cell, const Column& column) {
   const double number = std::get<double>(cell);
   switch (column.notation) {
     case Notation::fixed:
-      return fmt::format("{:.{}f}", number, column.digits);
+      return formatted("{:.{}f}", number, column.digits);
     case Notation::scientific:
-      return fmt::format("{:.{}e}", number, column.digits);
+      return formatted("{:.{}e}", number, column.digits);
     case Notation::shortest:
       break;
   }
-  return fmt::format("{:.{}g}", number, column.digits);
+  return formatted("{:.{}g}", number, column.digits);
 }
 
 /// A column's texts from its head down; words are aligned with words.

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include <fmt/format.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/families/registry.hpp>
 
 namespace orispline {
@@ -39,7 +38,7 @@ Expected<AnyCurve> LimitedMotion::curve(std::vector<double> times) const {
 Expected<std::vector<SegmentPeaks>> LimitedMotion::certified(const AnyCurve& curve, const MotionSizes& floors) const {
   if (auto peaks = certified_peaks(curve, limits_.inertia, floors)) return std::move(*peaks);
   return failure(ErrorCode::bad_argument,
-                 fmt::format("{}: no bounds are known for the segments of this method, wanted one of polynomials, "
+                 formatted("{}: no bounds are known for the segments of this method, wanted one of polynomials, "
                              "such as auto or timed-c2",
                              method_.name));
 }

@@ -3,10 +3,9 @@
 
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include <orispline/analysis/continuity.hpp>
 #include <orispline/analysis/torque.hpp>
+#include <orispline/base/formatted.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/retime/interval_times.hpp>
 
@@ -23,16 +22,16 @@ Expected<void> check(const FamilyInfo& family, const Method& method, const Keyfr
   if (!limits.rate && !limits.acceleration && !limits.torque) return refused("found no limit, wanted one at least");
   for (const auto& limit : {limits.rate, limits.acceleration, limits.torque})
     if (limit && !(*limit > 0.0 && std::isfinite(*limit)))
-      return refused(fmt::format("found the limit {:.6g}, wanted a finite one above 0", *limit));
+      return refused(formatted("found the limit {:.6g}, wanted a finite one above 0", *limit));
   if (limits.torque && !limits.inertia) return refused("found a limit of torque without an inertia, wanted both");
   if (limits.torque)
     if (const auto inertia = checked_inertia(*limits.inertia); !inertia) return tl::unexpected(inertia.error());
   if (family.rate_orders > 0)
-    return refused(fmt::format("{}: this method takes rates from the keys, wanted one that has its own", family.name));
-  if (method.options.loop) return refused(fmt::format("{}: loops are not slowed, wanted an open curve", family.name));
+    return refused(formatted("{}: this method takes rates from the keys, wanted one that has its own", family.name));
+  if (method.options.loop) return refused(formatted("{}: loops are not slowed, wanted an open curve", family.name));
   for (const End& end : {method.options.start, method.options.end})
     if (!end.angular_velocity.isZero(0.0))
-      return refused(fmt::format("{}: found a rate at an end, which slowing would change, wanted an end rule without "
+      return refused(formatted("{}: found a rate at an end, which slowing would change, wanted an end rule without "
                                  "one, such as natural or rest",
                                  family.name));
   if (keys.size() < 2) return failure(ErrorCode::bad_data, "found 1 key, wanted 2 at least: one key does not move");
@@ -44,7 +43,7 @@ Expected<void> check_continuity(const FamilyInfo& family, const Method& method, 
                                 Slowing slowing) {
   const auto refused = [&](std::string_view why, std::string_view wanted) {
     return failure(ErrorCode::bad_argument,
-                   fmt::format("{}: its angular velocity jumps at keys{}, which no slowing brings within a limit of "
+                   formatted("{}: its angular velocity jumps at keys{}, which no slowing brings within a limit of "
                                "acceleration or torque, wanted {}",
                                family.name, why, wanted));
   };
@@ -85,14 +84,14 @@ Expected<Slowed> slowed(const LimitedMotion& motion, std::vector<double> times,
     if (!(factor > 1.0)) break;
     if (!(factor * time_scale(times) <= most_time_scale))
       return failure(ErrorCode::bad_argument,
-                     fmt::format("the limits ask for a slowing by {:.6g}, wanted limits that {:g} meets",
+                     formatted("the limits ask for a slowing by {:.6g}, wanted limits that {:g} meets",
                                  factor * time_scale(times), most_time_scale));
     for (double& t : times) t = times.front() + factor * (1.0 + more) * (t - times.front());
     found = motion.largest_peaks(times);
   }
   if (!found) return tl::unexpected(std::move(found.error()));
   if (motion.largest_factor(*found) > 1.0)
-    return failure(ErrorCode::not_converged, fmt::format("no slowing up to {:.6g} meets the limits", time_scale(times)));
+    return failure(ErrorCode::not_converged, formatted("no slowing up to {:.6g} meets the limits", time_scale(times)));
   return Slowed{times, time_scale(times), slowing, std::move(*found)};
 }
 

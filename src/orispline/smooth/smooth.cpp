@@ -6,8 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include <fmt/format.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/smooth/smoothing_gyro.hpp>
 #include <orispline/smooth/smoothing_stretches.hpp>
 
@@ -25,7 +24,7 @@ struct Range {
 
 Expected<void> check_range(const char* name, const char* unit, std::optional<double> value, Range range) {
   if (!value || (*value >= range.least && *value <= range.most)) return {};
-  return failure(ErrorCode::bad_argument, fmt::format("{}: found {:.6g} {}, wanted {:.6g} to {:.6g} {}", name, *value,
+  return failure(ErrorCode::bad_argument, formatted("{}: found {:.6g} {}, wanted {:.6g} to {:.6g} {}", name, *value,
                                                       unit, range.least, range.most, unit));
 }
 
@@ -87,7 +86,7 @@ class Smoother {
     measure_noise_and_freedom();
     if (const double noise = result_.noise; noise > largest_noise)
       return failure(ErrorCode::bad_data,
-                     fmt::format("no smooth motion is near to the samples: they are {:.3g}° per axis off the best one",
+                     formatted("no smooth motion is near to the samples: they are {:.3g}° per axis off the best one",
                                  noise * 180.0 / std::numbers::pi));
     if (options_.gyro)
       if (auto done = fit_with_gyro(); !done) return tl::unexpected(std::move(done.error()));
@@ -163,7 +162,7 @@ class Smoother {
     if (2 * faults <= all || options_.loss == Loss::l2) return {};
     return failure(
         ErrorCode::bad_data,
-        fmt::format("{} of {} samples are farther than 5 σ from the best motion, σ = {:.3g}°, wanted a larger noise, "
+        formatted("{} of {} samples are farther than 5 σ from the best motion, σ = {:.3g}°, wanted a larger noise, "
                     "a shorter smoothing time, or the loss l2, which has no outliers",
                     faults, all, noise_ * 180.0 / std::numbers::pi));
   }

@@ -3,8 +3,7 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/smooth/smoothing_noise.hpp>
 
 namespace orispline {
@@ -41,14 +40,14 @@ Expected<std::vector<Stretch>> stretches_of(const Keyframes& recording, Penalty 
   if (gap && *gap <= interval * (1.0 + time_rounding))
     return failure(
         ErrorCode::bad_argument,
-        fmt::format("gap: found {:.6g} s, wanted more than the median interval of {:.6g} s", *gap, interval));
+        formatted("gap: found {:.6g} s, wanted more than the median interval of {:.6g} s", *gap, interval));
   std::vector<Stretch> stretches{{0, 1}};
   for (std::size_t i = 1; i < t.size(); ++i)
     if (gap && t[i] - t[i - 1] > *gap) stretches.push_back({i, 1});
     else ++stretches.back().count;
   std::erase_if(stretches, [&](const Stretch& stretch) { return stretch.count < fewest_samples(penalty); });
   if (!stretches.empty()) return stretches;
-  return failure(ErrorCode::bad_data, fmt::format("found {} {}, wanted at least {} {}to smooth", t.size(),
+  return failure(ErrorCode::bad_data, formatted("found {} {}, wanted at least {} {}to smooth", t.size(),
                                                   t.size() == 1 ? "sample" : "samples", fewest_samples(penalty),
                                                   gap ? "without a gap " : ""));
 }
@@ -104,7 +103,7 @@ Expected<FarSamples> reject(StretchProblems& problems, const std::vector<Stretch
     const auto left = count - static_cast<std::size_t>(end - begin);
     const bool enough = left >= fewest_samples(penalty);
     if (!enough && stretches.size() == 1)
-      return failure(ErrorCode::bad_data, fmt::format("of {} samples {} are outliers, wanted at least {} others", count,
+      return failure(ErrorCode::bad_data, formatted("of {} samples {} are outliers, wanted at least {} others", count,
                                                       count - left, fewest_samples(penalty)));
     auto& samples = enough ? done.single : done.in_runs;
     samples.insert(samples.end(), begin, end);

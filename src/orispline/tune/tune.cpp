@@ -3,10 +3,8 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <orispline/analysis/torque.hpp>
+#include <orispline/base/formatted.hpp>
 #include <orispline/families/nu.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/tune/nu_sum.hpp>
@@ -25,13 +23,13 @@ constexpr double rounding_energy = 1e-16;
 Expected<std::vector<std::string>> parameters_of(const FamilyInfo& family, const TuneOptions& options) {
   std::vector<std::string> tunable = tunable_parameters(family.name);
   if (tunable.empty())
-    return failure(ErrorCode::bad_argument, fmt::format("{}: this method has no tensions to tune, wanted one of {}",
+    return failure(ErrorCode::bad_argument, formatted("{}: this method has no tensions to tune, wanted one of {}",
                                                         family.name, tunable_methods()));
   if (options.parameters.empty()) return tunable;
   for (const std::string& name : options.parameters)
     if (std::ranges::find(tunable, name) == tunable.end())
-      return failure(ErrorCode::bad_argument, fmt::format("{}: found '{}' to tune, wanted one of {}", family.name, name,
-                                                          fmt::join(tunable, ", ")));
+      return failure(ErrorCode::bad_argument, formatted("{}: found '{}' to tune, wanted one of {}", family.name, name,
+                                                          joined(tunable, ", ")));
   return options.parameters;
 }
 
@@ -53,19 +51,19 @@ Expected<Goal> goal_of(const Keyframes& keys, const TuneOptions& options) {
   if (goal.sample_count > 0) return goal;
   return failure(
       ErrorCode::bad_data,
-      fmt::format("the reference has no time between the first and the last key, wanted some from {} to {} s",
+      formatted("the reference has no time between the first and the last key, wanted some from {} to {} s",
                   knots.front(), knots.back()));
 }
 
 Expected<void> check_request(const FamilyInfo& family, const Keyframes& keys, const CurveOptions& curve,
                              const TuneOptions& options) {
   if (keys.size() < fewest_keys)
-    return failure(ErrorCode::bad_data, fmt::format("found {} key{}, wanted at least {} to tune tensions", keys.size(),
+    return failure(ErrorCode::bad_data, formatted("found {} key{}, wanted at least {} to tune tensions", keys.size(),
                                                     keys.size() == 1 ? "" : "s", fewest_keys));
   if (curve.loop)
-    return failure(ErrorCode::bad_argument, fmt::format("{}: tensions of a loop are not tuned", family.name));
+    return failure(ErrorCode::bad_argument, formatted("{}: tensions of a loop are not tuned", family.name));
   if (options.bounds && !(options.bounds->lowest < options.bounds->highest))
-    return failure(ErrorCode::bad_argument, fmt::format("the bounds are {} and {}, wanted the lower one first",
+    return failure(ErrorCode::bad_argument, formatted("the bounds are {} and {}, wanted the lower one first",
                                                         options.bounds->lowest, options.bounds->highest));
   return {};
 }
@@ -135,7 +133,7 @@ Expected<Tuning> tuned(const FamilyInfo& family, const TensionModel& model, SumO
   tuning.method = {family.name, model.with(minimum.values)};
   if (tuning.stationarity <= wanted_stationarity) return tuning;
   return failure(ErrorCode::not_converged,
-                 fmt::format("{}: tuning came to rest where a step would lower the energy by {:.2g} of itself, wanted "
+                 formatted("{}: tuning came to rest where a step would lower the energy by {:.2g} of itself, wanted "
                              "{:.2g} at most",
                              family.name, tuning.stationarity, wanted_stationarity));
 }
@@ -160,7 +158,7 @@ std::string tunable_methods() {
   std::vector<std::string_view> names;
   for (const FamilyInfo& family : families_info())
     if (!tunable_parameters(family.name).empty()) names.push_back(family.name);
-  return fmt::format("{}", fmt::join(names, ", "));
+  return joined(names, ", ");
 }
 
 Expected<Tuning> tune(const Track& track, const Method& given, const TuneOptions& options, const Progress& progress) {

@@ -7,8 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <orispline/base/formatted.hpp>
 
 namespace orispline::batch {
 
@@ -65,7 +64,7 @@ Expected<const Kernels*> forced_kernels(std::span<const Candidate> candidates, c
     else if (name == text) lacking = ", which this processor lacks";
   }
   return failure(ErrorCode::bad_argument,
-                 fmt::format("ORISPLINE_ISA: found '{}'{}, wanted one of {}", text, lacking, fmt::join(usable, ", ")));
+                 formatted("ORISPLINE_ISA: found '{}'{}, wanted one of {}", text, lacking, joined(usable, ", ")));
 }
 
 Expected<const Kernels*> forced_kernels() { return forced_kernels(all_candidates(), std::getenv("ORISPLINE_ISA")); }

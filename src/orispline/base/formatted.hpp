@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <fmt/core.h>
+
+// The door to fmt, which is header-only inside the library: its formatting is compiled once, behind this door, and not
+// in every source that writes a message.
+
+namespace orispline {
+
+[[nodiscard]] std::string formatted_values(fmt::string_view text, fmt::format_args values);
+
+/// The text with the values in its braces, which are checked when this is compiled: `formatted("found {}", 3)`.
+template <class... Values>
+[[nodiscard]] std::string formatted(fmt::format_string<Values...> text, Values&&... values) {
+  return formatted_values(text, fmt::make_format_args(values...));
+}
+
+/// The words or numbers of a list with the separator between them.
+template <class List>
+[[nodiscard]] std::string joined(const List& list, std::string_view separator) {
+  std::string text;
+  std::string_view before;
+  for (const auto& part : list) {
+    text.append(before).append(formatted("{}", part));
+    before = separator;
+  }
+  return text;
+}
+
+}  // namespace orispline
