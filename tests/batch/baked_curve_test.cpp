@@ -121,7 +121,7 @@ class JumpingCurve {
  public:
   [[nodiscard]] const Knots& knots() const noexcept { return knots_; }
   template <Number T>
-  [[nodiscard]] Quaternion<T> orientation(const T& t, std::size_t) const noexcept {
+  [[nodiscard]] Quaternion<T> point(const T& t, std::size_t) const noexcept {
     return constant<T>(value_of(t) < 0.3 ? Eigen::Quaterniond::Identity() : Eigen::Quaterniond(0.0, 1.0, 0.0, 0.0));
   }
 

@@ -19,7 +19,9 @@ void expect_equal(const Method& a, const Method& b) {
     EXPECT_EQ(one.angular_velocity, other.angular_velocity);
   }
   ASSERT_EQ(a.options.loop.has_value(), b.options.loop.has_value());
-  if (a.options.loop) EXPECT_EQ(a.options.loop->period, b.options.loop->period);
+  if (a.options.loop) {
+    EXPECT_EQ(a.options.loop->period, b.options.loop->period);
+  }
 }
 
 TEST(MethodText, SaysWhatAMethodIs) {
