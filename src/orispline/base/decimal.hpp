@@ -39,7 +39,7 @@ class Decimal {
 
   /// All digits, without an exponent: `1311868163.8697`.
   [[nodiscard]] std::string to_string() const;
-  /// The same at the end of a text.
+  /// Appends all digits to a text.
   void append_to(std::string& text) const;
 
   [[nodiscard]] Decimal operator-() const noexcept { return Decimal(-coefficient_, exponent_); }

@@ -19,7 +19,7 @@ class SegmentSampler {
   /// Orientation at t [s] in the domain, with the bits of a sample.
   [[nodiscard]] Eigen::Quaterniond orientation_at(double t) noexcept;
 
-  /// The same outside the domain, or for times that are not numbers: held and at rest, or NaN.
+  /// Samples outside the domain, or for times that are not numbers: held and at rest, or NaN.
   void held(const Eigen::Quaterniond& orientation, std::size_t at, std::size_t count) noexcept;
 
  private:

@@ -61,7 +61,7 @@ template <CumulativeBasis B, CurvePoint P, Number T>
   return displaced_in_turn(constant<T>(base), parts);
 }
 
-/// The same orientation with body rates, at t [s].
+/// The orientation of cumulative_point() with body rates, at t [s].
 template <CumulativeBasis B>
 [[nodiscard]] Motion cumulative_motion(const B& basis, KnotSpan span, double t, const Eigen::Quaterniond& base,
                                        std::span<const Eigen::Vector3d, B::increments> increments) noexcept {

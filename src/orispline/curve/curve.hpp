@@ -39,7 +39,7 @@ class AnyCurve {
     return curve_.motion(t, knots().segment_at(t, side));
   }
 
-  /// The same, but a time outside the domain is an error (bad_argument).
+  /// As motion(), but a time outside the domain is an error (bad_argument).
   [[nodiscard]] Expected<Motion> checked_motion(double t) const;
 
   [[nodiscard]] Domain domain() const noexcept { return {knots().front(), knots().back()}; }

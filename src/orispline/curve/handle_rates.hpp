@@ -39,7 +39,7 @@ template <class HandlesOf>
   return widest;
 }
 
-/// The same of Bézier handles, from their rates.
+/// The Bézier handle that turns farthest from its key, from the rates of the handles.
 [[nodiscard]] HandleTurn widest_handle(std::span<const double> times, const HandleRates& rates);
 
 }  // namespace orispline

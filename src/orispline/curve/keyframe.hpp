@@ -60,7 +60,7 @@ class Keyframes {
   /// The keys at these rising indices, at least one, with their signs aligned anew for the shortest way.
   [[nodiscard]] Keyframes at(std::span<const std::size_t> indices) const;
 
-  /// The same orientations, positions and rates at other times [s].
+  /// These orientations, positions and rates at other times [s].
   ///
   /// Errors (bad_data): not one time per key; times that Keyframes::make() refuses.
   [[nodiscard]] Expected<Keyframes> with_times(std::vector<double> times) const;

@@ -28,7 +28,7 @@ struct Auto {
   [[nodiscard]] static Expected<HermitePath<5>> path(const Keyframes& keys, const FamilySettings& settings);
 };
 
-/// The same from five keys: a segment depends on 6 keys, for less latency.
+/// The steps of `auto` from five keys: a segment depends on 6 keys, for less latency.
 struct Auto5 {
   static constexpr std::array parameters{Parameter{"hold", 0.0, 0.0, 1.0, false}};
   static constexpr FamilyInfo info{.name = "auto5",

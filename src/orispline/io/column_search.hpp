@@ -78,7 +78,7 @@ class ColumnSearch {
   [[nodiscard]] Expected<ColumnGroup> group(std::span<const std::string_view> names, std::span<const Unit> accepted,
                                             std::span<const Unit> known) const;
 
-  /// The same for the three columns of a vector; nothing if there is none of them.
+  /// The three columns of a vector; nothing if there is none of them.
   [[nodiscard]] Expected<std::optional<VectorColumns>> vector(std::span<const std::string_view, 3> names,
                                                               std::span<const Unit> accepted,
                                                               std::span<const Unit> known) const;

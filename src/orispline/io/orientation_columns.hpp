@@ -18,7 +18,6 @@ struct OrientationReading {
   /// Of Euler angles whose column does not end in a unit.
   std::optional<AngleUnit> angle_unit{};
 
-  [[nodiscard]] bool is_silent() const noexcept { return !representation && !euler && !angle_unit; }
 };
 
 /// The columns that state the orientation.

@@ -19,7 +19,7 @@ class SampleRows {
   /// Appends the sample at a time [s]. Errors (bad_data), after which nothing is appended: a number that is not finite;
   /// two EuRoC samples in succession that fall on the same nanosecond.
   [[nodiscard]] Expected<void> append(const Decimal& time, const Sample& sample);
-  /// The same at an offset [s] from an origin.
+  /// Appends a sample at an offset [s] from an origin.
   [[nodiscard]] Expected<void> append(const TimeOrigin& origin, double offset, const Sample& sample);
 
   /// Whether these rows may follow the others. Error (bad_data): they begin with the nanosecond that the others end

@@ -48,7 +48,7 @@ template <Number T>
   return Quaternion<T>(w, x, y, z);
 }
 
-/// The same constant over another number type: every derivative is zero.
+/// A constant over another number type: every derivative is zero.
 template <Number T>
 [[nodiscard]] Quaternion<T> constant(const Quaternion<double>& q) {
   if constexpr (std::is_same_v<T, double>) return q;

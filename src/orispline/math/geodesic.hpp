@@ -16,7 +16,7 @@ namespace orispline {
 template <class P>
 concept CurvePoint = std::same_as<P, Eigen::Quaterniond> || std::same_as<P, Eigen::Vector3d>;
 
-/// The same kind of point over another number type.
+/// A point of that kind over another number type.
 template <CurvePoint P, Number T>
 using PointOver = std::conditional_t<std::same_as<P, Eigen::Quaterniond>, Quaternion<T>, Vector3<T>>;
 

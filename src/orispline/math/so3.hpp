@@ -42,7 +42,7 @@ template <Number T>
   }
 }
 
-/// The same of several rotation vectors at once: none waits for another.
+/// exp() of several rotation vectors at once: none waits for another.
 template <std::size_t N, Number T>
 [[nodiscard]] std::array<Quaternion<T>, N> exp_of_each(const std::array<Vector3<T>, N>& phi) noexcept {
   std::array<Quaternion<T>, N> q;

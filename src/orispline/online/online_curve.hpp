@@ -46,11 +46,11 @@ class OnlineCurve {
   Expected<void> append(double time, const Eigen::Quaterniond& orientation) {
     return append({.time = time, .orientation = orientation});
   }
-  /// The same with a position [m], world frame.
+  /// Takes the next key with its position [m], world frame.
   Expected<void> append(double time, const Eigen::Quaterniond& orientation, const Eigen::Vector3d& position) {
     return append({.time = time, .orientation = orientation, .position = position});
   }
-  /// The same with rates, which some methods use, and with values of the parameters that come with the keys.
+  /// Takes the next key with rates, which some methods use, and with values of the parameters that come with the keys.
   Expected<void> append(const StreamKey& key);
 
   /// Declares the last key to be the end: by the end rule the last segment becomes final too.
@@ -83,7 +83,7 @@ class OnlineCurve {
   /// segment's or on request the left-hand one's; at the last one available always the left-hand one's.
   [[nodiscard]] Motion motion(double t, Side side = Side::right) const noexcept;
 
-  /// The same, but a time that is not available is an error (bad_argument).
+  /// As motion(), but a time that is not available is an error (bad_argument).
   [[nodiscard]] Expected<Motion> checked_motion(double t) const;
 
   /// Position with velocity, acceleration and jerk at time t [s], held at rest outside what is available; nothing when

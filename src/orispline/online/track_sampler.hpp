@@ -39,7 +39,7 @@ class TrackSampler {
   /// Takes the next key. Errors as of OnlineCurve::append; after a gap also those of finish() for the stretch before. A
   /// refused key changes nothing.
   Expected<void> append(const StreamKey& key);
-  /// The same for many keys, until the first that is refused. `settings`: a value per key of every parameter that comes
+  /// Takes many keys, until the first that is refused. `settings`: a value per key of every parameter that comes
   /// with the keys.
   Expected<void> append(const KeyframeData& keys,
                         const std::map<std::string, std::vector<double>, std::less<>>& settings = {});

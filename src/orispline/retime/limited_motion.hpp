@@ -30,7 +30,7 @@ class LimitedMotion {
 
   /// The factor that every segment needs at these times [s], by samples.
   [[nodiscard]] Expected<std::vector<double>> sampled_factors(std::vector<double> times) const;
-  /// The same by bounds; 1 where none is needed.
+  /// The factor that every segment needs at these times, by bounds; 1 where none is needed.
   [[nodiscard]] Expected<std::vector<double>> certified_factors(std::vector<double> times) const;
   /// The peaks at these times; the bounds of those that are the largest of the curve are near.
   [[nodiscard]] Expected<std::vector<SegmentPeaks>> largest_peaks(std::vector<double> times) const;

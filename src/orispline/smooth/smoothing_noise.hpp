@@ -25,7 +25,7 @@ inline constexpr double least_noise = 1e-7;
 /// Times [s] increase; 0 for fewer than three.
 [[nodiscard]] double local_noise(std::span<const double> times, std::span<const Eigen::Quaterniond> orientations);
 
-/// The same of vectors, such as rates, in their unit: from the straight line between the neighbours.
+/// The noise per axis of vectors, such as rates, in their unit: from the straight line between the neighbours.
 [[nodiscard]] double local_noise(std::span<const double> times, std::span<const Eigen::Vector3d> vectors);
 
 }  // namespace orispline

@@ -37,7 +37,7 @@ struct FarSamples {
 };
 [[nodiscard]] FarSamples far_samples(const StretchFits& fits, const std::vector<Stretch>& stretches, double limit);
 
-/// The same of any lengths, those of each stretch by themselves.
+/// The samples whose lengths are beyond the limit, of any lengths, those of each stretch by themselves.
 [[nodiscard]] FarSamples far_samples(const std::vector<std::vector<double>>& lengths,
                                      const std::vector<Stretch>& stretches, double limit);
 

@@ -49,7 +49,7 @@ template <class T, class Record>
   return static_cast<T>((t - r.middle) * r.per_step);
 }
 
-/// The same of every sample of a block.
+/// Local times of every sample of a block.
 template <class T, class Record>
 [[gnu::always_inline]] inline void local_times(const Record& r, const Clock& clock, std::size_t from, int count,
                                                int padded, Plane<T>& s) {
@@ -139,7 +139,7 @@ template <class T, class Run>
   else run.template operator()<Rates::none>();
 }
 
-/// The same for single samples, which save nothing by ω alone.
+/// Runs the loop for the rates that single samples want; ω alone saves nothing there.
 template <class T, class Run>
 [[gnu::always_inline]] inline void by_rates_of_points(const Target<T>& target, Run run) {
   if (target.angular_jerk) run.template operator()<Rates::third>();

@@ -16,7 +16,7 @@ namespace orispline::batch {
 /// contraction into fused multiply-adds.
 [[nodiscard]] const Kernels& kernels() noexcept;
 
-/// The same by name; null where this build or this processor does not have it.
+/// The kernels of that name; null where this build or this processor does not have it.
 [[nodiscard]] const Kernels* kernels_named(const char* name) noexcept;
 
 /// The loops that ORISPLINE_ISA forces, null where it is not set or empty. Errors: bad_argument for a name that this
