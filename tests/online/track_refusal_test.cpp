@@ -31,11 +31,10 @@ TEST(TrackSampler, RefusesOptionsWithWhatWasWanted) {
   EXPECT_EQ(refusal(TrackSampler::make("auto", {.step = 1.0, .start = nan})),
             "the grid starts at nan s with the step 1 s, wanted finite numbers and a step greater than 0");
   EXPECT_EQ(refusal(TrackSampler::make("auto", {}, {.gap = 0.0})), "the gap is 0 s, wanted more than 0");
-  EXPECT_EQ(refusal(TrackSampler::make("timed-c2", {}, {.curve = {.loop = Loop{}}})),
-            "an online curve is open, found a loop");
-  EXPECT_EQ(refusal(TrackSampler::make("auto", {}, {.curve = {.parameters = {{"hold", {0.5}}}}})),
+  EXPECT_EQ(refusal(TrackSampler::make({"timed-c2", {.loop = Loop{}}}, {})), "an online curve is open, found a loop");
+  EXPECT_EQ(refusal(TrackSampler::make({"auto", {.parameters = {{"hold", {0.5}}}}}, {})),
             "auto: hold is 0.5, wanted a whole number");
-  EXPECT_EQ(refusal(TrackSampler::make("quintic", {}, {.curve = {.parameters = {{"bias", {}}}}})),
+  EXPECT_EQ(refusal(TrackSampler::make({"quintic", {.parameters = {{"bias", {}}}}}, {})),
             "quintic: no parameter 'bias', wanted one of tension");
   EXPECT_EQ(TrackSampler::make("nlerp", {}).error().code, ErrorCode::bad_argument);
 }
@@ -104,7 +103,7 @@ TEST(TrackSampler, SaysAtWhichKeyOfTheTrackACurveFails) {
   KeyframeData data = raw_walk(833, 30);
   KeySettings settings{{"beta2", std::vector(30, 0.1)}};
   settings["beta2"][17] = -1000.0;
-  TrackSampler sampler = TrackSampler::make("beta", {.step = 0.1}, {.curve = {.parameters = {{"beta2", {}}}}}).value();
+  TrackSampler sampler = TrackSampler::make({"beta", {.parameters = {{"beta2", {}}}}}, {.step = 0.1}).value();
   TrackSamples samples;
   for (std::size_t i = 0; i < 17; ++i) {
     ASSERT_TRUE(sampler.append(part_of(data, i, i + 1), {{"beta2", {settings["beta2"][i]}}}));
@@ -123,7 +122,7 @@ std::vector<std::vector<std::byte>> states() {
                                           fed("bezier", 12).state(),
                                           fed("rotation-spline", 9).state(),
                                           fed("timed-c2", 20, {.gap = 0.7}).state()};
-  TrackSampler settings = TrackSampler::make("tcb", {}, {.curve = {.parameters = {{"bias", {}}}}}).value();
+  TrackSampler settings = TrackSampler::make({"tcb", {.parameters = {{"bias", {}}}}}, {}).value();
   EXPECT_TRUE(settings.append(raw_walk(834, 6), {{"bias", std::vector(6, 0.3)}}));
   all.push_back(settings.state());
   EXPECT_TRUE(settings.finish());

@@ -55,7 +55,7 @@ TEST_P(EveryMethodOfTracks, HasTheSamplesOfTheWholeCurveHoweverFewItsKeysAreAndW
       KeyframeData data = walk(804, 20);
       data = part_of(data, 0, count);
       const auto whole = make_pose_curve({GetParam().name, options}, keyframes(data, Signs::shortest));
-      TrackSampler sampler = TrackSampler::make(GetParam().name, {.step = step}, {.curve = options}).value();
+      TrackSampler sampler = TrackSampler::make({GetParam().name, options}, {.step = step}).value();
       if (whole) {
         EXPECT_TRUE(streamed(sampler, data, {}, count) == of_whole(*whole, whole->orientation.domain().start, step))
             << name_of(rule) << ", keys: " << count;
@@ -83,7 +83,7 @@ TEST_P(EveryMethodOfTracks, TakesParametersThatComeWithTheKeys) {
   }
   const auto whole = make_pose_curve({GetParam().name, options}, keyframes(data, Signs::shortest));
   ASSERT_TRUE(whole) << describe(whole.error());
-  const TrackSampler sampler = TrackSampler::make(GetParam().name, {.step = step}, {.curve = of_stream}).value();
+  const TrackSampler sampler = TrackSampler::make({GetParam().name, of_stream}, {.step = step}).value();
   EXPECT_TRUE(streamed(sampler, data, settings, 807) == of_whole(*whole, whole->orientation.domain().start, step));
 }
 
@@ -110,7 +110,7 @@ TEST(TrackSampler, HoldsEqualKeysAtRest) {
   const CurveOptions options{.parameters = {{"hold", {1.0}}}};
   for (const std::string_view method : {"auto", "auto5"}) {
     const PoseCurve whole = make_pose_curve({method, options}, keyframes(data, Signs::shortest)).value();
-    const TrackSampler sampler = TrackSampler::make(method, {.step = step}, {.curve = options}).value();
+    const TrackSampler sampler = TrackSampler::make({method, options}, {.step = step}).value();
     EXPECT_TRUE(streamed(sampler, data, {}, 812) == of_whole(whole, data.times.front(), step)) << method;
   }
 }
@@ -124,7 +124,7 @@ TEST(TrackSampler, TakesSettingsOnWhichTheKeysOfASegmentDepend) {
     curves.push_back({"bspline", {.parameters = {{"degree", {degree}}}}});
   for (const auto& [method, options] : curves) {
     const PoseCurve whole = make_pose_curve({method, options}, keyframes(data, Signs::shortest)).value();
-    const TrackSampler sampler = TrackSampler::make(method, {.step = step}, {.curve = options}).value();
+    const TrackSampler sampler = TrackSampler::make({method, options}, {.step = step}).value();
     EXPECT_TRUE(streamed(sampler, data, {}, 814) == of_whole(whole, whole.orientation.domain().start, step)) << method;
   }
 }

@@ -109,7 +109,7 @@ SampledTracks table_for(const std::vector<TrackSampler>& samplers, const std::ve
 
 }  // namespace
 
-Expected<SampledTracks> sample_tracks(std::string_view method, const TrackColumns& keys, const TrackGrid& grid,
+Expected<SampledTracks> sample_tracks(const Method& method, const TrackColumns& keys, const TrackGrid& grid,
                                       const WantedSamples& wanted, const TrackOptions& options, Work work) {
   if (auto error = check_columns(keys, wanted)) return tl::unexpected(std::move(*error));
   const auto empty = TrackSampler::make(method, grid, options);

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include <orispline/online/track_sampler.hpp>
@@ -40,7 +39,7 @@ struct SampledTracks {
 /// A track whose keys are refused, or make no curve, has no samples and does not hinder the others. Errors
 /// (bad_argument): those of TrackSampler::make; columns of different length, offsets that do not rise from 0 on within
 /// them, positions that are wanted of keys that have none.
-[[nodiscard]] Expected<SampledTracks> sample_tracks(std::string_view method, const TrackColumns& keys,
+[[nodiscard]] Expected<SampledTracks> sample_tracks(const Method& method, const TrackColumns& keys,
                                                     const TrackGrid& grid, const WantedSamples& wanted = {},
                                                     const TrackOptions& options = {}, Work work = {});
 

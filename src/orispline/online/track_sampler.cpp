@@ -59,15 +59,15 @@ Expected<void> sample_block(const PoseCurve& curve, const TrackClock& clock, std
 
 }  // namespace
 
-Expected<TrackSampler> TrackSampler::make(std::string_view method, const TrackGrid& grid, const TrackOptions& options) {
+Expected<TrackSampler> TrackSampler::make(const Method& method, const TrackGrid& grid, const TrackOptions& options) {
   if (!(grid.step > 0.0) || !std::isfinite(grid.step) || !std::isfinite(grid.start.value_or(0.0)))
     return failure(ErrorCode::bad_argument, formatted("the grid starts at {} s with the step {} s, wanted finite "
-                                                        "numbers and a step greater than 0",
-                                                        grid.start.value_or(0.0), grid.step));
+                                                      "numbers and a step greater than 0",
+                                                      grid.start.value_or(0.0), grid.step));
   if (options.gap && !(*options.gap > 0.0))
     return failure(ErrorCode::bad_argument, formatted("the gap is {} s, wanted more than 0", *options.gap));
-  return StreamMethod::make(method, options.curve).map([&](StreamMethod made) {
-    return TrackSampler(std::move(made), grid, options);
+  return StreamMethod::make(method.name, method.options).map([&](StreamMethod made) {
+    return TrackSampler(method, std::move(made), grid, options);
   });
 }
 

@@ -4,18 +4,16 @@
 #include <cstddef>
 #include <deque>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include <orispline/batch/sample.hpp>
+#include <orispline/curve/method.hpp>
 #include <orispline/online/track_stretch.hpp>
 
 namespace orispline {
 
-/// How a track is sampled, besides the grid.
+/// How the keys of a track become curves.
 struct TrackOptions {
-  /// As for a curve; a parameter without values has them with the keys.
-  CurveOptions curve{};
   Signs signs = Signs::shortest;
   /// A longer interval between two keys [s] ends one curve and begins the next. Absent: one curve.
   std::optional<double> gap{};
@@ -31,9 +29,11 @@ struct TrackOptions {
 /// no samples.
 class TrackSampler {
  public:
+  /// A parameter of the method that has no values has them with the keys.
+  ///
   /// Errors (bad_argument): a grid without a step greater than 0, a gap that is not greater than 0, an unknown method,
   /// a loop, options that the method does not accept.
-  [[nodiscard]] static Expected<TrackSampler> make(std::string_view method, const TrackGrid& grid,
+  [[nodiscard]] static Expected<TrackSampler> make(const Method& method, const TrackGrid& grid,
                                                    const TrackOptions& options = {});
 
   /// Takes the next key. Errors as of OnlineCurve::append; after a gap also those of finish() for the stretch before. A
@@ -71,8 +71,8 @@ class TrackSampler {
  private:
   friend class TrackState;
 
-  TrackSampler(StreamMethod method, const TrackGrid& grid, TrackOptions options)
-      : method_(std::move(method)), grid_(grid), options_(std::move(options)) {}
+  TrackSampler(const Method& given, StreamMethod method, const TrackGrid& grid, const TrackOptions& options)
+      : given_(given), method_(std::move(method)), grid_(grid), options_(options) {}
 
   /// The samples of a stretch that are final and not taken.
   struct Part {
@@ -86,6 +86,7 @@ class TrackSampler {
   /// That the stretches of a state follow each other, all but the last finished, and are those of its keys.
   [[nodiscard]] Expected<void> check_order() const;
 
+  Method given_;
   StreamMethod method_;
   TrackGrid grid_;
   TrackOptions options_;

@@ -113,7 +113,7 @@ std::vector<std::byte> TrackState::bytes_of(const TrackSampler& sampler) {
   StateWriter out;
   out.whole(mark);
   out.text(sampler.method_.family->name);
-  write(out, sampler.options_.curve);
+  write(out, sampler.given_.options);
   out.whole(sampler.options_.signs == Signs::shortest ? 0 : 1);
   write(out, sampler.options_.gap);
   out.real(sampler.grid_.step);
@@ -132,9 +132,9 @@ std::vector<std::byte> TrackState::bytes_of(const TrackSampler& sampler) {
 Expected<TrackSampler> TrackState::sampler_from(std::span<const std::byte> bytes) {
   StateReader in(bytes);
   if (!in.is_sound() || in.whole() != mark) return no_state("their mark or their checksum is another");
-  const std::string method = in.text();
-  TrackOptions options{.curve = read_options(in)};
-  options.signs = in.below(2) == 0 ? Signs::shortest : Signs::as_given;
+  Method method(in.text());
+  method.options = read_options(in);
+  TrackOptions options{.signs = in.below(2) == 0 ? Signs::shortest : Signs::as_given};
   options.gap = read_optional(in);
   TrackGrid grid{.step = in.real()};
   grid.start = read_optional(in);
