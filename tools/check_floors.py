@@ -9,11 +9,15 @@ import statistics
 import sys
 
 GROUND = {"base", "math", "curve"}
+TASKS = {"smooth", "reduce", "tune", "retime"}
 FLOORS = {  # folder of src/orispline -> what it may include besides itself
     "base": set(), "math": {"base"}, "curve": GROUND, "families": GROUND, "io": GROUND, "report": GROUND,
     "batch/kernel": {"base"}, "batch": GROUND | {"families", "batch/kernel"}, "online": GROUND | {"families", "batch"},
     "analysis": GROUND | {"families", "batch"}, "smooth": GROUND | {"families", "analysis"}, "tune": GROUND | {"families", "analysis"},
-    "reduce": GROUND | {"families", "batch", "analysis"}, "retime": GROUND | {"families", "batch", "analysis"}}
+    "reduce": GROUND | {"families", "batch", "analysis"}, "retime": GROUND | {"families", "batch", "analysis"},
+    "pages": GROUND | TASKS | {"families", "batch", "analysis", "report"}}
+CLI_FLOORS = {"options": set(), "output": {"options"}, "papers": {"options", "output"},
+              "commands": {"options", "output"}}  # folder of cli -> likewise; each folder of commands is one for itself
 GUESTS = {"fast_float/": "src/orispline/io/", "CLI/": "cli/", "nlohmann/": "cli/",
           "benchmark/": "benchmarks/", "glm/": "benchmarks/",
           "smooth/so3": "benchmarks/", "smooth/spline/": "benchmarks/", "sophus/": "benchmarks/", "basalt/": "benchmarks/"}  # third party -> its only room
@@ -26,25 +30,52 @@ SILENT = re.compile(r'R"(\w*)\(.*?\)\1"|"(\\.|[^"\\\n])*"|\'(\\.|[^\'\\\n])\'|//
 
 
 def floor_of(include):
-    """The innermost folder that the table names, of a file of the library."""
-    folder = re.match(r"(?:orispline/(.*))?", include)[1]
-    while folder and folder not in FLOORS:
+    """The innermost folder that the table names, of a file of the library; else its first one, that no table allows."""
+    if not (folders := re.match(r"orispline/(.+)/", include)):
+        return None
+    folder = folders[1]
+    while "/" in folder and folder not in FLOORS:
         folder = folder.rpartition("/")[0]
-    return folder or None
+    return folder
+
+
+def cli_floor_of(path):
+    """`options`, or `commands/smooth`; none for a file of cli itself."""
+    folder = re.match(r"(commands/[^/]+|[^/]+)/", path)
+    return folder and folder[1]
+
+
+def library_breaches(path, names):
+    floor = floor_of(path.removeprefix("src/"))
+    for name in names:
+        if floor and name.startswith("orispline/") and floor_of(name) not in FLOORS.get(floor, set()) | {floor}:
+            yield f"{path}: floor {floor} must not include {name}"
+
+
+def cli_breaches(path, names):
+    """In cli, names in quotes begin with a folder of cli."""
+    floor = cli_floor_of(path.removeprefix("cli/"))
+    allowed = CLI_FLOORS.get(floor and floor.partition("/")[0], set()) | {floor}
+    for name in names:
+        if floor and cli_floor_of(name) not in allowed:
+            yield f"{path}: floor cli/{floor} must not include {name}"
 
 
 def include_breaches(sources):
     graph = {}
     for path, text in sources.items():
-        names, floor = re.findall(r'^\s*#\s*include\s*[<"]([^>"]+)', text, re.M), floor_of(path.removeprefix("src/"))
+        names = re.findall(r'^\s*#\s*include\s*[<"]([^>"]+)', text, re.M)
+        quoted = re.findall(r'^\s*#\s*include\s*"([^"]+)', text, re.M)
         graph[path] = {f"src/{name}" for name in names if name.startswith("orispline/")}
-        if path.startswith("src/") and re.search(r'#\s*include\s*"', text):
-            yield f"{path}: wanted #include <orispline/...>, found one with quotes"
-        for name in names:
-            if floor and name.startswith("orispline/") and floor_of(name) not in FLOORS.get(floor, set()) | {floor}:
-                yield f"{path}: floor {floor} must not include {name}"
-            yield from (f"{path}: {name} is for {room} only" for guest, room in GUESTS.items()
-                        if name.startswith(guest) and not path.startswith(room))
+        if path.startswith("src/"):
+            yield from library_breaches(path, names)
+            if quoted:
+                yield f"{path}: wanted #include <orispline/...>, found one with quotes"
+        if path.startswith("cli/"):
+            graph[path] |= {f"cli/{name}" for name in quoted}
+            yield from cli_breaches(path, quoted)
+        yield from (f"{path}: {name} is for {room} only" for name in names for guest, room in GUESTS.items()
+                    if name.startswith(guest) and not path.startswith(room))
     try:
         graphlib.TopologicalSorter(graph).prepare()
     except graphlib.CycleError as circle:

@@ -6,9 +6,9 @@
 #include "options/input_options.hpp"
 #include "options/method_options.hpp"
 #include "options/output_options.hpp"
+#include "options/report_options.hpp"
 #include "options/smoothness.hpp"
-#include "output/report_file.hpp"
-#include "output/summary.hpp"
+#include "options/summary_options.hpp"
 
 // Options that several commands have, and what the help says about them.
 

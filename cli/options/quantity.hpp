@@ -2,8 +2,9 @@
 #pragma once
 
 #include <array>
-#include <numbers>
 #include <span>
+
+#include <orispline/math/degrees.hpp>
 
 #include "options/option_text.hpp"
 
@@ -16,7 +17,6 @@ struct Unit {
 };
 
 inline constexpr double radians_per_degree = 0.017453292519943295;
-inline constexpr double degrees = 180.0 / std::numbers::pi;  ///< in a radian, for what is shown
 inline constexpr std::array angle_units{Unit{"deg", radians_per_degree}, Unit{"rad", 1.0}};               ///< [rad]
 inline constexpr std::array length_units{Unit{"mm", 1e-3}, Unit{"cm", 1e-2}, Unit{"m", 1.0}};             ///< [m]
 inline constexpr std::array rate_units{Unit{"deg/s", radians_per_degree}, Unit{"rad/s", 1.0}};            ///< [rad/s]

@@ -1,35 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include <orispline/base/expected.hpp>
 #include <orispline/io/output_file.hpp>
+#include <orispline/pages/page_head.hpp>
 #include <orispline/report/page.hpp>
 
+#include "options/has_pages.hpp"
+#include "options/report_options.hpp"
 #include "output/interruption.hpp"
 
 namespace orispline::cli {
-
-/// `--report FILE` of a command, as typed.
-struct ReportOptions {
-  std::optional<std::string> path;
-  std::string command_line;  ///< to make the report again
-};
-
-/// A file that the command reads or writes besides, and its name in a message: `INPUT`.
-struct OtherFile {
-  std::string_view name;
-  std::string path;
-};
-
-/// Error (bad_argument): not the name of a file, or that of one of the others, which the report would replace.
-[[nodiscard]] Expected<void> check_report(const ReportOptions& options, const std::vector<OtherFile>& others);
 
 /// The file of `--report`; does nothing where none was asked for.
 ///
@@ -39,14 +24,25 @@ class ReportFile {
  public:
   /// Error: bad_access.
   [[nodiscard]] static Expected<ReportFile> open(const ReportOptions& options);
-  /// Makes the page and writes it. Error: bad_access.
-  [[nodiscard]] Expected<void> write(const std::function<report::Page()>& page);
+
+  /// Makes the page from its head and writes it. Error: bad_access.
+  ///
+  /// `make_page` takes `auto`, so that a build without pages does not refer to what it lacks.
+  template <class MakePage>
+  [[nodiscard]] Expected<void> write(MakePage make_page) {
+    if constexpr (has_pages)
+      if (file_) return file_->write(report::document(make_page(head())));
+    return {};
+  }
+
   /// Error: bad_access.
   [[nodiscard]] Expected<void> finish();
 
  private:
   ReportFile() = default;
+  [[nodiscard]] pages::PageHead head() const;
 
+  std::string command_line_;
   std::optional<io::OutputFile> file_;
   std::unique_ptr<RemovedWhenInterrupted> unfinished_;
 };

@@ -23,4 +23,8 @@ void tell(std::string_view text) noexcept {
 
 void warn(std::string_view message) { tell(fmt::format("orispline: warning: {}\n", message)); }
 
+void warn_if_any(const std::optional<std::string>& message) {
+  if (message) warn(*message);
+}
+
 }  // namespace orispline::cli

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include <orispline/base/expected.hpp>
@@ -15,5 +17,7 @@ void tell(std::string_view text) noexcept;
 
 /// `orispline: warning: …`, one line on standard error.
 void warn(std::string_view message);
+/// The same where there is something to say.
+void warn_if_any(const std::optional<std::string>& message);
 
 }  // namespace orispline::cli

@@ -2,24 +2,15 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include <orispline/base/expected.hpp>
 
+#include "options/summary_options.hpp"
 #include "output/standard_output.hpp"
 
 // What a command that writes a file says at its end.
 
 namespace orispline::cli {
-
-/// `--json` and `--quiet`, as typed.
-struct SummaryOptions {
-  bool json = false, quiet = false;
-};
-
-/// Error (bad_argument): the summary would be in one stream with what is written, `keys` or `samples`.
-[[nodiscard]] Expected<void> check_summary(const SummaryOptions& options, std::string_view output,
-                                           std::string_view written);
 
 /// Where an output goes, for people: its path, or `standard output`.
 [[nodiscard]] std::string destination(const std::string& output);

@@ -15,6 +15,8 @@ HINT = "Run 'orispline --help', or '--help' after a command, for what is accepte
 SUCCESS, BAD_DATA, BAD_USAGE, BAD_ACCESS = 0, 1, 2, 3
 
 HALF = math.sqrt(0.5)
+with_pages = unittest.skipIf(os.environ.get("ORISPLINE_PAGE") == "OFF", "the command was built without pages")
+without_pages = unittest.skipUnless(os.environ.get("ORISPLINE_PAGE") == "OFF", "the command was built with pages")
 KEYS = f"t,qw,qx,qy,qz\n0,1,0,0,0\n1,{math.cos(math.pi / 8)},0,0,{math.sin(math.pi / 8)}\n3,{HALF},0,0,{HALF}\n"
 
 

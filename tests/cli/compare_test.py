@@ -6,7 +6,7 @@ import io
 import json
 import math
 
-from command import BAD_ACCESS, BAD_DATA, BAD_USAGE, SUCCESS, CommandTest, main
+from command import BAD_ACCESS, BAD_DATA, BAD_USAGE, SUCCESS, CommandTest, main, with_pages, without_pages
 
 
 def motion_about_z(angle, rate, count=41, step=0.05):
@@ -145,6 +145,7 @@ class Compare(CommandTest):
         self.assertEqual({row["keep_every"] for row in rows}, {8})
         self.assertEqual(len(self.compared("cubic.csv --methods all,quintic:tension=0.3")), len(methods) + 1)
 
+    @with_pages
     def test_the_report_is_one_page_with_the_curves(self):
         self.output_of("compare cubic.csv --keep-every 10,20 --methods auto,slerp --report out.html")
         page = self.page("out.html")
@@ -153,6 +154,7 @@ class Compare(CommandTest):
         self.assertEqual(len({"rms_deg", "rms_deg_1", "energy"} & {column["id"] for column in page["columns"]}), 3)
         self.assertEqual((page["methods"][0]["samples"]["torque"], page["limits"], page["marks"]), ([], {}, None))
 
+    @with_pages
     def test_the_report_has_torques_where_the_inertia_is_known(self):
         self.output_of("compare cubic.csv --keep-every 10 --methods auto --inertia=1,2,3 --report out.html")
         method, = self.page("out.html")["methods"]
@@ -215,11 +217,18 @@ class Refused(CommandTest):
             self.assertIn(known, done.stderr)
             self.assertIn("nope", done.stderr)
 
+    @without_pages
+    def test_a_build_without_pages_says_so_at_once(self):
+        self.assert_fails("compare keys.csv --keep-every 2 --report out.html", BAD_USAGE,
+                          "--report: orispline was built without pages, wanted a build with ORISPLINE_PAGE")
+
+    @with_pages
     def test_a_report_that_cannot_be_written_costs_no_work(self):
         done = self.run_command("compare keys.csv --keep-every 2 --report nowhere/out.html")
         self.assertEqual((done.returncode, done.stdout), (BAD_ACCESS, ""))
         self.assertIn("nowhere/out.html", done.stderr)
 
+    @with_pages
     def test_a_failed_run_leaves_the_old_report(self):
         self.write("out.html", "old")
         self.assert_fails("compare one.csv --report out.html", BAD_DATA,

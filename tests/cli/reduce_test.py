@@ -8,7 +8,7 @@ import os
 import pathlib
 import random
 
-from command import BAD_ACCESS, BAD_DATA, BAD_USAGE, CommandTest, main, rows_of
+from command import BAD_ACCESS, BAD_DATA, BAD_USAGE, CommandTest, main, rows_of, with_pages
 
 SHARED = pathlib.Path(os.environ.get("ORISPLINE_SHARED_DATA", "shared/data"))
 SPACECRAFT = ["--columns", "t=sclk_ticks,qw=q0_w,qx=q1,qy=q2,qz=q3", "--time-scale", "0.00390625"]
@@ -104,6 +104,7 @@ class Reduce(CommandTest):
             self.assertLessEqual(counts["timed-c2"], timed)
             self.assertLessEqual(counts["auto"], auto)
 
+    @with_pages
     def test_the_report_shows_all_reductions_with_their_own_keys(self):
         angles = [20 * math.sin(0.05 * k) + 5 * math.sin(0.31 * k) for k in range(400)]
         self.write("dense.csv", csv_of(angles))
@@ -126,6 +127,7 @@ class Reduce(CommandTest):
             self.assertAlmostEqual(measures["rms_deg"], rms, delta=1e-6)
             self.assertEqual(samples["error_t"][samples["error_deg"].index(max(samples["error_deg"]))], measures["max_at_s"])
 
+    @with_pages
     def test_reports_are_written_as_by_compare(self):
         self.write("one.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n")
         self.assert_fails("reduce keys.csv --tolerance 1deg --output-folder out --report out/keys.csv", BAD_USAGE,

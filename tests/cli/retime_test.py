@@ -6,7 +6,7 @@ import math
 import pathlib
 import random
 
-from command import BAD_ACCESS, BAD_DATA, BAD_USAGE, CommandTest, main, rows_of
+from command import BAD_ACCESS, BAD_DATA, BAD_USAGE, CommandTest, main, rows_of, with_pages
 
 ROBOT = pathlib.Path(__file__).resolve().parents[2] / "examples/data/robot_keys.csv"
 
@@ -85,6 +85,7 @@ class Retime(CommandTest):
         self.assertEqual(report["time_scale"], 1)
         self.assertEqual([row[0] for row in rows_of(self.read("slow.csv"))], [0, 1, 3])
 
+    @with_pages
     def test_the_report_shows_the_motion_before_and_after_with_the_limits(self):
         for extra in ("", "--per-interval"):
             report = self.retimed(f"robot.csv --max-rate 90deg/s --max-acceleration 200deg/s2 {extra} --report out.html")
@@ -109,6 +110,7 @@ class Retime(CommandTest):
             self.assertLessEqual(after["measures"]["peak_acceleration_rad_s2"], page["limits"]["a"] * (1 + 1e-6))
             self.assertEqual(after["samples"]["torque"], [])
 
+    @with_pages
     def test_the_report_has_torques_where_the_inertia_is_known(self):
         report = self.retimed("robot.csv --max-torque 2Nm --inertia=1,2,2.5 --method timed-c2 --report out.html")
         page = self.page("out.html")
@@ -124,6 +126,7 @@ class Retime(CommandTest):
         self.assertAlmostEqual(page["methods"][0]["measures"]["torque_bound_nm"], report["torque_bound_nm"], delta=1e-6)
         self.assertLessEqual(page["methods"][0]["measures"]["peak_torque_n_m"], 2)
 
+    @with_pages
     def test_reports_are_written_as_by_compare(self):
         self.write("one.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n")
         self.assert_writes_reports_as_compare("retime keys.csv --max-rate 1deg/s --quiet", "retime one.csv --max-rate 1deg/s")

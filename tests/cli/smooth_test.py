@@ -5,7 +5,7 @@ import json
 import math
 import random
 
-from command import BAD_DATA, BAD_USAGE, CommandTest, main, rows_of
+from command import BAD_DATA, BAD_USAGE, CommandTest, main, rows_of, with_pages
 
 
 def recording(count, noise, outliers=()):
@@ -54,6 +54,7 @@ class Smooth(CommandTest):
             for x, y in zip(a, b):
                 self.assertAlmostEqual(x, y, delta=1e-9)
 
+    @with_pages
     def test_the_report_shows_the_smoothed_curve_beside_the_recording(self):
         arguments = "smooth noisy.csv -o smooth.csv --json --report out.html"
         summary = json.loads(self.output_of(arguments))
@@ -81,6 +82,7 @@ class Smooth(CommandTest):
         self.assertAlmostEqual(smoothed["measures"]["peak_rate_rad_s"], max(math.hypot(*row[5:8]) for row in rows), delta=0.01)
         self.assertEqual(page["keys"]["t"], [row[0] for row in rows])
 
+    @with_pages
     def test_the_report_has_nothing_in_gaps(self):
         lines = recording(400, 0.02).splitlines()
         self.write("gap.csv", "\n".join(lines[:151] + lines[251:253] + lines[301:]) + "\n")  # 3 s to 6 s but 2 samples
@@ -106,6 +108,7 @@ class Smooth(CommandTest):
         self.assertAlmostEqual(page["methods"][0]["measures"]["energy"], parts, delta=1e-4 * parts)
         self.assertGreater(whole["energy"], 1.05 * parts)
 
+    @with_pages
     def test_the_report_of_very_many_samples_stays_small(self):
         self.write("long.csv", recording(6000, 0.02, set(range(50, 6000, 100))))
         self.output_of("smooth long.csv --smoothing-time 0.1 --quiet -o smooth.csv --report out.html")
@@ -117,6 +120,7 @@ class Smooth(CommandTest):
         self.assertLessEqual(len(page["methods"][0]["samples"]["error_t"]), 2000)
         self.assertLess((self.folder / "out.html").stat().st_size, 2_500_000)
 
+    @with_pages
     def test_reports_are_written_as_by_compare(self):
         self.write("two.csv", recording(2, 0.0))
         self.assert_writes_reports_as_compare("smooth noisy.csv --quiet", "smooth two.csv")

@@ -16,7 +16,13 @@ SOUND = {
     "src/orispline/families/slerp.hpp": HEADER + "#include <orispline/curve/knots.hpp>\n",
     "src/orispline/io/csv.cpp": SPDX + "#include <fast_float/fast_float.h>\n#include <orispline/curve/knots.hpp>\n",
     "src/orispline/orispline.hpp": HEADER + "#include <orispline/families/slerp.hpp>\n",
-    "cli/main.cpp": SPDX + "#include <CLI/CLI.hpp>\n#include <orispline/orispline.hpp>\n",
+    "src/orispline/pages/page.hpp": HEADER + "#include <orispline/curve/knots.hpp>\n",
+    "cli/options/text.hpp": HEADER + "#include <orispline/orispline.hpp>\n",
+    "cli/output/summary.hpp": HEADER + '#include "options/text.hpp"\n',
+    "cli/commands/smooth/smooth.hpp": HEADER + '#include "options/text.hpp"\n#include "output/summary.hpp"\n',
+    "cli/commands/smooth/smooth.cpp": SPDX + '#include "commands/smooth/smooth.hpp"\n',
+    "cli/papers/table.cpp": SPDX + '#include "output/summary.hpp"\n',
+    "cli/main.cpp": SPDX + '#include <CLI/CLI.hpp>\n#include <orispline/orispline.hpp>\n#include "commands/smooth/smooth.hpp"\n',
     "tools/simulate.py": "#!/usr/bin/env python3\n" + SPDX.replace("//", "#"),
 }
 
@@ -59,6 +65,31 @@ class CheckFloors(unittest.TestCase):
 
     def test_finds_a_folder_that_is_no_floor(self):
         self.assert_breach("src/orispline/attic/box.cpp", SPDX + "#include <orispline/math/so3.hpp>\n", "floor attic")
+
+    def test_finds_a_page_that_reads_files(self):
+        self.assert_breach("src/orispline/pages/page.hpp", HEADER + "#include <orispline/io/csv.hpp>\n",
+                           "floor pages must not include orispline/io/csv.hpp")
+
+    def test_finds_a_task_that_draws_pages(self):
+        self.assert_breach("src/orispline/smooth/smooth.cpp", SPDX + "#include <orispline/pages/page.hpp>\n",
+                           "floor smooth must not include orispline/pages/page.hpp")
+
+    def test_finds_includes_upwards_in_the_command(self):
+        for path, name in (("options/text.hpp", "output/summary.hpp"), ("output/summary.hpp", "commands/smooth/smooth.hpp"),
+                           ("options/text.hpp", "commands/smooth/smooth.hpp"), ("papers/table.cpp", "commands/smooth/smooth.hpp")):
+            self.assert_breach(f"cli/{path}", HEADER + f'#include "{name}"\n',
+                               f"cli/{path}: floor cli/{path.partition('/')[0]} must not include {name}")
+
+    def test_finds_a_command_that_knows_another(self):
+        self.assert_breach("cli/commands/reduce/reduce.cpp", SPDX + '#include "commands/smooth/smooth.hpp"\n',
+                           "reduce.cpp: floor cli/commands/reduce must not include commands/smooth/smooth.hpp")
+
+    def test_finds_a_folder_of_the_command_that_is_no_floor(self):
+        self.assert_breach("cli/attic/box.cpp", SPDX + '#include "options/text.hpp"\n', "floor cli/attic must not include")
+
+    def test_finds_a_circle_in_the_command(self):
+        circle = {"cli/options/a.hpp": HEADER + '#include "options/b.hpp"\n', "cli/options/b.hpp": HEADER + '#include "options/a.hpp"\n'}
+        self.assertIn("include circle: cli/options/", report(files=circle) or "no breach")
 
     def test_finds_a_circle_on_one_floor(self):
         circle = {"src/orispline/math/a.hpp": HEADER + "#include <orispline/math/b.hpp>\n",

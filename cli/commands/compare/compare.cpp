@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <orispline/pages/compare_page.hpp>
 #include <orispline/tune/tension_model.hpp>
 #include <orispline/tune/tune.hpp>
 
-#include "commands/compare/compare_page.hpp"
+#include "commands/compare/compare_report.hpp"
+#include "options/inertia.hpp"
 #include "output/progress.hpp"
 #include "output/standard_output.hpp"
 
@@ -84,6 +86,19 @@ Expected<CompareReport> compared(const CompareOptions& options, const CompareReq
   return sort(report).map([&] { return std::move(report); });
 }
 
+/// As the page takes it.
+pages::ComparedCurves shown(const CompareReport& report) {
+  pages::ComparedCurves curves{.methods = report.methods,
+                               .recording = report.data.recording(),
+                               .epoch = report.data.epoch,
+                               .measures = measures_of(report),
+                               .sorted_by = report.sort,
+                               .inertia = report.inertia};
+  for (const ComparedKeys& keys : report.data.key_sets)
+    curves.key_sets.push_back(keys.decimation ? name_of(*keys.decimation) : "");
+  return curves;
+}
+
 Expected<void> print(const CompareReport& report, const CompareOptions& options) {
   return print_document(options.json  ? json_of(report)
                         : options.csv ? csv_of(report)
@@ -96,11 +111,15 @@ Expected<void> print(const CompareReport& report, const CompareOptions& options)
 Expected<void> compare(const CompareOptions& options) {
   const auto request = compare_request(options);
   if (!request) return tl::unexpected(request.error());
-  if (request->inertia) warn_unless_rigid(*request->inertia);
+  if (request->inertia) warn_if_any(inertia_warning(*request->inertia));
   auto file = ReportFile::open(options.report);
   if (!file) return tl::unexpected(std::move(file.error()));
   return compared(options, *request).and_then([&](const CompareReport& report) {
-    return file->write([&] { return page_of(report, options.report, request->threads); })
+    const auto make_page = [&](auto head) {
+      head.title = title_of(report, report.data.key_sets.front());
+      return pages::compare_page(shown(report), head, static_cast<unsigned>(request->threads));
+    };
+    return file->write(make_page)
         .and_then([&] { return file->finish(); })
         .and_then([&] { return print(report, options); });
   });

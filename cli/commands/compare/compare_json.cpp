@@ -7,17 +7,18 @@ namespace orispline::cli {
 
 std::string json_of(const CompareReport& report) {
   Json list = Json::array();
-  const auto figures = compare_figures(report);
+  const auto measures = measures_of(report);
   for (const ComparedMethod& method : report.methods) {
     const ComparedKeys& keys = report.data.key_sets[method.key_set];
     Json json{{"method", method.label},
               {"keep_every", keys.decimation ? Json(keys.decimation->keep_every) : Json(nullptr)},
               {"keys", keys.track.keys.size()},
               {"samples", keys.compared}};
-    for (const CompareFigure& figure : figures) {
-      const auto value = method.measures ? figure.value(*method.measures, report.data) : std::nullopt;
-      const bool whole = figure.id == "continuity";
-      json[std::string(figure.id)] = !value ? Json(nullptr) : whole ? Json(static_cast<int>(*value)) : Json(*value);
+    for (const MeasureInfo& measure : measures) {
+      const auto value = value_of(measure, method, report.data);
+      json[std::string(measure.id)] = !value             ? Json(nullptr)
+                                      : measure.is_order ? Json(static_cast<int>(*value))
+                                                         : Json(*value);
     }
     json["error"] = method.measures ? Json(nullptr) : Json(describe(method.measures.error()));
     list.push_back(std::move(json));

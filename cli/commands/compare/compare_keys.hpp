@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <orispline/analysis/measure_info.hpp>
 #include <orispline/io/track_file.hpp>
 
 #include "commands/compare/compare_request.hpp"
@@ -24,6 +25,7 @@ struct ComparedData {
   io::RepairReport repairs;
 
   [[nodiscard]] RecordedMotion recording() const { return {times, samples.orientations(), samples.angular_velocities()}; }
+  [[nodiscard]] MeasureTimes measure_times() const { return {epoch, times}; }
 };
 
 /// Reads the recording and the keys. Errors: those of reading; bad_data for fewer than two keys and for a reference

@@ -6,7 +6,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "commands/sample/sample_report.hpp"
+#include <orispline/base/counted.hpp>
+#include <orispline/report/table.hpp>
+
+#include "output/repairs_text.hpp"
 
 namespace orispline::cli {
 namespace {
@@ -17,9 +20,8 @@ std::string continuity_of(const ComparedMethod& method) {
   return method.measures ? fmt::format("C{}", method.measures->continuity.order()) : std::string(none);
 }
 
-report::Cell cell_of(const ComparedMethod& method, const CompareFigure& figure, const ComparedData& data) {
-  const auto value = method.measures ? figure.value(*method.measures, data) : std::nullopt;
-  if (value) return *value;
+report::Cell cell_of(const ComparedMethod& method, const MeasureInfo& measure, const ComparedData& data) {
+  if (const auto value = value_of(measure, method, data)) return *value;
   return std::string(none);
 }
 
@@ -28,7 +30,8 @@ std::vector<std::string> methods_with_rates(const CompareReport& report, std::si
   std::vector<std::string> names;
   if (report.data.key_sets[key_set].track.keys.angular_velocities().empty()) return names;
   for (const ComparedMethod& method : report.methods)
-    if (method.key_set == key_set && method.measures && find_family(method.candidate.method.name).value()->rate_orders > 0)
+    if (method.key_set == key_set && method.measures &&
+        find_family(method.candidate.method.name).value()->rate_orders > 0)
       names.push_back(method.label);
   return names;
 }
@@ -45,15 +48,16 @@ std::vector<std::string> notes_of(const CompareReport& report, std::size_t key_s
 
 report::Table table_of(const CompareReport& report, std::size_t key_set) {
   report::Table table{.title = title_of(report, report.data.key_sets[key_set]), .columns = {{"method"}, {"order"}}};
-  std::vector<CompareFigure> figures = compare_figures(report);
-  std::erase_if(figures, [](const CompareFigure& figure) { return figure.column.name.empty(); });
-  for (const CompareFigure& figure : figures) table.columns.push_back(figure.column);
+  std::vector<MeasureInfo> measures = measures_of(report);
+  std::erase_if(measures, [](const MeasureInfo& measure) { return measure.heading.empty(); });
+  for (const MeasureInfo& measure : measures)
+    table.columns.push_back({.name = std::string(measure.heading), .digits = measure.digits});
   table.columns.push_back({""});  // why a method failed
   bool some_jump = false;
   for (const ComparedMethod& method : report.methods) {
     if (method.key_set != key_set) continue;
     auto& row = table.rows.emplace_back(std::vector<report::Cell>{method.label, continuity_of(method)});
-    for (const CompareFigure& figure : figures) row.push_back(cell_of(method, figure, report.data));
+    for (const MeasureInfo& measure : measures) row.push_back(cell_of(method, measure, report.data));
     if (!method.measures) row.push_back(describe(method.measures.error()));
     else some_jump |= method.measures->continuity.order() == 0;
   }
@@ -71,11 +75,25 @@ std::string csv_cell(std::string_view text) {
 
 }  // namespace
 
+std::vector<MeasureInfo> measures_of(const CompareReport& report) {
+  std::vector groups{MeasureGroup::distance, MeasureGroup::shape, MeasureGroup::cost};
+  if (!report.data.samples.angular_velocities().empty()) groups.push_back(MeasureGroup::rate);
+  if (report.leave_out == LeaveOut::yes) groups.push_back(MeasureGroup::leave_out);
+  if (report.inertia) groups.push_back(MeasureGroup::torque);
+  return orispline::measures_of(groups);
+}
+
+std::optional<double> value_of(const MeasureInfo& measure, const ComparedMethod& method, const ComparedData& data) {
+  if (!method.measures) return std::nullopt;
+  return measure.value(*method.measures, data.measure_times());
+}
+
 std::string title_of(const CompareReport& report, const ComparedKeys& keys) {
   const std::string what = keys.decimation
                                ? fmt::format("{}: {} sample kept", report.data.reference, name_of(*keys.decimation))
                                : fmt::format("{} against {}", keys.track.name, report.data.reference);
-  return fmt::format("{}, {}, {} compared", what, counted(keys.track.keys.size(), "key"), counted(keys.compared, "sample"));
+  return fmt::format("{}, {}, {} compared", what, counted(keys.track.keys.size(), "key"),
+                     counted(keys.compared, "sample"));
 }
 
 std::string text_of(const CompareReport& report) {
@@ -87,17 +105,17 @@ std::string text_of(const CompareReport& report) {
 }
 
 std::string csv_of(const CompareReport& report) {
-  const std::vector<CompareFigure> figures = compare_figures(report);
+  const std::vector<MeasureInfo> measures = measures_of(report);
   std::string text = "method,keep_every,keys,samples";
-  for (const CompareFigure& figure : figures) text += fmt::format(",{}", figure.id);
+  for (const MeasureInfo& measure : measures) text += fmt::format(",{}", measure.id);
   text += ",error\n";
   for (const ComparedMethod& method : report.methods) {
     const ComparedKeys& keys = report.data.key_sets[method.key_set];
     text += fmt::format("{},{},{},{}", csv_cell(method.label),
                         keys.decimation ? std::to_string(keys.decimation->keep_every) : "", keys.track.keys.size(),
                         keys.compared);
-    for (const CompareFigure& figure : figures) {
-      const auto value = method.measures ? figure.value(*method.measures, report.data) : std::nullopt;
+    for (const MeasureInfo& measure : measures) {
+      const auto value = value_of(measure, method, report.data);
       text += value ? fmt::format(",{}", *value) : ",";
     }
     text += "," + (method.measures ? "" : csv_cell(describe(method.measures.error()))) + "\n";

@@ -4,14 +4,12 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <Eigen/Cholesky>
 
-#include <orispline/analysis/torque.hpp>
 #include <orispline/families/method_text.hpp>
 
 #include "commands/compare/compare_report.hpp"
+#include "options/inertia.hpp"
 #include "options/threads.hpp"
-#include "output/standard_output.hpp"
 
 namespace orispline::cli {
 namespace {
@@ -98,26 +96,6 @@ Expected<void> agree(const CompareOptions& options, const CompareRequest& reques
 }
 
 }  // namespace
-
-Expected<Eigen::Matrix3d> inertia_in(OptionText option) {
-  const auto numbers = numbers_in(option);
-  if (!numbers || (numbers->size() != 3 && numbers->size() != 6))
-    return wanted(option, "three principal moments, or JXX,JYY,JZZ,JXY,JXZ,JYZ");
-  Eigen::Matrix3d inertia = Eigen::Vector3d(numbers->data()).asDiagonal();
-  if (numbers->size() == 6) {
-    inertia(0, 1) = inertia(1, 0) = (*numbers)[3];
-    inertia(0, 2) = inertia(2, 0) = (*numbers)[4];
-    inertia(1, 2) = inertia(2, 1) = (*numbers)[5];
-  }
-  if (Eigen::LLT<Eigen::Matrix3d>(inertia).info() != Eigen::Success)
-    return wanted(option, "a positive definite inertia");
-  return inertia;
-}
-
-void warn_unless_rigid(const Eigen::Matrix3d& inertia) {
-  if (!orispline::is_physical_inertia(inertia))
-    warn("--inertia: one principal moment is greater than the sum of the two others, as no rigid body has it");
-}
 
 Expected<CompareRequest> compare_request(const CompareOptions& options) {
   FirstError checked;

@@ -30,10 +30,4 @@ struct CompareRequest {
 /// Errors: bad_argument.
 [[nodiscard]] Expected<CompareRequest> compare_request(const CompareOptions& options);
 
-/// Three principal moments, or those with the products of inertia Jxy, Jxz, Jyz [kg m²].
-[[nodiscard]] Expected<Eigen::Matrix3d> inertia_in(OptionText option);
-
-/// A warning of an inertia that no rigid body has.
-void warn_unless_rigid(const Eigen::Matrix3d& inertia);
-
 }  // namespace orispline::cli

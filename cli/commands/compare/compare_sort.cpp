@@ -2,34 +2,20 @@
 #include "commands/compare/compare_report.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include <fmt/format.h>
 
 namespace orispline::cli {
 namespace {
 
-constexpr std::string_view rate_word = "rate", torque_word = "torque";
-
-/// Rising from the best; infinite where nothing can be said.
-double rank_of(const ComparedMethod& method, const CompareFigure& figure, const ComparedData& data) {
-  constexpr double last = std::numeric_limits<double>::infinity();
-  if (!method.measures || !is_finite(figure, *method.measures)) return last;
-  const double value = figure.value(*method.measures, data).value_or(last);
-  return figure.better == report::Better::more ? -value : value;
-}
+constexpr std::string_view rate_word = "rate";
 
 }  // namespace
 
-bool is_finite(const CompareFigure& figure, const Measures& measures) {
-  const int order = figure.word == "energy" || figure.word == torque_word ? 1 : figure.word == "jerk" ? 2 : 0;
-  return measures.continuity.order() >= order;
-}
-
 std::string sort_words() {
   std::string words;
-  for (const CompareFigure& figure : all_compare_figures())
-    if (!figure.word.empty()) words.append(words.empty() ? "" : "|").append(figure.word);
+  for (const MeasureInfo& measure : measures_info())
+    if (!measure.word.empty()) words.append(words.empty() ? "" : "|").append(measure.word);
   return words;
 }
 
@@ -41,17 +27,13 @@ Expected<std::string> sort_word_in(OptionText option) {
 }
 
 Expected<void> sort(CompareReport& report) {
-  const auto figures = compare_figures(report);
-  const auto figure = std::ranges::find(figures, report.sort, &CompareFigure::word);
-  if (figure == figures.end())
+  const auto measures = measures_of(report);
+  const auto measure = std::ranges::find(measures, report.sort, &MeasureInfo::word);
+  if (measure == measures.end())
     return usage_failure(fmt::format(
         "--sort {}: wanted {}", report.sort,
         report.sort == rate_word ? "columns wx,wy,wz in " + report.data.reference : std::string("--inertia as well")));
-  std::ranges::stable_sort(report.methods, [&](const ComparedMethod& a, const ComparedMethod& b) {
-    if (a.key_set != b.key_set) return a.key_set < b.key_set;
-    if (a.measures.has_value() != b.measures.has_value()) return a.measures.has_value();
-    return rank_of(a, *figure, report.data) < rank_of(b, *figure, report.data);
-  });
+  sort_by(*measure, report.methods, report.data.measure_times());
   return {};
 }
 

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "commands/sample/sample_report.hpp"
+#include <orispline/base/counted.hpp>
+
+#include "output/repairs_text.hpp"
 #include "output/summary.hpp"
 
 namespace orispline::cli {

@@ -8,13 +8,14 @@
 #include <fmt/format.h>
 
 #include <orispline/base/parallel.hpp>
+#include <orispline/pages/reduce_page.hpp>
 
-#include "commands/reduce/reduce_page.hpp"
+#include "commands/reduce/reduce_report.hpp"
 #include "commands/reduce/reduce_track.hpp"
-#include "commands/smooth/smooth_report.hpp"
 #include "options/quantity.hpp"
 #include "options/threads.hpp"
 #include "output/output_folder.hpp"
+#include "output/smoothing_text.hpp"
 #include "output/standard_output.hpp"
 
 namespace orispline::cli {
@@ -154,8 +155,8 @@ void warn_of(const std::vector<ReducedTrack>& tracks, const ReduceOptions& optio
   if (!options.position_tolerance && std::ranges::any_of(tracks, has_positions))
     warn("positions are carried along without a bound, wanted --position-tolerance LENGTH for one");
   for (const ReducedTrack& track : tracks)
-    if (const std::string remark = track.smoothing ? remark_on(*track.smoothing) : ""; !remark.empty())
-      warn(tracks.size() == 1 ? remark : fmt::format("{}: {}", track.recording.track.name, remark));
+    if (const auto remark = track.smoothing ? remark_on(*track.smoothing) : std::nullopt)
+      warn(tracks.size() == 1 ? *remark : fmt::format("{}: {}", track.recording.track.name, *remark));
 }
 
 Expected<std::vector<std::vector<orispline::Reduction>>> reductions_of(const Request& request,
@@ -246,7 +247,11 @@ Expected<void> reduce(const ReduceOptions& options) {
   if (options.folder)
     if (auto made = make_folder(*options.folder); !made) return made;
   const ReducedTrack& first = tracks->front();
-  return page->write([&] { return page_of(reports->front(), first.reduced, options.report); })
+  const auto make_page = [&](const auto& head) {
+    const auto smoothing_time = first.smoothing ? std::optional(first.smoothing->smoothing_time) : std::nullopt;
+    return pages::reduce_page(first.reduced, reports->front().reductions, request->reduction, head, smoothing_time);
+  };
+  return page->write(make_page)
       .and_then([&] { return write_all(*request, *tracks, *reports); })
       .and_then([&] { return page->finish(); })
       .and_then([&] {

@@ -3,11 +3,13 @@
 
 #include <fmt/format.h>
 
-#include "commands/sample/sample_report.hpp"
-#include "commands/smooth/smooth_report.hpp"
-#include "commands/smooth/smoothing_json.hpp"
+#include <orispline/base/counted.hpp>
+
 #include "options/quantity.hpp"
 #include "output/json_document.hpp"
+#include "output/repairs_text.hpp"
+#include "output/smoothing_json.hpp"
+#include "output/smoothing_text.hpp"
 #include "output/summary.hpp"
 
 namespace orispline::cli {
@@ -37,7 +39,7 @@ Json method_json(const ReduceReport& report, const orispline::Reduction& reducti
 Json smoothing_json(const ReduceReport& report) {
   const auto& [smoothing, raw] = *report.smoothed;
   return {{"smoothing_time_s", smoothing.smoothing_time},
-          {"cutoff_hz", cutoff_of(smoothing)},
+          {"cutoff_hz", smoothing.cutoff()},
           {"criterion", criterion_of(smoothing)},
           {"noise_rad", smoothing.noise},
           {"rejected", places_json(smoothing.rejected, report.lines, report.times)},

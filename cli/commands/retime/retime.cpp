@@ -8,10 +8,11 @@
 #include <fmt/ranges.h>
 
 #include <orispline/families/registry.hpp>
+#include <orispline/pages/retime_page.hpp>
 #include <orispline/tune/tune.hpp>
 
-#include "commands/compare/compare_request.hpp"
-#include "commands/retime/retime_page.hpp"
+#include "commands/retime/retime_report.hpp"
+#include "options/inertia.hpp"
 #include "options/quantity.hpp"
 #include "output/interruption.hpp"
 
@@ -92,7 +93,7 @@ Expected<void> retime(const RetimeOptions& options) {
   const Track& track = file->track;
   if (!file->ignored_columns.empty()) warn(fmt::format("not carried over: {}", fmt::join(file->ignored_columns, ", ")));
   const orispline::MotionLimits& limits = request->retiming.limits;
-  if (limits.inertia) warn_unless_rigid(*limits.inertia);
+  if (limits.inertia) warn_if_any(inertia_warning(*limits.inertia));
   auto retiming = orispline::retime(track, request->method, request->retiming);
   if (!retiming) return tl::unexpected(placed(track, std::move(retiming.error())));
   const auto columns = columns_for(retiming->track, request->columns);
@@ -103,7 +104,8 @@ Expected<void> retime(const RetimeOptions& options) {
                             .slowing = request->retiming.slowing,
                             .duration_before = track.keys.times().back() - track.keys.times().front(),
                             .retiming = std::move(*retiming)};
-  return page->write([&] { return page_of(report, track, options.report); })
+  return page
+      ->write([&](const auto& head) { return pages::retime_page(track, report.retiming, limits, head); })
       .and_then([&] { return io::SampleWriter::open(options.output.path, *columns, track.keys.size()); })
       .and_then([&](io::SampleWriter writer) {
         const RemovedWhenInterrupted unfinished(writer.part());

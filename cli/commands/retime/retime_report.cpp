@@ -1,21 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/retime/retime_report.hpp"
 
-#include <algorithm>
-#include <vector>
-
 #include <fmt/format.h>
 
-#include "commands/sample/sample_report.hpp"
-#include "options/quantity.hpp"
+#include <orispline/base/counted.hpp>
+#include <orispline/retime/certificate.hpp>
+
 #include "output/json_document.hpp"
 #include "output/summary.hpp"
 
 namespace orispline::cli {
 namespace {
-
-using orispline::CertifiedPeak;
-using orispline::SegmentPeaks;
 
 double duration_of(const RetimeReport& report) { return report.retiming.track.keys.times().back() - report.retiming.track.keys.times().front(); }
 
@@ -24,22 +19,6 @@ std::string_view word_of(orispline::Slowing slowing) {
 }
 
 }  // namespace
-
-std::vector<Certificate> certificates_of(const orispline::MotionLimits& limits, const std::vector<SegmentPeaks>& peaks) {
-  std::vector<Certificate> certificates;
-  const auto add = [&](std::string_view name, std::string_view unit, std::string_view json_unit, double scale,
-                       const std::optional<double>& limit, CertifiedPeak SegmentPeaks::*member) {
-    if (!limit) return;
-    const auto worst = std::ranges::max_element(peaks, {}, [&](const SegmentPeaks& p) { return (p.*member).bound; });
-    const CertifiedPeak& peak = (*worst).*member;
-    certificates.push_back({name, unit, json_unit, *limit * scale, peak.bound * scale, peak.found * scale, peak.time,
-                            static_cast<std::size_t>(worst - peaks.begin())});
-  };
-  add("rate", "°/s", "deg_s", degrees, limits.rate, &SegmentPeaks::rate);
-  add("acceleration", "°/s²", "deg_s2", degrees, limits.acceleration, &SegmentPeaks::acceleration);
-  add("torque", "N m", "nm", 1.0, limits.torque, &SegmentPeaks::torque);
-  return certificates;
-}
 
 std::string text_of(const RetimeReport& report) {
   std::string text = fmt::format(
@@ -65,10 +44,9 @@ std::string json_of(const RetimeReport& report) {
             {"duration_after_s", duration_of(report)},
             {"time_scale", report.retiming.time_scale}};
   for (const Certificate& c : certificates_of(report.limits, report.retiming.peaks)) {
-    const auto name = [&c](std::string_view part) { return fmt::format("{}_{}_{}", c.name, part, c.json_unit); };
-    json[name("limit")] = c.limit;
-    json[name("bound")] = c.bound;
-    json[name("max")] = c.found;
+    json[c.id_of("limit")] = c.limit;
+    json[c.id_of("bound")] = c.bound;
+    json[c.id_of("max")] = c.found;
     json[fmt::format("{}_max_after_s", c.name)] = c.time;
     json[fmt::format("{}_bound_after_key", c.name)] = c.segment;
   }

@@ -8,7 +8,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <orispline/base/counted.hpp>
+
 #include "options/quantity.hpp"
+#include "output/repairs_text.hpp"
 #include "output/summary.hpp"
 
 namespace orispline::cli {
@@ -46,20 +49,6 @@ std::string truth_line(const TruthReport& truth) {
 }
 
 }  // namespace
-
-std::string counted(std::size_t count, std::string_view noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
-std::string text_of(const io::RepairReport& repairs) {
-  std::vector<std::string> clauses;
-  if (repairs.duplicates_dropped > 0)
-    clauses.push_back(fmt::format("dropped {} of duplicate time", counted(repairs.duplicates_dropped, "row")));
-  if (repairs.invalid_dropped > 0)
-    clauses.push_back(fmt::format("dropped {} without valid numbers", counted(repairs.invalid_dropped, "row")));
-  if (repairs.rows_moved > 0) clauses.push_back(fmt::format("sorted {}", counted(repairs.rows_moved, "row")));
-  return fmt::format("{}", fmt::join(clauses, "; "));
-}
 
 std::string text_of(const SampleReport& report) {
   std::string text = keys_line(report);

@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <orispline/analysis/distance.hpp>
@@ -33,14 +32,8 @@ struct SampleReport {
   std::optional<TruthReport> truth{};
 };
 
-/// `1 key`, `2 keys`
-[[nodiscard]] std::string counted(std::size_t count, std::string_view noun);
-
 /// A few lines for people.
 [[nodiscard]] std::string text_of(const SampleReport& report);
-
-/// What reading touched, one clause each: `dropped 2 rows of duplicate times`; empty when nothing.
-[[nodiscard]] std::string text_of(const io::RepairReport& repairs);
 
 /// One JSON document, described in docs/inspect-json.md.
 [[nodiscard]] std::string json_of(const SampleReport& report);

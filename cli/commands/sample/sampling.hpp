@@ -3,7 +3,7 @@
 
 #include <orispline/io/sample_writer.hpp>
 
-#include "commands/sample/sample_times.hpp"
+#include "options/sample_times.hpp"
 #include "options/method_options.hpp"
 #include "output/progress.hpp"
 

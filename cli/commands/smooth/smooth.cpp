@@ -7,13 +7,14 @@
 
 #include <orispline/families/registry.hpp>
 #include <orispline/io/track_file.hpp>
+#include <orispline/pages/smooth_page.hpp>
 
-#include "commands/sample/sample_times.hpp"
-#include "commands/smooth/smooth_page.hpp"
 #include "commands/smooth/smooth_report.hpp"
 #include "options/method_options.hpp"
 #include "options/quantity.hpp"
+#include "options/sample_times.hpp"
 #include "output/interruption.hpp"
+#include "output/smoothing_text.hpp"
 #include "output/standard_output.hpp"
 
 namespace orispline::cli {
@@ -82,7 +83,7 @@ Expected<std::size_t> write_samples(io::SampleWriter& writer, const orispline::S
   std::size_t count = 0;
   for (std::size_t k = 0; k < times->size(); ++k) {
     const Instant instant = (*times)[k];
-    if (!covers(smoothed, smoothed.track.keys.times(), instant.t)) continue;
+    if (!smoothed.covers(instant.t)) continue;
     io::Sample sample{.motion = curve->orientation.motion(instant.t)};
     if (curve->position) sample.linear_motion = curve->position->linear_motion(instant.t);
     if (auto written = writer.write(times->origin().plus(instant.offset), sample); !written)
@@ -115,7 +116,8 @@ Expected<void> smooth(const SmoothOptions& options) {
   const Track& recording = file->track;
   auto smoothing = orispline::smooth(recording, request->smoothing);
   if (!smoothing) return tl::unexpected(placed(recording, std::move(smoothing.error())));
-  if (const std::string remark = remark_on(*smoothing); !remark.empty()) warn(remark);
+  const auto remark = remark_on(*smoothing);
+  warn_if_any(remark);
   if (!io::holds_all_columns(request->columns.format))
     warn("this format holds no rates: wx,wy,wz,ax,ay,az are not written, wanted a CSV file for them");
   SmoothReport report{.recording = recording,
@@ -126,7 +128,11 @@ Expected<void> smooth(const SmoothOptions& options) {
                       .positions = !recording.keys.positions().empty(),
                       .samples = request->times.has_value(),
                       .smoothing = std::move(*smoothing)};
-  return page->write([&] { return page_of(report, options.report); })
+  const auto make_page = [&](auto head) {
+    if (remark) head.notes.push_back("Warning: " + *remark + ".");
+    return pages::smooth_page(recording, report.smoothing, head);
+  };
+  return page->write(make_page)
       .and_then([&] { return write(options.output.path, *request, report.smoothing); })
       .map([&](std::size_t rows) { report.rows = rows; })
       .and_then([&] { return page->finish(); })

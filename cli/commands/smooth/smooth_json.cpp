@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
-
 #include "commands/smooth/smooth.hpp"
 #include "commands/smooth/smooth_report.hpp"
-#include "commands/smooth/smoothing_json.hpp"
+#include "output/smoothing_json.hpp"
 
 namespace orispline::cli {
 namespace {
@@ -22,20 +20,6 @@ Json or_null(const std::optional<T>& value) {
 
 }  // namespace
 
-Json places_json(const std::vector<std::size_t>& samples, const std::vector<std::uint32_t>& lines,
-                 const std::vector<Decimal>& times) {
-  Json list = Json::array();
-  for (const std::size_t i : samples)
-    list.push_back({{"key", i}, {"line", lines[i]}, {"time_s", times[i].to_string()}});
-  return list;
-}
-
-Json criterion_of(const orispline::Smoothing& smoothing) {
-  if (!smoothing.criterion) return nullptr;
-  constexpr std::array names{"gcv", "ubre", "reml"};
-  return names[static_cast<std::size_t>(*smoothing.criterion)];
-}
-
 std::string json_of(const SmoothReport& report) {
   const orispline::Smoothing& smoothing = report.smoothing;
   Json json{{"input", report.recording.name},
@@ -45,7 +29,7 @@ std::string json_of(const SmoothReport& report) {
             {"penalty", word_of(penalty_choices, report.penalty)},
             {"loss", word_of(loss_choices, report.loss)},
             {"smoothing_time_s", smoothing.smoothing_time},
-            {"cutoff_hz", cutoff_of(smoothing)},
+            {"cutoff_hz", smoothing.cutoff()},
             {"lambda", smoothing.lambda},
             {"criterion", criterion_of(smoothing)},
             {"chosen_on", smoothing.chosen_on},

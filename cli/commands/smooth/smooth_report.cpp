@@ -4,34 +4,21 @@
 #include <algorithm>
 #include <tuple>
 
-#include <numbers>
-
 #include <fmt/format.h>
 
-#include "commands/sample/sample_report.hpp"
+#include <orispline/base/counted.hpp>
+
 #include "options/quantity.hpp"
+#include "output/repairs_text.hpp"
+#include "output/smoothing_text.hpp"
 #include "output/summary.hpp"
 
 namespace orispline::cli {
 namespace {
 
-using orispline::LambdaChoice;
 using orispline::Smoothing;
-using orispline::SmoothingCriterion;
 
-constexpr std::size_t places_shown = 10;
-constexpr std::size_t motion_run = 3;  // of rejected samples; --loss tukey may have it
-constexpr double wanted_step = 1e-6;   // [rad] of the last step of the iteration
-
-std::string reason_of(const Smoothing& smoothing) {
-  if (!smoothing.criterion) return "as stated";
-  std::string reason = *smoothing.criterion == SmoothingCriterion::gcv    ? "by generalised cross-validation"
-                       : *smoothing.criterion == SmoothingCriterion::ubre ? "by the stated noise (UBRE)"
-                                                                          : "by restricted likelihood (REML)";
-  const std::size_t all = smoothing.keys.size();
-  if (smoothing.chosen_on < all) reason += fmt::format(", on {} of {} samples", smoothing.chosen_on, all);
-  return reason;
-}
+constexpr std::size_t stretches_shown = 10;
 
 std::string noise_line(const SmoothReport& report) {
   const Smoothing& smoothing = report.smoothing;
@@ -70,67 +57,12 @@ std::string stretch_lines(const SmoothReport& report) {
                         places_text(samples_in_short_stretches, report.recording.lines, report.recording.exact_times));
   if (stretches.size() == 1) return text;
   text += fmt::format("stretches       {}, begun at", stretches.size());
-  for (std::size_t i = 0; i < std::min(stretches.size(), places_shown); ++i)
+  for (std::size_t i = 0; i < std::min(stretches.size(), stretches_shown); ++i)
     text += fmt::format("{} {} s", i == 0 ? "" : ",", report.recording.exact_times[stretches[i].first].to_string());
-  return text + (stretches.size() > places_shown ? ", …\n" : "\n");
-}
-
-/// The longest run of rejected samples in one stretch.
-std::size_t longest_rejected_run(const Smoothing& smoothing) {
-  std::size_t longest = 0, run = 0;
-  for (std::size_t k = 0; k < smoothing.rejected.size(); ++k) {
-    const std::size_t sample = smoothing.rejected[k];
-    const bool follows = k > 0 && smoothing.rejected[k - 1] + 1 == sample &&
-                         !std::ranges::binary_search(smoothing.stretches, sample, {}, &orispline::Stretch::first);
-    run = follows ? run + 1 : 1;
-    longest = std::max(longest, run);
-  }
-  return longest;
+  return text + (stretches.size() > stretches_shown ? ", …\n" : "\n");
 }
 
 }  // namespace
-
-double cutoff_of(const Smoothing& smoothing) { return 1.0 / (2.0 * std::numbers::pi * smoothing.smoothing_time); }
-
-bool covers(const Smoothing& smoothing, std::span<const double> times, double t) {
-  const auto behind = std::ranges::upper_bound(times, t);
-  if (behind == times.begin()) return false;
-  const auto before = behind - 1;  // the key
-  const std::size_t sample = smoothing.keys[static_cast<std::size_t>(before - times.begin())];
-  const auto next_stretch = std::ranges::upper_bound(smoothing.stretches, sample, {}, &orispline::Stretch::first);
-  const auto& [first, count] = *(next_stretch - 1);
-  return *before == t || sample + 1 < first + count;
-}
-
-std::string places_text(const std::vector<std::size_t>& samples, const std::vector<std::uint32_t>& lines,
-                        const std::vector<Decimal>& times) {
-  std::string text;
-  for (std::size_t i = 0; i < std::min(samples.size(), places_shown); ++i)
-    text += fmt::format("{}line {} ({} s)", i == 0 ? ": " : ", ", lines[samples[i]], times[samples[i]].to_string());
-  return text + (samples.size() > places_shown ? ", …" : "");
-}
-
-std::string choice_line(const Smoothing& smoothing) {
-  return fmt::format("smoothing time  {:.4g} s (cut-off {:.4g} Hz), {}\n", smoothing.smoothing_time,
-                     cutoff_of(smoothing), reason_of(smoothing));
-}
-
-std::string remark_on(const Smoothing& smoothing) {
-  if (smoothing.edge == LambdaChoice::Edge::shortest)
-    return "hardly any noise was found beside the motion: the least smoothing was taken; state --smoothing-time for "
-           "more or less";
-  if (smoothing.edge == LambdaChoice::Edge::longest)
-    return "no change of the rates was found beside the noise: the most smoothing was taken; state --smoothing-time "
-           "to have less";
-  if (const std::size_t run = longest_rejected_run(smoothing); run >= motion_run)
-    return fmt::format(
-        "{} samples in a row do not count, which is rather motion than outliers: wanted --loss robust, "
-        "which keeps them",
-        run);
-  if (smoothing.last_step > wanted_step)
-    return fmt::format("the last step of the iteration still moved by {:.2g} rad", smoothing.last_step);
-  return "";
-}
 
 std::string text_of(const SmoothReport& report) {
   const Smoothing& smoothing = report.smoothing;

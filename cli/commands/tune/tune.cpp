@@ -8,8 +8,8 @@
 #include <orispline/io/output_file.hpp>
 #include <orispline/tune/tension_model.hpp>
 
-#include "commands/compare/compare_request.hpp"
 #include "commands/tune/tune_report.hpp"
+#include "options/inertia.hpp"
 #include "output/interruption.hpp"
 #include "output/standard_output.hpp"
 
@@ -123,7 +123,7 @@ Expected<void> tune(const TuneOptions& options) {
   const auto request = request_in(options);
   if (!request) return tl::unexpected(request.error());
   const bool by_torque = request->tuning.objective == orispline::Objective::torque;
-  if (by_torque) warn_unless_rigid(request->tuning.inertia);
+  if (by_torque) warn_if_any(inertia_warning(request->tuning.inertia));
   const auto file = io::read_track(request->input.path, request->input.read, request->input.signs);
   if (!file) return tl::unexpected(file.error());
   auto tuning = tuned(*request, options, file->track);

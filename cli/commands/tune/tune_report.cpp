@@ -6,7 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "commands/sample/sample_report.hpp"
+#include <orispline/base/counted.hpp>
+
 #include "commands/tune/tune.hpp"
 #include "options/quantity.hpp"
 #include "output/summary.hpp"

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
+#include <orispline/base/better.hpp>
 #include <orispline/math/eigen.hpp>
 
 namespace orispline::report {
 
-/// Which of two values of a measure is the better one.
-enum class Better { less, more, neither };
+using orispline::Better;
 
 /// The body that the page shows in space.
 enum class PageBody { aircraft, box, axes };
@@ -89,6 +89,7 @@ struct Page {
 ///
 /// Numbers are rounded to 7 significant digits. The text may hold any characters; what is not UTF-8 shows as U+FFFD.
 /// The content of the embedded JSON is described in studio/report/README.md. 35 methods of 600 samples make about 4 MB.
+/// Not in a build without ORISPLINE_PAGE; the JSON alone (page_json.hpp) is in every build.
 [[nodiscard]] std::string document(const Page& page);
 
 }  // namespace orispline::report

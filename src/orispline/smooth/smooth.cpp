@@ -286,6 +286,7 @@ Expected<Smoothing> smooth(const Track& recording, const SmoothOptions& options,
         auto smoothed = smoothed_keyframes(keys, smoothing);
         if (!smoothed) return tl::unexpected(std::move(smoothed.error()));
         smoothing.track = recording.at(smoothing.keys).with_keys(std::move(*smoothed));
+        smoothing.warnings = warnings_of(smoothing);
         return smoothing;
       });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "commands/sample/sample_times.hpp"
+#include "options/sample_times.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,32 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <orispline/curve/pose_curve.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <orispline/analysis/measure_info.hpp>
+#include <orispline/pages/page_head.hpp>
 #include <orispline/report/page_samples.hpp>
 
-#include "commands/compare/compare_report.hpp"
-#include "output/report_file.hpp"
+// What the pages have alike.
 
-// What the pages of all commands with `--report` have alike.
-
-namespace orispline::cli {
+namespace orispline::pages {
 
 /// A page that says what it is about, with the keys; of very many some, and a note that says so.
-[[nodiscard]] report::Page begun_page(std::string title, const ReportOptions& options, const Decimal& epoch,
+[[nodiscard]] report::Page begun_page(std::string title, const PageHead& head, const Decimal& epoch,
                                       const Keyframes& keys);
-
-/// The keys as a page has them.
-[[nodiscard]] report::PageKeys keys_in_page(const Keyframes& keys);
 
 /// Orientations over time, all of them.
 [[nodiscard]] report::PagePath path_of(std::span<const double> times, std::span<const Eigen::Quaterniond> orientations);
+[[nodiscard]] report::PagePath path_of(const Keyframes& keys);
 
 /// The columns of measures, the ones first that people look at first.
-[[nodiscard]] std::vector<report::PageColumn> columns_of(std::vector<CompareFigure> figures);
+[[nodiscard]] std::vector<report::PageColumn> measure_columns(std::vector<MeasureInfo> measures);
 
 /// A curve as a page shows it, its torques too where the inertia [kg m²] is known.
 [[nodiscard]] report::PageSamples samples_of(const PoseCurve& curve, const std::optional<Eigen::Matrix3d>& inertia,
                                              std::size_t count);
+
+/// `C2`
+[[nodiscard]] std::string continuity_of(const Measures& measures);
 
 /// A curve that a page shows, with its own keys.
 struct ShownCurve {
@@ -38,13 +42,15 @@ struct ShownCurve {
 
 /// What all curves of a page have alike.
 struct CurvePage {
-  ComparedData data;  ///< the recording, without sets of keys
-  std::vector<CompareFigure> figures{};
+  Decimal epoch{};        ///< of all times [s]
+  Keyframes recording{};  ///< or keys, that the curves are measured against
+  std::vector<MeasureInfo> measures{};
   std::optional<Eigen::Matrix3d> inertia{};  ///< [kg m²]: torques are shown too
-};
 
-/// A recording, or keys, that the curves of a page are measured against; `file` names it.
-[[nodiscard]] ComparedData compared_with(std::string file, const Decimal& epoch, const Keyframes& samples);
+  [[nodiscard]] RecordedMotion recorded() const {
+    return {recording.times(), recording.orientations(), recording.angular_velocities()};
+  }
+};
 
 /// How many samples of a curve, of a recording and of errors a page has at most where it has few curves.
 inline constexpr std::size_t samples_of_few = 2000;
@@ -62,4 +68,4 @@ inline constexpr std::size_t samples_of_few = 2000;
 [[nodiscard]] report::PageMethod with_errors(report::PageMethod method, const report::PageErrors& errors,
                                              const report::Covers& covers);
 
-}  // namespace orispline::cli
+}  // namespace orispline::pages

@@ -1,25 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "output/report_page.hpp"
+#include <orispline/pages/curve_page.hpp>
 
 #include <algorithm>
-#include <ctime>
 #include <utility>
-
-#include <fmt/chrono.h>
-#include <fmt/format.h>
 
 #include <orispline/analysis/sampled.hpp>
 #include <orispline/analysis/torque.hpp>
+#include <orispline/base/formatted.hpp>
 #include <orispline/base/version.hpp>
+#include <orispline/math/degrees.hpp>
 
-#include "options/quantity.hpp"
-
-namespace orispline::cli {
+namespace orispline::pages {
 namespace {
 
 constexpr std::size_t most_keys = 2000;
 
-std::string now() { return fmt::format("{:%Y-%m-%d %H:%M}", fmt::localtime(std::time(nullptr))); }
+report::PageKeys keys_in_page(const Keyframes& keys) { return report::thinned(report::page_keys(keys), most_keys); }
 
 std::vector<Eigen::Vector3d> torques_of(const report::PageSamples& samples, const Eigen::Matrix3d& inertia) {
   std::vector<Eigen::Vector3d> torques;
@@ -32,42 +28,32 @@ std::vector<Eigen::Vector3d> torques_of(const report::PageSamples& samples, cons
 
 }  // namespace
 
-report::Page begun_page(std::string title, const ReportOptions& options, const Decimal& epoch,
-                        const Keyframes& keys) {
-  report::Page page{.title = std::move(title),
-                    .command = options.command_line,
-                    .date = now(),
+report::Page begun_page(std::string title, const PageHead& head, const Decimal& epoch, const Keyframes& keys) {
+  report::Page page{.title = head.title.empty() ? std::move(title) : head.title,
+                    .command = head.command,
+                    .date = head.date,
                     .version = std::string(version),
                     .time_start = epoch.to_string(),
                     .keys = keys_in_page(keys)};
   if (keys.size() > most_keys)
-    page.notes.push_back(fmt::format("Of the {} keys {} are shown, evenly picked.", keys.size(), most_keys));
+    page.notes.push_back(formatted("Of the {} keys {} are shown, evenly picked.", keys.size(), most_keys));
+  page.notes.insert(page.notes.end(), head.notes.begin(), head.notes.end());
   return page;
 }
-
-ComparedData compared_with(std::string file, const Decimal& epoch, const Keyframes& samples) {
-  return {.reference = std::move(file),
-          .epoch = epoch,
-          .samples = samples,
-          .times = {samples.times().begin(), samples.times().end()},
-          .key_sets = {},
-          .repairs = {}};
-}
-
-report::PageKeys keys_in_page(const Keyframes& keys) { return report::thinned(report::page_keys(keys), most_keys); }
 
 report::PagePath path_of(std::span<const double> times, std::span<const Eigen::Quaterniond> orientations) {
   return {{times.begin(), times.end()}, {orientations.begin(), orientations.end()}};
 }
 
-std::vector<report::PageColumn> columns_of(std::vector<CompareFigure> figures) {
+report::PagePath path_of(const Keyframes& keys) { return path_of(keys.times(), keys.orientations()); }
+
+std::vector<report::PageColumn> measure_columns(std::vector<MeasureInfo> measures) {
   std::vector<report::PageColumn> columns;
-  std::stable_partition(figures.begin(), figures.end(),
-                        [](const CompareFigure& figure) { return !figure.column.name.empty(); });
-  for (const CompareFigure& figure : figures)
-    if (figure.id != "continuity")  // which has a column of its own
-      columns.push_back({std::string(figure.id), std::string(figure.label), std::string(figure.unit),
-                         std::string(figure.explanation), figure.better});
+  std::ranges::stable_partition(measures, [](const MeasureInfo& measure) { return !measure.heading.empty(); });
+  for (const MeasureInfo& measure : measures)
+    if (!measure.is_order)  // which has a column of its own
+      columns.push_back({std::string(measure.id), std::string(measure.label), std::string(measure.unit),
+                         std::string(measure.explanation), measure.better});
   return columns;
 }
 
@@ -78,14 +64,17 @@ report::PageSamples samples_of(const PoseCurve& curve, const std::optional<Eigen
   return samples;
 }
 
+std::string continuity_of(const Measures& measures) { return formatted("C{}", measures.continuity.order()); }
+
 report::PageMethod method_of(const CurvePage& page, const ShownCurve& curve) {
   report::PageMethod method{.name = curve.name,
-                            .continuity = fmt::format("C{}", curve.measures.continuity.order()),
+                            .continuity = continuity_of(curve.measures),
                             .samples = samples_of(curve.curve, page.inertia, samples_of_few),
                             .keys = keys_in_page(curve.keys)};
-  for (const CompareFigure& figure : page.figures)
-    if (const auto value = figure.value(curve.measures, page.data); value && is_finite(figure, curve.measures))
-      method.measures.emplace(figure.id, *value);
+  for (const MeasureInfo& measure : page.measures)
+    if (const auto value = measure.value(curve.measures, {page.epoch, page.recording.times()});
+        value && measure.is_finite(curve.measures))
+      method.measures.emplace(measure.id, *value);
   return method;
 }
 
@@ -100,9 +89,9 @@ report::PageErrors errors_at(const PoseCurve& curve, const report::PagePath& rec
 std::vector<std::string> notes_on_samples(std::size_t samples) {
   if (samples <= samples_of_few) return {};
   return {
-      fmt::format("Curves are drawn through {} points, errors as the largest of every {:.3g} samples; the table "
-                  "counts all.",
-                  samples_of_few, static_cast<double>(samples) / samples_of_few)};
+      formatted("Curves are drawn through {} points, errors as the largest of every {:.3g} samples; the table "
+                "counts all.",
+                samples_of_few, static_cast<double>(samples) / samples_of_few)};
 }
 
 report::PageMethod with_errors(report::PageMethod method, const report::PageErrors& errors,
@@ -113,4 +102,4 @@ report::PageMethod with_errors(report::PageMethod method, const report::PageErro
   return method;
 }
 
-}  // namespace orispline::cli
+}  // namespace orispline::pages

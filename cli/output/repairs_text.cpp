@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/repairs_text.hpp"
+
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <orispline/base/counted.hpp>
+
+namespace orispline::cli {
+
+std::string text_of(const io::RepairReport& repairs) {
+  std::vector<std::string> clauses;
+  if (repairs.duplicates_dropped > 0)
+    clauses.push_back(fmt::format("dropped {} of duplicate time", counted(repairs.duplicates_dropped, "row")));
+  if (repairs.invalid_dropped > 0)
+    clauses.push_back(fmt::format("dropped {} without valid numbers", counted(repairs.invalid_dropped, "row")));
+  if (repairs.rows_moved > 0) clauses.push_back(fmt::format("sorted {}", counted(repairs.rows_moved, "row")));
+  return fmt::format("{}", fmt::join(clauses, "; "));
+}
+
+}  // namespace orispline::cli

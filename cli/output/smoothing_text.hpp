@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <orispline/smooth/smooth.hpp>
+
+namespace orispline::cli {
+
+/// `: line 6 (5.2 s), line 9 (5.8 s)`, some of the samples, with their lines and times in the file.
+[[nodiscard]] std::string places_text(const std::vector<std::size_t>& samples, const std::vector<std::uint32_t>& lines,
+                                      const std::vector<Decimal>& times);
+
+/// `smoothing time  0.1 s (cut-off 1.59 Hz), by …`
+[[nodiscard]] std::string choice_line(const orispline::Smoothing& smoothing);
+
+/// The first of its warnings, as a sentence; else nothing. THE place where they are worded.
+[[nodiscard]] std::optional<std::string> remark_on(const orispline::Smoothing& smoothing);
+
+}  // namespace orispline::cli

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include <orispline/analysis/comparison.hpp>
+#include <orispline/base/better.hpp>
+#include <orispline/base/decimal.hpp>
+
+namespace orispline {
+
+/// What measures that are times are told by.
+struct MeasureTimes {
+  Decimal epoch{};                      ///< [s], exact: what the times of the curve count from
+  std::span<const double> recording{};  ///< [s], of the recording, from the epoch
+};
+
+/// What a measure is about, and with that when there is one.
+enum class MeasureGroup {
+  distance,   ///< to the orientations of a recording
+  rate,       ///< to its angular velocities, where they are logged
+  leave_out,  ///< to keys that were left out, where that is asked for
+  shape,      ///< how smooth the curve is
+  torque,     ///< that it takes, where the inertia is known
+  cost,       ///< to make it and to sample it
+};
+
+/// A measure of a curve as it is shown. Tables, CSV, JSON and pages are made from these.
+struct MeasureInfo {
+  MeasureGroup group = MeasureGroup::distance;
+  std::string_view id{};       ///< with the unit, in words that a program reads: `rms_deg`
+  std::string_view word{};     ///< that methods are sorted by; empty: not for sorting
+  std::string_view heading{};  ///< with the unit, in a table for people; empty: not there
+  int digits = 4;              ///< significant ones, there
+  std::string_view label{}, unit{};
+  std::string_view explanation{};  ///< one sentence
+  Better better = Better::less;
+  int finite_from = 0;    ///< the order of continuity that it wants: ∫|α|² of a curve whose ω jumps is infinite
+  bool is_order = false;  ///< a whole number, shown as C0, C1, …
+  std::optional<double> (*value)(const Measures&, const MeasureTimes&) = nullptr;  ///< in the unit; absent: not taken
+
+  /// Whether the value is that of the whole curve.
+  [[nodiscard]] bool is_finite(const Measures& measures) const noexcept {
+    return measures.continuity.order() >= finite_from;
+  }
+};
+
+/// All measures. THE list of them.
+[[nodiscard]] std::span<const MeasureInfo> measures_info() noexcept;
+
+/// Those of some groups, in the order of the list.
+[[nodiscard]] std::vector<MeasureInfo> measures_of(std::span<const MeasureGroup> groups);
+[[nodiscard]] std::vector<MeasureInfo> measures_of(std::initializer_list<MeasureGroup> groups);
+
+}  // namespace orispline

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <orispline/analysis/measure_info.hpp>
+#include <orispline/math/degrees.hpp>
+
+// How each measure of the list takes its value from the results, in its unit.
+
+namespace orispline::measure_value {
+
+using Value = std::optional<double>;
+
+[[nodiscard]] inline double time_in_file(const MeasureTimes& times, double t) {
+  return (times.epoch + Decimal::from_double(t)).to_double();
+}
+
+template <double DistanceStatistics::*figure>
+[[nodiscard]] Value angle(const Measures& m, const MeasureTimes&) {
+  return m.distance.*figure * degrees;
+}
+
+[[nodiscard]] inline Value time_of_largest(const Measures& m, const MeasureTimes& times) {
+  return time_in_file(times, times.recording[m.distance.largest_at]);
+}
+
+[[nodiscard]] inline Value mean_square(const Measures& m, const MeasureTimes&) { return m.distance.mean_square(); }
+
+template <double DistanceStatistics::*figure>
+[[nodiscard]] Value spherical(const Measures& m, const MeasureTimes&) {
+  return m.distance.*figure * 0.5;
+}
+
+template <double DistanceStatistics::*figure>
+[[nodiscard]] Value rate(const Measures& m, const MeasureTimes&) {
+  return m.rate_error ? Value((*m.rate_error).*figure) : std::nullopt;
+}
+
+[[nodiscard]] inline Value leave_out(const Measures& m, const MeasureTimes&) {
+  return m.leave_out ? Value(m.leave_out->rms * degrees) : std::nullopt;
+}
+
+[[nodiscard]] inline Value continuity(const Measures& m, const MeasureTimes&) { return m.continuity.order(); }
+
+template <double Energies::*figure>
+[[nodiscard]] Value energy(const Measures& m, const MeasureTimes&) {
+  return m.energies.*figure;
+}
+
+template <Peak Peaks::*figure>
+[[nodiscard]] Value peak(const Measures& m, const MeasureTimes&) {
+  return (m.peaks.*figure).value;
+}
+
+template <Peak Peaks::*figure>
+[[nodiscard]] Value peak_time(const Measures& m, const MeasureTimes& times) {
+  return time_in_file(times, (m.peaks.*figure).time);
+}
+
+[[nodiscard]] inline Value angle_travelled(const Measures& m, const MeasureTimes&) {
+  return m.angle_travelled * degrees;
+}
+
+template <double Measures::*figure>
+[[nodiscard]] Value seconds(const Measures& m, const MeasureTimes&) {
+  return m.*figure;
+}
+
+}  // namespace orispline::measure_value

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/pages/compare_page.hpp>
+
+#include <algorithm>
+
+#include <orispline/base/counted.hpp>
+#include <orispline/base/formatted.hpp>
+#include <orispline/base/parallel.hpp>
+#include <orispline/families/registry.hpp>
+#include <orispline/pages/curve_page.hpp>
+
+namespace orispline::pages {
+namespace {
+
+constexpr std::size_t samples_per_method = 600;
+
+/// The id of a measure on another set of keys than the first.
+std::string id_on(std::string_view id, std::size_t key_set) {
+  return key_set == 0 ? std::string(id) : formatted("{}_{}", id, key_set);
+}
+
+/// On further sets of keys only what a method is chosen by.
+bool is_in_page(const MeasureInfo& measure, std::size_t key_set) {
+  return key_set == 0 || measure.id == "rms_deg" || measure.id == "max_deg";
+}
+
+std::vector<report::PageColumn> columns_of(const ComparedCurves& compared) {
+  std::vector<report::PageColumn> columns;
+  for (std::size_t i = 0; i < compared.key_sets.size(); ++i) {
+    std::vector<MeasureInfo> measures = compared.measures;
+    std::erase_if(measures, [&](const MeasureInfo& measure) { return !is_in_page(measure, i); });
+    const std::string keys = i == 0 ? "" : ", " + compared.key_sets[i];
+    for (const report::PageColumn& column : measure_columns(std::move(measures)))
+      columns.push_back(
+          {id_on(column.id, i), column.label + keys, column.unit, column.explanation + keys, column.better});
+  }
+  return columns;
+}
+
+report::PageMethod method_of(const ComparedMethod& method, const ComparedCurves& compared,
+                             const report::PagePath& truth) {
+  report::PageMethod result{.name = method.label};
+  if (!method.measures) {
+    result.failure = describe(method.measures.error());
+    return result;
+  }
+  result.continuity = continuity_of(*method.measures);
+  const auto curve = make_pose_curve(method.candidate.method, method.candidate.keys);
+  if (!curve) return result;  // it was made before
+  result.samples = samples_of(*curve, compared.inertia, samples_per_method);
+  result.samples.errors = report::errors_to(truth, result.samples.path);
+  return result;
+}
+
+void add_measures(report::PageMethod& method, const ComparedCurves& compared) {
+  const MeasureTimes times{compared.epoch, compared.recording.times};
+  for (const ComparedMethod& other : compared.methods) {
+    if (other.label != method.name || !other.measures) continue;
+    for (const MeasureInfo& measure : compared.measures)
+      if (const auto value = measure.value(*other.measures, times);
+          value && is_in_page(measure, other.key_set) && measure.is_finite(*other.measures))
+        method.measures.emplace(id_on(measure.id, other.key_set), *value);
+  }
+}
+
+std::string id_of_word(const std::vector<MeasureInfo>& measures, std::string_view word) {
+  const auto found = std::ranges::find(measures, word, &MeasureInfo::word);
+  return word.empty() || found == measures.end() || found->is_order ? "" : std::string(found->id);
+}
+
+}  // namespace
+
+report::Page compare_page(const ComparedCurves& compared, const PageHead& head, unsigned threads) {
+  const Keyframes& keys = compared.methods.front().candidate.keys;
+  const report::PagePath truth = path_of(compared.recording.times, compared.recording.orientations);
+  const auto in_page = static_cast<std::size_t>(
+      std::ranges::count(compared.methods, std::size_t{0}, &ComparedMethod::key_set));  // they stand first
+  report::Page page = begun_page(formatted("{} on {}", counted(in_page, "method"), counted(keys.size(), "key")), head,
+                                 compared.epoch, keys);
+  page.reference = report::thinned(truth, samples_per_method);
+  page.columns = columns_of(compared);
+  page.sorted_by = id_of_word(compared.measures, compared.sorted_by);
+  page.methods.resize(in_page);
+  parallel_for(in_page, threads, [&](std::size_t i) {
+    page.methods[i] = method_of(compared.methods[i], compared, truth);
+    add_measures(page.methods[i], compared);
+  });
+  return page;
+}
+
+}  // namespace orispline::pages

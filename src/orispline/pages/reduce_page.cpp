@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/pages/reduce_page.hpp>
+
+#include <algorithm>
+#include <iterator>
+
+#include <orispline/base/formatted.hpp>
+#include <orispline/families/registry.hpp>
+#include <orispline/math/degrees.hpp>
+#include <orispline/pages/curve_page.hpp>
+
+namespace orispline::pages {
+namespace {
+
+std::string title_of(const Track& recording, const Reduction& chosen, const Tolerance& allowed) {
+  std::string tolerance = formatted("{:.6g}°", allowed.angle * degrees);
+  if (allowed.bounds_positions()) tolerance += formatted(" and {:.6g} m", allowed.position);
+  return formatted("{} within {}: {} keys of {} for {} samples", recording.name, tolerance, chosen.samples.size(),
+                   chosen.method.name, recording.keys.size());
+}
+
+std::vector<report::PageColumn> columns_of(const CurvePage& page) {
+  std::vector<report::PageColumn> columns{
+      {"keys", "keys", "", "Keys that are left", Better::less},
+      {"samples_per_key", "samples per key", "", "Samples for each key", Better::more}};
+  if (!page.recording.positions().empty())
+    columns.push_back({"position_error_max_m", "max", "m", "Largest distance to the recording", Better::less});
+  std::ranges::move(measure_columns(page.measures), std::back_inserter(columns));
+  return columns;
+}
+
+report::PageMethod method_of(const CurvePage& page, const Reduction& reduction) {
+  const Candidate candidate{.method = reduction.method, .keys = reduction.track.keys};
+  const std::string& name = reduction.method.name;
+  auto curve = make_pose_curve(reduction.method, reduction.track.keys);
+  auto measures = measure(candidate, page.recorded());
+  if (!curve || !measures) return {.name = name, .failure = describe(curve ? measures.error() : curve.error())};
+  report::PageMethod method = with_errors(method_of(page, {name, reduction.track.keys, *curve, *measures}),
+                                          errors_at(*curve, path_of(page.recording)), [](double) { return true; });
+  const auto keys = static_cast<double>(reduction.samples.size());
+  method.measures["keys"] = keys;
+  method.measures["samples_per_key"] = static_cast<double>(page.recording.size()) / keys;
+  method.measures["max_deg"] = reduction.deviation.angle * degrees;  // as it is certified
+  if (reduction.deviation.position) method.measures["position_error_max_m"] = *reduction.deviation.position;
+  return method;
+}
+
+}  // namespace
+
+report::Page reduce_page(const Track& recording, std::span<const Reduction> reductions, const ReduceOptions& options,
+                         const PageHead& head, std::optional<double> smoothing_time) {
+  const std::size_t smallest = orispline::smallest(reductions);
+  const Reduction& chosen = reductions[smallest];
+  const CurvePage curves{.epoch = recording.epoch,
+                         .recording = recording.keys,
+                         .measures = measures_of({MeasureGroup::distance, MeasureGroup::shape})};
+  report::Page page =
+      begun_page(title_of(recording, chosen, options.tolerance), head, recording.epoch, chosen.track.keys);
+  if (smoothing_time)
+    page.notes.push_back(
+        formatted("The recording was smoothed first, smoothing time {:.4g} s, and is shown so.", *smoothing_time));
+  std::ranges::move(notes_on_samples(recording.keys.size()), std::back_inserter(page.notes));
+  page.reference = report::thinned(path_of(recording.keys), samples_of_few);
+  page.limits["error"] = options.tolerance.angle * degrees;
+  page.columns = columns_of(curves);
+  for (const Reduction& reduction : reductions) page.methods.push_back(method_of(curves, reduction));
+  const auto first = page.methods.begin() + static_cast<std::ptrdiff_t>(smallest);
+  std::rotate(page.methods.begin(), first, first + 1);
+  return page;
+}
+
+}  // namespace orispline::pages

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/pages/retime_page.hpp>
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+
+#include <orispline/base/formatted.hpp>
+#include <orispline/families/registry.hpp>
+#include <orispline/pages/curve_page.hpp>
+#include <orispline/retime/certificate.hpp>
+
+namespace orispline::pages {
+namespace {
+
+/// Of the motion before it was slowed; nothing where it has none.
+std::vector<SegmentPeaks> peaks_of(const AnyCurve& curve, const MotionLimits& limits) {
+  const auto floor = [](const std::optional<double>& limit) {
+    return limit ? 0.0 : std::numeric_limits<double>::infinity();
+  };
+  return certified_peaks(curve, limits.inertia, {floor(limits.rate), floor(limits.acceleration), floor(limits.torque)})
+      .value_or(std::vector<SegmentPeaks>());
+}
+
+std::vector<report::PageColumn> columns_of(const CurvePage& curves, const std::vector<Certificate>& certificates) {
+  std::vector<report::PageColumn> columns{
+      {"duration_s", "duration", "s", "From the first to the last key", Better::neither}};
+  for (const Certificate& c : certificates) {
+    const std::string name(c.name), unit(c.unit);
+    columns.push_back(
+        {c.id_of("bound"), name + " at most", unit,
+         formatted("Certified: nowhere on the curve is the {} larger; the limit is {:.6g}", name, c.limit),
+         Better::less});
+    columns.push_back({c.id_of("max"), name + " found", unit, "A value that the curve takes", Better::less});
+  }
+  std::ranges::move(measure_columns(curves.measures), std::back_inserter(columns));
+  return columns;
+}
+
+std::string title_of(const Track& before, const Retiming& retiming, const std::vector<Certificate>& certificates) {
+  std::vector<std::string> limits;
+  for (const Certificate& c : certificates) limits.push_back(formatted("{:.6g} {}", c.limit, c.unit));
+  return formatted("{} within {}, {}: slowed {} by {:.6g}", before.name, joined(limits, " and "), retiming.method.name,
+                   retiming.slowing == Slowing::uniform ? "uniformly" : "per interval", retiming.time_scale);
+}
+
+std::map<std::string, double, std::less<>> limits_of(const MotionLimits& limits) {
+  std::map<std::string, double, std::less<>> lines;
+  if (limits.rate) lines["w"] = *limits.rate;
+  if (limits.acceleration) lines["a"] = *limits.acceleration;
+  if (limits.torque) lines["torque"] = *limits.torque;
+  return lines;
+}
+
+/// What both curves have alike.
+struct Source {
+  CurvePage curves;
+  const Method& method;
+  const MotionLimits& limits;
+};
+
+/// The method's curve through the keys; its certificates are `peaks`, or sought where there are none.
+report::PageMethod method_of(const Source& source, std::string name, const Keyframes& keys,
+                             std::vector<SegmentPeaks> peaks) {
+  auto curve = make_pose_curve(source.method, keys);
+  auto measures = measure({.method = source.method, .keys = keys}, {keys.times(), keys.orientations()},
+                          {.inertia = source.curves.inertia.value_or(Eigen::Matrix3d::Identity())});
+  if (!curve || !measures)
+    return {.name = std::move(name), .failure = describe(curve ? measures.error() : curve.error())};
+  if (peaks.empty()) peaks = peaks_of(curve->orientation, source.limits);
+  report::PageMethod method = method_of(source.curves, {std::move(name), keys, *curve, *measures});
+  method.measures["duration_s"] = keys.times().back() - keys.times().front();
+  for (const Certificate& c : certificates_of(source.limits, peaks)) {
+    method.measures[c.id_of("bound")] = c.bound;
+    method.measures[c.id_of("max")] = c.found;
+  }
+  return method;
+}
+
+}  // namespace
+
+report::Page retime_page(const Track& before, const Retiming& retiming, const MotionLimits& limits,
+                         const PageHead& head) {
+  const Source source{.curves = {.epoch = before.epoch,
+                                 .recording = before.keys,
+                                 .measures = limits.inertia ? measures_of({MeasureGroup::shape, MeasureGroup::torque})
+                                                            : measures_of({MeasureGroup::shape}),
+                                 .inertia = limits.inertia},
+                      .method = retiming.method,
+                      .limits = limits};
+  const auto certificates = certificates_of(limits, retiming.peaks);
+  report::Page page = begun_page(title_of(before, retiming, certificates), head, before.epoch, before.keys);
+  page.limits = limits_of(limits);
+  page.columns = columns_of(source.curves, certificates);
+  page.methods.push_back(method_of(source, "after", retiming.track.keys, retiming.peaks));
+  page.methods.push_back(method_of(source, "before", before.keys, {}));
+  return page;
+}
+
+}  // namespace orispline::pages

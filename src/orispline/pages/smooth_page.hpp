@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <orispline/pages/page_head.hpp>
+#include <orispline/report/page.hpp>
+#include <orispline/smooth/smooth.hpp>
+
+namespace orispline::pages {
+
+/// The page to look at: the smoothed motion beside the recording as it was read.
+[[nodiscard]] report::Page smooth_page(const Track& recording, const Smoothing& smoothing, const PageHead& head);
+
+}  // namespace orispline::pages

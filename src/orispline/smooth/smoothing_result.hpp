@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <orispline/curve/track.hpp>
+#include <orispline/smooth/smoothing_choice.hpp>
+
+namespace orispline {
+
+/// Successive keys without a gap.
+struct Stretch {
+  std::size_t first, count;
+};
+
+/// The method whose curve through smoothed keys is the smooth motion: C2, through their orientations and rates.
+inline constexpr std::string_view smoothed_method = "hermite-c2";
+
+/// What is noteworthy about a smoothing.
+struct SmoothingWarning {
+  enum class Code {
+    least_smoothing,  ///< hardly any noise beside the motion: the least smoothing was chosen
+    most_smoothing,   ///< no change of the rates beside the noise: the most smoothing was chosen
+    rejected_run,     ///< `count` samples in a row do not count, which is rather motion than outliers
+    unfinished,       ///< the last step of the iteration still moved by `step`
+  } code{};
+  std::size_t sample = 0;  ///< of the recording, where the run begins
+  std::size_t count = 0;
+  double step = 0.0;  ///< [rad]
+};
+
+/// A smoothed recording.
+struct Smoothing {
+  Track track{};  ///< the keys, with body rates ω and α; positions as they were
+  Method method{smoothed_method};
+  std::vector<std::size_t> keys{};                        ///< of the recording, increasing: all but those left out
+  SmoothedNodes nodes{};                                  ///< at the times of these keys
+  std::vector<Stretch> stretches{};                       ///< one, without gaps
+  std::vector<std::size_t> samples_in_short_stretches{};  ///< keys of stretches too short to tell noise from motion
+  double smoothing_time = 0.0;                            ///< τ [s]
+  double lambda = 0.0;                                    ///< weight of the penalty against |r|²/σ²
+  double noise = 0.0;        ///< σ of the orientations per axis [rad], estimated from the residuals, or as stated
+  double local_noise = 0.0;  ///< estimated from neighbouring samples [rad]
+  std::optional<double> degrees_of_freedom{};  ///< effective ones of the curve, 3 tr; absent with a gyro
+  std::optional<double> gyro_noise{};          ///< σ per axis [rad/s], with a gyro
+  std::vector<std::size_t> rejected{};         ///< samples that do not count
+  std::vector<std::size_t> rejected_gyro{};    ///< samples whose rates do not count
+  std::vector<std::size_t>
+      retained_outlier_runs{};  ///< samples as far away, but three or more in a row: rather motion than faults
+  std::optional<SmoothingCriterion> criterion{};  ///< by which τ was chosen; absent: as stated
+  LambdaChoice::Edge edge = LambdaChoice::Edge::none;
+  std::size_t chosen_on = 0;                 ///< times that the choice of τ saw
+  double interval = 0.0;                     ///< median one between samples [s]
+  double last_step = 0.0;                    ///< largest turn of a node in the last step of the iteration [rad]
+  int iterations = 0;                        ///< of the last fit
+  std::vector<SmoothingWarning> warnings{};  ///< none, or the likely cause of the others first
+
+  /// The frequency at which the smoother's gain is one half [Hz].
+  [[nodiscard]] double cutoff() const noexcept;
+  /// Whether the curve through the keys is one through a stretch at this time [s], and neither over a gap nor beside
+  /// all of them. Logarithmic time.
+  [[nodiscard]] bool covers(double t) const;
+};
+
+/// What is to be said about it; `warnings` themselves play no part.
+[[nodiscard]] std::vector<SmoothingWarning> warnings_of(const Smoothing& smoothing);
+
+}  // namespace orispline

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pages made from plain results, as a program makes them: no command, no file, no clock.
+#include <gtest/gtest.h>
+
+#include <orispline/families/registry.hpp>
+#include <orispline/math/degrees.hpp>
+#include <orispline/pages/compare_page.hpp>
+#include <orispline/pages/reduce_page.hpp>
+#include <orispline/pages/retime_page.hpp>
+#include <orispline/pages/smooth_page.hpp>
+#include <orispline/report/page_json.hpp>
+#include <support/specimens.hpp>
+
+namespace orispline {
+namespace {
+
+const pages::PageHead head{.command = "a command", .date = "a day", .notes = {"A note."}};
+
+/// Turns about z by sin(2t) at 100 Hz, turned about random axes by half a degree and less.
+Track noisy(std::size_t count) {
+  testing_support::Dice dice(5);
+  KeyframeData data;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double t = 0.01 * static_cast<double>(i);
+    data.times.push_back(t);
+    data.orientations.push_back(exp<double>(Eigen::Vector3d(0.0, 0.0, std::sin(2.0 * t))) *
+                                exp<double>(Eigen::Vector3d(0.5 / degrees * dice.vector())));
+  }
+  Track track = Keyframes::make(std::move(data)).value();
+  track.name = "noisy";
+  return track;
+}
+
+void expect_head(const report::Page& page) {
+  EXPECT_EQ(page.command, head.command);
+  EXPECT_EQ(page.date, head.date);
+  ASSERT_FALSE(page.notes.empty());
+  EXPECT_EQ(page.notes.front(), head.notes.front());
+}
+
+/// Every measure of a method has its column.
+void expect_columns(const report::Page& page) {
+  for (const report::PageMethod& method : page.methods) {
+    EXPECT_EQ(method.failure, "");
+    EXPECT_FALSE(method.measures.empty());
+    for (const auto& [id, value] : method.measures)
+      EXPECT_EQ(std::ranges::count(page.columns, id, &report::PageColumn::id), 1) << id;
+  }
+}
+
+TEST(SmoothPage, ShowsTheSmoothedMotionBesideTheRecording) {
+  const Track recording = noisy(300);
+  const Smoothing smoothing = smooth(recording).value();
+  const report::Page page = pages::smooth_page(recording, smoothing, head);
+  expect_head(page);
+  expect_columns(page);
+  EXPECT_EQ(page.title.substr(0, 27), "noisy smoothed: 300 samples");
+  ASSERT_EQ(page.methods.size(), 2u);
+  EXPECT_EQ(page.methods[0].name, "smoothed");
+  EXPECT_GT(page.methods[0].measures.at("rms_deg"), 0.0);
+  EXPECT_LT(page.methods[0].measures.at("energy"), 0.01 * page.methods[1].measures.at("energy"));
+  EXPECT_EQ(json_of(page), json_of(pages::smooth_page(recording, smoothing, head)));
+}
+
+TEST(ReducePage, PutsTheSmallestReductionFirst) {
+  const Track recording = noisy(200);
+  const ReduceOptions options{.tolerance = {.angle = 2.0 / degrees}};
+  std::vector<Reduction> reductions;
+  for (const std::string_view method : {"slerp", "auto"})
+    reductions.push_back(reduce(recording, method, options).value());
+  const report::Page page = pages::reduce_page(recording, reductions, options, head, 0.125);
+  expect_head(page);
+  expect_columns(page);
+  EXPECT_DOUBLE_EQ(page.limits.at("error"), 2.0);
+  ASSERT_EQ(page.methods.size(), 2u);
+  EXPECT_LE(page.methods[0].measures.at("keys"), page.methods[1].measures.at("keys"));
+  EXPECT_EQ(page.methods[0].name, reductions[smallest(reductions)].method.name);
+  EXPECT_NE(page.notes[1].find("smoothing time 0.125 s"), std::string::npos);
+}
+
+TEST(RetimePage, ShowsBothMotionsWithTheirCertificates) {
+  const Track before = Keyframes::make(testing_support::random_walk(3, 8, testing_support::Spacing::uneven)).value();
+  const MotionLimits limits{.rate = 0.1};
+  const Retiming retiming = retime(before, "timed-c2", {.limits = limits}).value();
+  const report::Page page = pages::retime_page(before, retiming, limits, head);
+  expect_head(page);
+  expect_columns(page);
+  ASSERT_EQ(page.methods.size(), 2u);
+  EXPECT_LE(page.methods[0].measures.at("rate_bound_deg_s"), 0.1 * degrees);
+  EXPECT_GT(page.methods[1].measures.at("rate_max_deg_s"), 0.1 * degrees);
+  EXPECT_EQ(page.limits.at("w"), 0.1);
+}
+
+TEST(ComparePage, HasTheCurvesOfTheFirstKeysAndTheMeasuresOfAll) {
+  const Track recording = noisy(101);
+  std::vector<ComparedMethod> methods;
+  for (const std::size_t step : {10u, 20u})
+    for (const std::string label : {"auto", "slerp", "unknown"}) {
+      std::vector<std::size_t> kept;
+      for (std::size_t i = 0; i < recording.keys.size(); i += step) kept.push_back(i);
+      ComparedMethod compared{.label = label, .key_set = step / 20, .candidate = {label, recording.keys.at(kept)}};
+      compared.measures = measure(compared.candidate, {recording.keys.times(), recording.keys.orientations()});
+      methods.push_back(std::move(compared));
+    }
+  const report::Page page = pages::compare_page({.methods = methods,
+                                                 .recording = {recording.keys.times(), recording.keys.orientations()},
+                                                 .key_sets = {"every 10th", "every 20th"},
+                                                 .measures = measures_of({MeasureGroup::distance, MeasureGroup::shape}),
+                                                 .sorted_by = "max"},
+                                                head);
+  expect_head(page);
+  EXPECT_EQ(page.title, "3 methods on 11 keys");
+  EXPECT_EQ(page.sorted_by, "max_deg");
+  ASSERT_EQ(page.methods.size(), 3u);
+  EXPECT_TRUE(page.methods[0].measures.contains("rms_deg_1"));
+  EXPECT_FALSE(page.methods[0].measures.contains("mean_deg_1"));
+  EXPECT_FALSE(page.methods[1].measures.contains("energy"));  // infinite: the rates of slerps jump
+  EXPECT_NE(page.methods[2].failure, "");
+  const auto column = std::ranges::find(page.columns, "max_deg_1", &report::PageColumn::id);
+  ASSERT_NE(column, page.columns.end());
+  EXPECT_EQ(column->label, "max, every 20th");
+}
+
+TEST(Page, OfVeryManyKeysShowsSomeAndSaysSo) {
+  const Track recording = noisy(2500);
+  const Smoothing smoothing = smooth(recording, {.smoothing_time = 0.1}).value();
+  const report::Page page = pages::smooth_page(recording, smoothing, {.title = "Another title"});
+  EXPECT_EQ(page.title, "Another title");
+  EXPECT_LE(page.keys.path.times.size(), 2000u);
+  EXPECT_EQ(page.notes.front(), "Of the 2500 keys 2000 are shown, evenly picked.");
+}
+
+}  // namespace
+}  // namespace orispline

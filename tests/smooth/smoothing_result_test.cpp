@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/smooth/smoothing_result.hpp>
+
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include <orispline/smooth/smooth.hpp>
+
+#include "smooth/noisy_motion.hpp"
+
+namespace orispline {
+namespace {
+
+using Code = SmoothingWarning::Code;
+
+/// Two stretches of ten samples in 20, one apart from the other by a second.
+Smoothing two_stretches() {
+  auto recording = recorded(20, degree);
+  for (std::size_t i = 10; i < 20; ++i) recording.noisy.times[i] += 1.0;
+  return smooth(Keyframes::make(recording.noisy).value(), {.smoothing_time = 0.05, .gap = 0.5}).value();
+}
+
+TEST(SmoothingResult, CoversItsStretchesWithBothEndsAndNotTheGap) {
+  const Smoothing smoothing = two_stretches();
+  for (const double t : {0.0, 0.035, 0.09, 1.1, 1.19}) EXPECT_TRUE(smoothing.covers(t)) << t;
+  for (const double t : {-0.01, 0.095, 0.5, 1.09, 1.2}) EXPECT_FALSE(smoothing.covers(t)) << t;
+}
+
+TEST(SmoothingResult, CutsOffAtTheReciprocalOfItsTime) {
+  EXPECT_DOUBLE_EQ(Smoothing{.smoothing_time = 0.5}.cutoff(), 1.0 / std::numbers::pi);
+}
+
+TEST(SmoothingResult, WarnsOfTheLongestRunOfRejectedSamplesWithItsPlace) {
+  Smoothing smoothing{.stretches = {{0, 20}, {20, 20}}, .rejected = {1, 2, 5, 6, 7, 18, 19, 20, 21}};
+  const auto warnings = warnings_of(smoothing);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].code, Code::rejected_run);
+  EXPECT_EQ(warnings[0].sample, 5u);  // 18 to 21 lie in two stretches
+  EXPECT_EQ(warnings[0].count, 3u);
+  smoothing.rejected = {1, 2, 5, 6};
+  EXPECT_TRUE(warnings_of(smoothing).empty());
+}
+
+TEST(SmoothingResult, WarnsOfTheChoiceBeforeWhatFollowsFromIt) {
+  const auto warnings = warnings_of({.edge = LambdaChoice::Edge::longest, .last_step = 1e-3});
+  ASSERT_EQ(warnings.size(), 2u);
+  EXPECT_EQ(warnings[0].code, Code::most_smoothing);
+  EXPECT_EQ(warnings[1].code, Code::unfinished);
+  EXPECT_EQ(warnings[1].step, 1e-3);
+}
+
+TEST(SmoothingResult, BringsItsWarnings) {
+  EXPECT_TRUE(two_stretches().warnings.empty());
+  auto recording = recorded(600, 0.3 * degree);
+  for (const std::size_t i : {300u, 301u, 302u, 303u})
+    recording.noisy.orientations[i] = recording.noisy.orientations[i] * exp<double>(Eigen::Vector3d(0.5, 0.0, 0.0));
+  const auto smoothing = smooth(Keyframes::make(recording.noisy).value(), {.loss = Loss::tukey}).value();
+  ASSERT_EQ(smoothing.warnings.size(), 1u);
+  EXPECT_EQ(smoothing.warnings[0].code, Code::rejected_run);
+  EXPECT_EQ(smoothing.warnings[0].sample, 300u);
+  EXPECT_EQ(smoothing.warnings[0].count, 4u);
+}
+
+}  // namespace
+}  // namespace orispline
