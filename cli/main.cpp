@@ -5,10 +5,9 @@
 #include <new>
 #include <span>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
+#include <orispline/base/formatted.hpp>
 #include <orispline/base/version.hpp>
 #include <orispline/batch/kernel/dispatch.hpp>
 
@@ -110,15 +109,14 @@ std::optional<Error> unknown_command(const CLI::App& app, std::span<char*> argum
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
   if (std::ranges::find(names, first) != names.end()) return std::nullopt;
-  return Error{
-      ErrorCode::bad_argument, fmt::format("no command '{}', wanted one of {}", first, fmt::join(names, ", ")), {}};
+  return Error{ErrorCode::bad_argument, formatted("no command '{}', wanted one of {}", first, joined(names, ", ")), {}};
 }
 
 /// CLI11 would take the next word for the value of `--option=`.
 std::optional<Error> empty_value(std::span<char*> arguments) {
   for (const std::string_view argument : arguments)
     if (argument.starts_with("--") && argument.size() > 3 && argument.find('=') == argument.size() - 1)
-      return Error{ErrorCode::bad_argument, fmt::format("{} wanted a value after it", argument), {}};
+      return Error{ErrorCode::bad_argument, formatted("{} wanted a value after it", argument), {}};
   return std::nullopt;
 }
 
@@ -127,7 +125,7 @@ std::string command_line(std::span<char*> arguments) {
   std::string line = "orispline";
   for (const std::string_view argument : arguments) {
     const bool plain = !argument.empty() && argument.find_first_of(" \t\n'\"\\$&|;<>()*?[]#~`!{}") == argument.npos;
-    line += plain ? fmt::format(" {}", argument) : fmt::format(" {}", shell_word(argument));
+    line += plain ? formatted(" {}", argument) : formatted(" {}", shell_word(argument));
   }
   return line;
 }
@@ -139,7 +137,7 @@ class CommandLine {
     app_.name("orispline");
     app_.footer(app_footer);
     app_.require_subcommand(1);
-    app_.set_version_flag("--version", fmt::format("orispline {}", version));
+    app_.set_version_flag("--version", formatted("orispline {}", version));
     add_sample_options(
         command("sample", "Sample the smooth motion through keyframes", [this] { return sample(sample_); }), sample_);
     add_convert_options(command("convert", "Write keyframes in another format", [this] { return convert(convert_); }),

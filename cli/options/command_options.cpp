@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "options/command_options.hpp"
 
-#include <fmt/format.h>
+#include <orispline/base/formatted.hpp>
 
 namespace orispline::cli {
 
@@ -37,7 +37,7 @@ void add_reading_options(CLI::App& app, InputOptions& o, std::string_view defaul
       ->type_name("X")
       ->group(group);
   app.add_flag("--conjugate", o.conjugate, "The file holds world to body (SPICE, CCSDS)")->group(group);
-  app.add_option("--signs", o.signs, fmt::format("Negate quaternions for the shortest way, or not [{}]", default_signs))
+  app.add_option("--signs", o.signs, formatted("Negate quaternions for the shortest way, or not [{}]", default_signs))
       ->type_name(one_of(sign_choices))
       ->group(group);
   app.add_flag("--drop-duplicates", o.drop_duplicates, "Of equal times keep the first row")->group(group);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "options/input_options.hpp"
 
-#include <fmt/format.h>
+#include <orispline/base/formatted.hpp>
 
 namespace orispline::cli {
 namespace {
@@ -15,7 +15,7 @@ Expected<ColumnNames> column_names(const std::vector<std::string>& lists) {
       const auto assignment = assignment_in({"--columns", piece});
       if (!assignment) return tl::unexpected(assignment.error());
       const auto& [name, in_file] = *assignment;
-      if (!names.emplace(name, in_file).second) return usage_failure(fmt::format("--columns: '{}' stands twice", name));
+      if (!names.emplace(name, in_file).second) return usage_failure(formatted("--columns: '{}' stands twice", name));
     }
   return names;
 }

@@ -5,8 +5,7 @@
 #include <set>
 #include <span>
 
-#include <fmt/format.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/families/method_text.hpp>
 
 #include "options/option_text.hpp"
@@ -21,7 +20,7 @@ constexpr double closing_share = 1e-3;
 template <class T>
 Expected<T> said_by(std::string_view option, Expected<T> result) {
   if (!result && !result.error().option.empty())
-    result.error().message = fmt::format("{}: {}", option, result.error().message);
+    result.error().message = formatted("{}: {}", option, result.error().message);
   return result;
 }
 
@@ -38,7 +37,7 @@ Expected<Method> with_settings(Method method, const MethodOptions& options) {
     if (!assignment) return tl::unexpected(assignment.error());
     shaped = std::move(shaped).and_then([&](Method so_far) {
       const auto& [name, value] = *assignment;
-      return said_by(fmt::format("--set {}", name), with_setting(std::move(so_far), name, value));
+      return said_by(formatted("--set {}", name), with_setting(std::move(so_far), name, value));
     });
   }
   return shaped;
@@ -48,7 +47,7 @@ Expected<Method> with_settings(Method method, const MethodOptions& options) {
 Expected<Method> with_rate_option(Method method, CurveEnd end, std::string_view option,
                                   const std::optional<std::string>& rate) {
   const EndRule rule = (end == CurveEnd::start ? method.options.start : method.options.end).rule;
-  if (!rate && rule == EndRule::clamped) return usage_failure(fmt::format("--ends clamped: wanted {} as well", option));
+  if (!rate && rule == EndRule::clamped) return usage_failure(formatted("--ends clamped: wanted {} as well", option));
   if (!rate) return method;
   // Whether the end can have a rate at all comes before its numbers.
   if (auto able = said_by(option, with_end_rate(method, end, Eigen::Vector3d::Zero())); !able) return able;
@@ -123,7 +122,7 @@ std::optional<std::string> closing_step_warning(const Method& method, const Keyf
   double shortest = times[1] - times[0];
   for (std::size_t i = 1; i < times.size(); ++i) shortest = std::min(shortest, times[i] - times[i - 1]);
   if (closing_step <= 0.0 || closing_step >= closing_share * shortest) return std::nullopt;
-  return fmt::format(
+  return formatted(
       "--period: {:.2g} s from the last key back to the first make huge rates, the other steps are {:.4g} s and more; "
       "--closed is for a last key that is the first one again",
       closing_step, shortest);
@@ -132,7 +131,7 @@ std::optional<std::string> closing_step_warning(const Method& method, const Keyf
 std::optional<std::string> overwound_tangent_warning(const Method& method, const Track& track) {
   const auto wound = overwound_tangent(completed(method, track), track.keys);
   if (!wound || !*wound) return std::nullopt;
-  const std::string what = fmt::format(
+  const std::string what = formatted(
       "a handle of {} turns by {:.4g} degrees, wanted less than a full turn: the angular velocity may jump "
       "there; timed-c1 has no such limit",
       method.name, (*wound)->turn / full_turn * 360.0);
@@ -142,9 +141,9 @@ std::optional<std::string> overwound_tangent_warning(const Method& method, const
 std::vector<std::string> known_settings() {
   std::set<std::string> settings;
   for (const FamilyInfo& family : families_info()) {
-    for (const Parameter& parameter : family.parameters) settings.insert(fmt::format("{}=", parameter.name));
+    for (const Parameter& parameter : family.parameters) settings.insert(formatted("{}=", parameter.name));
     for (const auto& [name, words] : family.choices)
-      for (const std::string_view word : words) settings.insert(fmt::format("{}={}", name, word));
+      for (const std::string_view word : words) settings.insert(formatted("{}={}", name, word));
   }
   return {settings.begin(), settings.end()};
 }

@@ -4,8 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-#include <fmt/format.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/io/text_table.hpp>
 
 namespace orispline::cli {
@@ -15,7 +14,7 @@ tl::unexpected<Error> usage_failure(std::string message) {
 }
 
 tl::unexpected<Error> wanted(OptionText option, std::string_view what) {
-  return usage_failure(fmt::format("{}: found '{}', wanted {}", option.option, option.text, what));
+  return usage_failure(formatted("{}: found '{}', wanted {}", option.option, option.text, what));
 }
 
 Expected<double> number_in(OptionText option) {
@@ -45,7 +44,7 @@ Expected<std::size_t> count_in(OptionText option, std::size_t lowest) {
   const char* const end = option.text.data() + option.text.size();
   const auto [stop, error] = std::from_chars(option.text.data(), end, count);
   if (error != std::errc{} || stop != end || count < lowest)
-    return wanted(option, fmt::format("a whole number from {} on", lowest));
+    return wanted(option, formatted("a whole number from {} on", lowest));
   return count;
 }
 

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include <orispline/base/expected.hpp>
 #include <orispline/base/decimal.hpp>
+#include <orispline/base/expected.hpp>
 #include <orispline/math/eigen.hpp>
 
 // What the text after an option means. Every error is bad_argument and begins with the option.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "options/output_options.hpp"
 
-#include <fmt/format.h>
+#include <orispline/base/formatted.hpp>
 
 namespace orispline::cli {
 namespace {
@@ -21,20 +21,20 @@ Expected<io::OrientationForm> form_in(const OutputOptions& options) {
       .unit = unit.value_or(io::AngleUnit::degrees)});
   if (read && asks_for_angles && read->representation != io::Representation::euler)
     return wanted({"--output-orientation", *options.orientation},
-                  fmt::format("euler with {}", order ? "--output-euler" : "--output-angle-unit"));
+                  formatted("euler with {}", order ? "--output-euler" : "--output-angle-unit"));
   return read;
 }
 
 }  // namespace
 
 std::string a_file_of(io::FileFormat format) {
-  return fmt::format("{} {} file", format == io::FileFormat::euroc ? "an" : "a", io::title_of(format));
+  return formatted("{} {} file", format == io::FileFormat::euroc ? "an" : "a", io::title_of(format));
 }
 
 Expected<void> check_times_are_kept(io::FileFormat format, std::string_view option, std::string_view promise) {
   if (format != io::FileFormat::euroc && format != io::FileFormat::npy) return {};
-  return usage_failure(fmt::format("{}: {} rounds times, with which {} need not hold, wanted CSV or TUM", option,
-                                   a_file_of(format), promise));
+  return usage_failure(formatted("{}: {} rounds times, with which {} need not hold, wanted CSV or TUM", option,
+                                 a_file_of(format), promise));
 }
 
 Expected<io::SampleColumns> output_columns(const OutputOptions& options) {
@@ -45,11 +45,11 @@ Expected<io::SampleColumns> output_columns(const OutputOptions& options) {
   auto columns = std::move(checked).or_else(io::SampleColumns{
       .format = format.value_or(io::format_of_extension(options.path).value_or(io::FileFormat::csv)), .form = form});
   if (columns && !io::holds_all_columns(columns->format) && form.representation != io::Representation::quaternion)
-    return usage_failure(fmt::format("{}: {} holds orientations as quaternions only, wanted CSV",
-                                     options.orientation ? "--output-orientation"
-                                     : options.euler     ? "--output-euler"
-                                                         : "--output-angle-unit",
-                                     a_file_of(columns->format)));
+    return usage_failure(formatted("{}: {} holds orientations as quaternions only, wanted CSV",
+                                   options.orientation ? "--output-orientation"
+                                   : options.euler     ? "--output-euler"
+                                                       : "--output-angle-unit",
+                                   a_file_of(columns->format)));
   return columns;
 }
 

@@ -3,8 +3,7 @@
 
 #include <cmath>
 
-#include <fmt/format.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/io/text_table.hpp>
 
 namespace orispline::cli {
@@ -13,7 +12,7 @@ namespace {
 std::string names_of(std::span<const Unit> units) {
   std::string names;
   for (std::size_t i = 0; i < units.size(); ++i)
-    names += fmt::format("{}{}", i == 0 ? "" : i + 1 == units.size() ? " or " : ", ", units[i].name);
+    names += formatted("{}{}", i == 0 ? "" : i + 1 == units.size() ? " or " : ", ", units[i].name);
   return names;
 }
 
@@ -26,7 +25,7 @@ Expected<double> quantity_in(OptionText option, std::span<const Unit> units) {
     if (number && std::isfinite(*number) && *number > 0.0) return *number * unit.size;
   }
   return wanted(option,
-                fmt::format("a number greater than 0 with its unit, {}, such as 1{}", names_of(units), units[0].name));
+                formatted("a number greater than 0 with its unit, {}, such as 1{}", names_of(units), units[0].name));
 }
 
 }  // namespace orispline::cli

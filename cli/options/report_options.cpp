@@ -3,8 +3,7 @@
 
 #include <filesystem>
 
-#include <fmt/format.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/io/file_format.hpp>
 
 #include "options/has_pages.hpp"
@@ -28,7 +27,7 @@ Expected<void> check_report(const ReportOptions& options, const std::vector<Othe
     return wanted({"--report", *options.path}, "the name of a file");
   for (const OtherFile& other : others)
     if (other.path != io::standard_stream && place_of(other.path) == place_of(*options.path))
-      return wanted({"--report", *options.path}, fmt::format("another file than {}", other.name));
+      return wanted({"--report", *options.path}, formatted("another file than {}", other.name));
   if (!has_pages)
     return usage_failure("--report: orispline was built without pages, wanted a build with ORISPLINE_PAGE");
   return {};

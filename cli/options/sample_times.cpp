@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/io/times_file.hpp>
 
 #include "options/option_text.hpp"
@@ -23,8 +22,8 @@ using Spacing = std::variant<Rate, Count, TimesFile>;
 Expected<Spacing> spacing_in(const TimeOptions& options) {
   const int given = options.rate.has_value() + options.count.has_value() + options.list.has_value();
   if (given != 1)
-    return usage_failure(fmt::format("found {} of --rate, --count and --times, wanted one of them",
-                                     given == 0 ? "none" : std::to_string(given)));
+    return usage_failure(formatted("found {} of --rate, --count and --times, wanted one of them",
+                                   given == 0 ? "none" : std::to_string(given)));
   if (options.list) return Spacing(TimesFile{*options.list});
   if (options.count)
     return count_in({"--count", *options.count}, 1).map([](std::size_t n) { return Spacing(Count{n}); });
@@ -45,12 +44,11 @@ Expected<TimeRequest> time_request(const TimeOptions& options) {
   if (read && options.list && (options.from || options.to))
     return usage_failure("--times: the file says which times, wanted neither --from nor --to");
   if (read && read->from && read->to && *read->from > *read->to)
-    return usage_failure(fmt::format("--from {} is after --to {}", *options.from, *options.to));
+    return usage_failure(formatted("--from {} is after --to {}", *options.from, *options.to));
   return read;
 }
 
-Expected<SampleTimes> SampleTimes::make(const TimeRequest& request, const Decimal& key_epoch,
-                                        const Domain& domain) {
+Expected<SampleTimes> SampleTimes::make(const TimeRequest& request, const Decimal& key_epoch, const Domain& domain) {
   const auto* const file = std::get_if<TimesFile>(&request.spacing);
   if (!file) return grid(request, key_epoch, domain);
   return io::read_times(file->path, key_epoch).map([&](io::TimesList list) {
@@ -59,24 +57,23 @@ Expected<SampleTimes> SampleTimes::make(const TimeRequest& request, const Decima
   });
 }
 
-Expected<SampleTimes> SampleTimes::grid(const TimeRequest& request, const Decimal& key_epoch,
-                                        const Domain& domain) {
+Expected<SampleTimes> SampleTimes::grid(const TimeRequest& request, const Decimal& key_epoch, const Domain& domain) {
   const Decimal first = Decimal::from_double(domain.start), last = Decimal::from_double(domain.end);
   const Decimal start = request.from ? *request.from - key_epoch : first;
   const Decimal end = request.to ? *request.to - key_epoch : last;
   if (start > end && request.from)
-    return usage_failure(fmt::format("--from {} is after the end at {}, wanted --to as well", request.from->to_string(),
-                                     (key_epoch + last).to_string()));
+    return usage_failure(formatted("--from {} is after the end at {}, wanted --to as well", request.from->to_string(),
+                                   (key_epoch + last).to_string()));
   if (start > end)
-    return usage_failure(fmt::format("--to {} is before the start at {}, wanted --from as well",
-                                     request.to->to_string(), (key_epoch + first).to_string()));
+    return usage_failure(formatted("--to {} is before the start at {}, wanted --from as well", request.to->to_string(),
+                                   (key_epoch + first).to_string()));
   const Decimal epoch = key_epoch + start;
   Grid grid{
       .spacing = Count{1}, .start = io::TimeOrigin(start), .end = end.to_double(), .span = (end - start).to_double()};
   if (const auto* const count = std::get_if<Count>(&request.spacing)) {
     if (count->samples > 1 && grid.span == 0.0)
-      return usage_failure(fmt::format("--count {}: the range is the single time {}, wanted --count 1", count->samples,
-                                       epoch.to_string()));
+      return usage_failure(formatted("--count {}: the range is the single time {}, wanted --count 1", count->samples,
+                                     epoch.to_string()));
     grid.spacing = *count;
     grid.index_of_end = count->samples - 1;
     return SampleTimes(key_epoch, epoch, count->samples, grid);
@@ -86,8 +83,8 @@ Expected<SampleTimes> SampleTimes::grid(const TimeRequest& request, const Decima
   const bool meets_end = std::abs(exact - nearest) <= end_tolerance + relative_end_tolerance * exact;
   const double intervals = meets_end ? nearest : std::floor(exact);
   if (!(intervals < most_samples))
-    return usage_failure(fmt::format("--rate {} makes {:.3g} samples over {} s, wanted fewer than {:.0e}", rate.hertz,
-                                     intervals, grid.span, most_samples));
+    return usage_failure(formatted("--rate {} makes {:.3g} samples over {} s, wanted fewer than {:.0e}", rate.hertz,
+                                   intervals, grid.span, most_samples));
   grid.spacing = rate;
   if (meets_end) grid.index_of_end = static_cast<std::size_t>(intervals);
   return SampleTimes(key_epoch, epoch, static_cast<std::size_t>(intervals) + 1, grid);
@@ -113,8 +110,8 @@ std::optional<Error> SampleTimes::outside(const Domain& domain) const {
   const auto error = [&](double t, ErrorCode code, Where where) {
     const auto own_time = [&](double time) { return (key_epoch_ + Decimal::from_double(time)).to_string(); };
     return Error{code,
-                 fmt::format("time {} is outside the curve, wanted {} to {}", own_time(t), own_time(domain.start),
-                             own_time(domain.end)),
+                 formatted("time {} is outside the curve, wanted {} to {}", own_time(t), own_time(domain.start),
+                           own_time(domain.end)),
                  std::move(where)};
   };
   if (const auto* const list = std::get_if<List>(&times_)) {

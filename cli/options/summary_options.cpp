@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "options/summary_options.hpp"
 
-#include <fmt/format.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/io/file_format.hpp>
 
 #include "options/option_text.hpp"
@@ -11,7 +10,7 @@ namespace orispline::cli {
 
 Expected<void> check_summary(const SummaryOptions& options, std::string_view output, std::string_view written) {
   if (!options.json || output != io::standard_stream) return {};
-  return usage_failure(fmt::format("--json: the summary goes to standard output, wanted -o FILE for the {}", written));
+  return usage_failure(formatted("--json: the summary goes to standard output, wanted -o FILE for the {}", written));
 }
 
 }  // namespace orispline::cli

@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <thread>
 
-#include <fmt/format.h>
+#include <orispline/base/formatted.hpp>
 
 namespace orispline::cli {
 namespace {
 
 Expected<std::size_t> thread_count_in(OptionText option) {
   const auto count = count_in(option, 1);
-  if (!count || *count > most_threads) return wanted(option, fmt::format("a whole number from 1 to {}", most_threads));
+  if (!count || *count > most_threads) return wanted(option, formatted("a whole number from 1 to {}", most_threads));
   return *count;
 }
 

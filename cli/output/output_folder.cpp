@@ -8,8 +8,7 @@
 
 #include <unistd.h>
 
-#include <fmt/format.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/io/output_file.hpp>
 
 #include "options/option_text.hpp"
@@ -57,14 +56,14 @@ Expected<std::vector<std::string>> outputs_in(const std::string& folder, std::sp
   for (const std::string& input : inputs) {
     if (input == io::standard_stream) return usage_failure("--output-folder: found '-' for an input, wanted files");
     fs::path name = fs::path(input).filename();
-    if (name.empty()) return usage_failure(fmt::format("--output-folder: found '{}', wanted a file", input));
+    if (name.empty()) return usage_failure(formatted("--output-folder: found '{}', wanted a file", input));
     if (format) name.replace_extension(extension_of(*format));
     std::string output = (fs::path(folder) / name).string();
     if (const auto same = std::ranges::find(outputs, output); same != outputs.end())
-      return usage_failure(fmt::format("--output-folder: found {} and {}, wanted inputs of different names",
-                                       inputs[static_cast<std::size_t>(same - outputs.begin())], input));
+      return usage_failure(formatted("--output-folder: found {} and {}, wanted inputs of different names",
+                                     inputs[static_cast<std::size_t>(same - outputs.begin())], input));
     if (std::ranges::any_of(inputs, [&](const std::string& other) { return are_one_file(other, output); }))
-      return usage_failure(fmt::format("--output-folder: found {}, wanted a folder without the inputs", folder));
+      return usage_failure(formatted("--output-folder: found {}, wanted a folder without the inputs", folder));
     outputs.push_back(std::move(output));
   }
   return outputs;

@@ -3,10 +3,11 @@
 
 #include <limits>
 
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include "output/standard_output.hpp"
+
+#include <orispline/base/formatted.hpp>
 
 namespace orispline::cli {
 namespace {
@@ -23,7 +24,7 @@ Progress::Progress(std::size_t total, Show show)
       next_draw_(Clock::now() + std::chrono::seconds(1)) {}
 
 Progress::~Progress() {
-  if (state_ == State::shown) tell(fmt::format("\r{:{}}\r", "", bar_width + 10));
+  if (state_ == State::shown) tell(formatted("\r{:{}}\r", "", bar_width + 10));
 }
 
 void Progress::look(std::size_t done) {
@@ -33,7 +34,7 @@ void Progress::look(std::size_t done) {
   state_ = State::shown;
   const double part = static_cast<double>(done) / static_cast<double>(total_);
   const auto filled = static_cast<std::size_t>(part * bar_width);
-  tell(fmt::format("\r[{:#<{}}{:{}}] {:3.0f} %", "", filled, "", bar_width - filled, 100.0 * part));
+  tell(formatted("\r[{:#<{}}{:{}}] {:3.0f} %", "", filled, "", bar_width - filled, 100.0 * part));
 }
 
 }  // namespace orispline::cli

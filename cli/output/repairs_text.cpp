@@ -3,21 +3,19 @@
 
 #include <vector>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <orispline/base/counted.hpp>
+#include <orispline/base/formatted.hpp>
 
 namespace orispline::cli {
 
 std::string text_of(const io::RepairReport& repairs) {
   std::vector<std::string> clauses;
   if (repairs.duplicates_dropped > 0)
-    clauses.push_back(fmt::format("dropped {} of duplicate time", counted(repairs.duplicates_dropped, "row")));
+    clauses.push_back(formatted("dropped {} of duplicate time", counted(repairs.duplicates_dropped, "row")));
   if (repairs.invalid_dropped > 0)
-    clauses.push_back(fmt::format("dropped {} without valid numbers", counted(repairs.invalid_dropped, "row")));
-  if (repairs.rows_moved > 0) clauses.push_back(fmt::format("sorted {}", counted(repairs.rows_moved, "row")));
-  return fmt::format("{}", fmt::join(clauses, "; "));
+    clauses.push_back(formatted("dropped {} without valid numbers", counted(repairs.invalid_dropped, "row")));
+  if (repairs.rows_moved > 0) clauses.push_back(formatted("sorted {}", counted(repairs.rows_moved, "row")));
+  return joined(clauses, "; ");
 }
 
 }  // namespace orispline::cli

@@ -6,6 +6,8 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <orispline/base/formatted.hpp>
+
 namespace orispline::cli {
 
 Expected<ReportFile> ReportFile::open(const ReportOptions& options) {

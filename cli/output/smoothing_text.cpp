@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
+#include <orispline/base/formatted.hpp>
 
 namespace orispline::cli {
 namespace {
@@ -20,7 +20,7 @@ std::string reason_of(const Smoothing& smoothing) {
                        : *smoothing.criterion == SmoothingCriterion::ubre ? "by the stated noise (UBRE)"
                                                                           : "by restricted likelihood (REML)";
   const std::size_t all = smoothing.keys.size();
-  if (smoothing.chosen_on < all) reason += fmt::format(", on {} of {} samples", smoothing.chosen_on, all);
+  if (smoothing.chosen_on < all) reason += formatted(", on {} of {} samples", smoothing.chosen_on, all);
   return reason;
 }
 
@@ -33,14 +33,14 @@ std::string text_of(const SmoothingWarning& warning) {
       return "no change of the rates was found beside the noise: the most smoothing was taken; state --smoothing-time "
              "to have less";
     case SmoothingWarning::Code::rejected_run:
-      return fmt::format(
+      return formatted(
           "{} samples in a row do not count, which is rather motion than outliers: wanted --loss robust, "
           "which keeps them",
           warning.count);
     case SmoothingWarning::Code::unfinished:
       break;
   }
-  return fmt::format("the last step of the iteration still moved by {:.2g} rad", warning.step);
+  return formatted("the last step of the iteration still moved by {:.2g} rad", warning.step);
 }
 
 }  // namespace
@@ -49,13 +49,13 @@ std::string places_text(const std::vector<std::size_t>& samples, const std::vect
                         const std::vector<Decimal>& times) {
   std::string text;
   for (std::size_t i = 0; i < std::min(samples.size(), places_shown); ++i)
-    text += fmt::format("{}line {} ({} s)", i == 0 ? ": " : ", ", lines[samples[i]], times[samples[i]].to_string());
+    text += formatted("{}line {} ({} s)", i == 0 ? ": " : ", ", lines[samples[i]], times[samples[i]].to_string());
   return text + (samples.size() > places_shown ? ", …" : "");
 }
 
 std::string choice_line(const Smoothing& smoothing) {
-  return fmt::format("smoothing time  {:.4g} s (cut-off {:.4g} Hz), {}\n", smoothing.smoothing_time, smoothing.cutoff(),
-                     reason_of(smoothing));
+  return formatted("smoothing time  {:.4g} s (cut-off {:.4g} Hz), {}\n", smoothing.smoothing_time, smoothing.cutoff(),
+                   reason_of(smoothing));
 }
 
 std::optional<std::string> remark_on(const Smoothing& smoothing) {

@@ -3,8 +3,7 @@
 
 #include <cstdio>
 
-#include <fmt/format.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/io/file_format.hpp>
 #include <orispline/io/output_file.hpp>
 
@@ -21,7 +20,7 @@ void tell(std::string_view text) noexcept {
   std::fflush(stderr);
 }
 
-void warn(std::string_view message) { tell(fmt::format("orispline: warning: {}\n", message)); }
+void warn(std::string_view message) { tell(formatted("orispline: warning: {}\n", message)); }
 
 void warn_if_any(const std::optional<std::string>& message) {
   if (message) warn(*message);

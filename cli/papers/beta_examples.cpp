@@ -7,8 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <fmt/format.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/families/beta.hpp>
 #include <orispline/report/sphere.hpp>
 
@@ -129,7 +128,7 @@ report::Table control_points_table(const BetaExample& example) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     const Eigen::Quaterniond &q = found[i], &p = printed[i];
     table.rows.push_back({names[i], q.w(), q.x(), q.y(), q.z(),
-                          fmt::format("({:.4f}, {:.4f}, {:.4f}, {:.4f})", p.w(), p.x(), p.y(), p.z()),
+                          formatted("({:.4f}, {:.4f}, {:.4f}, {:.4f})", p.w(), p.x(), p.y(), p.z()),
                           (q.coeffs() - p.coeffs()).lpNorm<Eigen::Infinity>()});
   }
   table.notes = {
@@ -185,7 +184,7 @@ report::SpherePath path_of(const CubicBezierCurve& curve, std::string_view strok
 std::vector<report::SphereDot> dots(const BetaExample& example) {
   std::vector<report::SphereDot> dots;
   for (const Eigen::Vector3d& x : axis_path(example.keys.orientations(), Eigen::Vector3d::UnitX()))
-    dots.push_back({x, fmt::format("P{}", dots.size())});
+    dots.push_back({x, formatted("P{}", dots.size())});
   return dots;
 }
 
@@ -250,7 +249,7 @@ Picture effect_picture(const std::vector<Variant>& all) {
     std::vector<report::Series> legend;
     for (const Variant& variant : all) {
       picture.paths.push_back(path_of(variant.examples[signs].example.curve, variant.color));
-      legend.push_back({fmt::format("β₁,₂ = {:g}", variant.beta2_of_point1), {}, {}, {variant.color}});
+      legend.push_back({formatted("β₁,₂ = {:g}", variant.beta2_of_point1), {}, {}, {variant.color}});
     }
     const double x = signs == 0 ? 215.0 : 645.0;
     report::draw(drawing, report::facing(picture.paths[0].directions), {x, 250.0}, 165.0, picture);

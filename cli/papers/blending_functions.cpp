@@ -6,8 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include <fmt/format.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/families/quintic.hpp>
 #include <orispline/report/chart.hpp>
 
@@ -44,7 +43,7 @@ Blending blending(const Tensions& tensions, double u) {
 }
 
 std::string title_of(const Tensions& tensions) {
-  return fmt::format("alpha_i = {:g}, alpha_i+1 = {:g}", tensions.start, tensions.end);
+  return formatted("alpha_i = {:g}, alpha_i+1 = {:g}", tensions.start, tensions.end);
 }
 
 report::Table table(const Tensions& tensions) {
@@ -52,7 +51,7 @@ report::Table table(const Tensions& tensions) {
                       .columns = {{"u", Notation::fixed, 2}}};
   for (const char* c : letters) table.columns.push_back({c, Notation::fixed, 6});
   table.columns.push_back({"sum", Notation::fixed, 6});
-  for (const int j : {1, 2, 3}) table.columns.push_back({fmt::format("S{}", j), Notation::fixed, 6});
+  for (const int j : {1, 2, 3}) table.columns.push_back({formatted("S{}", j), Notation::fixed, 6});
   for (const double u : {0.0, 0.25, 0.5, 0.75, 1.0}) {
     const Blending b = blending(tensions, u);
     auto& row = table.rows.emplace_back(std::vector<report::Cell>{u});
@@ -80,7 +79,7 @@ Picture picture() {
   report::Drawing drawing(860, 560);
   double top = 52.0;
   for (const Tensions& tensions : figure) {
-    const std::string values = fmt::format("α = {:g}, {:g}", tensions.start, tensions.end);
+    const std::string values = formatted("α = {:g}, {:g}", tensions.start, tensions.end);
     const Chart functions = chart(tensions, &Blending::functions, "blending functions, " + values);
     report::draw_legend(drawing, {50.0, 16.0}, functions.series);
     report::draw(drawing, {50.0, top, 360.0, 200.0}, functions);

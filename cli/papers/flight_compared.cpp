@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include <orispline/analysis/distance.hpp>
 #include <orispline/report/sphere.hpp>
 

@@ -6,8 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include <fmt/format.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/math/slerp.hpp>
 
 #include "papers/identities.hpp"
@@ -156,7 +155,7 @@ double largest_of(double (*error)(Dice&)) {
 }
 
 report::Table identities_table() {
-  report::Table table{.title = fmt::format("Eberly's identities on {} random draws each", draws),
+  report::Table table{.title = formatted("Eberly's identities on {} random draws each", draws),
                       .columns = {{"equation"}, {"statement"}, {"largest error", Notation::scientific, 1}}};
   for (const std::span<const Identity> part :
        {std::span<const Identity>(algebra), std::span<const Identity>(rotations), interpolation_identities()})

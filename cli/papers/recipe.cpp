@@ -3,10 +3,8 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <orispline/analysis/continuity.hpp>
+#include <orispline/base/formatted.hpp>
 
 namespace orispline::cli {
 
@@ -29,10 +27,10 @@ Expected<std::vector<Served>> curves_through(const Keyframes& keys, std::vector<
 std::string text_of(const std::vector<double>& tension) {
   if (tension.empty()) return "–";
   const bool same = std::ranges::all_of(tension, [&](double value) { return value == tension.front(); });
-  if (same) return fmt::format("{:.4g}", tension.front());
-  return fmt::format("({:.4g})", fmt::join(tension, ", "));
+  if (same) return formatted("{:.4g}", tension.front());
+  return formatted("({})", joined(tension, ", ", "{:.4g}"));
 }
 
-std::string measured_continuity(const AnyCurve& curve) { return fmt::format("C{}", continuity_at_keys(curve).order()); }
+std::string measured_continuity(const AnyCurve& curve) { return formatted("C{}", continuity_at_keys(curve).order()); }
 
 }  // namespace orispline::cli

@@ -4,9 +4,7 @@
 #include <filesystem>
 #include <iterator>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/io/output_file.hpp>
 
 #include "options/option_text.hpp"
@@ -30,8 +28,7 @@ Expected<std::vector<Experiment>> chosen(std::string_view name) {
     if (names.empty() || names.back() != paper) names.push_back(paper);
   }
   for (const Experiment& experiment : experiments()) names.push_back(experiment.name);
-  if (found.empty())
-    return usage_failure(fmt::format("no experiment '{}', wanted one of {}", name, fmt::join(names, ", ")));
+  if (found.empty()) return usage_failure(formatted("no experiment '{}', wanted one of {}", name, joined(names, ", ")));
   return found;
 }
 

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "papers/reproduce_report.hpp"
 
-#include <fmt/format.h>
+#include <orispline/base/formatted.hpp>
 
 namespace orispline::cli {
 
 std::string text_of(std::span<const Experiment> experiments) {
   std::string text = "Experiments of the papers; the number alone runs all of that paper.\n\n";
-  for (const Experiment& experiment : experiments) text += fmt::format("{:16}{}\n", experiment.name, experiment.title);
+  for (const Experiment& experiment : experiments) text += formatted("{:16}{}\n", experiment.name, experiment.title);
   return text;
 }
 
 std::string text_of(const std::vector<ExperimentReport>& reports) {
   std::string text;
   for (const ExperimentReport& report : reports) {
-    text += fmt::format("{}{}  {}\n", text.empty() ? "" : "\n", report.name, report.title);
+    text += formatted("{}{}  {}\n", text.empty() ? "" : "\n", report.name, report.title);
     for (const report::Table& table : report.findings.tables) text += "\n" + report::text_of(table);
-    for (const std::string& file : report.picture_files) text += fmt::format("\npicture: {}", file);
+    for (const std::string& file : report.picture_files) text += formatted("\npicture: {}", file);
     if (!report.picture_files.empty()) text += "\n";
   }
   return text;

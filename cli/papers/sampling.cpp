@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include <fmt/format.h>
+#include <orispline/base/formatted.hpp>
 
 namespace orispline::cli {
 namespace {
@@ -72,7 +72,7 @@ double largest_distance(const AnyCurve& a, const AnyCurve& b, std::span<const do
 
 std::vector<report::Mark> marks_at(std::span<const double> knots) {
   std::vector<report::Mark> marks;
-  for (const double t : knots) marks.push_back({t, fmt::format("{:g} s", t)});
+  for (const double t : knots) marks.push_back({t, formatted("{:g} s", t)});
   return marks;
 }
 

@@ -2,8 +2,6 @@
 // The 6th degree, section 4.2 and figure 7: the paper's uneven knots.
 #include "papers/experiment.hpp"
 
-#include <fmt/format.h>
-
 #include <orispline/report/chart.hpp>
 
 #include "papers/example_data.hpp"

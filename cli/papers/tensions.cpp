@@ -5,8 +5,7 @@
 #include <array>
 #include <numbers>
 
-#include <fmt/format.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/report/chart.hpp>
 #include <orispline/report/sphere.hpp>
 
@@ -42,7 +41,7 @@ std::vector<Recipe> with_tension_of_key3(std::initializer_list<double> values) {
   std::vector<Recipe> recipes;
   for (const double value : values)
     recipes.push_back(
-        {fmt::format("α₃ = {:g}", value), "quintic", {0.35, 0.35, value, 0.35, 0.35}, {colors[recipes.size()], 2.0}});
+        {formatted("α₃ = {:g}", value), "quintic", {0.35, 0.35, value, 0.35, 0.35}, {colors[recipes.size()], 2.0}});
   return recipes;
 }
 
@@ -50,7 +49,7 @@ report::Table one_tension_table(const std::vector<Served>& curves, const AnyCurv
   report::Table table{.title = "How far the curve moves when the tension of key 3 is not 0.35: largest angle [degrees]",
                       .columns = {{"tensions"}}};
   for (int segment = 1; segment <= 4; ++segment)
-    table.columns.push_back({fmt::format("segment {}", segment), Notation::fixed, 4});
+    table.columns.push_back({formatted("segment {}", segment), Notation::fixed, 4});
   table.columns.push_back({"|ω| at key 3 [rad/s]", Notation::fixed, 4});
   table.columns.push_back({"|α| at key 3 [rad/s²]", Notation::fixed, 4});
   for (const Served& served : curves) {

@@ -137,7 +137,9 @@ TEST_P(ClosedContract, DoesNotDependOnTheKeyThatItStartsFrom) {
   for (const double t : times_on(c.orientation)) {
     const double later = t < shifted.times.front() ? t + period : t;
     EXPECT_LE(angular_distance(d.orientation(later), c.orientation(t)), tolerance::series) << t;
-    EXPECT_TRUE(near(d.position->linear_motion(later).position, c.position->linear_motion(t).position, tolerance::series)) << t;
+    EXPECT_TRUE(
+        near(d.position->linear_motion(later).position, c.position->linear_motion(t).position, tolerance::series))
+        << t;
   }
 }
 
@@ -175,8 +177,8 @@ TEST_P(ClosedContract, ClosingKeyIsAsGoodAsAPeriod) {
     ASSERT_EQ(by_key.orientation.knots().segments(), key_count);
     for (const double t : times_on(by_period.orientation)) {
       EXPECT_TRUE(near(by_key.orientation.motion(t), by_period.orientation.motion(t), same_motion)) << t;
-      EXPECT_TRUE(
-          near(by_key.position->linear_motion(t).position, by_period.position->linear_motion(t).position, tolerance::algebra));
+      EXPECT_TRUE(near(by_key.position->linear_motion(t).position, by_period.position->linear_motion(t).position,
+                       tolerance::algebra));
     }
   }
 }

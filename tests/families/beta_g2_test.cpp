@@ -121,7 +121,7 @@ TEST(BetaG2Global, OfPositionsFulfilsBarskysConstraints) {
   for (std::size_t i = 1; i < 6; ++i) {
     const double beta1 = betas.at("beta1")[i], beta2 = betas.at("beta2")[i];
     const LinearMotion before = pose.position->linear_motion(data.times[i], Side::left),
-                 after = pose.position->linear_motion(data.times[i]);
+                       after = pose.position->linear_motion(data.times[i]);
     EXPECT_TRUE(near(after.position, data.positions[i], tolerance::algebra));
     EXPECT_TRUE(near(after.velocity, Eigen::Vector3d(beta1 * before.velocity), tolerance::series));
     EXPECT_TRUE(near(after.acceleration, Eigen::Vector3d(beta1 * beta1 * before.acceleration + beta2 * before.velocity),

@@ -96,19 +96,22 @@ TEST(BetaThrough, OnOneAxisIsTheSplineOfTheAngle) {
     data.orientations[i] = exp<double>(angles[i] * axis);
     data.positions.push_back(angles[i] * axis);
   }
-  const PoseCurve pose = make_pose_curve({"beta-through", {.parameters = mixed_betas(6, 411)}}, keyframes(data)).value();
+  const PoseCurve pose =
+      make_pose_curve({"beta-through", {.parameters = mixed_betas(6, 411)}}, keyframes(data)).value();
   for (const double t : sample_times(data.times))
-    EXPECT_TRUE(
-        near(log<double>(pose.orientation(t)), Eigen::Vector3d(pose.position->linear_motion(t).position), tolerance::series));
+    EXPECT_TRUE(near(log<double>(pose.orientation(t)), Eigen::Vector3d(pose.position->linear_motion(t).position),
+                     tolerance::series));
 }
 
 TEST(BetaThrough, PositionsPassThroughTheirKeysFarFromTheOrigin) {
   KeyframeData data = random_walk(412, 7, Spacing::uneven);
   Dice dice(413);
   for (std::size_t i = 0; i < 7; ++i) data.positions.push_back(Eigen::Vector3d(6.4e6, -2e6, 1e5) + dice.vector());
-  const PoseCurve pose = make_pose_curve({"beta-through", {.parameters = mixed_betas(9, 414)}}, keyframes(data)).value();
+  const PoseCurve pose =
+      make_pose_curve({"beta-through", {.parameters = mixed_betas(9, 414)}}, keyframes(data)).value();
   for (std::size_t i = 0; i < 7; ++i)
-    EXPECT_LE((pose.position->linear_motion(data.times[i]).position - data.positions[i]).norm(), 1e-8);  // 8 ulp of 6.4e6 m
+    EXPECT_LE((pose.position->linear_motion(data.times[i]).position - data.positions[i]).norm(),
+              1e-8);  // 8 ulp of 6.4e6 m
 }
 
 TEST(BetaThrough, RefusesPolesWithTheKeyThatTheyBelongTo) {

@@ -156,8 +156,8 @@ TEST(BSplineThrough, CarriesPositionsOnTheNaturalCubicSpline) {
   const PoseCurve pose = make_pose_curve("bspline-through", keyframes(data)).value();
   const CubicSplineByDefinition spline(data.times, data.positions);
   for (const double t : sample_times(data.times))
-    EXPECT_TRUE(near(pose.position->linear_motion(t).position, spline.derivative(0, t, pose.orientation.knots().segment_at(t)),
-                     tolerance::series));
+    EXPECT_TRUE(near(pose.position->linear_motion(t).position,
+                     spline.derivative(0, t, pose.orientation.knots().segment_at(t)), tolerance::series));
 }
 
 TEST(BSplineThrough, SaysWhereAndHowFarItDoesNotConverge) {

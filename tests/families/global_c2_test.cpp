@@ -223,7 +223,8 @@ TEST(GlobalC2, CarriesPositionsOfAnySize) {
     const auto large = make_pose_curve("global-c2", keyframes(other));
     ASSERT_TRUE(large) << describe(large.error());
     for (const double t : sample_times(data.times))
-      EXPECT_TRUE(near(large->position->linear_motion(t).velocity / unit, small.linear_motion(t).velocity, tolerance::series));
+      EXPECT_TRUE(
+          near(large->position->linear_motion(t).velocity / unit, small.linear_motion(t).velocity, tolerance::series));
   }
 }
 

@@ -49,7 +49,8 @@ TEST(MethodText, ReadsBackBitForBit) {
 }
 
 TEST(MethodText, ReadsTheNamesOfAllMethods) {
-  for (const FamilyInfo& family : families_info()) EXPECT_EQ(text_of(method_from_text(family.name).value()), family.name);
+  for (const FamilyInfo& family : families_info())
+    EXPECT_EQ(text_of(method_from_text(family.name).value()), family.name);
 }
 
 TEST(MethodText, RefusesWhatIsNoMethod) {

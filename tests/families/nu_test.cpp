@@ -18,7 +18,8 @@ namespace {
 using namespace testing_support;
 
 Expected<AnyCurve> made(const KeyframeData& data, std::vector<double> nu = {0.0}, End start = {}, End end = {}) {
-  return make_curve({"nu", {.parameters = {{"nu", std::move(nu)}}, .start = std::move(start), .end = std::move(end)}}, keyframes(data));
+  return make_curve({"nu", {.parameters = {{"nu", std::move(nu)}}, .start = std::move(start), .end = std::move(end)}},
+                    keyframes(data));
 }
 
 AnyCurve curve_of(const KeyframeData& data, std::vector<double> nu = {0.0}, End start = {}, End end = {}) {
@@ -157,8 +158,8 @@ TEST(Nu, CarriesPositionsOnTheNuSpline) {
   const PoseCurve pose = make_pose_curve({"nu", {.parameters = {{"nu", nu}}}}, keyframes(data)).value();
   const CubicSplineByDefinition spline(data.times, data.positions, {}, nu);
   for (const double t : sample_times(data.times))
-    EXPECT_TRUE(near(pose.position->linear_motion(t).position, spline.derivative(0, t, pose.orientation.knots().segment_at(t)),
-                     tolerance::series));
+    EXPECT_TRUE(near(pose.position->linear_motion(t).position,
+                     spline.derivative(0, t, pose.orientation.knots().segment_at(t)), tolerance::series));
 }
 
 TEST(Nu, RefusesANuWithAPoleAndNamesItsKey) {

@@ -104,7 +104,8 @@ TEST(Shoemake, PositionsAsPublishedLeaveAlongTheChordOfTheNeighbours) {
   const auto p = keys.positions();
   const double after = keys.times()[3] - keys.times()[2];
   const PoseCurve pose = make_pose_curve({"shoemake", timing("published")}, keys).value();
-  EXPECT_TRUE(near(pose.position->linear_motion(keys.times()[2]).velocity, 0.5 * (p[3] - p[1]) / after, tolerance::rates));
+  EXPECT_TRUE(
+      near(pose.position->linear_motion(keys.times()[2]).velocity, 0.5 * (p[3] - p[1]) / after, tolerance::rates));
 }
 
 TEST(Shoemake, RefusesAnotherTiming) {

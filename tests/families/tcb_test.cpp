@@ -131,7 +131,8 @@ TEST(Tcb, OneHandleEndOfTwoKeysLeavesTheOtherEndAlone) {
   CurveOptions one_handle = tense;
   one_handle.start = handle;
   const double end = keys.times().back();
-  const AnyCurve natural = make_curve({"tcb", tense}, keys).value(), curve = make_curve({"tcb", one_handle}, keys).value();
+  const AnyCurve natural = make_curve({"tcb", tense}, keys).value(),
+                 curve = make_curve({"tcb", one_handle}, keys).value();
   EXPECT_TRUE(near(curve.motion(end).angular_velocity, natural.motion(end).angular_velocity, tolerance::series));
   EXPECT_LE(curve.motion(keys.times().front()).angular_acceleration.norm(), tolerance::rates);
 }

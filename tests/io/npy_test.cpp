@@ -53,11 +53,12 @@ std::optional<Array> array_in(std::string_view file) {
   return array;
 }
 
-const Sample moving{.motion = {.orientation = quaternion_wxyz(0.5, -0.5, 0.5, -0.5),
-                               .angular_velocity = {1, 2, 3},
-                               .angular_acceleration = {4, 5, 6},
-                               .angular_jerk = {7, 8, 9}},
-                    .linear_motion = {.position = {10, 20, 30}, .velocity = {11, 12, 13}, .acceleration = {14, 15, 16}}};
+const Sample moving{
+    .motion = {.orientation = quaternion_wxyz(0.5, -0.5, 0.5, -0.5),
+               .angular_velocity = {1, 2, 3},
+               .angular_acceleration = {4, 5, 6},
+               .angular_jerk = {7, 8, 9}},
+    .linear_motion = {.position = {10, 20, 30}, .velocity = {11, 12, 13}, .acceleration = {14, 15, 16}}};
 
 /// The array that is written for the same sample at the times.
 Array written(SampleColumns columns, const std::vector<std::string>& times, const Sample& sample = moving) {

@@ -34,8 +34,9 @@ std::string written(const SampleColumns& columns, const Sample& sample, std::str
 }
 
 TEST(SampleWriter, WritesTheColumnsThatAreAskedFor) {
-  const Sample sample{.motion = moving,
-                      .linear_motion = {.position = {10, 20, 30}, .velocity = {11, 12, 13}, .acceleration = {14, 15, 16}}};
+  const Sample sample{
+      .motion = moving,
+      .linear_motion = {.position = {10, 20, 30}, .velocity = {11, 12, 13}, .acceleration = {14, 15, 16}}};
   EXPECT_EQ(written({}, sample, "0.25"), "t,qw,qx,qy,qz\n0.25,0.5,-0.5,0.5,-0.5\n");
   EXPECT_EQ(written({.derivatives = 1}, sample, "0.25"), "t,qw,qx,qy,qz,wx,wy,wz\n0.25,0.5,-0.5,0.5,-0.5,1,2,3\n");
   EXPECT_EQ(written({.positions = true, .derivatives = 3}, sample, "0.25"),
@@ -44,8 +45,9 @@ TEST(SampleWriter, WritesTheColumnsThatAreAskedFor) {
 }
 
 TEST(SampleWriter, WritesTheRatesOfPositionsLast) {
-  const Sample sample{.motion = moving,
-                      .linear_motion = {.position = {10, 20, 30}, .velocity = {11, 12, 13}, .acceleration = {14, 15, 16}}};
+  const Sample sample{
+      .motion = moving,
+      .linear_motion = {.position = {10, 20, 30}, .velocity = {11, 12, 13}, .acceleration = {14, 15, 16}}};
   EXPECT_EQ(written({.positions = true, .derivatives = 1, .position_derivatives = 1}, sample),
             "t,qw,qx,qy,qz,px,py,pz,wx,wy,wz,vx,vy,vz\n0,0.5,-0.5,0.5,-0.5,10,20,30,1,2,3,11,12,13\n");
   EXPECT_EQ(written({.positions = true, .derivatives = 2, .position_derivatives = 2}, sample),

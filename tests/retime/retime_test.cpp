@@ -141,7 +141,8 @@ TEST(Retime, StaysWithinTheLimitsAndReachesOneOfThem) {
         EXPECT_LE(peaks.acceleration, 2.0) << method;
         EXPECT_LE(peaks.torque, 3.0) << method;
         for (std::size_t i = 0; i + 1 < keys.size(); ++i)
-          EXPECT_GE(retiming->track.keys.times()[i + 1] - retiming->track.keys.times()[i], (keys.times()[i + 1] - keys.times()[i]) * (1 - 1e-12));
+          EXPECT_GE(retiming->track.keys.times()[i + 1] - retiming->track.keys.times()[i],
+                    (keys.times()[i + 1] - keys.times()[i]) * (1 - 1e-12));
       }
       const MotionSizes peaks = sampled(curve_of(method, uniform));
       if (uniform.time_scale > 1.0) {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/compare/compare.hpp"
 
-#include <fmt/format.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/pages/compare_page.hpp>
 #include <orispline/tune/tension_model.hpp>
 #include <orispline/tune/tune.hpp>
@@ -33,9 +32,8 @@ std::vector<ComparedMethod> methods_to_compare(const CompareRequest& request, co
   for (std::size_t i = 0; i < data.key_sets.size(); ++i)
     for (const NamedMethod& method : request.methods) {
       const Track& track = data.key_sets[i].track;
-      methods.push_back({.label = method.label,
-                         .key_set = i,
-                         .candidate = {completed(method.method, track), track.keys}});
+      methods.push_back(
+          {.label = method.label, .key_set = i, .candidate = {completed(method.method, track), track.keys}});
       if (request.tune && !orispline::tunable_parameters(method.method.name).empty())
         methods.push_back(tuned(methods.back(), track));
     }
@@ -48,12 +46,11 @@ void measure_all(CompareReport& report, const CompareRequest& request, Progress:
   const MeasureOptions measures{.inertia = request.inertia.value_or(Eigen::Matrix3d::Identity()),
                                 .leave_out = request.leave_out};
   Progress progress(steps_per_method * candidates.size(), show);
-  Comparison comparison =
-      orispline::compare(candidates, report.data.recording(), measures, static_cast<unsigned>(request.threads),
-                         {.show = [&](double share) {
-                           progress.advance_to(static_cast<std::size_t>(std::lround(
-                               share * static_cast<double>(steps_per_method * candidates.size()))));
-                         }});
+  Comparison comparison = orispline::compare(candidates, report.data.recording(), measures,
+                                             static_cast<unsigned>(request.threads), {.show = [&](double share) {
+                                               progress.advance_to(static_cast<std::size_t>(std::lround(
+                                                   share * static_cast<double>(steps_per_method * candidates.size()))));
+                                             }});
   for (std::size_t i = 0; i < report.methods.size(); ++i) {
     ComparedMethod& method = report.methods[i];
     if (!method.measures) continue;  // it could not be tuned
@@ -68,8 +65,8 @@ Expected<void> any_worked(const CompareReport& report) {
   for (const ComparedMethod& method : report.methods)
     if (method.measures) return {};
   return failure(ErrorCode::bad_data,
-                 fmt::format("none of the methods could be compared; {}: {}", report.methods.front().label,
-                             describe(report.methods.front().measures.error())));
+                 formatted("none of the methods could be compared; {}: {}", report.methods.front().label,
+                           describe(report.methods.front().measures.error())));
 }
 
 Expected<CompareReport> compared(const CompareOptions& options, const CompareRequest& request) {
@@ -119,9 +116,9 @@ Expected<void> compare(const CompareOptions& options) {
       head.title = title_of(report, report.data.key_sets.front());
       return pages::compare_page(shown(report), head, static_cast<unsigned>(request->threads));
     };
-    return file->write(make_page)
-        .and_then([&] { return file->finish(); })
-        .and_then([&] { return print(report, options); });
+    return file->write(make_page).and_then([&] { return file->finish(); }).and_then([&] {
+      return print(report, options);
+    });
   });
 }
 

@@ -3,9 +3,8 @@
 
 #include <string_view>
 
-#include <fmt/format.h>
-
 #include <orispline/analysis/sampled.hpp>
+#include <orispline/base/formatted.hpp>
 
 namespace orispline::cli {
 namespace {
@@ -31,8 +30,8 @@ Expected<ComparedKeys> decimated(const Track& input, const Decimation& decimatio
   const auto kept = kept_samples(decimation, input.keys.size());
   if (kept.size() < 2)
     return failure(ErrorCode::bad_data,
-                   fmt::format("--keep-every {} leaves 1 of the {} samples, wanted 2 keys at least",
-                               decimation.keep_every, input.keys.size()),
+                   formatted("--keep-every {} leaves 1 of the {} samples, wanted 2 keys at least",
+                             decimation.keep_every, input.keys.size()),
                    {.file = input.name});
   return ComparedKeys{decimation, input.at(kept), kept.back() + 1};
 }
@@ -69,11 +68,10 @@ Expected<ComparedData> input_and_reference(const CompareRequest& request, const 
   const std::size_t compared = times_within(times, domain).count;
   const auto text = [&](double t) { return (keys.epoch + Decimal::from_double(t)).to_string(); };
   if (compared == 0)
-    return failure(
-        ErrorCode::bad_data,
-        fmt::format("none of the {} times, {} to {} s, lies between the keys of {}, {} to {} s", times.size(),
-                    text(times.front()), text(times.back()), keys.name, text(domain.start), text(domain.end)),
-        {.file = reference});
+    return failure(ErrorCode::bad_data,
+                   formatted("none of the {} times, {} to {} s, lies between the keys of {}, {} to {} s", times.size(),
+                             text(times.front()), text(times.back()), keys.name, text(domain.start), text(domain.end)),
+                   {.file = reference});
   ComparedData data{.reference = reference,
                     .epoch = keys.epoch,
                     .samples = truth->track.keys,

@@ -18,13 +18,15 @@ struct ComparedKeys {
 /// What is compared with what.
 struct ComparedData {
   std::string reference;      ///< path of the recording
-  Decimal epoch;          ///< of all times [s]
+  Decimal epoch;              ///< of all times [s]
   Keyframes samples;          ///< of the recording
   std::vector<double> times;  ///< of the recording, from the epoch [s]
   std::vector<ComparedKeys> key_sets;
   io::RepairReport repairs;
 
-  [[nodiscard]] RecordedMotion recording() const { return {times, samples.orientations(), samples.angular_velocities()}; }
+  [[nodiscard]] RecordedMotion recording() const {
+    return {times, samples.orientations(), samples.angular_velocities()};
+  }
   [[nodiscard]] MeasureTimes measure_times() const { return {epoch, times}; }
 };
 

@@ -3,10 +3,8 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <orispline/base/counted.hpp>
+#include <orispline/base/formatted.hpp>
 #include <orispline/report/table.hpp>
 
 #include "output/repairs_text.hpp"
@@ -17,7 +15,7 @@ namespace {
 constexpr std::string_view none = "–";
 
 std::string continuity_of(const ComparedMethod& method) {
-  return method.measures ? fmt::format("C{}", method.measures->continuity.order()) : std::string(none);
+  return method.measures ? formatted("C{}", method.measures->continuity.order()) : std::string(none);
 }
 
 report::Cell cell_of(const ComparedMethod& method, const MeasureInfo& measure, const ComparedData& data) {
@@ -39,7 +37,7 @@ std::vector<std::string> methods_with_rates(const CompareReport& report, std::si
 std::vector<std::string> notes_of(const CompareReport& report, std::size_t key_set, bool some_jump) {
   std::vector<std::string> notes;
   if (const auto names = methods_with_rates(report, key_set); !names.empty())
-    notes.push_back(fmt::format("{} took the logged rates at the keys too.", fmt::join(names, ", ")));
+    notes.push_back(formatted("{} took the logged rates at the keys too.", joined(names, ", ")));
   if (some_jump) notes.emplace_back("∫|α|² is that inside the segments: with C0 the true one is infinite.");
   if (report.leave_out == LeaveOut::yes)
     notes.emplace_back("Left out: an estimate of the error from the keys alone; it is not fit for choosing a method.");
@@ -90,10 +88,10 @@ std::optional<double> value_of(const MeasureInfo& measure, const ComparedMethod&
 
 std::string title_of(const CompareReport& report, const ComparedKeys& keys) {
   const std::string what = keys.decimation
-                               ? fmt::format("{}: {} sample kept", report.data.reference, name_of(*keys.decimation))
-                               : fmt::format("{} against {}", keys.track.name, report.data.reference);
-  return fmt::format("{}, {}, {} compared", what, counted(keys.track.keys.size(), "key"),
-                     counted(keys.compared, "sample"));
+                               ? formatted("{}: {} sample kept", report.data.reference, name_of(*keys.decimation))
+                               : formatted("{} against {}", keys.track.name, report.data.reference);
+  return formatted("{}, {}, {} compared", what, counted(keys.track.keys.size(), "key"),
+                   counted(keys.compared, "sample"));
 }
 
 std::string text_of(const CompareReport& report) {
@@ -107,16 +105,16 @@ std::string text_of(const CompareReport& report) {
 std::string csv_of(const CompareReport& report) {
   const std::vector<MeasureInfo> measures = measures_of(report);
   std::string text = "method,keep_every,keys,samples";
-  for (const MeasureInfo& measure : measures) text += fmt::format(",{}", measure.id);
+  for (const MeasureInfo& measure : measures) text += formatted(",{}", measure.id);
   text += ",error\n";
   for (const ComparedMethod& method : report.methods) {
     const ComparedKeys& keys = report.data.key_sets[method.key_set];
-    text += fmt::format("{},{},{},{}", csv_cell(method.label),
-                        keys.decimation ? std::to_string(keys.decimation->keep_every) : "", keys.track.keys.size(),
-                        keys.compared);
+    text += formatted("{},{},{},{}", csv_cell(method.label),
+                      keys.decimation ? std::to_string(keys.decimation->keep_every) : "", keys.track.keys.size(),
+                      keys.compared);
     for (const MeasureInfo& measure : measures) {
       const auto value = value_of(measure, method, report.data);
-      text += value ? fmt::format(",{}", *value) : ",";
+      text += value ? formatted(",{}", *value) : ",";
     }
     text += "," + (method.measures ? "" : csv_cell(describe(method.measures.error()))) + "\n";
   }

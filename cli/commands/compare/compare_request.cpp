@@ -3,8 +3,7 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/families/method_text.hpp>
 
 #include "commands/compare/compare_report.hpp"
@@ -23,7 +22,7 @@ Expected<NamedMethod> named_method(const std::string& text) {
         return NamedMethod{text, std::move(method)};
       })
       .map_error([](Error error) {
-        if (!error.option.empty()) error.message = fmt::format("--methods: {}", error.message);
+        if (!error.option.empty()) error.message = formatted("--methods: {}", error.message);
         return error;
       });
 }
@@ -46,7 +45,7 @@ Expected<std::vector<NamedMethod>> methods_in(const CompareOptions& options) {
     auto method = named_method(name);
     if (!method) return tl::unexpected(std::move(method.error()));
     const auto known = std::ranges::find(methods, name, &NamedMethod::label);
-    if (known != methods.end()) return usage_failure(fmt::format("--methods: '{}' stands twice", name));
+    if (known != methods.end()) return usage_failure(formatted("--methods: '{}' stands twice", name));
     methods.push_back(std::move(*method));
   }
   return methods;
@@ -59,7 +58,7 @@ Expected<std::vector<std::size_t>> steps_in(const CompareOptions& options) {
       const auto step = count_in({"--keep-every", piece}, 2);
       if (!step) return tl::unexpected(step.error());
       if (std::ranges::find(steps, *step) != steps.end())
-        return usage_failure(fmt::format("--keep-every: {} stands twice", *step));
+        return usage_failure(formatted("--keep-every: {} stands twice", *step));
       steps.push_back(*step);
     }
   if (steps.empty()) steps.push_back(default_step);

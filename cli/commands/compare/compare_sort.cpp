@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
+#include <orispline/base/formatted.hpp>
 
 namespace orispline::cli {
 namespace {
@@ -30,7 +30,7 @@ Expected<void> sort(CompareReport& report) {
   const auto measures = measures_of(report);
   const auto measure = std::ranges::find(measures, report.sort, &MeasureInfo::word);
   if (measure == measures.end())
-    return usage_failure(fmt::format(
+    return usage_failure(formatted(
         "--sort {}: wanted {}", report.sort,
         report.sort == rate_word ? "columns wx,wy,wz in " + report.data.reference : std::string("--inertia as well")));
   sort_by(*measure, report.methods, report.data.measure_times());

@@ -3,10 +3,9 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include "output/standard_output.hpp"
+
+#include <orispline/base/formatted.hpp>
 
 namespace orispline::cli {
 namespace {
@@ -18,14 +17,14 @@ bool is_positional(const OptionOutline& option) { return !option.names.front().s
 std::string words_of_commands(const Commands& commands) {
   std::vector<std::string_view> names;
   for (const CommandOutline& command : commands) names.push_back(command.name);
-  return fmt::format("{}", fmt::join(names, " "));
+  return joined(names, " ");
 }
 
 // bash: the word before the cursor decides, then the command.
 
 /// `NAME=WORD` is one word of the line, but two for readline, which wants what follows the `=` only.
 std::string bash_settings(const OptionOutline& option) {
-  return fmt::format(
+  return formatted(
       "      if [[ $line =~ \\ {}\\ +[^\\ ]*$ ]]; then\n"
       "        COMPREPLY=($(compgen -W '{}' -- \"$token\"))\n"
       "        COMPREPLY=(\"${{COMPREPLY[@]#\"${{token%\"${{token##*=}}\"}}\"}}\")\n"
@@ -33,34 +32,34 @@ std::string bash_settings(const OptionOutline& option) {
       "        [[ ${{COMPREPLY[*]}} == *= ]] && compopt -o nospace 2>/dev/null\n"
       "        return\n"
       "      fi\n",
-      option.names.front(), fmt::join(option.choices, " "));
+      option.names.front(), joined(option.choices, " "));
 }
 
 std::string bash_command(const CommandOutline& command) {
   std::string values, words, settings;
   for (const OptionOutline& option : command.options) {
     if (is_positional(option)) {
-      if (option.argument == Argument::choice) words += fmt::format(" {}", fmt::join(option.choices, " "));
+      if (option.argument == Argument::choice) words += formatted(" {}", joined(option.choices, " "));
       continue;
     }
-    words += fmt::format(" {}", fmt::join(option.names, " "));
-    const std::string names = fmt::format("{}", fmt::join(option.names, "|"));
+    words += formatted(" {}", joined(option.names, " "));
+    const std::string names = joined(option.names, "|");
     if (option.argument == Argument::choice)
-      values += fmt::format("        {}) COMPREPLY=($(compgen -W '{}' -- \"$word\")); return ;;\n", names,
-                            fmt::join(option.choices, " "));
+      values += formatted("        {}) COMPREPLY=($(compgen -W '{}' -- \"$word\")); return ;;\n", names,
+                          joined(option.choices, " "));
     else if (option.argument == Argument::setting) settings = bash_settings(option);
     else if (option.argument == Argument::file)
-      values += fmt::format("        {}) COMPREPLY=($(compgen -f -- \"$word\")); return ;;\n", names);
-    else if (option.argument == Argument::word) values += fmt::format("        {}) return ;;\n", names);
+      values += formatted("        {}) COMPREPLY=($(compgen -f -- \"$word\")); return ;;\n", names);
+    else if (option.argument == Argument::word) values += formatted("        {}) return ;;\n", names);
   }
-  return fmt::format("    {})\n{}      case $previous in\n{}      esac\n      words='{}'\n      ;;\n", command.name,
-                     settings, values.empty() ? "        *) ;;\n" : values, words.empty() ? "" : words.substr(1));
+  return formatted("    {})\n{}      case $previous in\n{}      esac\n      words='{}'\n      ;;\n", command.name,
+                   settings, values.empty() ? "        *) ;;\n" : values, words.empty() ? "" : words.substr(1));
 }
 
 std::string bash_script(const Commands& commands) {
   std::string cases;
   for (const CommandOutline& command : commands) cases += bash_command(command);
-  return fmt::format(
+  return formatted(
       "# bash completion of orispline: source <(orispline completion bash)\n"
       "_orispline() {{\n"
       "  local word=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD-1]}} words\n"
@@ -97,7 +96,7 @@ std::string zsh_action(const OptionOutline& option) {
       return ":value: ";
     case Argument::choice:
     case Argument::setting:
-      return fmt::format(":value:({})", fmt::join(option.choices, " "));
+      return formatted(":value:({})", joined(option.choices, " "));
     case Argument::file:
       return ":file:_files";
   }
@@ -105,14 +104,15 @@ std::string zsh_action(const OptionOutline& option) {
 }
 
 std::string zsh_command(const CommandOutline& command) {
-  std::string text = fmt::format("    {}) _arguments", command.name);
+  std::string text = formatted("    {}) _arguments", command.name);
   for (const OptionOutline& option : command.options) {
     if (is_positional(option)) {
       text += " " + shell_word(":" + zsh_action(option).substr(1));
       continue;
     }
     for (const std::string& name : option.names)
-      text += " \\\n      " + shell_word(fmt::format("*{}[{}]{}", name, zsh_text(option.description), zsh_action(option)));
+      text +=
+          " \\\n      " + shell_word(formatted("*{}[{}]{}", name, zsh_text(option.description), zsh_action(option)));
   }
   return text + " ;;\n";
 }
@@ -123,7 +123,7 @@ std::string zsh_script(const Commands& commands) {
     cases += zsh_command(command);
     list += " " + shell_word(command.name + ":" + command.description);
   }
-  return fmt::format(
+  return formatted(
       "#compdef orispline\n"
       "# zsh completion of orispline: orispline completion zsh > \"${{fpath[1]}}/_orispline\"\n"
       "_orispline() {{\n"
@@ -144,22 +144,22 @@ std::string zsh_script(const Commands& commands) {
 // fish: one line per option, with its command as the condition.
 
 std::string fish_option(const CommandOutline& command, const OptionOutline& option) {
-  std::string line = fmt::format("complete -c orispline -n '__fish_seen_subcommand_from {}'", command.name);
+  std::string line = formatted("complete -c orispline -n '__fish_seen_subcommand_from {}'", command.name);
   if (!is_positional(option))
     for (const std::string& name : option.names)
       line += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
   if (option.argument == Argument::word) line += " -x";
   if (option.argument == Argument::file) line += " -rF";
   if (option.argument == Argument::choice || option.argument == Argument::setting)
-    line += fmt::format("{} -a '{}'", is_positional(option) ? " -f" : " -x", fmt::join(option.choices, " "));
+    line += formatted("{} -a '{}'", is_positional(option) ? " -f" : " -x", joined(option.choices, " "));
   return line + " -d " + shell_word(option.description) + "\n";
 }
 
 std::string fish_script(const Commands& commands) {
   std::string text = "# fish completion of orispline: orispline completion fish | source\n";
   for (const CommandOutline& command : commands)
-    text += fmt::format("complete -c orispline -n __fish_use_subcommand -f -a {} -d {}\n", command.name,
-                        shell_word(command.description));
+    text += formatted("complete -c orispline -n __fish_use_subcommand -f -a {} -d {}\n", command.name,
+                      shell_word(command.description));
   for (const CommandOutline& command : commands)
     for (const OptionOutline& option : command.options) text += fish_option(command, option);
   return text;

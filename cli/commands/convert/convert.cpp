@@ -67,7 +67,8 @@ Expected<void> convert(const ConvertOptions& options) {
   const auto source = open_source(std::move(*request));
   if (!source) return tl::unexpected(source.error());
   columns.positions = !source->track.keys.positions().empty();
-  columns.derivatives = io::holds_all_columns(columns.format) && !source->track.keys.angular_velocities().empty() ? 1 : 0;
+  columns.derivatives =
+      io::holds_all_columns(columns.format) && !source->track.keys.angular_velocities().empty() ? 1 : 0;
   const ConvertReport report = report_on(*source, options, columns);
   return io::SampleWriter::open(options.output.path, columns, source->track.keys.size())
       .and_then([&](io::SampleWriter writer) {

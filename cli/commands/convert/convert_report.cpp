@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/convert/convert_report.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <orispline/base/counted.hpp>
+#include <orispline/base/formatted.hpp>
 
 #include "output/repairs_text.hpp"
 #include "output/summary.hpp"
@@ -13,14 +11,14 @@ namespace orispline::cli {
 
 std::string text_of(const ConvertReport& report) {
   std::string text =
-      fmt::format("{} from {} ({}) written to {} ({})", counted(report.keys, "key"), report.input,
-                  io::title_of(report.input_format), destination(report.output), io::title_of(report.output_format));
-  if (report.keyframes.sign_flips > 0) text += fmt::format("; sign flips in the file: {}", report.keyframes.sign_flips);
-  if (report.keyframes.non_unit_keys > 0) text += fmt::format("; {} normalised", report.keyframes.non_unit_keys);
+      formatted("{} from {} ({}) written to {} ({})", counted(report.keys, "key"), report.input,
+                io::title_of(report.input_format), destination(report.output), io::title_of(report.output_format));
+  if (report.keyframes.sign_flips > 0) text += formatted("; sign flips in the file: {}", report.keyframes.sign_flips);
+  if (report.keyframes.non_unit_keys > 0) text += formatted("; {} normalised", report.keyframes.non_unit_keys);
   text += "\n";
   if (const std::string repairs = text_of(report.repairs); !repairs.empty()) text += repairs + "\n";
   if (!report.dropped_columns.empty())
-    text += fmt::format("not carried over: {}\n", fmt::join(report.dropped_columns, ", "));
+    text += formatted("not carried over: {}\n", joined(report.dropped_columns, ", "));
   if (report.positions == ConvertReport::Positions::zero) text += "positions are zero: the input has none\n";
   return text;
 }

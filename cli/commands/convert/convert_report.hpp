@@ -16,7 +16,7 @@ struct ConvertReport {
   io::RepairReport repairs{};
   KeyframeReport keyframes{};
   std::size_t keys = 0;
-  Decimal start{}, end{};                  ///< of the keys, in the file's own time [s]
+  Decimal start{}, end{};                      ///< of the keys, in the file's own time [s]
   std::vector<std::string> dropped_columns{};  ///< of the input, which the output does not hold
   enum class Positions { kept, absent, zero } positions = Positions::kept;
 };

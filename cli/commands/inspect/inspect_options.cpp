@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/inspect/inspect_options.hpp"
 
-#include <fmt/format.h>
-
 namespace orispline::cli {
 namespace {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/inspect/inspect_report.hpp"
 
-#include <fmt/format.h>
-
 #include "options/quantity.hpp"
+
+#include <orispline/base/formatted.hpp>
 
 namespace orispline::cli {
 namespace {
@@ -12,28 +12,27 @@ constexpr std::size_t places_shown = 3;
 
 /// `key 4 (line 6, 5.2 s)`
 std::string place(const InspectReport& report, std::size_t key) {
-  return fmt::format("key {} (line {}, {} s)", key, report.file.track.lines[key], report.time_of(key).to_string());
+  return formatted("key {} (line {}, {} s)", key, report.file.track.lines[key], report.time_of(key).to_string());
 }
 
 std::string keys_lines(const InspectReport& report) {
   const std::size_t last = report.keys() - 1;
-  std::string text =
-      fmt::format("{}\nkeys          {}, {} to {} s, span {} s\n", report.file.track.name, last + 1,
-                  report.time_of(0).to_string(), report.time_of(last).to_string(), report.statistics.span);
+  std::string text = formatted("{}\nkeys          {}, {} to {} s, span {} s\n", report.file.track.name, last + 1,
+                               report.time_of(0).to_string(), report.time_of(last).to_string(), report.statistics.span);
   if (const auto& spacing = report.statistics.spacing)
-    text += fmt::format("spacing       min {:.6g} s, median {:.6g} s, max {:.6g} s after {}\n", spacing->smallest,
-                        spacing->median, spacing->largest, place(report, spacing->largest_at));
+    text += formatted("spacing       min {:.6g} s, median {:.6g} s, max {:.6g} s after {}\n", spacing->smallest,
+                      spacing->median, spacing->largest, place(report, spacing->largest_at));
   if (const auto& step = report.statistics.step)
-    text += fmt::format("steps         median {:.4g}°, max {:.4g}° after {}\n", step->median * degrees,
-                        step->largest * degrees, place(report, step->largest_at));
+    text += formatted("steps         median {:.4g}°, max {:.4g}° after {}\n", step->median * degrees,
+                      step->largest * degrees, place(report, step->largest_at));
   return text;
 }
 
 std::string half_turn_line(const InspectReport& report) {
   const auto& steps = report.statistics.near_half_turns;
-  std::string line = fmt::format("near 180°     {}", steps.size());
+  std::string line = formatted("near 180°     {}", steps.size());
   for (std::size_t i = 0; i < std::min(steps.size(), places_shown); ++i)
-    line += fmt::format("{} after {}", i == 0 ? ":" : ",", place(report, steps[i]));
+    line += formatted("{} after {}", i == 0 ? ":" : ",", place(report, steps[i]));
   if (steps.size() > places_shown) line += ", …";
   return line + (steps.empty() ? "\n" : "; these may as well go the other way round\n");
 }
@@ -41,7 +40,7 @@ std::string half_turn_line(const InspectReport& report) {
 std::string quality_lines(const InspectReport& report) {
   const KeyframeReport& keyframes = report.keyframes;
   const io::RepairReport& repairs = report.file.repairs;
-  return fmt::format(
+  return formatted(
       "sign flips    {}\n"
       "non-unit      {}, of which {} farther than {:g} from 1; largest error {:.3g}\n"
       "duplicates    {}\n"
@@ -52,19 +51,19 @@ std::string quality_lines(const InspectReport& report) {
 }
 
 std::string jump_cell(const RateJump& jump) {
-  if (jump.relative == 0.0) return fmt::format("{:>10.2e}  {:>8}", jump.largest, "none");
-  return fmt::format("{:>10.3g}  {:>8.1e}", jump.largest, jump.relative);
+  if (jump.relative == 0.0) return formatted("{:>10.2e}  {:>8}", jump.largest, "none");
+  return formatted("{:>10.3g}  {:>8.1e}", jump.largest, jump.relative);
 }
 
 std::string methods_table(const InspectReport& report) {
   if (report.methods.empty()) return "";
-  std::string table = fmt::format(
+  std::string table = formatted(
       "\nLargest jumps at the keys, absolute and relative to the largest rate\n{:20}{:>5}  "
       "{:>20}  {:>20}  {:>20}\n",
       "method", "order", "ω [rad/s]", "α [rad/s²]", "jerk [rad/s³]");
   for (const auto& [method, c] : report.methods)
-    table += fmt::format("{:20}{:>5}  {}  {}  {}\n", method, fmt::format("C{}", c.order()),
-                         jump_cell(c.angular_velocity), jump_cell(c.angular_acceleration), jump_cell(c.angular_jerk));
+    table += formatted("{:20}{:>5}  {}  {}  {}\n", method, formatted("C{}", c.order()), jump_cell(c.angular_velocity),
+                       jump_cell(c.angular_acceleration), jump_cell(c.angular_jerk));
   return table;
 }
 
@@ -72,7 +71,7 @@ std::string methods_table(const InspectReport& report) {
 
 std::string text_of(const InspectReport& report) {
   std::string text = keys_lines(report) + half_turn_line(report) + quality_lines(report);
-  if (report.defect) text += fmt::format("defect        {}\n", *report.defect);
+  if (report.defect) text += formatted("defect        {}\n", *report.defect);
   return text + methods_table(report);
 }
 

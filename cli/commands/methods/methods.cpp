@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/families/registry.hpp>
 
 #include "commands/methods/methods_json.hpp"
@@ -51,16 +49,16 @@ std::string wrapped(const std::string& head, std::string_view words) {
 /// A line of its own for what a method has; nothing for what it has not.
 std::string labelled(std::string_view label, std::string_view words) {
   if (words.empty()) return "";
-  return wrapped(fmt::format("{:{}}{:{}}", "", name_width, label, label_width), words);
+  return wrapped(formatted("{:{}}{:{}}", "", name_width, label, label_width), words);
 }
 
 std::string promises_of(const FamilyInfo& family) {
   const int even = family.continuity_uniform, uneven = family.continuity_uneven;
   std::string text = even == uneven
-                         ? fmt::format("C{} on any keys; a segment depends on ", even)
-                         : fmt::format("C{} on even keys, C{} on uneven ones; a segment depends on ", even, uneven);
-  text += family.support_keys == all_keys ? "all keys" : fmt::format("{} keys", family.support_keys);
-  if (family.min_keys > 2) text += fmt::format("; needs {} keys", family.min_keys);
+                         ? formatted("C{} on any keys; a segment depends on ", even)
+                         : formatted("C{} on even keys, C{} on uneven ones; a segment depends on ", even, uneven);
+  text += family.support_keys == all_keys ? "all keys" : formatted("{} keys", family.support_keys);
+  if (family.min_keys > 2) text += formatted("; needs {} keys", family.min_keys);
   if (family.closes) text += "; can be closed";
   return text;
 }
@@ -68,16 +66,15 @@ std::string promises_of(const FamilyInfo& family) {
 std::string settings_of(const FamilyInfo& family) {
   std::vector<std::string> settings;
   for (const Parameter& p : family.parameters)
-    settings.push_back(fmt::format("{}={:.4g}{}", p.name, p.initial, p.per_key ? "" : " (one for all)"));
-  for (const auto& [name, words] : family.choices)
-    settings.push_back(fmt::format("{}={}", name, fmt::join(words, "|")));
-  return fmt::format("{}", fmt::join(settings, ", "));
+    settings.push_back(formatted("{}={:.4g}{}", p.name, p.initial, p.per_key ? "" : " (one for all)"));
+  for (const auto& [name, words] : family.choices) settings.push_back(formatted("{}={}", name, joined(words, "|")));
+  return joined(settings, ", ");
 }
 
 std::string ends_of(const FamilyInfo& family) {
   std::vector<std::string_view> names;
   for (const EndRule rule : family.ends) names.push_back(name_of(rule));
-  return fmt::format("{}", fmt::join(names, ", "));
+  return joined(names, ", ");
 }
 
 std::string_view rates_of(const FamilyInfo& family) {
@@ -87,7 +84,7 @@ std::string_view rates_of(const FamilyInfo& family) {
 }
 
 std::string entry(const FamilyInfo& family) {
-  return "\n" + wrapped(fmt::format("{:{}}", family.name, name_width), family.title) +
+  return "\n" + wrapped(formatted("{:{}}", family.name, name_width), family.title) +
          wrapped(std::string(name_width, ' '), promises_of(family)) + labelled("settings", settings_of(family)) +
          labelled("ends", ends_of(family)) + labelled("columns", rates_of(family)) + labelled("source", family.source);
 }
@@ -97,7 +94,7 @@ std::string chapter(std::string_view heading, Belongs belongs) {
   std::string text;
   for (const FamilyInfo& family : families_info())
     if (belongs(family)) text += entry(family);
-  return text.empty() ? text : fmt::format("\n{}\n{}", heading, text);
+  return text.empty() ? text : formatted("\n{}\n{}", heading, text);
 }
 
 std::string page() {

@@ -3,8 +3,7 @@
 
 #include <utility>
 
-#include <fmt/format.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/io/output_file.hpp>
 #include <orispline/report/motion_drawing.hpp>
 #include <orispline/report/page_samples.hpp>
@@ -27,7 +26,7 @@ Expected<std::vector<Method>> methods_in(const PlotOptions& options) {
                                          : method_requests(options.methods, options.shape);
   if (methods && methods->size() > report::most_drawn_methods)
     return usage_failure(
-        fmt::format("--method: found {} methods, wanted at most {}", methods->size(), report::most_drawn_methods));
+        formatted("--method: found {} methods, wanted at most {}", methods->size(), report::most_drawn_methods));
   return methods;
 }
 
@@ -41,10 +40,10 @@ Expected<Request> request_in(const PlotOptions& options) {
 }
 
 std::string title_of(const Track& track) {
-  const std::string start = track.epoch == Decimal() ? "" : fmt::format(", t = 0 at {} s", track.epoch.to_string());
+  const std::string start = track.epoch == Decimal() ? "" : formatted(", t = 0 at {} s", track.epoch.to_string());
   const std::size_t keys = track.keys.size();
-  return fmt::format("{}: {} {}{}", track.name == io::standard_stream ? "standard input" : track.name, keys,
-                     keys == 1 ? "key" : "keys", start);
+  return formatted("{}: {} {}{}", track.name == io::standard_stream ? "standard input" : track.name, keys,
+                   keys == 1 ? "key" : "keys", start);
 }
 
 Expected<report::MotionPicture> picture_of(const Request& request) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/plot/plot_options.hpp"
 
-#include <fmt/format.h>
+#include <orispline/base/formatted.hpp>
 
 namespace orispline::cli {
 namespace {
@@ -19,7 +19,7 @@ sphere. At most 6 methods, each in a colour of its own.)";
 void add_plot_options(CLI::App& app, PlotOptions& o) {
   add_input_options(app, o.input);
   app.add_option("--method", o.methods,
-                 fmt::format("Methods to draw [{}]; repeatable, or a list with commas", default_method))
+                 formatted("Methods to draw [{}]; repeatable, or a list with commas", default_method))
       ->allow_extra_args(false)
       ->type_name(methods_type)
       ->group("Shape of the curve");

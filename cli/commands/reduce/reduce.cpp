@@ -5,8 +5,7 @@
 #include <filesystem>
 #include <utility>
 
-#include <fmt/format.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/base/parallel.hpp>
 #include <orispline/pages/reduce_page.hpp>
 
@@ -39,12 +38,12 @@ Expected<void> agree(const ReduceOptions& options, const Request& request) {
     return usage_failure("found -o and --output-folder, wanted one of them: a file for the keys, or their folder");
   if (!options.folder && options.inputs.size() > 1)
     return usage_failure(
-        fmt::format("found {} inputs, wanted --output-folder FOLDER for their keys", options.inputs.size()));
+        formatted("found {} inputs, wanted --output-folder FOLDER for their keys", options.inputs.size()));
   if (!options.folder)
     if (auto fits = check_summary(options.summary, options.output.path, "keys"); !fits) return fits;
   if (options.report.path && options.inputs.size() > 1)
     return usage_failure(
-        fmt::format("--report: found {} inputs, wanted one: a page shows one recording", options.inputs.size()));
+        formatted("--report: found {} inputs, wanted one: a page shows one recording", options.inputs.size()));
   return check_report(options.report, {{options.folder ? "that of the keys" : "that of -o", request.outputs.front()},
                                        {"INPUT", options.inputs.front()}});
 }
@@ -83,8 +82,11 @@ Expected<orispline::ReduceOptions> reduction_in(const ReduceOptions& options) {
 
 Expected<std::vector<Method>> methods_in(const ReduceOptions& options) {
   if (options.method != smallest_method)
-    return method_request(options.method, options.shape).map([](Method method) { return std::vector{std::move(method)}; });
-  if (any_given(options.shape)) return usage_failure("options that shape a curve want --method with one method as well");
+    return method_request(options.method, options.shape).map([](Method method) {
+      return std::vector{std::move(method)};
+    });
+  if (any_given(options.shape))
+    return usage_failure("options that shape a curve want --method with one method as well");
   return std::vector<Method>(orispline::reducing_methods.begin(), orispline::reducing_methods.end());
 }
 
@@ -156,11 +158,11 @@ void warn_of(const std::vector<ReducedTrack>& tracks, const ReduceOptions& optio
     warn("positions are carried along without a bound, wanted --position-tolerance LENGTH for one");
   for (const ReducedTrack& track : tracks)
     if (const auto remark = track.smoothing ? remark_on(*track.smoothing) : std::nullopt)
-      warn(tracks.size() == 1 ? *remark : fmt::format("{}: {}", track.recording.track.name, *remark));
+      warn(tracks.size() == 1 ? *remark : formatted("{}: {}", track.recording.track.name, *remark));
 }
 
 Expected<std::vector<std::vector<orispline::Reduction>>> reductions_of(const Request& request,
-                                                                      const std::vector<ReducedTrack>& tracks) {
+                                                                       const std::vector<ReducedTrack>& tracks) {
   std::vector<Track> samples;
   for (const ReducedTrack& track : tracks) samples.push_back(track.reduced);
   std::vector<std::vector<orispline::Reduction>> reductions;

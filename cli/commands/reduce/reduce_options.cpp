@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/reduce/reduce_options.hpp"
 
-#include <fmt/format.h>
+#include <orispline/base/formatted.hpp>
 
 namespace orispline::cli {
 namespace {
@@ -34,7 +34,9 @@ void add_reduce_options(CLI::App& app, ReduceOptions& o) {
                  "Largest distance between the path and a sample, such as 1mm or 0.5m [positions are not bounded]")
       ->type_name("LENGTH")
       ->group(group);
-  app.add_option("--method", o.method, fmt::format("Method of the curve, a local one through its keys, or {} [{}]", smallest_method, smallest_method))
+  app.add_option(
+         "--method", o.method,
+         formatted("Method of the curve, a local one through its keys, or {} [{}]", smallest_method, smallest_method))
       ->type_name(method_type)
       ->group(group);
   add_method_options(app, o.shape);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/reduce/reduce_report.hpp"
 
-#include <fmt/format.h>
-
 #include <orispline/base/counted.hpp>
+#include <orispline/base/formatted.hpp>
 
 #include "options/quantity.hpp"
 #include "output/json_document.hpp"
@@ -17,10 +16,11 @@ namespace {
 
 std::string line_of(const ReduceReport& report, const orispline::Reduction& reduction) {
   const orispline::Deviation& d = reduction.deviation;
-  std::string line = fmt::format("  {:<9}{:>9}{:>9.1f}{:>14.6g}° at {} s", reduction.method.name, reduction.samples.size(),
-                                 static_cast<double>(report.samples) / static_cast<double>(reduction.samples.size()),
-                                 d.angle * degrees, report.times[d.angle_at].to_string());
-  if (d.position) line += fmt::format(", {:.6g} m at {} s", *d.position, report.times[d.position_at].to_string());
+  std::string line =
+      formatted("  {:<9}{:>9}{:>9.1f}{:>14.6g}° at {} s", reduction.method.name, reduction.samples.size(),
+                static_cast<double>(report.samples) / static_cast<double>(reduction.samples.size()), d.angle * degrees,
+                report.times[d.angle_at].to_string());
+  if (d.position) line += formatted(", {:.6g} m at {} s", *d.position, report.times[d.position_at].to_string());
   return line + "\n";
 }
 
@@ -67,41 +67,40 @@ Json track_json(const ReduceReport& report) {
 std::string smoothed_lines(const ReduceReport& report) {
   const auto& [smoothing, raw] = *report.smoothed;
   return "  " + choice_line(smoothing) +
-         fmt::format("  rejected        {}{}\n", smoothing.rejected.size(),
-                     places_text(smoothing.rejected, report.lines, report.times)) +
-         fmt::format("  raw samples     {:.6g}° RMS from the keys' curve, {:.6g}° at most, at {} s\n",
-                     raw.rms * degrees, raw.largest * degrees, report.times[raw.largest_at].to_string());
+         formatted("  rejected        {}{}\n", smoothing.rejected.size(),
+                   places_text(smoothing.rejected, report.lines, report.times)) +
+         formatted("  raw samples     {:.6g}° RMS from the keys' curve, {:.6g}° at most, at {} s\n", raw.rms * degrees,
+                   raw.largest * degrees, report.times[raw.largest_at].to_string());
 }
 
 }  // namespace
 
 std::string text_of(const ReduceReport& report) {
   const orispline::Reduction& chosen = report.reductions[report.chosen];
-  std::string text = fmt::format("{} from {}, tolerance {:.6g}°", counted(report.samples, "sample"), report.input,
-                                 report.options.tolerance.angle * degrees);
+  std::string text = formatted("{} from {}, tolerance {:.6g}°", counted(report.samples, "sample"), report.input,
+                               report.options.tolerance.angle * degrees);
   if (report.options.tolerance.bounds_positions())
-    text += fmt::format(" and {:.6g} m", report.options.tolerance.position);
+    text += formatted(" and {:.6g} m", report.options.tolerance.position);
   text += "\n";
   if (const std::string repairs = text_of(report.repairs); !repairs.empty()) text += repairs + "\n";
   text += "  method        keys    ratio  largest error, at every sample\n";
   for (const orispline::Reduction& reduction : report.reductions) text += line_of(report, reduction);
   if (report.smoothed) text += smoothed_lines(report);
-  return text + fmt::format("{} of {} written to {}\n", counted(chosen.samples.size(), "key"), chosen.method.name,
-                            destination(report.output));
+  return text + formatted("{} of {} written to {}\n", counted(chosen.samples.size(), "key"), chosen.method.name,
+                          destination(report.output));
 }
 
 std::string text_of(std::span<const ReduceReport> reports) {
   std::string text;
   for (const ReduceReport& report : reports) {
     const orispline::Reduction& chosen = report.reductions[report.chosen];
-    text +=
-        fmt::format("{}: {} of {} from {}, {:.6g}° off at most", report.output, counted(chosen.samples.size(), "key"),
-                    chosen.method.name, counted(report.samples, "sample"), chosen.deviation.angle * degrees);
-    if (chosen.deviation.position) text += fmt::format(", {:.6g} m", *chosen.deviation.position);
+    text += formatted("{}: {} of {} from {}, {:.6g}° off at most", report.output, counted(chosen.samples.size(), "key"),
+                      chosen.method.name, counted(report.samples, "sample"), chosen.deviation.angle * degrees);
+    if (chosen.deviation.position) text += formatted(", {:.6g} m", *chosen.deviation.position);
     if (report.smoothed)
-      text += fmt::format("; smoothed with {:.4g} s, {} rejected, {:.6g}° RMS from the raw samples",
-                          report.smoothed->smoothing.smoothing_time, report.smoothed->smoothing.rejected.size(),
-                          report.smoothed->raw.rms * degrees);
+      text += formatted("; smoothed with {:.4g} s, {} rejected, {:.6g}° RMS from the raw samples",
+                        report.smoothed->smoothing.smoothing_time, report.smoothed->smoothing.rejected.size(),
+                        report.smoothed->raw.rms * degrees);
     if (const std::string repairs = text_of(report.repairs); !repairs.empty()) text += "; " + repairs;
     text += "\n";
   }

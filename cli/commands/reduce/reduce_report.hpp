@@ -26,9 +26,9 @@ struct ReduceReport {
   io::RepairReport repairs{};
   orispline::ReduceOptions options;
   std::vector<orispline::Reduction> reductions{};  ///< by each of the methods
-  std::size_t chosen = 0;                         ///< of them, the one that was written
-  std::vector<Decimal> times{};               ///< of the samples, in the file's own time [s]
-  std::vector<std::uint32_t> lines{};             ///< of the samples, in the file
+  std::size_t chosen = 0;                          ///< of them, the one that was written
+  std::vector<Decimal> times{};                    ///< of the samples, in the file's own time [s]
+  std::vector<std::uint32_t> lines{};              ///< of the samples, in the file
   std::optional<SmoothedFirst> smoothed{};
 };
 

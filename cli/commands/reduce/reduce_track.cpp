@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "options/output_options.hpp"
+
+#include <orispline/base/formatted.hpp>
 
 namespace orispline::cli {
 namespace {
@@ -16,8 +16,11 @@ Expected<void> write_rows(io::SampleWriter& writer, const ReducedTrack& track, c
   std::vector<double> settings(columns.size());
   for (std::size_t key = 0; key < reduction.samples.size(); ++key) {
     std::ranges::transform(columns, settings.begin(), [key](const auto& column) { return column.second[key]; });
-    io::Sample sample{.motion = {.orientation = track.recording.written(reduction.track.keys.orientations()[key], reduction.samples[key])}, .settings = settings};
-    if (!reduction.track.keys.positions().empty()) sample.linear_motion.position = reduction.track.keys.positions()[key];
+    io::Sample sample{.motion = {.orientation = track.recording.written(reduction.track.keys.orientations()[key],
+                                                                        reduction.samples[key])},
+                      .settings = settings};
+    if (!reduction.track.keys.positions().empty())
+      sample.linear_motion.position = reduction.track.keys.positions()[key];
     auto written = writer.write(reduction.track.time_of(key), sample);
     if (written) continue;
     if (written.error().code != ErrorCode::bad_data) return written;
@@ -56,8 +59,8 @@ Expected<UnfinishedKeys> write_keys(const std::string& path, io::SampleColumns c
   columns.derivatives = 0;
   for (const auto& [name, values] : reduction.track.settings) columns.settings.push_back(name);
   if (!columns.settings.empty() && !io::holds_all_columns(columns.format))
-    return usage_failure(fmt::format("{}: {} has no column for {}, with which the tolerance holds, wanted CSV", path,
-                                     a_file_of(columns.format), columns.settings.front()));
+    return usage_failure(formatted("{}: {} has no column for {}, with which the tolerance holds, wanted CSV", path,
+                                   a_file_of(columns.format), columns.settings.front()));
   return io::SampleWriter::open(path, columns, reduction.samples.size()).and_then([&](io::SampleWriter writer) {
     UnfinishedKeys output{std::move(writer), nullptr};
     output.removal = std::make_unique<RemovedWhenInterrupted>(output.writer.part());

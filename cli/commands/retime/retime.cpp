@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/pages/retime_page.hpp>
 #include <orispline/tune/tune.hpp>
@@ -44,11 +42,11 @@ Expected<Request> request_in(const RetimeOptions& options) {
                   .columns = checked(output_columns(options.output)),
                   .retiming = {}};
   request.retiming = {.limits = {.rate = checked(if_given("--max-rate", options.rate, quantity_of(rate_units))),
-                             .acceleration = checked(
-                                 if_given("--max-acceleration", options.acceleration, quantity_of(acceleration_units))),
-                             .torque = checked(if_given("--max-torque", options.torque, quantity_of(torque_units))),
-                             .inertia = checked(if_given("--inertia", options.inertia, inertia_in))},
-                  .slowing = options.per_interval ? orispline::Slowing::per_interval : orispline::Slowing::uniform};
+                                 .acceleration = checked(if_given("--max-acceleration", options.acceleration,
+                                                                  quantity_of(acceleration_units))),
+                                 .torque = checked(if_given("--max-torque", options.torque, quantity_of(torque_units))),
+                                 .inertia = checked(if_given("--inertia", options.inertia, inertia_in))},
+                      .slowing = options.per_interval ? orispline::Slowing::per_interval : orispline::Slowing::uniform};
   request.input.read.rate_orders = 0;
   request.input.read.keep_as_read = true;
   request.input.read.parameters = open_parameters(request.method);
@@ -63,7 +61,8 @@ Expected<void> write_keys(io::SampleWriter& writer, const Track& track, const io
   std::vector<double> settings(track.settings.size());
   for (std::size_t key = 0; key < track.keys.size(); ++key) {
     std::ranges::transform(track.settings, settings.begin(), [key](const auto& column) { return column.second[key]; });
-    io::Sample sample{.motion = {.orientation = source.written(track.keys.orientations()[key], key)}, .settings = settings};
+    io::Sample sample{.motion = {.orientation = source.written(track.keys.orientations()[key], key)},
+                      .settings = settings};
     if (!track.keys.positions().empty()) sample.linear_motion.position = track.keys.positions()[key];
     if (auto written = writer.write(track.time_of(key), sample); !written) return written;
   }
@@ -76,8 +75,8 @@ Expected<io::SampleColumns> columns_for(const Track& track, io::SampleColumns co
   columns.derivatives = 0;
   for (const auto& [name, values] : track.settings) columns.settings.push_back(name);
   if (columns.settings.empty() || io::holds_all_columns(columns.format)) return columns;
-  return usage_failure(fmt::format("-o: {} has no column for {}, with which the limits hold, wanted CSV",
-                                   a_file_of(columns.format), columns.settings.front()));
+  return usage_failure(formatted("-o: {} has no column for {}, with which the limits hold, wanted CSV",
+                                 a_file_of(columns.format), columns.settings.front()));
 }
 
 }  // namespace
@@ -91,7 +90,7 @@ Expected<void> retime(const RetimeOptions& options) {
   const auto file = io::read_track(request->input.path, request->input.read, request->input.signs);
   if (!file) return tl::unexpected(file.error());
   const Track& track = file->track;
-  if (!file->ignored_columns.empty()) warn(fmt::format("not carried over: {}", fmt::join(file->ignored_columns, ", ")));
+  if (!file->ignored_columns.empty()) warn(formatted("not carried over: {}", joined(file->ignored_columns, ", ")));
   const orispline::MotionLimits& limits = request->retiming.limits;
   if (limits.inertia) warn_if_any(inertia_warning(*limits.inertia));
   auto retiming = orispline::retime(track, request->method, request->retiming);
@@ -104,8 +103,7 @@ Expected<void> retime(const RetimeOptions& options) {
                             .slowing = request->retiming.slowing,
                             .duration_before = track.keys.times().back() - track.keys.times().front(),
                             .retiming = std::move(*retiming)};
-  return page
-      ->write([&](const auto& head) { return pages::retime_page(track, report.retiming, limits, head); })
+  return page->write([&](const auto& head) { return pages::retime_page(track, report.retiming, limits, head); })
       .and_then([&] { return io::SampleWriter::open(options.output.path, *columns, track.keys.size()); })
       .and_then([&](io::SampleWriter writer) {
         const RemovedWhenInterrupted unfinished(writer.part());

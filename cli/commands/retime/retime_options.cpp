@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/retime/retime_options.hpp"
 
-#include <fmt/format.h>
+#include <orispline/base/formatted.hpp>
 
 namespace orispline::cli {
 namespace {
@@ -21,7 +21,7 @@ says more.)";
 
 void add_retime_options(CLI::App& app, RetimeOptions& o) {
   add_input_options(app, o.input);
-  app.add_option("--method", o.method, fmt::format("Method of the curve [{}]", default_method))
+  app.add_option("--method", o.method, formatted("Method of the curve [{}]", default_method))
       ->type_name(method_type)
       ->group("Shape of the curve");
   add_method_options(app, o.shape);

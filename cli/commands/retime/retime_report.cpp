@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/retime/retime_report.hpp"
 
-#include <fmt/format.h>
-
 #include <orispline/base/counted.hpp>
+#include <orispline/base/formatted.hpp>
 #include <orispline/retime/certificate.hpp>
 
 #include "output/json_document.hpp"
@@ -12,7 +11,9 @@
 namespace orispline::cli {
 namespace {
 
-double duration_of(const RetimeReport& report) { return report.retiming.track.keys.times().back() - report.retiming.track.keys.times().front(); }
+double duration_of(const RetimeReport& report) {
+  return report.retiming.track.keys.times().back() - report.retiming.track.keys.times().front();
+}
 
 std::string_view word_of(orispline::Slowing slowing) {
   return slowing == orispline::Slowing::uniform ? "uniform" : "per-interval";
@@ -21,16 +22,15 @@ std::string_view word_of(orispline::Slowing slowing) {
 }  // namespace
 
 std::string text_of(const RetimeReport& report) {
-  std::string text = fmt::format(
-      "{} from {}, {}: {:.6g} s before, {:.6g} s after, slowed by {:.6g}{}\n",
-      counted(report.retiming.track.keys.times().size(), "key"), report.input, report.retiming.method.name, report.duration_before,
-      duration_of(report), report.retiming.time_scale,
-      report.retiming.slowing == report.slowing ? "" : ", all intervals alike: each by itself saves no time");
+  std::string text =
+      formatted("{} from {}, {}: {:.6g} s before, {:.6g} s after, slowed by {:.6g}{}\n",
+                counted(report.retiming.track.keys.times().size(), "key"), report.input, report.retiming.method.name,
+                report.duration_before, duration_of(report), report.retiming.time_scale,
+                report.retiming.slowing == report.slowing ? "" : ", all intervals alike: each by itself saves no time");
   for (const Certificate& c : certificates_of(report.limits, report.retiming.peaks))
-    text +=
-        fmt::format("{}: nowhere above {:.6g} {} (limit {:.6g}), largest found {:.6g} at {:.6g} s after the start\n",
-                    c.name, c.bound, c.unit, c.limit, c.found, c.time);
-  return text + fmt::format("keys written to {}\n", destination(report.output));
+    text += formatted("{}: nowhere above {:.6g} {} (limit {:.6g}), largest found {:.6g} at {:.6g} s after the start\n",
+                      c.name, c.bound, c.unit, c.limit, c.found, c.time);
+  return text + formatted("keys written to {}\n", destination(report.output));
 }
 
 std::string json_of(const RetimeReport& report) {
@@ -47,8 +47,8 @@ std::string json_of(const RetimeReport& report) {
     json[c.id_of("limit")] = c.limit;
     json[c.id_of("bound")] = c.bound;
     json[c.id_of("max")] = c.found;
-    json[fmt::format("{}_max_after_s", c.name)] = c.time;
-    json[fmt::format("{}_bound_after_key", c.name)] = c.segment;
+    json[formatted("{}_max_after_s", c.name)] = c.time;
+    json[formatted("{}_bound_after_key", c.name)] = c.segment;
   }
   return document(json);
 }

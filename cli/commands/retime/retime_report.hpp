@@ -11,7 +11,7 @@ namespace orispline::cli {
 struct RetimeReport {
   std::string input{}, output{};
   orispline::MotionLimits limits{};
-  orispline::Slowing slowing{};   ///< that was asked for
+  orispline::Slowing slowing{};  ///< that was asked for
   double duration_before = 0.0;  ///< [s]
   orispline::Retiming retiming{};
 };

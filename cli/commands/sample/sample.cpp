@@ -3,14 +3,14 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-
 #include "commands/sample/sample_report.hpp"
 #include "commands/sample/sampling.hpp"
 #include "options/threads.hpp"
 #include "output/interruption.hpp"
 #include "output/progress.hpp"
 #include "output/standard_output.hpp"
+
+#include <orispline/base/formatted.hpp>
 
 namespace orispline::cli {
 namespace {
@@ -45,7 +45,7 @@ Expected<io::SampleColumns> columns_in(const SampleOptions& options) {
   auto read = std::move(checked).or_else(std::move(columns));
   if (!read || holds_rates) return read;
   const auto refused = [&](OptionText option, std::string_view only) {
-    return wanted(option, fmt::format("{} for {}, which has no columns for rates", only, a_file_of(read->format)));
+    return wanted(option, formatted("{} for {}, which has no columns for rates", only, a_file_of(read->format)));
   };
   if (read->derivatives > 0) return refused({"--derivatives", *options.derivatives}, "0");
   if (read->frame == io::Frame::world) return refused({"--frame", *options.frame}, "body");

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/sample/sample_options.hpp"
 
-#include <fmt/format.h>
-
 #include "options/method_options.hpp"
+
+#include <orispline/base/formatted.hpp>
 
 namespace orispline::cli {
 namespace {
@@ -43,7 +43,7 @@ void add_time_options(CLI::App& app, TimeOptions& o) {
 
 void add_sample_options(CLI::App& app, SampleOptions& o) {
   add_input_options(app, o.input);
-  app.add_option("--method", o.method, fmt::format("Method [{}]; see 'orispline methods'", default_method))
+  app.add_option("--method", o.method, formatted("Method [{}]; see 'orispline methods'", default_method))
       ->type_name(method_type)
       ->group("Shape of the curve");
   add_method_options(app, o.shape);

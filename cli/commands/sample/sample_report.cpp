@@ -5,10 +5,8 @@
 #include <span>
 #include <vector>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <orispline/base/counted.hpp>
+#include <orispline/base/formatted.hpp>
 
 #include "options/quantity.hpp"
 #include "output/repairs_text.hpp"
@@ -18,11 +16,11 @@ namespace orispline::cli {
 namespace {
 
 std::string keys_line(const SampleReport& report) {
-  std::string line = fmt::format("{} from {}, {} to {} s", counted(report.keys, "key"), report.input,
-                                 report.start.to_string(), report.end.to_string());
+  std::string line = formatted("{} from {}, {} to {} s", counted(report.keys, "key"), report.input,
+                               report.start.to_string(), report.end.to_string());
   const KeyframeReport& keyframes = report.keyframes;
-  if (keyframes.sign_flips > 0) line += fmt::format("; sign flips in the file: {}", keyframes.sign_flips);
-  if (keyframes.non_unit_keys > 0) line += fmt::format("; {} normalised", keyframes.non_unit_keys);
+  if (keyframes.sign_flips > 0) line += formatted("; sign flips in the file: {}", keyframes.sign_flips);
+  if (keyframes.non_unit_keys > 0) line += formatted("; {} normalised", keyframes.non_unit_keys);
   return line + "\n";
 }
 
@@ -30,22 +28,21 @@ std::string rates_lines(const SampleReport& report) {
   constexpr std::array names{"angular velocities", "accelerations", "jerks"};
   std::string lines;
   if (report.rate_orders > 0)
-    lines +=
-        fmt::format("rates taken from the keys: {}\n", fmt::join(std::span(names).first(report.rate_orders), ", "));
+    lines += formatted("rates taken from the keys: {}\n", joined(std::span(names).first(report.rate_orders), ", "));
   if (!report.rates_of_unknown_frame.empty())
-    lines += fmt::format(
+    lines += formatted(
         "angular velocities in the file are not used: with --conjugate the frame of {} is not known, wanted names such "
         "as wx_body or wx_world, or --columns wx={},... for the body's\n",
-        fmt::join(report.rates_of_unknown_frame, ", "), report.rates_of_unknown_frame.front());
+        joined(report.rates_of_unknown_frame, ", "), report.rates_of_unknown_frame.front());
   return lines;
 }
 
 std::string truth_line(const TruthReport& truth) {
   const DistanceStatistics& d = truth.distance;
-  if (d.count == 0) return fmt::format("distance to {}: none of its times lies between the keys\n", truth.path);
-  return fmt::format("distance to {}: RMS {:.4g}°, mean {:.4g}°, largest {:.4g}° at {} s; {} compared\n", truth.path,
-                     d.rms * degrees, d.mean * degrees, d.largest * degrees, truth.largest_time.to_string(),
-                     counted(d.count, "orientation"));
+  if (d.count == 0) return formatted("distance to {}: none of its times lies between the keys\n", truth.path);
+  return formatted("distance to {}: RMS {:.4g}°, mean {:.4g}°, largest {:.4g}° at {} s; {} compared\n", truth.path,
+                   d.rms * degrees, d.mean * degrees, d.largest * degrees, truth.largest_time.to_string(),
+                   counted(d.count, "orientation"));
 }
 
 }  // namespace
@@ -54,10 +51,10 @@ std::string text_of(const SampleReport& report) {
   std::string text = keys_line(report);
   if (const std::string repairs = text_of(report.repairs); !repairs.empty()) text += repairs + "\n";
   text += rates_lines(report);
-  text += fmt::format("{} with {} written to {}\n", counted(report.samples, "sample"), report.method,
-                      destination(report.output));
+  text += formatted("{} with {} written to {}\n", counted(report.samples, "sample"), report.method,
+                    destination(report.output));
   if (report.held_samples > 0)
-    text += fmt::format("{} outside the curve hold the end orientation\n", counted(report.held_samples, "sample"));
+    text += formatted("{} outside the curve hold the end orientation\n", counted(report.held_samples, "sample"));
   if (report.truth) text += truth_line(*report.truth);
   return text;
 }

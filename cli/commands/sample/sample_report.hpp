@@ -28,7 +28,7 @@ struct SampleReport {
   std::size_t samples = 0, held_samples = 0;
   std::size_t rate_orders = 0;                        ///< of the keys' own rates that the curve has
   std::vector<std::string> rates_of_unknown_frame{};  ///< columns that could not be used
-  Decimal start{}, end{};                         ///< of the curve, in the file's own time [s]
+  Decimal start{}, end{};                             ///< of the curve, in the file's own time [s]
   std::optional<TruthReport> truth{};
 };
 

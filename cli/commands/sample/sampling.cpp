@@ -103,9 +103,8 @@ Expected<std::size_t> write_samples(io::SampleWriter& writer, const Sampling& sa
   std::size_t held = 0;
   for (std::size_t first = 0; first < chunks; first += made.size()) {
     const std::size_t count = std::min(made.size(), chunks - first);
-    parallel_for(count, static_cast<unsigned>(count), [&](std::size_t i) {
-      made[i].make(sampling, chunk_begin(first + i), chunk_begin(first + i + 1));
-    });
+    parallel_for(count, static_cast<unsigned>(count),
+                 [&](std::size_t i) { made[i].make(sampling, chunk_begin(first + i), chunk_begin(first + i + 1)); });
     for (std::size_t i = 0; i < count; ++i) {
       const auto written = made[i].write(writer);
       if (!written) return tl::unexpected(written.error());

@@ -3,8 +3,6 @@
 
 #include <utility>
 
-#include <fmt/format.h>
-
 #include <orispline/families/registry.hpp>
 #include <orispline/io/track_file.hpp>
 #include <orispline/pages/smooth_page.hpp>
@@ -75,7 +73,8 @@ Expected<std::size_t> write_keys(io::SampleWriter& writer, const orispline::Smoo
 }
 
 /// Samples of the curve through the keys, but none between two stretches.
-Expected<std::size_t> write_samples(io::SampleWriter& writer, const orispline::Smoothing& smoothed, const TimeRequest& request) {
+Expected<std::size_t> write_samples(io::SampleWriter& writer, const orispline::Smoothing& smoothed,
+                                    const TimeRequest& request) {
   const auto curve = make_pose_curve(smoothed.method, smoothed.track.keys);
   if (!curve) return tl::unexpected(curve.error());
   const auto times = SampleTimes::make(request, smoothed.track.epoch, curve->orientation.domain());

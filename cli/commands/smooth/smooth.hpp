@@ -11,12 +11,12 @@
 
 namespace orispline::cli {
 
-inline constexpr std::array penalty_choices{Choice<orispline::Penalty>{"acceleration", orispline::Penalty::acceleration},
-                                            Choice<orispline::Penalty>{"jerk", orispline::Penalty::jerk}};
-inline constexpr std::array loss_choices{Choice<orispline::Loss>{"robust", orispline::Loss::robust},
-                                         Choice<orispline::Loss>{"l2", orispline::Loss::l2},
-                                         Choice<orispline::Loss>{"huber", orispline::Loss::huber},
-                                         Choice<orispline::Loss>{"tukey", orispline::Loss::tukey}};
+inline constexpr std::array penalty_choices{
+    Choice<orispline::Penalty>{"acceleration", orispline::Penalty::acceleration},
+    Choice<orispline::Penalty>{"jerk", orispline::Penalty::jerk}};
+inline constexpr std::array loss_choices{
+    Choice<orispline::Loss>{"robust", orispline::Loss::robust}, Choice<orispline::Loss>{"l2", orispline::Loss::l2},
+    Choice<orispline::Loss>{"huber", orispline::Loss::huber}, Choice<orispline::Loss>{"tukey", orispline::Loss::tukey}};
 
 /// The method that makes the C2 curve of smoothed keys.
 

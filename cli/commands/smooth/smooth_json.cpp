@@ -41,8 +41,10 @@ std::string json_of(const SmoothReport& report) {
   json["gyro_correction_rad_s"] = smoothing.gyro_noise ? Json{bias.x(), bias.y(), bias.z()} : Json(nullptr);
   json["rejected"] = places_json(smoothing.rejected, report.recording.lines, report.recording.exact_times);
   json["rejected_gyro"] = places_json(smoothing.rejected_gyro, report.recording.lines, report.recording.exact_times);
-  json["retained_outlier_runs"] = places_json(smoothing.retained_outlier_runs, report.recording.lines, report.recording.exact_times);
-  json["samples_in_short_stretches"] = places_json(smoothing.samples_in_short_stretches, report.recording.lines, report.recording.exact_times);
+  json["retained_outlier_runs"] =
+      places_json(smoothing.retained_outlier_runs, report.recording.lines, report.recording.exact_times);
+  json["samples_in_short_stretches"] =
+      places_json(smoothing.samples_in_short_stretches, report.recording.lines, report.recording.exact_times);
   json["stretches"] = stretches(report);
   json["iterations"] = smoothing.iterations;
   json["last_step_rad"] = smoothing.last_step;

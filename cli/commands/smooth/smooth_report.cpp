@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <tuple>
 
-#include <fmt/format.h>
-
 #include <orispline/base/counted.hpp>
+#include <orispline/base/formatted.hpp>
 
 #include "options/quantity.hpp"
 #include "output/repairs_text.hpp"
@@ -22,29 +21,29 @@ constexpr std::size_t stretches_shown = 10;
 
 std::string noise_line(const SmoothReport& report) {
   const Smoothing& smoothing = report.smoothing;
-  return fmt::format("noise           {:.4g}° per axis in the residuals; {:.4g}° between neighbours\n",
-                     smoothing.noise * degrees, smoothing.local_noise * degrees);
+  return formatted("noise           {:.4g}° per axis in the residuals; {:.4g}° between neighbours\n",
+                   smoothing.noise * degrees, smoothing.local_noise * degrees);
 }
 
 std::string gyro_lines(const Smoothing& smoothing) {
   if (!smoothing.gyro_noise) return "";
   const Eigen::Vector3d bias = smoothing.nodes.gyro_correction * degrees;
-  return fmt::format("gyro            noise {:.4g} °/s per axis, correction {:.4g}, {:.4g}, {:.4g} °/s\n",
-                     *smoothing.gyro_noise * degrees, bias.x(), bias.y(), bias.z());
+  return formatted("gyro            noise {:.4g} °/s per axis, correction {:.4g}, {:.4g}, {:.4g} °/s\n",
+                   *smoothing.gyro_noise * degrees, bias.x(), bias.y(), bias.z());
 }
 
 std::string outlier_lines(const SmoothReport& report) {
   std::string text;
   const auto& [rejected, kept] = std::tie(report.smoothing.rejected, report.smoothing.retained_outlier_runs);
   if (report.loss == orispline::Loss::robust || report.loss == orispline::Loss::tukey)
-    text += fmt::format("rejected        {}{}\n", rejected.size(),
-                        places_text(rejected, report.recording.lines, report.recording.exact_times));
+    text += formatted("rejected        {}{}\n", rejected.size(),
+                      places_text(rejected, report.recording.lines, report.recording.exact_times));
   if (const auto& gyro = report.smoothing.rejected_gyro; !gyro.empty())
-    text += fmt::format("gyro rejected   {}{}\n", gyro.size(),
-                        places_text(gyro, report.recording.lines, report.recording.exact_times));
+    text += formatted("gyro rejected   {}{}\n", gyro.size(),
+                      places_text(gyro, report.recording.lines, report.recording.exact_times));
   if (!kept.empty())
-    text += fmt::format("far, but kept   {}{}; three or more in a row are rather motion than outliers\n", kept.size(),
-                        places_text(kept, report.recording.lines, report.recording.exact_times));
+    text += formatted("far, but kept   {}{}; three or more in a row are rather motion than outliers\n", kept.size(),
+                      places_text(kept, report.recording.lines, report.recording.exact_times));
   return text;
 }
 
@@ -53,12 +52,12 @@ std::string stretch_lines(const SmoothReport& report) {
   const auto& samples_in_short_stretches = report.smoothing.samples_in_short_stretches;
   std::string text;
   if (!samples_in_short_stretches.empty())
-    text += fmt::format("left out        {}{}; too few between two gaps\n", samples_in_short_stretches.size(),
-                        places_text(samples_in_short_stretches, report.recording.lines, report.recording.exact_times));
+    text += formatted("left out        {}{}; too few between two gaps\n", samples_in_short_stretches.size(),
+                      places_text(samples_in_short_stretches, report.recording.lines, report.recording.exact_times));
   if (stretches.size() == 1) return text;
-  text += fmt::format("stretches       {}, begun at", stretches.size());
+  text += formatted("stretches       {}, begun at", stretches.size());
   for (std::size_t i = 0; i < std::min(stretches.size(), stretches_shown); ++i)
-    text += fmt::format("{} {} s", i == 0 ? "" : ",", report.recording.exact_times[stretches[i].first].to_string());
+    text += formatted("{} {} s", i == 0 ? "" : ",", report.recording.exact_times[stretches[i].first].to_string());
   return text + (stretches.size() > stretches_shown ? ", …\n" : "\n");
 }
 
@@ -66,17 +65,17 @@ std::string stretch_lines(const SmoothReport& report) {
 
 std::string text_of(const SmoothReport& report) {
   const Smoothing& smoothing = report.smoothing;
-  std::string text = fmt::format("{} from {}", counted(report.recording.lines.size(), "sample"), report.recording.name);
+  std::string text = formatted("{} from {}", counted(report.recording.lines.size(), "sample"), report.recording.name);
   if (const std::string repairs = text_of(report.repairs); !repairs.empty()) text += "; " + repairs;
   text += "\n" + choice_line(smoothing);
   text += noise_line(report);
   if (smoothing.degrees_of_freedom)
-    text += fmt::format("freedom         {:.4g} effective degrees of {}\n", *smoothing.degrees_of_freedom,
-                        3 * smoothing.nodes.orientations.size());
+    text += formatted("freedom         {:.4g} effective degrees of {}\n", *smoothing.degrees_of_freedom,
+                      3 * smoothing.nodes.orientations.size());
   text += gyro_lines(smoothing) + outlier_lines(report) + stretch_lines(report);
   if (report.positions) text += "positions are as they were: only orientations are smoothed\n";
-  return text + fmt::format("{} written to {}\n", counted(report.rows, report.samples ? "sample" : "key"),
-                            destination(report.output));
+  return text + formatted("{} written to {}\n", counted(report.rows, report.samples ? "sample" : "key"),
+                          destination(report.output));
 }
 
 }  // namespace orispline::cli

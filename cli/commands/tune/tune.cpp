@@ -3,8 +3,7 @@
 
 #include <utility>
 
-#include <fmt/format.h>
-
+#include <orispline/base/formatted.hpp>
 #include <orispline/io/output_file.hpp>
 #include <orispline/tune/tension_model.hpp>
 
@@ -42,8 +41,8 @@ Expected<std::vector<std::string>> names_in(OptionText option) {
 Expected<void> agree(const TuneOptions& options, const Request& request) {
   using orispline::Objective;
   if (orispline::tunable_parameters(request.method.name).empty())
-    return usage_failure(fmt::format("--method: {} has no tensions to tune, wanted one of {}",
-                                     request.method.name, orispline::tunable_methods()));
+    return usage_failure(formatted("--method: {} has no tensions to tune, wanted one of {}", request.method.name,
+                                   orispline::tunable_methods()));
   const bool fits = request.tuning.objective == Objective::fit;
   if (fits && !options.reference) return usage_failure("--objective fit: wanted --reference FILE as well");
   if (!fits && options.reference) return usage_failure("--reference: wanted --objective fit as well");

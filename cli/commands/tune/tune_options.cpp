@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/tune/tune_options.hpp"
 
-#include <fmt/format.h>
+#include <orispline/base/formatted.hpp>
 
 namespace orispline::cli {
 namespace {
@@ -21,7 +21,7 @@ tension2, tension3, nu), which 'sample' reads with the same --method, --ends and
 
 void add_tune_options(CLI::App& app, TuneOptions& o) {
   add_input_options(app, o.input);
-  app.add_option("--method", o.method, fmt::format("Method whose tensions are sought [{}]", default_tuned_method))
+  app.add_option("--method", o.method, formatted("Method whose tensions are sought [{}]", default_tuned_method))
       ->type_name(method_type)
       ->group("Shape of the curve");
   add_method_options(app, o.shape);

@@ -32,7 +32,7 @@ Expected<Overlap> overlap_of(const RecordedMotion& recording, Domain domain) {
   const auto [first, count] = times_within(recording.times, domain);
   if (count == 0)
     return failure(ErrorCode::bad_data, formatted("none of the {} reference times lies between the keys, {} to {} s",
-                                                    recording.times.size(), domain.start, domain.end));
+                                                  recording.times.size(), domain.start, domain.end));
   const bool has_rates = !recording.angular_velocities.empty();
   return Overlap{first, recording.times.subspan(first, count), recording.orientations.subspan(first, count),
                  has_rates ? recording.angular_velocities.subspan(first, count) : recording.angular_velocities};
@@ -74,8 +74,7 @@ Expected<Measures> measure(const Candidate& candidate, const RecordedMotion& rec
   measure_errors(measures, samples, *truth);
   measure_shape(measures, *curve, options);
   if (options.leave_out == LeaveOut::yes)
-    if (const auto error = leave_out_error(candidate.keys, candidate.method))
-      measures.leave_out = *error;
+    if (const auto error = leave_out_error(candidate.keys, candidate.method)) measures.leave_out = *error;
   return measures;
 }
 
@@ -83,8 +82,8 @@ bool Comparison::any() const noexcept {
   return std::ranges::any_of(measures, [](const Expected<Measures>& m) { return m.has_value(); });
 }
 
-Comparison compare(std::span<const Candidate> candidates, const RecordedMotion& recording, const MeasureOptions& options,
-                   unsigned threads, const Progress& progress) {
+Comparison compare(std::span<const Candidate> candidates, const RecordedMotion& recording,
+                   const MeasureOptions& options, unsigned threads, const Progress& progress) {
   Comparison comparison{std::vector<Expected<Measures>>(candidates.size())};
   std::mutex one_at_a_time;
   std::size_t done = 0;

@@ -11,8 +11,8 @@
 #include <sstream>
 #include <utility>
 
-#include <orispline/base/expect.hpp>
 #include <orispline/base/decimal_digits.hpp>
+#include <orispline/base/expect.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/number_text.hpp>
 #include <orispline/base/quoted.hpp>

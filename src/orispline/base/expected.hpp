@@ -22,12 +22,12 @@ enum class ErrorCode {
 
 /// Where it went wrong. Every member may be absent.
 struct Where {
-  std::string file{};                   ///< path, or `-` for standard input
-  std::optional<std::size_t> line{};    ///< 1-based, the header counted
-  std::optional<std::size_t> column{};  ///< 1-based column of the table
-  std::optional<std::size_t> key{};     ///< 0-based keyframe index
+  std::string file{};                       ///< path, or `-` for standard input
+  std::optional<std::size_t> line{};        ///< 1-based, the header counted
+  std::optional<std::size_t> column{};      ///< 1-based column of the table
+  std::optional<std::size_t> key{};         ///< 0-based keyframe index
   std::optional<std::size_t> time_index{};  ///< 0-based index among the times that are asked for
-  std::optional<std::size_t> curve{};   ///< 0-based index among many curves
+  std::optional<std::size_t> curve{};       ///< 0-based index among many curves
 };
 
 /// One failure: the kind, one sentence that says what was found and what was wanted, and the place.

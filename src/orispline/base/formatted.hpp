@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <iterator>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -19,13 +21,15 @@ template <class... Values>
   return formatted_values(text, fmt::make_format_args(values...));
 }
 
-/// The words or numbers of a list with the separator between them.
+/// The words or numbers of a list, each in this format, with the separator between them.
 template <class List>
-[[nodiscard]] std::string joined(const List& list, std::string_view separator) {
+[[nodiscard]] std::string joined(
+    const List& list, std::string_view separator,
+    fmt::format_string<decltype(*std::begin(std::declval<const List&>()))> each = "{}") {
   std::string text;
   std::string_view before;
   for (const auto& part : list) {
-    text.append(before).append(formatted("{}", part));
+    text.append(before).append(formatted(each, part));
     before = separator;
   }
   return text;

@@ -106,19 +106,18 @@ BakedRecord<T> constant_piece(const AnyCurve& curve) {
 template <class T>
 Expected<BakedCurve<T>> bake(const AnyCurve& curve, double tolerance) {
   if (!(tolerance >= least_bake_tolerance<T>) || !std::isfinite(tolerance))
-    return failure(ErrorCode::bad_argument, formatted("the tolerance is {} rad, wanted a number from {} on",
-                                                        tolerance, least_bake_tolerance<T>));
+    return failure(ErrorCode::bad_argument, formatted("the tolerance is {} rad, wanted a number from {} on", tolerance,
+                                                      least_bake_tolerance<T>));
   const Knots& knots = curve.knots();
   if (knots.segments() == 0) return BakedCurve<T>(knots, {constant_piece<T>(curve)}, 0.0);
   Baker<T> baker(curve, tolerance);
   for (std::size_t i = 0; i < knots.segments(); ++i)
     if (!baker.add({i, knots.span(i).start(), knots.span(i).end()}))
-      return failure(
-          ErrorCode::bad_argument,
-          formatted("at {} s even the shortest piece is {:.2g} rad off, wanted {} at most: ask for a larger "
-                      "tolerance",
-                      baker.failed_at(), baker.largest_difference(), tolerance / reserve),
-          {.key = i});
+      return failure(ErrorCode::bad_argument,
+                     formatted("at {} s even the shortest piece is {:.2g} rad off, wanted {} at most: ask for a larger "
+                               "tolerance",
+                               baker.failed_at(), baker.largest_difference(), tolerance / reserve),
+                     {.key = i});
   return BakedCurve<T>(Knots(baker.take_ends()), baker.take_pieces(), baker.largest_difference());
 }
 

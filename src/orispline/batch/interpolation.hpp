@@ -61,8 +61,9 @@ struct PowerSeries {
 /// The polynomial through `value(t)` at the nodes, each rounded to a time that is a double: rounding of the values
 /// stays as small as it is, where sums of Bernstein coefficients would magnify it up to 2ⁿ times.
 template <int Components, std::size_t N, class Value>
-[[nodiscard]] PowerSeries<N, Components> interpolated(const Subinterval& subinterval, const std::array<double, N>& nodes,
-                                                      double per_step, Value value) noexcept {
+[[nodiscard]] PowerSeries<N, Components> interpolated(const Subinterval& subinterval,
+                                                      const std::array<double, N>& nodes, double per_step,
+                                                      Value value) noexcept {
   PowerSeries<N, Components> series{.powers = {}, .count = 0};
   std::array<double, N> s;
   std::array<typename PowerSeries<N, Components>::Vector, N> differences;  // divided, of Newton's form

@@ -3,8 +3,8 @@
 
 #include <limits>
 
-#include <orispline/batch/kernel/dispatch.hpp>
 #include <orispline/batch/interpolation.hpp>
+#include <orispline/batch/kernel/dispatch.hpp>
 #include <orispline/batch/sample_layout.hpp>
 
 namespace orispline::batch {

@@ -11,8 +11,7 @@ std::optional<Error> check_room(const Samples<T>& out, std::size_t wanted) {
   if (out.plane != 0 && out.layout != Layout::planar)
     return error("found a distance between planes for samples that are interleaved, wanted a planar layout");
   if (out.plane != 0 && out.plane < wanted)
-    return error(
-        formatted("found planes {} numbers apart, wanted {} or more for as many samples", out.plane, wanted));
+    return error(formatted("found planes {} numbers apart, wanted {} or more for as many samples", out.plane, wanted));
   struct Room {
     const char* what;
     std::span<T> span;
@@ -27,7 +26,7 @@ std::optional<Error> check_room(const Samples<T>& out, std::size_t wanted) {
     const bool may_be_empty = components == 3 || wanted == 0;
     if ((may_be_empty && span.empty()) || span.size() == numbers) continue;
     return error(formatted("found room for {} numbers of {}, wanted {} numbers for {} samples", span.size(), what,
-                             numbers, wanted));
+                           numbers, wanted));
   }
   return std::nullopt;
 }

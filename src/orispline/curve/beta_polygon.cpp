@@ -14,8 +14,8 @@ Expected<BetaShape> beta_shape(std::string_view method, const std::vector<double
     if (!(b2 > pole))
       return failure(ErrorCode::bad_argument,
                      formatted("{}: beta2 is {}, wanted more than -2 beta1 (1 + beta1) = {}: there the control "
-                                 "points of the construction meet a pole or fold back",
-                                 method, b2, pole),
+                               "points of the construction meet a pole or fold back",
+                               method, b2, pole),
                      {.key = i});
     gamma.push_back(2.0 * (1.0 + b1) / (b2 - pole));
     shape.joint.push_back(1.0 / (1.0 + b1));

@@ -19,8 +19,7 @@ concept CurveThrough = CurvePoint<P> && requires(const C& c, double t, Jet<doubl
   { c.knots() } -> std::convertible_to<const Knots&>;
   { c.point(t, segment) } -> std::same_as<P>;
   { c.point(jet, segment) } -> std::same_as<PointOver<P, Jet<double, 3>>>;
-}
-&&std::copyable<C>;
+} && std::copyable<C>;
 
 /// The motion of any curve on one of its segments: its own evaluator, or jets through the whole point.
 template <class C>

@@ -35,12 +35,12 @@ std::optional<Error> check_values(const FamilyInfo& family, const Parameter& par
   const bool right_count =
       values.size() == 1 || (parameter.per_key && (values.size() == keys || values.size() == with_ghosts));
   if (!right_count)
-    return argument_error(formatted("{}: found {} values of {}, wanted {}", family.name, values.size(),
-                                      parameter.name, wanted_values(parameter, keys, with_ghosts)));
+    return argument_error(formatted("{}: found {} values of {}, wanted {}", family.name, values.size(), parameter.name,
+                                    wanted_values(parameter, keys, with_ghosts)));
   for (std::size_t i = 0; i < values.size(); ++i)
     if (!(parameter.lowest <= values[i] && values[i] <= parameter.highest)) {
       Error error = argument_error(formatted("{}: {} is {}, wanted {} to {}", family.name, parameter.name, values[i],
-                                               parameter.lowest, parameter.highest));
+                                             parameter.lowest, parameter.highest));
       return values.size() == 1 ? error : at_value(std::move(error), i, values.size(), keys);
     }
   return std::nullopt;
@@ -55,9 +55,9 @@ Error unknown_parameter(const FamilyInfo& family, std::string_view name) {
   std::vector<std::string_view> names;
   for (const Parameter& p : family.parameters) names.push_back(p.name);
   for (const Choice& c : family.choices) names.push_back(c.name);
-  return argument_error(formatted(
-      "{}: no parameter '{}', wanted {}", family.name, name,
-      names.empty() ? "none: this method has no parameters" : formatted("one of {}", joined(names, ", "))));
+  return argument_error(
+      formatted("{}: no parameter '{}', wanted {}", family.name, name,
+                names.empty() ? "none: this method has no parameters" : formatted("one of {}", joined(names, ", "))));
 }
 
 /// The chosen word as the family spells it.
@@ -67,7 +67,7 @@ Expected<std::string_view> settle_word(const FamilyInfo& family, const Choice& c
   const auto word = std::ranges::find(choice.words, given->second);
   if (word != choice.words.end()) return *word;
   return tl::unexpected(argument_error(formatted("{}: {} is '{}', wanted one of {}", family.name, choice.name,
-                                                   given->second, joined(choice.words, ", "))));
+                                                 given->second, joined(choice.words, ", "))));
 }
 
 Expected<End> settle_end(const FamilyInfo& family, End end, std::size_t keys) {
@@ -77,7 +77,7 @@ Expected<End> settle_end(const FamilyInfo& family, End end, std::size_t keys) {
         formatted("{}: no end rule '{}', wanted {}", family.name, name_of(end.rule), list_of_ends(family))));
   if (keys < keys_needed(end.rule))
     return failure(ErrorCode::bad_data, formatted("{}: ends '{}' need {} keys, found {}", family.name,
-                                                    name_of(end.rule), keys_needed(end.rule), keys));
+                                                  name_of(end.rule), keys_needed(end.rule), keys));
   if (!end.angular_velocity.allFinite())
     return tl::unexpected(argument_error(formatted("{}: an end rate is not finite", family.name)));
   if (end.rule != EndRule::clamped && !end.angular_velocity.isZero(0.0))
@@ -93,8 +93,8 @@ std::optional<Error> check_count(const FamilyInfo& family, std::size_t keys) {
     return Error{ErrorCode::bad_data, formatted("{} needs {} keys, found {}", family.name, least, keys), {}};
   if (family.key_use.cut(keys) == keys) return std::nullopt;
   return Error{ErrorCode::bad_data,
-               formatted("{} needs {}k+1 keys ({}, {}, {}, ...), found {}", family.name, stride, least,
-                           least + stride, least + 2 * stride, keys),
+               formatted("{} needs {}k+1 keys ({}, {}, {}, ...), found {}", family.name, stride, least, least + stride,
+                         least + 2 * stride, keys),
                {}};
 }
 
@@ -139,7 +139,7 @@ Error at_value(Error error, std::size_t value, std::size_t values, std::size_t k
   } else {
     error.where.key.reset();
     error.message = formatted("ghost key {} key {}: {}", value < ghosts ? "before" : "after",
-                                value < ghosts ? 0 : keys - 1, error.message);
+                              value < ghosts ? 0 : keys - 1, error.message);
   }
   return error;
 }

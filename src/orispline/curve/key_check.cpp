@@ -20,14 +20,14 @@ Error time_error(std::size_t key, double time, std::optional<double> before) {
   if (time < *before)
     return key_error(key, formatted("time {} comes after {}, wanted strictly increasing times", time, *before));
   return key_error(key, formatted("the step from time {} to {} is {:g} s, wanted {:g} to {:g}", *before, time,
-                                    time - *before, shortest_step, longest_step));
+                                  time - *before, shortest_step, longest_step));
 }
 
 Error norm_error(std::size_t key, const Eigen::Vector4d& components) {
   if (!components.allFinite())
     return key_error(key, "the quaternion has a component that is not finite, wanted a unit quaternion");
   return key_error(key, formatted("the quaternion has norm {:.6g}, wanted 1 within {:g}", components.stableNorm(),
-                                    norm_error_limit));
+                                  norm_error_limit));
 }
 
 }  // namespace

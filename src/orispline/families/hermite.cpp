@@ -54,8 +54,8 @@ Expected<ChartCurve<2 * K + 1>> Hermite<K>::chart(const Keyframes& keys, const F
     if (step.norm() > 2.0 * std::numbers::pi - full_turn_margin)
       return failure(ErrorCode::bad_data,
                      formatted("{}: the step to the next key is a full turn, which has no axis; wanted less, or the "
-                                 "form cumulative",
-                                 info.name),
+                               "form cumulative",
+                               info.name),
                      {.key = i});
     pieces.push_back(hermite_piece<K>(start.orientation, Eigen::Vector3d::Zero(), step, start.rates, end.rates,
                                       knots.span(i).step()));

@@ -44,8 +44,7 @@ Expected<std::vector<double>> numbers_of(std::string_view option, std::string_vi
   std::vector<double> numbers;
   for (const std::string_view piece : pieces_of(text, ',')) {
     const auto number = number_of(piece);
-    if (!number)
-      return bad_option(option, formatted("found '{}', wanted numbers with commas between them", text));
+    if (!number) return bad_option(option, formatted("found '{}', wanted numbers with commas between them", text));
     numbers.push_back(*number);
   }
   return numbers;

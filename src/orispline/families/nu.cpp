@@ -22,7 +22,7 @@ Expected<Ratios> ratios_of(std::span<const double> t, const PerKey& nu) {
     if (!(gamma[i] > 0.0 && std::isfinite(gamma[i])))
       return failure(ErrorCode::bad_argument,
                      formatted("nu: nu is {}, wanted more than {:.6g} between these key times", nu[i],
-                                 -2.0 * (step(i) + step(i + 1)) / (step(i) * step(i + 1))),
+                               -2.0 * (step(i) + step(i + 1)) / (step(i) * step(i + 1))),
                      {.key = i});
   }
   return nu_ratios<double>(step, gamma);
@@ -36,8 +36,8 @@ Expected<Handle> handle_of(const End& end, double third, std::size_t key) {
   if (handle.norm() < NuRule<double>::forbidden_turn) return handle;
   return failure(ErrorCode::bad_argument,
                  formatted("nu: the end rate is {:.6g} rad/s, wanted less than {:.6g} for the length of this end's "
-                             "segment: the handle would wind round",
-                             end.angular_velocity.norm(), NuRule<double>::forbidden_turn / std::abs(third)),
+                           "segment: the handle would wind round",
+                           end.angular_velocity.norm(), NuRule<double>::forbidden_turn / std::abs(third)),
                  {.key = key});
 }
 

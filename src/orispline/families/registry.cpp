@@ -40,8 +40,7 @@ Expected<std::size_t> index_of(std::string_view name) {
     if (name == infos[i].name || (!name.empty() && name == infos[i].alias)) return i;
     names.push_back(infos[i].name);
   }
-  return failure(ErrorCode::bad_argument,
-                 formatted("no method '{}', wanted one of {}", name, joined(names, ", ")));
+  return failure(ErrorCode::bad_argument, formatted("no method '{}', wanted one of {}", name, joined(names, ", ")));
 }
 
 /// A family's place in the list with the options settled for the keys that its curve goes through.

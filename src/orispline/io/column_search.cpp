@@ -34,12 +34,10 @@ Expected<std::optional<VectorColumns>> ColumnSearch::vector(std::span<const std:
   if (found->is_absent()) return std::nullopt;
   if (found->is_complete()) return VectorColumns{found->columns[0], found->columns[1], found->columns[2]};
   return failure(ErrorCode::bad_data, formatted("found {} without {}, wanted all three columns or none",
-                                                  joined(found->present, ", "), joined(found->missing, ", ")));
+                                                joined(found->present, ", "), joined(found->missing, ", ")));
 }
 
-std::string ColumnSearch::found_names() const {
-  return in_quotes(joined(header_, ","), longest_list);
-}
+std::string ColumnSearch::found_names() const { return in_quotes(joined(header_, ","), longest_list); }
 
 tl::unexpected<Error> ColumnSearch::not_there(std::string_view canonical, std::string_view name) const {
   return failure(ErrorCode::bad_data,
@@ -51,7 +49,7 @@ tl::unexpected<Error> ColumnSearch::two_columns(std::string_view canonical, std:
   if (header_[one] == header_[other])
     return failure(ErrorCode::bad_data, formatted("the column {} is there twice, wanted it once", name(other)));
   return failure(ErrorCode::bad_data, formatted("{} and {} may both be {}, choose one with --columns {}=NAME",
-                                                  name(one), name(other), canonical, canonical));
+                                                name(one), name(other), canonical, canonical));
 }
 
 }  // namespace orispline::io

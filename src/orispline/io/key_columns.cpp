@@ -45,7 +45,7 @@ Expected<void> check_mappings(const HeaderReading& reading) {
   for (const auto& [canonical, name] : reading.names)
     if (std::ranges::find(wanted, canonical) == wanted.end())
       return failure(ErrorCode::bad_argument, formatted("--columns {}={}: no such column is read, wanted one of {}",
-                                                          canonical, name, joined(wanted, ", ")));
+                                                        canonical, name, joined(wanted, ", ")));
   return {};
 }
 
@@ -66,7 +66,7 @@ Expected<RequiredColumns> required_columns(const ColumnSearch& search, const Ori
   if (missing.empty()) return RequiredColumns{**time, std::move(*orientation)};
   return failure(ErrorCode::bad_data,
                  formatted("no column {}, found {}; other names are given by --columns {}=NAME,...",
-                             joined(missing, ", "), search.found_names(), missing[0]));
+                           joined(missing, ", "), search.found_names(), missing[0]));
 }
 
 Expected<std::vector<ParameterColumn>> parameter_columns(const ColumnSearch& search,
@@ -143,8 +143,8 @@ Expected<KeyColumns> columns_of_order(std::size_t columns, QuaternionOrder order
   if (columns != 5 && columns != 8)
     return failure(ErrorCode::bad_data,
                    formatted("found {} columns without a header, wanted 5 (t and the quaternion) or 8 (px, py, pz "
-                               "after them)",
-                               columns));
+                             "after them)",
+                             columns));
   KeyColumns result{.width = columns, .orientation = {{1}, {2}, {3}, {4}}};
   if (order == QuaternionOrder::xyzw) result.orientation = {{4}, {1}, {2}, {3}};
   if (columns == 8) result.position = three_columns_from(5);
@@ -159,7 +159,7 @@ Expected<KeyColumns> columns_of_euroc(std::size_t columns) {
   if (columns < euroc_columns)
     return failure(ErrorCode::bad_data,
                    formatted("found {} column{}, wanted at least 8 (time, position, quaternion w,x,y,z)", columns,
-                               columns == 1 ? "" : "s"));
+                             columns == 1 ? "" : "s"));
   KeyColumns result{.width = columns,
                     .time_unit = Decimal::power_of_ten(-9),
                     .whole_times = true,

@@ -93,8 +93,8 @@ Expected<Layout> order_layout(const TextTable& table, const ReadOptions& options
   if (!options.order)
     return failure(ErrorCode::bad_data,
                    formatted("no header, wanted a first line such as t,qw,qx,qy,qz or the order of the columns by "
-                               "--order wxyz|xyzw{}",
-                               other_format),
+                             "--order wxyz|xyzw{}",
+                             other_format),
                    table.here());
   return at(table, columns_of_order(width_of(table.cells()), *options.order), FileFormat::csv, Layout::FirstRow::key);
 }
@@ -130,8 +130,8 @@ std::vector<std::string> names_of(const TextTable& table, const Layout& layout, 
 
 Expected<KeyFile> read_keys(const std::string& path, const ReadOptions& options) {
   if (options.time_scale && *options.time_scale <= Decimal())
-    return failure(ErrorCode::bad_argument, formatted("the time scale is {}, wanted a number greater than 0",
-                                                        options.time_scale->to_string()));
+    return failure(ErrorCode::bad_argument,
+                   formatted("the time scale is {}, wanted a number greater than 0", options.time_scale->to_string()));
   const std::optional<FileFormat> format = options.format ? options.format : format_of_extension(path);
   if (format == FileFormat::npy)
     return failure(ErrorCode::bad_argument, "keys are not read from NumPy files, wanted CSV, TUM or EuRoC",

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include <orispline/base/formatted.hpp>
-#include <orispline/curve/motion.hpp>
 #include <orispline/base/quoted.hpp>
+#include <orispline/curve/motion.hpp>
 
 namespace orispline::io {
 namespace {
@@ -46,7 +46,7 @@ class RowReader {
     const std::string_view cell = table_.cells()[*not_finite_];
     return Error{ErrorCode::bad_data,
                  formatted("found {}, wanted a finite number (--drop-invalid drops such rows)",
-                             cell.empty() ? "an empty cell" : in_quotes(cell)),
+                           cell.empty() ? "an empty cell" : in_quotes(cell)),
                  table_.here(not_finite_)};
   }
 
@@ -194,12 +194,12 @@ Expected<bool> KeyRows::append_time(const Decimal& time, std::string_view text, 
   if (times.empty()) first_ = time;
   else if (time < latest_)
     return refused(formatted("time {} comes after {}, wanted increasing times (--sort orders the rows)", shown(),
-                               latest_.to_string()));
+                             latest_.to_string()));
   else if (time == latest_) {
     if (!options_.drop_duplicates)
       return refused(
           formatted("duplicate time {}, as in line {}, wanted increasing times (--drop-duplicates keeps the first)",
-                      shown(), latest_line_));
+                    shown(), latest_line_));
     ++file_.repairs.duplicates_dropped;
     return false;
   }

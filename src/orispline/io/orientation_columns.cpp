@@ -60,7 +60,7 @@ Expected<Representation> representation_in(const ColumnSearch& search, const Ori
     return failure(
         ErrorCode::bad_data,
         formatted("{} may all state the orientation, choose one with --input-orientation euler|matrix|rotvec",
-                    joined(examples, ", ")));
+                  joined(examples, ", ")));
   return found.empty() ? Representation::quaternion : found.front();
 }
 
@@ -73,7 +73,7 @@ Expected<void> settle_units(ColumnGroup& group, const ColumnSearch& search, std:
     if (!unit)
       return failure(ErrorCode::bad_data,
                      formatted("{} has no unit, wanted a name such as {}_deg or {}_rad, or --angle-unit deg|rad",
-                                 in_quotes(search.name(column.index)), name, name));
+                               in_quotes(search.name(column.index)), name, name));
     if (unit == AngleUnit::degrees) column = {column.index, std::numbers::pi, 180.0};
   }
   return {};
@@ -84,10 +84,9 @@ Expected<OrientationColumns> euler_columns(const ColumnSearch& search, const Ori
   if (!group) return tl::unexpected(std::move(group.error()));
   const auto by_number = names_by_component(Representation::euler);
   if (!reading.euler && !group->is_absent() && std::ranges::count(by_number, group->present.front()) > 0)
-    return failure(ErrorCode::bad_data,
-                   formatted("found {}, wanted the order of these turns as well, by --euler ORDER "
-                               "(such as ZYX, or zyx about the axes of the world)",
-                               joined(group->present, ", ")));
+    return failure(ErrorCode::bad_data, formatted("found {}, wanted the order of these turns as well, by --euler ORDER "
+                                                  "(such as ZYX, or zyx about the axes of the world)",
+                                                  joined(group->present, ", ")));
   if (auto settled = settle_units(*group, search, reading.angle_unit); !settled)
     return tl::unexpected(std::move(settled.error()));
   return OrientationColumns{{.representation = Representation::euler, .order = reading.euler.value_or(EulerOrder{})},
@@ -111,9 +110,8 @@ Expected<OrientationColumns> orientation_columns(const ColumnSearch& search, con
   if (!representation) return tl::unexpected(representation.error());
   if (*representation == Representation::euler) return euler_columns(search, reading);
   if (reading.angle_unit)
-    return failure(ErrorCode::bad_argument,
-                   formatted("--angle-unit is for Euler angles, and the orientation is in {}",
-                               joined(names_by_component(*representation), ", ")));
+    return failure(ErrorCode::bad_argument, formatted("--angle-unit is for Euler angles, and the orientation is in {}",
+                                                      joined(names_by_component(*representation), ", ")));
   return group_of(search, names_by_component(*representation), *representation).map([&](ColumnGroup group) {
     return OrientationColumns{{.representation = *representation}, std::move(group)};
   });

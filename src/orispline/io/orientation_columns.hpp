@@ -17,7 +17,6 @@ struct OrientationReading {
   std::optional<EulerOrder> euler{};
   /// Of Euler angles whose column does not end in a unit.
   std::optional<AngleUnit> angle_unit{};
-
 };
 
 /// The columns that state the orientation.

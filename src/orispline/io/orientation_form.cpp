@@ -21,11 +21,10 @@ bool is_named_by_axis(const EulerOrder& order) { return order == EulerOrder{}; }
 Expected<Eigen::Quaterniond> orientation_from_matrix(const Matrix3<double>& m) {
   const double error = orthonormality_error(m);
   if (!(error <= orthonormality_limit))
-    return failure(
-        ErrorCode::bad_data,
-        formatted("the matrix is no rotation: its transpose times itself is off by {:.3g} from 1, wanted at "
-                    "most {:g}",
-                    error, orthonormality_limit));
+    return failure(ErrorCode::bad_data,
+                   formatted("the matrix is no rotation: its transpose times itself is off by {:.3g} from 1, wanted at "
+                             "most {:g}",
+                             error, orthonormality_limit));
   if (m.determinant() < 0.0)
     return failure(ErrorCode::bad_data,
                    formatted("the matrix is a reflection: its determinant is {:.4g}, wanted 1", m.determinant()));

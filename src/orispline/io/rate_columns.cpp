@@ -58,7 +58,7 @@ Expected<std::optional<RateVector>> rate_vector(const ColumnSearch& search, cons
 
 std::string name_of(const ColumnSearch& search, const RateVector& rates) {
   return formatted("{}, {}, {}", search.name(rates.columns[0].index), search.name(rates.columns[1].index),
-                     search.name(rates.columns[2].index));
+                   search.name(rates.columns[2].index));
 }
 
 }  // namespace
@@ -79,7 +79,7 @@ Expected<RateColumns> rate_columns(const ColumnSearch& search, const RateReading
     if (k > 0 && columns[k] && !columns[k - 1])
       return failure(ErrorCode::bad_data,
                      formatted("found {} without {}: {} want {} beside them", name_of(search, *columns[k]),
-                                 joined(orders[k - 1].in_body, ", "), orders[k].plural, orders[k - 1].plural));
+                               joined(orders[k - 1].in_body, ", "), orders[k].plural, orders[k - 1].plural));
   }
   return columns;
 }

@@ -31,8 +31,8 @@ Expected<void> check_columns(const SampleColumns& columns) {
   const auto check = [&](std::string_view what, int asked, int highest) -> Expected<void> {
     if (0 <= asked && asked <= (holds_all ? highest : 0)) return {};
     return failure(ErrorCode::bad_argument,
-                   formatted("{} derivatives{} were asked for, and {} holds 0{}", asked, what,
-                               title_of(columns.format), holds_all ? formatted(" to {}", highest) : ""));
+                   formatted("{} derivatives{} were asked for, and {} holds 0{}", asked, what, title_of(columns.format),
+                             holds_all ? formatted(" to {}", highest) : ""));
   };
   if (!holds_all && columns.form.representation != Representation::quaternion)
     return failure(ErrorCode::bad_argument,
@@ -40,7 +40,7 @@ Expected<void> check_columns(const SampleColumns& columns) {
   if (columns.settings.size() > (holds_all ? most_settings : 0))
     return failure(ErrorCode::bad_argument,
                    formatted("{} columns of settings were asked for, and {} holds {}", columns.settings.size(),
-                               title_of(columns.format), holds_all ? most_settings : 0));
+                             title_of(columns.format), holds_all ? most_settings : 0));
   return check("", columns.derivatives, highest_derivative).and_then([&] {
     return check(" of the position", columns.position_derivatives, highest_position_derivative);
   });

@@ -47,7 +47,8 @@ inline constexpr std::size_t most_settings = 8;  ///< columns of settings in a f
 /// The numbers of a row after its time.
 class RowNumbers {
  public:
-  static constexpr std::size_t most = 9 + 3 + 9 + 6 + most_settings;  ///< a matrix, a position, three and two rates, settings
+  static constexpr std::size_t most =
+      9 + 3 + 9 + 6 + most_settings;  ///< a matrix, a position, three and two rates, settings
 
   /// Those of a sample, in the order of the columns.
   RowNumbers(const Sample& sample, const SampleColumns& columns);

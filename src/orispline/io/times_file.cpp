@@ -4,8 +4,8 @@
 #include <utility>
 
 #include <orispline/base/formatted.hpp>
-#include <orispline/io/key_columns.hpp>
 #include <orispline/base/quoted.hpp>
+#include <orispline/io/key_columns.hpp>
 #include <orispline/io/text_table.hpp>
 
 namespace orispline::io {

@@ -31,8 +31,8 @@ constexpr void horner_step(std::array<T, sizeof...(M) + 1>& taylor, const T& x, 
   taylor[0] = taylor[0] * x + lowest;
 }
 
-/// A polynomial of a power series, by way of the polynomial's own Taylor series at the value of x: a third of the products
-/// of power series.
+/// A polynomial of a power series, by way of the polynomial's own Taylor series at the value of x: a third of the
+/// products of power series.
 template <class T, int K, std::size_t N>
 [[nodiscard]] Jet<T, K> horner(const std::array<double, N>& coefficients, const Jet<T, K>& x) noexcept {
   constexpr std::size_t orders = Jet<T, K>::size;

@@ -38,8 +38,8 @@ Expected<OnlineCurve> OnlineCurve::make(std::string_view method, std::size_t cap
   auto made = StreamMethod::make(method, options);
   if (!made) return tl::unexpected(std::move(made.error()));
   if (!made->keys_beside)
-    return tl::unexpected(argument_error(formatted(
-        "{}: with these settings a segment depends on all keys, wanted others for an online curve", method)));
+    return tl::unexpected(argument_error(
+        formatted("{}: with these settings a segment depends on all keys, wanted others for an online curve", method)));
   return OnlineCurve(std::move(*made), capacity, signs);
 }
 

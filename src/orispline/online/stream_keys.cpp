@@ -105,15 +105,16 @@ Expected<PoseCurve> StreamKeys::curve_from(std::uint64_t key, const StreamMethod
   if (key > 0) options.start = {};
   if (stream == Stream::open) options.end = {};
   for (std::size_t i = 0; i < settings_.size(); ++i) options.parameters[method.per_key[i]] = part(settings_[i]);
-  auto curve =
-      Keyframes::make({.times = part(data_.times),
-                       .orientations = part(data_.orientations),
-                       .positions = part(data_.positions),
-                       .angular_velocities = part(data_.angular_velocities),
-                       .angular_accelerations = part(data_.angular_accelerations),
-                       .angular_jerks = part(data_.angular_jerks)},
-                      Signs::as_given)
-          .and_then([&](const Keyframes& keys) { return make_pose_curve({method.family->name, options}, keys); });
+  auto curve = Keyframes::make({.times = part(data_.times),
+                                .orientations = part(data_.orientations),
+                                .positions = part(data_.positions),
+                                .angular_velocities = part(data_.angular_velocities),
+                                .angular_accelerations = part(data_.angular_accelerations),
+                                .angular_jerks = part(data_.angular_jerks)},
+                               Signs::as_given)
+                   .and_then([&](const Keyframes& keys) {
+                     return make_pose_curve({method.family->name, options}, keys);
+                   });
   if (curve || !curve.error().where.key) return curve;
   Error error = std::move(curve.error());
   *error.where.key += static_cast<std::size_t>(key);

@@ -102,7 +102,7 @@ std::optional<Error> StreamMethod::check_settings(std::uint64_t index, const Str
   std::vector<std::string_view> names;
   for (const auto& [name, value] : key.settings) names.push_back(name);
   return refused(argument_error(formatted("{}: found values of [{}] with the key, wanted those of [{}]", family->name,
-                                            joined(names, ", "), joined(per_key, ", "))));
+                                          joined(names, ", "), joined(per_key, ", "))));
 }
 
 }  // namespace orispline

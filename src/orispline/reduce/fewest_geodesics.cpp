@@ -7,9 +7,9 @@
 #include <utility>
 
 #include <orispline/reduce/feasible_rates.hpp>
+#include <orispline/reduce/span_check.hpp>
 #include <orispline/reduce/span_reach.hpp>
 #include <orispline/reduce/span_targets.hpp>
-#include <orispline/reduce/span_check.hpp>
 #include <orispline/reduce/spans_to_end.hpp>
 
 namespace orispline {

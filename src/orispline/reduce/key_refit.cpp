@@ -60,8 +60,8 @@ void move(const ToleranceCheck& recording, const std::vector<Miss>& misses, Rang
 }
 
 /// Moves the keys around those that were removed until the curve is within the tolerance, or the rounds are over.
-Expected<void> refit(const LocalMethod& method, const ToleranceCheck& recording, const std::vector<std::size_t>& removed,
-                     KeySet& rest) {
+Expected<void> refit(const LocalMethod& method, const ToleranceCheck& recording,
+                     const std::vector<std::size_t>& removed, KeySet& rest) {
   for (std::size_t round = 0; round < rounds; ++round) {
     const auto misses = recording.misses(method.method, rest);
     if (!misses) return tl::unexpected(misses.error());

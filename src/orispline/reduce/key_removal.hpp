@@ -25,8 +25,8 @@ struct Repair {
 /// them, until every key that is left has failed since its surroundings changed.
 ///
 /// The curve is within the tolerance before and after. Errors: those of make_pose_curve() and of the repair.
-[[nodiscard]] Expected<KeySet> with_keys_removed(const LocalMethod& method, const ToleranceCheck& recording, KeySet keys,
-                                                 const Repair& repair);
+[[nodiscard]] Expected<KeySet> with_keys_removed(const LocalMethod& method, const ToleranceCheck& recording,
+                                                 KeySet keys, const Repair& repair);
 
 /// The segment that took the place of the two beside the m-th of the removed keys.
 [[nodiscard]] inline std::size_t merged_segment(const std::vector<std::size_t>& removed, std::size_t m) {

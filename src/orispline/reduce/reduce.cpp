@@ -29,11 +29,11 @@ Expected<LocalMethod> local_method(const Method& given, const Track& recording) 
   if (info.support_keys == all_keys || !info.interpolates)
     return failure(ErrorCode::bad_argument,
                    formatted("{}: found a method {}, wanted a local one through its keys, such as auto", info.name,
-                               info.interpolates ? "that depends on all keys" : "that passes near its keys"));
+                             info.interpolates ? "that depends on all keys" : "that passes near its keys"));
   const CurveOptions& options = given.options;
   if (options.loop) return refused("loops are not reduced, wanted an open curve");
-  const std::size_t keys = std::max({static_cast<std::size_t>(info.min_keys), keys_needed(options.start.rule),
-                                     keys_needed(options.end.rule)});
+  const std::size_t keys = std::max(
+      {static_cast<std::size_t>(info.min_keys), keys_needed(options.start.rule), keys_needed(options.end.rule)});
   if (keys > 2) return refused(formatted("with these ends it needs {} keys, wanted ends that 2 suffice for", keys));
   if (auto settled = settle(info, options, recording.keys.size()); !settled)
     return tl::unexpected(std::move(settled.error()));
@@ -50,17 +50,16 @@ double smallest_position_tolerance(const Keyframes& recording) {
 Expected<void> check(const Keyframes& recording, const Tolerance& tolerance) {
   if (!(tolerance.angle >= smallest_tolerance))
     return failure(ErrorCode::bad_argument, formatted("the tolerance is {:.6g} rad, wanted {:.0e} rad at least: the "
-                                                        "rounding of orientations is not much smaller",
-                                                        tolerance.angle, smallest_tolerance));
+                                                      "rounding of orientations is not much smaller",
+                                                      tolerance.angle, smallest_tolerance));
   if (!(tolerance.position > 0.0))
     return failure(ErrorCode::bad_argument,
                    formatted("the tolerance of positions is {:.6g} m, wanted more than 0", tolerance.position));
   if (const double smallest = smallest_position_tolerance(recording); !(tolerance.position >= smallest))
-    return failure(
-        ErrorCode::bad_argument,
-        formatted("the tolerance of positions is {:.6g} m, wanted {:.1e} m at least: the rounding of these "
-                    "positions is not much smaller",
-                    tolerance.position, smallest));
+    return failure(ErrorCode::bad_argument,
+                   formatted("the tolerance of positions is {:.6g} m, wanted {:.1e} m at least: the rounding of these "
+                             "positions is not much smaller",
+                             tolerance.position, smallest));
   if (recording.size() < 2)
     return failure(ErrorCode::bad_data, "found 1 sample, wanted 2 at least to keep the fewest that suffice");
   return {};
@@ -85,8 +84,8 @@ Expected<Reduction> certified(const LocalMethod& local, const ToleranceCheck& re
   const auto missed = [&](double distance, double wanted, std::string_view unit) {
     return failure(ErrorCode::bad_argument,
                    formatted("{}: the curve is {:.6g} {} from a sample, wanted {:.6g} {}: the tolerance is below "
-                               "rounding",
-                               method.name, distance, unit, wanted, unit));
+                             "rounding",
+                             method.name, distance, unit, wanted, unit));
   };
   if (deviation->angle > tolerance.angle) return missed(deviation->angle, tolerance.angle, "rad");
   if (deviation->position.value_or(0.0) > tolerance.position)

@@ -30,22 +30,22 @@ struct Reduction {
   Track track{};                       ///< the keys, at times of the recording
   Method method{};                     ///< of the curve through them, with its settings for these keys
   std::vector<std::size_t> samples{};  ///< the recording's, at whose times the keys stand
-  Deviation deviation{};  ///< of the curve from all samples: not above the tolerance
+  Deviation deviation{};               ///< of the curve from all samples: not above the tolerance
 };
 
 /// The methods that are tried where none is asked for; of equally few keys the first one's are taken.
 inline constexpr std::array<std::string_view, 3> reducing_methods{"auto", "timed-c2", "slerp"};
 
-/// The fewest keys found whose curve is within the tolerance of every sample, the first and the last sample's times among
-/// theirs. Settings of the method or of the recording that have a value per sample are those of the keys chosen.
+/// The fewest keys found whose curve is within the tolerance of every sample, the first and the last sample's times
+/// among theirs. Settings of the method or of the recording that have a value per sample are those of the keys chosen.
 ///
 /// `slerp` by breadth-first search: no chain of geodesics through fewer samples will do. Other local methods by
 /// insertion of the worst samples and pruning, which is near to the optimum but has no bound. The deviation is taken
 /// anew from the finished keys by the curve's own evaluator at every sample. Positions without a tolerance are carried
 /// along. Source: docs/reduce.md.
-/// Errors: bad_argument for a method that is unknown, not local, does not pass through its keys, is a loop or needs more
-/// than two keys, and for a tolerance that is not greater than the rounding of orientations (1e-12 rad) or of positions;
-/// bad_data for fewer than two samples; cancelled.
+/// Errors: bad_argument for a method that is unknown, not local, does not pass through its keys, is a loop or needs
+/// more than two keys, and for a tolerance that is not greater than the rounding of orientations (1e-12 rad) or of
+/// positions; bad_data for fewer than two samples; cancelled.
 [[nodiscard]] Expected<Reduction> reduce(const Track& recording, const Method& method, const ReduceOptions& options,
                                          const Progress& progress = {});
 

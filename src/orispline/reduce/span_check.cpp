@@ -163,7 +163,8 @@ std::vector<std::size_t> SpanTest::farthest_from_block(std::size_t first, std::s
 double SpanTest::distance(const Block& block, const Piece& piece) const {
   const double at_first = bound_of_angle(block.first.orientation, piece.at_first.orientation);
   const double at_last = bound_of_angle(block.last.orientation, piece.at_last.orientation);
-  const double angle = std::max(at_first, at_last) * logarithm_growth(block.angle + at_first + at_last) / largest_angle_;
+  const double angle =
+      std::max(at_first, at_last) * logarithm_growth(block.angle + at_first + at_last) / largest_angle_;
   if (!recording_.bounds_positions()) return angle;
   const double position = std::max((block.first.position - piece.at_first.position).norm(),
                                    (block.last.position - piece.at_last.position).norm());

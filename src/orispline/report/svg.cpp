@@ -77,14 +77,14 @@ void Drawing::polygon(std::span<const Point> corners, const Fill& fill, const St
 void Drawing::circle(Point center, double radius, const Fill& fill, const Stroke& outline) {
   if (!is_finite(center)) return;
   parts_ += formatted("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:g}\"{}{}/>\n", center.x, center.y, radius,
-                        attributes(fill), attributes(outline));
+                      attributes(fill), attributes(outline));
 }
 
 void Drawing::text(Point at, std::string_view words, const Lettering& lettering) {
   if (!is_finite(at)) return;
   parts_ += formatted(R"(<text x="{:.1f}" y="{:.1f}" text-anchor="{}" fill="{}" font-size="{:g}">{}</text>)", at.x,
-                        at.y, anchor_names[static_cast<std::size_t>(lettering.anchor)], escaped(lettering.color),
-                        lettering.size, escaped(words)) +
+                      at.y, anchor_names[static_cast<std::size_t>(lettering.anchor)], escaped(lettering.color),
+                      lettering.size, escaped(words)) +
             "\n";
 }
 

@@ -32,15 +32,17 @@ double needed_factor(const MotionSizes& peaks, const MotionLimits& limits) {
 
 Expected<AnyCurve> LimitedMotion::curve(std::vector<double> times) const {
   if (stop_.stop_requested()) return cancellation();
-  return keys_.with_times(std::move(times)).and_then([this](const Keyframes& keys) { return make_curve(method_, keys); });
+  return keys_.with_times(std::move(times)).and_then([this](const Keyframes& keys) {
+    return make_curve(method_, keys);
+  });
 }
 
 Expected<std::vector<SegmentPeaks>> LimitedMotion::certified(const AnyCurve& curve, const MotionSizes& floors) const {
   if (auto peaks = certified_peaks(curve, limits_.inertia, floors)) return std::move(*peaks);
   return failure(ErrorCode::bad_argument,
                  formatted("{}: no bounds are known for the segments of this method, wanted one of polynomials, "
-                             "such as auto or timed-c2",
-                             method_.name));
+                           "such as auto or timed-c2",
+                           method_.name));
 }
 
 Expected<std::vector<double>> LimitedMotion::sampled_factors(std::vector<double> times) const {

@@ -14,10 +14,11 @@ namespace {
 
 constexpr double margin = 1e-9;  // of a factor, for the rounding of the new times; twice as much in every round
 constexpr std::size_t most_rounds = 30;
-constexpr double least_gain = 1e-4;    // of the duration, to which the slowing is the least one, for another path
+constexpr double least_gain = 1e-4;       // of the duration, to which the slowing is the least one, for another path
 constexpr double most_time_scale = 1e15;  // thirty million years a second
 
-Expected<void> check(const FamilyInfo& family, const Method& method, const Keyframes& keys, const MotionLimits& limits) {
+Expected<void> check(const FamilyInfo& family, const Method& method, const Keyframes& keys,
+                     const MotionLimits& limits) {
   const auto refused = [](std::string message) { return failure(ErrorCode::bad_argument, std::move(message)); };
   if (!limits.rate && !limits.acceleration && !limits.torque) return refused("found no limit, wanted one at least");
   for (const auto& limit : {limits.rate, limits.acceleration, limits.torque})
@@ -31,9 +32,10 @@ Expected<void> check(const FamilyInfo& family, const Method& method, const Keyfr
   if (method.options.loop) return refused(formatted("{}: loops are not slowed, wanted an open curve", family.name));
   for (const End& end : {method.options.start, method.options.end})
     if (!end.angular_velocity.isZero(0.0))
-      return refused(formatted("{}: found a rate at an end, which slowing would change, wanted an end rule without "
-                                 "one, such as natural or rest",
-                                 family.name));
+      return refused(
+          formatted("{}: found a rate at an end, which slowing would change, wanted an end rule without "
+                    "one, such as natural or rest",
+                    family.name));
   if (keys.size() < 2) return failure(ErrorCode::bad_data, "found 1 key, wanted 2 at least: one key does not move");
   return {};
 }
@@ -44,8 +46,8 @@ Expected<void> check_continuity(const FamilyInfo& family, const Method& method, 
   const auto refused = [&](std::string_view why, std::string_view wanted) {
     return failure(ErrorCode::bad_argument,
                    formatted("{}: its angular velocity jumps at keys{}, which no slowing brings within a limit of "
-                               "acceleration or torque, wanted {}",
-                               family.name, why, wanted));
+                             "acceleration or torque, wanted {}",
+                             family.name, why, wanted));
   };
   const auto is_smooth_here = [&](std::string_view why, std::string_view wanted) {
     return make_curve(method, keys).and_then([&](const AnyCurve& curve) -> Expected<void> {
@@ -74,7 +76,7 @@ struct Slowed {
 
 /// All intervals made longer by the factor that is needed still; `found`: the peaks at these times.
 Expected<Slowed> slowed(const LimitedMotion& motion, std::vector<double> times,
-                          Expected<std::vector<SegmentPeaks>> found, Slowing slowing) {
+                        Expected<std::vector<SegmentPeaks>> found, Slowing slowing) {
   const auto time_scale = [before = motion.given_times()](const std::vector<double>& t) {
     return (t.back() - t.front()) / (before.back() - before.front());
   };
@@ -85,7 +87,7 @@ Expected<Slowed> slowed(const LimitedMotion& motion, std::vector<double> times,
     if (!(factor * time_scale(times) <= most_time_scale))
       return failure(ErrorCode::bad_argument,
                      formatted("the limits ask for a slowing by {:.6g}, wanted limits that {:g} meets",
-                                 factor * time_scale(times), most_time_scale));
+                               factor * time_scale(times), most_time_scale));
     for (double& t : times) t = times.front() + factor * (1.0 + more) * (t - times.front());
     found = motion.largest_peaks(times);
   }

@@ -29,7 +29,7 @@ struct RetimeOptions {
 struct Retiming {
   Track track{};                      ///< the one given at the new times, the first as it was
   Method method{};                    ///< the one given, with the settings of the track
-  double time_scale = 1.0;               ///< of the whole duration, at least 1
+  double time_scale = 1.0;            ///< of the whole duration, at least 1
   Slowing slowing{};                  ///< how they were slowed: uniformly where intervals by themselves take longer
   std::vector<SegmentPeaks> peaks{};  ///< of the slowed curve, segment by segment: no bound above its limit
 };
@@ -37,14 +37,14 @@ struct Retiming {
 /// The least slowing, to 1e-4, with which the method's curve through the keys stays within the limits everywhere.
 ///
 /// Certified by certified_peaks() on the method's curve, with its settings and those of the track, through the keys at
-/// the times that are returned. A motion within the limits stays as it is. `per_interval` shortens the whole duration as far as
-/// least_interval_times() finds a way, for methods that are not local less far; it is the uniform slowing where that is
-/// the shorter, or longer by less than 1e-4. The curve is as smooth as the method makes it. Positions, where there are
-/// any, play no part. Errors: bad_argument for limits that are absent, not greater than 0 or ask for more than 1e15
-/// times the duration, a torque without a positive definite inertia, a method that takes rates from the keys, does not
-/// state its segments as polynomials, or whose ω jumps on these keys where acceleration is limited: no slowing helps;
-/// the like for `per_interval` of a method whose ω is continuous on even times only; loops, and rates at the ends other
-/// than zero, which slowing would change; bad_data for fewer than two keys; cancelled.
+/// the times that are returned. A motion within the limits stays as it is. `per_interval` shortens the whole duration
+/// as far as least_interval_times() finds a way, for methods that are not local less far; it is the uniform slowing
+/// where that is the shorter, or longer by less than 1e-4. The curve is as smooth as the method makes it. Positions,
+/// where there are any, play no part. Errors: bad_argument for limits that are absent, not greater than 0 or ask for
+/// more than 1e15 times the duration, a torque without a positive definite inertia, a method that takes rates from the
+/// keys, does not state its segments as polynomials, or whose ω jumps on these keys where acceleration is limited: no
+/// slowing helps; the like for `per_interval` of a method whose ω is continuous on even times only; loops, and rates at
+/// the ends other than zero, which slowing would change; bad_data for fewer than two keys; cancelled.
 [[nodiscard]] Expected<Retiming> retime(const Track& track, const Method& method, const RetimeOptions& options,
                                         const Progress& progress = {});
 

@@ -25,7 +25,7 @@ struct Range {
 Expected<void> check_range(const char* name, const char* unit, std::optional<double> value, Range range) {
   if (!value || (*value >= range.least && *value <= range.most)) return {};
   return failure(ErrorCode::bad_argument, formatted("{}: found {:.6g} {}, wanted {:.6g} to {:.6g} {}", name, *value,
-                                                      unit, range.least, range.most, unit));
+                                                    unit, range.least, range.most, unit));
 }
 
 /// Below them the samples are joined as they are; above, a steady rotation is left or rounding decides.
@@ -87,7 +87,7 @@ class Smoother {
     if (const double noise = result_.noise; noise > largest_noise)
       return failure(ErrorCode::bad_data,
                      formatted("no smooth motion is near to the samples: they are {:.3g}° per axis off the best one",
-                                 noise * 180.0 / std::numbers::pi));
+                               noise * 180.0 / std::numbers::pi));
     if (options_.gyro)
       if (auto done = fit_with_gyro(); !done) return tl::unexpected(std::move(done.error()));
     return finished();
@@ -163,8 +163,8 @@ class Smoother {
     return failure(
         ErrorCode::bad_data,
         formatted("{} of {} samples are farther than 5 σ from the best motion, σ = {:.3g}°, wanted a larger noise, "
-                    "a shorter smoothing time, or the loss l2, which has no outliers",
-                    faults, all, noise_ * 180.0 / std::numbers::pi));
+                  "a shorter smoothing time, or the loss l2, which has no outliers",
+                  faults, all, noise_ * 180.0 / std::numbers::pi));
   }
 
   /// What of the data the curve takes up, per axis, and what is left to tell the noise: trace + rest = observations.

@@ -40,7 +40,8 @@ inline constexpr std::size_t most_times_for_choice = 10000;
 /// stretch, four for the jerk; so few beside the outliers), where no smooth motion is near to them or more than half of
 /// them count as outliers, for a gyro without angular velocities and for one that contradicts the orientations;
 /// bad_argument for numbers out of their range, for a gap not longer than the median interval, and for options that
-/// contradict each other: `noise` and `smoothing_time`, `gyro` and `gap`, `gyro_noise` without `gyro`; not_converged; cancelled.
+/// contradict each other: `noise` and `smoothing_time`, `gyro` and `gap`, `gyro_noise` without `gyro`; not_converged;
+/// cancelled.
 [[nodiscard]] Expected<Smoothing> smooth(const Track& recording, const SmoothOptions& options = {},
                                          const Progress& progress = {});
 

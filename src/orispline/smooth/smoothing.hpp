@@ -20,9 +20,9 @@ enum class Penalty {
 
 /// How the squared residual s, in units of the noise, counts. c is the threshold.
 enum class LossFunction {
-  l2,       ///< s
-  huber,    ///< s up to c², 2c√s - c² beyond
-  tukey,    ///< c²/3 (1 - (1 - s/c²)³) up to c², constant beyond
+  l2,     ///< s
+  huber,  ///< s up to c², 2c√s - c² beyond
+  tukey,  ///< c²/3 (1 - (1 - s/c²)³) up to c², constant beyond
 };
 
 /// A noisy recording of an orientation, and of the body rate where there is a gyro.

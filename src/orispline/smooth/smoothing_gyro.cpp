@@ -88,16 +88,15 @@ Expected<std::vector<std::size_t>> gyro_faults(const StretchFits& fits, const Ke
   const double fitted = spread(kept.fitted), measured = spread(kept.measured), difference = spread(kept.differences);
   const double noise = local_noise(recording.times(), recording.angular_velocities());
   if (measured > unit_threshold * fitted && measured > noise_threshold * noise)
-    return failure(ErrorCode::bad_data,
-                   formatted("the gyro's rates vary by {:.3g} rad/s, those of the orientations by "
-                               "{:.3g} rad/s, wanted a gyro in rad/s",
-                               measured, fitted));
+    return failure(ErrorCode::bad_data, formatted("the gyro's rates vary by {:.3g} rad/s, those of the orientations by "
+                                                  "{:.3g} rad/s, wanted a gyro in rad/s",
+                                                  measured, fitted));
   if (difference > against_threshold * std::max(fitted, measured))
     return failure(
         ErrorCode::bad_data,
         formatted("the gyro turns against the orientations: their rates vary by {:.3g} and {:.3g} rad/s, the "
-                    "difference by {:.3g} rad/s, wanted rates of the body in its own frame",
-                    measured, fitted, difference));
+                  "difference by {:.3g} rad/s, wanted rates of the body in its own frame",
+                  measured, fitted, difference));
   return faults;
 }
 

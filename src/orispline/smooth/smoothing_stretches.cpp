@@ -38,18 +38,17 @@ Expected<std::vector<Stretch>> stretches_of(const Keyframes& recording, Penalty 
   const auto t = recording.times();
   const double interval = median_interval(t);
   if (gap && *gap <= interval * (1.0 + time_rounding))
-    return failure(
-        ErrorCode::bad_argument,
-        formatted("gap: found {:.6g} s, wanted more than the median interval of {:.6g} s", *gap, interval));
+    return failure(ErrorCode::bad_argument,
+                   formatted("gap: found {:.6g} s, wanted more than the median interval of {:.6g} s", *gap, interval));
   std::vector<Stretch> stretches{{0, 1}};
   for (std::size_t i = 1; i < t.size(); ++i)
     if (gap && t[i] - t[i - 1] > *gap) stretches.push_back({i, 1});
     else ++stretches.back().count;
   std::erase_if(stretches, [&](const Stretch& stretch) { return stretch.count < fewest_samples(penalty); });
   if (!stretches.empty()) return stretches;
-  return failure(ErrorCode::bad_data, formatted("found {} {}, wanted at least {} {}to smooth", t.size(),
-                                                  t.size() == 1 ? "sample" : "samples", fewest_samples(penalty),
-                                                  gap ? "without a gap " : ""));
+  return failure(ErrorCode::bad_data,
+                 formatted("found {} {}, wanted at least {} {}to smooth", t.size(),
+                           t.size() == 1 ? "sample" : "samples", fewest_samples(penalty), gap ? "without a gap " : ""));
 }
 
 StretchProblems problems_of(const Keyframes& recording, const std::vector<Stretch>& stretches, double noise) {
@@ -104,7 +103,7 @@ Expected<FarSamples> reject(StretchProblems& problems, const std::vector<Stretch
     const bool enough = left >= fewest_samples(penalty);
     if (!enough && stretches.size() == 1)
       return failure(ErrorCode::bad_data, formatted("of {} samples {} are outliers, wanted at least {} others", count,
-                                                      count - left, fewest_samples(penalty)));
+                                                    count - left, fewest_samples(penalty)));
     auto& samples = enough ? done.single : done.in_runs;
     samples.insert(samples.end(), begin, end);
     for (auto sample = begin; enough && sample != end; ++sample) problems[k].weights[*sample - first] = 0.0;

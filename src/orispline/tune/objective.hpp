@@ -25,8 +25,8 @@ struct ReferenceSample {
 /// An objective with all that it needs.
 struct Goal {
   Objective objective = Objective::linearised;
-  Eigen::Matrix3d inertia = Eigen::Matrix3d::Identity();  ///< [kg m²], body frame; of the torque
-  std::vector<std::vector<ReferenceSample>> reference_samples{};         ///< by segment; of the fit
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Identity();          ///< [kg m²], body frame; of the torque
+  std::vector<std::vector<ReferenceSample>> reference_samples{};  ///< by segment; of the fit
   std::size_t sample_count = 0;
 };
 

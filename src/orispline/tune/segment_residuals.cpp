@@ -187,7 +187,8 @@ Eigen::MatrixXd jacobian_of(const TensionSegment& segment, const Goal& goal, std
 }  // namespace
 
 std::size_t residual_count(const Goal& goal, std::size_t segment) {
-  return 3 * (goal.objective == Objective::fit ? goal.reference_samples[segment].size() : quadrature_of(goal.objective).size());
+  return 3 * (goal.objective == Objective::fit ? goal.reference_samples[segment].size()
+                                               : quadrature_of(goal.objective).size());
 }
 
 Eigen::VectorXd residual_values(const TensionSegment& segment, const Goal& goal, std::size_t index,

@@ -22,7 +22,8 @@ namespace orispline {
 [[nodiscard]] Eigen::MatrixXd residual_jacobian(const TensionSegment& segment, const Goal& goal, std::size_t index,
                                                 std::span<const double> values);
 
-/// The Jacobian of the residuals by variables that change the increments and not the blending functions: how, per unit of each.
+/// The Jacobian of the residuals by variables that change the increments and not the blending functions: how, per unit
+/// of each.
 [[nodiscard]] Eigen::MatrixXd residual_jacobian(const TensionSegment& segment, const Goal& goal, std::size_t index,
                                                 std::span<const Increments> slopes);
 

@@ -24,12 +24,12 @@ Expected<std::vector<std::string>> parameters_of(const FamilyInfo& family, const
   std::vector<std::string> tunable = tunable_parameters(family.name);
   if (tunable.empty())
     return failure(ErrorCode::bad_argument, formatted("{}: this method has no tensions to tune, wanted one of {}",
-                                                        family.name, tunable_methods()));
+                                                      family.name, tunable_methods()));
   if (options.parameters.empty()) return tunable;
   for (const std::string& name : options.parameters)
     if (std::ranges::find(tunable, name) == tunable.end())
-      return failure(ErrorCode::bad_argument, formatted("{}: found '{}' to tune, wanted one of {}", family.name, name,
-                                                          joined(tunable, ", ")));
+      return failure(ErrorCode::bad_argument,
+                     formatted("{}: found '{}' to tune, wanted one of {}", family.name, name, joined(tunable, ", ")));
   return options.parameters;
 }
 
@@ -49,22 +49,21 @@ Expected<Goal> goal_of(const Keyframes& keys, const TuneOptions& options) {
     ++goal.sample_count;
   }
   if (goal.sample_count > 0) return goal;
-  return failure(
-      ErrorCode::bad_data,
-      formatted("the reference has no time between the first and the last key, wanted some from {} to {} s",
-                  knots.front(), knots.back()));
+  return failure(ErrorCode::bad_data,
+                 formatted("the reference has no time between the first and the last key, wanted some from {} to {} s",
+                           knots.front(), knots.back()));
 }
 
 Expected<void> check_request(const FamilyInfo& family, const Keyframes& keys, const CurveOptions& curve,
                              const TuneOptions& options) {
   if (keys.size() < fewest_keys)
     return failure(ErrorCode::bad_data, formatted("found {} key{}, wanted at least {} to tune tensions", keys.size(),
-                                                    keys.size() == 1 ? "" : "s", fewest_keys));
+                                                  keys.size() == 1 ? "" : "s", fewest_keys));
   if (curve.loop)
     return failure(ErrorCode::bad_argument, formatted("{}: tensions of a loop are not tuned", family.name));
   if (options.bounds && !(options.bounds->lowest < options.bounds->highest))
     return failure(ErrorCode::bad_argument, formatted("the bounds are {} and {}, wanted the lower one first",
-                                                        options.bounds->lowest, options.bounds->highest));
+                                                      options.bounds->lowest, options.bounds->highest));
   return {};
 }
 
@@ -134,8 +133,8 @@ Expected<Tuning> tuned(const FamilyInfo& family, const TensionModel& model, SumO
   if (tuning.stationarity <= wanted_stationarity) return tuning;
   return failure(ErrorCode::not_converged,
                  formatted("{}: tuning came to rest where a step would lower the energy by {:.2g} of itself, wanted "
-                             "{:.2g} at most",
-                             family.name, tuning.stationarity, wanted_stationarity));
+                           "{:.2g} at most",
+                           family.name, tuning.stationarity, wanted_stationarity));
 }
 
 Expected<Tuning> tuned_affine(const FamilyInfo& family, const TensionModel& model, const Goal& goal,
@@ -173,8 +172,7 @@ Expected<Tuning> tune(const Track& track, const Method& given, const TuneOptions
   const auto goal = goal_of(keys, options);
   if (!goal) return tl::unexpected(goal.error());
   const bool is_nu = (*info)->name == families::Nu::info.name;
-  const auto model =
-      is_nu ? nu_model(keys, method.options) : tension_model(**info, keys, method.options, *parameters);
+  const auto model = is_nu ? nu_model(keys, method.options) : tension_model(**info, keys, method.options, *parameters);
   if (!model) return tl::unexpected(model.error());
   return (is_nu ? tuned_nu(**info, keys, *model, *goal, options, progress)
                 : tuned_affine(**info, *model, *goal, options, progress))

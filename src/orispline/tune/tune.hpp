@@ -25,8 +25,8 @@ struct TuneOptions {
 
 /// The result of tuning.
 struct Tuning {
-  Track track{};                        ///< the one given, its settings the values that were found
-  Method method{};                      ///< the one given, with one value per key of every parameter that was varied
+  Track track{};                          ///< the one given, its settings the values that were found
+  Method method{};                        ///< the one given, with one value per key of every parameter that was varied
   std::vector<std::string> parameters{};  ///< the ones that were varied
   double energy_before = 0.0, energy_after = 0.0;  ///< in the unit of the objective
   std::size_t iterations = 0;                      ///< after the closed form; 0 where that is the answer
