@@ -49,8 +49,7 @@ Expected<TimeRequest> time_request(const TimeOptions& options) {
   return read;
 }
 
-Expected<SampleTimes> SampleTimes::make(const TimeRequest& request, const Decimal& key_epoch,
-                                        const Domain& domain) {
+Expected<SampleTimes> SampleTimes::make(const TimeRequest& request, const Decimal& key_epoch, const Domain& domain) {
   const auto* const file = std::get_if<TimesFile>(&request.spacing);
   if (!file) return grid(request, key_epoch, domain);
   return io::read_times(file->path, key_epoch).map([&](io::TimesList list) {
@@ -59,8 +58,7 @@ Expected<SampleTimes> SampleTimes::make(const TimeRequest& request, const Decima
   });
 }
 
-Expected<SampleTimes> SampleTimes::grid(const TimeRequest& request, const Decimal& key_epoch,
-                                        const Domain& domain) {
+Expected<SampleTimes> SampleTimes::grid(const TimeRequest& request, const Decimal& key_epoch, const Domain& domain) {
   const Decimal first = Decimal::from_double(domain.start), last = Decimal::from_double(domain.end);
   const Decimal start = request.from ? *request.from - key_epoch : first;
   const Decimal end = request.to ? *request.to - key_epoch : last;

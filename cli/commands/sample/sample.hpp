@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "options/sample_times.hpp"
 #include "options/input_options.hpp"
 #include "options/method_options.hpp"
 #include "options/output_options.hpp"
+#include "options/sample_times.hpp"
 #include "output/summary.hpp"
 
 namespace orispline::cli {

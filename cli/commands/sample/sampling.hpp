@@ -3,8 +3,8 @@
 
 #include <orispline/io/sample_writer.hpp>
 
-#include "options/sample_times.hpp"
 #include "options/method_options.hpp"
+#include "options/sample_times.hpp"
 #include "output/progress.hpp"
 
 namespace orispline::cli {
