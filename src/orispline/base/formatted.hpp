@@ -23,9 +23,8 @@ template <class... Values>
 
 /// The words or numbers of a list, each in this format, with the separator between them.
 template <class List>
-[[nodiscard]] std::string joined(
-    const List& list, std::string_view separator,
-    fmt::format_string<decltype(*std::begin(std::declval<const List&>()))> each = "{}") {
+[[nodiscard]] std::string joined(const List& list, std::string_view separator,
+                                 fmt::format_string<decltype(*std::begin(std::declval<const List&>()))> each = "{}") {
   std::string text;
   std::string_view before;
   for (const auto& part : list) {
