@@ -48,7 +48,7 @@ Expected<Request> request_in(const SmoothOptions& options) {
   smoothing.loss = checked(if_given("--loss", options.loss, choice_of(loss_choices))).value_or(smoothing.loss);
   smoothing.gap = checked(if_given("--gap", options.gap, positive_in));
   smoothing.gyro = options.gyro;
-  smoothing.gyro_noise = checked(if_given("--gyro-noise", options.gyro_noise, quantity_of(angle_units)));
+  smoothing.gyro_noise = checked(if_given("--gyro-noise", options.gyro_noise, quantity_of(rate_units)));
   if (TimeOptions times; options.rate) {
     times.rate = options.rate;
     request.times = checked(time_request(times));

@@ -29,8 +29,8 @@ void add_smooth_options(CLI::App& app, SmoothOptions& o) {
       ->group(group);
   app.add_flag("--gyro", o.gyro, "wx,wy,wz of INPUT are those of a gyro, with a constant bias that is estimated")
       ->group(group);
-  app.add_option("--gyro-noise", o.gyro_noise, "Its standard deviation per axis and second, such as 0.1deg [estimated]")
-      ->type_name("ANGLE")
+  app.add_option("--gyro-noise", o.gyro_noise, "Standard deviation of its rates per axis, such as 0.1deg/s [estimated]")
+      ->type_name("RATE")
       ->group(group);
   app.add_option("--gap", o.gap, "Nothing is smoothed over longer intervals [bridged]")->type_name("S")->group(group);
   app.add_option("--rate", o.rate, "Write samples at so many per second instead of keys")
