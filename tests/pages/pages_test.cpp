@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pages made from plain results, as a program makes them: no command, no file, no clock.
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include <orispline/families/registry.hpp>
@@ -38,13 +40,15 @@ void expect_head(const report::Page& page) {
   EXPECT_EQ(page.notes.front(), head.notes.front());
 }
 
-/// Every measure of a method has its column.
+/// Every measure has its column, but for the order, which has one of its own, and what is shown where samples are
+/// rejected.
 void expect_columns(const report::Page& page) {
   for (const report::PageMethod& method : page.methods) {
     EXPECT_EQ(method.failure, "");
     EXPECT_FALSE(method.measures.empty());
     for (const auto& [id, value] : method.measures)
-      EXPECT_EQ(std::ranges::count(page.columns, id, &report::PageColumn::id), 1) << id;
+      if (id != "continuity" && id != "rms_accepted_deg")
+        EXPECT_EQ(std::ranges::count(page.columns, id, &report::PageColumn::id), 1) << id;
   }
 }
 
