@@ -46,9 +46,10 @@ void expect_columns(const report::Page& page) {
   for (const report::PageMethod& method : page.methods) {
     EXPECT_EQ(method.failure, "");
     EXPECT_FALSE(method.measures.empty());
-    for (const auto& [id, value] : method.measures)
-      if (id != "continuity" && id != "rms_accepted_deg")
-        EXPECT_EQ(std::ranges::count(page.columns, id, &report::PageColumn::id), 1) << id;
+    for (const auto& [id, value] : method.measures) {
+      if (id == "continuity" || id == "rms_accepted_deg") continue;
+      EXPECT_EQ(std::ranges::count(page.columns, id, &report::PageColumn::id), 1) << id;
+    }
   }
 }
 
