@@ -127,7 +127,8 @@ std::string json_or_null(const std::optional<Value>& value) {
 std::string json_of(const std::map<std::string, double, std::less<>>& numbers) {
   std::string json = "{";
   for (const auto& [id, value] : numbers) {
-    json += (json.size() > 1 ? "," : "") + text_of(id) + ':';
+    if (json.size() > 1) json += ',';
+    json.append(text_of(id)) += ':';
     append(json, value);
   }
   return json + '}';
