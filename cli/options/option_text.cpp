@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/base/pieces.hpp>
 #include <orispline/io/text_table.hpp>
 
 namespace orispline::cli {
@@ -62,13 +63,7 @@ Expected<std::pair<std::string_view, std::string_view>> assignment_in(OptionText
 }
 
 std::vector<std::string_view> pieces_of(std::string_view text, char separator) {
-  std::vector<std::string_view> pieces;
-  for (std::size_t end = text.find(separator); end != std::string_view::npos; end = text.find(separator)) {
-    pieces.push_back(text.substr(0, end));
-    text.remove_prefix(end + 1);
-  }
-  pieces.push_back(text);
-  return pieces;
+  return orispline::pieces_of(text, separator);
 }
 
 }  // namespace orispline::cli

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/base/pieces.hpp>
 #include <orispline/families/registry.hpp>
 
 namespace orispline {
@@ -18,17 +19,6 @@ constexpr std::string_view ends = "ends", start_rate = "start_rate", end_rate = 
 template <class Named>
 bool has_name(std::span<const Named> list, std::string_view name) {
   return std::ranges::find(list, name, &Named::name) != list.end();
-}
-
-/// The pieces between the separators; one empty piece for an empty text.
-std::vector<std::string_view> pieces_of(std::string_view text, char separator) {
-  std::vector<std::string_view> pieces;
-  for (std::size_t end = text.find(separator); end != std::string_view::npos; end = text.find(separator)) {
-    pieces.push_back(text.substr(0, end));
-    text.remove_prefix(end + 1);
-  }
-  pieces.push_back(text);
-  return pieces;
 }
 
 /// A finite number that is the whole text, whatever the language of the machine.
