@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/beta.hpp>
+#include <orispline/math/degrees.hpp>
 #include <orispline/report/sphere.hpp>
 
 #include "papers/papers_algebra.hpp"
@@ -19,8 +19,6 @@ namespace {
 
 using report::Notation;
 namespace color = report::color;
-
-constexpr double degrees = 180.0 / std::numbers::pi;
 
 /// Quaternions as the paper prints them.
 using Points = std::vector<Eigen::Quaterniond>;

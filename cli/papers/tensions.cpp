@@ -3,9 +3,9 @@
 #include "papers/experiment.hpp"
 
 #include <array>
-#include <numbers>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/math/degrees.hpp>
 #include <orispline/report/chart.hpp>
 #include <orispline/report/sphere.hpp>
 
@@ -20,7 +20,6 @@ using report::Notation;
 using report::Point;
 namespace color = report::color;
 
-constexpr double degrees = 180.0 / std::numbers::pi;
 const std::vector<double> even{0.0, 1.0, 2.0, 3.0, 4.0};
 constexpr std::array colors{color::grey, color::blue, color::red, color::green, color::purple, color::gold};
 constexpr auto our_keys =

@@ -56,7 +56,7 @@ report::Table table_of(const CompareReport& report, std::size_t key_set) {
     if (method.key_set != key_set) continue;
     auto& row = table.rows.emplace_back(std::vector<report::Cell>{method.label, continuity_of(method)});
     for (const MeasureInfo& measure : measures) row.push_back(cell_of(method, measure, report.data));
-    if (!method.measures) row.push_back(describe(method.measures.error()));
+    if (!method.measures) row.emplace_back(describe(method.measures.error()));
     else some_jump |= method.measures->continuity.order() == 0;
   }
   table.notes = notes_of(report, key_set, some_jump);

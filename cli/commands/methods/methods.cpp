@@ -71,7 +71,7 @@ std::string settings_of(const FamilyInfo& family) {
   return joined(settings, ", ");
 }
 
-std::string ends_of(const FamilyInfo& family) {
+std::string ends_text(const FamilyInfo& family) {
   std::vector<std::string_view> names;
   for (const EndRule rule : family.ends) names.push_back(name_of(rule));
   return joined(names, ", ");
@@ -86,7 +86,8 @@ std::string_view rates_of(const FamilyInfo& family) {
 std::string entry(const FamilyInfo& family) {
   return "\n" + wrapped(formatted("{:{}}", family.name, name_width), family.title) +
          wrapped(std::string(name_width, ' '), promises_of(family)) + labelled("settings", settings_of(family)) +
-         labelled("ends", ends_of(family)) + labelled("columns", rates_of(family)) + labelled("source", family.source);
+         labelled("ends", ends_text(family)) + labelled("columns", rates_of(family)) +
+         labelled("source", family.source);
 }
 
 template <class Belongs>

@@ -25,7 +25,7 @@ Json choices_of(const FamilyInfo& family) {
   return choices;
 }
 
-Json ends_of(const FamilyInfo& family) {
+Json ends_json(const FamilyInfo& family) {
   Json ends = Json::array();
   for (const EndRule rule : family.ends) ends.push_back(name_of(rule));
   return ends;
@@ -46,7 +46,7 @@ Json method(const FamilyInfo& family) {
           {"rate_orders", family.rate_orders},
           {"parameters", parameters_of(family)},
           {"choices", choices_of(family)},
-          {"ends", ends_of(family)}};
+          {"ends", ends_json(family)}};
 }
 
 }  // namespace

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/analysis/angle_travelled.hpp>
 
-#include <orispline/analysis/quadrature.hpp>
-
 #include <algorithm>
-#include <limits>
+
+#include <orispline/analysis/quadrature.hpp>
+#include <orispline/analysis/rounding.hpp>
 
 namespace orispline {
 namespace {
 
-constexpr double rounding = 256.0 * std::numeric_limits<double>::epsilon();  // [rad]
-constexpr int most_steps = 80;                                               // bisection alone needs fewer than 64
+constexpr int most_steps = 80;  // bisection alone needs fewer than 64
 
 }  // namespace
 
@@ -24,7 +23,7 @@ AngleTravelled::AngleTravelled(AnyCurve curve) : curve_(std::move(curve)) {
 
 double AngleTravelled::within(std::size_t segment, double start, double end) const {
   const auto speed = [&](double t) { return Figures<1>(curve_.motion_on(segment, t).angular_velocity.norm()); };
-  return adaptive_integral<1>(speed, start, end, Figures<1>(rounding))[0];
+  return adaptive_integral<1>(speed, start, end, Figures<1>(rounding_of_increments))[0];
 }
 
 double AngleTravelled::at(double t) const {
@@ -46,7 +45,7 @@ double AngleTravelled::time_at(double angle) const {
   double t = std::lerp(low, high, wanted / (at_knots_[segment + 1] - at_knots_[segment]));
   for (int step = 0; step < most_steps && low < high; ++step) {  // Newton's method, kept between low and high
     const double excess = within(segment, start, t) - wanted;
-    if (std::abs(excess) <= rounding) return t;
+    if (std::abs(excess) <= rounding_of_increments) return t;
     (excess > 0.0 ? high : low) = t;
     const double next = t - excess / curve_.motion_on(segment, t).angular_velocity.norm();
     t = low < next && next < high ? next : 0.5 * (low + high);

@@ -4,21 +4,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+
+#include <orispline/analysis/rounding.hpp>
 
 namespace orispline {
 namespace {
 
 using Rate = Eigen::Vector3d Motion::*;
-constexpr std::array<Rate, 3> rates{&Motion::angular_velocity, &Motion::angular_acceleration, &Motion::angular_jerk};
+constexpr std::array<Rate, 3> rates_of_motion{&Motion::angular_velocity, &Motion::angular_acceleration,
+                                              &Motion::angular_jerk};
 using Jumps = std::array<RateJump, 3>;
 
-/// Rates of order k are sums of terms of the size of an increment, at most 2π, over h^k.
-constexpr double rounding_of_increments = 256.0 * std::numeric_limits<double>::epsilon();
-
 void widen_magnitudes(Jumps& jumps, const Motion& motion) {
-  for (std::size_t k = 0; k < rates.size(); ++k)
-    jumps[k].magnitude = std::max(jumps[k].magnitude, (motion.*rates[k]).norm());
+  for (std::size_t k = 0; k < rates_of_motion.size(); ++k)
+    jumps[k].magnitude = std::max(jumps[k].magnitude, (motion.*rates_of_motion[k]).norm());
 }
 
 /// Where two segments meet.
@@ -33,9 +32,9 @@ void compare_sides(Jumps& jumps, const Joint& joint) {
   widen_magnitudes(jumps, joint.left);
   widen_magnitudes(jumps, joint.right);
   double rounding = rounding_of_increments;
-  for (std::size_t k = 0; k < rates.size(); ++k) {
+  for (std::size_t k = 0; k < rates_of_motion.size(); ++k) {
     rounding /= joint.spacing;
-    const double jump = (joint.right.*rates[k] - joint.left.*rates[k]).norm();
+    const double jump = (joint.right.*rates_of_motion[k] - joint.left.*rates_of_motion[k]).norm();
     if (jump > jumps[k].largest) {
       jumps[k].largest = jump;
       jumps[k].key = joint.key;

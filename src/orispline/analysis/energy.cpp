@@ -2,15 +2,11 @@
 #include <orispline/analysis/energy.hpp>
 
 #include <orispline/analysis/quadrature.hpp>
+#include <orispline/analysis/rounding.hpp>
 #include <orispline/analysis/torque.hpp>
-
-#include <limits>
 
 namespace orispline {
 namespace {
-
-/// Rates of order k are sums of terms of the size of an increment over h^k: so much of them is rounding.
-constexpr double rounding_of_increments = 256.0 * std::numeric_limits<double>::epsilon();
 
 /// Integrals that are rounding altogether, on a segment of h seconds.
 Figures<3> rounding_of(double h, double moment) {

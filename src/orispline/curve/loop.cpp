@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/curve/loop.hpp>
 
-#include <numbers>
-
 #include <orispline/base/formatted.hpp>
+#include <orispline/math/degrees.hpp>
 
 namespace orispline {
 namespace {
@@ -11,7 +10,7 @@ namespace {
 /// What keeps the last key from being the first one come back; nothing if it is.
 std::optional<std::string> gap_at_seam(const Keyframes& keys) {
   const double angle = angular_distance(keys.orientations().front(), keys.orientations().back());
-  if (angle > closing_tolerance) return formatted("{:.6g} degrees", angle * 180.0 / std::numbers::pi);
+  if (angle > closing_tolerance) return formatted("{:.6g} degrees", angle * degrees);
   if (keys.positions().empty()) return std::nullopt;
   const double distance = (keys.positions().front() - keys.positions().back()).norm();
   if (distance > closing_tolerance) return formatted("{:.6g} m", distance);

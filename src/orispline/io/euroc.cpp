@@ -19,14 +19,14 @@ std::string_view plain_name(std::string_view cell) {
 }
 
 /// The names of `euroc_header`, plain.
-constexpr std::array<std::string_view, euroc_columns> names{"timestamp", "p_RS_R_x", "p_RS_R_y", "p_RS_R_z",
-                                                            "q_RS_w",    "q_RS_x",   "q_RS_y",   "q_RS_z"};
+constexpr std::array<std::string_view, euroc_columns> plain_names{"timestamp", "p_RS_R_x", "p_RS_R_y", "p_RS_R_z",
+                                                                  "q_RS_w",    "q_RS_x",   "q_RS_y",   "q_RS_z"};
 
 }  // namespace
 
 bool names_euroc(std::span<const std::string_view> cells) noexcept {
-  return cells.size() >= names.size() &&
-         std::equal(names.begin(), names.end(), cells.begin(),
+  return cells.size() >= plain_names.size() &&
+         std::equal(plain_names.begin(), plain_names.end(), cells.begin(),
                     [](std::string_view name, std::string_view cell) { return plain_name(cell) == name; });
 }
 

@@ -6,5 +6,6 @@
 namespace orispline {
 
 inline constexpr double degrees = 180.0 / std::numbers::pi;  ///< in a radian, for what is shown
+inline constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
 }  // namespace orispline

@@ -53,24 +53,24 @@ std::map<std::string, double, std::less<>> limits_of(const MotionLimits& limits)
 }
 
 /// What both curves have alike.
-struct Source {
+struct RetimedKeys {
   CurvePage curves;
   const Method& method;
   const MotionLimits& limits;
 };
 
 /// The method's curve through the keys; its certificates are `peaks`, or sought where there are none.
-report::PageMethod method_of(const Source& source, std::string name, const Keyframes& keys,
+report::PageMethod method_of(const RetimedKeys& retimed, std::string name, const Keyframes& keys,
                              std::vector<SegmentPeaks> peaks) {
-  auto curve = make_pose_curve(source.method, keys);
-  auto measures = measure({.method = source.method, .keys = keys}, {keys.times(), keys.orientations()},
-                          {.inertia = source.curves.inertia.value_or(Eigen::Matrix3d::Identity())});
+  auto curve = make_pose_curve(retimed.method, keys);
+  auto measures = measure({.method = retimed.method, .keys = keys}, {keys.times(), keys.orientations()},
+                          {.inertia = retimed.curves.inertia.value_or(Eigen::Matrix3d::Identity())});
   if (!curve || !measures)
     return {.name = std::move(name), .failure = describe(curve ? measures.error() : curve.error())};
-  if (peaks.empty()) peaks = peaks_of(curve->orientation, source.limits);
-  report::PageMethod method = method_of(source.curves, {std::move(name), keys, *curve, *measures});
+  if (peaks.empty()) peaks = peaks_of(curve->orientation, retimed.limits);
+  report::PageMethod method = method_of(retimed.curves, {std::move(name), keys, *curve, *measures});
   method.measures["duration_s"] = keys.times().back() - keys.times().front();
-  for (const Certificate& c : certificates_of(source.limits, peaks)) {
+  for (const Certificate& c : certificates_of(retimed.limits, peaks)) {
     method.measures[c.id_of("bound")] = c.bound;
     method.measures[c.id_of("max")] = c.found;
   }
@@ -81,19 +81,20 @@ report::PageMethod method_of(const Source& source, std::string name, const Keyfr
 
 report::Page retime_page(const Track& before, const Retiming& retiming, const MotionLimits& limits,
                          const PageHead& head) {
-  const Source source{.curves = {.epoch = before.epoch,
-                                 .recording = before.keys,
-                                 .measures = limits.inertia ? measures_of({MeasureGroup::shape, MeasureGroup::torque})
-                                                            : measures_of({MeasureGroup::shape}),
-                                 .inertia = limits.inertia},
-                      .method = retiming.method,
-                      .limits = limits};
+  const RetimedKeys retimed{
+      .curves = {.epoch = before.epoch,
+                 .recording = before.keys,
+                 .measures = limits.inertia ? measures_of({MeasureGroup::shape, MeasureGroup::torque})
+                                            : measures_of({MeasureGroup::shape}),
+                 .inertia = limits.inertia},
+      .method = retiming.method,
+      .limits = limits};
   const auto certificates = certificates_of(limits, retiming.peaks);
   report::Page page = begun_page(title_of(before, retiming, certificates), head, before.epoch, before.keys);
   page.limits = limits_of(limits);
-  page.columns = columns_of(source.curves, certificates);
-  page.methods.push_back(method_of(source, "after", retiming.track.keys, retiming.peaks));
-  page.methods.push_back(method_of(source, "before", before.keys, {}));
+  page.columns = columns_of(retimed.curves, certificates);
+  page.methods.push_back(method_of(retimed, "after", retiming.track.keys, retiming.peaks));
+  page.methods.push_back(method_of(retimed, "before", before.keys, {}));
   return page;
 }
 

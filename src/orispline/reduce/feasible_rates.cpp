@@ -9,7 +9,7 @@ namespace orispline {
 namespace {
 
 constexpr double largest_angle = 0.999 * std::numbers::pi;  // below the cut of the logarithm
-constexpr double rounding = 1e-9;                           // in favour of the rate
+constexpr double rounding_of_rate = 1e-9;                   // in favour of the rate
 
 using Directions = Eigen::Matrix<double, 13, 3>;
 
@@ -29,10 +29,10 @@ const Directions directions = unit_directions();
 void FeasibleRates::narrow(const Eigen::Vector3d& turn, double elapsed, double bound) {
   const double tolerance = bound + 8.0 * angle_rounding;
   const double norm = turn.norm(), angle = norm + tolerance;
-  least_ = std::max(least_, (norm * (1.0 - rounding) - tolerance) / elapsed);
+  least_ = std::max(least_, (norm * (1.0 - rounding_of_rate) - tolerance) / elapsed);
   if (!(angle < largest_angle)) return;
   const double half = 0.5 * angle;
-  const double radius = tolerance * (half / std::sin(half)) * (1.0 + rounding) / elapsed;
+  const double radius = tolerance * (half / std::sin(half)) * (1.0 + rounding_of_rate) / elapsed;
   const Array along = directions * (turn / elapsed);
   lowest_ = lowest_.max(along - radius);
   highest_ = highest_.min(along + radius);

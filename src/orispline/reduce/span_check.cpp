@@ -10,7 +10,7 @@
 namespace orispline {
 namespace {
 
-constexpr double rounding = 1e-12;  // of bounds, relative, against acceptance
+constexpr double rounding_of_bounds = 1e-12;  // of bounds, relative, against acceptance
 constexpr double unknown = std::numeric_limits<double>::infinity();
 
 /// Not less than (θ/2)/sin(θ/2), for sin x ≥ x - x³/6; infinite from θ = 2 on.
@@ -176,7 +176,7 @@ std::optional<std::span<const SpanTest::Miss>> SpanTest::doubtful(const Piece& p
   if (!level) return std::nullopt;
   const std::size_t b = piece.first / level->intervals;
   if (!level->blocks[b].known) return std::nullopt;
-  const double held = 1.0 - rounding - distance(level->blocks[b], piece);
+  const double held = 1.0 - rounding_of_bounds - distance(level->blocks[b], piece);
   const auto largest = std::span(level->largest).subspan(b * level->kept(), level->kept());
   const auto end = std::ranges::partition_point(largest, [held](const Miss& miss) { return !(miss.miss <= held); });
   const auto count = static_cast<std::size_t>(end - largest.begin());

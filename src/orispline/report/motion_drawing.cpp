@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <numbers>
 
+#include <orispline/math/degrees.hpp>
 #include <orispline/math/so3.hpp>
 #include <orispline/report/chart.hpp>
 #include <orispline/report/sphere.hpp>
@@ -12,7 +12,6 @@
 namespace orispline::report {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
 constexpr double width = 1180.0, chart_height = 130.0, chart_pitch = 185.0, charts_top = 85.0;
 constexpr double charts_left = 70.0, charts_width = 660.0;
 constexpr Point sphere_center{970.0, 400.0};
@@ -26,7 +25,7 @@ using Values = std::vector<double>;
 Values angles_from_start(const PageSamples& samples) {
   Values angles;
   for (const Eigen::Quaterniond& q : samples.path.orientations)
-    angles.push_back(angular_distance(samples.path.orientations.front(), q) / degree);
+    angles.push_back(angular_distance(samples.path.orientations.front(), q) / radians_per_degree);
   return angles;
 }
 

@@ -4,17 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <numeric>
 #include <tuple>
 #include <utility>
 
+#include <orispline/math/degrees.hpp>
 #include <orispline/math/slerp.hpp>
 
 namespace orispline::report {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 const Eigen::Quaterniond no_orientation(nan, nan, nan, nan);
 
@@ -105,7 +104,7 @@ std::vector<double> errors_to(const PagePath& reference, const PagePath& path) {
     if (t < reference.times.front() || t > reference.times.back()) continue;
     const auto after = std::upper_bound(reference.times.begin() + 1, reference.times.end() - 1, t);
     const auto index = static_cast<std::size_t>(after - reference.times.begin());
-    errors[i] = angular_distance(path.orientations[i], on_reference(reference, index, t)) / degree;
+    errors[i] = angular_distance(path.orientations[i], on_reference(reference, index, t)) / radians_per_degree;
   }
   return errors;
 }

@@ -2,17 +2,17 @@
 #include <orispline/report/sphere.hpp>
 
 #include <cmath>
-#include <numbers>
+
+#include <orispline/math/degrees.hpp>
 
 namespace orispline::report {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
 constexpr std::string_view globe = "#f7f9fb", graticule_color = "#dde3e8";
 constexpr double pale = 0.45;
 
 Eigen::Vector3d on_globe(int longitude, int latitude) {
-  const double lambda = longitude * degree, phi = latitude * degree;
+  const double lambda = longitude * radians_per_degree, phi = latitude * radians_per_degree;
   return {std::cos(phi) * std::cos(lambda), std::cos(phi) * std::sin(lambda), std::sin(phi)};
 }
 

@@ -12,7 +12,7 @@
 namespace orispline {
 namespace {
 
-constexpr std::size_t most_rounds = 60;
+constexpr std::size_t most_descents = 60;
 constexpr double near_limit = 1e-6;  // by which a factor may be above 1
 constexpr std::array barrier_weights{0.1, 0.01, 0.001, 0.0};
 constexpr std::size_t sweeps = 4;  // per weight
@@ -27,7 +27,7 @@ std::vector<double> times_of(double first, std::span<const double> intervals) {
 
 /// Every interval stretched by what it needs and, so that steps stay alike, by the root of what its neighbours need.
 Expected<std::vector<double>> stretched(const LimitedMotion& motion, std::vector<double> times, Factors factors_at) {
-  for (std::size_t round = 0; round < most_rounds; ++round) {
+  for (std::size_t round = 0; round < most_descents; ++round) {
     const auto factors = (motion.*factors_at)(times);
     if (!factors) return tl::unexpected(factors.error());
     if (!(std::ranges::max(*factors) > 1.0 + near_limit)) break;

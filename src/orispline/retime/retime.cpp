@@ -13,7 +13,7 @@ namespace orispline {
 namespace {
 
 constexpr double margin = 1e-9;  // of a factor, for the rounding of the new times; twice as much in every round
-constexpr std::size_t most_rounds = 30;
+constexpr std::size_t most_slowings = 30;
 constexpr double least_gain = 1e-4;       // of the duration, to which the slowing is the least one, for another path
 constexpr double most_time_scale = 1e15;  // thirty million years a second
 
@@ -81,7 +81,7 @@ Expected<Slowed> slowed(const LimitedMotion& motion, std::vector<double> times,
     return (t.back() - t.front()) / (before.back() - before.front());
   };
   double more = margin;
-  for (std::size_t round = 0; found && round < most_rounds; ++round, more *= 2.0) {
+  for (std::size_t round = 0; found && round < most_slowings; ++round, more *= 2.0) {
     const double factor = motion.largest_factor(*found);
     if (!(factor > 1.0)) break;
     if (!(factor * time_scale(times) <= most_time_scale))

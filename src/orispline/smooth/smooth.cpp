@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/math/degrees.hpp>
 #include <orispline/smooth/smoothing_gyro.hpp>
 #include <orispline/smooth/smoothing_stretches.hpp>
 
@@ -87,7 +87,7 @@ class Smoother {
     if (const double noise = result_.noise; noise > largest_noise)
       return failure(ErrorCode::bad_data,
                      formatted("no smooth motion is near to the samples: they are {:.3g}° per axis off the best one",
-                               noise * 180.0 / std::numbers::pi));
+                               noise * degrees));
     if (options_.gyro)
       if (auto done = fit_with_gyro(); !done) return tl::unexpected(std::move(done.error()));
     return finished();
@@ -164,7 +164,7 @@ class Smoother {
         ErrorCode::bad_data,
         formatted("{} of {} samples are farther than 5 σ from the best motion, σ = {:.3g}°, wanted a larger noise, "
                   "a shorter smoothing time, or the loss l2, which has no outliers",
-                  faults, all, noise_ * 180.0 / std::numbers::pi));
+                  faults, all, noise_ * degrees));
   }
 
   /// What of the data the curve takes up, per axis, and what is left to tell the noise: trace + rest = observations.

@@ -18,7 +18,7 @@ namespace orispline {
 inline constexpr double cost_rounding = 1e-12;  // a cost that rises by no more than this share has not risen
 inline constexpr double contraction = 0.5;      // of steps, that tells that the iteration converges
 inline constexpr int most_steps_across = 6;     // of a valley
-inline constexpr double shortest_step = 1e-4;   // of the step that Gauss and Newton propose
+inline constexpr double smallest_share = 1e-4;  // of the step that Gauss and Newton propose
 
 /// The iteration for a penalty of order P, with or without a gyro.
 template <int P, bool Gyro>
@@ -198,11 +198,11 @@ class Minimisation {
       // The shortest step is made even uphill: it may cross where the shorter way between two nodes changes sides, and
       // the cost goes down again beyond.
       const bool rises = !(there.cost <= now.cost * (1.0 + cost_rounding));
-      if (rises && length < shortest_step && now.cost < lowest_cost_) {
+      if (rises && length < smallest_share && now.cost < lowest_cost_) {
         lowest_ = std::move(from);
         lowest_cost_ = now.cost;
       }
-      if (!rises || length < shortest_step) {
+      if (!rises || length < smallest_share) {
         now = std::move(there);
         return length;
       }

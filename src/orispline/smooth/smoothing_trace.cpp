@@ -13,16 +13,16 @@ namespace {
 template <int P>
 Eigen::Matrix<double, P, 2 * P> scalar_link(double h) {
   Eigen::Matrix<double, P, 2 * P> link;
-  const double root3 = std::sqrt(3.0), root5 = std::sqrt(5.0), root = std::sqrt(h);
+  const double sqrt3 = std::sqrt(3.0), sqrt5 = std::sqrt(5.0), root = std::sqrt(h);
   if constexpr (P == 2) {
     link << 0.0, -h, 0.0, h,  //
-        2.0 * root3, root3 * h, -2.0 * root3, root3 * h;
+        2.0 * sqrt3, sqrt3 * h, -2.0 * sqrt3, sqrt3 * h;
     return link / (h * root);
   } else {
     const double q = h * h;
     link << 0.0, 0.0, -q, 0.0, 0.0, q,                                      //
-        0.0, 2.0 * root3 * h, root3 * q, 0.0, -2.0 * root3 * h, root3 * q,  //
-        -12.0 * root5, -6.0 * root5 * h, -root5 * q, 12.0 * root5, -6.0 * root5 * h, root5 * q;
+        0.0, 2.0 * sqrt3 * h, sqrt3 * q, 0.0, -2.0 * sqrt3 * h, sqrt3 * q,  //
+        -12.0 * sqrt5, -6.0 * sqrt5 * h, -sqrt5 * q, 12.0 * sqrt5, -6.0 * sqrt5 * h, sqrt5 * q;
     return link / (q * root);
   }
 }

@@ -16,18 +16,18 @@ using families::Nu;
 using families::NuRatios;
 using families::NuRule;
 using families::NuSteps;
-using J = Jet<double, 1>;
+using Slope = Jet<double, 1>;
 template <Number T>
 using ControlsOver = std::vector<Quaternion<T>>;
-using Controls = ControlsOver<J>;
+using Controls = ControlsOver<Slope>;
 
 /// The control orientations, which turn by these rotation vectors per unit of a variable.
 Controls moving(const std::vector<Eigen::Quaterniond>& controls, const Eigen::VectorXd& turns) {
   Controls moved;
   for (std::size_t i = 0; i < controls.size(); ++i) {
-    Vector3<J> turn;
+    Vector3<Slope> turn;
     for (Eigen::Index axis = 0; axis < 3; ++axis) turn[axis].c[1] = turns[3 * static_cast<Eigen::Index>(i) + axis];
-    moved.push_back(constant<J>(controls[i]) * exp<J>(turn));
+    moved.push_back(constant<Slope>(controls[i]) * exp<Slope>(turn));
   }
   return moved;
 }
@@ -40,11 +40,11 @@ Vector3<T> missed(const Rule& rule, std::size_t i, const ControlsOver<T>& d, con
 }
 
 /// The ratios as functions of the ν of one key.
-NuRatios<J> ratios_along(NuSteps step, const std::vector<double>& nu, std::size_t key) {
-  std::vector<J> gamma;
+NuRatios<Slope> ratios_along(NuSteps step, const std::vector<double>& nu, std::size_t key) {
+  std::vector<Slope> gamma;
   for (std::size_t i = 0; i < nu.size(); ++i)
-    gamma.push_back(families::nu_gamma<J>(step, i, i == key ? J::variable(nu[i]) : J(nu[i])));
-  return families::nu_ratios<J>(step, gamma);
+    gamma.push_back(families::nu_gamma<Slope>(step, i, i == key ? Slope::variable(nu[i]) : Slope(nu[i])));
+  return families::nu_ratios<Slope>(step, gamma);
 }
 
 /// Derivatives of what the keys are missed by along the turns of the controls.
@@ -65,17 +65,18 @@ BandedMatrix control_jacobian(const Nu::Construction& made, std::span<const Eige
   return matrix;
 }
 
-Eigen::Vector3d values_of(const Vector3<J>& v) { return {v[0].c[0], v[1].c[0], v[2].c[0]}; }
-Eigen::Vector3d slopes_of(const Vector3<J>& v) { return {v[0].c[1], v[1].c[1], v[2].c[1]}; }
+Eigen::Vector3d values_of(const Vector3<Slope>& v) { return {v[0].c[0], v[1].c[0], v[2].c[0]}; }
+Eigen::Vector3d slopes_of(const Vector3<Slope>& v) { return {v[0].c[1], v[1].c[1], v[2].c[1]}; }
 
 /// The handles of the cubic after key i.
 struct Handles {
-  Vector3<J> leaving, arriving;
+  Vector3<Slope> leaving, arriving;
 };
 
-Handles handles(const Controls& d, const NuRatios<J>& ratios, std::span<const Eigen::Quaterniond> keys, std::size_t i) {
-  return {increment<J>(constant<J>(keys[i]), slerp<J>(d[i], d[i + 1], ratios.after[i])),
-          increment<J>(slerp<J>(d[i], d[i + 1], ratios.before[i + 1]), constant<J>(keys[i + 1]))};
+Handles handles(const Controls& d, const NuRatios<Slope>& ratios, std::span<const Eigen::Quaterniond> keys,
+                std::size_t i) {
+  return {increment<Slope>(constant<Slope>(keys[i]), slerp<Slope>(d[i], d[i + 1], ratios.after[i])),
+          increment<Slope>(slerp<Slope>(d[i], d[i + 1], ratios.before[i + 1]), constant<Slope>(keys[i + 1]))};
 }
 
 }  // namespace
@@ -111,10 +112,10 @@ void NuSum::move_to(const std::vector<double>& values) {
         slerp_segment(keys_.times()[i], step(i + 1), q[i], q[i + 1], values_of(h.leaving), values_of(h.arriving)));
   }
   for (std::size_t v = 0; v < values.size(); ++v) {
-    const NuRule<J> rule{ratios_along(step, nu, model_.variables[v].key), made->rule.start, made->rule.end};
+    const NuRule<Slope> rule{ratios_along(step, nu, model_.variables[v].key), made->rule.start, made->rule.end};
     Eigen::VectorXd change = Eigen::VectorXd::Zero(size);
     for (std::size_t i = 0; i < q.size(); ++i)
-      change.segment<3>(3 * static_cast<Eigen::Index>(i)) = slopes_of(missed<J>(rule, i, still, q[i]));
+      change.segment<3>(3 * static_cast<Eigen::Index>(i)) = slopes_of(missed<Slope>(rule, i, still, q[i]));
     const Controls d = moving(made->controls, equations.solve(-change));
     for (std::size_t i = 0; i < variables_.size(); ++i) {
       if (variables_[i].empty() || v < variables_[i].front() || v > variables_[i].back()) continue;

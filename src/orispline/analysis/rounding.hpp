@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <limits>
+
+namespace orispline {
+
+/// So much of an increment is rounding [rad], and of a rate of order k over steps of h seconds so much over h^k.
+inline constexpr double rounding_of_increments = 256.0 * std::numeric_limits<double>::epsilon();
+
+}  // namespace orispline
