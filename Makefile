@@ -51,9 +51,12 @@ bench:
 bench-quick:
 	$(call build_and_measure,--sizes quick)
 
+# Of the headers that are installed.
 docs:
-	tools/setup.sh docs
-	mkdir -p build/docs
+	tools/setup.sh build docs
+	cmake --preset release
+	rm -rf build/docs
+	cmake --install build/release --component headers --prefix build/docs
 	doxygen docs/Doxyfile
 
 # Builds the page of the reports anew, which is part of the library.

@@ -2,7 +2,7 @@
 include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/orispline)
-install(TARGETS orispline EXPORT orisplineTargets FILE_SET HEADERS)
+install(TARGETS orispline EXPORT orisplineTargets FILE_SET HEADERS COMPONENT headers FILE_SET inner COMPONENT headers)
 install(EXPORT orisplineTargets NAMESPACE orispline:: DESTINATION ${package_dir})
 
 configure_package_config_file(

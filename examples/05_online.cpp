@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <orispline/online/online_curve.hpp>
+#include <orispline/streams.hpp>
 
 Eigen::Quaterniond measured(double t) { return orispline::exp(Eigen::Vector3d(0.4 * t, 0.3 * t * t, 0.0)); }
 

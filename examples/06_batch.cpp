@@ -2,8 +2,8 @@
 // Many samples at once: a track resampled into the caller's memory, on as many threads as wanted, with the same bits.
 
 #include <cstdio>
-#include <orispline/batch/sample.hpp>
 #include <orispline/orispline.hpp>
+#include <orispline/sampling.hpp>
 
 int main() {
   orispline::KeyframeData data;

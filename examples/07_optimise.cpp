@@ -6,10 +6,10 @@
 #include <cstdio>
 
 #include <orispline/orispline.hpp>
-#include <orispline/reduce/reduce.hpp>
-#include <orispline/retime/retime.hpp>
-#include <orispline/smooth/smooth.hpp>
-#include <orispline/tune/tune.hpp>
+#include <orispline/reduce.hpp>
+#include <orispline/retime.hpp>
+#include <orispline/smooth.hpp>
+#include <orispline/tune.hpp>
 
 namespace {
 

@@ -3,7 +3,10 @@
 
 // The face of the library: keyframes in, curves with exact rates out.
 
+#include <orispline/base/version.hpp>
 #include <orispline/curve/keyframe.hpp>
+#include <orispline/curve/pose_curve.hpp>
+#include <orispline/curve/track.hpp>
 #include <orispline/families/method_text.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/math/slerp.hpp>

@@ -56,6 +56,10 @@ class CheckFloors(unittest.TestCase):
         self.assert_breach("src/orispline/math/so3.hpp", HEADER + "#include <orispline/curve/keyframe.hpp>\n",
                            "math/so3.hpp: floor math must not include orispline/curve/keyframe.hpp")
 
+    def test_finds_an_example_that_includes_a_private_header(self):
+        self.assert_breach("examples/story.cpp", SPDX + "#include <orispline/curve/knots.hpp>\n",
+                           "examples/story.cpp: wanted a public header")
+
     def test_finds_an_include_of_a_neighbouring_wing(self):
         self.assert_breach("src/orispline/io/csv.cpp", SPDX + "#include <orispline/families/slerp.hpp>\n",
                            "floor io must not include orispline/families/slerp.hpp")

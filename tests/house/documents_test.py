@@ -139,6 +139,15 @@ class Documents(unittest.TestCase):
         for part in parts:
             self.assertIn(words(part), example)
 
+    def test_the_index_lists_every_public_header_and_pages_include_no_other(self):
+        public = {path.name for path in (ROOT / "src/orispline").glob("*.hpp")}
+        listed = [name for row in rows("index.md", ["`#include <orispline/…>`"])
+                  for name in re.findall(r"`([a-z]+\.hpp)`", row[0])]
+        self.assertCountEqual(listed, public)
+        for page in PAGES:
+            included = re.findall(r"#include <orispline/(\w.*?)>", page.read_text("utf-8"))
+            self.assertLessEqual(set(included), public, page)
+
     def test_every_link_leads_somewhere(self):
         for page in PAGES:
             for target in LINK.findall(page.read_text("utf-8")):

@@ -7,7 +7,7 @@
 /// system's library takes other paths on processors with fused multiply-add.
 ///
 /// Each result is within 1 ulp of the true value, for every argument; zeros, infinities and NaN are answered as by
-/// <cmath>. The formulas: docs/conventions.md, "The same bits everywhere".
+/// `<cmath>`. The formulas: docs/conventions.md, "The same bits everywhere".
 namespace orispline::elementary {
 
 struct SineCosine {

@@ -2,7 +2,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include <orispline/base/version.hpp>
 #include <orispline/orispline.hpp>
 
 // A steady turn about z, 0.5 rad/s, through uneven keys: timed-c2 keeps the rate, so the curve in between is known.

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// What a curve is worth: distances, energies, continuity, peaks, and methods compared by them.
+
+#include <orispline/analysis/angle_travelled.hpp>
+#include <orispline/analysis/compared_method.hpp>
+#include <orispline/analysis/comparison.hpp>
+#include <orispline/analysis/decimation.hpp>
+#include <orispline/analysis/key_statistics.hpp>
+#include <orispline/analysis/leave_out.hpp>
+#include <orispline/analysis/measure_info.hpp>
+#include <orispline/analysis/spread.hpp>
+#include <orispline/analysis/torque.hpp>

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Files of keyframes and of samples (ORISPLINE_IO).
+
+#include <orispline/io/sample_writer.hpp>
+#include <orispline/io/times_file.hpp>
+#include <orispline/io/track_file.hpp>
