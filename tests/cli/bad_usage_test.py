@@ -117,9 +117,9 @@ CASES = (
     ("sample keys.csv --rate 1 --derivatives 2 --output-format euroc",
      "--derivatives: found '2', wanted 0 for an EuRoC file, which has no columns for rates"),
     ("sample keys.csv --rate 1 --output-orientation euler -o motion.tum",
-     "--output-orientation: a TUM file holds orientations as quaternions only, wanted CSV"),
+     "--output-orientation: a TUM file holds orientations as quaternions only, wanted CSV or NumPy"),
     ("convert keys.csv --output-euler ZYX --output-format euroc",
-     "--output-euler: an EuRoC file holds orientations as quaternions only, wanted CSV"),
+     "--output-euler: an EuRoC file holds orientations as quaternions only, wanted CSV or NumPy"),
     ("convert keys.csv --output-orientation matrix --output-angle-unit rad",
      "--output-orientation: found 'matrix', wanted euler with --output-angle-unit"),
     ("convert keys.csv --output-euler XYY", "--output-euler: found 'XYY', wanted three axes such as ZYX (those of the "

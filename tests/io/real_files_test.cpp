@@ -67,7 +67,7 @@ TEST_F(RealFile, CameraTrajectoryWithADuplicateTime) {
 
   const auto file = read_keys(path, {.drop_duplicates = true});
   ASSERT_TRUE(file) << describe(file.error());
-  EXPECT_EQ(file->format, FileFormat::tum);
+  EXPECT_EQ(file->format, &tum_format);
   EXPECT_EQ(file->repairs.duplicates_dropped, 1u);
   EXPECT_EQ(file->data.times.size(), 20956u);
   EXPECT_EQ(file->epoch.to_string(), "1311868163.8697");

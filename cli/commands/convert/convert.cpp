@@ -51,7 +51,7 @@ ConvertReport report_on(const io::TrackFile& source, const ConvertOptions& optio
     report.dropped_columns.emplace_back("angular velocities");
   if (!columns.positions)
     report.positions =
-        io::holds_all_columns(columns.format) ? ConvertReport::Positions::absent : ConvertReport::Positions::zero;
+        columns.format->holds.always_positions ? ConvertReport::Positions::zero : ConvertReport::Positions::absent;
   return report;
 }
 
@@ -67,8 +67,7 @@ Expected<void> convert(const ConvertOptions& options) {
   const auto source = open_source(std::move(*request));
   if (!source) return tl::unexpected(source.error());
   columns.positions = !source->track.keys.positions().empty();
-  columns.derivatives =
-      io::holds_all_columns(columns.format) && !source->track.keys.angular_velocities().empty() ? 1 : 0;
+  columns.derivatives = columns.format->holds.rates && !source->track.keys.angular_velocities().empty() ? 1 : 0;
   const ConvertReport report = report_on(*source, options, columns);
   return io::SampleWriter::open(options.output.path, columns, source->track.keys.size())
       .and_then([&](io::SampleWriter writer) {

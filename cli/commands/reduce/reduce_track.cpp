@@ -58,9 +58,9 @@ Expected<UnfinishedKeys> write_keys(const std::string& path, io::SampleColumns c
   columns.positions = !track.samples().positions().empty();
   columns.derivatives = 0;
   for (const auto& [name, values] : reduction.track.settings) columns.settings.push_back(name);
-  if (!columns.settings.empty() && !io::holds_all_columns(columns.format))
-    return usage_failure(formatted("{}: {} has no column for {}, with which the tolerance holds, wanted CSV", path,
-                                   a_file_of(columns.format), columns.settings.front()));
+  if (!columns.settings.empty() && !columns.format->holds.settings)
+    return usage_failure(formatted("{}: {} has no column for {}, with which the tolerance holds, wanted {}", path,
+                                   columns.format->file, columns.settings.front(), formats_for_settings()));
   return io::SampleWriter::open(path, columns, reduction.samples.size()).and_then([&](io::SampleWriter writer) {
     UnfinishedKeys output{std::move(writer), nullptr};
     output.removal = std::make_unique<RemovedWhenInterrupted>(output.writer.part());

@@ -53,7 +53,7 @@ Expected<Request> request_in(const RetimeOptions& options) {
   auto read = std::move(checked).or_else(std::move(request));
   if (!read) return read;
   if (auto agreed = agree(options); !agreed) return tl::unexpected(std::move(agreed.error()));
-  return check_times_are_kept(read->columns.format, "-o", "the limits").map([&] { return std::move(*read); });
+  return check_times_are_kept(*read->columns.format, "-o", "the limits").map([&] { return std::move(*read); });
 }
 
 /// At their new times, with the digits of the file.
@@ -74,9 +74,9 @@ Expected<io::SampleColumns> columns_for(const Track& track, io::SampleColumns co
   columns.positions = !track.keys.positions().empty();
   columns.derivatives = 0;
   for (const auto& [name, values] : track.settings) columns.settings.push_back(name);
-  if (columns.settings.empty() || io::holds_all_columns(columns.format)) return columns;
-  return usage_failure(formatted("-o: {} has no column for {}, with which the limits hold, wanted CSV",
-                                 a_file_of(columns.format), columns.settings.front()));
+  if (columns.settings.empty() || columns.format->holds.settings) return columns;
+  return usage_failure(formatted("-o: {} has no column for {}, with which the limits hold, wanted {}",
+                                 columns.format->file, columns.settings.front(), formats_for_settings()));
 }
 
 }  // namespace

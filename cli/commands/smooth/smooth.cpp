@@ -94,7 +94,7 @@ Expected<std::size_t> write_samples(io::SampleWriter& writer, const orispline::S
 
 Expected<std::size_t> write(const std::string& path, const Request& request, const orispline::Smoothing& smoothed) {
   io::SampleColumns columns = request.columns;
-  columns.derivatives = io::holds_all_columns(columns.format) ? 2 : 0;
+  columns.derivatives = columns.format->holds.rates ? 2 : 0;
   columns.positions = !smoothed.track.keys.positions().empty();
   return io::SampleWriter::open(path, columns, smoothed.track.keys.size()).and_then([&](io::SampleWriter writer) {
     const RemovedWhenInterrupted unfinished(writer.part());
@@ -117,7 +117,7 @@ Expected<void> smooth(const SmoothOptions& options) {
   if (!smoothing) return tl::unexpected(placed(recording, std::move(smoothing.error())));
   const auto remark = remark_on(*smoothing);
   warn_if_any(remark);
-  if (!io::holds_all_columns(request->columns.format))
+  if (!request->columns.format->holds.rates)
     warn("this format holds no rates: wx,wy,wz,ax,ay,az are not written, wanted a CSV file for them");
   SmoothReport report{.recording = recording,
                       .repairs = file->repairs,

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include <orispline/base/formatted.hpp>
-#include <orispline/io/euroc.hpp>
 
 namespace orispline::io {
 namespace {
@@ -98,10 +97,6 @@ std::vector<std::string> ignored_names(std::span<const std::string_view> header,
   return ignored;
 }
 
-VectorColumns three_columns_from(std::size_t first) {
-  return {NumberColumn{first}, NumberColumn{first + 1}, NumberColumn{first + 2}};
-}
-
 bool begins_like_number(std::string_view cell) {
   return std::string_view("+-.0123456789").find(cell.front()) != std::string_view::npos;
 }
@@ -148,24 +143,6 @@ Expected<KeyColumns> columns_of_order(std::size_t columns, QuaternionOrder order
   KeyColumns result{.width = columns, .orientation = {{1}, {2}, {3}, {4}}};
   if (order == QuaternionOrder::xyzw) result.orientation = {{4}, {1}, {2}, {3}};
   if (columns == 8) result.position = three_columns_from(5);
-  return result;
-}
-
-KeyColumns columns_of_tum() {
-  return {.width = 8, .orientation = {{7}, {4}, {5}, {6}}, .position = three_columns_from(1)};
-}
-
-Expected<KeyColumns> columns_of_euroc(std::size_t columns) {
-  if (columns < euroc_columns)
-    return failure(ErrorCode::bad_data,
-                   formatted("found {} column{}, wanted at least 8 (time, position, quaternion w,x,y,z)", columns,
-                             columns == 1 ? "" : "s"));
-  KeyColumns result{.width = columns,
-                    .time_unit = Decimal::power_of_ten(-9),
-                    .whole_times = true,
-                    .orientation = {{4}, {5}, {6}, {7}},
-                    .position = three_columns_from(1)};
-  if (columns > euroc_columns) result.ignored = {formatted("columns {} to {}", euroc_columns + 1, columns)};
   return result;
 }
 

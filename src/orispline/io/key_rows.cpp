@@ -141,10 +141,10 @@ std::size_t late_rows(const std::vector<Decimal>& times) {
 
 }  // namespace
 
-KeyRows::KeyRows(std::string path, FileFormat format, KeyColumns columns, const ReadOptions& options)
+KeyRows::KeyRows(std::string path, const FormatInfo& format, KeyColumns columns, const ReadOptions& options)
     : columns_(std::move(columns)), options_(options) {
   file_.path = std::move(path);
-  file_.format = format;
+  file_.format = &format;
 }
 
 Expected<void> KeyRows::add(const TextTable& table) {

@@ -13,7 +13,7 @@ namespace orispline::io {
 struct TrackFile {
   Track track{};
   std::vector<Eigen::Quaterniond> as_read{};  ///< with the norms and signs of the file; only if asked for
-  FileFormat format = FileFormat::csv;
+  const FormatInfo* format = &csv_format;
   RepairReport repairs{};
   KeyTable table{};                                   ///< the cells of each key; only if asked for
   std::vector<std::string> ignored_columns{};         ///< that nothing was read from
