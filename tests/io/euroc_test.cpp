@@ -64,15 +64,17 @@ TEST(EuRoC, MayHaveMoreColumns) {
 }
 
 TEST(EuRoC, IsNotGuessedFromOtherHeaders) {
-  const std::string advice =
-      "no header, wanted a first line such as t,qw,qx,qy,qz or the order of the columns by --order wxyz|xyzw";
+  const std::string advice = "no header, wanted a first line such as t,qw,qx,qy,qz";
   for (const char* header :
        {"", "#timestamp [us],p_RS_R_x [m],p_RS_R_y [m],p_RS_R_z [m],q_RS_w [],q_RS_x [],q_RS_y [],q_RS_z []\n",
         "#timestamp [ns],q_RS_w [],q_RS_x [],q_RS_y [],q_RS_z [],p_RS_R_x [m],p_RS_R_y [m],p_RS_R_z [m]\n"}) {
     const std::string line = *header ? "2" : "1";
-    EXPECT_EQ(text_of(read(header + rows).error()), "data.csv:" + line + ": " + advice + " (or --input-format euroc)");
+    EXPECT_EQ(text_of(read(header + rows).error()),
+              "data.csv:" + line + ": " + advice +
+                  ", the order of the columns, or the format euroc, which it is like (option format)");
   }
-  EXPECT_EQ(text_of(read("1,2,3,4,5,6,7,8\n").error()), "data.csv:1: " + advice);
+  EXPECT_EQ(text_of(read("1,2,3,4,5,6,7,8\n").error()),
+            "data.csv:1: " + advice + " or the order of the columns (option order)");
 }
 
 TEST(EuRoC, HeaderIsOverruledByTheCaller) {
@@ -97,11 +99,11 @@ TEST(EuRoC, RefusesWhatIsNotItsKind) {
             "data.csv:1: found 1 column, wanted at least 8 (time, position, quaternion w,x,y,z)");
   EXPECT_EQ(refusal("1,2,3,4,1,0,0,0,9\n2,2,3,4,1,0,0,0\n"), "data.csv:2: key 1: found 8 cells, wanted 9");
   EXPECT_EQ(refusal(rows, {.order = QuaternionOrder::wxyz}),
-            "data.csv:1: --order is for CSV, and EuRoC is always time, position, quaternion w,x,y,z");
+            "[order] data.csv:1: an order is for CSV, and EuRoC is always time, position, quaternion w,x,y,z");
   EXPECT_EQ(refusal(rows, {.columns = {{"t", "stamp"}}}),
-            "data.csv:1: --columns is for CSV, and the columns of EuRoC are fixed");
+            "[columns] data.csv:1: a name of a column is for CSV, and the columns of EuRoC are fixed");
   EXPECT_EQ(refusal(rows, {.orientation = {.euler = EulerOrder{}}}),
-            "data.csv:1: --euler is for CSV, and the columns of EuRoC are fixed");
+            "[euler] data.csv:1: an order of Euler angles is for CSV, and the columns of EuRoC are fixed");
 }
 
 TEST(EuRoC, TimesAreScaledByTheCaller) {

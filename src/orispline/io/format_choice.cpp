@@ -19,8 +19,8 @@ Candidates candidates_for(const std::string& path, const ReadOptions& options) {
 
 Expected<void> check_time_scale(const ReadOptions& options) {
   if (!options.time_scale || *options.time_scale > Decimal()) return {};
-  return failure(ErrorCode::bad_argument,
-                 formatted("the time scale is {}, wanted a number greater than 0", options.time_scale->to_string()));
+  return bad_option("time_scale",
+                    formatted("the time scale is {}, wanted a number greater than 0", options.time_scale->to_string()));
 }
 
 tl::unexpected<Error> not_read(const FormatInfo& format, const std::string& path) {

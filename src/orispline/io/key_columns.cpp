@@ -43,8 +43,8 @@ Expected<void> check_mappings(const HeaderReading& reading) {
   const auto wanted = canonical_names(reading.parameters);
   for (const auto& [canonical, name] : reading.names)
     if (std::ranges::find(wanted, canonical) == wanted.end())
-      return failure(ErrorCode::bad_argument, formatted("--columns {}={}: no such column is read, wanted one of {}",
-                                                        canonical, name, joined(wanted, ", ")));
+      return bad_option("columns", formatted("{}={}: no such column is read, wanted one of {}", canonical, name,
+                                             joined(wanted, ", ")));
   return {};
 }
 
@@ -63,9 +63,7 @@ Expected<RequiredColumns> required_columns(const ColumnSearch& search, const Ori
   auto missing = orientation->group.missing;
   if (!*time) missing.insert(missing.begin(), time_names.front());
   if (missing.empty()) return RequiredColumns{**time, std::move(*orientation)};
-  return failure(ErrorCode::bad_data,
-                 formatted("no column {}, found {}; other names are given by --columns {}=NAME,...",
-                           joined(missing, ", "), search.found_names(), missing[0]));
+  return mended_by("columns", formatted("no column {}, found {}", joined(missing, ", "), search.found_names()));
 }
 
 Expected<std::vector<ParameterColumn>> parameter_columns(const ColumnSearch& search,

@@ -10,16 +10,18 @@ std::size_t width_of(std::span<const std::string_view> cells) noexcept {
   return cells.size();
 }
 
-std::optional<std::string_view> header_option(const ReadOptions& options) {
-  if (!options.columns.empty()) return "--columns";
-  if (options.orientation.representation) return "--input-orientation";
-  if (options.orientation.euler) return "--euler";
-  if (options.orientation.angle_unit) return "--angle-unit";
+std::optional<OptionWords> header_option(const ReadOptions& options) {
+  if (!options.columns.empty()) return OptionWords{"columns", "a name of a column"};
+  if (options.orientation.representation) return OptionWords{"representation", "a form of the orientation"};
+  if (options.orientation.euler) return OptionWords{"euler", "an order of Euler angles"};
+  if (options.orientation.angle_unit) return OptionWords{"angle_unit", "a unit of angles"};
   return std::nullopt;
 }
 
-tl::unexpected<Error> misplaced(const TextTable& table, std::string message) {
-  return failure(ErrorCode::bad_argument, std::move(message), table.here());
+tl::unexpected<Error> misplaced(const TextTable& table, std::string_view option, std::string message) {
+  auto refused = bad_option(option, std::move(message));
+  refused.value().where = table.here();
+  return refused;
 }
 
 Expected<KeyColumns> located(const TextTable& table, Expected<KeyColumns> columns) {

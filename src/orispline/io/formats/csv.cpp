@@ -21,7 +21,7 @@ RateReading rate_reading(const ReadOptions& options) {
 }
 
 Expected<TableLayout> layout_of_header(const TextTable& table, const ReadOptions& options) {
-  if (options.order) return misplaced(table, "--order is for CSV without a header, and this line is one");
+  if (options.order) return misplaced(table, "order", "an order is for CSV without a header, and this line is one");
   const HeaderReading reading{.names = options.columns,
                               .parameters = options.parameters,
                               .rates = rate_reading(options),
@@ -33,21 +33,26 @@ Expected<TableLayout> layout_of_header(const TextTable& table, const ReadOptions
   });
 }
 
-/// Of another format that the first row looks like.
-std::string other_format(const TextTable& table, const ReadOptions& options) {
+/// No header and no order: another format may be meant.
+tl::unexpected<Error> no_header(const TextTable& table, const ReadOptions& options) {
+  const std::string_view example = "t,qw,qx,qy,qz";
   const FormatInfo* const like = likest(formats_read(), table, options, Likeness::possible);
-  return like ? formatted(" (or --input-format {})", like->id) : "";
+  if (!like)
+    return mended_by("order",
+                     formatted("no header, wanted a first line such as {} or the order of the columns", example),
+                     table.here());
+  return mended_by(
+      "format",
+      formatted(
+          "no header, wanted a first line such as {}, the order of the columns, or the format {}, which it is like",
+          example, like->id),
+      table.here());
 }
 
 Expected<TableLayout> layout_of_order(const TextTable& table, const ReadOptions& options) {
   if (const auto option = header_option(options))
-    return misplaced(table, formatted("{} needs a header, and the file has none", *option));
-  if (!options.order)
-    return failure(ErrorCode::bad_data,
-                   formatted("no header, wanted a first line such as t,qw,qx,qy,qz or the order of the columns by "
-                             "--order wxyz|xyzw{}",
-                             other_format(table, options)),
-                   table.here());
+    return misplaced(table, option->option, formatted("{} wants a header, and the file has none", option->words));
+  if (!options.order) return no_header(table, options);
   const std::size_t width = width_of(table.cells());
   return located(table, columns_of_order(width, *options.order)).map([&](KeyColumns columns) {
     const auto& names = *options.order == QuaternionOrder::xyzw ? names_xyzw : names_wxyz;
