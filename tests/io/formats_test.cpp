@@ -10,6 +10,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/io/key_file.hpp>
 #include <orispline/io/sample_writer.hpp>
+#include <orispline/io/track_file.hpp>
 
 #include "io/text_file.hpp"
 
@@ -111,6 +112,10 @@ TEST(Formats, MayBeACallersOwnAndHoldSeveralTracks) {
   ASSERT_TRUE(tracks) << describe(tracks.error());
   ASSERT_EQ(tracks->size(), 2u);
   EXPECT_EQ(tracks->back().path, "foot");
+  const auto checked = read_tracks(file.path(), {.format = &names_format});
+  ASSERT_TRUE(checked) << describe(checked.error());
+  EXPECT_EQ(checked->front().track.name, "hand");
+  EXPECT_EQ(checked->back().track.keys.size(), 1u);
   const auto one = read_keys(file.path(), {.format = &names_format});
   EXPECT_EQ(text_of(one.error()), "keys.csv: found 2 tracks, wanted a file of one");
   const auto writer = SampleWriter::open("-", {.format = &names_format});

@@ -219,17 +219,15 @@ Expected<void> check_outputs(const Request& request, const ReduceOptions& option
 }
 
 /// All or none.
-Expected<void> write_all(const Request& request, const std::vector<ReducedTrack>& tracks,
-                         const std::vector<ReduceReport>& reports) {
+Expected<void> write_all(const Request& request, const std::vector<ReduceReport>& reports) {
   std::vector<UnfinishedKeys> outputs;
   for (std::size_t i = 0; i < reports.size(); ++i) {
-    auto output =
-        write_keys(reports[i].output, request.columns[i], tracks[i], reports[i].reductions[reports[i].chosen]);
+    auto output = write_keys(reports[i].output, request.columns[i], reports[i].reductions[reports[i].chosen].track);
     if (!output) return tl::unexpected(std::move(output.error()));
     outputs.push_back(std::move(*output));
   }
   for (UnfinishedKeys& output : outputs)
-    if (auto finished = output.writer.finish(); !finished) return finished;
+    if (auto finished = output.file.finish(); !finished) return finished;
   return {};
 }
 

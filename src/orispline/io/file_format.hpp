@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,11 +14,14 @@
 
 namespace orispline {
 class Decimal;
-}
+struct KeyTable;
+struct Track;
+}  // namespace orispline
 
 namespace orispline::io {
 
 class LineReader;
+class OutputFile;
 class RowNumbers;
 class TextTable;
 enum class Delimiter;
@@ -25,6 +30,9 @@ struct ReadOptions;
 struct Sample;
 struct SampleColumns;
 struct TableLayout;
+
+/// Columns of numbers by name, one number per key.
+using NumberColumns = std::map<std::string, std::vector<double>, std::less<>>;
 
 /// The path that means standard input or standard output.
 inline constexpr std::string_view standard_stream = "-";
@@ -73,6 +81,10 @@ struct FormatWriting {
   void (*row)(std::string& bytes, const Decimal& time, std::span<const double> numbers) = nullptr;
   void (*rounded_row)(std::string& bytes, double time, std::span<const double> numbers) = nullptr;
   std::optional<WholeTimes> whole_times{};
+  /// The text of a file of keys with the columns of another one, and numbers in the place of some. Null: no tables.
+  std::string (*table)(const KeyTable&, const NumberColumns&) = nullptr;
+  /// Writes any number of tracks, one at least, as a whole. Null: a file holds one, in rows.
+  Expected<void> (*tracks)(OutputFile&, std::span<const Track>, const SampleColumns&) = nullptr;
 };
 
 /// A format of files of keys and samples: all that is known of it elsewhere.

@@ -46,6 +46,11 @@ Expected<void> check_columns(const SampleColumns& columns) {
   });
 }
 
+std::string header_of(const SampleColumns& columns, std::size_t rows) {
+  const FormatWriting& writing = columns.format->writing;
+  return writing.header ? writing.header(columns, rows) : "";
+}
+
 // THE order of the columns: `column_names` and `named_numbers` agree.
 
 std::vector<std::string> column_names(const SampleColumns& columns) {

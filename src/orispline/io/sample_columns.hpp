@@ -38,6 +38,9 @@ inline constexpr std::size_t most_settings = 8;  ///< columns of settings in a f
 /// Error (bad_argument): what the format cannot hold.
 [[nodiscard]] Expected<void> check_columns(const SampleColumns& columns);
 
+/// What stands before that many rows of a file of these columns.
+[[nodiscard]] std::string header_of(const SampleColumns& columns, std::size_t rows);
+
 /// The names of the columns where a file may hold all: time, orientation, position, angular rates, rates of position,
 /// settings.
 [[nodiscard]] std::vector<std::string> column_names(const SampleColumns& columns);

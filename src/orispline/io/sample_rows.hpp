@@ -10,6 +10,8 @@
 
 namespace orispline::io {
 
+inline constexpr std::size_t written_block = std::size_t{256} << 10;  ///< [bytes] of rows, best written at a time
+
 /// Rows of samples as their file holds them, gathered in memory: several threads may each make some.
 class SampleRows {
  public:

@@ -4,17 +4,6 @@
 #include <utility>
 
 namespace orispline::io {
-namespace {
-
-constexpr std::size_t block = std::size_t{256} << 10;  // [bytes] written at a time
-
-std::string header_of(const SampleColumns& columns, std::size_t rows) {
-  const FormatWriting& writing = columns.format->writing;
-  return writing.header ? writing.header(columns, rows) : "";
-}
-
-}  // namespace
-
 Expected<SampleWriter> SampleWriter::open(const std::string& path, const SampleColumns& columns, std::size_t rows) {
   if (auto checked = check_columns(columns); !checked) return tl::unexpected(std::move(checked.error()));
   return OutputFile::open(path).and_then([&](OutputFile&& file) -> Expected<SampleWriter> {
@@ -26,7 +15,7 @@ Expected<SampleWriter> SampleWriter::open(const std::string& path, const SampleC
 
 Expected<void> SampleWriter::write(const Decimal& time, const Sample& sample) {
   if (auto appended = pending_.append(time, sample); !appended) return appended;
-  return pending_.bytes().size() < block ? Expected<void>() : write_pending();
+  return pending_.bytes().size() < written_block ? Expected<void>() : write_pending();
 }
 
 Expected<void> SampleWriter::write(const SampleRows& rows) {

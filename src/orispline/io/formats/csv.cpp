@@ -3,12 +3,14 @@
 #include <orispline/io/format_choice.hpp>
 #include <orispline/io/formats/formats.hpp>
 #include <orispline/io/key_file.hpp>
+#include <orispline/io/key_table.hpp>
 #include <orispline/io/sample_columns.hpp>
 #include <orispline/io/table_layout.hpp>
 #include <orispline/io/text_row.hpp>
 
 namespace orispline::io {
 namespace {
+namespace csv {
 
 constexpr std::array<std::string_view, 1> extensions{".csv"};
 constexpr std::array<std::string_view, 8> names_wxyz{"t", "qw", "qx", "qy", "qz", "px", "py", "pz"},
@@ -74,15 +76,17 @@ void row(std::string& bytes, const Decimal& time, std::span<const double> number
   append_text_row(bytes, time, numbers, ',');
 }
 
+}  // namespace csv
 }  // namespace
 
-constinit const FormatInfo csv_format{.id = "csv",
-                                      .title = "CSV",
-                                      .file = "a CSV file",
-                                      .summary = "named columns, separated by commas, semicolons, tabs or blanks",
-                                      .extensions = extensions,
-                                      .holds = {.forms = true, .rates = true, .settings = true},
-                                      .reading = {.layout = layout},
-                                      .writing = {.header = header, .numbers = named_numbers, .row = row}};
+constinit const FormatInfo csv_format{
+    .id = "csv",
+    .title = "CSV",
+    .file = "a CSV file",
+    .summary = "named columns, separated by commas, semicolons, tabs or blanks",
+    .extensions = csv::extensions,
+    .holds = {.forms = true, .rates = true, .settings = true},
+    .reading = {.layout = csv::layout},
+    .writing = {.header = csv::header, .numbers = named_numbers, .row = csv::row, .table = csv_with_columns}};
 
 }  // namespace orispline::io

@@ -10,6 +10,7 @@
 
 namespace orispline::io {
 namespace {
+namespace euroc {
 
 constexpr std::array<std::string_view, 1> extensions{".csv"};
 constexpr int nanoseconds = 9;  // per second, as a power of ten
@@ -100,6 +101,7 @@ void row(std::string& bytes, const Decimal& time, std::span<const double> number
   append_text_row(bytes, time, numbers, ',');
 }
 
+}  // namespace euroc
 }  // namespace
 
 constinit const FormatInfo euroc_format{
@@ -107,12 +109,12 @@ constinit const FormatInfo euroc_format{
     .title = "EuRoC",
     .file = "an EuRoC file",
     .summary = "time in whole nanoseconds, position, quaternion `w,x,y,z`, and more; separated by commas",
-    .extensions = extensions,
+    .extensions = euroc::extensions,
     .holds = {.always_positions = true},
-    .reading = {.likeness = likeness, .layout = layout, .delimiter = Delimiter::comma},
-    .writing = {.header = header,
-                .numbers = numbers,
-                .row = row,
-                .whole_times = WholeTimes{.per_second = nanoseconds, .unit = "nanosecond"}}};
+    .reading = {.likeness = euroc::likeness, .layout = euroc::layout, .delimiter = Delimiter::comma},
+    .writing = {.header = euroc::header,
+                .numbers = euroc::numbers,
+                .row = euroc::row,
+                .whole_times = WholeTimes{.per_second = euroc::nanoseconds, .unit = "nanosecond"}}};
 
 }  // namespace orispline::io

@@ -10,6 +10,7 @@
 
 namespace orispline::io {
 namespace {
+namespace npy {
 
 constexpr std::array<std::string_view, 1> extensions{".npy"};
 
@@ -41,6 +42,7 @@ void row(std::string& bytes, double time, std::span<const double> numbers) {
   bytes.append(row.front().data(), (1 + numbers.size()) * sizeof(double));
 }
 
+}  // namespace npy
 }  // namespace
 
 constinit const FormatInfo npy_format{
@@ -48,8 +50,8 @@ constinit const FormatInfo npy_format{
     .title = "NumPy",
     .file = "a NumPy file",
     .summary = "an array of doubles with the columns of a CSV",
-    .extensions = extensions,
+    .extensions = npy::extensions,
     .holds = {.forms = true, .rates = true, .settings = true},
-    .writing = {.header = header, .counts_rows = true, .numbers = named_numbers, .rounded_row = row}};
+    .writing = {.header = npy::header, .counts_rows = true, .numbers = named_numbers, .rounded_row = npy::row}};
 
 }  // namespace orispline::io

@@ -8,6 +8,7 @@
 
 namespace orispline::io {
 namespace {
+namespace tum {
 
 constexpr std::array<std::string_view, 1> extensions{".tum"};
 constexpr std::array<std::string_view, 8> names{"t", "px", "py", "pz", "qx", "qy", "qz", "qw"};
@@ -39,6 +40,7 @@ void row(std::string& bytes, const Decimal& time, std::span<const double> number
   append_text_row(bytes, time, numbers, ' ');
 }
 
+}  // namespace tum
 }  // namespace
 
 constinit const FormatInfo tum_format{
@@ -46,9 +48,9 @@ constinit const FormatInfo tum_format{
     .title = "TUM",
     .file = "a TUM file",
     .summary = "`t tx ty tz qx qy qz qw`, separated by blanks",
-    .extensions = extensions,
+    .extensions = tum::extensions,
     .holds = {.always_positions = true},
-    .reading = {.likeness = likeness, .layout = layout, .delimiter = Delimiter::blanks},
-    .writing = {.numbers = numbers, .row = row}};
+    .reading = {.likeness = tum::likeness, .layout = tum::layout, .delimiter = Delimiter::blanks},
+    .writing = {.numbers = tum::numbers, .row = tum::row}};
 
 }  // namespace orispline::io
