@@ -102,6 +102,15 @@ def functions(path, text):
     return found
 
 
+def flag_breaches(path, text):
+    """The library speaks to callers in C++ and other languages: the options of the command are for `cli`."""
+    if not path.startswith("src/orispline/"):
+        return
+    for literal in SILENT.finditer(text):
+        if literal[0].startswith(('"', 'R"')) and (flag := re.search(r"(?<![\w-])--[a-z][a-z-]*", literal[0])):
+            yield f"{path}: line {text.count(chr(10), 0, literal.start()) + 1}: {flag[0]} is a word of the command"
+
+
 def file_breaches(path, text):
     lines, longest = text.count("\n"), max((b - a + 1, a) for a, b in [(1, 1), *functions(path, text)])
     laws = ((path not in EXCEPTIONS and lines > FILE_LINES, f"{lines} lines, at most {FILE_LINES}"),
@@ -115,7 +124,7 @@ def file_breaches(path, text):
 root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".")
 files = [f for room in ROOMS for f in sorted((root / room).rglob("*")) if f.suffix in {".hpp", ".cpp", ".py"}]
 sources = {f.relative_to(root).as_posix(): f.read_text("utf-8") for f in files}
-breaches = [*include_breaches(sources), *(b for path, text in sources.items() for b in file_breaches(path, text))]
+breaches = [*include_breaches(sources), *(b for path, text in sources.items() for b in (*file_breaches(path, text), *flag_breaches(path, text)))]
 if (median := statistics.median(text.count("\n") for text in sources.values())) >= MEDIAN_LINES:
     breaches.append(f"the median file has {median} lines, wanted below {MEDIAN_LINES}")
 sys.exit("\n".join(breaches) or 0)

@@ -4,9 +4,24 @@
 #include <orispline/base/formatted.hpp>
 
 namespace orispline::cli {
+namespace {
+
+/// `tum for .tum, npy for .npy, else csv`: the format of an output by its name.
+std::string formats_by_name() {
+  std::vector<std::string> formats;
+  for (const io::FormatInfo* const format : io::formats_written()) {
+    const std::string_view extension = format->extensions.front();
+    if (extension != io::csv_format.extensions.front())
+      formats.push_back(formatted("{} for {}", format->id, extension));
+  }
+  return formatted("{}, else {}", joined(formats, ", "), io::csv_format.id);
+}
+
+}  // namespace
 
 void add_input_options(CLI::App& app, InputOptions& o, std::string_view default_signs) {
-  app.add_option("INPUT", o.path, "CSV, TUM or EuRoC file of keyframes; '-' is standard input")
+  app.add_option("INPUT", o.path,
+                 formatted("{} file of keyframes; '-' is standard input", io::any_of(io::formats_read())))
       ->required()
       ->type_name(file_type);
   add_reading_options(app, o, default_signs);
@@ -15,7 +30,7 @@ void add_input_options(CLI::App& app, InputOptions& o, std::string_view default_
 void add_reading_options(CLI::App& app, InputOptions& o, std::string_view default_signs) {
   const std::string group = "Reading";
   app.add_option("--input-format", o.format, "Format of INPUT [by extension and content]")
-      ->type_name(one_of(format_choices))
+      ->type_name(one_of(io::formats_read()))
       ->group(group);
   app.add_option("--columns", o.columns, "Other names of columns: t=sclk_ticks,qw=q0_w,...")
       ->allow_extra_args(false)
@@ -92,11 +107,12 @@ void add_report_option(CLI::App& app, ReportOptions& o) {
 void add_output_options(CLI::App& app, OutputOptions& o) {
   const std::string group = "Output";
   add_output_file(app, o.path);
-  app.add_option("--output-format", o.format, "Format of the output [tum for .tum, npy for .npy, else csv]")
-      ->type_name(one_of(output_format_choices))
+  app.add_option("--output-format", o.format, formatted("Format of the output [{}]", formats_by_name()))
+      ->type_name(one_of(io::formats_written()))
       ->group(group);
   app.add_option("--output-orientation", o.orientation,
-                 "Columns that state the orientation, in CSV and npy [quaternion]")
+                 formatted("Columns that state the orientation, in {} [quaternion]",
+                           formats_that([](const auto& f) { return f.holds.forms; })))
       ->type_name(one_of(orientation_choices))
       ->group(group);
   app.add_option("--output-euler", o.euler, "Order of Euler angles that are written [ZYX: roll, pitch, yaw]")

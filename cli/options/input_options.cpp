@@ -29,6 +29,10 @@ Expected<io::OrientationReading> orientation_reading(const InputOptions& options
   return std::move(checked).or_else(std::move(reading));
 }
 
+Expected<std::optional<const io::FormatInfo*>> input_format(const InputOptions& options) {
+  return if_given("--input-format", options.format, [](OptionText o) { return format_in(o, io::formats_read()); });
+}
+
 Expected<Decimal> positive_decimal_in(OptionText option) {
   const auto number = decimal_in(option);
   if (!number || *number <= Decimal()) return wanted(option, "a number greater than 0");
@@ -42,10 +46,22 @@ Expected<EulerOrder> euler_order_in(OptionText option) {
   return wanted(option, "three axes such as ZYX (those of the body) or zyx (of the world), none twice in a row");
 }
 
+Expected<const io::FormatInfo*> format_in(OptionText option, std::span<const io::FormatInfo* const> formats) {
+  const auto found = std::ranges::find(formats, option.text, &io::FormatInfo::id);
+  if (found == formats.end()) return wanted(option, one_of(formats));
+  return *found;
+}
+
+std::string one_of(std::span<const io::FormatInfo* const> formats) {
+  std::vector<std::string_view> ids;
+  for (const io::FormatInfo* const format : formats) ids.push_back(format->id);
+  return joined(ids, "|");
+}
+
 Expected<InputRequest> input_request(const InputOptions& options, Signs signs) {
   if (options.path.empty()) return usage_failure("INPUT: found an empty name, wanted FILE or -");
   FirstError checked;
-  io::ReadOptions read{.format = checked(if_given("--input-format", options.format, choice_of(format_choices))),
+  io::ReadOptions read{.format = checked(input_format(options)).value_or(nullptr),
                        .columns = checked(column_names(options.columns)),
                        .order = checked(if_given("--order", options.order, choice_of(order_choices))),
                        .orientation = checked(orientation_reading(options)),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,9 +12,6 @@
 
 namespace orispline::cli {
 
-inline constexpr std::array format_choices{Choice<io::FileFormat>{"csv", io::FileFormat::csv},
-                                           Choice<io::FileFormat>{"tum", io::FileFormat::tum},
-                                           Choice<io::FileFormat>{"euroc", io::FileFormat::euroc}};
 inline constexpr std::array orientation_choices{
     Choice<io::Representation>{"quaternion", io::Representation::quaternion},
     Choice<io::Representation>{"euler", io::Representation::euler},
@@ -43,6 +41,12 @@ struct InputRequest {
 
 /// `signs`: where the user says nothing about them.
 [[nodiscard]] Expected<InputRequest> input_request(const InputOptions& options, Signs signs = Signs::shortest);
+
+/// The one of these formats that is named.
+[[nodiscard]] Expected<const io::FormatInfo*> format_in(OptionText option,
+                                                        std::span<const io::FormatInfo* const> formats);
+/// The names that they are chosen by: `csv|tum`.
+[[nodiscard]] std::string one_of(std::span<const io::FormatInfo* const> formats);
 
 /// The order of three turns: `ZYX`, `zyx`.
 [[nodiscard]] Expected<EulerOrder> euler_order_in(OptionText option);

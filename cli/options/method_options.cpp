@@ -19,8 +19,9 @@ constexpr double closing_share = 1e-3;
 /// What the library finds wrong with the text of an option begins with that option.
 template <class T>
 Expected<T> said_by(std::string_view option, Expected<T> result) {
-  if (!result && !result.error().option.empty())
-    result.error().message = formatted("{}: {}", option, result.error().message);
+  if (result || result.error().option.empty()) return result;
+  result.error().message = formatted("{}: {}", option, result.error().message);
+  result.error().option.clear();
   return result;
 }
 

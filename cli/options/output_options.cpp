@@ -27,29 +27,39 @@ Expected<io::OrientationForm> form_in(const OutputOptions& options) {
 
 }  // namespace
 
-std::string a_file_of(io::FileFormat format) {
-  return formatted("{} {} file", format == io::FileFormat::euroc ? "an" : "a", io::title_of(format));
+std::string formats_that(bool (*are)(const io::FormatInfo&)) {
+  auto some = io::formats_written();
+  std::erase_if(some, [are](const io::FormatInfo* format) { return !are(*format); });
+  return io::any_of(some);
 }
 
-Expected<void> check_times_are_kept(io::FileFormat format, std::string_view option, std::string_view promise) {
-  if (format != io::FileFormat::euroc && format != io::FileFormat::npy) return {};
-  return usage_failure(formatted("{}: {} rounds times, with which {} need not hold, wanted CSV or TUM", option,
-                                 a_file_of(format), promise));
+std::string formats_for_settings() {
+  return formats_that([](const auto& f) { return f.keeps_times() && f.holds.settings; });
+}
+
+Expected<void> check_times_are_kept(const io::FormatInfo& format, std::string_view option, std::string_view promise) {
+  if (format.keeps_times()) return {};
+  return usage_failure(formatted("{}: {} rounds times, with which {} need not hold, wanted {}", option, format.file,
+                                 promise, formats_that([](const auto& f) { return f.keeps_times(); })));
+}
+
+Expected<std::optional<const io::FormatInfo*>> output_format(const OutputOptions& options) {
+  return if_given("--output-format", options.format, [](OptionText o) { return format_in(o, io::formats_written()); });
 }
 
 Expected<io::SampleColumns> output_columns(const OutputOptions& options) {
   if (options.path.empty()) return usage_failure("-o: found an empty name, wanted FILE or -");
   FirstError checked;
-  const auto format = checked(if_given("--output-format", options.format, choice_of(output_format_choices)));
+  const io::FormatInfo* const by_name = io::format_of_extension(options.path);
+  const auto format = checked(output_format(options)).value_or(by_name ? by_name : &io::csv_format);
   const auto form = checked(form_in(options));
-  auto columns = std::move(checked).or_else(io::SampleColumns{
-      .format = format.value_or(io::format_of_extension(options.path).value_or(io::FileFormat::csv)), .form = form});
-  if (columns && !io::holds_all_columns(columns->format) && form.representation != io::Representation::quaternion)
-    return usage_failure(formatted("{}: {} holds orientations as quaternions only, wanted CSV",
+  auto columns = std::move(checked).or_else(io::SampleColumns{.format = format, .form = form});
+  if (columns && !format->holds.forms && form.representation != io::Representation::quaternion)
+    return usage_failure(formatted("{}: {} holds orientations as quaternions only, wanted {}",
                                    options.orientation ? "--output-orientation"
                                    : options.euler     ? "--output-euler"
                                                        : "--output-angle-unit",
-                                   a_file_of(columns->format)));
+                                   format->file, formats_that([](const auto& f) { return f.holds.forms; })));
   return columns;
 }
 

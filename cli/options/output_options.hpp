@@ -11,9 +11,6 @@
 
 namespace orispline::cli {
 
-inline constexpr std::array output_format_choices{format_choices[0], format_choices[1], format_choices[2],
-                                                  Choice<io::FileFormat>{"npy", io::FileFormat::npy}};
-
 /// How the user wants a file to be written, as typed.
 struct OutputOptions {
   std::string path{io::standard_stream};
@@ -24,10 +21,15 @@ struct OutputOptions {
 [[nodiscard]] Expected<io::SampleColumns> output_columns(const OutputOptions& options);
 
 /// Error (bad_argument): a format that rounds times, with which `promise`, such as `the limits`, need not hold.
-[[nodiscard]] Expected<void> check_times_are_kept(io::FileFormat format, std::string_view option,
+[[nodiscard]] Expected<void> check_times_are_kept(const io::FormatInfo& format, std::string_view option,
                                                   std::string_view promise);
 
-/// `a TUM file`
-[[nodiscard]] std::string a_file_of(io::FileFormat format);
+/// The format that is asked for by name, if any.
+[[nodiscard]] Expected<std::optional<const io::FormatInfo*>> output_format(const OutputOptions& options);
+
+/// `CSV or TUM`: the formats that samples are written in of which this is true.
+[[nodiscard]] std::string formats_that(bool (*are)(const io::FormatInfo&));
+/// Those for keys that have settings, at their exact times.
+[[nodiscard]] std::string formats_for_settings();
 
 }  // namespace orispline::cli

@@ -18,10 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string_view extension_of(io::FileFormat format) {
-  return format == io::FileFormat::tum ? ".tum" : format == io::FileFormat::npy ? ".npy" : ".csv";
-}
-
 bool are_one_file(const fs::path& a, const fs::path& b) {
   std::error_code ignored;  // of files that are not there
   return fs::equivalent(a, b, ignored);
@@ -51,13 +47,13 @@ Expected<void> check_folder(const std::string& folder) {
 }
 
 Expected<std::vector<std::string>> outputs_in(const std::string& folder, std::span<const std::string> inputs,
-                                              std::optional<io::FileFormat> format) {
+                                              const io::FormatInfo* format) {
   std::vector<std::string> outputs;
   for (const std::string& input : inputs) {
     if (input == io::standard_stream) return usage_failure("--output-folder: found '-' for an input, wanted files");
     fs::path name = fs::path(input).filename();
     if (name.empty()) return usage_failure(formatted("--output-folder: found '{}', wanted a file", input));
-    if (format) name.replace_extension(extension_of(*format));
+    if (format) name.replace_extension(format->extensions.front());
     std::string output = (fs::path(folder) / name).string();
     if (const auto same = std::ranges::find(outputs, output); same != outputs.end())
       return usage_failure(formatted("--output-folder: found {} and {}, wanted inputs of different names",

@@ -18,10 +18,10 @@ namespace orispline::cli {
 [[nodiscard]] Expected<void> check_folder(const std::string& folder);
 
 /// Where the outputs of several inputs go: files of the same names in the folder, with the extension of the format
-/// where one is asked for. Errors: bad_argument for standard input, for two outputs in one place and for an output that
-/// is an input.
+/// where one is asked for, else null. Errors: bad_argument for standard input, for two outputs in one place and for an
+/// output that is an input.
 [[nodiscard]] Expected<std::vector<std::string>> outputs_in(const std::string& folder,
                                                             std::span<const std::string> inputs,
-                                                            std::optional<io::FileFormat> format);
+                                                            const io::FormatInfo* format);
 
 }  // namespace orispline::cli

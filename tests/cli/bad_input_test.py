@@ -11,7 +11,7 @@ CONTENT = (  # text of bad.csv, options, message
     ("", "", "bad.csv: empty: no keys"),
     (HEADER, "", "bad.csv: empty: no keys"),
     ("0,1,0,0,0\n1,1,0,0,0\n", "", "bad.csv:1: no header, wanted a first line such as t,qw,qx,qy,qz or the order of "
-                                   "the columns by --order wxyz|xyzw"),
+                                   "the columns (--order wxyz|xyzw)"),
     (HEADER + "0,1,0,0,0\n0,1,0,0,0\n", "", "bad.csv:3: key 1: duplicate time 0, as in line 2, wanted increasing times "
                                             "(--drop-duplicates keeps the first)"),
     (HEADER + "0,1,0,0,0\n1,2,0,0,0\n", "", "bad.csv:3: key 1: the quaternion has norm 2, wanted 1 within 0.001"),

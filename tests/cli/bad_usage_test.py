@@ -95,8 +95,9 @@ CASES = (
                                              "zyx (of the world), none twice in a row"),
     ("sample keys.csv --rate 1 --angle-unit grad", "--angle-unit: found 'grad', wanted deg|rad"),
     ("sample keys.csv --rate 1 --angle-unit deg",
-     "keys.csv:1: --angle-unit is for Euler angles, and the orientation is in qw, qx, qy, qz"),
-    ("convert keys.csv --input-format tum --euler ZYX", "keys.csv:1: --euler needs a header, and TUM has none"),
+     "keys.csv:1: --angle-unit: a unit of angles is for Euler angles, and the orientation is in qw, qx, qy, qz"),
+    ("convert keys.csv --input-format tum --euler ZYX",
+     "keys.csv:1: --euler: an order of Euler angles wants a header, and TUM has none"),
     # loops
     ("sample keys.csv --rate 1 --method timed-c2 --period 0",
      "--period: found '0', wanted a number of seconds greater than 0"),
@@ -117,9 +118,9 @@ CASES = (
     ("sample keys.csv --rate 1 --derivatives 2 --output-format euroc",
      "--derivatives: found '2', wanted 0 for an EuRoC file, which has no columns for rates"),
     ("sample keys.csv --rate 1 --output-orientation euler -o motion.tum",
-     "--output-orientation: a TUM file holds orientations as quaternions only, wanted CSV"),
+     "--output-orientation: a TUM file holds orientations as quaternions only, wanted CSV or NumPy"),
     ("convert keys.csv --output-euler ZYX --output-format euroc",
-     "--output-euler: an EuRoC file holds orientations as quaternions only, wanted CSV"),
+     "--output-euler: an EuRoC file holds orientations as quaternions only, wanted CSV or NumPy"),
     ("convert keys.csv --output-orientation matrix --output-angle-unit rad",
      "--output-orientation: found 'matrix', wanted euler with --output-angle-unit"),
     ("convert keys.csv --output-euler XYY", "--output-euler: found 'XYY', wanted three axes such as ZYX (those of the "

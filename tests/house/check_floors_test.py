@@ -107,6 +107,12 @@ class CheckFloors(unittest.TestCase):
     def test_finds_an_include_with_quotes(self):
         self.assert_breach("src/orispline/io/csv.cpp", SPDX + '#include "csv.hpp"\n', "found one with quotes")
 
+    def test_finds_a_flag_of_the_command_in_the_library(self):
+        for literal in ('"wanted --sort-rows"', '"(--euler ORDER)"', 'R"x(by --ends\n)x"'):
+            self.assert_breach("src/orispline/io/csv.cpp", SPDX + f"f({literal});\n", "is a word of the command")
+            self.assert_sound("cli/main.cpp", SPDX + f"f({literal});\n")
+        self.assert_sound("src/orispline/io/csv.cpp", SPDX + 'int b = --a;  // "--sort"\nf("a--b", "--", "---c");\n')
+
     def test_finds_a_file_of_301_lines(self):
         self.assert_sound("cli/main.cpp", SPDX + "int a;\n" * 299)
         self.assert_breach("cli/main.cpp", SPDX + "int a;\n" * 300, "cli/main.cpp: 301 lines, at most 300")

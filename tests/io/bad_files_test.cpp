@@ -30,7 +30,7 @@ std::string not_a_number(const std::string& place, const std::string& cell, int 
          "', wanted a number such as -1.5e-3";
 }
 std::string not_finite(const std::string& place, const std::string& found) {
-  return "keys.csv:" + place + ": key 0: found " + found + ", wanted a finite number (--drop-invalid drops such rows)";
+  return "keys.csv:" + place + ": key 0: found " + found + ", wanted a finite number (option drop_invalid)";
 }
 
 void expect_refusals(const std::vector<BadFile>& files) {
@@ -76,32 +76,28 @@ TEST(BadFile, ThatIsNoTextIsNamedSo) {
 }
 
 TEST(BadFile, WithoutAUsableHeaderSaysWhatIsMissing) {
-  const std::string two_ways =
-      "no header, wanted a first line such as t,qw,qx,qy,qz or the order of the columns by --order wxyz|xyzw";
-  const std::string advice = "; other names are given by --columns ";
+  const std::string no_header = "no header, wanted a first line such as t,qw,qx,qy,qz";
+  const std::string two_ways = no_header + " or the order of the columns (option order)";
+  const std::string advice = " (option columns)";
   expect_refusals({
       {key, "keys.csv:1: " + two_ways},
       {"# comment\n\n" + key, "keys.csv:3: " + two_ways},
       {"0x10,1,0,0,0\n", "keys.csv:1: " + two_ways},
       {"nan,1,0,0,0\n", "keys.csv:1: " + two_ways},
-      {"0 1 2 3 0 0 0 1\n", "keys.csv:1: " + two_ways + " (or --input-format tum)"},
+      {"0 1 2 3 0 0 0 1\n",
+       "keys.csv:1: " + no_header + ", the order of the columns, or the format tum, which it is like (option format)"},
       {"0 1 2 3 0 0 1\n", "keys.txt:1: " + two_ways, "keys.txt"},
-      {"t,qw,qx,qz\n" + key, "keys.csv:1: no column qy, found 't,qw,qx,qz'" + advice + "qy=NAME,..."},
-      {"sclk,q0,q1,q2,q3\n" + key,
-       "keys.csv:1: no column t, qw, qx, qy, qz, found 'sclk,q0,q1,q2,q3'" + advice + "t=NAME,..."},
-      {"T,QW,QX,QY,QZ\n" + key,
-       "keys.csv:1: no column t, qw, qx, qy, qz, found 'T,QW,QX,QY,QZ'" + advice + "t=NAME,..."},
-      {"t_min,qw,qx,qy,qz\n" + key, "keys.csv:1: no column t, found 't_min,qw,qx,qy,qz'" + advice + "t=NAME,..."},
-      {"t:qw:qx:qy:qz\n" + key,
-       "keys.csv:1: no column t, qw, qx, qy, qz, found 't:qw:qx:qy:qz'" + advice + "t=NAME,..."},
-      {"hello world\n", "keys.txt:1: no column t, qw, qx, qy, qz, found 'hello,world'" + advice + "t=NAME,...",
-       "keys.txt"},
+      {"t,qw,qx,qz\n" + key, "keys.csv:1: no column qy, found 't,qw,qx,qz'" + advice},
+      {"sclk,q0,q1,q2,q3\n" + key, "keys.csv:1: no column t, qw, qx, qy, qz, found 'sclk,q0,q1,q2,q3'" + advice},
+      {"T,QW,QX,QY,QZ\n" + key, "keys.csv:1: no column t, qw, qx, qy, qz, found 'T,QW,QX,QY,QZ'" + advice},
+      {"t_min,qw,qx,qy,qz\n" + key, "keys.csv:1: no column t, found 't_min,qw,qx,qy,qz'" + advice},
+      {"t:qw:qx:qy:qz\n" + key, "keys.csv:1: no column t, qw, qx, qy, qz, found 't:qw:qx:qy:qz'" + advice},
+      {"hello world\n", "keys.txt:1: no column t, qw, qx, qy, qz, found 'hello,world'" + advice, "keys.txt"},
       {"t,qw,qx,qy,qz,qw\n", "keys.csv:1: the column 'qw' is there twice, wanted it once"},
-      {"t,time_ns,qw,qx,qy,qz\n", "keys.csv:1: 't' and 'time_ns' may both be t, choose one with --columns t=NAME"},
+      {"t,time_ns,qw,qx,qy,qz\n", "keys.csv:1: 't' and 'time_ns' may both be t, wanted one (option columns)"},
       {"t,qw,qx,qy,qz,px,pz\n", "keys.csv:1: found px, pz without py, wanted all three columns or none"},
       {"t,qw,qx,qy,qz,wz_rad_s\n", "keys.csv:1: found wz without wx, wy, wanted all three columns or none"},
-      {"t,qw,qx,qy,qz,wx,wx_deg_s\n",
-       "keys.csv:1: 'wx' and 'wx_deg_s' may both be wx, choose one with --columns wx=NAME"},
+      {"t,qw,qx,qy,qz,wx,wx_deg_s\n", "keys.csv:1: 'wx' and 'wx_deg_s' may both be wx, wanted one (option columns)"},
   });
 }
 
@@ -120,7 +116,7 @@ TEST(BadFile, WithHalfOfItsRatesSaysWhichHalfIsMissing) {
               "found jx, jy, jz without ax, ay, az: angular jerks want angular accelerations beside them"),
       refusal("wx,wy,wz,ax,az", "found ax, az without ay, wanted all three columns or none"),
       refusal("wx_world,wy_world", "found wx_world, wy_world without wz_world, wanted all three columns or none"),
-      refusal("wx,wy,wz,ax,ax_deg_s2,ay,az", "'ax' and 'ax_deg_s2' may both be ax, choose one with --columns ax=NAME"),
+      refusal("wx,wy,wz,ax,ax_deg_s2,ay,az", "'ax' and 'ax_deg_s2' may both be ax, wanted one (option columns)"),
       {"t,qw,qx,qy,qz,wx,wy,wz,ax,ay,az\n0,1,0,0,0,1,2,3,4,five,6\n", not_a_number("2:10", "five"), "keys.csv", all},
       {"t,qw,qx,qy,qz,wx,wy,wz,ax,ay,az\n0,1,0,0,0,1,2,3,4,5,\n", not_finite("2:11", "an empty cell"), "keys.csv", all},
   });
@@ -131,23 +127,24 @@ TEST(BadFile, ThatContradictsTheOptionsIsBadUsage) {
     return BadFile{std::move(content), std::move(error), std::move(name), std::move(options), ErrorCode::bad_argument};
   };
   expect_refusals({
-      contradiction(header + key, "keys.csv:1: --order is for CSV without a header, and this line is one", "keys.csv",
-                    {.order = QuaternionOrder::wxyz}),
-      contradiction("0 1 2 3 0 0 0 1\n", "keys.tum:1: --order is for CSV, and TUM is always t tx ty tz qx qy qz qw",
-                    "keys.tum", {.order = QuaternionOrder::xyzw}),
-      contradiction("0 1 2 3 0 0 0 1\n", "keys.tum:1: --columns needs a header, and TUM has none", "keys.tum",
-                    {.columns = {{"t", "x"}}}),
-      contradiction(key, "keys.csv:1: --columns needs a header, and the file has none", "keys.csv",
+      contradiction(header + key, "[order] keys.csv:1: an order is for CSV without a header, and this line is one",
+                    "keys.csv", {.order = QuaternionOrder::wxyz}),
+      contradiction("0 1 2 3 0 0 0 1\n",
+                    "[order] keys.tum:1: an order is for CSV, and TUM is always t tx ty tz qx qy qz qw", "keys.tum",
+                    {.order = QuaternionOrder::xyzw}),
+      contradiction("0 1 2 3 0 0 0 1\n", "[columns] keys.tum:1: a name of a column wants a header, and TUM has none",
+                    "keys.tum", {.columns = {{"t", "x"}}}),
+      contradiction(key, "[columns] keys.csv:1: a name of a column wants a header, and the file has none", "keys.csv",
                     {.columns = {{"t", "x"}}, .order = QuaternionOrder::wxyz}),
       contradiction(header + key,
-                    "keys.csv:1: --columns heading=qx: no such column is read, wanted one of t, qw, qx, qy, qz, roll, "
+                    "[columns] keys.csv:1: heading=qx: no such column is read, wanted one of t, qw, qx, qy, qz, roll, "
                     "pitch, yaw, e1, e2, e3, r11, r12, r13, r21, r22, r23, r31, r32, r33, rx, ry, rz, px, py, pz, wx, "
                     "wy, wz, ax, ay, az, jx, jy, jz, wx_world, wy_world, wz_world, ax_world, ay_world, az_world, "
                     "jx_world, jy_world, jz_world, tension",
                     "keys.csv", {.columns = {{"heading", "qx"}}, .parameters = {"tension"}}),
-      contradiction(header + key, "the time scale is 0, wanted a number greater than 0", "keys.csv",
+      contradiction(header + key, "[time_scale] the time scale is 0, wanted a number greater than 0", "keys.csv",
                     {.time_scale = Decimal()}),
-      contradiction(header + key, "the time scale is -0.001, wanted a number greater than 0", "keys.csv",
+      contradiction(header + key, "[time_scale] the time scale is -0.001, wanted a number greater than 0", "keys.csv",
                     {.time_scale = -Decimal::power_of_ten(-3)}),
   });
   expect_refusals({{header + key,
@@ -216,8 +213,8 @@ TEST(BadFile, WithACellThatIsNotFiniteNamesTheRepair) {
 }
 
 TEST(BadFile, WhoseTimesDoNotIncreaseNamesThemAsTheyStandThere) {
-  const std::string duplicate = ", wanted increasing times (--drop-duplicates keeps the first)";
-  const std::string decrease = ", wanted increasing times (--sort orders the rows)";
+  const std::string duplicate = ", wanted increasing times (option drop_duplicates)";
+  const std::string decrease = ", wanted increasing times (option sort)";
   expect_refusals({
       {header + "1311868229.5760,1,0,0,0\n1311868229.5760,1,0,0,0\n",
        "keys.csv:3: key 1: duplicate time 1311868229.5760, as in line 2" + duplicate},

@@ -35,7 +35,7 @@ TEST(Csv, ReadsTheColumnsThatTheHeaderNames) {
       "10,1,0,0,0,1,2,3,0.1,0.2,0.3\n"
       "10.5,0.5,-0.5,0.5,-0.5,4,5,6,-0.1,-0.2,-0.3\n");
 
-  EXPECT_EQ(file.format, FileFormat::csv);
+  EXPECT_EQ(file.format, &csv_format);
   EXPECT_EQ(file.epoch.to_string(), "10");
   EXPECT_EQ(file.data.times, (std::vector<double>{0.0, 0.5}));
   EXPECT_EQ(file.data.orientations[1], tilted);
@@ -144,7 +144,7 @@ TEST(Csv, WithoutAHeaderTakesTheOrderThatIsGiven) {
   EXPECT_EQ(wxyz.lines, (std::vector<std::uint32_t>{1, 2}));
 
   const KeyFile xyzw = read("0 0 0 1 0 7 8 9\n", {.order = QuaternionOrder::xyzw}, "keys.txt");
-  EXPECT_EQ(xyzw.format, FileFormat::csv);
+  EXPECT_EQ(xyzw.format, &csv_format);
   EXPECT_EQ(xyzw.data.orientations[0], half_turn_z);
   EXPECT_EQ(xyzw.data.positions[0], Eigen::Vector3d(7, 8, 9));
 }
@@ -194,12 +194,12 @@ TEST(Csv, TakesRatesOfConjugateFilesOnlyWhenTheyAreNamedAsBodyRates) {
 
 TEST(Csv, FormatFollowsOptionThenExtensionThenContent) {
   const std::string eight = "1 2 3 4 0 0 0 1\n", named = "t,qw,qx,qy,qz\n0,1,0,0,0\n";
-  EXPECT_EQ(read(eight, {}, "keys.tum").format, FileFormat::tum);
-  EXPECT_EQ(read(eight, {}, "keys.TUM").format, FileFormat::tum);
-  EXPECT_EQ(read(eight, {}, "keys.txt").format, FileFormat::tum);
-  EXPECT_EQ(read(eight, {.format = FileFormat::tum}, "keys.csv").format, FileFormat::tum);
-  EXPECT_EQ(read(named, {}, "keys.txt").format, FileFormat::csv);
-  EXPECT_EQ(read(named, {.format = FileFormat::csv}, "keys.tum").format, FileFormat::csv);
+  EXPECT_EQ(read(eight, {}, "keys.tum").format, &tum_format);
+  EXPECT_EQ(read(eight, {}, "keys.TUM").format, &tum_format);
+  EXPECT_EQ(read(eight, {}, "keys.txt").format, &tum_format);
+  EXPECT_EQ(read(eight, {.format = &tum_format}, "keys.csv").format, &tum_format);
+  EXPECT_EQ(read(named, {}, "keys.txt").format, &csv_format);
+  EXPECT_EQ(read(named, {.format = &csv_format}, "keys.tum").format, &csv_format);
 }
 
 TEST(Csv, KeepsExactTimesOnRequest) {

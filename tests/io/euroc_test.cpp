@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/io/euroc.hpp>
-
 #include <string>
 
 #include <gtest/gtest.h>
@@ -19,6 +17,8 @@ using test::ScratchDirectory;
 using test::text_of;
 using test::TextFile;
 
+const std::string written_header =
+    "#timestamp [ns],p_RS_R_x [m],p_RS_R_y [m],p_RS_R_z [m],q_RS_w [],q_RS_x [],q_RS_y [],q_RS_z []\n";
 const std::string dataset_header =
     "#timestamp, p_RS_R_x [m], p_RS_R_y [m], p_RS_R_z [m], q_RS_w [], q_RS_x [], q_RS_y [], q_RS_z [], "
     "v_RS_R_x [m s^-1], v_RS_R_y [m s^-1], v_RS_R_z [m s^-1], b_w_RS_S_x [rad s^-1]\n";
@@ -33,7 +33,7 @@ Expected<KeyFile> read(const std::string& content, const ReadOptions& options = 
 
 void expect_the_two_keys(const Expected<KeyFile>& file) {
   ASSERT_TRUE(file) << describe(file.error());
-  EXPECT_EQ(file->format, FileFormat::euroc);
+  EXPECT_EQ(file->format, &euroc_format);
   EXPECT_EQ(file->epoch.to_string(), "1403636580.838555648");
   EXPECT_EQ(file->data.times, (std::vector<double>{0.0, 0.00499968}));
   EXPECT_EQ(file->data.orientations[0], quaternion_wxyz(0.5, -0.5, 0.5, -0.5));
@@ -43,7 +43,7 @@ void expect_the_two_keys(const Expected<KeyFile>& file) {
 
 TEST(EuRoC, IsKnownByItsHeader) {
   for (const std::string& header :
-       {std::string(euroc_header) + "\n", dataset_header.substr(0, dataset_header.find(", v_RS")) + "\n",
+       {written_header, dataset_header.substr(0, dataset_header.find(", v_RS")) + "\n",
         "# timestamp [ns],p_RS_R_x [m],p_RS_R_y [m],p_RS_R_z [m],q_RS_w [],q_RS_x [],q_RS_y [],q_RS_z []\r\n"s,
         "# made by a tracker\n\n#timestamp [ns],p_RS_R_x,p_RS_R_y,p_RS_R_z,q_RS_w,q_RS_x,q_RS_y,q_RS_z\n"s,
         "timestamp_ns,p_RS_R_x [m],p_RS_R_y [m],p_RS_R_z [m],q_RS_w [],q_RS_x [],q_RS_y [],q_RS_z []\n"s})
@@ -51,8 +51,8 @@ TEST(EuRoC, IsKnownByItsHeader) {
 }
 
 TEST(EuRoC, IsReadWithoutAHeaderWhereItIsAskedFor) {
-  expect_the_two_keys(read(rows, {.format = FileFormat::euroc}));
-  expect_the_two_keys(read("# notes\n" + rows, {.format = FileFormat::euroc}, "data.tum"));
+  expect_the_two_keys(read(rows, {.format = &euroc_format}));
+  expect_the_two_keys(read("# notes\n" + rows, {.format = &euroc_format}, "data.tum"));
 }
 
 TEST(EuRoC, MayHaveMoreColumns) {
@@ -64,15 +64,17 @@ TEST(EuRoC, MayHaveMoreColumns) {
 }
 
 TEST(EuRoC, IsNotGuessedFromOtherHeaders) {
-  const std::string advice =
-      "no header, wanted a first line such as t,qw,qx,qy,qz or the order of the columns by --order wxyz|xyzw";
+  const std::string advice = "no header, wanted a first line such as t,qw,qx,qy,qz";
   for (const char* header :
        {"", "#timestamp [us],p_RS_R_x [m],p_RS_R_y [m],p_RS_R_z [m],q_RS_w [],q_RS_x [],q_RS_y [],q_RS_z []\n",
         "#timestamp [ns],q_RS_w [],q_RS_x [],q_RS_y [],q_RS_z [],p_RS_R_x [m],p_RS_R_y [m],p_RS_R_z [m]\n"}) {
     const std::string line = *header ? "2" : "1";
-    EXPECT_EQ(text_of(read(header + rows).error()), "data.csv:" + line + ": " + advice + " (or --input-format euroc)");
+    EXPECT_EQ(text_of(read(header + rows).error()),
+              "data.csv:" + line + ": " + advice +
+                  ", the order of the columns, or the format euroc, which it is like (option format)");
   }
-  EXPECT_EQ(text_of(read("1,2,3,4,5,6,7,8\n").error()), "data.csv:1: " + advice);
+  EXPECT_EQ(text_of(read("1,2,3,4,5,6,7,8\n").error()),
+            "data.csv:1: " + advice + " or the order of the columns (option order)");
 }
 
 TEST(EuRoC, HeaderIsOverruledByTheCaller) {
@@ -80,13 +82,13 @@ TEST(EuRoC, HeaderIsOverruledByTheCaller) {
       read("timestamp_ns,p_RS_R_x [m],p_RS_R_y [m],p_RS_R_z [m],q_RS_w [],q_RS_x [],q_RS_y [],q_RS_z []\n" + rows,
            {.columns = {{"qw", "q_RS_w []"}, {"qx", "q_RS_x []"}, {"qy", "q_RS_y []"}, {"qz", "q_RS_z []"}}});
   ASSERT_TRUE(mapped) << describe(mapped.error());
-  EXPECT_EQ(mapped->format, FileFormat::csv);
+  EXPECT_EQ(mapped->format, &csv_format);
   EXPECT_TRUE(mapped->data.positions.empty());
 }
 
 TEST(EuRoC, RefusesWhatIsNotItsKind) {
   const auto refusal = [](const std::string& content, ReadOptions options = {}) {
-    options.format = FileFormat::euroc;
+    options.format = &euroc_format;
     return text_of(read(content, options).error());
   };
   EXPECT_EQ(refusal("1403636580.5,1,2,3,1,0,0,0\n"),
@@ -97,15 +99,15 @@ TEST(EuRoC, RefusesWhatIsNotItsKind) {
             "data.csv:1: found 1 column, wanted at least 8 (time, position, quaternion w,x,y,z)");
   EXPECT_EQ(refusal("1,2,3,4,1,0,0,0,9\n2,2,3,4,1,0,0,0\n"), "data.csv:2: key 1: found 8 cells, wanted 9");
   EXPECT_EQ(refusal(rows, {.order = QuaternionOrder::wxyz}),
-            "data.csv:1: --order is for CSV, and EuRoC is always time, position, quaternion w,x,y,z");
+            "[order] data.csv:1: an order is for CSV, and EuRoC is always time, position, quaternion w,x,y,z");
   EXPECT_EQ(refusal(rows, {.columns = {{"t", "stamp"}}}),
-            "data.csv:1: --columns is for CSV, and the columns of EuRoC are fixed");
+            "[columns] data.csv:1: a name of a column is for CSV, and the columns of EuRoC are fixed");
   EXPECT_EQ(refusal(rows, {.orientation = {.euler = EulerOrder{}}}),
-            "data.csv:1: --euler is for CSV, and the columns of EuRoC are fixed");
+            "[euler] data.csv:1: an order of Euler angles is for CSV, and the columns of EuRoC are fixed");
 }
 
 TEST(EuRoC, TimesAreScaledByTheCaller) {
-  const auto file = read("1.5,1,2,3,1,0,0,0\n", {.format = FileFormat::euroc, .time_scale = Decimal::power_of_ten(0)});
+  const auto file = read("1.5,1,2,3,1,0,0,0\n", {.format = &euroc_format, .time_scale = Decimal::power_of_ten(0)});
   ASSERT_TRUE(file) << describe(file.error());
   EXPECT_EQ(file->epoch.to_string(), "1.5");
 }
@@ -113,7 +115,7 @@ TEST(EuRoC, TimesAreScaledByTheCaller) {
 std::string written(const std::vector<std::string>& times) {
   const ScratchDirectory directory;
   const std::string path = directory.file("data.csv");
-  auto writer = SampleWriter::open(path, {.format = FileFormat::euroc});
+  auto writer = SampleWriter::open(path, {.format = &euroc_format});
   Sample sample{.motion = {.orientation = quaternion_wxyz(0.5, -0.5, 0.5, -0.5)}};
   sample.linear_motion.position = {1, 2, 3};
   for (const std::string& time : times)

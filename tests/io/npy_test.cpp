@@ -11,7 +11,6 @@
 #include <gtest/gtest.h>
 
 #include <orispline/io/key_file.hpp>
-#include <orispline/io/npy_header.hpp>
 #include <orispline/io/sample_writer.hpp>
 
 #include "io/text_file.hpp"
@@ -62,7 +61,7 @@ const Sample moving{
 
 /// The array that is written for the same sample at the times.
 Array written(SampleColumns columns, const std::vector<std::string>& times, const Sample& sample = moving) {
-  columns.format = FileFormat::npy;
+  columns.format = &npy_format;
   const ScratchDirectory directory;
   const std::string path = directory.file("out.npy");
   auto writer = SampleWriter::open(path, columns);
@@ -76,7 +75,8 @@ Array written(SampleColumns columns, const std::vector<std::string>& times, cons
 
 TEST(Npy, HasAHeaderOf128BytesForAnyNumberOfRows) {
   for (const std::size_t rows : {std::size_t{0}, std::size_t{12345}, std::numeric_limits<std::size_t>::max()}) {
-    const std::string header = npy_header(rows, 28);
+    const std::string header = npy_format.writing.header(
+        {.positions = true, .derivatives = 3, .position_derivatives = 2, .settings = {"a", "b", "c", "d", "e"}}, rows);
     EXPECT_EQ(header.size(), 128u);
     EXPECT_NE(header.find("'shape': (" + std::to_string(rows) + ", 28), }"), std::string::npos) << header;
   }
@@ -129,7 +129,7 @@ TEST(Npy, RoundsATimeToTheNearestDouble) {
 
 TEST(Npy, IsWrittenToAPipeWhenTheRowsAreStated) {
   ::testing::internal::CaptureStdout();
-  auto writer = SampleWriter::open("-", {.format = FileFormat::npy}, 1);
+  auto writer = SampleWriter::open("-", {.format = &npy_format}, 1);
   const bool complete = writer && writer->write(Decimal(), moving) && writer->finish();
   const auto array = array_in(::testing::internal::GetCapturedStdout());
   EXPECT_TRUE(complete);
@@ -139,7 +139,7 @@ TEST(Npy, IsWrittenToAPipeWhenTheRowsAreStated) {
 
 TEST(Npy, RefusesNumbersThatAreNotFinite) {
   const ScratchDirectory directory;
-  auto writer = SampleWriter::open(directory.file("out.npy"), {.format = FileFormat::npy, .positions = true});
+  auto writer = SampleWriter::open(directory.file("out.npy"), {.format = &npy_format, .positions = true});
   ASSERT_TRUE(writer);
   Sample sample;
   sample.linear_motion.position.x() = std::numeric_limits<double>::quiet_NaN();

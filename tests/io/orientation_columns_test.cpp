@@ -67,7 +67,7 @@ TEST(RollPitchYaw, WithoutAUnitNeedOneFromTheCaller) {
                                   {.angle_unit = AngleUnit::degrees}),
                    turned, tolerance::exact));
   EXPECT_EQ(refusal(plain),
-            "keys.csv:1: 'yaw' has no unit, wanted a name such as yaw_deg or yaw_rad, or --angle-unit deg|rad");
+            "keys.csv:1: 'yaw' has no unit, wanted a name such as yaw_deg or yaw_rad, or the unit (option angle_unit)");
   EXPECT_TRUE(near(orientation_in("t,roll_rad,pitch,yaw_rad\n0,2,-0.25,0.5\n", {.angle_unit = AngleUnit::radians}),
                    turned, tolerance::exact));
 }
@@ -77,10 +77,8 @@ TEST(RollPitchYaw, FollowTheOrderThatTheCallerStates) {
   EXPECT_TRUE(near(orientation_in(plain, {.euler = euler_order_of("XYZ")}),
                    about(x, 2.0) * about(y, -0.25) * about(z, 0.5), tolerance::exact));
   EXPECT_TRUE(near(orientation_in(plain, {.euler = euler_order_of("xyz")}), turned, tolerance::exact));
-  EXPECT_EQ(
-      refusal(plain, {.euler = euler_order_of("ZXZ")}),
-      "keys.csv:1: no column e1, e2, e3, found 't,roll_rad,pitch_rad,yaw_rad'; other names are given by --columns "
-      "e1=NAME,...");
+  EXPECT_EQ(refusal(plain, {.euler = euler_order_of("ZXZ")}),
+            "keys.csv:1: no column e1, e2, e3, found 't,roll_rad,pitch_rad,yaw_rad' (option columns)");
 }
 
 TEST(EulerColumns, AreNumberedInTheOrderOfTheTurns) {
@@ -91,8 +89,9 @@ TEST(EulerColumns, AreNumberedInTheOrderOfTheTurns) {
   EXPECT_TRUE(near(orientation_in(angles, {.euler = euler_order_of("ZXZ")}),
                    about(z, 0.5) * about(x, -0.25) * about(z, 2.0), tolerance::exact));
   EXPECT_EQ(refusal(angles),
-            "keys.csv:1: found e1, e2, e3, wanted the order of these turns as well, by --euler ORDER (such as ZYX, or "
-            "zyx about the axes of the world)");
+            "keys.csv:1: found e1, e2, e3, wanted the order of these turns as well, such as ZYX, or zyx about the axes "
+            "of the "
+            "world (option euler)");
 }
 
 TEST(EulerColumns, MayHaveOtherNames) {
@@ -119,10 +118,9 @@ TEST(MatrixColumns, MustHoldARotation) {
       "keys.csv:2: key 0: the matrix is no rotation: its transpose times itself is off by 1 from 1, wanted at most "
       "0.001");
   EXPECT_EQ(refusal(header + "0,nan,0,0,0,1,0,0,0,1\n"),
-            "keys.csv:2:2: key 0: found 'nan', wanted a finite number (--drop-invalid drops such rows)");
+            "keys.csv:2:2: key 0: found 'nan', wanted a finite number (option drop_invalid)");
   EXPECT_EQ(refusal("t,r11,r12,r13,r21,r22,r23,r31,r32\n0,1,0,0,0,1,0,0,0\n"),
-            "keys.csv:1: no column r33, found 't,r11,r12,r13,r21,r22,r23,r31,r32'; other names are given by --columns "
-            "r33=NAME,...");
+            "keys.csv:1: no column r33, found 't,r11,r12,r13,r21,r22,r23,r31,r32' (option columns)");
   EXPECT_TRUE(near(orientation_in(header + "0,1.0004,0,0,0,1,0,0,0,1\n"), Eigen::Quaterniond::Identity(), 1e-15));
 }
 
@@ -147,9 +145,8 @@ TEST(OrientationColumns, AreQuaternionsWhereThereAreAny) {
 
 TEST(OrientationColumns, OfSeveralOtherKindsWantAChoice) {
   const std::string both = "t,roll_rad,pitch_rad,yaw_rad,rx,ry,rz\n0,0,0.5,0,1,0,0\n";
-  EXPECT_EQ(
-      refusal(both),
-      "keys.csv:1: yaw, rx may all state the orientation, choose one with --input-orientation euler|matrix|rotvec");
+  EXPECT_EQ(refusal(both),
+            "keys.csv:1: yaw, rx may all state the orientation, wanted one form of it (option representation)");
   EXPECT_TRUE(near(orientation_in(both, {.representation = Representation::euler}), about(y, 0.5), tolerance::exact));
   EXPECT_TRUE(
       near(orientation_in(both, {.representation = Representation::rotation_vector}), about(x, 1.0), tolerance::exact));
@@ -157,10 +154,10 @@ TEST(OrientationColumns, OfSeveralOtherKindsWantAChoice) {
 
 TEST(OrientationColumns, RefuseOptionsThatContradictEachOther) {
   EXPECT_EQ(refusal("t,qw,qx,qy,qz\n0,1,0,0,0\n", {.angle_unit = AngleUnit::degrees}, ErrorCode::bad_argument),
-            "keys.csv:1: --angle-unit is for Euler angles, and the orientation is in qw, qx, qy, qz");
+            "[angle_unit] keys.csv:1: a unit of angles is for Euler angles, and the orientation is in qw, qx, qy, qz");
   EXPECT_EQ(refusal("t,rx,ry,rz\n0,1,0,0\n", {.representation = Representation::matrix, .euler = euler_order_of("ZYX")},
                     ErrorCode::bad_argument),
-            "keys.csv:1: --euler asks for Euler angles, --input-orientation for something else");
+            "[euler] keys.csv:1: an order of Euler angles is stated, and another form of the orientation is asked for");
 }
 
 TEST(OrientationColumns, AreConjugatedInEveryForm) {

@@ -46,8 +46,7 @@ TEST_F(RealFile, OpticalTruthWithDropOuts) {
   ASSERT_FALSE(refused);
   EXPECT_EQ(text_of(refused.error()),
             "broad_06_undisturbed_fast_rotation_A_40s.csv:5620:2: key 5618: found 'nan', wanted a finite number "
-            "(--drop-invalid "
-            "drops such rows)");
+            "(option drop_invalid)");
 
   options.drop_invalid = true;
   const auto file = read_keys(path, options);
@@ -63,11 +62,11 @@ TEST_F(RealFile, CameraTrajectoryWithADuplicateTime) {
   ASSERT_FALSE(refused);
   EXPECT_EQ(text_of(refused.error()),
             "tum_fr2_desk_groundtruth.txt:10863: key 10859: duplicate time 1311868229.5760, as in line 10862, wanted "
-            "increasing times (--drop-duplicates keeps the first)");
+            "increasing times (option drop_duplicates)");
 
   const auto file = read_keys(path, {.drop_duplicates = true});
   ASSERT_TRUE(file) << describe(file.error());
-  EXPECT_EQ(file->format, FileFormat::tum);
+  EXPECT_EQ(file->format, &tum_format);
   EXPECT_EQ(file->repairs.duplicates_dropped, 1u);
   EXPECT_EQ(file->data.times.size(), 20956u);
   EXPECT_EQ(file->epoch.to_string(), "1311868163.8697");

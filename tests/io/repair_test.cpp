@@ -59,8 +59,7 @@ TEST(DropDuplicates, ComparesTimesBeyondTheDigitsOfADouble) {
 TEST(DropDuplicates, LeavesDecreasingTimesAnError) {
   const auto file = read({"1", "2", "1"}, {.drop_duplicates = true});
   ASSERT_FALSE(file);
-  EXPECT_EQ(text_of(file.error()),
-            "keys.csv:4: key 2: time 1 comes after 2, wanted increasing times (--sort orders the rows)");
+  EXPECT_EQ(text_of(file.error()), "keys.csv:4: key 2: time 1 comes after 2, wanted increasing times (option sort)");
 }
 
 TEST(DropInvalid, DropsRowsWithACellThatIsEmptyOrNotFinite) {
@@ -109,8 +108,7 @@ TEST(Sort, ReportsEqualTimesWithBothLines) {
   const auto file = read({"3.50", "1", "3.5"}, {.sort = true});
   ASSERT_FALSE(file);
   EXPECT_EQ(text_of(file.error()),
-            "keys.csv:4: key 2: duplicate time 3.5, as in line 2, wanted increasing times (--drop-duplicates keeps the "
-            "first)");
+            "keys.csv:4: key 2: duplicate time 3.5, as in line 2, wanted increasing times (option drop_duplicates)");
 }
 
 TEST(Sort, KeepsTheFirstOfEqualTimesInTheFile) {

@@ -48,11 +48,11 @@ void write(const std::string& path, const SampleColumns& columns, std::string_vi
 
 TEST(RoundTrip, GivesBackEveryBit) {
   const auto samples = random_samples(3000);
-  for (const FileFormat format : {FileFormat::csv, FileFormat::tum})
+  for (const FormatInfo* const format : {&csv_format, &tum_format})
     for (const char* epoch : {"0", "1700000000.123456789", "-3.25", "218174919753"}) {
       const ScratchDirectory directory;
       const std::string path = directory.file("samples.txt");
-      const bool is_csv = format == FileFormat::csv;
+      const bool is_csv = format == &csv_format;
       write(path, {.format = format, .positions = true, .derivatives = is_csv ? 1 : 0}, epoch, samples);
 
       const auto file = read_keys(path);
@@ -77,12 +77,12 @@ TEST(RoundTrip, GivesBackEveryBitFromEuRoCWithinANanosecond) {
   const ScratchDirectory directory;
   const std::string path = directory.file("data.csv");
   const Decimal epoch = Decimal::parse("1700000000.123456789").value();
-  write(path, {.format = FileFormat::euroc}, epoch.to_string(), samples);
+  write(path, {.format = &euroc_format}, epoch.to_string(), samples);
 
   const auto file = read_keys(path);
 
   ASSERT_TRUE(file) << describe(file.error());
-  EXPECT_EQ(file->format, FileFormat::euroc);
+  EXPECT_EQ(file->format, &euroc_format);
   ASSERT_EQ(file->data.times.size(), samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i) {
     ASSERT_NEAR(file->data.times[i], samples[i].t, 0.5000001e-9);

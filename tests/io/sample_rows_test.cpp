@@ -46,7 +46,7 @@ TEST(SampleRows, FollowThoseThatAreWrittenBefore) {
 }
 
 TEST(SampleRows, MayNotRepeatTheLastNanosecondOfThoseBefore) {
-  const SampleColumns euroc{.format = FileFormat::euroc};
+  const SampleColumns euroc{.format = &euroc_format};
   const std::string refusal = "two samples fall on the nanosecond 7, wanted times that differ in EuRoC";
   const ScratchDirectory directory;
   auto writer = SampleWriter::open(directory.file("out.csv"), euroc);

@@ -66,7 +66,7 @@ TEST(SampleWriter, WritesRatesInTheWorldFrame) {
 
 TEST(SampleWriter, WritesTum) {
   const Sample sample{.motion = moving, .linear_motion = {.position = {1, 2, 3}}};
-  EXPECT_EQ(written({.format = FileFormat::tum, .positions = true}, sample, "1311868163.8731"),
+  EXPECT_EQ(written({.format = &tum_format, .positions = true}, sample, "1311868163.8731"),
             "1311868163.8731 1 2 3 -0.5 0.5 -0.5 0.5\n");
 }
 
@@ -82,13 +82,12 @@ TEST(SampleWriter, RefusesWhatTheFormatCannotHold) {
     EXPECT_EQ(writer.error().code, ErrorCode::bad_argument);
     return writer.error().message;
   };
-  EXPECT_EQ(refusal({.format = FileFormat::tum, .derivatives = 1}), "1 derivatives were asked for, and TUM holds 0");
-  EXPECT_EQ(refusal({.format = FileFormat::euroc, .derivatives = 2}),
-            "2 derivatives were asked for, and EuRoC holds 0");
+  EXPECT_EQ(refusal({.format = &tum_format, .derivatives = 1}), "1 derivatives were asked for, and TUM holds 0");
+  EXPECT_EQ(refusal({.format = &euroc_format, .derivatives = 2}), "2 derivatives were asked for, and EuRoC holds 0");
   EXPECT_EQ(refusal({.derivatives = 4}), "4 derivatives were asked for, and CSV holds 0 to 3");
   EXPECT_EQ(refusal({.derivatives = -1}), "-1 derivatives were asked for, and CSV holds 0 to 3");
   EXPECT_EQ(refusal({.position_derivatives = 3}), "3 derivatives of the position were asked for, and CSV holds 0 to 2");
-  EXPECT_EQ(refusal({.format = FileFormat::tum, .form = {.representation = Representation::matrix}}),
+  EXPECT_EQ(refusal({.format = &tum_format, .form = {.representation = Representation::matrix}}),
             "TUM holds orientations as quaternions only");
   EXPECT_EQ(directory.entries(), 0u);
 }

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -59,10 +60,11 @@ inline std::string content_of(const std::string& path) {
   return content.str();
 }
 
-/// The one line for people, with the name of the file instead of its path.
+/// The one line for people, with the name of the file instead of its path, behind the option at fault: `[order] `.
 inline std::string text_of(Error error) {
   error.where.file = std::filesystem::path(error.where.file).filename().string();
-  return describe(error);
+  const std::string option = std::exchange(error.option, {});
+  return (option.empty() ? "" : "[" + option + "] ") + describe(error);
 }
 
 }  // namespace orispline::test

@@ -19,7 +19,7 @@ TEST(Tum, ReadsTimePositionAndQuaternion) {
         "1311868163.8697\t1\t2\t3\t0.5\t-0.5\t0.5\t-0.5\n1311868163.8731\t4\t5\t6\t0\t0\t0\t1\n"}) {
     const auto file = read_keys(TextFile(content, "keys.txt").path());
     ASSERT_TRUE(file) << describe(file.error());
-    EXPECT_EQ(file->format, FileFormat::tum);
+    EXPECT_EQ(file->format, &tum_format);
     EXPECT_EQ(file->epoch.to_string(), "1311868163.8697");
     EXPECT_EQ(file->data.times, (std::vector<double>{0.0, 0.0034}));
     EXPECT_EQ(file->data.positions[1], Eigen::Vector3d(4, 5, 6));

@@ -1,26 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/compare/compare_keys.hpp"
 
-#include <string_view>
-
 #include <orispline/analysis/sampled.hpp>
 #include <orispline/base/formatted.hpp>
 
 namespace orispline::cli {
 namespace {
 
-/// With the name that the option for the rows has here, where `--sort` is for the table.
-Error in_words_of_compare(Error error) {
-  constexpr std::string_view hint = "(--sort ";
-  if (const std::size_t at = error.message.find(hint); at != std::string::npos)
-    error.message.replace(at, hint.size(), "(--sort-rows ");
+/// Rows are sorted by an option of another name here, where that of this name is for the table.
+Error with_its_options(Error error) {
+  if (error.remedy == "sort") error.remedy = "sort_rows";
   return error;
 }
 
 /// A file whose keys are at least two.
 Expected<io::TrackFile> read_two_keys(const std::string& path, const io::ReadOptions& options, Signs signs) {
   auto file = io::read_track(path, options, signs);
-  if (!file) return tl::unexpected(in_words_of_compare(std::move(file.error())));
+  if (!file) return tl::unexpected(with_its_options(std::move(file.error())));
   if (file->track.keys.size() < 2)
     return failure(ErrorCode::bad_data, "found 1 key, wanted 2 at least to compare curves", {.file = path});
   return file;

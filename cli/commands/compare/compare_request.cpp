@@ -23,6 +23,7 @@ Expected<NamedMethod> named_method(const std::string& text) {
       })
       .map_error([](Error error) {
         if (!error.option.empty()) error.message = formatted("--methods: {}", error.message);
+        error.option.clear();
         return error;
       });
 }

@@ -6,7 +6,7 @@
 #include <orispline/io/track_file.hpp>
 
 #include "commands/convert/convert_report.hpp"
-#include "output/interruption.hpp"
+#include "output/keys_file.hpp"
 
 namespace orispline::cli {
 namespace {
@@ -14,26 +14,6 @@ namespace {
 Expected<io::TrackFile> open_source(InputRequest request) {
   request.read.keep_exact_times = request.read.keep_as_read = true;
   return io::read_track(request.path, request.read, request.signs);
-}
-
-io::Sample sample_at(const io::TrackFile& source, const io::SampleColumns& columns, std::size_t key) {
-  const bool keeps_digits = columns.form.representation == io::Representation::quaternion;
-  const Eigen::Quaterniond& q = source.track.keys.orientations()[key];
-  io::Sample sample{.motion = {.orientation = keeps_digits ? source.written(q, key) : q}};
-  if (columns.positions) sample.linear_motion.position = source.track.keys.positions()[key];
-  if (columns.derivatives > 0) sample.motion.angular_velocity = source.track.keys.angular_velocities()[key];
-  return sample;
-}
-
-Expected<void> write_keys(io::SampleWriter& writer, const io::TrackFile& source, const io::SampleColumns& columns) {
-  for (std::size_t i = 0; i < source.track.keys.size(); ++i) {
-    auto written = writer.write(source.track.exact_times[i], sample_at(source, columns, i));
-    if (written) continue;
-    if (written.error().code != ErrorCode::bad_data) return written;
-    written.error().where.key = i;
-    return tl::unexpected(source.track.located(std::move(written.error())));
-  }
-  return writer.finish();
 }
 
 ConvertReport report_on(const io::TrackFile& source, const ConvertOptions& options, const io::SampleColumns& columns) {
@@ -51,7 +31,7 @@ ConvertReport report_on(const io::TrackFile& source, const ConvertOptions& optio
     report.dropped_columns.emplace_back("angular velocities");
   if (!columns.positions)
     report.positions =
-        io::holds_all_columns(columns.format) ? ConvertReport::Positions::absent : ConvertReport::Positions::zero;
+        columns.format->holds.always_positions ? ConvertReport::Positions::zero : ConvertReport::Positions::absent;
   return report;
 }
 
@@ -67,15 +47,11 @@ Expected<void> convert(const ConvertOptions& options) {
   const auto source = open_source(std::move(*request));
   if (!source) return tl::unexpected(source.error());
   columns.positions = !source->track.keys.positions().empty();
-  columns.derivatives =
-      io::holds_all_columns(columns.format) && !source->track.keys.angular_velocities().empty() ? 1 : 0;
+  columns.derivatives = columns.format->holds.rates && !source->track.keys.angular_velocities().empty() ? 1 : 0;
   const ConvertReport report = report_on(*source, options, columns);
-  return io::SampleWriter::open(options.output.path, columns, source->track.keys.size())
-      .and_then([&](io::SampleWriter writer) {
-        const RemovedWhenInterrupted unfinished(writer.part());
-        return write_keys(writer, *source, columns);
-      })
-      .and_then([&] { return summarise(options.summary, report); });
+  return write_keys(options.output.path, source->track, columns).and_then([&] {
+    return summarise(options.summary, report);
+  });
 }
 
 }  // namespace orispline::cli

@@ -9,9 +9,9 @@ namespace orispline::cli {
 
 std::string json_of(const ConvertReport& report) {
   Json json{{"input", report.input},
-            {"input_format", word_of(format_choices, report.input_format)},
+            {"input_format", report.input_format->id},
             {"output", report.output},
-            {"output_format", word_of(output_format_choices, report.output_format)},
+            {"output_format", report.output_format->id},
             {"keys", report.keys},
             {"start_s", report.start.to_string()},
             {"end_s", report.end.to_string()},

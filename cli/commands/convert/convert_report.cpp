@@ -10,9 +10,8 @@
 namespace orispline::cli {
 
 std::string text_of(const ConvertReport& report) {
-  std::string text =
-      formatted("{} from {} ({}) written to {} ({})", counted(report.keys, "key"), report.input,
-                io::title_of(report.input_format), destination(report.output), io::title_of(report.output_format));
+  std::string text = formatted("{} from {} ({}) written to {} ({})", counted(report.keys, "key"), report.input,
+                               report.input_format->title, destination(report.output), report.output_format->title);
   if (report.keyframes.sign_flips > 0) text += formatted("; sign flips in the file: {}", report.keyframes.sign_flips);
   if (report.keyframes.non_unit_keys > 0) text += formatted("; {} normalised", report.keyframes.non_unit_keys);
   text += "\n";

@@ -12,7 +12,7 @@ namespace orispline::cli {
 /// What `orispline convert` did.
 struct ConvertReport {
   std::string input{}, output{};
-  io::FileFormat input_format{}, output_format{};
+  const io::FormatInfo *input_format = nullptr, *output_format = nullptr;
   io::RepairReport repairs{};
   KeyframeReport keyframes{};
   std::size_t keys = 0;

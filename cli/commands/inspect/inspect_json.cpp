@@ -56,7 +56,7 @@ Json methods(const InspectReport& report) {
 std::string json_of(const InspectReport& report) {
   const std::size_t last = report.keys() - 1;
   Json json{{"file", report.file.track.name},
-            {"format", word_of(format_choices, report.file.format)},
+            {"format", report.file.format->id},
             {"keys", report.keys()},
             {"start_s", report.time_of(0).to_string()},
             {"end_s", report.time_of(last).to_string()}};

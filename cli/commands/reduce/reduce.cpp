@@ -99,7 +99,7 @@ Expected<std::vector<io::SampleColumns>> columns_in(const ReduceOptions& options
     output.path = path;
     const auto found = output_columns(output);
     if (!found) return tl::unexpected(found.error());
-    if (auto kept = check_times_are_kept(found->format, options.folder ? "--output-folder" : "-o", "the tolerance");
+    if (auto kept = check_times_are_kept(*found->format, options.folder ? "--output-folder" : "-o", "the tolerance");
         !kept)
       return tl::unexpected(std::move(kept.error()));
     columns.push_back(*found);
@@ -110,9 +110,9 @@ Expected<std::vector<io::SampleColumns>> columns_in(const ReduceOptions& options
 Expected<std::vector<std::string>> outputs_of(const ReduceOptions& options) {
   if (!options.folder) return std::vector{options.output.path};
   if (options.folder->empty()) return usage_failure("--output-folder: found an empty name, wanted FOLDER");
-  return if_given("--output-format", options.output.format, choice_of(output_format_choices))
-      .and_then(
-          [&](std::optional<io::FileFormat> format) { return outputs_in(*options.folder, options.inputs, format); });
+  return output_format(options.output).and_then([&](std::optional<const io::FormatInfo*> format) {
+    return outputs_in(*options.folder, options.inputs, format.value_or(nullptr));
+  });
 }
 
 Expected<Request> request_in(const ReduceOptions& options) {
@@ -219,17 +219,15 @@ Expected<void> check_outputs(const Request& request, const ReduceOptions& option
 }
 
 /// All or none.
-Expected<void> write_all(const Request& request, const std::vector<ReducedTrack>& tracks,
-                         const std::vector<ReduceReport>& reports) {
+Expected<void> write_all(const Request& request, const std::vector<ReduceReport>& reports) {
   std::vector<UnfinishedKeys> outputs;
   for (std::size_t i = 0; i < reports.size(); ++i) {
-    auto output =
-        write_keys(reports[i].output, request.columns[i], tracks[i], reports[i].reductions[reports[i].chosen]);
+    auto output = write_keys(reports[i].output, request.columns[i], reports[i].reductions[reports[i].chosen].track);
     if (!output) return tl::unexpected(std::move(output.error()));
     outputs.push_back(std::move(*output));
   }
   for (UnfinishedKeys& output : outputs)
-    if (auto finished = output.writer.finish(); !finished) return finished;
+    if (auto finished = output.file.finish(); !finished) return finished;
   return {};
 }
 

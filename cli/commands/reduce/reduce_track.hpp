@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include <orispline/io/sample_writer.hpp>
+#include <orispline/io/output_file.hpp>
+#include <orispline/io/sample_columns.hpp>
 #include <orispline/io/track_file.hpp>
 #include <orispline/reduce/reduce.hpp>
 #include <orispline/smooth/smooth.hpp>
@@ -29,14 +30,14 @@ struct ReducedTrack {
 [[nodiscard]] Expected<ReducedTrack> open_track(const InputRequest& input,
                                                 const std::optional<orispline::SmoothOptions>& smoothing);
 
-/// Keys that are written beside their file, closed, and take its place when the writer finishes.
+/// Keys that are written beside their file, closed, and take its place when it finishes.
 struct UnfinishedKeys {
-  io::SampleWriter writer;
+  io::OutputFile file;
   std::unique_ptr<RemovedWhenInterrupted> removal;
 };
 
-/// Writes the keys; those that are samples with the digits of the file. Errors: those of the writer.
-[[nodiscard]] Expected<UnfinishedKeys> write_keys(const std::string& path, io::SampleColumns columns,
-                                                  const ReducedTrack& track, const orispline::Reduction& reduction);
+/// Writes the keys; those that are samples with the digits of the file. Errors: those of io::write_tracks().
+[[nodiscard]] Expected<UnfinishedKeys> write_keys(const std::string& path, const io::SampleColumns& columns,
+                                                  const Track& keys);
 
 }  // namespace orispline::cli

@@ -12,7 +12,7 @@
 #include "commands/retime/retime_report.hpp"
 #include "options/inertia.hpp"
 #include "options/quantity.hpp"
-#include "output/interruption.hpp"
+#include "output/keys_file.hpp"
 
 namespace orispline::cli {
 namespace {
@@ -53,30 +53,14 @@ Expected<Request> request_in(const RetimeOptions& options) {
   auto read = std::move(checked).or_else(std::move(request));
   if (!read) return read;
   if (auto agreed = agree(options); !agreed) return tl::unexpected(std::move(agreed.error()));
-  return check_times_are_kept(read->columns.format, "-o", "the limits").map([&] { return std::move(*read); });
-}
-
-/// At their new times, with the digits of the file.
-Expected<void> write_keys(io::SampleWriter& writer, const Track& track, const io::TrackFile& source) {
-  std::vector<double> settings(track.settings.size());
-  for (std::size_t key = 0; key < track.keys.size(); ++key) {
-    std::ranges::transform(track.settings, settings.begin(), [key](const auto& column) { return column.second[key]; });
-    io::Sample sample{.motion = {.orientation = source.written(track.keys.orientations()[key], key)},
-                      .settings = settings};
-    if (!track.keys.positions().empty()) sample.linear_motion.position = track.keys.positions()[key];
-    if (auto written = writer.write(track.time_of(key), sample); !written) return written;
-  }
-  return writer.finish();
+  return check_times_are_kept(*read->columns.format, "-o", "the limits").map([&] { return std::move(*read); });
 }
 
 /// Settings with a value per key belong to the curve for which the limits hold: they are written as columns.
-Expected<io::SampleColumns> columns_for(const Track& track, io::SampleColumns columns) {
-  columns.positions = !track.keys.positions().empty();
-  columns.derivatives = 0;
-  for (const auto& [name, values] : track.settings) columns.settings.push_back(name);
-  if (columns.settings.empty() || io::holds_all_columns(columns.format)) return columns;
-  return usage_failure(formatted("-o: {} has no column for {}, with which the limits hold, wanted CSV",
-                                 a_file_of(columns.format), columns.settings.front()));
+Expected<void> check_settings(const Track& track, const io::SampleColumns& columns) {
+  if (track.settings.empty() || columns.format->holds.settings) return {};
+  return usage_failure(formatted("-o: {} has no column for {}, with which the limits hold, wanted {}",
+                                 columns.format->file, track.settings.begin()->first, formats_for_settings()));
 }
 
 }  // namespace
@@ -95,8 +79,7 @@ Expected<void> retime(const RetimeOptions& options) {
   if (limits.inertia) warn_if_any(inertia_warning(*limits.inertia));
   auto retiming = orispline::retime(track, request->method, request->retiming);
   if (!retiming) return tl::unexpected(placed(track, std::move(retiming.error())));
-  const auto columns = columns_for(retiming->track, request->columns);
-  if (!columns) return tl::unexpected(columns.error());
+  if (auto held = check_settings(retiming->track, request->columns); !held) return held;
   const RetimeReport report{.input = options.input.path,
                             .output = options.output.path,
                             .limits = limits,
@@ -104,11 +87,7 @@ Expected<void> retime(const RetimeOptions& options) {
                             .duration_before = track.keys.times().back() - track.keys.times().front(),
                             .retiming = std::move(*retiming)};
   return page->write([&](const auto& head) { return pages::retime_page(track, report.retiming, limits, head); })
-      .and_then([&] { return io::SampleWriter::open(options.output.path, *columns, track.keys.size()); })
-      .and_then([&](io::SampleWriter writer) {
-        const RemovedWhenInterrupted unfinished(writer.part());
-        return write_keys(writer, report.retiming.track, *file);
-      })
+      .and_then([&] { return write_keys(options.output.path, report.retiming.track, request->columns); })
       .and_then([&] { return page->finish(); })
       .and_then([&] { return summarise(options.summary, report); });
 }

@@ -39,13 +39,13 @@ Expected<io::SampleColumns> columns_in(const SampleOptions& options) {
   auto columns = checked(output_columns(options.output));
   const auto derivatives = checked(if_given("--derivatives", options.derivatives, derivatives_in));
   const auto frame = checked(if_given("--frame", options.frame, choice_of(frame_choices)));
-  const bool holds_rates = io::holds_all_columns(columns.format);
+  const bool holds_rates = columns.format->holds.rates;
   columns.derivatives = derivatives.value_or(holds_rates ? default_csv_derivatives : 0);
   columns.frame = frame.value_or(io::Frame::body);
   auto read = std::move(checked).or_else(std::move(columns));
   if (!read || holds_rates) return read;
   const auto refused = [&](OptionText option, std::string_view only) {
-    return wanted(option, formatted("{} for {}, which has no columns for rates", only, a_file_of(read->format)));
+    return wanted(option, formatted("{} for {}, which has no columns for rates", only, read->format->file));
   };
   if (read->derivatives > 0) return refused({"--derivatives", *options.derivatives}, "0");
   if (read->frame == io::Frame::world) return refused({"--frame", *options.frame}, "body");

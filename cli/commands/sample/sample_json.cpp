@@ -21,7 +21,7 @@ Json truth(const TruthReport& truth) {
 
 /// The names of the columns, where they may be many.
 Json columns_of(const io::SampleColumns& columns) {
-  return io::holds_all_columns(columns.format) ? Json(io::column_names(columns)) : Json(nullptr);
+  return columns.format->holds.rates ? Json(io::column_names(columns)) : Json(nullptr);
 }
 
 }  // namespace
@@ -29,7 +29,7 @@ Json columns_of(const io::SampleColumns& columns) {
 std::string json_of(const SampleReport& report) {
   Json json{{"input", report.input},
             {"output", report.output},
-            {"output_format", word_of(output_format_choices, report.columns.format)},
+            {"output_format", report.columns.format->id},
             {"output_orientation", word_of(orientation_choices, report.columns.form.representation)},
             {"method", report.method},
             {"keys", report.keys},

@@ -12,6 +12,7 @@
 #include "options/quantity.hpp"
 #include "options/sample_times.hpp"
 #include "output/interruption.hpp"
+#include "output/keys_file.hpp"
 #include "output/smoothing_text.hpp"
 #include "output/standard_output.hpp"
 
@@ -59,19 +60,6 @@ Expected<Request> request_in(const SmoothOptions& options) {
   return std::move(checked).or_else(std::move(request));
 }
 
-Expected<std::size_t> write_keys(io::SampleWriter& writer, const orispline::Smoothing& smoothed) {
-  const Keyframes& keys = smoothed.track.keys;
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    io::Sample sample{.motion = {.orientation = keys.orientations()[i],
-                                 .angular_velocity = keys.angular_velocities()[i],
-                                 .angular_acceleration = keys.angular_accelerations()[i]}};
-    if (!keys.positions().empty()) sample.linear_motion.position = keys.positions()[i];
-    if (auto written = writer.write(smoothed.track.time_of(i), sample); !written)
-      return tl::unexpected(std::move(written.error()));
-  }
-  return keys.size();
-}
-
 /// Samples of the curve through the keys, but none between two stretches.
 Expected<std::size_t> write_samples(io::SampleWriter& writer, const orispline::Smoothing& smoothed,
                                     const TimeRequest& request) {
@@ -94,12 +82,14 @@ Expected<std::size_t> write_samples(io::SampleWriter& writer, const orispline::S
 
 Expected<std::size_t> write(const std::string& path, const Request& request, const orispline::Smoothing& smoothed) {
   io::SampleColumns columns = request.columns;
-  columns.derivatives = io::holds_all_columns(columns.format) ? 2 : 0;
+  columns.derivatives = columns.format->holds.rates ? 2 : 0;
   columns.positions = !smoothed.track.keys.positions().empty();
+  if (!request.times) return write_keys(path, smoothed.track, columns).map([&] { return smoothed.track.keys.size(); });
   return io::SampleWriter::open(path, columns, smoothed.track.keys.size()).and_then([&](io::SampleWriter writer) {
     const RemovedWhenInterrupted unfinished(writer.part());
-    const auto written = request.times ? write_samples(writer, smoothed, *request.times) : write_keys(writer, smoothed);
-    return written.and_then([&](std::size_t count) { return writer.finish().map([count] { return count; }); });
+    return write_samples(writer, smoothed, *request.times).and_then([&](std::size_t count) {
+      return writer.finish().map([count] { return count; });
+    });
   });
 }
 
@@ -117,7 +107,7 @@ Expected<void> smooth(const SmoothOptions& options) {
   if (!smoothing) return tl::unexpected(placed(recording, std::move(smoothing.error())));
   const auto remark = remark_on(*smoothing);
   warn_if_any(remark);
-  if (!io::holds_all_columns(request->columns.format))
+  if (!request->columns.format->holds.rates)
     warn("this format holds no rates: wx,wy,wz,ax,ay,az are not written, wanted a CSV file for them");
   SmoothReport report{.recording = recording,
                       .repairs = file->repairs,

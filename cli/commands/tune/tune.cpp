@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/tune/tune.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include <orispline/base/formatted.hpp>
-#include <orispline/io/output_file.hpp>
 #include <orispline/tune/tension_model.hpp>
 
 #include "commands/tune/tune_report.hpp"
 #include "options/inertia.hpp"
-#include "output/interruption.hpp"
+#include "output/keys_file.hpp"
 #include "output/standard_output.hpp"
 
 namespace orispline::cli {
@@ -107,13 +107,13 @@ Expected<orispline::Tuning> tuned(Request request, const TuneOptions& options, c
   });
 }
 
-Expected<void> write_keys(const std::string& path, const io::KeyTable& table, const orispline::Tuning& tuning) {
-  io::NumberColumns columns;
-  for (const std::string& name : tuning.parameters) columns[name] = tuning.track.settings.find(name)->second;
-  return io::OutputFile::open(path).and_then([&](io::OutputFile file) {
-    const RemovedWhenInterrupted unfinished(file.part());
-    return file.write(io::csv_with_columns(table, columns)).and_then([&] { return file.finish(); });
+/// The keys with the values that were found; what their table states itself keeps its text there.
+Track written_track(const orispline::Tuning& tuning) {
+  Track keys = tuning.track;
+  std::erase_if(keys.settings, [&](const auto& column) {
+    return std::ranges::find(tuning.parameters, column.first) == tuning.parameters.end();
   });
+  return keys;
 }
 
 }  // namespace
@@ -133,7 +133,7 @@ Expected<void> tune(const TuneOptions& options) {
                     .times = {file->track.keys.times().begin(), file->track.keys.times().end()},
                     .tuning = std::move(*tuning)};
   for (double& t : report.times) t += file->track.epoch.to_double();
-  return write_keys(options.output, file->table, report.tuning).and_then([&] {
+  return write_keys(options.output, written_track(report.tuning)).and_then([&] {
     return summarise(options.summary, report);
   });
 }

@@ -35,9 +35,11 @@ struct Error {
   ErrorCode code = ErrorCode::bad_data;
   std::string message{};
   Where where{};
-  /// The option that is at fault or would mend it, by the name that the library gives it, such as `time_scale`; empty
-  /// where there is none. Each face says in its own terms how that one is set.
+  /// The option that is at fault, by the name that the library gives it, such as `time_scale`; empty where there is
+  /// none. Each face says in its own terms how that one is set.
   std::string option{};
+  /// The option that would mend it, likewise, such as `drop_duplicates`.
+  std::string remedy{};
 };
 
 /// A value or the reason why there is none.
@@ -51,10 +53,16 @@ using Expected = tl::expected<T, Error>;
 
 /// That of an option, by the name that the library gives it.
 [[nodiscard]] inline tl::unexpected<Error> bad_option(std::string_view option, std::string message) {
-  return tl::unexpected<Error>(Error{ErrorCode::bad_argument, std::move(message), {}, std::string(option)});
+  return tl::unexpected<Error>(Error{ErrorCode::bad_argument, std::move(message), {}, std::string(option), {}});
 }
 
-/// `keys.csv:7:3: key 2: message`, with the absent parts left out: one line for people.
+/// That of data which an option would mend, by the name that the library gives it.
+[[nodiscard]] inline tl::unexpected<Error> mended_by(std::string_view remedy, std::string message, Where where = {}) {
+  return tl::unexpected<Error>(
+      Error{ErrorCode::bad_data, std::move(message), std::move(where), {}, std::string(remedy)});
+}
+
+/// `keys.csv:7:3: key 2: message (option remedy)`, with the absent parts left out: one line for people.
 [[nodiscard]] std::string describe(const Error& error);
 
 }  // namespace orispline

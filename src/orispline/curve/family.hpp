@@ -67,7 +67,7 @@ struct FamilySettings;
 /// What a family says about itself: all that is known of it elsewhere. Continuity is the order in **time** for non-zero
 /// tensions; constant rates are kept at the default parameters, with natural ends where the family has them.
 struct FamilyInfo {
-  std::string_view name;     ///< for --method and make_curve
+  std::string_view name;     ///< that it is chosen by, as in make_curve
   std::string_view alias{};  ///< a former name, taken for it too
   std::string_view title;
   std::string_view source;                   ///< paper and equation, or the section of our own derivation

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/curve/track.hpp>
 
+#include <cmath>
 #include <utility>
 
 namespace orispline {
 namespace {
+
+constexpr double rounding = 1e-15;  // of the components of a unit quaternion
 
 template <class T>
 std::vector<T> picked(const std::vector<T>& values, std::span<const std::size_t> indices) {
@@ -21,6 +24,16 @@ Decimal Track::time_of(std::size_t key) const {
   return exact_times.empty() ? epoch + Decimal::from_double(keys.times()[key]) : exact_times[key];
 }
 
+Eigen::Quaterniond Track::written(std::size_t key) const {
+  const Eigen::Quaterniond& q = keys.orientations()[key];
+  if (as_read.empty()) return q;
+  const double sign = as_read[key].dot(q) < 0.0 ? -1.0 : 1.0;
+  const Eigen::Quaterniond turned(sign * as_read[key].coeffs());
+  const bool is_the_same = std::abs(turned.norm() - 1.0) <= unit_norm_tolerance &&
+                           (turned.coeffs().normalized() - q.coeffs()).norm() <= rounding;
+  return is_the_same ? turned : q;
+}
+
 Track Track::at(std::span<const std::size_t> indices) const {
   Track some(keys.at(indices));
   some.name = name;
@@ -28,12 +41,15 @@ Track Track::at(std::span<const std::size_t> indices) const {
   some.lines = picked(lines, indices);
   some.exact_times = picked(exact_times, indices);
   for (const auto& [parameter, values] : settings) some.settings.emplace(parameter, picked(values, indices));
+  some.as_read = picked(as_read, indices);
+  some.table = {table.names, picked(table.rows, indices)};
   return some;
 }
 
 Track Track::with_keys(Keyframes others) const {
   Track track = *this;
   track.keys = std::move(others);
+  track.table = {};
   return track;
 }
 

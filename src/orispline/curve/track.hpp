@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <orispline/base/decimal.hpp>
+#include <orispline/curve/key_table.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/method.hpp>
 
@@ -24,6 +25,8 @@ struct Track {
   std::vector<Decimal> exact_times{};  ///< [s], as the file writes them
   /// Values of a method's parameters, one per key, by their names: `tension`, `bias`, …
   std::map<std::string, std::vector<double>, std::less<>> settings{};
+  std::vector<Eigen::Quaterniond> as_read{};  ///< with the norms and signs of the file; only if asked for
+  KeyTable table{};  ///< all columns of the file, while they state these keys; only if asked for
 
   Track() = default;
   Track(Keyframes keyframes) : keys(std::move(keyframes)) {}  // NOLINT: keys are a track
@@ -31,11 +34,15 @@ struct Track {
   /// [s], exact where the file's own text is known, else as near as a double.
   [[nodiscard]] Decimal time_of(std::size_t key) const;
 
+  /// An orientation as it should be written: with the digits of the file and the sign of the key, where the key is what
+  /// the file has and its norm there is 1; else the key itself.
+  [[nodiscard]] Eigen::Quaterniond written(std::size_t key) const;
+
   /// The keys at these rising indices, one at least, with all that belongs to them; signs for the shortest way.
   [[nodiscard]] Track at(std::span<const std::size_t> indices) const;
-  /// These keys at other times; exact times are forgotten. Errors: those of Keyframes::with_times().
+  /// These keys at other times; exact times and the table are forgotten. Errors: those of Keyframes::with_times().
   [[nodiscard]] Expected<Track> with_times(std::vector<double> times) const;
-  /// Other keys at the same times, such as smoothed ones.
+  /// Other keys at the same times, such as smoothed ones; the table is forgotten.
   [[nodiscard]] Track with_keys(Keyframes others) const;
 
   /// The error with the name of the track and, where it names a key, its line.

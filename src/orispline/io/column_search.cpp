@@ -48,8 +48,7 @@ tl::unexpected<Error> ColumnSearch::two_columns(std::string_view canonical, std:
   const auto name = [this](std::size_t i) { return in_quotes(header_[i]); };
   if (header_[one] == header_[other])
     return failure(ErrorCode::bad_data, formatted("the column {} is there twice, wanted it once", name(other)));
-  return failure(ErrorCode::bad_data, formatted("{} and {} may both be {}, choose one with --columns {}=NAME",
-                                                name(one), name(other), canonical, canonical));
+  return mended_by("columns", formatted("{} and {} may both be {}, wanted one", name(one), name(other), canonical));
 }
 
 }  // namespace orispline::io

@@ -2,7 +2,9 @@
 #include <orispline/io/file_format.hpp>
 
 #include <algorithm>
-#include <array>
+
+#include <orispline/base/formatted.hpp>
+#include <orispline/io/formats/formats.hpp>
 
 namespace orispline::io {
 namespace {
@@ -14,18 +16,36 @@ bool ends_in(std::string_view path, std::string_view extension) {
          std::equal(extension.rbegin(), extension.rend(), path.rbegin(), [](char a, char b) { return a == lower(b); });
 }
 
-}  // namespace
-
-std::string_view title_of(FileFormat format) noexcept {
-  constexpr std::array<std::string_view, 4> titles{"CSV", "TUM", "EuRoC", "NumPy"};
-  return titles[static_cast<std::size_t>(format)];
+std::vector<const FormatInfo*> formats_that(bool (FormatInfo::*are)() const noexcept) {
+  std::vector<const FormatInfo*> some;
+  std::ranges::copy_if(formats(), std::back_inserter(some),
+                       [are](const FormatInfo* format) { return (format->*are)(); });
+  return some;
 }
 
-std::optional<FileFormat> format_of_extension(std::string_view path) noexcept {
-  if (ends_in(path, ".csv")) return FileFormat::csv;
-  if (ends_in(path, ".tum")) return FileFormat::tum;
-  if (ends_in(path, ".npy")) return FileFormat::npy;
-  return std::nullopt;
+}  // namespace
+
+bool FormatInfo::has_extension_of(std::string_view path) const noexcept {
+  return std::ranges::any_of(extensions, [path](std::string_view extension) { return ends_in(path, extension); });
+}
+
+std::span<const FormatInfo* const> formats() noexcept { return all_formats; }
+std::vector<const FormatInfo*> formats_read() { return formats_that(&FormatInfo::is_read); }
+std::vector<const FormatInfo*> formats_written() { return formats_that(&FormatInfo::is_written); }
+
+const FormatInfo* format_of_extension(std::string_view path) noexcept {
+  const auto found =
+      std::ranges::find_if(all_formats, [path](const auto* format) { return format->has_extension_of(path); });
+  return found == all_formats.end() ? nullptr : *found;
+}
+
+std::string any_of(std::span<const FormatInfo* const> formats) {
+  std::vector<std::string_view> titles;
+  for (const FormatInfo* const format : formats) titles.push_back(format->title);
+  if (titles.size() < 2) return joined(titles, "");
+  const std::string_view last = titles.back();
+  titles.pop_back();
+  return formatted("{} or {}", joined(titles, ", "), last);
 }
 
 }  // namespace orispline::io

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include <orispline/base/formatted.hpp>
-#include <orispline/io/euroc.hpp>
 
 namespace orispline::io {
 namespace {
@@ -44,8 +43,8 @@ Expected<void> check_mappings(const HeaderReading& reading) {
   const auto wanted = canonical_names(reading.parameters);
   for (const auto& [canonical, name] : reading.names)
     if (std::ranges::find(wanted, canonical) == wanted.end())
-      return failure(ErrorCode::bad_argument, formatted("--columns {}={}: no such column is read, wanted one of {}",
-                                                        canonical, name, joined(wanted, ", ")));
+      return bad_option("columns", formatted("{}={}: no such column is read, wanted one of {}", canonical, name,
+                                             joined(wanted, ", ")));
   return {};
 }
 
@@ -64,9 +63,7 @@ Expected<RequiredColumns> required_columns(const ColumnSearch& search, const Ori
   auto missing = orientation->group.missing;
   if (!*time) missing.insert(missing.begin(), time_names.front());
   if (missing.empty()) return RequiredColumns{**time, std::move(*orientation)};
-  return failure(ErrorCode::bad_data,
-                 formatted("no column {}, found {}; other names are given by --columns {}=NAME,...",
-                           joined(missing, ", "), search.found_names(), missing[0]));
+  return mended_by("columns", formatted("no column {}, found {}", joined(missing, ", "), search.found_names()));
 }
 
 Expected<std::vector<ParameterColumn>> parameter_columns(const ColumnSearch& search,
@@ -96,10 +93,6 @@ std::vector<std::string> ignored_names(std::span<const std::string_view> header,
   for (std::size_t i = 0; i < header.size(); ++i)
     if (!is_read[i] && !header[i].empty()) ignored.emplace_back(header[i]);
   return ignored;
-}
-
-VectorColumns three_columns_from(std::size_t first) {
-  return {NumberColumn{first}, NumberColumn{first + 1}, NumberColumn{first + 2}};
 }
 
 bool begins_like_number(std::string_view cell) {
@@ -148,24 +141,6 @@ Expected<KeyColumns> columns_of_order(std::size_t columns, QuaternionOrder order
   KeyColumns result{.width = columns, .orientation = {{1}, {2}, {3}, {4}}};
   if (order == QuaternionOrder::xyzw) result.orientation = {{4}, {1}, {2}, {3}};
   if (columns == 8) result.position = three_columns_from(5);
-  return result;
-}
-
-KeyColumns columns_of_tum() {
-  return {.width = 8, .orientation = {{7}, {4}, {5}, {6}}, .position = three_columns_from(1)};
-}
-
-Expected<KeyColumns> columns_of_euroc(std::size_t columns) {
-  if (columns < euroc_columns)
-    return failure(ErrorCode::bad_data,
-                   formatted("found {} column{}, wanted at least 8 (time, position, quaternion w,x,y,z)", columns,
-                             columns == 1 ? "" : "s"));
-  KeyColumns result{.width = columns,
-                    .time_unit = Decimal::power_of_ten(-9),
-                    .whole_times = true,
-                    .orientation = {{4}, {5}, {6}, {7}},
-                    .position = three_columns_from(1)};
-  if (columns > euroc_columns) result.ignored = {formatted("columns {} to {}", euroc_columns + 1, columns)};
   return result;
 }
 

@@ -64,11 +64,10 @@ struct HeaderReading {
 /// `t`, the quaternion, and with 8 columns the position. Error (bad_data): another number of columns.
 [[nodiscard]] Expected<KeyColumns> columns_of_order(std::size_t columns, QuaternionOrder order);
 
-/// `t tx ty tz qx qy qz qw`.
-[[nodiscard]] KeyColumns columns_of_tum();
-
-/// Time [ns], position, quaternion `w,x,y,z`; further columns are ignored. Error (bad_data): fewer than 8 columns.
-[[nodiscard]] Expected<KeyColumns> columns_of_euroc(std::size_t columns);
+/// Columns without units, side by side.
+[[nodiscard]] constexpr VectorColumns three_columns_from(std::size_t first) noexcept {
+  return {NumberColumn{first}, NumberColumn{first + 1}, NumberColumn{first + 2}};
+}
 
 /// Unit [s] of a column that is named like a time; nothing for other names.
 [[nodiscard]] std::optional<Decimal> time_unit_of(std::string_view name);

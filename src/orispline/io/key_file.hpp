@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <orispline/curve/keyframe.hpp>
-#include <orispline/io/file_format.hpp>
+#include <orispline/io/formats/formats.hpp>
 #include <orispline/io/key_columns.hpp>
 #include <orispline/io/key_table.hpp>
 
@@ -16,9 +16,9 @@ namespace orispline::io {
 
 /// How a file of keyframes is to be read.
 struct ReadOptions {
-  /// Absent: TUM by its extension, EuRoC by its header, CSV by its extension, else by content (8 numbers separated by
-  /// blanks are TUM).
-  std::optional<FileFormat> format{};
+  /// Null: the one with the extension of the file; where several have it, or none has, by content: EuRoC by its header,
+  /// TUM by 8 numbers separated by blanks, else CSV.
+  const FormatInfo* format = nullptr;
   /// Canonical name to name in the header. A name here is believed: `wx` is taken as a body rate.
   ColumnSearch::Names columns{};
   /// For CSV without a header: t, the quaternion in this order, then px, py, pz where the rows have 8 cells.
@@ -55,7 +55,7 @@ struct RepairReport {
 /// What a file of keyframes holds.
 struct KeyFile {
   std::string path{};
-  FileFormat format = FileFormat::csv;
+  const FormatInfo* format = &csv_format;
   Decimal epoch{};                                                       ///< time of the first key [s], exact
   KeyframeData data{};                                                   ///< times are relative to `epoch` [s]
   std::vector<std::uint32_t> lines{};                                    ///< 1-based line of each key
@@ -67,12 +67,15 @@ struct KeyFile {
   std::vector<std::string> rates_of_unknown_frame{};  ///< those of them that are angular velocities in no known frame
 };
 
-/// Reads keyframes from a file, or from standard input for `-`.
+/// Reads the keyframes of a file of one track, or of standard input for `-`.
 ///
 /// Times are strictly increasing and all numbers finite; norms and signs are left to `Keyframes::make`.
 /// Errors name the file, the line and the column or the key: bad_access, bad_data, and bad_argument for options that
 /// contradict the file.
 [[nodiscard]] Expected<KeyFile> read_keys(const std::string& path, const ReadOptions& options = {});
+
+/// The same of every track in a file, one at least.
+[[nodiscard]] Expected<std::vector<KeyFile>> read_all_keys(const std::string& path, const ReadOptions& options = {});
 
 /// The error with the file and, where it names a key, the line.
 [[nodiscard]] Error located(const KeyFile& file, Error error);

@@ -44,10 +44,10 @@ class RowReader {
   [[nodiscard]] std::optional<Error> not_finite() const {
     if (!not_finite_) return std::nullopt;
     const std::string_view cell = table_.cells()[*not_finite_];
-    return Error{ErrorCode::bad_data,
-                 formatted("found {}, wanted a finite number (--drop-invalid drops such rows)",
-                           cell.empty() ? "an empty cell" : in_quotes(cell)),
-                 table_.here(not_finite_)};
+    return mended_by("drop_invalid",
+                     formatted("found {}, wanted a finite number", cell.empty() ? "an empty cell" : in_quotes(cell)),
+                     table_.here(not_finite_))
+        .value();
   }
 
  private:
@@ -141,10 +141,10 @@ std::size_t late_rows(const std::vector<Decimal>& times) {
 
 }  // namespace
 
-KeyRows::KeyRows(std::string path, FileFormat format, KeyColumns columns, const ReadOptions& options)
+KeyRows::KeyRows(std::string path, const FormatInfo& format, KeyColumns columns, const ReadOptions& options)
     : columns_(std::move(columns)), options_(options) {
   file_.path = std::move(path);
-  file_.format = format;
+  file_.format = &format;
 }
 
 Expected<void> KeyRows::add(const TextTable& table) {
@@ -187,19 +187,17 @@ Expected<void> KeyRows::add(const TextTable& table) {
 /// Appends the time of the next key; false for a duplicate that is dropped. `text`: the time in the file, if at hand.
 Expected<bool> KeyRows::append_time(const Decimal& time, std::string_view text, std::size_t line) {
   std::vector<double>& times = file_.data.times;
-  const auto refused = [&](std::string message) {
-    return failure(ErrorCode::bad_data, std::move(message), {file_.path, line, std::nullopt, times.size()});
+  const auto refused = [&](std::string message, std::string_view remedy = {}) {
+    return mended_by(remedy, std::move(message), {file_.path, line, std::nullopt, times.size()});
   };
   const auto shown = [&] { return text.empty() ? time.to_string() : std::string(text); };
   if (times.empty()) first_ = time;
   else if (time < latest_)
-    return refused(formatted("time {} comes after {}, wanted increasing times (--sort orders the rows)", shown(),
-                             latest_.to_string()));
+    return refused(formatted("time {} comes after {}, wanted increasing times", shown(), latest_.to_string()), "sort");
   else if (time == latest_) {
     if (!options_.drop_duplicates)
-      return refused(
-          formatted("duplicate time {}, as in line {}, wanted increasing times (--drop-duplicates keeps the first)",
-                    shown(), latest_line_));
+      return refused(formatted("duplicate time {}, as in line {}, wanted increasing times", shown(), latest_line_),
+                     "drop_duplicates");
     ++file_.repairs.duplicates_dropped;
     return false;
   }

@@ -12,7 +12,7 @@ namespace orispline::io {
 /// Gathers the keys of a table row by row, checks and repairs them.
 class KeyRows {
  public:
-  KeyRows(std::string path, FileFormat format, KeyColumns columns, const ReadOptions& options);
+  KeyRows(std::string path, const FormatInfo& format, KeyColumns columns, const ReadOptions& options);
 
   /// Reads the row that the table stands at. Errors (bad_data): a cell is no number, the time does not increase.
   [[nodiscard]] Expected<void> add(const TextTable& table);

@@ -3,6 +3,7 @@
 
 #include <cerrno>
 #include <system_error>
+#include <utility>
 
 #include <orispline/io/file_format.hpp>
 
@@ -47,12 +48,16 @@ Expected<std::optional<std::string_view>> LineReader::next() {
   }
 }
 
+void LineReader::rewind() noexcept {
+  begin_ = line_ = 0;
+  keeps_ = false;
+}
+
 /// Appends the next chunk to the text that was not given out yet; false at the end of the file.
 Expected<bool> LineReader::fill() {
   if (buffer_.size() - begin_ > longest_line)
     return failure(ErrorCode::bad_data, "the line is longer than 16 MiB, wanted a text file", {path_, line_ + 1});
-  buffer_.erase(0, begin_);
-  begin_ = 0;
+  if (!keeps_) buffer_.erase(0, std::exchange(begin_, 0));
   const std::size_t kept = buffer_.size();
   buffer_.resize(kept + chunk);
   errno = 0;

@@ -28,6 +28,11 @@ class LineReader {
   /// returns, endless lines.
   [[nodiscard]] Expected<std::optional<std::string_view>> next();
 
+  /// From the first line on all that is read stays in memory, to be given once more after rewind(), until forget().
+  void keep() noexcept { keeps_ = true; }
+  void forget() noexcept { keeps_ = false; }
+  void rewind() noexcept;
+
   [[nodiscard]] const std::string& path() const noexcept { return path_; }
   /// 1-based number of the line that `next` gave last.
   [[nodiscard]] std::size_t line() const noexcept { return line_; }
@@ -46,6 +51,7 @@ class LineReader {
   std::string buffer_;
   std::size_t begin_ = 0;  // of the text in the buffer that was not given out yet
   std::size_t line_ = 0;
+  bool keeps_ = false;
 };
 
 }  // namespace orispline::io

@@ -42,7 +42,7 @@ Expected<ColumnGroup> any_group_of(const ColumnSearch& search, Representation re
 /// What the caller asks for, else quaternions if there are any, else the only one that is there.
 Expected<Representation> representation_in(const ColumnSearch& search, const OrientationReading& reading) {
   if (reading.euler && reading.representation.value_or(Representation::euler) != Representation::euler)
-    return failure(ErrorCode::bad_argument, "--euler asks for Euler angles, --input-orientation for something else");
+    return bad_option("euler", "an order of Euler angles is stated, and another form of the orientation is asked for");
   if (reading.representation) return *reading.representation;
   if (reading.euler) return Representation::euler;
   std::vector<Representation> found;
@@ -57,10 +57,8 @@ Expected<Representation> representation_in(const ColumnSearch& search, const Ori
     examples.push_back(group->present.front());
   }
   if (found.size() > 1)
-    return failure(
-        ErrorCode::bad_data,
-        formatted("{} may all state the orientation, choose one with --input-orientation euler|matrix|rotvec",
-                  joined(examples, ", ")));
+    return mended_by("representation",
+                     formatted("{} may all state the orientation, wanted one form of it", joined(examples, ", ")));
   return found.empty() ? Representation::quaternion : found.front();
 }
 
@@ -71,9 +69,8 @@ Expected<void> settle_units(ColumnGroup& group, const ColumnSearch& search, std:
     if (!unit_of<Unit>(search.name(column.index), angles).suffix.empty()) continue;
     const std::string_view name = group.present[i];
     if (!unit)
-      return failure(ErrorCode::bad_data,
-                     formatted("{} has no unit, wanted a name such as {}_deg or {}_rad, or --angle-unit deg|rad",
-                               in_quotes(search.name(column.index)), name, name));
+      return mended_by("angle_unit", formatted("{} has no unit, wanted a name such as {}_deg or {}_rad, or the unit",
+                                               in_quotes(search.name(column.index)), name, name));
     if (unit == AngleUnit::degrees) column = {column.index, std::numbers::pi, 180.0};
   }
   return {};
@@ -84,9 +81,9 @@ Expected<OrientationColumns> euler_columns(const ColumnSearch& search, const Ori
   if (!group) return tl::unexpected(std::move(group.error()));
   const auto by_number = names_by_component(Representation::euler);
   if (!reading.euler && !group->is_absent() && std::ranges::count(by_number, group->present.front()) > 0)
-    return failure(ErrorCode::bad_data, formatted("found {}, wanted the order of these turns as well, by --euler ORDER "
-                                                  "(such as ZYX, or zyx about the axes of the world)",
-                                                  joined(group->present, ", ")));
+    return mended_by("euler", formatted("found {}, wanted the order of these turns as well, such as ZYX, or zyx about "
+                                        "the axes of the world",
+                                        joined(group->present, ", ")));
   if (auto settled = settle_units(*group, search, reading.angle_unit); !settled)
     return tl::unexpected(std::move(settled.error()));
   return OrientationColumns{{.representation = Representation::euler, .order = reading.euler.value_or(EulerOrder{})},
@@ -110,8 +107,8 @@ Expected<OrientationColumns> orientation_columns(const ColumnSearch& search, con
   if (!representation) return tl::unexpected(representation.error());
   if (*representation == Representation::euler) return euler_columns(search, reading);
   if (reading.angle_unit)
-    return failure(ErrorCode::bad_argument, formatted("--angle-unit is for Euler angles, and the orientation is in {}",
-                                                      joined(names_by_component(*representation), ", ")));
+    return bad_option("angle_unit", formatted("a unit of angles is for Euler angles, and the orientation is in {}",
+                                              joined(names_by_component(*representation), ", ")));
   return group_of(search, names_by_component(*representation), *representation).map([&](ColumnGroup group) {
     return OrientationColumns{{.representation = *representation}, std::move(group)};
   });

@@ -24,29 +24,34 @@ Eigen::Vector3d rate_of(const Motion& motion, int order, Frame frame) {
 
 }  // namespace
 
-bool holds_all_columns(FileFormat format) noexcept { return format == FileFormat::csv || format == FileFormat::npy; }
-
 Expected<void> check_columns(const SampleColumns& columns) {
-  const bool holds_all = holds_all_columns(columns.format);
+  const FormatInfo& format = *columns.format;
+  if (!format.is_written())
+    return failure(ErrorCode::bad_argument,
+                   formatted("{} files are not written, wanted {}", format.title, any_of(formats_written())));
   const auto check = [&](std::string_view what, int asked, int highest) -> Expected<void> {
-    if (0 <= asked && asked <= (holds_all ? highest : 0)) return {};
+    if (0 <= asked && asked <= (format.holds.rates ? highest : 0)) return {};
     return failure(ErrorCode::bad_argument,
-                   formatted("{} derivatives{} were asked for, and {} holds 0{}", asked, what, title_of(columns.format),
-                             holds_all ? formatted(" to {}", highest) : ""));
+                   formatted("{} derivatives{} were asked for, and {} holds 0{}", asked, what, format.title,
+                             format.holds.rates ? formatted(" to {}", highest) : ""));
   };
-  if (!holds_all && columns.form.representation != Representation::quaternion)
-    return failure(ErrorCode::bad_argument,
-                   formatted("{} holds orientations as quaternions only", title_of(columns.format)));
-  if (columns.settings.size() > (holds_all ? most_settings : 0))
-    return failure(ErrorCode::bad_argument,
-                   formatted("{} columns of settings were asked for, and {} holds {}", columns.settings.size(),
-                             title_of(columns.format), holds_all ? most_settings : 0));
+  if (!format.holds.forms && columns.form.representation != Representation::quaternion)
+    return failure(ErrorCode::bad_argument, formatted("{} holds orientations as quaternions only", format.title));
+  const std::size_t settings = format.holds.settings ? most_settings : 0;
+  if (columns.settings.size() > settings)
+    return failure(ErrorCode::bad_argument, formatted("{} columns of settings were asked for, and {} holds {}",
+                                                      columns.settings.size(), format.title, settings));
   return check("", columns.derivatives, highest_derivative).and_then([&] {
     return check(" of the position", columns.position_derivatives, highest_position_derivative);
   });
 }
 
-// THE order of the columns of CSV and NumPy: `column_names` and `RowNumbers::add_named` agree.
+std::string header_of(const SampleColumns& columns, std::size_t rows) {
+  const FormatWriting& writing = columns.format->writing;
+  return writing.header ? writing.header(columns, rows) : "";
+}
+
+// THE order of the columns: `column_names` and `named_numbers` agree.
 
 std::vector<std::string> column_names(const SampleColumns& columns) {
   std::vector<std::string> names{"t"};
@@ -63,26 +68,16 @@ std::vector<std::string> column_names(const SampleColumns& columns) {
   return names;
 }
 
-void RowNumbers::add_named(const Sample& sample, const SampleColumns& columns) {
+RowNumbers named_numbers(const Sample& sample, const SampleColumns& columns) {
   const auto& [motion, linear_motion, settings] = sample;
-  for (const double number : numbers_of(motion.orientation, columns.form)) add(number);
-  if (columns.positions) add(linear_motion.position);
-  for (int order = 1; order <= columns.derivatives; ++order) add(rate_of(motion, order, columns.frame));
-  if (columns.position_derivatives > 0) add(linear_motion.velocity);
-  if (columns.position_derivatives > 1) add(linear_motion.acceleration);
-  for (const double setting : settings) add(setting);
-}
-
-RowNumbers::RowNumbers(const Sample& sample, const SampleColumns& columns) {
-  if (holds_all_columns(columns.format)) {
-    add_named(sample, columns);
-    return;
-  }
-  const Eigen::Quaterniond& q = sample.motion.orientation;
-  add(sample.linear_motion.position);
-  if (columns.format == FileFormat::euroc) add(q.w());
-  add(Eigen::Vector3d(q.vec()));
-  if (columns.format == FileFormat::tum) add(q.w());
+  RowNumbers row;
+  for (const double number : numbers_of(motion.orientation, columns.form)) row.add(number);
+  if (columns.positions) row.add(linear_motion.position);
+  for (int order = 1; order <= columns.derivatives; ++order) row.add(rate_of(motion, order, columns.frame));
+  if (columns.position_derivatives > 0) row.add(linear_motion.velocity);
+  if (columns.position_derivatives > 1) row.add(linear_motion.acceleration);
+  for (const double setting : settings) row.add(setting);
+  return row;
 }
 
 void RowNumbers::add(const Eigen::Vector3d& v) noexcept {

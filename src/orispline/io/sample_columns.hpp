@@ -9,7 +9,7 @@
 #include <orispline/base/expected.hpp>
 #include <orispline/curve/motion.hpp>
 #include <orispline/curve/path.hpp>
-#include <orispline/io/file_format.hpp>
+#include <orispline/io/formats/formats.hpp>
 #include <orispline/io/frame.hpp>
 #include <orispline/io/orientation_form.hpp>
 
@@ -17,13 +17,13 @@ namespace orispline::io {
 
 /// What a file of samples holds.
 struct SampleColumns {
-  FileFormat format = FileFormat::csv;
-  OrientationForm form{};        ///< of CSV and NumPy; TUM and EuRoC have quaternions
-  bool positions = false;        ///< TUM and EuRoC always have them: zeros if there are none
+  const FormatInfo* format = &csv_format;
+  OrientationForm form{};        ///< where the format holds others than quaternions
+  bool positions = false;        ///< some formats always have them: zeros if there are none
   int derivatives = 0;           ///< highest order of the angular rates: 0 none, 1 ω, 2 and α, 3 and jerk
   int position_derivatives = 0;  ///< highest order of the rates of position: 0 none, 1 velocity, 2 and acceleration
   Frame frame = Frame::body;
-  std::vector<std::string> settings{};  ///< of CSV and NumPy: columns of a method's parameters behind all others
+  std::vector<std::string> settings{};  ///< columns of a method's parameters, behind all others
 };
 
 /// A moving body.
@@ -35,12 +35,13 @@ struct Sample {
 
 inline constexpr std::size_t most_settings = 8;  ///< columns of settings in a file
 
-/// Whether files of the format have columns for rates and for every form of orientation: CSV and NumPy.
-[[nodiscard]] bool holds_all_columns(FileFormat format) noexcept;
 /// Error (bad_argument): what the format cannot hold.
 [[nodiscard]] Expected<void> check_columns(const SampleColumns& columns);
 
-/// The names of the columns of CSV and NumPy: time, orientation, position, angular rates, rates of position,
+/// What stands before that many rows of a file of these columns.
+[[nodiscard]] std::string header_of(const SampleColumns& columns, std::size_t rows);
+
+/// The names of the columns where a file may hold all: time, orientation, position, angular rates, rates of position,
 /// settings.
 [[nodiscard]] std::vector<std::string> column_names(const SampleColumns& columns);
 
@@ -50,19 +51,18 @@ class RowNumbers {
   static constexpr std::size_t most =
       9 + 3 + 9 + 6 + most_settings;  ///< a matrix, a position, three and two rates, settings
 
-  /// Those of a sample, in the order of the columns.
-  RowNumbers(const Sample& sample, const SampleColumns& columns);
+  void add(double value) noexcept { values_[count_++] = value; }
+  void add(const Eigen::Vector3d& v) noexcept;
 
   [[nodiscard]] std::span<const double> values() const noexcept { return std::span(values_).first(count_); }
   [[nodiscard]] bool are_finite() const noexcept;
 
  private:
-  void add(double value) noexcept { values_[count_++] = value; }
-  void add(const Eigen::Vector3d& v) noexcept;
-  void add_named(const Sample& sample, const SampleColumns& columns);
-
   std::array<double, most> values_;
   std::size_t count_ = 0;
 };
+
+/// Those of a sample in the order of `column_names`.
+[[nodiscard]] RowNumbers named_numbers(const Sample& sample, const SampleColumns& columns);
 
 }  // namespace orispline::io

@@ -10,6 +10,8 @@
 
 namespace orispline::io {
 
+inline constexpr std::size_t written_block = std::size_t{256} << 10;  ///< [bytes] of rows, best written at a time
+
 /// Rows of samples as their file holds them, gathered in memory: several threads may each make some.
 class SampleRows {
  public:
@@ -17,13 +19,13 @@ class SampleRows {
   explicit SampleRows(const SampleColumns& columns) : columns_(columns) {}
 
   /// Appends the sample at a time [s]. Errors (bad_data), after which nothing is appended: a number that is not finite;
-  /// two EuRoC samples in succession that fall on the same nanosecond.
+  /// two samples in succession that fall on the same time, where the format rounds times.
   [[nodiscard]] Expected<void> append(const Decimal& time, const Sample& sample);
   /// Appends a sample at an offset [s] from an origin.
   [[nodiscard]] Expected<void> append(const TimeOrigin& origin, double offset, const Sample& sample);
 
-  /// Whether these rows may follow the others. Error (bad_data): they begin with the nanosecond that the others end
-  /// with.
+  /// Whether these rows may follow the others. Error (bad_data): they begin with the time that the others end with,
+  /// where the format rounds times.
   [[nodiscard]] Expected<void> may_follow(const SampleRows& others) const;
 
   [[nodiscard]] std::string_view bytes() const noexcept { return bytes_; }
@@ -34,14 +36,12 @@ class SampleRows {
   void continue_after(const SampleRows& others) noexcept;
 
  private:
-  [[nodiscard]] Expected<void> append_text(const Decimal& time, const RowNumbers& numbers);
-  void append_binary(double time, const RowNumbers& numbers);
-  [[nodiscard]] Expected<Decimal> next_nanosecond(const Decimal& time);
+  [[nodiscard]] Expected<Decimal> next_whole(const Decimal& time);
 
   SampleColumns columns_;
   std::string bytes_;
   std::size_t size_ = 0;
-  std::optional<Decimal> first_nanosecond_, last_nanosecond_;  // of EuRoC
+  std::optional<Decimal> first_whole_, last_whole_;  // in units of the format, where it has some
 };
 
 }  // namespace orispline::io

@@ -3,31 +3,7 @@
 
 #include <utility>
 
-#include <orispline/base/formatted.hpp>
-#include <orispline/io/euroc.hpp>
-#include <orispline/io/npy_header.hpp>
-
 namespace orispline::io {
-namespace {
-
-constexpr std::size_t block = std::size_t{256} << 10;  // [bytes] written at a time
-
-std::string header_of(const SampleColumns& columns, std::size_t rows) {
-  switch (columns.format) {
-    case FileFormat::csv:
-      return formatted("{}\n", joined(column_names(columns), ","));
-    case FileFormat::euroc:
-      return formatted("{}\n", euroc_header);
-    case FileFormat::npy:
-      return npy_header(rows, column_names(columns).size());
-    case FileFormat::tum:
-      break;
-  }
-  return {};
-}
-
-}  // namespace
-
 Expected<SampleWriter> SampleWriter::open(const std::string& path, const SampleColumns& columns, std::size_t rows) {
   if (auto checked = check_columns(columns); !checked) return tl::unexpected(std::move(checked.error()));
   return OutputFile::open(path).and_then([&](OutputFile&& file) -> Expected<SampleWriter> {
@@ -39,7 +15,7 @@ Expected<SampleWriter> SampleWriter::open(const std::string& path, const SampleC
 
 Expected<void> SampleWriter::write(const Decimal& time, const Sample& sample) {
   if (auto appended = pending_.append(time, sample); !appended) return appended;
-  return pending_.bytes().size() < block ? Expected<void>() : write_pending();
+  return pending_.bytes().size() < written_block ? Expected<void>() : write_pending();
 }
 
 Expected<void> SampleWriter::write(const SampleRows& rows) {
@@ -59,7 +35,7 @@ Expected<void> SampleWriter::write_pending() {
 
 Expected<void> SampleWriter::close() {
   if (auto written = write_pending(); !written) return written;
-  if (columns_.format == FileFormat::npy && rows_ != stated_rows_)
+  if (columns_.format->writing.counts_rows && rows_ != stated_rows_)
     if (auto counted = file_.write_again(header_of(columns_, rows_)); !counted) return counted;
   auto closed = file_.close();
   closed_ = closed.has_value();

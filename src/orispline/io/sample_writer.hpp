@@ -13,12 +13,12 @@ namespace orispline::io {
 
 /// Streams samples into a file, or to standard output for `-`.
 ///
-/// Numbers are the shortest that read back as the same double. Times are exact, but for EuRoC, whose times are rounded
-/// to whole nanoseconds, and for NumPy, where all numbers are doubles. The file appears when `finish` succeeds.
+/// Numbers are the shortest that read back as the same double. Times are exact, or rounded as the format says. The file
+/// appears when `finish` succeeds.
 class SampleWriter {
  public:
-  /// `rows`: how many samples will be written. Only NumPy asks, and only where the file is a pipe or a device: its
-  /// header, which counts them, cannot be written again there.
+  /// `rows`: how many samples will be written. Only formats whose header counts them ask (NumPy), and only where the
+  /// file is a pipe or a device: it cannot be written again there.
   ///
   /// Errors: bad_access; bad_argument for what the format cannot hold.
   [[nodiscard]] static Expected<SampleWriter> open(const std::string& path, const SampleColumns& columns,

@@ -87,6 +87,11 @@ Expected<bool> TextTable::next() {
   }
 }
 
+LineReader TextTable::from_its_beginning() && {
+  lines_.rewind();
+  return std::move(lines_);
+}
+
 /// Fills the cells; an empty text after a delimiter is a cell, blanks as delimiters count once.
 Expected<bool> TextTable::split(std::string_view line) {
   cells_.clear();

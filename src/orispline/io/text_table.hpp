@@ -31,12 +31,19 @@ enum class Delimiter { comma, semicolon, tab, blanks };
 class TextTable {
  public:
   [[nodiscard]] static Expected<TextTable> open(const std::string& path);
+  /// The table in the lines that were not read yet.
+  explicit TextTable(LineReader lines) : lines_(std::move(lines)) {}
 
   /// Moves to the next row; false after the last one. Error: of `LineReader::next`, or a quote that is not closed.
   ///
   /// The first row decides the delimiter unless `set_delimiter` did.
   [[nodiscard]] Expected<bool> next();
   void set_delimiter(Delimiter delimiter) noexcept { delimiter_ = delimiter; }
+
+  /// All lines from the first on, if they were kept; else no more than those that were not read yet.
+  [[nodiscard]] LineReader from_its_beginning() &&;
+  /// Lets the lines go that were kept.
+  void forget() noexcept { lines_.forget(); }
 
   /// Cells of the row, without the blanks and the quotes around them; valid until the next call of `next`.
   [[nodiscard]] std::span<const std::string_view> cells() const noexcept { return cells_; }
@@ -50,7 +57,6 @@ class TextTable {
   [[nodiscard]] Where here(std::optional<std::size_t> cell = std::nullopt) const;
 
  private:
-  explicit TextTable(LineReader lines) : lines_(std::move(lines)) {}
   [[nodiscard]] Expected<bool> split(std::string_view line);
 
   LineReader lines_;

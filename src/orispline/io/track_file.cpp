@@ -1,29 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/io/track_file.hpp>
 
-#include <cmath>
 #include <utility>
 
 namespace orispline::io {
 namespace {
 
-constexpr double rounding = 1e-15;  // of the components of a unit quaternion
+Expected<TrackFile> checked(KeyFile file, const ReadOptions& options, Signs signs) {
+  KeyframeData data = std::exchange(file.data, {});
+  if (options.keep_as_read) file.data.orientations = data.orientations;
+  auto keys = Keyframes::make(std::move(data), signs);
+  if (!keys) return tl::unexpected(located(file, std::move(keys.error())));
+  return track_file(std::move(file), std::move(*keys));
+}
 
 }  // namespace
 
-Eigen::Quaterniond TrackFile::written(const Eigen::Quaterniond& key, std::size_t index) const {
-  const double sign = as_read[index].dot(key) < 0.0 ? -1.0 : 1.0;
-  const Eigen::Quaterniond turned(sign * as_read[index].coeffs());
-  const bool is_the_same = std::abs(turned.norm() - 1.0) <= unit_norm_tolerance &&
-                           (turned.coeffs().normalized() - key.coeffs()).norm() <= rounding;
-  return is_the_same ? turned : key;
-}
-
 TrackFile track_file(KeyFile file, Keyframes keys) {
-  TrackFile found{.as_read = std::move(file.data.orientations),
-                  .format = file.format,
+  TrackFile found{.format = file.format,
                   .repairs = file.repairs,
-                  .table = std::move(file.table),
                   .ignored_columns = std::move(file.ignored_columns),
                   .rates_of_unknown_frame = std::move(file.rates_of_unknown_frame)};
   Track& track = found.track;
@@ -33,17 +28,25 @@ TrackFile track_file(KeyFile file, Keyframes keys) {
   track.lines = std::move(file.lines);
   track.exact_times = std::move(file.exact_times);
   track.settings = std::move(file.parameters);
+  track.as_read = std::move(file.data.orientations);
+  track.table = std::move(file.table);
   return found;
 }
 
+Expected<std::vector<TrackFile>> read_tracks(const std::string& path, const ReadOptions& options, Signs signs) {
+  auto files = read_all_keys(path, options);
+  if (!files) return tl::unexpected(std::move(files.error()));
+  std::vector<TrackFile> tracks;
+  for (KeyFile& file : *files) {
+    auto track = checked(std::move(file), options, signs);
+    if (!track) return tl::unexpected(std::move(track.error()));
+    tracks.push_back(std::move(*track));
+  }
+  return tracks;
+}
+
 Expected<TrackFile> read_track(const std::string& path, const ReadOptions& options, Signs signs) {
-  return read_keys(path, options).and_then([&](KeyFile file) -> Expected<TrackFile> {
-    KeyframeData data = std::exchange(file.data, {});
-    if (options.keep_as_read) file.data.orientations = data.orientations;
-    auto keys = Keyframes::make(std::move(data), signs);
-    if (!keys) return tl::unexpected(located(file, std::move(keys.error())));
-    return track_file(std::move(file), std::move(*keys));
-  });
+  return read_keys(path, options).and_then([&](KeyFile file) { return checked(std::move(file), options, signs); });
 }
 
 }  // namespace orispline::io

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/io/format_choice.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace orispline::io {
+namespace {
+
+using Candidates = std::vector<const FormatInfo*>;
+
+/// What a file of this name may be, the most likely first.
+Candidates candidates_for(const std::string& path, const ReadOptions& options) {
+  if (options.format) return {options.format};
+  Candidates some;
+  std::ranges::copy_if(formats(), std::back_inserter(some), [&](const auto* f) { return f->has_extension_of(path); });
+  return some.empty() ? formats_read() : some;
+}
+
+Expected<void> check_time_scale(const ReadOptions& options) {
+  if (!options.time_scale || *options.time_scale > Decimal()) return {};
+  return bad_option("time_scale",
+                    formatted("the time scale is {}, wanted a number greater than 0", options.time_scale->to_string()));
+}
+
+tl::unexpected<Error> not_read(const FormatInfo& format, const std::string& path) {
+  return failure(ErrorCode::bad_argument,
+                 formatted("keys are not read from {} files, wanted {}", format.title, any_of(formats_read())),
+                 {.file = path});
+}
+
+Expected<void> move_to_first_row(TextTable& table) {
+  const auto first = table.next();
+  if (!first) return tl::unexpected(first.error());
+  if (!*first) return failure(ErrorCode::bad_data, "empty: no keys", {.file = table.path()});
+  return {};
+}
+
+using Source = std::variant<KeyRowsSource, TracksSource>;
+
+/// Of a table at its first row.
+Expected<Source> source_in(const FormatInfo& format, TextTable table, const ReadOptions& options) {
+  auto layout = format.reading.layout(table, options);
+  if (!layout) return tl::unexpected(std::move(layout.error()));
+  if (options.time_scale) {
+    layout->columns.time_unit = *options.time_scale;
+    layout->columns.whole_times = false;
+  }
+  return KeyRowsSource{&format, std::move(table), std::move(*layout)};
+}
+
+Expected<Source> source_of(const FormatInfo& format, LineReader lines, const ReadOptions& options) {
+  if (!format.reading.layout) return TracksSource{&format, std::move(lines)};
+  TextTable table(std::move(lines));
+  if (format.reading.delimiter) table.set_delimiter(*format.reading.delimiter);
+  if (auto moved = move_to_first_row(table); !moved) return tl::unexpected(std::move(moved.error()));
+  return source_in(format, std::move(table), options);
+}
+
+/// Lets the first row decide.
+Expected<Source> likest_source(const Candidates& candidates, LineReader lines, const ReadOptions& options) {
+  lines.keep();
+  TextTable table(std::move(lines));
+  if (auto moved = move_to_first_row(table); !moved) return tl::unexpected(std::move(moved.error()));
+  const FormatInfo* const like = likest(candidates, table, options, Likeness::likely);
+  const FormatInfo& format = like ? *like : *candidates.front();
+  if (!format.reading.layout) return TracksSource{&format, std::move(table).from_its_beginning()};
+  table.forget();
+  return source_in(format, std::move(table), options);
+}
+
+}  // namespace
+
+const FormatInfo* likest(std::span<const FormatInfo* const> formats, const TextTable& table, const ReadOptions& options,
+                         Likeness least) {
+  const auto likeness = [&](const FormatInfo* format) {
+    return format->reading.likeness ? format->reading.likeness(table, options) : Likeness::none;
+  };
+  const auto best = std::ranges::max_element(formats, {}, likeness);
+  return best == formats.end() || likeness(*best) < least ? nullptr : *best;
+}
+
+Expected<Source> open_keys(const std::string& path, const ReadOptions& options) {
+  if (auto checked = check_time_scale(options); !checked) return tl::unexpected(std::move(checked.error()));
+  const Candidates candidates = candidates_for(path, options);
+  if (!candidates.front()->is_read()) return not_read(*candidates.front(), path);
+  return LineReader::open(path).and_then([&](LineReader lines) {
+    if (candidates.size() == 1) return source_of(*candidates.front(), std::move(lines), options);
+    return likest_source(candidates, std::move(lines), options);
+  });
+}
+
+}  // namespace orispline::io

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tables with named columns, or with a stated order of them.
+#include <orispline/io/format_choice.hpp>
+#include <orispline/io/formats/formats.hpp>
+#include <orispline/io/key_file.hpp>
+#include <orispline/io/key_table.hpp>
+#include <orispline/io/sample_columns.hpp>
+#include <orispline/io/table_layout.hpp>
+#include <orispline/io/text_row.hpp>
+
+namespace orispline::io {
+namespace {
+namespace csv {
+
+constexpr std::array<std::string_view, 1> extensions{".csv"};
+constexpr std::array<std::string_view, 8> names_wxyz{"t", "qw", "qx", "qy", "qz", "px", "py", "pz"},
+    names_xyzw{"t", "qx", "qy", "qz", "qw", "px", "py", "pz"};
+
+RateReading rate_reading(const ReadOptions& options) {
+  return {.orders = options.rate_orders,
+          .world = options.world_rates,
+          .unnamed = options.conjugate ? UnnamedRates::unknown : UnnamedRates::body};
+}
+
+Expected<TableLayout> layout_of_header(const TextTable& table, const ReadOptions& options) {
+  if (options.order) return misplaced(table, "order", "an order is for CSV without a header, and this line is one");
+  const HeaderReading reading{.names = options.columns,
+                              .parameters = options.parameters,
+                              .rates = rate_reading(options),
+                              .orientation = options.orientation};
+  return located(table, columns_of_header(table.cells(), reading)).map([&](KeyColumns columns) {
+    std::vector<std::string> names(table.cells().begin(), table.cells().end());
+    names.resize(columns.width);
+    return TableLayout{std::move(columns), std::move(names), TableLayout::FirstRow::header};
+  });
+}
+
+/// No header and no order: another format may be meant.
+tl::unexpected<Error> no_header(const TextTable& table, const ReadOptions& options) {
+  const std::string_view example = "t,qw,qx,qy,qz";
+  const FormatInfo* const like = likest(formats_read(), table, options, Likeness::possible);
+  if (!like)
+    return mended_by("order",
+                     formatted("no header, wanted a first line such as {} or the order of the columns", example),
+                     table.here());
+  return mended_by(
+      "format",
+      formatted(
+          "no header, wanted a first line such as {}, the order of the columns, or the format {}, which it is like",
+          example, like->id),
+      table.here());
+}
+
+Expected<TableLayout> layout_of_order(const TextTable& table, const ReadOptions& options) {
+  if (const auto option = header_option(options))
+    return misplaced(table, option->option, formatted("{} wants a header, and the file has none", option->words));
+  if (!options.order) return no_header(table, options);
+  const std::size_t width = width_of(table.cells());
+  return located(table, columns_of_order(width, *options.order)).map([&](KeyColumns columns) {
+    const auto& names = *options.order == QuaternionOrder::xyzw ? names_xyzw : names_wxyz;
+    return TableLayout{std::move(columns),
+                       {names.begin(), names.begin() + static_cast<std::ptrdiff_t>(width)},
+                       TableLayout::FirstRow::key};
+  });
+}
+
+Expected<TableLayout> layout(const TextTable& table, const ReadOptions& options) {
+  return is_header(table.cells()) ? layout_of_header(table, options) : layout_of_order(table, options);
+}
+
+std::string header(const SampleColumns& columns, std::size_t) {
+  return formatted("{}\n", joined(column_names(columns), ","));
+}
+
+void row(std::string& bytes, const Decimal& time, std::span<const double> numbers) {
+  append_text_row(bytes, time, numbers, ',');
+}
+
+}  // namespace csv
+}  // namespace
+
+constinit const FormatInfo csv_format{
+    .id = "csv",
+    .title = "CSV",
+    .file = "a CSV file",
+    .summary = "named columns, separated by commas, semicolons, tabs or blanks",
+    .extensions = csv::extensions,
+    .holds = {.forms = true, .rates = true, .settings = true},
+    .reading = {.layout = csv::layout},
+    .writing = {.header = csv::header, .numbers = named_numbers, .row = csv::row, .table = csv_with_columns}};
+
+}  // namespace orispline::io

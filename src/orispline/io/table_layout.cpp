@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/io/table_layout.hpp>
+
+#include <orispline/io/key_file.hpp>
+
+namespace orispline::io {
+
+std::size_t width_of(std::span<const std::string_view> cells) noexcept {
+  while (!cells.empty() && cells.back().empty()) cells = cells.first(cells.size() - 1);
+  return cells.size();
+}
+
+std::optional<OptionWords> header_option(const ReadOptions& options) {
+  if (!options.columns.empty()) return OptionWords{"columns", "a name of a column"};
+  if (options.orientation.representation) return OptionWords{"representation", "a form of the orientation"};
+  if (options.orientation.euler) return OptionWords{"euler", "an order of Euler angles"};
+  if (options.orientation.angle_unit) return OptionWords{"angle_unit", "a unit of angles"};
+  return std::nullopt;
+}
+
+tl::unexpected<Error> misplaced(const TextTable& table, std::string_view option, std::string message) {
+  auto refused = bad_option(option, std::move(message));
+  refused.value().where = table.here();
+  return refused;
+}
+
+Expected<KeyColumns> located(const TextTable& table, Expected<KeyColumns> columns) {
+  if (!columns) columns.error().where = table.here();
+  return columns;
+}
+
+}  // namespace orispline::io

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/io/track_writer.hpp>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+#include <orispline/base/formatted.hpp>
+#include <orispline/io/key_table.hpp>
+#include <orispline/io/sample_rows.hpp>
+
+namespace orispline::io {
+namespace {
+
+int rate_orders_of(const Keyframes& keys) {
+  const std::array rates{keys.angular_velocities(), keys.angular_accelerations(), keys.angular_jerks()};
+  return static_cast<int>(std::ranges::count_if(rates, [](const auto& values) { return !values.empty(); }));
+}
+
+/// Those that the keys of a track fill.
+SampleColumns columns_for(const Track& track, SampleColumns columns) {
+  columns.positions = !track.keys.positions().empty();
+  columns.derivatives = std::min(columns.derivatives, rate_orders_of(track.keys));
+  columns.position_derivatives = 0;
+  columns.settings.clear();
+  for (const auto& [name, values] : track.settings) columns.settings.push_back(name);
+  return columns;
+}
+
+/// A key as the columns hold it. Digits are those of quaternions: other forms are those of a unit quaternion.
+Sample sample_at(const Track& track, const SampleColumns& columns, std::size_t key) {
+  const Keyframes& keys = track.keys;
+  const bool keeps_digits = columns.form.representation == Representation::quaternion;
+  Sample sample{.motion = {.orientation = keeps_digits ? track.written(key) : keys.orientations()[key]}};
+  if (columns.positions) sample.linear_motion.position = keys.positions()[key];
+  if (columns.derivatives > 0) sample.motion.angular_velocity = keys.angular_velocities()[key];
+  if (columns.derivatives > 1) sample.motion.angular_acceleration = keys.angular_accelerations()[key];
+  if (columns.derivatives > 2) sample.motion.angular_jerk = keys.angular_jerks()[key];
+  return sample;
+}
+
+Expected<void> write_rows(OutputFile& file, const Track& track, const SampleColumns& columns) {
+  SampleRows rows(columns);
+  std::vector<double> settings(track.settings.size());
+  for (std::size_t key = 0; key < track.keys.size(); ++key) {
+    std::ranges::transform(track.settings, settings.begin(), [key](const auto& column) { return column.second[key]; });
+    Sample sample = sample_at(track, columns, key);
+    sample.settings = settings;
+    if (auto appended = rows.append(track.time_of(key), sample); !appended) {
+      appended.error().where.key = key;
+      return tl::unexpected(track.located(std::move(appended.error())));
+    }
+    if (rows.bytes().size() < written_block) continue;
+    if (auto written = file.write(rows.bytes()); !written) return written;
+    rows.clear();
+  }
+  return file.write(rows.bytes());
+}
+
+}  // namespace
+
+Expected<void> write_tracks(OutputFile& file, std::span<const Track> tracks, const SampleColumns& columns) {
+  const FormatInfo& format = *columns.format;
+  if (format.writing.tracks) return format.writing.tracks(file, tracks, columns);
+  if (tracks.size() != 1)
+    return failure(ErrorCode::bad_argument, formatted("found {} tracks, and {} holds one", tracks.size(), format.file),
+                   {.file = file.path()});
+  const Track& track = tracks.front();
+  if (format.writing.table && !track.table.rows.empty())
+    return file.write(format.writing.table(track.table, track.settings));
+  const SampleColumns filled = columns_for(track, columns);
+  return check_columns(filled).and_then([&] { return file.write(header_of(filled, track.keys.size())); }).and_then([&] {
+    return write_rows(file, track, filled);
+  });
+}
+
+}  // namespace orispline::io
