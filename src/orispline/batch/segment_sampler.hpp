@@ -19,13 +19,8 @@ class SegmentSampler {
   /// Orientation at t [s] in the domain, with the bits of a sample.
   [[nodiscard]] Eigen::Quaterniond orientation_at(double t) noexcept;
 
-  /// Samples outside the domain, or for times that are not numbers: held and at rest, or NaN.
-  void held(const Eigen::Quaterniond& orientation, std::size_t at, std::size_t count) noexcept;
-
  private:
-  [[nodiscard]] Target<T> target_from(std::size_t at) const noexcept;
   [[nodiscard]] const SegmentRecord<T>& record(std::size_t segment) noexcept;
-  void store(const Motion& motion, std::size_t at) noexcept;
 
   const AnyCurve& curve_;
   const CompiledCurve<T>* compiled_;
