@@ -4,31 +4,14 @@
 #include <orispline/batch/sample_layout.hpp>
 
 namespace orispline::batch {
-namespace {
-
-constexpr std::size_t no_segment = static_cast<std::size_t>(-1);
-
-}  // namespace
-
-template <class T>
-SegmentSampler<T>::SegmentSampler(const AnyCurve& curve, const CompiledCurve<T>* compiled,
-                                  const Samples<T>& out) noexcept
-    : curve_(curve), compiled_(compiled), out_(out), segment_(no_segment) {}
-
-template <class T>
-const SegmentRecord<T>& SegmentSampler<T>::record(std::size_t segment) noexcept {
-  if (compiled_) return compiled_->record(segment);
-  if (segment_ != segment) {
-    own_ = record_of<T>(curve_, segment);
-    segment_ = segment;
-  }
-  return own_;
-}
 
 template <class T>
 void SegmentSampler<T>::on_segment(std::size_t segment, const Clock& clock, std::size_t at,
                                    std::size_t count) noexcept {
-  if (by_kernel(record(segment), clock, count, target_of(out_, at))) return;
+  const Target<T> target = target_of(out_, at);
+  if (compiled_ ? by_kernel(compiled_->record(segment), clock, count, target)
+                : by_kernel(curve_, segment, clock, count, target))
+    return;
   const bool rates = wants_angular_rates(out_);
   for (std::size_t k = 0; k < count; ++k) {
     const double t = time_of(clock, k);
@@ -37,10 +20,13 @@ void SegmentSampler<T>::on_segment(std::size_t segment, const Clock& clock, std:
 }
 
 template <class T>
-Eigen::Quaterniond SegmentSampler<T>::orientation_at(double t) noexcept {
+Eigen::Quaterniond SegmentSampler<T>::orientation_at(double t) const noexcept {
   if (curve_.knots().segments() == 0) return curve_(t);
   const std::size_t segment = curve_.knots().segment_at(t);
-  return orientation_by(record(segment), curve_, segment, t).template cast<double>();
+  const auto at_end = [&](const SegmentRecord<T>& record) {
+    return orientation_by(record, curve_, segment, t).template cast<double>();
+  };
+  return compiled_ ? at_end(compiled_->record(segment)) : at_end(record_of<T>(curve_, segment));
 }
 
 template class SegmentSampler<double>;
