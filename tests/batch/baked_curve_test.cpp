@@ -6,6 +6,7 @@
 #include <batch/baked_rates.hpp>
 #include <batch/specimen_curves.hpp>
 #include <curve/counting_new.hpp>
+#include <support/follower.hpp>
 #include <support/tracks.hpp>
 
 namespace orispline {
@@ -235,22 +236,9 @@ TEST(BakedCurve, IsTheSameFromAMethodAndKeysAsFromTheirCurve) {
   EXPECT_EQ(refused.error().code, ErrorCode::bad_argument);
 }
 
-TEST(BakedCurve, ReportsTheShareThatIsDoneAndStopsWhereItIsAsked) {
+TEST(BakedCurve, IsFollowedAndStopped) {
   const AnyCurve curve = specimen_curve("squad", 51, 41);
-  std::vector<double> shares;
-  ASSERT_TRUE(bake(curve, 1e-9, {.show = [&](double share) { shares.push_back(share); }}));
-  EXPECT_EQ(shares.size(), curve.knots().segments());
-  EXPECT_TRUE(std::ranges::is_sorted(shares));
-  EXPECT_GT(shares.front(), 0.0);
-  EXPECT_EQ(shares.back(), 1.0);
-  std::stop_source source;
-  std::size_t shown = 0;
-  const auto stopped = bake(curve, 1e-9, {.stop = source.get_token(), .show = [&](double) {
-                                            if (++shown == 20) source.request_stop();
-                                          }});
-  ASSERT_FALSE(stopped);
-  EXPECT_EQ(stopped.error().code, ErrorCode::cancelled);
-  EXPECT_EQ(shown, 20U);
+  expect_to_be_followed_and_stopped([&](const Progress& progress) { return bake(curve, 1e-9, progress); });
 }
 
 }  // namespace
