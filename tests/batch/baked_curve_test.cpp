@@ -3,8 +3,10 @@
 #include <limits>
 
 #include <batch/agreement.hpp>
+#include <batch/baked_rates.hpp>
 #include <batch/specimen_curves.hpp>
 #include <curve/counting_new.hpp>
+#include <support/follower.hpp>
 #include <support/tracks.hpp>
 
 namespace orispline {
@@ -145,8 +147,8 @@ void expect_the_same_by_every_door(const AnyCurve& curve) {
   const double dt = 1.02 * length / count, t0 = start - 0.01 * length;
   std::vector<double> times;
   for (std::size_t k = 0; k < count; ++k) times.push_back(static_cast<double>(k) * dt + t0);
-  Sampled<T> given(count, Wanted::orientation), even = given, any = given, threads = given;
-  Sampled<T> planar(count, Wanted::orientation, Layout::planar);
+  Sampled<T> given(count, Wanted::jerk), even = given, any = given, threads = given;
+  Sampled<T> planar(count, Wanted::jerk, Layout::planar);
   const std::size_t before = allocations_of_this_thread();
   EXPECT_TRUE(sample<T>(baked, times, given.spans()));
   EXPECT_TRUE(sample_uniform<T>(baked, t0, dt, even.spans()));
@@ -159,6 +161,9 @@ void expect_the_same_by_every_door(const AnyCurve& curve) {
   EXPECT_TRUE(threads.same_bits(given));
   for (std::size_t i = 0; i < count; ++i) {
     EXPECT_EQ(planar.orientation(i), given.orientation(i)) << i;
+    EXPECT_EQ(planar.velocity(i), given.velocity(i)) << i;
+    EXPECT_EQ(planar.acceleration(i), given.acceleration(i)) << i;
+    EXPECT_EQ(planar.jerk(i), given.jerk(i)) << i;
     EXPECT_EQ(baked(times[i]).coeffs().template cast<double>(), given.orientation(i)) << i;
   }
 }
@@ -189,13 +194,51 @@ TEST(BakedCurve, OfOneKeyIsThatKey) {
     EXPECT_EQ(baked(t).coeffs(), data.orientations[0].coeffs()) << t;
 }
 
-TEST(BakedCurve, GivesOrientationsOnly) {
+TEST(BakedCurve, IsAtRestBeyondItsEndsAndHasNoRatesAtTimesThatAreNoNumbers) {
   const BakedCurve<> baked = bake(specimen_curve("squad"), 1e-9).value();
-  Sampled<double> samples(3, Wanted::velocity);
-  const auto sampled = sample_uniform<double>(baked, 0.0, 0.1, samples.spans());
-  ASSERT_FALSE(sampled);
-  EXPECT_EQ(sampled.error().code, ErrorCode::bad_argument);
-  EXPECT_EQ(sampled.error().message, "a baked curve gives orientations only, found room for more");
+  const auto [start, end] = baked.domain();
+  const std::vector<double> times{start - 1.0, start, end, end + 1.0, not_a_number};
+  Sampled<double> samples(times.size(), Wanted::jerk);
+  ASSERT_TRUE(sample_at<double>(baked, times, samples.spans()));
+  for (const std::size_t i : {0U, 3U}) {
+    EXPECT_EQ(samples.velocity(i), Eigen::Vector3d::Zero()) << i;
+    EXPECT_EQ(samples.acceleration(i), Eigen::Vector3d::Zero()) << i;
+    EXPECT_EQ(samples.jerk(i), Eigen::Vector3d::Zero()) << i;
+  }
+  for (const std::size_t i : {1U, 2U}) EXPECT_GT(samples.velocity(i).norm(), 0.1) << i;
+  EXPECT_TRUE(samples.velocity(4).array().isNaN().all() && samples.acceleration(4).array().isNaN().all() &&
+              samples.jerk(4).array().isNaN().all());
+}
+
+template <class T>
+void expect_rates(const AnyCurve& curve, double tolerance) {
+  const Eigen::Array3d found = largest_rate_differences<T>(curve, tolerance), allowed = allowed_rate_differences<T>();
+  EXPECT_TRUE((found <= allowed).all()) << found.transpose() << " at " << tolerance;
+}
+
+TEST(BakedCurve, HasRatesAsFarFromTheCurvesOwnAsItsToleranceAndItsPiecesLet) {
+  for (const std::uint64_t seed : {111U, 116U})
+    for (const auto& [name, curve] : curve_of_every_family(seed)) {
+      SCOPED_TRACE(name);
+      for (const double tolerance : {1e-6, 1e-9, 1e-12}) expect_rates<double>(curve, tolerance);
+      for (const double tolerance : {1e-6, 1e-4}) expect_rates<float>(curve, tolerance);
+    }
+}
+
+TEST(BakedCurve, IsTheSameFromAMethodAndKeysAsFromTheirCurve) {
+  const Keyframes keys = keyframes(random_walk(118, 9, Spacing::uneven, 0.7));
+  const Method method{"quintic", {.parameters = {{"tension", {0.4}}}}};
+  const BakedCurve<> a = bake(method, keys, 1e-9).value(), b = bake(make_curve(method, keys).value(), 1e-9).value();
+  EXPECT_EQ(a.knots().segments(), b.knots().segments());
+  EXPECT_EQ(a(1.234).coeffs(), b(1.234).coeffs());
+  const auto refused = bake("no-such-method", keys, 1e-9);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::bad_argument);
+}
+
+TEST(BakedCurve, IsFollowedAndStopped) {
+  const AnyCurve curve = specimen_curve("squad", 51, 41);
+  expect_to_be_followed_and_stopped([&](const Progress& progress) { return bake(curve, 1e-9, progress); });
 }
 
 }  // namespace

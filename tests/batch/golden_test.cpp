@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Samples in bulk against the scalar evaluator on every case of tests/data/golden.
+// Samples in bulk, and of baked curves, against the scalar evaluator on every case of tests/data/golden.
 #include <batch/agreement.hpp>
+#include <batch/baked_rates.hpp>
 #include <support/golden_case.hpp>
 #include <support/specimens.hpp>
 
@@ -26,6 +27,17 @@ TEST(BatchOnGoldenCases, AgreesWithTheScalarEvaluator) {
     const auto curve = make_curve({golden_case.text("family"), options_of(golden_case)}, keys_of(keys, golden_case));
     ASSERT_TRUE(curve) << describe(curve.error());
     expect_agreement(*curve);
+  }
+}
+
+TEST(BatchOnGoldenCases, HasTheRatesOfTheCurveWhenBaked) {
+  const DataTable keys("golden/keys.csv"), cases("golden/cases.csv");
+  for (const auto& golden_case : cases.rows()) {
+    SCOPED_TRACE(label_of(golden_case));
+    const AnyCurve curve =
+        make_curve({golden_case.text("family"), options_of(golden_case)}, keys_of(keys, golden_case)).value();
+    const Eigen::Array3d found = largest_rate_differences<double>(curve, 1e-9);
+    EXPECT_TRUE((found <= allowed_rate_differences<double>()).all()) << found.transpose();
   }
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 using namespace testing_support;
 
-constexpr std::size_t rows = 400, first_row = 61, count = 201, columns = 22;
+constexpr std::size_t rows = 400, first_row = 61, count = 201, columns = 25;
 
 /// Columns of `rows` numbers each, of which the samples take the middle ones from `first_row` on.
 template <class T>
@@ -37,6 +37,7 @@ class Table {
     spans.positions = room(13, 3);
     spans.velocities = room(16, 3);
     spans.accelerations = room(19, 3);
+    spans.linear_jerks = room(22, 3);
     return spans;
   }
 
@@ -63,7 +64,8 @@ template <class T>
 struct Planes {
   std::vector<T> orientations = std::vector<T>(4 * count), angular_velocities = std::vector<T>(3 * count),
                  angular_accelerations = angular_velocities, angular_jerks = angular_velocities,
-                 positions = angular_velocities, velocities = angular_velocities, accelerations = angular_velocities;
+                 positions = angular_velocities, velocities = angular_velocities, accelerations = angular_velocities,
+                 linear_jerks = angular_velocities;
 
   [[nodiscard]] Samples<T> angular() {
     return {.orientations = orientations,
@@ -77,6 +79,7 @@ struct Planes {
     spans.positions = positions;
     spans.velocities = velocities;
     spans.accelerations = accelerations;
+    spans.linear_jerks = linear_jerks;
     return spans;
   }
 };
@@ -102,12 +105,13 @@ void expect_rows_of_a_table(const PoseCurve& curve) {
     table.expect(7, 3, planes.angular_accelerations);
     table.expect(10, 3, planes.angular_jerks);
   };
-  Table<T> poses, evenly, compiled, orientations;
+  Table<T> poses, evenly, compiled, of_baked;
   ASSERT_TRUE(sample_at<T>(curve, grid.times, poses.all()));
   expect_in(poses);
   poses.expect(13, 3, planes.positions);
   poses.expect(16, 3, planes.velocities);
   poses.expect(19, 3, planes.accelerations);
+  poses.expect(22, 3, planes.linear_jerks);
   ASSERT_TRUE(sample_uniform<T>(curve.orientation, grid.start, grid.step, evenly.angular()));
   expect_in(evenly);
   evenly.expect_untouched_from(13);
@@ -115,11 +119,10 @@ void expect_rows_of_a_table(const PoseCurve& curve) {
   expect_in(compiled);
   compiled.expect_untouched_from(13);
   const BakedCurve<T> baked = bake<T>(curve.orientation, 1e-6).value();
-  ASSERT_TRUE(sample<T>(baked, grid.times, {.orientations = planes.orientations, .layout = Layout::planar}));
-  ASSERT_TRUE(
-      sample<T>(baked, grid.times, {.orientations = orientations.room(0, 4), .layout = Layout::planar, .plane = rows}));
-  orientations.expect(0, 4, planes.orientations);
-  orientations.expect_untouched_from(4);
+  ASSERT_TRUE(sample<T>(baked, grid.times, planes.angular()));
+  ASSERT_TRUE(sample<T>(baked, grid.times, of_baked.angular()));
+  expect_in(of_baked);
+  of_baked.expect_untouched_from(13);
 }
 
 TEST(BatchPlanes, MayBeTheColumnsOfALargerTable) {

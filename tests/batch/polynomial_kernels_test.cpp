@@ -30,15 +30,22 @@ std::vector<const PolynomialKernels*> all_kernels() {
 template <class T>
 using Numbers = std::vector<T>;
 
+template <class T>
+batch::Target<T> baked_target(Numbers<T>& to) {
+  return {.orientation = to.data(),
+          .angular_velocity = to.data() + 4 * count,
+          .angular_acceleration = to.data() + 7 * count,
+          .angular_jerk = to.data() + 10 * count};
+}
 void run(const PolynomialKernels& k, const batch::BakedRecord<double>& r, const Clock& clock, Numbers<double>& to) {
-  k.baked(r, clock, count, {.orientation = to.data()});
+  k.baked(r, clock, count, baked_target(to));
 }
 void run(const PolynomialKernels& k, const batch::BakedRecord<float>& r, const Clock& clock, Numbers<float>& to) {
-  k.baked_float(r, clock, count, {.orientation = to.data()});
+  k.baked_float(r, clock, count, baked_target(to));
 }
 template <class T>
 batch::PathTarget<T> path_target(Numbers<T>& to) {
-  return {to.data(), to.data() + 3 * count, to.data() + 6 * count, 0};
+  return {to.data(), to.data() + 3 * count, to.data() + 6 * count, to.data() + 9 * count, 0};
 }
 void run(const PolynomialKernels& k, const batch::PathRecord<double>& r, const Clock& clock, Numbers<double>& to) {
   k.path(r, clock, count, path_target(to));
@@ -55,10 +62,10 @@ void expect_the_same_by_every_instruction_set(const Record& record, const KnotSp
     times.push_back(span.start() + span.step() * static_cast<double>(k) / static_cast<double>(count));
   for (const Clock& clock : {Clock{times.data(), 0.0, 0.0, 0.0},
                              Clock{nullptr, span.start() - 3.0 * span.step(), span.step() / 173.0, 519.0}}) {
-    Numbers<T> first(9 * count);
+    Numbers<T> first(13 * count);
     run(*all_kernels().front(), record, clock, first);
     for (const PolynomialKernels* other : all_kernels()) {
-      Numbers<T> numbers(9 * count);
+      Numbers<T> numbers(13 * count);
       run(*other, record, clock, numbers);
       EXPECT_EQ(std::memcmp(numbers.data(), first.data(), sizeof(T) * numbers.size()), 0);
     }
@@ -128,16 +135,36 @@ void add_samples(const PoseCurve& curve, Hash& hash) {
   for (const Numbers<T>& numbers : {positions, velocities, accelerations}) hash.add<T, Bits>(numbers);
 }
 
+/// What the baked curve has beside orientations, and the path beside accelerations.
+template <class T, class Bits>
+void add_rates(const PoseCurve& curve, Hash& hash) {
+  const auto [start, end] = curve.orientation.domain();
+  const double dt = (end - start) / 480.0;
+  Numbers<T> orientations(4 * 500), velocities(3 * 500), accelerations(velocities), jerks(velocities);
+  const BakedCurve<T> baked = bake<T>(curve.orientation, 1e-6).value();
+  ASSERT_TRUE(sample_uniform<T>(baked, start, dt,
+                                Samples<T>{.orientations = orientations,
+                                           .angular_velocities = velocities,
+                                           .angular_accelerations = accelerations,
+                                           .angular_jerks = jerks}));
+  for (const Numbers<T>& numbers : {velocities, accelerations, jerks}) hash.add<T, Bits>(numbers);
+  ASSERT_TRUE(sample_uniform<T>(curve, start, dt, Samples<T>{.orientations = orientations, .linear_jerks = jerks}));
+  hash.add<T, Bits>(jerks);
+}
+
 /// All the way from keys to samples, where the methods are free of the system's own functions.
-constexpr std::uint64_t hash_of_all_samples = 0xed7cf5640315448bU;
+constexpr std::uint64_t hash_of_all_samples = 0xed7cf5640315448bU, hash_of_all_rates = 0x17677fee5b25147fU;
 
 TEST(PolynomialKernels, AndCompilersGiveTheBitsThatAreWrittenHere) {
-  Hash hash;
+  Hash samples, rates;
   for (const PoseCurve& curve : curves()) {
-    add_samples<double, std::uint64_t>(curve, hash);
-    add_samples<float, std::uint32_t>(curve, hash);
+    add_samples<double, std::uint64_t>(curve, samples);
+    add_samples<float, std::uint32_t>(curve, samples);
+    add_rates<double, std::uint64_t>(curve, rates);
+    add_rates<float, std::uint32_t>(curve, rates);
   }
-  EXPECT_EQ(hash.value(), hash_of_all_samples) << std::hex << "0x" << hash.value();
+  EXPECT_EQ(samples.value(), hash_of_all_samples) << std::hex << "0x" << samples.value();
+  EXPECT_EQ(rates.value(), hash_of_all_rates) << std::hex << "0x" << rates.value();
 }
 
 }  // namespace

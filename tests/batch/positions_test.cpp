@@ -21,13 +21,14 @@ struct Poses {
   std::size_t count;
   Layout layout = Layout::interleaved;
   std::vector<T> orientations = std::vector<T>(4 * count), positions = std::vector<T>(3 * count),
-                 velocities = positions, accelerations = positions;
+                 velocities = positions, accelerations = positions, jerks = positions;
 
   [[nodiscard]] Samples<T> spans() {
     return {.orientations = orientations,
             .positions = positions,
             .velocities = velocities,
             .accelerations = accelerations,
+            .linear_jerks = jerks,
             .layout = layout};
   }
   [[nodiscard]] Eigen::Vector3d read(const std::vector<T>& from, std::size_t i) const {
@@ -35,7 +36,10 @@ struct Poses {
     return Eigen::Matrix<T, 3, 1>(from[first], from[first + next], from[first + 2 * next]).template cast<double>();
   }
   [[nodiscard]] LinearMotion operator[](std::size_t i) const {
-    return {.position = read(positions, i), .velocity = read(velocities, i), .acceleration = read(accelerations, i)};
+    return {.position = read(positions, i),
+            .velocity = read(velocities, i),
+            .acceleration = read(accelerations, i),
+            .jerk = read(jerks, i)};
   }
 };
 
@@ -58,26 +62,28 @@ std::vector<NamedPose> pose_of_every_family(std::uint64_t seed, double first_tim
 
 /// Largest coordinate and rate of the scalar evaluator's along the path, at least 1.
 LinearMotion size_of(const AnyPath& path, std::span<const double> times) {
-  LinearMotion size{Eigen::Vector3d::Ones(), Eigen::Vector3d::Ones(), Eigen::Vector3d::Ones()};
+  const Eigen::Vector3d one = Eigen::Vector3d::Ones();
+  LinearMotion size{one, one, one, one};
   for (const double t : times) {
     const LinearMotion linear_motion = path.linear_motion(t);
     size.position = size.position.cwiseMax(linear_motion.position.cwiseAbs().maxCoeff());
     size.velocity = size.velocity.cwiseMax(linear_motion.velocity.cwiseAbs().maxCoeff());
     size.acceleration = size.acceleration.cwiseMax(linear_motion.acceleration.cwiseAbs().maxCoeff());
+    size.jerk = size.jerk.cwiseMax(linear_motion.jerk.cwiseAbs().maxCoeff());
   }
   return size;
 }
 
 /// Allowed differences in units of the rounding of 1.
 struct PathLimits {
-  double position, velocity, acceleration;
+  double position, velocity, acceleration, jerk;
 };
 
 template <class T>
 void expect_agreement(const Poses<T>& poses, const PoseCurve& curve, std::span<const double> times, PathLimits limits) {
   constexpr auto unit = static_cast<double>(std::numeric_limits<T>::epsilon());
   const LinearMotion size = size_of(*curve.position, times);
-  double off[3] = {0.0, 0.0, 0.0};
+  double off[4] = {0.0, 0.0, 0.0, 0.0};
   for (std::size_t i = 0; i < times.size(); ++i) {
     const LinearMotion wanted = curve.position->linear_motion(times[i]), found = poses[i];
     const auto compare = [&](double& worst, const Eigen::Vector3d& a, const Eigen::Vector3d& b, double of) {
@@ -87,10 +93,12 @@ void expect_agreement(const Poses<T>& poses, const PoseCurve& curve, std::span<c
     compare(off[0], found.position, wanted.position, size.position.x());
     compare(off[1], found.velocity, wanted.velocity, size.velocity.x());
     compare(off[2], found.acceleration, wanted.acceleration, size.acceleration.x());
+    compare(off[3], found.jerk, wanted.jerk, size.jerk.x());
   }
   EXPECT_LE(off[0], limits.position);
   EXPECT_LE(off[1], limits.velocity);
   EXPECT_LE(off[2], limits.acceleration);
+  EXPECT_LE(off[3], limits.jerk);
 }
 
 std::vector<double> times_along(const PoseCurve& curve, std::size_t count) {
@@ -111,10 +119,10 @@ TEST(BatchPositions, AgreeWithTheScalarEvaluatorForEveryFamily) {
       const std::vector<double> times = times_along(curve, 700);
       Poses<double> poses{times.size()};
       ASSERT_TRUE(sample<double>(curve, times, poses.spans()));
-      expect_agreement(poses, curve, times, {32.0, 256.0, 4096.0});
+      expect_agreement(poses, curve, times, {32.0, 256.0, 4096.0, 65536.0});
       Poses<float> floats{times.size()};
       ASSERT_TRUE(sample<float>(curve, times, floats.spans()));
-      expect_agreement(floats, curve, times, {8.0, 32.0, 128.0});
+      expect_agreement(floats, curve, times, {8.0, 32.0, 128.0, 512.0});
     }
 }
 
@@ -149,11 +157,14 @@ TEST(BatchPositions, HaveTheSameBitsByEveryDoorAndAllocateNothing) {
     EXPECT_EQ(even.positions, given.positions);
     EXPECT_EQ(even.velocities, given.velocities);
     EXPECT_EQ(even.accelerations, given.accelerations);
+    EXPECT_EQ(even.jerks, given.jerks);
     for (std::size_t i = 0; i < count; ++i) {
       ASSERT_EQ(planar[i].position, given[i].position) << i;
       ASSERT_EQ(planar[i].acceleration, given[i].acceleration) << i;
+      ASSERT_EQ(planar[i].jerk, given[i].jerk) << i;
       ASSERT_EQ(any[count - 1 - i].position, given[i].position) << i;
       ASSERT_EQ(any[count - 1 - i].acceleration, given[i].acceleration) << i;
+      ASSERT_EQ(any[count - 1 - i].jerk, given[i].jerk) << i;
     }
   }
 }
@@ -168,9 +179,10 @@ TEST(BatchPositions, HoldTheEndsAtRestAndAnswerNaNByNaN) {
     EXPECT_EQ(poses[i].position, curve.position->linear_motion(i < 2 ? start : end).position) << i;
     EXPECT_EQ(poses[i].velocity, Eigen::Vector3d::Zero()) << i;
     EXPECT_EQ(poses[i].acceleration, Eigen::Vector3d::Zero()) << i;
+    EXPECT_EQ(poses[i].jerk, Eigen::Vector3d::Zero()) << i;
   }
   EXPECT_TRUE(poses[2].position.array().isNaN().all() && poses[2].velocity.array().isNaN().all() &&
-              poses[2].acceleration.array().isNaN().all());
+              poses[2].acceleration.array().isNaN().all() && poses[2].jerk.array().isNaN().all());
 }
 
 TEST(BatchPositions, OfOneKeyAreThatKey) {

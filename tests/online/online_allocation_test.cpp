@@ -22,7 +22,7 @@ TEST(OnlineCurve, AllocatesNothingAfterConstruction) {
          find_family(method).value()->ends.empty()
              ? std::vector{EndRule::none}
              : std::vector(find_family(method).value()->ends.begin(), find_family(method).value()->ends.end())) {
-      OnlineCurve curve = OnlineCurve::make(method, 20, {.start = {.rule = rule}, .end = {.rule = rule}}).value();
+      OnlineCurve curve = OnlineCurve::make({method, {.start = {.rule = rule}, .end = {.rule = rule}}}, 20).value();
       double sum = 0.0;
       std::size_t refused = 0;
 

@@ -105,7 +105,7 @@ TEST_P(EveryOnlineMethod, UsesTheRulesOfBothEnds) {
       }
       const KeyframeData data = raw_walk(503, count);
       const auto offline = make_pose_curve({family.name, options}, keyframes(data, Signs::shortest));
-      OnlineCurve online = OnlineCurve::make(family.name, 10, options).value();
+      OnlineCurve online = OnlineCurve::make({family.name, options}, 10).value();
       ASSERT_TRUE(append(online, data, 0, count));
 
       const auto finished = online.finish();
@@ -146,7 +146,7 @@ TEST(OnlineCurve, TakesParametersAndGivenSigns) {
   for (Eigen::Quaterniond& q : data.orientations) q.normalize();
   const CurveOptions options{.parameters = {{"order", {3.0}}, {"tension1", {0.4}}, {"tension3", {0.2}}}};
   const PoseCurve offline = make_pose_curve({"uniform", options}, keyframes(data, Signs::as_given)).value();
-  OnlineCurve online = OnlineCurve::make("uniform", 50, options, Signs::as_given).value();
+  OnlineCurve online = OnlineCurve::make({"uniform", options}, 50, Signs::as_given).value();
   ASSERT_TRUE(append(online, data, 0, 50));
   ASSERT_TRUE(online.finish());
   EXPECT_EQ(differing(online, offline, data.times.front(), data.times.back()), 0);

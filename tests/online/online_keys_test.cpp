@@ -26,26 +26,26 @@ TEST(OnlineCurve, RefusesOptionsWithWhatWasWanted) {
             "barry-goldman, circular, log-parabola, quintic, sextic, timed-c1, timed-c2, timed-c3, timed-sextic, "
             "xing-quartic, xing-quintic, uniform, atbi, hermite-c1, hermite-c2, hermite-c3, hermite-cumulative, "
             "bezier, bspline, beta, beta-g2");
-  EXPECT_EQ(refusal(OnlineCurve::make("beta-g2", 8, {.choices = {{"form", "global"}}})),
+  EXPECT_EQ(refusal(OnlineCurve::make({"beta-g2", {.choices = {{"form", "global"}}}}, 8)),
             "beta-g2: with these settings a segment depends on all keys, wanted others for an online curve");
   EXPECT_EQ(refusal(OnlineCurve::make("slerp", 1)), "the capacity is 1 keys, wanted 2 to 1000000");
   EXPECT_EQ(refusal(OnlineCurve::make("slerp", 1'000'001)), "the capacity is 1000001 keys, wanted 2 to 1000000");
-  EXPECT_EQ(refusal(OnlineCurve::make("quintic", 8, {.loop = Loop{}})), "an online curve is open, found a loop");
+  EXPECT_EQ(refusal(OnlineCurve::make({"quintic", {.loop = Loop{}}}, 8)), "an online curve is open, found a loop");
   EXPECT_EQ(
-      refusal(OnlineCurve::make("quintic", 8, {.parameters = {{"tension", {0.5, 0.5, 0.5, 0.5}}}})),
+      refusal(OnlineCurve::make({"quintic", {.parameters = {{"tension", {0.5, 0.5, 0.5, 0.5}}}}}, 8)),
       "quintic: found 4 values of tension, wanted 1 for all keys of an online curve, or none where each key brings "
       "its own");
-  EXPECT_EQ(refusal(OnlineCurve::make("quintic", 8, {.parameters = {{"tension", {nan}}}})),
+  EXPECT_EQ(refusal(OnlineCurve::make({"quintic", {.parameters = {{"tension", {nan}}}}}, 8)),
             "quintic: tension is nan, wanted -100 to 100");
-  EXPECT_EQ(refusal(OnlineCurve::make("uniform", 8, {.parameters = {{"order", {2.5}}}})),
+  EXPECT_EQ(refusal(OnlineCurve::make({"uniform", {.parameters = {{"order", {2.5}}}}}, 8)),
             "uniform: order is 2.5, wanted a whole number");
 }
 
 TEST(OnlineCurve, RefusesEndsThatNoKeysCanHaveBeforeThereAreAny) {
   const End turning{.rule = EndRule::clamped, .angular_velocity = {0, 0, 1}};
   const std::string wanted = "a clamped end needs a non-zero tension at that key, found 0";
-  EXPECT_EQ(refusal(OnlineCurve::make("quintic", 8, {.parameters = {{"tension", {0.0}}}, .start = turning})), wanted);
-  EXPECT_EQ(refusal(OnlineCurve::make("quintic", 8, {.parameters = {{"tension", {0.0}}}, .end = turning})), wanted);
+  EXPECT_EQ(refusal(OnlineCurve::make({"quintic", {.parameters = {{"tension", {0.0}}}, .start = turning}}, 8)), wanted);
+  EXPECT_EQ(refusal(OnlineCurve::make({"quintic", {.parameters = {{"tension", {0.0}}}, .end = turning}}, 8)), wanted);
 }
 
 TEST(OnlineCurve, RefusesKeysInTheWordsOfKeyframesAndGoesOn) {

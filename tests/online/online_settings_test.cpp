@@ -31,7 +31,7 @@ void expect_same_bits(std::string_view method, const KeyframeData& data, const C
     if (values.size() > 1) values.clear();
   const auto offline = make_pose_curve({method, options}, keyframes(data, Signs::shortest));
   ASSERT_TRUE(offline) << describe(offline.error());
-  OnlineCurve online = OnlineCurve::make(method, count, of_stream).value();
+  OnlineCurve online = OnlineCurve::make({method, of_stream}, count).value();
   for (std::size_t i = 0; i < count; ++i) {
     StreamKey key = key_of(data, i);
     for (const auto& [name, values] : options.parameters)
@@ -88,8 +88,8 @@ TEST(OnlineCurve, LooksAsFarAsTheDegreeOfABSpline) {
 
 TEST(OnlineCurve, RefusesAKeyWithoutTheSettingsThatItShouldBring) {
   const KeyframeData data = raw_walk(717, 9);
-  OnlineCurve curve = OnlineCurve::make("timed-c2", 8, {.parameters = {{"tension", {}}}}).value();
-  OnlineCurve undisturbed = OnlineCurve::make("timed-c2", 8, {.parameters = {{"tension", {}}}}).value();
+  OnlineCurve curve = OnlineCurve::make({"timed-c2", {.parameters = {{"tension", {}}}}}, 8).value();
+  OnlineCurve undisturbed = OnlineCurve::make({"timed-c2", {.parameters = {{"tension", {}}}}}, 8).value();
   const auto refused = [&](std::map<std::string, double, std::less<>> settings) {
     StreamKey key = key_of(data, 5);
     key.settings = std::move(settings);
@@ -114,7 +114,7 @@ TEST(OnlineCurve, RefusesAKeyWithoutTheSettingsThatItShouldBring) {
 
 TEST(OnlineCurve, RefusesAKeyWhoseSettingsMakeNoCurve) {
   const KeyframeData data = raw_walk(718, 12);
-  OnlineCurve curve = OnlineCurve::make("beta", 8, {.parameters = {{"beta2", {}}}}).value();
+  OnlineCurve curve = OnlineCurve::make({"beta", {.parameters = {{"beta2", {}}}}}, 8).value();
   const auto append = [&](std::size_t i, double beta2) {
     StreamKey key = key_of(data, i);
     key.settings = {{"beta2", beta2}};

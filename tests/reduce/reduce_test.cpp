@@ -9,6 +9,7 @@
 
 #include <orispline/families/registry.hpp>
 #include <orispline/math/so3.hpp>
+#include <support/follower.hpp>
 
 namespace orispline {
 namespace {
@@ -280,6 +281,12 @@ TEST(Reduce, MeasuresTheDistanceToSamplesButThoseLeftOut) {
   EXPECT_EQ(distance.largest_at, 6u);
   EXPECT_NEAR(distance.largest, 0.03, 1e-12);
   EXPECT_NEAR(distance.rms, std::sqrt((0.02 * 0.02 + 0.03 * 0.03) / 8.0), 1e-12);
+}
+
+TEST(Reduce, IsFollowedAndStopped) {
+  const Keyframes recording = recorded({300, 0.05, 0.0, 0.0}, 61);
+  testing_support::expect_to_be_followed_and_stopped(
+      [&](const Progress& progress) { return reduce(recording, "auto", {.tolerance = {.angle = degree}}, progress); });
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <orispline/analysis/torque.hpp>
 #include <orispline/families/registry.hpp>
 
+#include "support/follower.hpp"
 #include "support/random_motion.hpp"
 
 namespace orispline {
@@ -204,6 +205,15 @@ TEST(Retime, RefusesMethodsThatNoSlowingHelps) {
   const auto one = Keyframes::make({.times = {0}, .orientations = {Eigen::Quaterniond::Identity()}}).value();
   EXPECT_EQ(error("auto", one, {.rate = 1.0}), "found 1 key, wanted 2 at least: one key does not move");
   EXPECT_TRUE(error("nothing", keys, {.rate = 1.0}).starts_with("no method 'nothing', wanted one of auto"));
+}
+
+TEST(Retime, IsFollowedAndStopped) {
+  const Keyframes keys = random_keys(11, {8, 2.0, 20.0});
+  const double limit = sampled(make_curve("auto", keys).value()).rate / 3.0;
+  for (const Slowing slowing : {Slowing::uniform, Slowing::per_interval})
+    testing_support::expect_to_be_followed_and_stopped([&](const Progress& progress) {
+      return retime(keys, "auto", {.limits = {.rate = limit}, .slowing = slowing}, progress);
+    });
 }
 
 }  // namespace

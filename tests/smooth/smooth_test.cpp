@@ -6,6 +6,7 @@
 
 #include <orispline/smooth/smoothing_element.hpp>
 #include <orispline/smooth/smoothing_noise.hpp>
+#include <support/follower.hpp>
 
 #include "smooth/noisy_motion.hpp"
 
@@ -164,6 +165,15 @@ TEST(Smooth, SaysWhatItCannotDo) {
   ASSERT_FALSE(refused);
   EXPECT_TRUE(refused.error().message.starts_with("no smooth motion is near to the samples"))
       << refused.error().message;
+}
+
+TEST(Smooth, IsFollowedAndStopped) {
+  const auto recording = recorded(400, degree);
+  const Keyframes keys = Keyframes::make(recording.noisy).value();
+  for (const Penalty penalty : {Penalty::acceleration, Penalty::jerk})
+    for (const Loss loss : {Loss::robust, Loss::tukey})
+      testing_support::expect_to_be_followed_and_stopped(
+          [&](const Progress& progress) { return smooth(keys, {.penalty = penalty, .loss = loss}, progress); }, 3);
 }
 
 }  // namespace

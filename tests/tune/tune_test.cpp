@@ -8,6 +8,7 @@
 #include <orispline/families/registry.hpp>
 #include <orispline/tune/nu_sum.hpp>
 #include <support/data_table.hpp>
+#include <support/follower.hpp>
 #include <support/golden_case.hpp>
 
 namespace orispline {
@@ -174,6 +175,15 @@ TEST(Tune, KnowsHowACurveChangesWithNu) {
         EXPECT_NEAR((slope - exact).norm(), 0.0, 1e-7 * (1.0 + exact.norm())) << v << " " << block;
       }
   }
+}
+
+TEST(Tune, IsFollowedAndStopped) {
+  const DataTable keys("golden/keys.csv"), table("golden/energies.csv");
+  const auto rows = golden_cases(table).front();
+  const Keyframes q = testing_support::keys_of(keys, rows[0]);
+  for (const std::string_view method : {"timed-c2", "nu"})
+    testing_support::expect_to_be_followed_and_stopped(
+        [&](const Progress& progress) { return tune(q, method, {.objective = Objective::jerk}, progress); });
 }
 
 }  // namespace

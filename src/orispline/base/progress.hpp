@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <stop_token>
+#include <utility>
 
 #include <orispline/base/expected.hpp>
 
@@ -21,6 +22,26 @@ struct Progress {
   void at(double share) const {
     if (show) show(share);
   }
+};
+
+/// Work of which nobody knows beforehand how much there is, such as that of an iteration: every piece takes its share
+/// of what is left, so that the share that is shown rises all the time and is 1 only where the task says that it is
+/// done.
+class OpenEndedWork {
+ public:
+  /// `expected`: of most tasks, in the unit of the pieces.
+  OpenEndedWork(Progress progress, double expected) : progress_(std::move(progress)), expected_(expected) {}
+
+  [[nodiscard]] bool stopped() const noexcept { return progress_.stopped(); }
+  void add(double piece) {
+    left_ *= expected_ / (expected_ + piece);
+    progress_.at(1.0 - left_);
+  }
+  void finish() const { progress_.at(1.0); }
+
+ private:
+  Progress progress_;
+  double expected_, left_ = 1.0;
 };
 
 /// The failure of a task that was asked to stop.

@@ -8,6 +8,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/batch/baked_sampler.hpp>
 #include <orispline/batch/interpolation.hpp>
+#include <orispline/families/registry.hpp>
 
 namespace orispline {
 namespace {
@@ -22,12 +23,15 @@ constexpr double reserve = 2.0;
 template <class T>
 class Baker {
  public:
-  Baker(const AnyCurve& curve, double tolerance) : curve_(curve), allowed_(tolerance / reserve) {
+  Baker(const AnyCurve& curve, double tolerance, const Progress& progress)
+      : curve_(curve), progress_(progress), allowed_(tolerance / reserve) {
     ends_.push_back(curve.knots().front());
   }
 
-  /// Adds the pieces of a segment; false where the tolerance cannot be reached, which leaves the difference there.
+  /// Adds the pieces of a segment; false where it is stopped or the tolerance cannot be reached, which leaves the
+  /// difference there.
   [[nodiscard]] bool add(const Subinterval& span, int halvings = 0) {
+    if (progress_.stopped()) return false;
     const BakedRecord<T> piece = through_curve(span);
     const double off = difference(piece, span);
     if (off <= allowed_) {
@@ -67,9 +71,8 @@ class Baker {
     std::array<double, size + 1> times;
     for (std::size_t k = 0; k <= size; ++k) times[k] = span.time(checks_[k]);
     std::array<T, 4 * (size + 1)> samples;
-    batch::sample_piece<T>(
-        piece, {.times = times.data(), .start = 0.0, .step = 0.0, .first = 0.0}, times.size(),
-        {.orientation = samples.data(), .angular_velocity = nullptr, .angular_acceleration = nullptr, .planes = 0});
+    batch::sample_piece<T>(piece, {.times = times.data(), .start = 0.0, .step = 0.0, .first = 0.0}, times.size(),
+                           {.orientation = samples.data()});
     double largest = 0.0;
     for (std::size_t k = 0; k <= size; ++k) {
       const Eigen::Quaterniond q = curve_.orientation_on(span.segment, times[k]);
@@ -85,6 +88,7 @@ class Baker {
   }
 
   const AnyCurve& curve_;
+  const Progress& progress_;
   double allowed_, largest_ = 0.0, failed_at_ = 0.0;
   std::array<double, size> nodes_ = batch::chebyshev_nodes<size>();
   /// The extremes of ∏ (s - nodes), both ends among them.
@@ -104,21 +108,33 @@ BakedRecord<T> constant_piece(const AnyCurve& curve) {
 }  // namespace
 
 template <class T>
-Expected<BakedCurve<T>> bake(const AnyCurve& curve, double tolerance) {
+Expected<BakedCurve<T>> bake(const AnyCurve& curve, double tolerance, const Progress& progress) {
   if (!(tolerance >= least_bake_tolerance<T>) || !std::isfinite(tolerance))
     return failure(ErrorCode::bad_argument, formatted("the tolerance is {} rad, wanted a number from {} on", tolerance,
                                                       least_bake_tolerance<T>));
   const Knots& knots = curve.knots();
-  if (knots.segments() == 0) return BakedCurve<T>(knots, {constant_piece<T>(curve)}, 0.0);
-  Baker<T> baker(curve, tolerance);
-  for (std::size_t i = 0; i < knots.segments(); ++i)
-    if (!baker.add({i, knots.span(i).start(), knots.span(i).end()}))
+  if (knots.segments() == 0) {
+    progress.at(1.0);
+    return BakedCurve<T>(knots, {constant_piece<T>(curve)}, 0.0);
+  }
+  Baker<T> baker(curve, tolerance, progress);
+  for (std::size_t i = 0; i < knots.segments(); ++i) {
+    const bool added = baker.add({i, knots.span(i).start(), knots.span(i).end()});
+    if (progress.stopped()) return cancellation();
+    if (!added)
       return failure(ErrorCode::bad_argument,
                      formatted("at {} s even the shortest piece is {:.2g} rad off, wanted {} at most: ask for a larger "
                                "tolerance",
                                baker.failed_at(), baker.largest_difference(), tolerance / reserve),
                      {.key = i});
+    progress.at(static_cast<double>(i + 1) / static_cast<double>(knots.segments()));
+  }
   return BakedCurve<T>(Knots(baker.take_ends()), baker.take_pieces(), baker.largest_difference());
+}
+
+template <class T>
+Expected<BakedCurve<T>> bake(const Method& method, const Keyframes& keys, double tolerance, const Progress& progress) {
+  return make_curve(method, keys).and_then([&](const AnyCurve& curve) { return bake<T>(curve, tolerance, progress); });
 }
 
 template <class T>
@@ -131,7 +147,9 @@ Eigen::Quaternion<T> BakedCurve<T>::operator()(double t) const noexcept {
 
 template class BakedCurve<double>;
 template class BakedCurve<float>;
-template Expected<BakedCurve<double>> bake<double>(const AnyCurve&, double);
-template Expected<BakedCurve<float>> bake<float>(const AnyCurve&, double);
+template Expected<BakedCurve<double>> bake<double>(const AnyCurve&, double, const Progress&);
+template Expected<BakedCurve<float>> bake<float>(const AnyCurve&, double, const Progress&);
+template Expected<BakedCurve<double>> bake<double>(const Method&, const Keyframes&, double, const Progress&);
+template Expected<BakedCurve<float>> bake<float>(const Method&, const Keyframes&, double, const Progress&);
 
 }  // namespace orispline

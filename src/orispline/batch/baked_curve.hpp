@@ -4,9 +4,11 @@
 #include <optional>
 #include <vector>
 
-#include <orispline/base/expected.hpp>
+#include <orispline/base/progress.hpp>
 #include <orispline/batch/kernel/polynomial_record.hpp>
 #include <orispline/curve/curve.hpp>
+#include <orispline/curve/keyframe.hpp>
+#include <orispline/curve/method.hpp>
 
 namespace orispline {
 
@@ -30,7 +32,7 @@ class BakedCurve {
 
  private:
   template <class U>
-  friend Expected<BakedCurve<U>> bake(const AnyCurve& curve, double tolerance);
+  friend Expected<BakedCurve<U>> bake(const AnyCurve& curve, double tolerance, const Progress& progress);
   BakedCurve(Knots knots, std::vector<batch::BakedRecord<T>> pieces, double largest_difference)
       : knots_(std::move(knots)), pieces_(std::move(pieces)), largest_difference_(largest_difference) {}
 
@@ -52,9 +54,18 @@ inline constexpr double least_bake_tolerance<float> = 1e-6;
 /// wherever the error of an interpolation has its extremes when the next derivative varies little, with a reserve of a
 /// factor of 2.
 ///
-/// Errors (bad_argument): a tolerance that is not a number, infinite or below the least one; a segment, named as the
-/// key, on which it cannot be reached, because the curve's own rounding or a jump is larger.
+/// The rates of its samples are exact ones, of the orientations that its polynomials stand for. The tolerance does not
+/// bound them: they differ from the curve's by some multiple of tolerance/h, tolerance/h² and tolerance/h³, h the
+/// length of the piece, and at the ends of pieces they jump by as much. docs/performance.md has what was measured.
+///
+/// Errors: bad_argument for a tolerance that is not a number, infinite or below the least one, and for a segment, named
+/// as the key, on which it cannot be reached, because the curve's own rounding or a jump is larger; cancelled.
 template <class T = double>
-[[nodiscard]] Expected<BakedCurve<T>> bake(const AnyCurve& curve, double tolerance);
+[[nodiscard]] Expected<BakedCurve<T>> bake(const AnyCurve& curve, double tolerance, const Progress& progress = {});
+
+/// The same of the method's curve through the keys. Errors: those of make_curve() too.
+template <class T = double>
+[[nodiscard]] Expected<BakedCurve<T>> bake(const Method& method, const Keyframes& keys, double tolerance,
+                                           const Progress& progress = {});
 
 }  // namespace orispline

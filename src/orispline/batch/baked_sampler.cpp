@@ -22,11 +22,7 @@ void sample_piece(const BakedRecord<T>& piece, const Clock& clock, std::size_t c
 
 template <class T>
 void BakedSampler<T>::on_segment(std::size_t piece, const Clock& clock, std::size_t at, std::size_t count) noexcept {
-  sample_piece<T>(curve_.piece(piece), clock, count,
-                  {.orientation = place_of(out_.orientations, out_.layout, 4, at),
-                   .angular_velocity = nullptr,
-                   .angular_acceleration = nullptr,
-                   .planes = plane_distance(out_)});
+  sample_piece<T>(curve_.piece(piece), clock, count, target_of(out_, at));
 }
 
 template <class T>
@@ -35,11 +31,10 @@ void BakedSampler<T>::hold(Held held, std::size_t at, std::size_t count) noexcep
   if (held != Held::nothing) {
     const bool first = held == Held::first || knots().segments() == 0;
     const double end = first ? knots().front() : knots().back();
-    sample_piece<T>(
-        curve_.piece(first ? 0 : knots().segments() - 1), {.times = &end, .start = 0.0, .step = 0.0, .first = 0.0}, 1,
-        {.orientation = q.data(), .angular_velocity = nullptr, .angular_acceleration = nullptr, .planes = 0});
+    sample_piece<T>(curve_.piece(first ? 0 : knots().segments() - 1),
+                    {.times = &end, .start = 0.0, .step = 0.0, .first = 0.0}, 1, {.orientation = q.data()});
   }
-  for (std::size_t k = 0; k < count; ++k) put<4>(out_, out_.orientations, at + k, q);
+  put_held(out_, at, count, Eigen::Quaterniond(q.template cast<double>()));
 }
 
 template void sample_piece(const BakedRecord<double>&, const Clock&, std::size_t, const Target<double>&) noexcept;

@@ -120,9 +120,10 @@ AngleRange range_of(const std::array<double, 3>& largest) noexcept {
   return outer <= 1.0 && largest[1] <= 1.0 ? AngleRange::wide : AngleRange::any;
 }
 
-/// The factors wait for each other only where their constant parts meet.
+/// The factors wait for each other only where their constant parts meet. Without calls: a vector that is handed
+/// over in memory is loaded in other pieces than it was stored in, for which the processor waits.
 template <std::size_t N>
-FactoredSegment factored_of_degree(const CumulativeForm& form, const KnotSpan& span) noexcept {
+[[gnu::flatten]] FactoredSegment factored_of_degree(const CumulativeForm& form, const KnotSpan& span) noexcept {
   const Place place = place_of(span);
   FactoredSegment segment;  // filled below: to clear it first takes time
   segment.middle_time = place.middle;
@@ -137,10 +138,8 @@ FactoredSegment factored_of_degree(const CumulativeForm& form, const KnotSpan& s
     segment.largest[k] = largest_difference<N>(form.blending[k], offsets[k]);
     shift_to<N>(place, factor);
   }
-  const auto constant = [&](std::size_t k) {
-    return offsets[k] == 0.0 ? Eigen::Quaterniond::Identity() : exp<double>(offsets[k] * form.increments[k]);
-  };
-  const std::array<Eigen::Quaterniond, 3> constants{constant(0), constant(1), constant(2)};
+  const auto constant_part = [&](std::size_t k) -> Eigen::Vector3d { return offsets[k] * form.increments[k]; };
+  const auto constants = exp_of_each<3, double>({constant_part(0), constant_part(1), constant_part(2)});
   Eigen::Quaterniond after = Eigen::Quaterniond::Identity();
   for (std::size_t k = 3; k-- > 0;) {  // from the last: each vector is carried by the constant parts after it
     segment.vectors[k] = to_body<double>(after, 0.5 * form.increments[k]);

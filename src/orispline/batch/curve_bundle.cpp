@@ -101,19 +101,14 @@ Expected<void> CurveBundle<T>::sample(double t, const Samples<T>& out) const {
   const Domain domain = curves_.front().domain();
   const std::size_t index = curves_.front().knots().segment_at(t);
   if (!domain.contains(t) || segments_.empty() || !segments_[index].within_range) {
-    for (std::size_t i = 0; i < size(); ++i)
-      batch::SegmentSampler<T>(curves_[i], nullptr, out).held(curves_[i](t), i, 1);
+    for (std::size_t i = 0; i < size(); ++i) batch::put_held(out, i, 1, curves_[i](t));
     return {};
   }
   const Segment& segment = segments_[index];
   const double s = (t - segment.middle_time) * segment.per_step;
   batch::BundleSegment<T> record{.planes = segment.planes.data(), .plane = plane_, .factors = {}};
   for (std::size_t k = 0; k < 3; ++k) record.factors[k] = static_cast<T>(at(segment.factors[k], s));
-  call(record, size(),
-       {.orientation = out.orientations.data(),
-        .angular_velocity = nullptr,
-        .angular_acceleration = nullptr,
-        .planes = batch::plane_distance(out)});
+  call(record, size(), batch::target_of(out, 0));
   return {};
 }
 

@@ -56,6 +56,7 @@ PathTarget<T> PathSampler<T>::target_from(std::size_t at) const noexcept {
   return {.position = place_of(out_.positions, out_.layout, 3, at),
           .velocity = place_of(out_.velocities, out_.layout, 3, at),
           .acceleration = place_of(out_.accelerations, out_.layout, 3, at),
+          .jerk = place_of(out_.linear_jerks, out_.layout, 3, at),
           .planes = plane_distance(out_)};
 }
 
@@ -74,7 +75,7 @@ void PathSampler<T>::hold(Held held, std::size_t at, std::size_t count) noexcept
   LinearMotion linear_motion;
   if (held == Held::nothing) {
     const auto nan = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-    linear_motion = {.position = nan, .velocity = nan, .acceleration = nan};
+    linear_motion = {.position = nan, .velocity = nan, .acceleration = nan, .jerk = nan};
   } else linear_motion.position = path_.linear_motion(held == Held::first ? knots().front() : knots().back()).position;
   for (std::size_t k = 0; k < count; ++k) store(linear_motion, at + k);
 }
@@ -84,6 +85,7 @@ void PathSampler<T>::store(const LinearMotion& linear_motion, std::size_t at) no
   put<3>(out_, out_.positions, at, linear_motion.position);
   put<3>(out_, out_.velocities, at, linear_motion.velocity);
   put<3>(out_, out_.accelerations, at, linear_motion.acceleration);
+  put<3>(out_, out_.linear_jerks, at, linear_motion.jerk);
 }
 
 template std::optional<PathRecord<double>> record_of<double>(const AnyPath&, std::size_t) noexcept;

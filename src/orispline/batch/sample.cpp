@@ -26,12 +26,18 @@ constexpr std::size_t part_size = 1U << 16U;
 
 std::optional<Error> refusal(const char* message) { return Error{ErrorCode::bad_argument, message, {}}; }
 
+template <class T>
+std::optional<Error> without_positions(const Samples<T>& out) {
+  return wants_positions(out) ? refusal("found room for positions, wanted none: the curve has orientations only")
+                              : std::nullopt;
+}
+
 /// Orientations run by run.
 template <class T>
 class OrientationSampler {
  public:
   OrientationSampler(const AnyCurve& curve, const CompiledCurve<T>* compiled, const Samples<T>& out) noexcept
-      : curve_(curve), segments_(curve, compiled, out) {}
+      : curve_(curve), out_(out), segments_(curve, compiled, out) {}
 
   [[nodiscard]] const Knots& knots() const noexcept { return curve_.knots(); }
   void on_segment(std::size_t segment, const batch::Clock& clock, std::size_t at, std::size_t count) noexcept {
@@ -40,14 +46,15 @@ class OrientationSampler {
   void hold(Held held, std::size_t at, std::size_t count) noexcept {
     if (count == 0) return;
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    segments_.held(held == Held::nothing
-                       ? Eigen::Quaterniond(nan, nan, nan, nan)
-                       : segments_.orientation_at(held == Held::first ? knots().front() : knots().back()),
-                   at, count);
+    batch::put_held(out_, at, count,
+                    held == Held::nothing
+                        ? Eigen::Quaterniond(nan, nan, nan, nan)
+                        : segments_.orientation_at(held == Held::first ? knots().front() : knots().back()));
   }
 
  private:
   const AnyCurve& curve_;
+  const Samples<T>& out_;
   batch::SegmentSampler<T> segments_;
 };
 
@@ -58,10 +65,7 @@ struct CurveSource {
   const AnyCurve& curve;
   const CompiledCurve<T>* compiled = nullptr;
 
-  [[nodiscard]] std::optional<Error> check(const Samples<T>& out) const {
-    return wants_positions(out) ? refusal("found room for positions, wanted none: the curve has orientations only")
-                                : std::nullopt;
-  }
+  [[nodiscard]] std::optional<Error> check(const Samples<T>& out) const { return without_positions(out); }
   template <class Take>
   void with_samplers(const Samples<T>& out, Take take) const {
     OrientationSampler<T> orientations(curve, compiled, out);
@@ -91,11 +95,7 @@ template <class T>
 struct BakedSource {
   const BakedCurve<T>& curve;
 
-  [[nodiscard]] std::optional<Error> check(const Samples<T>& out) const {
-    return wants_angular_rates(out) || wants_positions(out)
-               ? refusal("a baked curve gives orientations only, found room for more")
-               : std::nullopt;
-  }
+  [[nodiscard]] std::optional<Error> check(const Samples<T>& out) const { return without_positions(out); }
   template <class Take>
   void with_samplers(const Samples<T>& out, Take take) const {
     batch::BakedSampler<T> pieces(curve, out);

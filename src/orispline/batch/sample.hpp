@@ -21,7 +21,7 @@ enum class Layout {
 /// for the orientations, which are always given.
 ///
 /// Angular rates are in the **body** frame, [rad/s], [rad/s²] and [rad/s³]; positions with their rates, which only a
-/// PoseCurve has, in the world frame, [m], [m/s] and [m/s²].
+/// PoseCurve has, in the world frame, [m], [m/s], [m/s²] and [m/s³].
 template <class T>
 struct Samples {
   std::span<T> orientations;
@@ -31,6 +31,7 @@ struct Samples {
   std::span<T> positions{};
   std::span<T> velocities{};
   std::span<T> accelerations{};
+  std::span<T> linear_jerks{};
   Layout layout = Layout::interleaved;
   /// From the first number of one component to that of the next one in a planar layout, such as the rows of a larger
   /// table of which the samples fill some; a span of n samples is then plane * (components - 1) + n long, and what lies
@@ -48,7 +49,7 @@ template <class T>
 }
 template <class T>
 [[nodiscard]] bool wants_positions(const Samples<T>& out) noexcept {
-  return !out.positions.empty() || !out.velocities.empty() || !out.accelerations.empty();
+  return !out.positions.empty() || !out.velocities.empty() || !out.accelerations.empty() || !out.linear_jerks.empty();
 }
 
 /// How sampling uses the machine; the samples do not depend on it.
@@ -58,12 +59,12 @@ struct Work {
 
 // Every kind of curve is sampled at every kind of times:
 //
-// |               | sample_uniform, sample, sample_at                                              |
-// |---------------|--------------------------------------------------------------------------------|
-// | AnyCurve      | orientation, angular velocity, acceleration, jerk                              |
-// | CompiledCurve | the same                                                                       |
-// | PoseCurve     | the same, and position, velocity, acceleration where its keys have positions   |
-// | BakedCurve    | orientation                                                                    |
+// |               | sample_uniform, sample, sample_at                                                  |
+// |---------------|------------------------------------------------------------------------------------|
+// | AnyCurve      | orientation, angular velocity, acceleration, jerk                                  |
+// | CompiledCurve | the same                                                                           |
+// | BakedCurve    | the same, of its polynomials                                                       |
+// | PoseCurve     | the same, and position, velocity, acceleration, jerk where its keys have positions |
 //
 // Curves of polynomial pieces (every cumulative family of up to three factors, every chart family) go through the
 // vector kernel, at a few nanoseconds a sample; others through their own evaluator. All samples agree with motion() to
@@ -74,7 +75,8 @@ struct Work {
 // A PoseCurve gives positions too: paths of polynomials of degree 7 at most by the kernel, within some units of
 // rounding of the largest coordinate [m] of its control points, others by the scalar evaluator.
 //
-// A BakedCurve gives orientations only: within its tolerance of the curve's own, and as fast as it gets.
+// A BakedCurve gives orientations within its tolerance of the curve's own, as fast as it gets, and the exact rates of
+// its polynomials: see bake().
 //
 // Errors (bad_argument): spans whose sizes do not belong together; what the curve does not give; times that decrease,
 // with the index of the first one that does.

@@ -21,7 +21,7 @@ std::optional<Error> check_room(const Samples<T>& out, std::size_t wanted) {
        {Room{"orientations", out.orientations, 4}, Room{"angular velocities", out.angular_velocities, 3},
         Room{"angular accelerations", out.angular_accelerations, 3}, Room{"angular jerks", out.angular_jerks, 3},
         Room{"positions", out.positions, 3}, Room{"velocities", out.velocities, 3},
-        Room{"accelerations", out.accelerations, 3}}) {
+        Room{"accelerations", out.accelerations, 3}, Room{"linear jerks", out.linear_jerks, 3}}) {
     const std::size_t numbers = (components - 1) * (out.plane == 0 ? wanted : out.plane) + wanted;
     const bool may_be_empty = components == 3 || wanted == 0;
     if ((may_be_empty && span.empty()) || span.size() == numbers) continue;

@@ -34,6 +34,35 @@ void put(const Samples<T>& out, std::span<T> to, std::size_t at, const Vector& v
   for (int k = 0; k < Components; ++k) place[k * next] = static_cast<T>(v[k]);
 }
 
+/// Where the kernels write orientations with their rates, from sample `at` on.
+template <class T>
+[[nodiscard]] Target<T> target_of(const Samples<T>& out, std::size_t at) noexcept {
+  return {.orientation = place_of(out.orientations, out.layout, 4, at),
+          .angular_velocity = place_of(out.angular_velocities, out.layout, 3, at),
+          .angular_acceleration = place_of(out.angular_accelerations, out.layout, 3, at),
+          .angular_jerk = place_of(out.angular_jerks, out.layout, 3, at),
+          .planes = plane_distance(out)};
+}
+
+/// One sample's orientation with its rates, as far as they are wanted.
+template <class T>
+void put(const Samples<T>& out, std::size_t at, const Motion& motion) noexcept {
+  put<4>(out, out.orientations, at, motion.orientation.coeffs());
+  put<3>(out, out.angular_velocities, at, motion.angular_velocity);
+  put<3>(out, out.angular_accelerations, at, motion.angular_acceleration);
+  put<3>(out, out.angular_jerks, at, motion.angular_jerk);
+}
+
+/// Samples outside the domain, at rest; or all NaN, for times that are not numbers.
+template <class T>
+void put_held(const Samples<T>& out, std::size_t at, std::size_t count,
+              const Eigen::Quaterniond& orientation) noexcept {
+  Motion motion{.orientation = orientation};
+  if (orientation.coeffs().hasNaN())
+    motion.angular_velocity = motion.angular_acceleration = motion.angular_jerk = orientation.coeffs().head<3>();
+  for (std::size_t k = 0; k < count; ++k) put(out, at + k, motion);
+}
+
 /// The time of the k-th sample of a run.
 [[nodiscard]] inline double time_of(const Clock& clock, std::size_t k) noexcept {
   return clock.times ? clock.times[k] : (clock.first + static_cast<double>(k)) * clock.step + clock.start;

@@ -12,29 +12,51 @@ const auto& cumulative_kernel(const Kernels& k, float) noexcept { return k.cumul
 const auto& chart_kernel(const Kernels& k, double) noexcept { return k.chart; }
 const auto& chart_kernel(const Kernels& k, float) noexcept { return k.chart_float; }
 
+template <class T>
+bool write(std::monostate, const Clock&, std::size_t, const Target<T>&) noexcept {
+  return false;
+}
+template <class T>
+bool write(const CumulativeRecord<T>& record, const Clock& clock, std::size_t count, const Target<T>& target) noexcept {
+  cumulative_kernel(kernels(), T())(record, clock, count, target);
+  return true;
+}
+template <class T>
+bool write(const ChartRecord<T>& record, const Clock& clock, std::size_t count, const Target<T>& target) noexcept {
+  chart_kernel(kernels(), T())(record, clock, count, target);
+  return true;
+}
+
+/// What `use` makes of a segment's record, which stays where it was made: a copy takes as long as some samples.
+template <class T, class Use>
+auto with_record(const AnyCurve& curve, std::size_t segment, Use use) noexcept {
+  if (curve.knots().segments() == 0) return use(std::monostate());
+  const SegmentForm form = curve.form(segment);
+  const KnotSpan span = curve.knots().span(segment);
+  if (const auto* cumulative = std::get_if<CumulativeForm>(&form)) return use(compile_segment<T>(*cumulative, span));
+  if (const auto* chart = std::get_if<ChartForm>(&form))
+    if (const auto compiled = compile_segment<T>(*chart, span); compiled.half_angle <= largest_chart_half_angle)
+      return use(compiled.record);
+  return use(std::monostate());
+}
+
 }  // namespace
 
 template <class T>
 SegmentRecord<T> record_of(const AnyCurve& curve, std::size_t segment) noexcept {
-  if (curve.knots().segments() == 0) return {};
-  const SegmentForm form = curve.form(segment);
-  const KnotSpan span = curve.knots().span(segment);
-  if (const auto* cumulative = std::get_if<CumulativeForm>(&form)) return compile_segment<T>(*cumulative, span);
-  if (const auto* chart = std::get_if<ChartForm>(&form))
-    if (const auto compiled = compile_segment<T>(*chart, span); compiled.half_angle <= largest_chart_half_angle)
-      return compiled.record;
-  return {};
+  return with_record<T>(curve, segment, [](const auto& record) { return SegmentRecord<T>(record); });
 }
 
 template <class T>
 bool by_kernel(const SegmentRecord<T>& record, const Clock& clock, std::size_t count,
                const Target<T>& target) noexcept {
-  if (const auto* cumulative = std::get_if<CumulativeRecord<T>>(&record))
-    cumulative_kernel(kernels(), T())(*cumulative, clock, count, target);
-  else if (const auto* chart = std::get_if<ChartRecord<T>>(&record))
-    chart_kernel(kernels(), T())(*chart, clock, count, target);
-  else return false;
-  return true;
+  return std::visit([&](const auto& r) { return write<T>(r, clock, count, target); }, record);
+}
+
+template <class T>
+bool by_kernel(const AnyCurve& curve, std::size_t segment, const Clock& clock, std::size_t count,
+               const Target<T>& target) noexcept {
+  return with_record<T>(curve, segment, [&](const auto& r) { return write<T>(r, clock, count, target); });
 }
 
 template <class T>
@@ -55,5 +77,8 @@ template Eigen::Quaternion<float> orientation_by<float>(const SegmentRecord<floa
 template bool by_kernel<double>(const SegmentRecord<double>&, const Clock&, std::size_t,
                                 const Target<double>&) noexcept;
 template bool by_kernel<float>(const SegmentRecord<float>&, const Clock&, std::size_t, const Target<float>&) noexcept;
+template bool by_kernel<double>(const AnyCurve&, std::size_t, const Clock&, std::size_t,
+                                const Target<double>&) noexcept;
+template bool by_kernel<float>(const AnyCurve&, std::size_t, const Clock&, std::size_t, const Target<float>&) noexcept;
 
 }  // namespace orispline::batch

@@ -25,4 +25,9 @@ template <class T>
 [[nodiscard]] bool by_kernel(const SegmentRecord<T>& record, const Clock& clock, std::size_t count,
                              const Target<T>& target) noexcept;
 
+/// The same of a segment whose record nobody keeps.
+template <class T>
+[[nodiscard]] bool by_kernel(const AnyCurve& curve, std::size_t segment, const Clock& clock, std::size_t count,
+                             const Target<T>& target) noexcept;
+
 }  // namespace orispline::batch

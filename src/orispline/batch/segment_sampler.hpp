@@ -10,28 +10,20 @@ namespace orispline::batch {
 template <class T>
 class SegmentSampler {
  public:
-  /// `compiled` may be null: segments are then compiled one after the other, each when it is first needed.
-  SegmentSampler(const AnyCurve& curve, const CompiledCurve<T>* compiled, const Samples<T>& out) noexcept;
+  /// `compiled` may be null: segments are then compiled one after the other, each for its run.
+  SegmentSampler(const AnyCurve& curve, const CompiledCurve<T>* compiled, const Samples<T>& out) noexcept
+      : curve_(curve), compiled_(compiled), out_(out) {}
 
   /// `count` samples from `clock` on, written from sample `at` on.
   void on_segment(std::size_t segment, const Clock& clock, std::size_t at, std::size_t count) noexcept;
 
   /// Orientation at t [s] in the domain, with the bits of a sample.
-  [[nodiscard]] Eigen::Quaterniond orientation_at(double t) noexcept;
-
-  /// Samples outside the domain, or for times that are not numbers: held and at rest, or NaN.
-  void held(const Eigen::Quaterniond& orientation, std::size_t at, std::size_t count) noexcept;
+  [[nodiscard]] Eigen::Quaterniond orientation_at(double t) const noexcept;
 
  private:
-  [[nodiscard]] Target<T> target_from(std::size_t at) const noexcept;
-  [[nodiscard]] const SegmentRecord<T>& record(std::size_t segment) noexcept;
-  void store(const Motion& motion, std::size_t at) noexcept;
-
   const AnyCurve& curve_;
   const CompiledCurve<T>* compiled_;
   const Samples<T>& out_;
-  std::size_t segment_;
-  SegmentRecord<T> own_{};
 };
 
 }  // namespace orispline::batch

@@ -29,17 +29,16 @@ OnlineCurve::OnlineCurve(StreamMethod method, std::size_t capacity, Signs signs)
   if (!segments_) segments_ = segments_of_windows(method_, capacity - 1);
 }
 
-Expected<OnlineCurve> OnlineCurve::make(std::string_view method, std::size_t capacity, const CurveOptions& options,
-                                        Signs signs) {
-  if (auto error = check_method(method)) return tl::unexpected(std::move(*error));
+Expected<OnlineCurve> OnlineCurve::make(const Method& method, std::size_t capacity, Signs signs) {
+  if (auto error = check_method(method.name)) return tl::unexpected(std::move(*error));
   if (capacity < least_capacity || capacity > greatest_capacity)
     return tl::unexpected(argument_error(
         formatted("the capacity is {} keys, wanted {} to {}", capacity, least_capacity, greatest_capacity)));
-  auto made = StreamMethod::make(method, options);
+  auto made = StreamMethod::make(method.name, method.options);
   if (!made) return tl::unexpected(std::move(made.error()));
   if (!made->keys_beside)
-    return tl::unexpected(argument_error(
-        formatted("{}: with these settings a segment depends on all keys, wanted others for an online curve", method)));
+    return tl::unexpected(argument_error(formatted(
+        "{}: with these settings a segment depends on all keys, wanted others for an online curve", method.name)));
   return OnlineCurve(std::move(*made), capacity, signs);
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <orispline/curve/curve.hpp>
+#include <orispline/curve/method.hpp>
 #include <orispline/online/online_segments.hpp>
 
 namespace orispline {
@@ -31,12 +32,12 @@ class OnlineCurve {
 
   /// A curve without keys. `capacity` is how many ends of final segments stay available, the newest.
   ///
-  /// Parameters have one value for all keys, or in the options none: then every key brings its own. The rule of the
+  /// Parameters have one value for all keys, or in the method none: then every key brings its own. The rule of the
   /// start is used at the first key, that of the end by `finish`. Errors (bad_argument): a method without online form,
-  /// a capacity out of range, a loop, several values of a parameter, options that the family does not accept or with
+  /// a capacity out of range, a loop, several values of a parameter, settings that the family does not accept or with
   /// which no end can have the given rate.
-  [[nodiscard]] static Expected<OnlineCurve> make(std::string_view method, std::size_t capacity,
-                                                  const CurveOptions& options = {}, Signs signs = Signs::shortest);
+  [[nodiscard]] static Expected<OnlineCurve> make(const Method& method, std::size_t capacity,
+                                                  Signs signs = Signs::shortest);
 
   /// Takes the next key, body to world, at `time` [s].
   ///

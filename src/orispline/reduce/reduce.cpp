@@ -17,6 +17,7 @@
 namespace orispline {
 namespace {
 
+constexpr double usual_curves = 100.0;        // that are tried
 constexpr double smallest_tolerance = 1e-12;  // [rad]: far above the rounding of orientations
 
 Expected<LocalMethod> local_method(const Method& given, const Track& recording) {
@@ -102,13 +103,18 @@ Expected<Reduction> reduce(const Track& track, const Method& method, const Reduc
   const auto local = local_method(method, track);
   if (!local) return tl::unexpected(local.error());
   if (const auto checked = check(track.keys, options.tolerance); !checked) return tl::unexpected(checked.error());
-  const ToleranceCheck recording(track.keys, options.tolerance, progress.stop);
+  OpenEndedWork work(progress, usual_curves);
+  const ToleranceCheck recording(track.keys, options.tolerance, work);
   return chosen_keys(*local, recording)
       .and_then([&](KeySet keys) -> Expected<KeySet> {
         if (options.values == KeyValues::sampled) return keys;
         return with_keys_refitted(*local, recording, std::move(keys));
       })
-      .and_then([&](KeySet keys) { return certified(*local, recording, track, std::move(keys)); });
+      .and_then([&](KeySet keys) { return certified(*local, recording, track, std::move(keys)); })
+      .map([&](Reduction reduction) {
+        work.finish();
+        return reduction;
+      });
 }
 
 std::vector<Expected<std::vector<Reduction>>> reduce_tracks(std::span<const Track> tracks,

@@ -16,14 +16,14 @@ double per_square(double bound) { return 1.0 / (bound * bound); }
 
 }  // namespace
 
-ToleranceCheck::ToleranceCheck(const Keyframes& samples, Tolerance tolerance, std::stop_token stop)
+ToleranceCheck::ToleranceCheck(const Keyframes& samples, Tolerance tolerance, OpenEndedWork& work)
     : samples_(samples),
       tolerance_(tolerance),
       per_square_sine_(tolerance.angle < std::numbers::pi
                            ? per_square(elementary::sine_cosine(0.5 * (tolerance.angle - angle_rounding)).sine)
                            : 0.0),
       per_square_distance_(tolerance.bounds_positions() ? per_square(tolerance.position) : 0.0),
-      stop_(std::move(stop)) {}
+      work_(work) {}
 
 bool ToleranceCheck::bounds_positions() const noexcept { return has_positions() && tolerance_.bounds_positions(); }
 
@@ -52,6 +52,7 @@ Expected<Keyframes> ToleranceCheck::keyframes(const KeySet& keys) const {
 
 Expected<PoseCurve> ToleranceCheck::curve(const Method& method, const KeySet& keys) const {
   if (stopped()) return cancellation();
+  work_.add(1.0);
   return keyframes(keys).and_then([&](const Keyframes& k) {
     if (method.options.parameters.empty()) return make_pose_curve(method, k);
     return make_pose_curve(method.at(keys.samples, size()), k);

@@ -3,7 +3,6 @@
 
 #include <limits>
 #include <optional>
-#include <stop_token>
 #include <vector>
 
 #include <orispline/base/expected.hpp>
@@ -64,8 +63,8 @@ struct Miss {
 /// A recording that curves are measured against: steps between keys go the shorter way. Refers to its samples.
 class ToleranceCheck {
  public:
-  ToleranceCheck(const Keyframes& samples, Tolerance tolerance, std::stop_token stop = {});
-  ToleranceCheck(Keyframes&&, Tolerance, std::stop_token = {}) = delete;
+  ToleranceCheck(const Keyframes& samples, Tolerance tolerance, OpenEndedWork& work);
+  ToleranceCheck(Keyframes&&, Tolerance, OpenEndedWork&) = delete;
 
   [[nodiscard]] const Keyframes& samples() const noexcept { return samples_; }
   [[nodiscard]] std::size_t size() const noexcept { return samples_.size(); }
@@ -83,7 +82,7 @@ class ToleranceCheck {
   /// The curve of a method for the samples, with the settings of those where the keys stand. Errors: those of
   /// make_pose_curve(); cancelled.
   [[nodiscard]] Expected<PoseCurve> curve(const Method& method, const KeySet& keys) const;
-  [[nodiscard]] bool stopped() const noexcept { return stop_.stop_requested(); }
+  [[nodiscard]] bool stopped() const noexcept { return work_.stopped(); }
 
   /// Of every segment of the method's curve through the keys. Errors: those of curve().
   [[nodiscard]] Expected<std::vector<WorstSample>> worst_samples(const Method& method, const KeySet& keys) const;
@@ -96,7 +95,7 @@ class ToleranceCheck {
   const Keyframes& samples_;
   Tolerance tolerance_;
   double per_square_sine_, per_square_distance_;
-  std::stop_token stop_;
+  OpenEndedWork& work_;  ///< every curve is a piece of it; when it is stopped, none is made any more
 };
 
 /// The worst sample of every segment, the keys' own samples among them.

@@ -15,7 +15,8 @@ namespace {
 constexpr std::size_t most_descents = 60;
 constexpr double near_limit = 1e-6;  // by which a factor may be above 1
 constexpr std::array barrier_weights{0.1, 0.01, 0.001, 0.0};
-constexpr std::size_t sweeps = 4;  // per weight
+constexpr std::size_t sweeps = 4;      // per weight
+constexpr double usual_rounds = 20.0;  // of stretching, before and after
 
 using Factors = Expected<std::vector<double>> (LimitedMotion::*)(std::vector<double>) const;
 
@@ -116,7 +117,15 @@ class IntervalDescent {
   std::vector<double> least_, intervals_, widths_, factors_, steps_;
 };
 
+/// How far the influence of an interval goes, in segments.
+std::size_t reach_of(int support_keys) { return static_cast<std::size_t>(support_keys - 2); }
+
 }  // namespace
+
+double curves_for_interval_times(int support_keys) noexcept {
+  if (support_keys == all_keys) return usual_rounds;
+  return usual_rounds + static_cast<double>(barrier_weights.size() * sweeps * (2 * reach_of(support_keys) + 1));
+}
 
 Expected<std::vector<double>> least_interval_times(const LimitedMotion& motion, int support_keys) {
   const auto given = motion.given_times();
@@ -125,7 +134,7 @@ Expected<std::vector<double>> least_interval_times(const LimitedMotion& motion, 
   if (support_keys != all_keys) {
     auto factors = motion.sampled_factors(*times);
     if (!factors) return tl::unexpected(std::move(factors.error()));
-    times = IntervalDescent(motion, *times, std::move(*factors), static_cast<std::size_t>(support_keys - 2)).run();
+    times = IntervalDescent(motion, *times, std::move(*factors), reach_of(support_keys)).run();
   }
   return stretched(motion, std::move(*times), &LimitedMotion::certified_factors);
 }

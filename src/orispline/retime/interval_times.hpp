@@ -17,4 +17,7 @@ namespace orispline {
 /// Source: our own, docs/retime.md. Error: that of a curve which cannot be made.
 [[nodiscard]] Expected<std::vector<double>> least_interval_times(const LimitedMotion& motion, int support_keys);
 
+/// About how many curves that takes.
+[[nodiscard]] double curves_for_interval_times(int support_keys) noexcept;
+
 }  // namespace orispline

@@ -31,7 +31,8 @@ double needed_factor(const MotionSizes& peaks, const MotionLimits& limits) {
 }
 
 Expected<AnyCurve> LimitedMotion::curve(std::vector<double> times) const {
-  if (stop_.stop_requested()) return cancellation();
+  if (work_.stopped()) return cancellation();
+  work_.add(1.0);
   return keys_.with_times(std::move(times)).and_then([this](const Keyframes& keys) {
     return make_curve(method_, keys);
   });

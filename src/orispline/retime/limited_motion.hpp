@@ -2,7 +2,6 @@
 #pragma once
 
 #include <span>
-#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -22,9 +21,9 @@ namespace orispline {
 /// A method's curve through keys whose times are free, beside the limits that it shall keep. Refers to its arguments.
 class LimitedMotion {
  public:
-  LimitedMotion(const Method& method, const Keyframes& keys, const MotionLimits& limits, std::stop_token stop = {})
-      : method_(method), keys_(keys), limits_(limits), stop_(std::move(stop)) {}
-  LimitedMotion(Method&&, const Keyframes&, const MotionLimits&, std::stop_token = {}) = delete;
+  LimitedMotion(const Method& method, const Keyframes& keys, const MotionLimits& limits, OpenEndedWork& work)
+      : method_(method), keys_(keys), limits_(limits), work_(work) {}
+  LimitedMotion(Method&&, const Keyframes&, const MotionLimits&, OpenEndedWork&) = delete;
 
   [[nodiscard]] std::span<const double> given_times() const noexcept { return keys_.times(); }
 
@@ -44,7 +43,7 @@ class LimitedMotion {
   const Method& method_;
   const Keyframes& keys_;
   const MotionLimits& limits_;
-  std::stop_token stop_;  ///< curves are not made any more when it is asked for
+  OpenEndedWork& work_;  ///< every curve is a piece of it; when it is stopped, none is made any more
 };
 
 }  // namespace orispline

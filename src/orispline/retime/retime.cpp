@@ -15,6 +15,7 @@ namespace {
 constexpr double margin = 1e-9;  // of a factor, for the rounding of the new times; twice as much in every round
 constexpr std::size_t most_slowings = 30;
 constexpr double least_gain = 1e-4;       // of the duration, to which the slowing is the least one, for another path
+constexpr double usual_rounds = 3.0;      // of slowing all alike
 constexpr double most_time_scale = 1e15;  // thirty million years a second
 
 Expected<void> check(const FamilyInfo& family, const Method& method, const Keyframes& keys,
@@ -126,10 +127,14 @@ Expected<Retiming> retime(const Track& track, const Method& given, const RetimeO
   if (limits.acceleration || limits.torque)
     if (auto smooth = check_continuity(**family, method, track.keys, options.slowing); !smooth)
       return tl::unexpected(std::move(smooth.error()));
-  const LimitedMotion motion(method, track.keys, limits, progress.stop);
+  const bool per_interval = options.slowing == Slowing::per_interval;
+  OpenEndedWork work(progress,
+                     usual_rounds + (per_interval ? curves_for_interval_times((*family)->support_keys) : 0.0));
+  const LimitedMotion motion(method, track.keys, limits, work);
   return least_slowed(motion, (*family)->support_keys, options.slowing).and_then([&](Slowed slowed) {
     return track.with_times(std::move(slowed.times)).map([&](Track later) {
       later.settings = settings_per_key(method, later.keys.size());
+      work.finish();
       return Retiming{std::move(later), method, slowed.time_scale, slowed.slowing, std::move(slowed.peaks)};
     });
   });

@@ -56,11 +56,11 @@ Expected<void> check(const Keyframes& recording, const SmoothOptions& options) {
   return {};
 }
 
-SmoothingObjective objective_of(const SmoothOptions& options, std::stop_token stop) {
+SmoothingObjective objective_of(const SmoothOptions& options, OpenEndedWork& work) {
   return {.penalty = options.penalty,
           .loss = options.loss == Loss::l2 ? LossFunction::l2 : LossFunction::huber,
           .threshold = huber_threshold,
-          .stop = std::move(stop)};
+          .work = &work};
 }
 
 /// The steps from a recording to its smoothed motion, each of which refines what is known.
@@ -74,12 +74,14 @@ class Smoother {
         noise_(options.noise.value_or(scale_.noise)),
         stretches_(std::move(stretches)),
         problems_(problems_of(recording, stretches_, noise_)),
-        objective_(objective_of(options, progress.stop)) {}
+        work_(progress, expected_work(recording.size(), most_times_for_choice)),
+        objective_(objective_of(options, work_)) {}
 
   [[nodiscard]] Expected<Smoothing> run() {
     fit(options_.loss == Loss::robust ? SmoothingIteration{.tolerance = tolerance_to_find_outliers * noise_}
                                       : SmoothingIteration{});
     if (options_.loss == Loss::tukey) fit_with_tukey();
+    if (work_.stopped()) return cancellation();
     if (options_.loss == Loss::robust)
       if (auto done = fit_without_outliers(); !done) return tl::unexpected(std::move(done.error()));
     if (auto checked = check_fit(); !checked) return tl::unexpected(std::move(checked.error()));
@@ -146,8 +148,9 @@ class Smoother {
     return {};
   }
 
-  /// Whether the iteration ended, and whether the loss is one of outliers only.
+  /// Whether the iteration ended by itself, and whether the loss is one of outliers only.
   [[nodiscard]] Expected<void> check_fit() const {
+    if (work_.stopped()) return cancellation();
     if (!converged(fits_, noise_))
       return failure(
           ErrorCode::not_converged,
@@ -253,6 +256,7 @@ class Smoother {
   double noise_;  // that the weights stand for [rad]
   std::vector<Stretch> stretches_;
   StretchProblems problems_;
+  OpenEndedWork work_;
   SmoothingObjective objective_;
   StretchFits fits_;
   Smoothing result_;
@@ -279,14 +283,14 @@ Expected<Smoothing> smooth(const Track& recording, const SmoothOptions& options,
   return check(keys, options)
       .and_then([&] { return stretches_of(keys, options.penalty, options.gap); })
       .and_then([&](std::vector<Stretch> stretches) -> Expected<Smoothing> {
-        auto smoothing = Smoother(keys, options, std::move(stretches), progress).run();
-        return progress.stopped() ? Expected<Smoothing>(cancellation()) : smoothing;
+        return Smoother(keys, options, std::move(stretches), progress).run();
       })
       .and_then([&](Smoothing smoothing) -> Expected<Smoothing> {
         auto smoothed = smoothed_keyframes(keys, smoothing);
         if (!smoothed) return tl::unexpected(std::move(smoothed.error()));
         smoothing.track = recording.at(smoothing.keys).with_keys(std::move(*smoothed));
         smoothing.warnings = warnings_of(smoothing);
+        progress.at(1.0);
         return smoothing;
       });
 }

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstddef>
-#include <stop_token>
 #include <vector>
 
+#include <orispline/base/progress.hpp>
 #include <orispline/math/eigen.hpp>
 
 namespace orispline {
@@ -42,9 +42,11 @@ struct SmoothingObjective {
   Penalty penalty = Penalty::acceleration;
   double lambda = 1.0;  ///< weight of the penalty [s³/rad²], of the jerk [s⁵/rad²]
   LossFunction loss = LossFunction::l2;
-  double threshold = 2.5;  ///< of the loss, in units of σ
-  Bias bias = Bias::none;  ///< of the gyro
-  std::stop_token stop{};  ///< the iteration ends early when it is asked for
+  double threshold = 2.5;         ///< of the loss, in units of σ
+  Bias bias = Bias::none;         ///< of the gyro
+  OpenEndedWork* work = nullptr;  ///< every step adds its times; the iteration ends early when it is stopped
+
+  [[nodiscard]] bool stopped() const noexcept { return work && work->stopped(); }
 };
 
 /// When the iteration ends; also where the cost stays and steps do not get shorter: that is rounding.

@@ -80,14 +80,14 @@ class Scan {
   /// Upward until the criterion has risen for some time, then around the least value.
   [[nodiscard]] LambdaChoice from_below() {
     int least = 0;
-    for (int k = 0; k - least <= rises_until_sure * coarse_step && inside(k); k += coarse_step)
+    for (int k = 0; k - least <= rises_until_sure * coarse_step && inside(k) && !objective_.stopped(); k += coarse_step)
       if (value(k) < value(least)) least = k;
     return around(least);
   }
 
   /// Down to the least value next to k, and by a parabola between the steps.
   [[nodiscard]] LambdaChoice around(int k) {
-    for (;;) {
+    while (!objective_.stopped()) {
       if (inside(k - 1) && value(k - 1) < value(k)) --k;
       else if (inside(k + 1) && value(k + 1) < value(k)) ++k;
       else break;
@@ -96,7 +96,8 @@ class Scan {
     double time = time_at(k);
     if (!inside(k - 1)) choice.edge = LambdaChoice::Edge::shortest;
     else if (!inside(k + 1)) choice.edge = LambdaChoice::Edge::longest;
-    else time *= std::exp(natural_logarithm(scan_ratio) * parabola_minimum(value(k - 1), value(k), value(k + 1)));
+    else if (!objective_.stopped())
+      time *= std::exp(natural_logarithm(scan_ratio) * parabola_minimum(value(k - 1), value(k), value(k + 1)));
     choice.lambda = lambda(time);
     return choice;
   }
@@ -214,6 +215,11 @@ StretchProblems representative_parts(const StretchProblems& stretches, std::size
     }
   }
   return parts;
+}
+
+double expected_work(std::size_t samples, std::size_t most_of_choice) noexcept {
+  constexpr double of_choice = 60.0, of_fits = 10.0;
+  return of_choice * static_cast<double>(std::min(samples, most_of_choice)) + of_fits * static_cast<double>(samples);
 }
 
 }  // namespace orispline

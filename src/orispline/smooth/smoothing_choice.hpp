@@ -67,4 +67,7 @@ struct LambdaChoice {
 /// where they have no more: for a choice of λ that need not see everything.
 [[nodiscard]] StretchProblems representative_parts(const StretchProblems& stretches, std::size_t most);
 
+/// About how many steps of the iteration, each times its samples, the choice on so many of them and the fits take.
+[[nodiscard]] double expected_work(std::size_t samples, std::size_t most_of_choice) noexcept;
+
 }  // namespace orispline

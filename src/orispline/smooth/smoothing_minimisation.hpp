@@ -48,11 +48,12 @@ class Minimisation {
       if (!std::isfinite(step.size)) break;
       const double cost_before = now.cost;
       const double length = advance(now, step);
+      if (objective_.work) objective_.work->add(static_cast<double>(problem_.size()));
       const bool stays =
           std::abs(now.cost - cost_before) <= cost_rounding * cost_before;  // a step that grows is rounding
       if (step.largest_turn < iteration.tolerance && length == 1.0) break;
       if (stays && step.largest_turn >= turn_before) break;
-      if (fit.iterations >= iteration.most || objective_.stop.stop_requested()) break;
+      if (fit.iterations >= iteration.most || objective_.stopped()) break;
       turn_before = step.largest_turn;
     }
     if (lowest_ && !(now.cost <= lowest_cost_)) {

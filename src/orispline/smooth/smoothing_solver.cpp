@@ -33,7 +33,7 @@ std::optional<SmoothedNodes> lead_to(const SmoothingProblem& problem, const Smoo
     share /= 64.0;
   const SmoothingIteration roughly{.tolerance = 0.01 / std::sqrt(weight)};
   std::optional<SmoothedNodes> nodes;
-  for (; share < 1.0; share *= 64.0) {
+  for (; share < 1.0 && !objective.stopped(); share *= 64.0) {
     SmoothingObjective weaker = objective;
     weaker.lambda *= share;
     nodes = with_minimisation(problem, weaker, nodes ? &*nodes : nullptr,

@@ -48,13 +48,12 @@ Descent descent(const SumOfSquares& sum, std::span<const double> values, std::sp
   return found;
 }
 
-Minimum minimised(SumOfSquares& sum, std::vector<double> start, std::span<const Interval> bounds,
-                  const std::stop_token& stop) {
+Minimum minimised(SumOfSquares& sum, std::vector<double> start, std::span<const Interval> bounds, OpenEndedWork& work) {
   for (std::size_t v = 0; v < start.size(); ++v) start[v] = std::clamp(start[v], bounds[v].lowest, bounds[v].highest);
   Minimum minimum{std::move(start), 0};
   sum.move_to(minimum.values);
   for (double value = value_of(sum); minimum.iterations < most_iterations; ++minimum.iterations) {
-    if (stop.stop_requested()) break;
+    if (work.stopped()) break;
     const Descent found = descent(sum, minimum.values, bounds);
     if (!(found.decrease > at_rest * value)) break;
     double lower = value;
@@ -69,6 +68,7 @@ Minimum minimised(SumOfSquares& sum, std::vector<double> start, std::span<const 
     if (!(lower < value)) break;
     value = lower;
     minimum.values = std::move(next);
+    work.add(1.0);
   }
   sum.move_to(minimum.values);
   return minimum;

@@ -3,12 +3,11 @@
 
 #include <limits>
 #include <span>
-#include <stop_token>
 #include <vector>
 
 #include <Eigen/Core>
 
-#include <orispline/base/expected.hpp>
+#include <orispline/base/progress.hpp>
 
 namespace orispline {
 
@@ -56,9 +55,9 @@ struct Minimum {
 };
 
 /// Gauss–Newton steps with exact derivatives from the start, which is brought within the bounds, each halved until the
-/// sum is lower and stopped at the bounds, until the sum is at rest. Moves the sum there.
-/// Ends early where a stop is asked for.
+/// sum is lower and stopped at the bounds, until the sum is at rest. Moves the sum there. Every step is a piece of the
+/// work; ends early where that is stopped.
 [[nodiscard]] Minimum minimised(SumOfSquares& sum, std::vector<double> start, std::span<const Interval> bounds,
-                                const std::stop_token& stop = {});
+                                OpenEndedWork& work);
 
 }  // namespace orispline

@@ -18,6 +18,8 @@ constexpr std::size_t fewest_keys = 3;
 constexpr double wanted_stationarity = 1e-8;
 /// An energy of this share of what it was is rounding.
 constexpr double rounding_energy = 1e-16;
+/// Of an objective that is no sum of affine squares, and of one with bounds.
+constexpr double expected_steps = 8.0;
 
 /// The parameters to vary.
 Expected<std::vector<std::string>> parameters_of(const FamilyInfo& family, const TuneOptions& options) {
@@ -97,32 +99,32 @@ std::vector<double> least_nu(std::span<const Interval> bounds) {
 }
 
 /// The least linearised energy within the bounds.
-std::vector<double> closed_form(const TensionModel& model, std::span<const Interval> bounds) {
+std::vector<double> closed_form(const TensionModel& model, std::span<const Interval> bounds, OpenEndedWork& work) {
   const Goal linearised{.objective = Objective::linearised};
   TensionSum sum(model, linearised);
   std::vector<double> values = initial_values(model);
   const std::vector<double> step = newton_step(sum, values.size());
   for (std::size_t v = 0; v < values.size(); ++v) values[v] += step[v];
   if (inside(values, bounds)) return values;
-  return minimised(sum, std::move(values), bounds).values;
+  return minimised(sum, std::move(values), bounds, work).values;
 }
 
 /// The least energy near the closed form: free where that stays within the bounds.
 Minimum refined(SumOfSquares& sum, const std::vector<double>& start, std::span<const Interval> bounds,
-                const Progress& progress) {
+                OpenEndedWork& work) {
   const std::vector<Interval> free(start.size());
-  const Minimum minimum = minimised(sum, start, free, progress.stop);
-  return inside(minimum.values, bounds) ? minimum : minimised(sum, start, bounds, progress.stop);
+  const Minimum minimum = minimised(sum, start, free, work);
+  return inside(minimum.values, bounds) ? minimum : minimised(sum, start, bounds, work);
 }
 
 /// From the closed form `start` on.
 Expected<Tuning> tuned(const FamilyInfo& family, const TensionModel& model, SumOfSquares& sum,
                        const std::vector<double>& start, std::span<const Interval> bounds, Objective objective,
-                       const Progress& progress) {
+                       OpenEndedWork& work) {
   Tuning tuning{.energy_before = value_of(sum)};
   Minimum minimum{start, 0};
-  if (objective != Objective::linearised) minimum = refined(sum, start, bounds, progress);
-  if (progress.stopped()) return cancellation();
+  if (objective != Objective::linearised) minimum = refined(sum, start, bounds, work);
+  if (work.stopped()) return cancellation();
   sum.move_to(minimum.values);
   tuning.energy_after = value_of(sum);
   const double scale = std::max(tuning.energy_after, rounding_energy * tuning.energy_before);
@@ -138,17 +140,17 @@ Expected<Tuning> tuned(const FamilyInfo& family, const TensionModel& model, SumO
 }
 
 Expected<Tuning> tuned_affine(const FamilyInfo& family, const TensionModel& model, const Goal& goal,
-                              const TuneOptions& options, const Progress& progress) {
+                              const TuneOptions& options, OpenEndedWork& work) {
   TensionSum sum(model, goal);
   const std::vector<Interval> bounds = bounds_of(model, options.bounds);
-  return tuned(family, model, sum, closed_form(model, bounds), bounds, goal.objective, progress);
+  return tuned(family, model, sum, closed_form(model, bounds, work), bounds, goal.objective, work);
 }
 
 Expected<Tuning> tuned_nu(const FamilyInfo& family, const Keyframes& keys, const TensionModel& model, const Goal& goal,
-                          const TuneOptions& options, const Progress& progress) {
+                          const TuneOptions& options, OpenEndedWork& work) {
   NuSum sum(keys, model, goal);
   const std::vector<Interval> bounds = bounds_of(model, options.bounds);
-  return tuned(family, model, sum, least_nu(bounds), bounds, goal.objective, progress);
+  return tuned(family, model, sum, least_nu(bounds), bounds, goal.objective, work);
 }
 
 }  // namespace
@@ -174,13 +176,15 @@ Expected<Tuning> tune(const Track& track, const Method& given, const TuneOptions
   const bool is_nu = (*info)->name == families::Nu::info.name;
   const auto model = is_nu ? nu_model(keys, method.options) : tension_model(**info, keys, method.options, *parameters);
   if (!model) return tl::unexpected(model.error());
-  return (is_nu ? tuned_nu(**info, keys, *model, *goal, options, progress)
-                : tuned_affine(**info, *model, *goal, options, progress))
+  OpenEndedWork work(progress, expected_steps);
+  return (is_nu ? tuned_nu(**info, keys, *model, *goal, options, work)
+                : tuned_affine(**info, *model, *goal, options, work))
       .map([&](Tuning tuning) {
         tuning.parameters = *parameters;
         tuning.track = track;
         for (const std::string& name : *parameters)
           tuning.track.settings[name] = tuning.method.options.parameters.find(name)->second;
+        work.finish();
         return tuning;
       });
 }

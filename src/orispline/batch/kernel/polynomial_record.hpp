@@ -33,6 +33,7 @@ struct PathTarget {
   T* position;
   T* velocity;
   T* acceleration;
+  T* jerk;
   std::ptrdiff_t planes;
 };
 
