@@ -252,7 +252,7 @@ Expected<void> reduce(const ReduceOptions& options) {
     return pages::reduce_page(first.reduced, reports->front().reductions, request->reduction, head, smoothing_time);
   };
   return page->write(make_page)
-      .and_then([&] { return write_all(*request, *tracks, *reports); })
+      .and_then([&] { return write_all(*request, *reports); })
       .and_then([&] { return page->finish(); })
       .and_then([&] {
         return options.folder ? summarise(options.summary, std::span(*reports))

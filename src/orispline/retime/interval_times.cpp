@@ -16,7 +16,7 @@ constexpr std::size_t most_descents = 60;
 constexpr double near_limit = 1e-6;  // by which a factor may be above 1
 constexpr std::array barrier_weights{0.1, 0.01, 0.001, 0.0};
 constexpr std::size_t sweeps = 4;      // per weight
-constexpr double usual_rounds = 20.0;  // of stretching, before and after
+constexpr double usual_stretchings = 20.0;  // of stretching, before and after
 
 using Factors = Expected<std::vector<double>> (LimitedMotion::*)(std::vector<double>) const;
 
@@ -123,8 +123,8 @@ std::size_t reach_of(int support_keys) { return static_cast<std::size_t>(support
 }  // namespace
 
 double curves_for_interval_times(int support_keys) noexcept {
-  if (support_keys == all_keys) return usual_rounds;
-  return usual_rounds + static_cast<double>(barrier_weights.size() * sweeps * (2 * reach_of(support_keys) + 1));
+  if (support_keys == all_keys) return usual_stretchings;
+  return usual_stretchings + static_cast<double>(barrier_weights.size() * sweeps * (2 * reach_of(support_keys) + 1));
 }
 
 Expected<std::vector<double>> least_interval_times(const LimitedMotion& motion, int support_keys) {
