@@ -2,7 +2,6 @@
 #include "options/sample_times.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/io/times_file.hpp>
@@ -12,11 +11,8 @@
 namespace orispline::cli {
 namespace {
 
-/// A sample this near to the end, in sample intervals and relative to their number, is the one at the end.
-constexpr double end_tolerance = 1e-9, relative_end_tolerance = 4e-16;
-/// More samples than that cannot be told apart by a double.
-constexpr double most_samples = 9e15;
-
+using Rate = SampleGrid::Rate;
+using Count = SampleGrid::Count;
 using Spacing = std::variant<Rate, Count, TimesFile>;
 
 Expected<Spacing> spacing_in(const TimeOptions& options) {
@@ -48,62 +44,65 @@ Expected<TimeRequest> time_request(const TimeOptions& options) {
   return read;
 }
 
+std::optional<SampleGrid::Request> grid_request(const TimeRequest& request, const Decimal& key_epoch) {
+  const auto since_epoch = [&](const std::optional<Decimal>& time) {
+    return time ? std::optional(*time - key_epoch) : std::nullopt;
+  };
+  SampleGrid::Request wanted{.spacing = Rate{}, .start = since_epoch(request.from), .end = since_epoch(request.to)};
+  if (std::holds_alternative<TimesFile>(request.spacing)) return std::nullopt;
+  if (const auto* const rate = std::get_if<Rate>(&request.spacing)) wanted.spacing = *rate;
+  else wanted.spacing = std::get<Count>(request.spacing);
+  return wanted;
+}
+
+Expected<void> check_range(const TimeRequest& request, const Decimal& key_epoch, double curve_start,
+                           std::optional<double> curve_end) {
+  const Decimal start = request.from.value_or(key_epoch + Decimal::from_double(curve_start));
+  if (request.to && !request.from && *request.to < start)
+    return usage_failure(formatted("--to {} is before the start at {}, wanted --from as well", request.to->to_string(),
+                                   start.to_string()));
+  if (!request.to && !curve_end) return {};
+  const Decimal end = request.to ? *request.to : key_epoch + Decimal::from_double(*curve_end);
+  if (request.from && start > end)
+    return usage_failure(
+        formatted("--from {} is after the end at {}, wanted --to as well", request.from->to_string(), end.to_string()));
+  if (const auto* const count = std::get_if<Count>(&request.spacing); count && count->samples > 1 && start == end)
+    return usage_failure(
+        formatted("--count {}: the range is the single time {}, wanted --count 1", count->samples, start.to_string()));
+  return {};
+}
+
+Error said_of_grid(Error error) {
+  if (!error.option.empty()) error.message = formatted("--{}", error.message);
+  return error;
+}
+
+SampleTimes::SampleTimes(const Decimal& key_epoch, const SampleGrid::Request& request, double curve_start,
+                         const SampleGrid& grid)
+    : key_epoch_(key_epoch),
+      origin_(key_epoch + request.start.value_or(Decimal::from_double(curve_start))),
+      times_(grid) {}
+
 Expected<SampleTimes> SampleTimes::make(const TimeRequest& request, const Decimal& key_epoch, const Domain& domain) {
-  const auto* const file = std::get_if<TimesFile>(&request.spacing);
-  if (!file) return grid(request, key_epoch, domain);
-  return io::read_times(file->path, key_epoch).map([&](io::TimesList list) {
-    const std::size_t size = list.times.size();
-    return SampleTimes(key_epoch, key_epoch, size, List{file->path, std::move(list)});
+  if (const auto wanted = grid_request(request, key_epoch))
+    return check_range(request, key_epoch, domain.start, domain.end)
+        .and_then([&] { return SampleGrid::make(*wanted, domain.start, domain.end); })
+        .map([&](const SampleGrid& grid) { return SampleTimes(key_epoch, *wanted, domain.start, grid); })
+        .map_error(said_of_grid);
+  const std::string& path = std::get<TimesFile>(request.spacing).path;
+  return io::read_times(path, key_epoch).map([&](io::TimesList list) {
+    return SampleTimes(key_epoch, List{path, std::move(list)});
   });
 }
 
-Expected<SampleTimes> SampleTimes::grid(const TimeRequest& request, const Decimal& key_epoch, const Domain& domain) {
-  const Decimal first = Decimal::from_double(domain.start), last = Decimal::from_double(domain.end);
-  const Decimal start = request.from ? *request.from - key_epoch : first;
-  const Decimal end = request.to ? *request.to - key_epoch : last;
-  if (start > end && request.from)
-    return usage_failure(formatted("--from {} is after the end at {}, wanted --to as well", request.from->to_string(),
-                                   (key_epoch + last).to_string()));
-  if (start > end)
-    return usage_failure(formatted("--to {} is before the start at {}, wanted --from as well", request.to->to_string(),
-                                   (key_epoch + first).to_string()));
-  const Decimal epoch = key_epoch + start;
-  Grid grid{
-      .spacing = Count{1}, .start = io::TimeOrigin(start), .end = end.to_double(), .span = (end - start).to_double()};
-  if (const auto* const count = std::get_if<Count>(&request.spacing)) {
-    if (count->samples > 1 && grid.span == 0.0)
-      return usage_failure(formatted("--count {}: the range is the single time {}, wanted --count 1", count->samples,
-                                     epoch.to_string()));
-    grid.spacing = *count;
-    grid.index_of_end = count->samples - 1;
-    return SampleTimes(key_epoch, epoch, count->samples, grid);
-  }
-  const Rate rate = std::get<Rate>(request.spacing);
-  const double exact = grid.span * rate.hertz, nearest = std::round(exact);
-  const bool meets_end = std::abs(exact - nearest) <= end_tolerance + relative_end_tolerance * exact;
-  const double intervals = meets_end ? nearest : std::floor(exact);
-  if (!(intervals < most_samples))
-    return usage_failure(formatted("--rate {} makes {:.3g} samples over {} s, wanted fewer than {:.0e}", rate.hertz,
-                                   intervals, grid.span, most_samples));
-  grid.spacing = rate;
-  if (meets_end) grid.index_of_end = static_cast<std::size_t>(intervals);
-  return SampleTimes(key_epoch, epoch, static_cast<std::size_t>(intervals) + 1, grid);
-}
-
-double SampleTimes::Grid::offset(std::size_t k, std::size_t size) const {
-  if (k == 0) return 0.0;
-  if (k == index_of_end) return span;
-  const auto steps = static_cast<double>(k);
-  if (const auto* const rate = std::get_if<Rate>(&spacing)) return steps / rate->hertz;
-  return span * steps / static_cast<double>(size - 1);
+std::size_t SampleTimes::size() const noexcept {
+  const auto* const list = std::get_if<List>(&times_);
+  return list ? list->list.times.size() : static_cast<std::size_t>(*std::get<SampleGrid>(times_).size());
 }
 
 Instant SampleTimes::operator[](std::size_t k) const {
   if (const auto* const list = std::get_if<List>(&times_)) return {list->list.times[k], list->list.times[k]};
-  const Grid& grid = std::get<Grid>(times_);
-  const double offset = grid.offset(k, size_);
-  if (offset == grid.span) return {grid.end, offset};
-  return {grid.start.nearest_plus(offset), offset};
+  return std::get<SampleGrid>(times_)[k];
 }
 
 std::optional<Error> SampleTimes::outside(const Domain& domain) const {
@@ -121,7 +120,7 @@ std::optional<Error> SampleTimes::outside(const Domain& domain) const {
     return error(*stray, ErrorCode::bad_data,
                  {.file = list->path, .line = lines[static_cast<std::size_t>(stray - times.begin())]});
   }
-  for (const double t : {(*this)[0].t, (*this)[size_ - 1].t})
+  for (const double t : {(*this)[0].t, (*this)[size() - 1].t})
     if (!domain.contains(t)) return error(t, ErrorCode::bad_argument, {});
   return std::nullopt;
 }

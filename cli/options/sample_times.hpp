@@ -4,10 +4,9 @@
 #include <optional>
 #include <string>
 #include <variant>
-#include <vector>
 
+#include <orispline/batch/sample_grid.hpp>
 #include <orispline/curve/curve.hpp>
-#include <orispline/io/time_origin.hpp>
 #include <orispline/io/times_file.hpp>
 
 namespace orispline::cli {
@@ -17,31 +16,29 @@ struct TimeOptions {
   std::optional<std::string> rate, count, list, from, to;
 };
 
-struct Rate {
-  double hertz = 0.0;
-};
-struct Count {
-  std::size_t samples = 0;
-};
 struct TimesFile {
   std::string path;
 };
 
 /// The same, understood. `from` and `to` are in the file's own time.
 struct TimeRequest {
-  std::variant<Rate, Count, TimesFile> spacing;
+  std::variant<SampleGrid::Rate, SampleGrid::Count, TimesFile> spacing;
   std::optional<Decimal> from, to;
 };
 
 [[nodiscard]] Expected<TimeRequest> time_request(const TimeOptions& options);
 
-/// One time of a row of samples.
-struct Instant {
-  double t;       ///< on the curve: since the epoch of the keys [s]
-  double offset;  ///< as written: since the epoch of the samples [s]
-};
+/// The grid that is wanted of keys with that epoch; absent for a file of times.
+[[nodiscard]] std::optional<SampleGrid::Request> grid_request(const TimeRequest& request, const Decimal& key_epoch);
 
-/// The times of the samples, computed one by one: a grid takes no memory.
+/// Errors (bad_argument) of times that end before they start, as far as it is known where the curve does.
+[[nodiscard]] Expected<void> check_range(const TimeRequest& request, const Decimal& key_epoch, double curve_start,
+                                         std::optional<double> curve_end);
+
+/// What the library finds wrong with a grid, in terms of the option.
+[[nodiscard]] Error said_of_grid(Error error);
+
+/// The times of the samples, computed one by one or listed.
 class SampleTimes {
  public:
   /// Errors: bad_argument for a grid that ends before it starts or never ends; those of a times file.
@@ -49,38 +46,29 @@ class SampleTimes {
   /// `key_epoch`: what the times of the curve are relative to. `domain`: of the curve, what a grid covers by default.
   [[nodiscard]] static Expected<SampleTimes> make(const TimeRequest& request, const Decimal& key_epoch,
                                                   const Domain& domain);
+  /// Of a grid that has been made already, for a curve that starts there.
+  SampleTimes(const Decimal& key_epoch, const SampleGrid::Request& request, double curve_start, const SampleGrid& grid);
 
-  [[nodiscard]] std::size_t size() const noexcept { return size_; }
+  [[nodiscard]] std::size_t size() const noexcept;
   /// What offsets are relative to, exact.
-  [[nodiscard]] const io::TimeOrigin& origin() const noexcept { return origin_; }
+  [[nodiscard]] const TimeOrigin& origin() const noexcept { return origin_; }
   [[nodiscard]] Instant operator[](std::size_t k) const;
 
   /// The error for the first time that the curve does not cover.
   [[nodiscard]] std::optional<Error> outside(const Domain& domain) const;
 
  private:
-  struct Grid {
-    std::variant<Rate, Count> spacing;
-    io::TimeOrigin start;  // since the epoch of the keys
-    double end, span;
-    std::optional<std::size_t> index_of_end{};  // of the sample that stands at the end, if one does
-    [[nodiscard]] double offset(std::size_t k, std::size_t size) const;
-  };
   struct List {
     std::string path;
     io::TimesList list;
   };
 
-  template <class Times>
-  SampleTimes(const Decimal& key_epoch, const Decimal& epoch, std::size_t size, Times times)
-      : key_epoch_(key_epoch), origin_(epoch), size_(size), times_(std::in_place_type<Times>, std::move(times)) {}
-  [[nodiscard]] static Expected<SampleTimes> grid(const TimeRequest& request, const Decimal& key_epoch,
-                                                  const Domain& domain);
+  SampleTimes(const Decimal& key_epoch, List list)
+      : key_epoch_(key_epoch), origin_(key_epoch), times_(std::move(list)) {}
 
   Decimal key_epoch_;
-  io::TimeOrigin origin_;
-  std::size_t size_;
-  std::variant<Grid, List> times_;
+  TimeOrigin origin_;
+  std::variant<SampleGrid, List> times_;
 };
 
 }  // namespace orispline::cli

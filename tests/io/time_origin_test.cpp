@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/io/time_origin.hpp>
+#include <orispline/base/time_origin.hpp>
 
 #include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
 
-namespace orispline::io {
+namespace orispline {
 namespace {
 
 TEST(TimeOrigin, GivesTheNearestDoubleOfTheExactSum) {
@@ -32,4 +32,4 @@ TEST(TimeOrigin, RoundsOnceWhereTheSumIsHalfwayBetweenDoubles) {
 }
 
 }  // namespace
-}  // namespace orispline::io
+}  // namespace orispline

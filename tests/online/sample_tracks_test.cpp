@@ -95,6 +95,34 @@ TEST(SampleTracks, SaysOfWhichTracksTheKeysAreBadAndSamplesTheOthers) {
   EXPECT_TRUE(table.angular_velocities[0].empty());
 }
 
+TEST(TrackBatch, CountsTheSamplesAndFillsColumnsOfTheCaller) {
+  const Tracks tracks({30, 0, 700, 2});
+  const SampledTracks wanted =
+      sample_tracks("auto", tracks.columns(), {.step = step}, {.positions = true, .velocities = true}).value();
+  TrackBatch batch = TrackBatch::make("auto", tracks.columns(), {.step = step}, {}, {.threads = 2}).value();
+  EXPECT_TRUE(std::ranges::equal(batch.offsets(), wanted.offsets));
+  ASSERT_EQ(batch.errors().size(), 1u);
+  EXPECT_EQ(batch.errors()[0].where.curve, 1u);
+  const std::size_t size = batch.size();
+  ASSERT_GT(size, 2048u);
+  std::vector<std::vector<double>> own(10, std::vector<double>(size));
+  const TrackSampleColumns columns{.orientations = {own[0], own[1], own[2], own[3]},
+                                   .positions = {own[4], own[5], own[6]},
+                                   .velocities = {own[7], own[8], own[9]}};
+  TrackSampleColumns bad = columns;
+  bad.orientations[2] = bad.orientations[2].first(size - 1);
+  EXPECT_EQ(batch.take(bad).error().message,
+            "found a column for " + std::to_string(size - 1) + " samples, wanted one for " + std::to_string(size));
+  bad = columns;
+  bad.positions[1] = {};
+  EXPECT_EQ(batch.take(bad).error().message, "found a column for 0 samples, wanted one for " + std::to_string(size));
+  ASSERT_TRUE(batch.take(columns, {.threads = 3}));
+  for (std::size_t c = 0; c < 4; ++c) EXPECT_EQ(own[c], wanted.orientations[c]);
+  for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(own[4 + c], wanted.positions[c]);
+  for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(own[7 + c], wanted.velocities[c]);
+  EXPECT_FALSE(batch.take(columns));
+}
+
 TEST(SampleTracks, RefusesColumnsThatDoNotBelongTogether) {
   const Tracks tracks({20, 20});
   const auto refusal = [](const TrackColumns& columns, const WantedSamples& wanted = {}) {

@@ -27,6 +27,10 @@ column. Instead of the quaternion: roll,pitch,yaw; e1,e2,e3 with --euler; r11,r1
 Columns out: t,qw,qx,qy,qz[,px,py,pz][,wx,wy,wz[,ax,ay,az[,jx,jy,jz]]][,vx,vy,vz[,apx,apy,apz]]
 in s, m, rad/s, rad/s^2, rad/s^3, m/s, m/s^2; angular rates in the body frame, positions and theirs in the world frame.
 TUM and EuRoC files always have positions: zeros when the keys have none.
+At a --rate a method whose segments depend on a few keys is sampled while INPUT is read: memory grows neither with the
+keys nor with the samples, and rows before a bad one are on standard output before it is found. All keys are held for
+the other methods and for squad-timed, shoemake and tcb, with --count, --times, --truth, --sort, --closed or --period,
+and for NumPy into a pipe.
 A NumPy file (-o motion.npy) is one array of doubles, shape (samples, columns), with the columns of the CSV.
 Without -o the samples go to standard output as CSV; summaries and warnings go to standard error.)";
 

@@ -15,6 +15,8 @@
 namespace orispline::cli {
 namespace {
 
+constexpr std::size_t many_keys = 1'000'000;  // some hundred megabytes, worth a word
+
 std::string keys_line(const SampleReport& report) {
   std::string line = formatted("{} from {}, {} to {} s", counted(report.keys, "key"), report.input,
                                report.start.to_string(), report.end.to_string());
@@ -56,6 +58,8 @@ std::string text_of(const SampleReport& report) {
   if (report.held_samples > 0)
     text += formatted("{} outside the curve hold the end orientation\n", counted(report.held_samples, "sample"));
   if (report.truth) text += truth_line(*report.truth);
+  if (report.keys_held && report.keys >= many_keys)
+    text += "all keys were held in memory; 'orispline sample --help' says what goes through in pieces\n";
   return text;
 }
 

@@ -30,6 +30,7 @@ struct SampleReport {
   std::vector<std::string> rates_of_unknown_frame{};  ///< columns that could not be used
   Decimal start{}, end{};                             ///< of the curve, in the file's own time [s]
   std::optional<TruthReport> truth{};
+  bool keys_held = false;  ///< all at once, in memory
 };
 
 /// A few lines for people.

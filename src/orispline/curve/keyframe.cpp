@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include <orispline/base/expect.hpp>
 #include <orispline/base/formatted.hpp>
+#include <orispline/curve/key_alignment.hpp>
 #include <orispline/curve/key_check.hpp>
 
 namespace orispline {
@@ -47,7 +47,7 @@ std::optional<Error> check_vectors(const KeyframeData& data, std::size_t i) {
 Expected<Keyframes> Keyframes::make(KeyframeData data, Signs signs) {
   if (auto error = check_lengths(data)) return tl::unexpected(std::move(*error));
   Keyframes keys;
-  bool negated = false;  // whether the key before was
+  KeyAlignment alignment;
   for (std::size_t i = 0; i < data.times.size(); ++i) {
     const auto before = i > 0 ? std::optional(data.times[i - 1]) : std::nullopt;
     if (auto error = check_time(i, data.times[i], before)) return tl::unexpected(std::move(*error));
@@ -55,17 +55,10 @@ Expected<Keyframes> Keyframes::make(KeyframeData data, Signs signs) {
     const auto norm = checked_norm(i, q);
     if (!norm) return tl::unexpected(norm.error());
     if (auto error = check_vectors(data, i)) return tl::unexpected(std::move(*error));
-    const double norm_error = std::abs(*norm - 1.0);
-    keys.report_.largest_norm_error = std::max(keys.report_.largest_norm_error, norm_error);
-    if (norm_error > unit_norm_tolerance) ++keys.report_.non_unit_keys;
     q.coeffs() /= *norm;
-    if (i == 0) continue;
-    const bool against_previous = q.dot(data.orientations[i - 1]) < 0.0;  // which is aligned already
-    if (against_previous != negated) ++keys.report_.sign_flips;
-    if (signs == Signs::as_given) continue;
-    negated = against_previous;
-    if (negated) q.coeffs() = -q.coeffs();
+    q = alignment.next(q, *norm, signs, i > 0 ? &data.orientations[i - 1] : nullptr);
   }
+  keys.report_ = alignment.report;
   keys.data_ = std::make_shared<const KeyframeData>(std::move(data));
   return keys;
 }

@@ -6,6 +6,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/build.hpp>
 #include <orispline/families/families.hpp>
+#include <orispline/families/handles.hpp>
 
 namespace orispline {
 namespace {
@@ -15,23 +16,26 @@ Expected<AnyCurveThrough<P>> build_any(const Keyframes& keys, const FamilySettin
   return build<F, P>(keys, settings).map([](auto curve) { return AnyCurveThrough<P>(std::move(curve)); });
 }
 
+using WidestHandle = HandleTurn (*)(const Keyframes&, const FamilySettings&);
+
+/// Null where the curves of a family have no handles.
 template <class F>
-HandleTurn widest_handle_of(const Keyframes& keys, const FamilySettings& settings) {
-  if constexpr (requires { F::widest_handle(keys, settings); }) return F::widest_handle(keys, settings);
-  else return {};
+constexpr WidestHandle widest_handle_of() {
+  if constexpr (requires { WidestHandle{F::widest_handle}; }) return F::widest_handle;
+  else return nullptr;
 }
 
 struct Entry {
   Expected<AnyCurve> (*curve)(const Keyframes&, const FamilySettings&);
   Expected<AnyPath> (*path)(const Keyframes&, const FamilySettings&);
-  HandleTurn (*widest_handle)(const Keyframes&, const FamilySettings&);
+  WidestHandle widest_handle;
 };
 
 constexpr auto infos = []<class... F>(std::tuple<F...>*) {
   return std::array{F::info...};
 }(static_cast<Families*>(nullptr));
 constexpr auto entries = []<class... F>(std::tuple<F...>*) {
-  return std::array{Entry{build_any<F, Eigen::Quaterniond>, build_any<F, Eigen::Vector3d>, widest_handle_of<F>}...};
+  return std::array{Entry{build_any<F, Eigen::Quaterniond>, build_any<F, Eigen::Vector3d>, widest_handle_of<F>()}...};
 }(static_cast<Families*>(nullptr));
 
 Expected<std::size_t> index_of(std::string_view name) {
@@ -95,10 +99,13 @@ Expected<AnyCurve> make_curve(const Method& method, const Keyframes& keys) {
   return choose(method, keys).and_then([](const Settled& settled) { return settled.curve(); });
 }
 
+bool can_overwind(std::string_view method) { return entries[index_of(method).value()].widest_handle != nullptr; }
+
 Expected<std::optional<HandleTurn>> overwound_tangent(const Method& method, const Keyframes& keys) {
   return choose(method, keys).map([](const Settled& settled) -> std::optional<HandleTurn> {
-    if (settled.keys.size() == 1) return std::nullopt;
-    const HandleTurn widest = entries[settled.index].widest_handle(settled.keys, settled.settings);
+    const WidestHandle widest_handle = entries[settled.index].widest_handle;
+    if (!widest_handle || settled.keys.size() == 1) return std::nullopt;
+    const HandleTurn widest = widest_handle(settled.keys, settled.settings);
     return widest.turn >= full_turn ? std::optional(widest) : std::nullopt;
   });
 }

@@ -145,11 +145,13 @@ KeyRows::KeyRows(std::string path, const FormatInfo& format, KeyColumns columns,
     : columns_(std::move(columns)), options_(options) {
   file_.path = std::move(path);
   file_.format = &format;
+  file_.ignored_columns = columns_.ignored;
+  file_.rates_of_unknown_frame = columns_.rates_of_unknown_frame;
 }
 
 Expected<void> KeyRows::add(const TextTable& table) {
   const auto refused = [this](Error error) {
-    if (!options_.sort) error.where.key = file_.lines.size();  // before sorting a row has no index yet
+    if (!options_.sort) error.where.key = taken_ + size();  // before sorting a row has no index yet
     return tl::unexpected(std::move(error));
   };
   if (auto checked = check_width(table, columns_.width); !checked) return refused(std::move(checked.error()));
@@ -187,12 +189,15 @@ Expected<void> KeyRows::add(const TextTable& table) {
 /// Appends the time of the next key; false for a duplicate that is dropped. `text`: the time in the file, if at hand.
 Expected<bool> KeyRows::append_time(const Decimal& time, std::string_view text, std::size_t line) {
   std::vector<double>& times = file_.data.times;
+  const bool is_first = taken_ + times.size() == 0;
   const auto refused = [&](std::string message, std::string_view remedy = {}) {
-    return mended_by(remedy, std::move(message), {file_.path, line, std::nullopt, times.size()});
+    return mended_by(remedy, std::move(message), {file_.path, line, std::nullopt, taken_ + times.size()});
   };
   const auto shown = [&] { return text.empty() ? time.to_string() : std::string(text); };
-  if (times.empty()) first_ = time;
-  else if (time < latest_)
+  if (is_first) {
+    first_ = time;
+    file_.epoch = first_ * columns_.time_unit;
+  } else if (time < latest_)
     return refused(formatted("time {} comes after {}, wanted increasing times", shown(), latest_.to_string()), "sort");
   else if (time == latest_) {
     if (!options_.drop_duplicates)
@@ -203,12 +208,13 @@ Expected<bool> KeyRows::append_time(const Decimal& time, std::string_view text, 
   }
 
   const double seconds = ((time - first_) * columns_.time_unit).to_double();
-  if (!times.empty() && seconds <= times.back())
+  if (!is_first && seconds <= latest_seconds_)
     return refused(
         formatted("time {} is too near to {} to be told apart in double precision", shown(), latest_.to_string()));
   times.push_back(seconds);
   if (options_.keep_exact_times) file_.exact_times.push_back(time * columns_.time_unit);
   latest_ = time;
+  latest_seconds_ = seconds;
   latest_line_ = line;
   return true;
 }
@@ -237,18 +243,24 @@ Expected<void> KeyRows::sort() {
   return {};
 }
 
-Expected<KeyFile> KeyRows::finish() && {
-  if (file_.lines.empty()) {
+Expected<void> KeyRows::complete() {
+  if (taken_ + size() == 0) {
     const std::size_t dropped = file_.repairs.invalid_dropped;
     const std::string reason = dropped > 0 ? formatted(" (all {} rows were dropped as invalid)", dropped) : "";
     return failure(ErrorCode::bad_data, "empty: no keys" + reason, {.file = file_.path});
   }
-  if (options_.sort)
-    if (auto sorted = sort(); !sorted) return tl::unexpected(std::move(sorted.error()));
-  file_.epoch = first_ * columns_.time_unit;
-  file_.ignored_columns = std::move(columns_.ignored);
-  file_.rates_of_unknown_frame = std::move(columns_.rates_of_unknown_frame);
-  return std::move(file_);
+  return options_.sort ? sort() : Expected<void>();
+}
+
+KeyFile KeyRows::take() {
+  taken_ += size();
+  KeyFile rest{.path = file_.path,
+               .format = file_.format,
+               .epoch = file_.epoch,
+               .repairs = file_.repairs,
+               .ignored_columns = file_.ignored_columns,
+               .rates_of_unknown_frame = file_.rates_of_unknown_frame};
+  return std::exchange(file_, std::move(rest));
 }
 
 }  // namespace orispline::io

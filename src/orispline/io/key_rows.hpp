@@ -9,15 +9,23 @@
 
 namespace orispline::io {
 
-/// Gathers the keys of a table row by row, checks and repairs them.
+/// Gathers the keys of a table row by row, checks and repairs them. They may be taken out in pieces.
 class KeyRows {
  public:
   KeyRows(std::string path, const FormatInfo& format, KeyColumns columns, const ReadOptions& options);
 
   /// Reads the row that the table stands at. Errors (bad_data): a cell is no number, the time does not increase.
   [[nodiscard]] Expected<void> add(const TextTable& table);
-  /// The keys of all rows. Errors (bad_data): there are none; two that were sorted have the same time.
-  [[nodiscard]] Expected<KeyFile> finish() &&;
+  /// Says that there are no more rows, and sorts those that there are. Errors (bad_data): there were no keys at all;
+  /// two that were sorted have the same time.
+  [[nodiscard]] Expected<void> complete();
+  /// Takes the gathered keys out.
+  [[nodiscard]] KeyFile take();
+
+  /// Keys that are gathered.
+  [[nodiscard]] std::size_t size() const noexcept { return file_.lines.size(); }
+  [[nodiscard]] const ReadOptions& options() const noexcept { return options_; }
+  [[nodiscard]] const KeyColumns& columns() const noexcept { return columns_; }
 
  private:
   [[nodiscard]] Expected<bool> append_time(const Decimal& time, std::string_view text, std::size_t line);
@@ -26,7 +34,9 @@ class KeyRows {
   KeyColumns columns_;
   ReadOptions options_;
   KeyFile file_;
+  std::size_t taken_ = 0;        // keys that are no longer in the file
   Decimal first_, latest_;       // times in the unit of the file
+  double latest_seconds_ = 0.0;  // of `latest_` since the first [s]
   std::size_t latest_line_ = 0;  // of `latest_`
   std::vector<Decimal> times_;   // of all rows, gathered only to be sorted
 };

@@ -64,6 +64,7 @@ Expected<bool> LineReader::fill() {
   const std::size_t count = std::fread(buffer_.data() + kept, 1, chunk, file_.get());
   const int system_error = errno;
   buffer_.resize(kept + count);
+  bytes_ += count;
   if (count == 0 && std::ferror(file_.get())) return no_access(path_, "cannot read", system_error);
   return count > 0;
 }

@@ -36,6 +36,8 @@ class LineReader {
   [[nodiscard]] const std::string& path() const noexcept { return path_; }
   /// 1-based number of the line that `next` gave last.
   [[nodiscard]] std::size_t line() const noexcept { return line_; }
+  /// Of the file, which is read ahead.
+  [[nodiscard]] std::size_t bytes_read() const noexcept { return bytes_; }
 
  private:
   struct Close {
@@ -50,7 +52,7 @@ class LineReader {
   std::unique_ptr<std::FILE, Close> file_;
   std::string buffer_;
   std::size_t begin_ = 0;  // of the text in the buffer that was not given out yet
-  std::size_t line_ = 0;
+  std::size_t line_ = 0, bytes_ = 0;
   bool keeps_ = false;
 };
 

@@ -138,11 +138,14 @@ Expected<void> OutputFile::finish() {
   return {};
 }
 
-Expected<void> check_output(const std::string& path) {
+bool is_stream(const std::string& path) {
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
-  const bool is_stream = fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
-  if (path == standard_stream || is_stream) return {};
+  return path == standard_stream || (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status));
+}
+
+Expected<void> check_output(const std::string& path) {
+  if (is_stream(path)) return {};
   return OutputFile::open(path).map([](const OutputFile&) {});
 }
 

@@ -51,6 +51,9 @@ class OutputFile {
   std::unique_ptr<std::FILE, Close> file_;
 };
 
+/// Whether that is standard output (`-`), a device or a pipe.
+[[nodiscard]] bool is_stream(const std::string& path);
+
 /// Whether a file can be opened there, asked for before long work; leaves nothing behind. Devices and pipes are taken
 /// at their word. Error (bad_access): what OutputFile::open() would say.
 [[nodiscard]] Expected<void> check_output(const std::string& path);

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include <orispline/base/time_origin.hpp>
 #include <orispline/io/sample_columns.hpp>
-#include <orispline/io/time_origin.hpp>
 
 namespace orispline::io {
 

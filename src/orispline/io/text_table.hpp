@@ -52,6 +52,7 @@ class TextTable {
   [[nodiscard]] std::string_view comment() const noexcept { return comment_; }
   [[nodiscard]] const std::string& path() const noexcept { return lines_.path(); }
   [[nodiscard]] std::size_t line() const noexcept { return lines_.line(); }
+  [[nodiscard]] std::size_t bytes_read() const noexcept { return lines_.bytes_read(); }
 
   /// The place of a cell of the row, or of the whole row.
   [[nodiscard]] Where here(std::optional<std::size_t> cell = std::nullopt) const;

@@ -10,21 +10,23 @@
 namespace orispline {
 namespace {
 
-std::optional<Error> check_columns(const TrackColumns& keys, const WantedSamples& wanted) {
-  const auto refused = [](std::string message) { return Error{ErrorCode::bad_argument, std::move(message), {}}; };
+/// Of a track.
+constexpr std::size_t samples_at_a_time = 1024;
+
+Error bad_columns(std::string message) { return {ErrorCode::bad_argument, std::move(message), {}}; }
+
+std::optional<Error> check_keys(const TrackColumns& keys) {
   const std::size_t size = keys.times.size();
   const bool has_positions = !keys.positions[0].empty();
   for (const auto& column : keys.orientations)
     if (column.size() != size)
-      return refused(formatted("found {} orientations for {} times, wanted as many", column.size(), size));
+      return bad_columns(formatted("found {} orientations for {} times, wanted as many", column.size(), size));
   for (const auto& column : keys.positions)
     if (column.size() != (has_positions ? size : 0))
-      return refused(formatted("found {} positions for {} times, wanted as many or none", column.size(), size));
+      return bad_columns(formatted("found {} positions for {} times, wanted as many or none", column.size(), size));
   if (keys.offsets.empty() || keys.offsets.front() < 0 || !std::ranges::is_sorted(keys.offsets) ||
       static_cast<std::uint64_t>(keys.offsets.back()) > size)
-    return refused(formatted("the offsets do not rise from 0 on to {}, the number of keys, at most", size));
-  if (!has_positions && size > 0 && (wanted.positions || wanted.velocities || wanted.accelerations))
-    return refused("positions are wanted, and the keys have none");
+    return bad_columns(formatted("the offsets do not rise from 0 on to {}, the number of keys, at most", size));
   return std::nullopt;
 }
 
@@ -40,99 +42,135 @@ Expected<void> feed(TrackSampler& sampler, const TrackColumns& keys, std::size_t
   return sampler.finish().and_then([&] { return sampler.prepare(); });
 }
 
-template <std::size_t N>
-void resize(std::array<std::vector<double>, N>& columns, bool wanted, std::size_t size) {
-  for (auto& column : columns) column.resize(wanted ? size : 0);
+std::optional<Error> check_columns(const TrackSampleColumns& out, std::size_t size, bool has_positions) {
+  if (!has_positions && !(out.positions[0].empty() && out.velocities[0].empty() && out.accelerations[0].empty()))
+    return bad_columns("positions are wanted, and the keys have none");
+  const auto check = [size](const auto& columns, bool is_wanted) -> std::optional<Error> {
+    for (const std::span<double>& column : columns)
+      if (column.size() != (is_wanted ? size : 0))
+        return bad_columns(formatted("found a column for {} samples, wanted one for {}", column.size(), size));
+    return std::nullopt;
+  };
+  std::optional<Error> error = check(out.orientations, true);
+  if (!error) error = check(std::array{out.times}, !out.times.empty());
+  for (const auto* columns :
+       {&out.angular_velocities, &out.angular_accelerations, &out.positions, &out.velocities, &out.accelerations})
+    if (!error) error = check(*columns, !(*columns)[0].empty());
+  return error;
 }
 
-/// The samples of a track, interleaved, on their way to the columns.
+/// Samples of a track, interleaved, on their way to the columns.
 class Rows {
  public:
-  Rows(std::size_t count, const WantedSamples& wanted)
-      : orientations_(4 * count),
-        angular_velocities_(wanted.angular_velocities ? 3 * count : 0),
-        angular_accelerations_(wanted.angular_accelerations ? 3 * count : 0),
-        positions_(wanted.positions ? 3 * count : 0),
-        velocities_(wanted.velocities ? 3 * count : 0),
-        accelerations_(wanted.accelerations ? 3 * count : 0) {}
+  explicit Rows(const TrackSampleColumns& out) : out_(out) {}
 
-  [[nodiscard]] Samples<double> spans() noexcept {
-    return {.orientations = orientations_,
-            .angular_velocities = angular_velocities_,
-            .angular_accelerations = angular_accelerations_,
-            .positions = positions_,
-            .velocities = velocities_,
-            .accelerations = accelerations_};
-  }
-  void lay_out(SampledTracks& out, std::size_t first) const noexcept {
-    lay_out(orientations_, out.orientations, first);
-    lay_out(angular_velocities_, out.angular_velocities, first);
-    lay_out(angular_accelerations_, out.angular_accelerations, first);
-    lay_out(positions_, out.positions, first);
-    lay_out(velocities_, out.velocities, first);
-    lay_out(accelerations_, out.accelerations, first);
+  /// Takes so many samples and puts them into the columns from `first` on.
+  [[nodiscard]] Expected<void> take(TrackSampler& sampler, std::size_t first, std::size_t count) {
+    const auto room = [count](std::vector<double>& rows, const auto& columns) {
+      rows.resize(columns[0].empty() ? 0 : columns.size() * count);
+      return std::span(rows);
+    };
+    const Samples<double> rows{.orientations = room(orientations_, out_.orientations),
+                               .angular_velocities = room(angular_velocities_, out_.angular_velocities),
+                               .angular_accelerations = room(angular_accelerations_, out_.angular_accelerations),
+                               .positions = room(positions_, out_.positions),
+                               .velocities = room(velocities_, out_.velocities),
+                               .accelerations = room(accelerations_, out_.accelerations)};
+    const auto times = out_.times.empty() ? out_.times : out_.times.subspan(first, count);
+    return sampler.take(rows, times).map([&] {
+      lay_out(orientations_, out_.orientations, first);
+      lay_out(angular_velocities_, out_.angular_velocities, first);
+      lay_out(angular_accelerations_, out_.angular_accelerations, first);
+      lay_out(positions_, out_.positions, first);
+      lay_out(velocities_, out_.velocities, first);
+      lay_out(accelerations_, out_.accelerations, first);
+    });
   }
 
  private:
   template <std::size_t N>
-  static void lay_out(const std::vector<double>& rows, std::array<std::vector<double>, N>& columns,
+  static void lay_out(const std::vector<double>& rows, const std::array<std::span<double>, N>& columns,
                       std::size_t first) noexcept {
     for (std::size_t i = 0; i < rows.size(); ++i) columns[i % N][first + i / N] = rows[i];
   }
 
+  const TrackSampleColumns& out_;
   std::vector<double> orientations_, angular_velocities_, angular_accelerations_;
   std::vector<double> positions_, velocities_, accelerations_;
 };
 
-/// Room for the samples that are ready, track after track; the errors of tracks become those of the table.
-SampledTracks table_for(const std::vector<TrackSampler>& samplers, const std::vector<std::optional<Error>>& errors,
-                        const WantedSamples& wanted) {
-  SampledTracks table;
-  table.offsets.push_back(0);
-  for (std::size_t i = 0; i < samplers.size(); ++i) {
-    const auto count = errors[i] ? 0 : static_cast<std::int64_t>(samplers[i].ready());
-    table.offsets.push_back(table.offsets.back() + count);
-    if (!errors[i]) continue;
-    table.errors.push_back(*errors[i]);
-    table.errors.back().where.curve = i;
+template <std::size_t N>
+std::array<std::span<double>, N> made(std::array<std::vector<double>, N>& columns, bool wanted, std::size_t size) {
+  std::array<std::span<double>, N> spans;
+  for (std::size_t i = 0; i < N; ++i) {
+    columns[i].resize(wanted ? size : 0);
+    spans[i] = columns[i];
   }
-  const auto size = static_cast<std::size_t>(table.offsets.back());
-  table.times.resize(size);
-  resize(table.orientations, true, size);
-  resize(table.angular_velocities, wanted.angular_velocities, size);
-  resize(table.angular_accelerations, wanted.angular_accelerations, size);
-  resize(table.positions, wanted.positions, size);
-  resize(table.velocities, wanted.velocities, size);
-  resize(table.accelerations, wanted.accelerations, size);
-  return table;
+  return spans;
 }
 
 }  // namespace
 
-Expected<SampledTracks> sample_tracks(const Method& method, const TrackColumns& keys, const TrackGrid& grid,
-                                      const WantedSamples& wanted, const TrackOptions& options, Work work) {
-  if (auto error = check_columns(keys, wanted)) return tl::unexpected(std::move(*error));
+Expected<TrackBatch> TrackBatch::make(const Method& method, const TrackColumns& keys, const TrackGrid& grid,
+                                      const TrackOptions& options, Work work) {
+  if (auto error = check_keys(keys)) return tl::unexpected(std::move(*error));
   const auto empty = TrackSampler::make(method, grid, options);
   if (!empty) return tl::unexpected(empty.error());
   const std::size_t tracks = keys.offsets.size() - 1;
-  std::vector<TrackSampler> samplers(tracks, *empty);
+  TrackBatch batch;
+  batch.samplers_.assign(tracks, *empty);
+  batch.has_positions_ = !keys.positions[0].empty() || keys.times.empty();
   std::vector<std::optional<Error>> errors(tracks);
   parallel_for(tracks, work.threads, [&](std::size_t i) {
-    const auto fed = feed(samplers[i], keys, static_cast<std::size_t>(keys.offsets[i]),
+    const auto fed = feed(batch.samplers_[i], keys, static_cast<std::size_t>(keys.offsets[i]),
                           static_cast<std::size_t>(keys.offsets[i + 1]));
     if (!fed) errors[i] = fed.error();
   });
-  SampledTracks table = table_for(samplers, errors, wanted);
-  parallel_for(tracks, work.threads, [&](std::size_t i) {
-    const auto first = static_cast<std::size_t>(table.offsets[i]);
-    const std::size_t count = static_cast<std::size_t>(table.offsets[i + 1]) - first;
-    if (count == 0) return;
-    Rows rows(count, wanted);
-    [[maybe_unused]] const auto taken = samplers[i].take(rows.spans(), std::span(table.times).subspan(first, count));
-    ORISPLINE_EXPECT(taken.has_value());  // the curves are built, the room is right
-    rows.lay_out(table, first);
+  for (std::size_t i = 0; i < tracks; ++i) {
+    const auto count = errors[i] ? 0 : static_cast<std::int64_t>(batch.samplers_[i].ready());
+    batch.offsets_.push_back(batch.offsets_.back() + count);
+    if (!errors[i]) continue;
+    batch.errors_.push_back(*errors[i]);
+    batch.errors_.back().where.curve = i;
+  }
+  return batch;
+}
+
+Expected<void> TrackBatch::take(const TrackSampleColumns& out, Work work) {
+  if (auto error = check_columns(out, size(), has_positions_)) return tl::unexpected(std::move(*error));
+  std::vector<Expected<void>> outcomes(samplers_.size());
+  parallel_for(samplers_.size(), work.threads, [&](std::size_t i) {
+    const auto end = static_cast<std::size_t>(offsets_[i + 1]);
+    Rows rows(out);
+    for (auto first = static_cast<std::size_t>(offsets_[i]); first < end && outcomes[i]; first += samples_at_a_time)
+      outcomes[i] = rows.take(samplers_[i], first, std::min(samples_at_a_time, end - first));
   });
-  return table;
+  for (Expected<void>& outcome : outcomes)
+    if (!outcome) return std::move(outcome);
+  return {};
+}
+
+Expected<SampledTracks> sample_tracks(const Method& method, const TrackColumns& keys, const TrackGrid& grid,
+                                      const WantedSamples& wanted, const TrackOptions& options, Work work) {
+  return TrackBatch::make(method, keys, grid, options, work).and_then([&](TrackBatch batch) -> Expected<SampledTracks> {
+    if (keys.positions[0].empty() && !keys.times.empty() &&
+        (wanted.positions || wanted.velocities || wanted.accelerations))
+      return tl::unexpected(bad_columns("positions are wanted, and the keys have none"));
+    const std::size_t size = batch.size();
+    SampledTracks table;
+    table.offsets.assign(batch.offsets().begin(), batch.offsets().end());
+    table.times.resize(size);
+    table.errors.assign(batch.errors().begin(), batch.errors().end());
+    const TrackSampleColumns columns{
+        .times = table.times,
+        .orientations = made(table.orientations, true, size),
+        .angular_velocities = made(table.angular_velocities, wanted.angular_velocities, size),
+        .angular_accelerations = made(table.angular_accelerations, wanted.angular_accelerations, size),
+        .positions = made(table.positions, wanted.positions, size),
+        .velocities = made(table.velocities, wanted.velocities, size),
+        .accelerations = made(table.accelerations, wanted.accelerations, size)};
+    return batch.take(columns, work).map([&] { return std::move(table); });
+  });
 }
 
 }  // namespace orispline

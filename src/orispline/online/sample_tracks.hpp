@@ -34,11 +34,42 @@ struct SampledTracks {
   std::vector<Error> errors;  ///< of the tracks that have no samples for it: `where.curve` says of which, in order
 };
 
-/// Samples every track on a grid of its own, as a TrackSampler does; the samples do not depend on the threads.
-///
-/// A track whose keys are refused, or make no curve, has no samples and does not hinder the others. Errors
-/// (bad_argument): those of TrackSampler::make; columns of different length, offsets that do not rise from 0 on within
-/// them, positions that are wanted of keys that have none.
+/// The same in columns of the caller, each as long as there are samples; empty ones are not wanted.
+struct TrackSampleColumns {
+  std::span<double> times{};
+  std::array<std::span<double>, 4> orientations;
+  std::array<std::span<double>, 3> angular_velocities{}, angular_accelerations{}, positions{}, velocities{},
+      accelerations{};
+};
+
+/// The curves of many tracks, of which the samples are counted but not taken: the caller makes room for them first.
+class TrackBatch {
+ public:
+  /// Samples every track on a grid of its own, as a TrackSampler does; the samples do not depend on the threads.
+  ///
+  /// A track whose keys are refused, or make no curve, has no samples and does not hinder the others. Errors
+  /// (bad_argument): those of TrackSampler::make; columns of different length, offsets that do not rise from 0 on
+  /// within them.
+  [[nodiscard]] static Expected<TrackBatch> make(const Method& method, const TrackColumns& keys, const TrackGrid& grid,
+                                                 const TrackOptions& options = {}, Work work = {});
+
+  /// The samples of track i will be offsets()[i] … offsets()[i + 1] - 1.
+  [[nodiscard]] std::span<const std::int64_t> offsets() const noexcept { return offsets_; }
+  [[nodiscard]] std::size_t size() const noexcept { return static_cast<std::size_t>(offsets_.back()); }
+  /// Of the tracks that have no samples for it: `where.curve` says of which, in order.
+  [[nodiscard]] std::span<const Error> errors() const noexcept { return errors_; }
+
+  /// Takes all samples, once. Errors (bad_argument): columns of another length; positions of keys that have none.
+  Expected<void> take(const TrackSampleColumns& out, Work work = {});
+
+ private:
+  std::vector<TrackSampler> samplers_;
+  std::vector<std::int64_t> offsets_{0};
+  std::vector<Error> errors_;
+  bool has_positions_ = false;
+};
+
+/// The same with columns of its own, in one call. Errors: those of TrackBatch.
 [[nodiscard]] Expected<SampledTracks> sample_tracks(const Method& method, const TrackColumns& keys,
                                                     const TrackGrid& grid, const WantedSamples& wanted = {},
                                                     const TrackOptions& options = {}, Work work = {});

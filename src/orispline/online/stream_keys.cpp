@@ -20,13 +20,9 @@ void for_each_list(KeyframeData& data, Change change) {
 
 }  // namespace
 
-void StreamKeys::push(const StreamKey& key, Signs signs) {
-  Eigen::Quaterniond q = key.orientation;
-  if (signs == Signs::shortest && !data_.orientations.empty() &&
-      unit_orientation(q).dot(unit_orientation(data_.orientations.back())) < 0.0)
-    q.coeffs() = -q.coeffs();
+void StreamKeys::push(const StreamKey& key) {
   data_.times.push_back(key.time);
-  data_.orientations.push_back(q);
+  data_.orientations.push_back(key.orientation);
   if (key.position) data_.positions.push_back(*key.position);
   if (key.angular_velocity) data_.angular_velocities.push_back(*key.angular_velocity);
   if (key.angular_acceleration) data_.angular_accelerations.push_back(*key.angular_acceleration);

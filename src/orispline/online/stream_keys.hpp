@@ -17,8 +17,8 @@ enum class Stream { open, finished };
 /// curve through some of them normalises as one through all of them does.
 class StreamKeys {
  public:
-  /// Takes the next key, which has been checked against those before.
-  void push(const StreamKey& key, Signs signs);
+  /// Takes the next key, which has been checked against those before, with its sign.
+  void push(const StreamKey& key);
   /// Takes the newest key back.
   void pop();
   /// Forgets the keys before that one.
@@ -34,6 +34,8 @@ class StreamKeys {
     return data_.times[static_cast<std::size_t>(key - first_)];
   }
   [[nodiscard]] std::span<const double> times() const noexcept { return data_.times; }
+  /// The orientation of the newest key, as it is kept.
+  [[nodiscard]] const Eigen::Quaterniond& newest() const noexcept { return data_.orientations.back(); }
   /// What all keys have; false everywhere without keys.
   [[nodiscard]] KeyParts parts() const noexcept;
 

@@ -7,53 +7,65 @@
 #include <limits>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/base/parallel.hpp>
+#include <orispline/batch/sample_layout.hpp>
+#include <orispline/curve/key_check.hpp>
 #include <orispline/online/track_state.hpp>
 
 namespace orispline {
 namespace {
 
-/// Samples whose times are computed at a time.
-constexpr std::size_t block = 1024;
+/// Samples that one thread takes at a time.
+constexpr std::size_t samples_of_a_block = 4096;
 
-/// The samples of the span that begin at one, interleaved; empty stays empty.
-std::span<double> part_of(std::span<double> all, std::size_t components, std::size_t from, std::size_t count) {
-  return all.empty() ? all : all.subspan(components * from, components * count);
+/// The samples of the span that begin at one; empty stays empty.
+std::span<double> part_of(const Samples<double>& out, std::span<double> all, std::size_t components, std::size_t from,
+                          std::size_t count) {
+  if (all.empty()) return all;
+  if (out.layout == Layout::interleaved) return all.subspan(components * from, components * count);
+  return all.subspan(from, (components - 1) * (out.plane == 0 ? out.size() : out.plane) + count);
 }
 
 Samples<double> part_of(const Samples<double>& out, std::size_t from, std::size_t count) {
-  return {.orientations = part_of(out.orientations, 4, from, count),
-          .angular_velocities = part_of(out.angular_velocities, 3, from, count),
-          .angular_accelerations = part_of(out.angular_accelerations, 3, from, count),
-          .positions = part_of(out.positions, 3, from, count),
-          .velocities = part_of(out.velocities, 3, from, count),
-          .accelerations = part_of(out.accelerations, 3, from, count)};
+  const auto part = [&](std::span<double> all, std::size_t components) {
+    return part_of(out, all, components, from, count);
+  };
+  const bool is_planar = out.layout == Layout::planar;
+  return {.orientations = part(out.orientations, 4),
+          .angular_velocities = part(out.angular_velocities, 3),
+          .angular_accelerations = part(out.angular_accelerations, 3),
+          .angular_jerks = part(out.angular_jerks, 3),
+          .positions = part(out.positions, 3),
+          .velocities = part(out.velocities, 3),
+          .accelerations = part(out.accelerations, 3),
+          .linear_jerks = part(out.linear_jerks, 3),
+          .layout = out.layout,
+          .plane = is_planar && out.plane == 0 ? out.size() : out.plane};
 }
 
-std::optional<Error> check_room(const Samples<double>& out, std::span<const double> times, std::uint64_t ready) {
+std::optional<Error> check_taken(const Samples<double>& out, std::span<const double> times, std::uint64_t ready) {
   const auto refused = [](std::string message) { return Error{ErrorCode::bad_argument, std::move(message), {}}; };
-  if (out.layout != Layout::interleaved) return refused("found room for planar samples, wanted interleaved");
   if (out.size() > ready)
     return refused(formatted("found room for {} samples, wanted {} at most: so many are ready", out.size(), ready));
-  for (const auto& span :
-       {out.angular_velocities, out.angular_accelerations, out.positions, out.velocities, out.accelerations})
-    if (!span.empty() && span.size() != 3 * out.size())
-      return refused(
-          formatted("found room for {} numbers, wanted {} for {} samples", span.size(), 3 * out.size(), out.size()));
   if (!times.empty() && times.size() != out.size())
     return refused(formatted("found room for {} times, wanted {}", times.size(), out.size()));
-  return std::nullopt;
+  return batch::check_room(out, out.size());
 }
 
 /// Samples `first` and as many more as there is room for.
-Expected<void> sample_block(const PoseCurve& curve, const TrackClock& clock, std::uint64_t first,
-                            const Samples<double>& out, std::span<double> times) {
-  std::array<double, block> own;
-  for (std::size_t from = 0; from < out.size(); from += block) {
-    const std::size_t count = std::min(block, out.size() - from);
+Expected<void> sample_part(const PoseCurve& curve, const SampleGrid& grid, std::uint64_t first,
+                           const Samples<double>& out, std::span<double> times, Work work) {
+  const std::size_t blocks = (out.size() + samples_of_a_block - 1) / samples_of_a_block;
+  std::vector<Expected<void>> outcomes(blocks);
+  parallel_for(blocks, work.threads, [&](std::size_t i) {
+    const std::size_t from = i * samples_of_a_block, count = std::min(samples_of_a_block, out.size() - from);
+    std::array<double, samples_of_a_block> own;
     const auto here = times.empty() ? std::span(own).first(count) : times.subspan(from, count);
-    for (std::size_t k = 0; k < count; ++k) here[k] = clock(first + from + k);
-    if (auto sampled = sample<double>(curve, here, part_of(out, from, count)); !sampled) return sampled;
-  }
+    for (std::size_t k = 0; k < count; ++k) here[k] = grid[first + from + k].t;
+    outcomes[i] = sample_at<double>(curve, here, part_of(out, from, count));
+  });
+  for (Expected<void>& outcome : outcomes)
+    if (!outcome) return std::move(outcome);
   return {};
 }
 
@@ -64,6 +76,9 @@ Expected<TrackSampler> TrackSampler::make(const Method& method, const TrackGrid&
     return failure(ErrorCode::bad_argument, formatted("the grid starts at {} s with the step {} s, wanted finite "
                                                       "numbers and a step greater than 0",
                                                       grid.start.value_or(0.0), grid.step));
+  const auto* const rate = grid.request ? std::get_if<SampleGrid::Rate>(&grid.request->spacing) : nullptr;
+  if (rate && !(rate->hertz > 0.0 && std::isfinite(rate->hertz)))
+    return failure(ErrorCode::bad_argument, formatted("the rate is {} Hz, wanted more than 0", rate->hertz));
   if (options.gap && !(*options.gap > 0.0))
     return failure(ErrorCode::bad_argument, formatted("the gap is {} s, wanted more than 0", *options.gap));
   return StreamMethod::make(method.name, method.options).map([&](StreamMethod made) {
@@ -71,22 +86,28 @@ Expected<TrackSampler> TrackSampler::make(const Method& method, const TrackGrid&
   });
 }
 
-Expected<void> TrackSampler::append(const StreamKey& key) {
+Expected<void> TrackSampler::append(StreamKey key) {
+  return push(std::move(key)).map([this] { forget(); });
+}
+
+/// Takes the next key and forgets none.
+Expected<void> TrackSampler::push(StreamKey key) {
   if (finished_) return failure(ErrorCode::bad_argument, "the track is finished, wanted no more keys");
-  if (const auto checked = checked_orientation(keys_, key, newest_, parts_); !checked)
-    return tl::unexpected(checked.error());
+  const auto unit = checked_orientation(keys_, key, newest_, parts_);
+  if (!unit) return tl::unexpected(unit.error());
   if (auto error = method_.check_settings(keys_, key)) return tl::unexpected(std::move(*error));
   const bool begins = !newest_ || (options_.gap && key.time - *newest_ > *options_.gap);
   if (begins && !stretches_.empty() && !stretches_.back().is_finished())
     if (auto ended = stretches_.back().finish(method_); !ended) return ended;
+  const auto before = begins ? std::nullopt : std::optional(unit_orientation(stretches_.back().keys().newest()));
+  alignment_.next(*unit, checked_norm(0, key.orientation).value(), options_.signs, before ? &*before : nullptr);
+  if (alignment_.negated) key.orientation.coeffs() = -key.orientation.coeffs();
   if (begins) stretches_.emplace_back(keys_);
-  stretches_.back().push(key, method_, options_.signs);
   if (keys_ == 0) parts_ = parts_of(key);
   ++keys_;
   newest_ = key.time;
-  if (!grid_.start) grid_.start = stretches_.front().start();
-  forget();
-  return {};
+  stretches_.back().push(key, method_);
+  return place_grid();
 }
 
 Expected<void> TrackSampler::append(const KeyframeData& keys,
@@ -110,8 +131,24 @@ Expected<void> TrackSampler::append(const KeyframeData& keys,
                   .angular_acceleration = at(keys.angular_accelerations, i),
                   .angular_jerk = at(keys.angular_jerks, i)};
     for (const auto& [name, values] : settings) key.settings.emplace(name, values[i]);
-    if (auto taken = append(key); !taken) return taken;
+    if (auto taken = push(std::move(key)); !taken) return taken;
   }
+  forget();
+  return {};
+}
+
+/// The grid, as far as the keys say where it starts and ends.
+Expected<void> TrackSampler::place_grid() {
+  if (!start_ && !stretches_.empty()) start_ = stretches_.front().start();
+  const auto start = grid_.start ? grid_.start : start_;
+  if (!grid_.request) {
+    if (!times_ && start) times_.emplace(*start, grid_.step);
+    return {};
+  }
+  if (!start_ || (times_ && !end_)) return {};
+  auto times = SampleGrid::make(*grid_.request, *start_, end_);
+  if (!times) return tl::unexpected(std::move(times.error()));
+  times_ = *times;
   return {};
 }
 
@@ -119,34 +156,36 @@ Expected<void> TrackSampler::finish() {
   if (keys_ == 0) return failure(ErrorCode::bad_data, "empty: no keys");
   if (finished_) return {};
   if (auto ended = stretches_.back().finish(method_); !ended) return ended;
-  if (!grid_.start) grid_.start = stretches_.front().start();
+  end_ = stretches_.back().end(method_);
+  if (auto placed = place_grid(); !placed) return placed;
   finished_ = true;
   return {};
 }
 
-std::optional<TrackClock> TrackSampler::clock() const noexcept {
-  return grid_.start ? std::optional(TrackClock(*grid_.start, grid_.step)) : std::nullopt;
+/// The samples of a stretch that are final, from that one on.
+SampleRange TrackSampler::final_samples(const TrackStretch& stretch, std::uint64_t next) const {
+  if (!times_) return {};
+  SampleRange samples = stretch.final_samples(method_, *times_);
+  if (finished_ && times_->is_range() && &stretch == &stretches_.back()) samples.end = *times_->size();
+  samples.first = std::max(samples.first, next);
+  return samples;
 }
 
 std::vector<TrackSampler::Part> TrackSampler::parts_ready() {
   std::vector<Part> parts;
-  const auto times = clock();
   std::uint64_t next = next_;
-  for (auto stretch = stretches_.begin(); times && stretch != stretches_.end(); ++stretch) {
-    SampleRange samples = stretch->final_samples(method_, *times);
-    samples.first = std::max(samples.first, next);
-    if (samples.size() > 0) parts.push_back({&*stretch, samples});
+  for (TrackStretch& stretch : stretches_) {
+    const SampleRange samples = final_samples(stretch, next);
+    if (samples.size() > 0) parts.push_back({&stretch, samples});
     next = std::max(next, samples.end);
   }
   return parts;
 }
 
 std::uint64_t TrackSampler::ready() const noexcept {
-  const auto times = clock();
   std::uint64_t next = next_, count = 0;
-  for (auto stretch = stretches_.begin(); times && stretch != stretches_.end(); ++stretch) {
-    SampleRange samples = stretch->final_samples(method_, *times);
-    samples.first = std::max(samples.first, next);
+  for (const TrackStretch& stretch : stretches_) {
+    const SampleRange samples = final_samples(stretch, next);
     count += samples.size();
     next = std::max(next, samples.end);
   }
@@ -155,22 +194,22 @@ std::uint64_t TrackSampler::ready() const noexcept {
 
 Expected<void> TrackSampler::prepare() {
   for (const Part& part : parts_ready())
-    if (const auto curve = part.stretch->curve_from(part.samples.first, method_, *clock()); !curve)
+    if (const auto curve = part.stretch->curve_from(part.samples.first, method_, *times_); !curve)
       return tl::unexpected(curve.error());
   return {};
 }
 
-Expected<void> TrackSampler::take(const Samples<double>& out, std::span<double> times) {
-  if (auto error = check_room(out, times, ready())) return tl::unexpected(std::move(*error));
+Expected<void> TrackSampler::take(const Samples<double>& out, std::span<double> times, Work work) {
+  if (auto error = check_taken(out, times, ready())) return tl::unexpected(std::move(*error));
   std::size_t taken = 0;
   std::uint64_t next = next_;
   for (const auto& [stretch, samples] : parts_ready()) {
     const std::size_t count = static_cast<std::size_t>(std::min<std::uint64_t>(samples.size(), out.size() - taken));
     if (count == 0) break;
-    const auto curve = stretch->curve_from(samples.first, method_, *clock());
+    const auto curve = stretch->curve_from(samples.first, method_, *times_);
     if (!curve) return tl::unexpected(curve.error());
-    if (auto sampled =
-            sample_block(**curve, *clock(), samples.first, part_of(out, taken, count), part_of(times, 1, taken, count));
+    const auto times_here = times.empty() ? times : times.subspan(taken, count);
+    if (auto sampled = sample_part(**curve, *times_, samples.first, part_of(out, taken, count), times_here, work);
         !sampled)
       return sampled;
     taken += count;
@@ -183,16 +222,13 @@ Expected<void> TrackSampler::take(const Samples<double>& out, std::span<double> 
 
 /// Drops what no coming sample depends on: whole stretches, and keys of the one in which the next sample lies.
 void TrackSampler::forget() {
-  const auto times = clock();
-  if (!times) return;
-  while (!stretches_.empty() && stretches_.front().is_finished()) {
-    const SampleRange samples = stretches_.front().final_samples(method_, *times);
-    if (std::max(samples.first, next_) < samples.end) break;
+  if (!times_) return;
+  while (!stretches_.empty() && stretches_.front().is_finished() &&
+         final_samples(stretches_.front(), next_).size() == 0)
     stretches_.pop_front();
-  }
   if (stretches_.empty() || !stretches_.front().start()) return;
-  const std::uint64_t next = std::max(next_, times->first_from(*stretches_.front().start()));
-  stretches_.front().forget_before(next, method_, *times);
+  const std::uint64_t next = std::max(next_, stretches_.front().first_sample(*times_));
+  stretches_.front().forget_before(next, method_, *times_);
 }
 
 Expected<void> TrackSampler::check_order() const {
@@ -211,7 +247,7 @@ Expected<void> TrackSampler::check_order() const {
     before = times.back();
   }
   const bool ends_at_newest = stretches_.empty() || before == newest_;
-  const bool has_start = stretches_.empty() || grid_.start || !stretches_.front().start();
+  const bool has_start = stretches_.empty() || start_ || !stretches_.front().start();
   return keys == keys_ && ends_at_newest && has_start ? Expected<void>() : refused();
 }
 

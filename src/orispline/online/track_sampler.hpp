@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <orispline/batch/sample.hpp>
+#include <orispline/curve/key_alignment.hpp>
 #include <orispline/curve/method.hpp>
 #include <orispline/online/track_stretch.hpp>
 
@@ -37,8 +38,8 @@ class TrackSampler {
                                                    const TrackOptions& options = {});
 
   /// Takes the next key. Errors as of OnlineCurve::append; after a gap also those of finish() for the stretch before. A
-  /// refused key changes nothing.
-  Expected<void> append(const StreamKey& key);
+  /// refused key changes nothing. Those of SampleGrid::make() too, of which the track does not recover.
+  Expected<void> append(StreamKey key);
   /// Takes many keys, until the first that is refused. `settings`: a value per key of every parameter that comes
   /// with the keys.
   Expected<void> append(const KeyframeData& keys,
@@ -52,12 +53,23 @@ class TrackSampler {
   [[nodiscard]] std::uint64_t ready() const noexcept;
   /// Builds the curves of the samples that are ready, as take() does else. Errors: those of make_curve().
   Expected<void> prepare();
-  /// The next samples, interleaved, as many as there is room for; their times too where they are wanted.
+  /// The next samples, as many as there is room for in either layout; their times too where they are wanted.
   ///
   /// Errors: bad_argument for more than are ready and for what sample() refuses; those of make_curve(). Nothing is
   /// taken then.
-  Expected<void> take(const Samples<double>& out, std::span<double> times = {});
+  Expected<void> take(const Samples<double>& out, std::span<double> times = {}, Work work = {});
 
+  /// The grid, once it is known where it starts; open until its end is known.
+  [[nodiscard]] const std::optional<SampleGrid>& grid() const noexcept { return times_; }
+  /// The index in the grid of the next sample. Those of a request come without a break where there are no gaps.
+  [[nodiscard]] std::uint64_t next() const noexcept { return next_; }
+  /// When the first curve begins and the last one ends, once the keys say so [s].
+  [[nodiscard]] std::optional<double> start() const noexcept { return start_; }
+  [[nodiscard]] std::optional<double> end() const noexcept { return end_; }
+  /// Whether samples are final only when a stretch ends, for they depend on all of its keys.
+  [[nodiscard]] bool is_global() const noexcept { return !method_.keys_beside; }
+  /// What was noticed about the keys so far.
+  [[nodiscard]] const KeyframeReport& report() const noexcept { return alignment_.report; }
   /// Keys taken so far.
   [[nodiscard]] std::uint64_t keys() const noexcept { return keys_; }
   /// Of them those that are still there.
@@ -80,8 +92,9 @@ class TrackSampler {
     SampleRange samples;
   };
   [[nodiscard]] std::vector<Part> parts_ready();
-  /// Known from the first key on where the grid starts of itself.
-  [[nodiscard]] std::optional<TrackClock> clock() const noexcept;
+  [[nodiscard]] Expected<void> push(StreamKey key);
+  [[nodiscard]] Expected<void> place_grid();
+  [[nodiscard]] SampleRange final_samples(const TrackStretch& stretch, std::uint64_t next) const;
   void forget();
   /// That the stretches of a state follow each other, all but the last finished, and are those of its keys.
   [[nodiscard]] Expected<void> check_order() const;
@@ -93,6 +106,9 @@ class TrackSampler {
   std::deque<TrackStretch> stretches_;
   std::uint64_t keys_ = 0, next_ = 0;  ///< keys taken; the next sample
   std::optional<double> newest_;       ///< time of the newest key [s]
+  std::optional<double> start_, end_;  ///< of the first curve and of the last one [s]
+  std::optional<SampleGrid> times_;    ///< the grid, when it is known where it starts
+  KeyAlignment alignment_;
   KeyParts parts_;
   bool finished_ = false;
 };

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/online/track_state.hpp>
 
+#include <cmath>
+
 namespace orispline {
 namespace {
 
-constexpr std::uint64_t mark = 0x314b434152545249u;  // "IRTRACK1", lowest byte first
+constexpr std::uint64_t mark = 0x324b434152545249u;  // "IRTRACK2", lowest byte first
 
 tl::unexpected<Error> no_state(const std::string& why) {
   return failure(ErrorCode::bad_data, "the bytes are no state of a track: " + why);
@@ -27,6 +29,56 @@ void write(StateWriter& out, const End& end) {
 End read_end(StateReader& in) {
   const auto rule = static_cast<EndRule>(in.below(static_cast<std::uint64_t>(EndRule::secant) + 1));
   return {.rule = rule, .angular_velocity = in.vector()};
+}
+
+void write(StateWriter& out, const std::optional<Decimal>& time) { out.text(time ? time->to_string() : ""); }
+Expected<std::optional<Decimal>> read_decimal(StateReader& in) {
+  const std::string text = in.text();
+  if (text.empty()) return std::nullopt;
+  return Decimal::parse(text);
+}
+
+void write(StateWriter& out, const TrackGrid& grid) {
+  out.real(grid.step);
+  write(out, grid.start);
+  const auto* const rate = grid.request ? std::get_if<SampleGrid::Rate>(&grid.request->spacing) : nullptr;
+  out.whole(!grid.request ? 0 : rate ? 1 : 2);
+  if (!grid.request) return;
+  if (rate) out.real(rate->hertz);
+  else out.whole(std::get<SampleGrid::Count>(grid.request->spacing).samples);
+  write(out, grid.request->start);
+  write(out, grid.request->end);
+}
+Expected<TrackGrid> read_grid(StateReader& in) {
+  TrackGrid grid{.step = in.real()};
+  grid.start = read_optional(in);
+  const std::uint64_t kind = in.below(3);
+  if (kind == 0) return grid;
+  SampleGrid::Request request{.spacing = SampleGrid::Rate{0.0}};
+  if (kind == 1) request.spacing = SampleGrid::Rate{in.real()};
+  else request.spacing = SampleGrid::Count{static_cast<std::size_t>(in.whole())};
+  for (auto* time : {&request.start, &request.end}) {
+    auto read = read_decimal(in);
+    if (!read) return tl::unexpected(std::move(read.error()));
+    *time = *read;
+  }
+  grid.request = request;
+  return grid;
+}
+
+void write(StateWriter& out, const KeyAlignment& alignment) {
+  out.whole(alignment.report.sign_flips);
+  out.whole(alignment.report.non_unit_keys);
+  out.real(alignment.report.largest_norm_error);
+  out.whole(alignment.negated ? 1 : 0);
+}
+KeyAlignment read_alignment(StateReader& in) {
+  KeyAlignment alignment;
+  alignment.report.sign_flips = static_cast<std::size_t>(in.whole());
+  alignment.report.non_unit_keys = static_cast<std::size_t>(in.whole());
+  alignment.report.largest_norm_error = in.real();
+  alignment.negated = in.below(2) == 1;
+  return alignment;
 }
 
 void write(StateWriter& out, const CurveOptions& options) {
@@ -93,7 +145,7 @@ KeyframeData read_data(StateReader& in) {
 }
 
 Expected<TrackStretch> read_stretch(StateReader& in, std::uint64_t next, const StreamMethod& method,
-                                    std::optional<TrackClock> clock) {
+                                    const std::optional<SampleGrid>& grid) {
   const Stream stream = in.below(2) == 1 ? Stream::finished : Stream::open;
   const std::uint64_t first_key = in.whole();
   const auto start = read_optional(in);
@@ -103,7 +155,7 @@ Expected<TrackStretch> read_stretch(StateReader& in, std::uint64_t next, const S
   for (std::size_t left = in.count(); left > 0; --left) settings.push_back(in.reals());
   if (!in.is_sound()) return no_state("they end too early");
   return StreamKeys::from_kept(first, std::move(data), std::move(settings), method).and_then([&](StreamKeys keys) {
-    return TrackStretch::from_kept(std::move(keys), stream, first_key, start, next, method, clock);
+    return TrackStretch::from_kept(std::move(keys), stream, first_key, start, next, method, grid);
   });
 }
 
@@ -116,11 +168,11 @@ std::vector<std::byte> TrackState::bytes_of(const TrackSampler& sampler) {
   write(out, sampler.given_.options);
   out.whole(sampler.options_.signs == Signs::shortest ? 0 : 1);
   write(out, sampler.options_.gap);
-  out.real(sampler.grid_.step);
-  write(out, sampler.grid_.start);
+  write(out, sampler.grid_);
   out.whole(sampler.keys_);
   out.whole(sampler.next_);
-  write(out, sampler.newest_);
+  for (const auto& time : {sampler.newest_, sampler.start_, sampler.end_}) write(out, time);
+  write(out, sampler.alignment_);
   for (const bool part : {sampler.parts_.position, sampler.parts_.angular_velocity, sampler.parts_.angular_acceleration,
                           sampler.parts_.angular_jerk, sampler.finished_})
     out.whole(part ? 1 : 0);
@@ -136,10 +188,10 @@ Expected<TrackSampler> TrackState::sampler_from(std::span<const std::byte> bytes
   method.options = read_options(in);
   TrackOptions options{.signs = in.below(2) == 0 ? Signs::shortest : Signs::as_given};
   options.gap = read_optional(in);
-  TrackGrid grid{.step = in.real()};
-  grid.start = read_optional(in);
+  const auto grid = read_grid(in);
+  if (!grid) return no_state(grid.error().message);
   if (!in.is_sound()) return no_state("they end too early");
-  auto sampler = TrackSampler::make(method, grid, options);
+  auto sampler = TrackSampler::make(method, *grid, options);
   if (!sampler) return no_state(sampler.error().message);
   if (auto rest = read_rest(in, *sampler); !rest) return no_state(rest.error().message);
   return sampler;
@@ -147,13 +199,19 @@ Expected<TrackSampler> TrackState::sampler_from(std::span<const std::byte> bytes
 
 Expected<void> TrackState::read_rest(StateReader& in, TrackSampler& sampler) {
   sampler.keys_ = in.whole();
-  sampler.next_ = in.below(static_cast<std::uint64_t>(TrackGrid::most_samples) + 1);
-  sampler.newest_ = read_optional(in);
+  sampler.next_ = in.below(static_cast<std::uint64_t>(SampleGrid::most_samples) + 1);
+  for (auto* time : {&sampler.newest_, &sampler.start_, &sampler.end_}) *time = read_optional(in);
+  sampler.alignment_ = read_alignment(in);
   for (bool* part : {&sampler.parts_.position, &sampler.parts_.angular_velocity, &sampler.parts_.angular_acceleration,
                      &sampler.parts_.angular_jerk, &sampler.finished_})
     *part = in.below(2) == 1;
+  const auto is_known = [](const std::optional<double>& time) { return time && std::isfinite(*time); };
+  if ((sampler.start_ && !is_known(sampler.start_)) || is_known(sampler.end_) != sampler.finished_ ||
+      (sampler.end_ && !sampler.start_))
+    return failure(ErrorCode::bad_data, "their curves start or end at no time");
+  if (auto placed = sampler.place_grid(); !placed) return placed;
   for (std::size_t left = in.count(); left > 0; --left) {
-    auto stretch = read_stretch(in, sampler.next_, sampler.method_, sampler.clock());
+    auto stretch = read_stretch(in, sampler.next_, sampler.method_, sampler.times_);
     if (!stretch) return tl::unexpected(std::move(stretch.error()));
     sampler.stretches_.push_back(std::move(*stretch));
   }

@@ -5,8 +5,8 @@
 
 namespace orispline {
 
-void TrackStretch::push(const StreamKey& key, const StreamMethod& method, Signs signs) {
-  keys_.push(key, signs);
+void TrackStretch::push(const StreamKey& key, const StreamMethod& method) {
+  keys_.push(key);
   if (keys_.count() == method.first_key + 1) start_ = key.time;
   curve_.reset();
 }
@@ -29,11 +29,16 @@ std::optional<std::uint64_t> TrackStretch::last_joint(const StreamMethod& method
   return method.first_key + (count - 1 - method.first_key - *method.keys_beside) / use.stride * use.stride;
 }
 
-SampleRange TrackStretch::final_samples(const StreamMethod& method, const TrackClock& clock) const noexcept {
+std::uint64_t TrackStretch::first_sample(const SampleGrid& grid) const {
+  return grid.is_range() && first_key_ == 0 ? 0 : grid.first_from(*start_);
+}
+
+SampleRange TrackStretch::final_samples(const StreamMethod& method, const SampleGrid& grid) const {
   const auto joint = last_joint(method);
   if (!start_ || !joint) return {};
   const double end = keys_.time(*joint);
-  return {clock.first_from(*start_), is_finished() ? clock.first_after(end) : clock.first_from(end)};
+  return {first_sample(grid),
+          is_finished() ? grid.first_after(end) : std::min(grid.first_from(end), grid.settled_until(end))};
 }
 
 std::uint64_t TrackStretch::joint_before(double t, const StreamMethod& method) const noexcept {
@@ -47,15 +52,15 @@ std::uint64_t TrackStretch::joint_before(double t, const StreamMethod& method) c
   return std::min(method.first_key + segments * use.stride, last_start);
 }
 
-void TrackStretch::forget_before(std::uint64_t sample, const StreamMethod& method, const TrackClock& clock) {
-  const std::uint64_t key = keys_.needed_from(joint_before(clock(sample), method), method);
+void TrackStretch::forget_before(std::uint64_t sample, const StreamMethod& method, const SampleGrid& grid) {
+  const std::uint64_t key = keys_.needed_from(joint_before(grid.time(sample), method), method);
   if (last_joint(method)) keys_.forget_before(key);
 }
 
 Expected<const PoseCurve*> TrackStretch::curve_from(std::uint64_t sample, const StreamMethod& method,
-                                                    const TrackClock& clock) {
+                                                    const SampleGrid& grid) {
   if (!curve_) {
-    const std::uint64_t key = keys_.needed_from(joint_before(clock(sample), method), method);
+    const std::uint64_t key = keys_.needed_from(joint_before(grid.time(sample), method), method);
     auto made = keys_.curve_from(std::max(key, keys_.first()), method, stream_);
     if (!made) {
       Error error = std::move(made.error());
@@ -69,7 +74,7 @@ Expected<const PoseCurve*> TrackStretch::curve_from(std::uint64_t sample, const 
 
 Expected<TrackStretch> TrackStretch::from_kept(StreamKeys keys, Stream stream, std::uint64_t first_key,
                                                std::optional<double> start, std::uint64_t sample,
-                                               const StreamMethod& method, std::optional<TrackClock> clock) {
+                                               const StreamMethod& method, const std::optional<SampleGrid>& grid) {
   TrackStretch stretch(first_key);
   stretch.keys_ = std::move(keys);
   stretch.start_ = start;
@@ -79,9 +84,9 @@ Expected<TrackStretch> TrackStretch::from_kept(StreamKeys keys, Stream stream, s
   if (stream == Stream::finished && method.check_count(count)) return refused();
   stretch.stream_ = stream;
   std::uint64_t needed = 0;
-  if (start && clock && stretch.last_joint(method)) {
-    const std::uint64_t next = std::max(sample, clock->first_from(*start));
-    needed = stretch.keys_.needed_from(stretch.joint_before((*clock)(next), method), method);
+  if (start && grid && stretch.last_joint(method)) {
+    const std::uint64_t next = std::max(sample, stretch.first_sample(*grid));
+    needed = stretch.keys_.needed_from(stretch.joint_before(grid->time(next), method), method);
   }
   if (stretch.keys_.first() > needed) return refused();
   return stretch;

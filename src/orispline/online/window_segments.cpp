@@ -27,7 +27,7 @@ class WindowSegments final : public OnlineSegments {
   void push(const StreamKey& key, const Eigen::Quaterniond& unit) override {
     StreamKey aligned = key;
     if (key.orientation.dot(unit) < 0.0) aligned.orientation.coeffs() = -key.orientation.coeffs();
-    keys_.push(aligned, Signs::as_given);
+    keys_.push(aligned);
   }
   void pop() noexcept override { keys_.pop(); }
   void reset() noexcept override { keys_.clear(); }

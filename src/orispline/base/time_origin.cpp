@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/io/time_origin.hpp>
+#include <orispline/base/time_origin.hpp>
 
 #include <cmath>
 
-namespace orispline::io {
+namespace orispline {
 namespace {
 
 constexpr double split_unit = 0x1p-20;     // [s] of which `high_` is a whole multiple, an exact decimal of 20 places
@@ -32,4 +32,4 @@ double TimeOrigin::nearest_plus(double offset) const {
   return plus(offset).to_double();
 }
 
-}  // namespace orispline::io
+}  // namespace orispline

@@ -3,7 +3,7 @@
 
 #include <orispline/base/decimal.hpp>
 
-namespace orispline::io {
+namespace orispline {
 
 /// An exact time that doubles are counted from.
 class TimeOrigin {
@@ -22,4 +22,4 @@ class TimeOrigin {
   double high_, low_ = 0.0;
 };
 
-}  // namespace orispline::io
+}  // namespace orispline

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/sample/sample_request.hpp"
+
+#include <algorithm>
+
+#include "options/threads.hpp"
+
+#include <orispline/base/formatted.hpp>
+
+namespace orispline::cli {
+namespace {
+
+constexpr int default_csv_derivatives = 2;
+constexpr int most_position_derivatives = 2;  // of the path: velocity and acceleration
+
+Expected<int> derivatives_in(OptionText option) {
+  const auto order = count_in(option, 0);
+  if (!order || *order > 3) return wanted(option, "0, 1, 2 or 3");
+  return static_cast<int>(*order);
+}
+
+Expected<io::SampleColumns> columns_in(const SampleOptions& options) {
+  FirstError checked;
+  auto columns = checked(output_columns(options.output));
+  const auto derivatives = checked(if_given("--derivatives", options.derivatives, derivatives_in));
+  const auto frame = checked(if_given("--frame", options.frame, choice_of(frame_choices)));
+  const bool holds_rates = columns.format->holds.rates;
+  columns.derivatives = derivatives.value_or(holds_rates ? default_csv_derivatives : 0);
+  columns.frame = frame.value_or(io::Frame::body);
+  auto read = std::move(checked).or_else(std::move(columns));
+  if (!read || holds_rates) return read;
+  const auto refused = [&](OptionText option, std::string_view only) {
+    return wanted(option, formatted("{} for {}, which has no columns for rates", only, read->format->file));
+  };
+  if (read->derivatives > 0) return refused({"--derivatives", *options.derivatives}, "0");
+  if (read->frame == io::Frame::world) return refused({"--frame", *options.frame}, "body");
+  return read;
+}
+
+Progress::Show progress_for(const SampleOptions& options) {
+  const bool in_the_way = options.summary.quiet || options.output.path == io::standard_stream;
+  return in_the_way ? Progress::Show::never : Progress::Show::on_terminal;
+}
+
+/// Standard input can be read once only.
+bool reads_standard_input_twice(const SampleOptions& options) {
+  const int readers = (options.input.path == io::standard_stream) + (options.times.list == io::standard_stream) +
+                      (options.truth == io::standard_stream);
+  return readers > 1;
+}
+
+}  // namespace
+
+Expected<SampleRequest> sample_request(const SampleOptions& options) {
+  FirstError checked;
+  SampleRequest request{
+      .input = checked(input_request(options.input)),
+      .method = checked(method_request(options.method, options.shape)),
+      .times = checked(time_request(options.times)),
+      .columns = checked(columns_in(options)),
+      .extrapolation = checked(if_given("--extrapolate", options.extrapolate, choice_of(extrapolation_choices)))
+                           .value_or(Extrapolation::hold),
+      .threads = checked(threads_in(options.threads)),
+      .output = options.output.path,
+      .truth = options.truth,
+      .progress = progress_for(options)};
+  auto read = std::move(checked).or_else(std::move(request));
+  if (!read) return read;
+  if (auto fits = check_summary(options.summary, options.output.path, "samples"); !fits)
+    return tl::unexpected(std::move(fits.error()));
+  if (reads_standard_input_twice(options))
+    return usage_failure("found '-' for several of INPUT, --times and --truth, wanted it for one at most");
+  read->input.read.parameters = open_parameters(read->method);
+  read->input.read.rate_orders = family_of(read->method).rate_orders;
+  read->input.read.world_rates = true;
+  return read;
+}
+
+io::SampleColumns with_positions(io::SampleColumns columns, bool positions) {
+  columns.positions = positions;
+  if (positions) columns.position_derivatives = std::min(columns.derivatives, most_position_derivatives);
+  return columns;
+}
+
+}  // namespace orispline::cli

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+
+namespace orispline {
+
+/// Whether the curves of a method have handles that may turn too far, which overwound_tangent() looks for.
+/// Precondition: there is such a method.
+[[nodiscard]] bool can_overwind(std::string_view method);
+
+}  // namespace orispline

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/io/key_reader.hpp>
+
+#include <utility>
+
+#include <orispline/base/formatted.hpp>
+
+namespace orispline::io {
+namespace {
+
+/// The track of a file of one.
+Expected<KeyFile> only_track(TracksSource source, const std::string& path, const ReadOptions& options) {
+  auto tracks = source.format->reading.tracks(std::move(source.lines), options);
+  if (!tracks) return tl::unexpected(std::move(tracks.error()));
+  if (tracks->size() == 1) return std::move(tracks->front());
+  return failure(ErrorCode::bad_data, formatted("found {} tracks, wanted a file of one", tracks->size()),
+                 {.file = path});
+}
+
+}  // namespace
+
+Expected<KeyReader> KeyReader::open(const std::string& path, const ReadOptions& options) {
+  return open_keys(path, options).and_then([&](auto source) -> Expected<KeyReader> {
+    if (auto* const rows = std::get_if<KeyRowsSource>(&source)) return KeyReader(std::move(*rows), options);
+    return only_track(std::get<TracksSource>(std::move(source)), path, options).map([](KeyFile file) {
+      return KeyReader(std::move(file));
+    });
+  });
+}
+
+KeyReader::KeyReader(KeyRowsSource source, const ReadOptions& options) : source_(KeyFile()) {
+  auto& [format, table, layout] = source;
+  KeyRows rows(table.path(), *format, std::move(layout.columns), options);
+  source_ = Table{.cells = std::move(table),
+                  .rows = std::move(rows),
+                  .names = options.keep_table ? std::move(layout.names) : std::vector<std::string>(),
+                  .is_at_new_row = layout.first_row == TableLayout::FirstRow::key};
+}
+
+const KeyColumns* KeyReader::columns() const noexcept {
+  const auto* const table = std::get_if<Table>(&source_);
+  return table ? &table->rows.columns() : nullptr;
+}
+
+std::size_t KeyReader::bytes_read() const noexcept {
+  const auto* const table = std::get_if<Table>(&source_);
+  return table ? table->cells.bytes_read() : 0;
+}
+
+Expected<void> KeyReader::fill(Table& table, std::size_t most) {
+  while (!is_at_end_ && (table.rows.size() < most || table.rows.options().sort)) {
+    if (!table.is_at_new_row) {
+      const auto more = table.cells.next();
+      if (!more) return tl::unexpected(more.error());
+      if (!*more) {
+        is_at_end_ = true;
+        return table.rows.complete();
+      }
+    }
+    table.is_at_new_row = false;
+    if (auto added = table.rows.add(table.cells); !added) return added;
+  }
+  return {};
+}
+
+Expected<KeyFile> KeyReader::next(std::size_t most) {
+  if (auto* const file = std::get_if<KeyFile>(&source_)) {
+    is_at_end_ = true;
+    return std::exchange(*file, {});
+  }
+  Table& table = std::get<Table>(source_);
+  return fill(table, most).map([&] {
+    KeyFile keys = table.rows.take();
+    keys.table.names = table.names;
+    return keys;
+  });
+}
+
+}  // namespace orispline::io

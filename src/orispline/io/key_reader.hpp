@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <limits>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <orispline/io/format_choice.hpp>
+#include <orispline/io/key_rows.hpp>
+
+namespace orispline::io {
+
+/// Reads the keys of a file of one track, or of standard input for `-`, in pieces where they are rows of a table.
+class KeyReader {
+ public:
+  /// Reads as far as the first row, which decides how the others are read; keys of another kind all at once. Errors:
+  /// those of read_keys().
+  [[nodiscard]] static Expected<KeyReader> open(const std::string& path, const ReadOptions& options = {});
+  KeyReader(KeyRowsSource source, const ReadOptions& options);
+
+  /// Which column holds what; null where the keys are no rows.
+  [[nodiscard]] const KeyColumns* columns() const noexcept;
+
+  /// The next keys, `most` of them, fewer at the end only; the epoch is that of the file, the repairs are those so far.
+  /// Rows that are to be sorted, and keys that are no rows, come all at once. Errors: those of read_keys().
+  [[nodiscard]] Expected<KeyFile> next(std::size_t most = std::numeric_limits<std::size_t>::max());
+  [[nodiscard]] bool is_at_end() const noexcept { return is_at_end_; }
+  /// Of the file, so far.
+  [[nodiscard]] std::size_t bytes_read() const noexcept;
+
+ private:
+  struct Table {
+    TextTable cells;
+    KeyRows rows;
+    std::vector<std::string> names;  // of the columns, where the cells are kept
+    bool is_at_new_row;              // that was not added yet
+  };
+
+  explicit KeyReader(KeyFile file) : source_(std::move(file)) {}
+  /// Adds rows until there are that many keys, or no more rows.
+  [[nodiscard]] Expected<void> fill(Table& table, std::size_t most);
+
+  std::variant<Table, KeyFile> source_;
+  bool is_at_end_ = false;
+};
+
+}  // namespace orispline::io

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// The times of a grid are those of its formula to the last bit, and an open grid keeps what it has given.
+#include <orispline/batch/sample_grid.hpp>
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace orispline {
+namespace {
+
+using Rate = SampleGrid::Rate;
+using Count = SampleGrid::Count;
+
+Decimal decimal(const char* text) { return Decimal::parse(text).value(); }
+
+TEST(SampleGrid, HasTheNearestDoublesOfExactTimesAtARate) {
+  const Decimal start = decimal("1700000000.000000001");
+  const SampleGrid grid =
+      SampleGrid::make({.spacing = Rate{30.0}, .start = start, .end = start + decimal("10")}, 0.0, {}).value();
+  ASSERT_EQ(grid.size(), 301u);
+  for (std::uint64_t k = 0; k < 300; ++k) {
+    const double offset = static_cast<double>(k) / 30.0;
+    EXPECT_EQ(grid[k].offset, offset);
+    EXPECT_EQ(grid[k].t, (start + Decimal::from_double(offset)).to_double());
+  }
+  EXPECT_EQ(grid[300].offset, 10.0);
+  EXPECT_EQ(grid[300].t, (start + decimal("10")).to_double());
+  EXPECT_EQ(grid.time(301), std::numeric_limits<double>::infinity());
+}
+
+TEST(SampleGrid, MeetsAnEndThatRoundingHides) {
+  const auto sizes = [](double hertz, const char* end) {
+    return *SampleGrid::make({.spacing = Rate{hertz}, .end = decimal(end)}, 0.1, {}).value().size();
+  };
+  EXPECT_EQ(sizes(10.0, "0.4"), 4u);
+  EXPECT_EQ(sizes(10.0, "0.39999"), 3u);
+  EXPECT_EQ(sizes(10.0, "0.1"), 1u);
+  EXPECT_EQ(sizes(10.0, "0.09"), 0u);
+  const SampleGrid grid = SampleGrid::make({.spacing = Rate{3.0}}, 0.0, 7.0 - 1e-10).value();
+  EXPECT_EQ(*grid.size(), 22u);
+  EXPECT_EQ(grid[21].t, 7.0 - 1e-10);
+}
+
+TEST(SampleGrid, HasBothEndsOfACount) {
+  const SampleGrid grid = SampleGrid::make({.spacing = Count{8}, .start = decimal("0.1")}, 0.0, 3.3).value();
+  ASSERT_EQ(grid.size(), 8u);
+  EXPECT_EQ(grid[0].t, 0.1);
+  EXPECT_EQ(grid[7].t, 3.3);
+  const double span = (decimal("3.3") - decimal("0.1")).to_double();
+  for (std::uint64_t k = 1; k < 7; ++k) EXPECT_EQ(grid[k].offset, span * static_cast<double>(k) / 7.0);
+}
+
+TEST(SampleGrid, RefusesMoreSamplesThanDoublesCanTellApart) {
+  const auto refusal = [](const SampleGrid::Request& request) {
+    const auto grid = SampleGrid::make(request, 0.0, 3.0);
+    return grid ? "made" : grid.error().option + ": " + grid.error().message;
+  };
+  EXPECT_EQ(refusal({.spacing = Rate{1e20}}), "rate: rate 1e+20 makes 3e+20 samples over 3 s, wanted fewer than 9e+15");
+  EXPECT_EQ(refusal({.spacing = Count{2}, .start = decimal("3")}),
+            "count: count 2: the range is the single time 3, wanted count 1");
+}
+
+TEST(SampleGrid, FindsTheFirstSampleFromATimeOn) {
+  std::mt19937_64 random(41);
+  std::uniform_real_distribution<double> anywhere(-1.0, 9.0);
+  const std::vector<SampleGrid> grids{SampleGrid(0.3, 0.07), SampleGrid(1e9, 1e-8),
+                                      SampleGrid::make({.spacing = Rate{11.0}}, 0.3, 7.9).value(),
+                                      SampleGrid::make({.spacing = Rate{11.0}}, 0.3, {}).value(),
+                                      SampleGrid::make({.spacing = Count{40}}, 0.3, 7.9).value()};
+  for (const SampleGrid& grid : grids)
+    for (int i = 0; i < 300; ++i) {
+      const double t = i % 2 == 0 ? grid[static_cast<std::uint64_t>(i / 8)].t : grid[0].t + anywhere(random);
+      const auto from = grid.first_from(t), after = grid.first_after(t);
+      const std::uint64_t size = grid.size().value_or(from + 2);
+      if (from < size) EXPECT_GE(grid.time(from), t);
+      if (from > 0) EXPECT_LT(grid.time(from - 1), t);
+      EXPECT_GE(after, from);
+      EXPECT_GT(grid.time(after), t);
+      if (after > 0) EXPECT_LE(grid.time(after - 1), t);
+    }
+}
+
+TEST(SampleGrid, KeepsTheSamplesThatAreSettledWhereverItEnds) {
+  std::mt19937_64 random(42);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  for (int i = 0; i < 3000; ++i) {
+    const double start = i % 3 == 0 ? 0.0 : 1e3 * share(random);
+    const Rate rate{std::pow(10.0, 8.0 * share(random) - 4.0)};
+    const double t = start + (1.0 + 50.0 * share(random)) / rate.hertz;
+    const SampleGrid open = SampleGrid::make({.spacing = rate}, start, {}).value();
+    const std::uint64_t settled = open.settled_until(t);
+    // Ends behind t, and those that lie a hair's breadth beside a sample.
+    const double beside = open[settled].t * (1.0 + 2e-16 * std::round(6.0 * share(random) - 3.0));
+    for (const double end : {t, t + share(random) / rate.hertz, std::max(t, beside)}) {
+      const SampleGrid closed = SampleGrid::make({.spacing = rate}, start, end).value();
+      ASSERT_LE(settled, *closed.size());
+      for (std::uint64_t k = settled > 3 ? settled - 3 : 0; k < settled; ++k) {
+        EXPECT_EQ(open[k].t, closed[k].t);
+        EXPECT_EQ(open[k].offset, closed[k].offset);
+      }
+      EXPECT_LE(*closed.size(), settled + 3);
+    }
+  }
+}
+
+TEST(SampleGrid, LivesWithRatesOfAnySize) {
+  for (const double hertz : {1e-300, 1e-9, 1e300}) {
+    const SampleGrid grid = SampleGrid::make({.spacing = Rate{hertz}}, 5.0, {}).value();
+    EXPECT_EQ(grid.first_from(4.0), 0u);
+    EXPECT_GT(grid.first_after(6.0), 0u);
+  }
+}
+
+}  // namespace
+}  // namespace orispline
