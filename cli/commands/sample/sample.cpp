@@ -11,6 +11,7 @@
 #include "output/standard_output.hpp"
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/families/method_warnings.hpp>
 
 namespace orispline::cli {
 namespace {
@@ -97,10 +98,9 @@ Expected<Source> open_source(const Request& request) {
   auto file = io::read_track(request.input.path, request.input.read, request.input.signs);
   if (!file) return tl::unexpected(std::move(file.error()));
   const Track& track = file->track;
-  if (const auto warning = closing_step_warning(request.method, track.keys)) warn(*warning);
   auto curve = shaped_curve(request.method, track);
   if (!curve) return tl::unexpected(std::move(curve.error()));
-  if (const auto warning = overwound_tangent_warning(request.method, track)) warn(*warning);
+  warn(warnings_of(request.method, track));
   const Domain domain = curve->orientation.domain();
   auto times = SampleTimes::make(request.times, track.epoch, domain);
   if (!times) return tl::unexpected(std::move(times.error()));
