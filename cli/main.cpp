@@ -2,10 +2,9 @@
 // The command line: which commands and options there are, and what the help says about them.
 #include <algorithm>
 #include <csignal>
+#include <deque>
 #include <new>
 #include <span>
-
-#include <CLI/CLI.hpp>
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/version.hpp>
@@ -21,6 +20,7 @@
 #include "commands/retime/retime_options.hpp"
 #include "commands/sample/sample_options.hpp"
 #include "commands/smooth/smooth_options.hpp"
+#include "commands/tasks/tasks.hpp"
 #include "commands/tune/tune_options.hpp"
 #include "options/method_options.hpp"
 #include "output/exit_code.hpp"
@@ -44,6 +44,10 @@ constexpr auto methods_footer = R"(Examples:
   orispline methods
   orispline methods --json)";
 
+constexpr auto tasks_footer = R"(Examples:
+  orispline tasks
+  orispline tasks --json)";
+
 constexpr auto reproduce_footer = R"(Examples:
   orispline reproduce
   orispline reproduce 000-table1
@@ -56,6 +60,13 @@ constexpr auto completion_footer = R"(Examples:
   orispline completion zsh > "${fpath[1]}/_orispline"
   orispline completion fish > ~/.config/fish/completions/orispline.fish)";
 
+Program program() {
+  return {.name = "orispline",
+          .description = "Smooth orientation curves through keyframes.",
+          .footer = app_footer,
+          .version = formatted("orispline {}", version)};
+}
+
 /// The words that the registry has for an argument of that type.
 std::vector<std::string> registered_words(std::string_view type) {
   if (type == setting_type) return known_settings();
@@ -67,13 +78,11 @@ std::vector<std::string> registered_words(std::string_view type) {
 }
 
 /// What a shell is told about an option; choices stand in the type name.
-OptionOutline outline(const CLI::Option& option) {
-  OptionOutline result{.names = {}, .description = option.get_description()};
-  if (option.get_positional()) result.names.push_back(option.get_name(true));
-  for (const std::string& name : option.get_snames()) result.names.push_back("-" + name);
-  for (const std::string& name : option.get_lnames()) result.names.push_back("--" + name);
-  if (option.get_items_expected_max() == 0) return result;
-  const std::string type = option.get_type_name();
+OptionOutline outline(const Option& option) {
+  OptionOutline result{.names = {}, .description = option.sentence};
+  for (const std::string_view name : pieces_of(option.names, ',')) result.names.emplace_back(name);
+  const std::string& type = option.argument;
+  if (option.is_flag()) return result;
   result.argument = type == file_type || type == folder_type ? Argument::file : Argument::word;
   result.choices = registered_words(type);
   if (!result.choices.empty()) result.argument = type == setting_type ? Argument::setting : Argument::choice;
@@ -83,13 +92,14 @@ OptionOutline outline(const CLI::Option& option) {
   return result;
 }
 
-std::vector<CommandOutline> outlines(const CLI::App& app) {
-  std::vector<CommandOutline> commands;
-  for (const CLI::App* command : app.get_subcommands({})) {
-    CommandOutline& result = commands.emplace_back(CommandOutline{command->get_name(), command->get_description(), {}});
-    for (const CLI::Option* option : command->get_options()) result.options.push_back(outline(*option));
+std::vector<CommandOutline> outlines(const std::deque<Command>& commands) {
+  std::vector<CommandOutline> outlines;
+  for (const Command& command : commands) {
+    CommandOutline& result = outlines.emplace_back(CommandOutline{command.name, command.description, {}});
+    result.options.push_back({.names = {"-h", "--help"}, .description = "Print this help message and exit"});
+    for (const Option& option : command.options) result.options.push_back(outline(option));
   }
-  return commands;
+  return outlines;
 }
 
 /// For somebody who has typed the name of the command and no more.
@@ -103,11 +113,11 @@ keys.csv has the columns t,qw,qx,qy,qz. 'orispline --help' and 'orispline sample
 )";
 
 /// CLI11 would only say that a subcommand is required.
-std::optional<Error> unknown_command(const CLI::App& app, std::span<char*> arguments) {
+std::optional<Error> unknown_command(const std::deque<Command>& commands, std::span<char*> arguments) {
   const std::string_view first = arguments[1];
   if (first.starts_with('-')) return std::nullopt;
   std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  for (const Command& command : commands) names.push_back(command.name);
   if (std::ranges::find(names, first) != names.end()) return std::nullopt;
   return Error{ErrorCode::bad_argument, formatted("no command '{}', wanted one of {}", first, joined(names, ", ")), {}};
 }
@@ -134,10 +144,6 @@ std::string command_line(std::span<char*> arguments) {
 class CommandLine {
  public:
   CommandLine() {
-    app_.name("orispline");
-    app_.footer(app_footer);
-    app_.require_subcommand(1);
-    app_.set_version_flag("--version", formatted("orispline {}", version));
     add_sample_options(
         command("sample", "Sample the smooth motion through keyframes", [this] { return sample(sample_); }), sample_);
     add_convert_options(command("convert", "Write keyframes in another format", [this] { return convert(convert_); }),
@@ -162,57 +168,63 @@ class CommandLine {
     add_retime_options(command("retime", "Slow a motion until it is within limits of rate, acceleration or torque",
                                [this] { return retime(retime_); }),
                        retime_);
-    command("methods", "List the methods", [this] { return methods(methods_); })
-        .footer(methods_footer)
-        ->add_flag("--json", methods_.json, "Print one JSON array");
+    add_methods_options(command("methods", "List the methods", [this] { return methods(methods_); }));
+    add_tasks_options(command("tasks", "List the tasks: what they take and give", [this] { return tasks(tasks_); }));
     add_reproduce_options(
         command("reproduce", "Run the experiments of the papers anew", [this] { return reproduce(reproduce_); }));
-    command("completion", "Print a completion script for a shell",
-            [this] { return completion(shell_, outlines(app_)); })
-        .footer(completion_footer)
-        ->add_option("SHELL", shell_, "The shell")
-        ->required()
-        ->type_name(one_of(shell_choices));
+    add_completion_options(command("completion", "Print a completion script for a shell",
+                                   [this] { return completion(shell_, outlines(commands_)); }));
   }
 
   [[nodiscard]] ExitCode run(int argc, char** argv) {
     try {
       const std::span arguments(argv, static_cast<std::size_t>(argc));
       if (arguments.size() < 2) return tell(first_steps), ExitCode::bad_usage;
-      if (const auto error = unknown_command(app_, arguments)) return report(*error);
+      if (const auto error = unknown_command(commands_, arguments)) return report(*error);
       if (const auto error = empty_value(arguments)) return report(*error);
       for (ReportOptions* report : {&compare_.report, &smooth_.report, &reduce_.report, &retime_.report})
         report->command_line = command_line(arguments.subspan(1));
-      app_.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-      if (error.get_exit_code() != 0) return report({ErrorCode::bad_argument, error.what(), {}});
-      app_.exit(error);  // the help or the version that was asked for
+      const auto done = parsed(commands_, program(), argc, argv).and_then([](const Command* command) -> Expected<void> {
+        if (!command) return {};
+        return batch::forced_kernels().and_then([&](const batch::Kernels*) { return command->run(); });
+      });
+      return done ? ExitCode::success : report(done.error());
     } catch (const std::bad_alloc&) {
       return report({ErrorCode::bad_access, "out of memory", {}});
     }
-    return result_ ? ExitCode::success : report(result_.error());
   }
 
  private:
-  template <class Action>
-  CLI::App& command(const std::string& name, const std::string& description, Action action) {
-    CLI::App& command = *app_.add_subcommand(name, description);
-    command.final_callback([this, action] {
-      result_ = batch::forced_kernels().and_then([&](const batch::Kernels*) { return action(); });
-    });
-    return command;
+  Command& command(std::string name, std::string description, std::function<Expected<void>()> run) {
+    return commands_.emplace_back(
+        Command{.name = std::move(name), .description = std::move(description), .run = std::move(run)});
   }
 
-  void add_reproduce_options(CLI::App& command) {
-    command.footer(reproduce_footer);
-    command.add_option("EXPERIMENT", reproduce_.experiment, "A name of the list, or the number of a paper")
+  void add_methods_options(Command& app) {
+    app.footer = methods_footer;
+    app.add_flag("--json", methods_.json, "Print one JSON array");
+  }
+
+  void add_tasks_options(Command& app) {
+    app.footer = tasks_footer;
+    app.add_flag("--json", tasks_.json, "Print one JSON array");
+  }
+
+  void add_reproduce_options(Command& app) {
+    app.footer = reproduce_footer;
+    app.add_option("EXPERIMENT", reproduce_.experiment, "A name of the list, or the number of a paper")
         ->type_name("NAME");
-    command.add_option("--pictures", reproduce_.pictures, "Write its pictures into this folder, as SVG")
+    app.add_option("--pictures", reproduce_.pictures, "Write its pictures into this folder, as SVG")
         ->type_name(folder_type);
-    command.add_flag("--json", reproduce_.json, "Print one JSON array");
+    app.add_flag("--json", reproduce_.json, "Print one JSON array");
   }
 
-  CLI::App app_{"Smooth orientation curves through keyframes."};
+  void add_completion_options(Command& app) {
+    app.footer = completion_footer;
+    app.add_option("SHELL", shell_, "The shell")->required()->type_name(one_of(shell_choices));
+  }
+
+  std::deque<Command> commands_;
   SampleOptions sample_;
   ConvertOptions convert_;
   InspectOptions inspect_;
@@ -223,9 +235,9 @@ class CommandLine {
   ReduceOptions reduce_;
   RetimeOptions retime_;
   MethodsOptions methods_;
+  TasksOptions tasks_;
   ReproduceOptions reproduce_;
   std::string shell_;
-  Expected<void> result_;
 };
 
 }  // namespace

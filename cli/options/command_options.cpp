@@ -19,7 +19,7 @@ std::string formats_by_name() {
 
 }  // namespace
 
-void add_input_options(CLI::App& app, InputOptions& o, std::string_view default_signs) {
+void add_input_options(Command& app, InputOptions& o, std::string_view default_signs) {
   app.add_option("INPUT", o.path,
                  formatted("{} file of keyframes; '-' is standard input", io::any_of(io::formats_read())))
       ->required()
@@ -27,13 +27,13 @@ void add_input_options(CLI::App& app, InputOptions& o, std::string_view default_
   add_reading_options(app, o, default_signs);
 }
 
-void add_reading_options(CLI::App& app, InputOptions& o, std::string_view default_signs) {
+void add_reading_options(Command& app, InputOptions& o, std::string_view default_signs) {
   const std::string group = "Reading";
   app.add_option("--input-format", o.format, "Format of INPUT [by extension and content]")
       ->type_name(one_of(io::formats_read()))
       ->group(group);
   app.add_option("--columns", o.columns, "Other names of columns: t=sclk_ticks,qw=q0_w,...")
-      ->allow_extra_args(false)
+      ->repeated()
       ->type_name("NAME=COLUMN,...")
       ->group(group);
   app.add_option("--order", o.order, "Order of the quaternion columns when there is no header")
@@ -60,11 +60,11 @@ void add_reading_options(CLI::App& app, InputOptions& o, std::string_view defaul
   app.add_flag("--sort", o.sort, "Sort the rows by time")->group(group);
 }
 
-void add_method_options(CLI::App& app, MethodOptions& o) {
+void add_method_options(Command& app, MethodOptions& o) {
   const std::string group = "Shape of the curve";
   app.add_option("--tension", o.tension, "Short for --set tension=X[,X...]")->type_name("X[,X...]")->group(group);
   app.add_option("--set", o.settings, "A number, or one per key with commas; or a word where it is a choice")
-      ->allow_extra_args(false)
+      ->repeated()
       ->type_name(setting_type)
       ->group(group);
   app.add_option("--ends", o.ends, "End rule for both ends, or for each; see 'orispline methods'")
@@ -78,7 +78,7 @@ void add_method_options(CLI::App& app, MethodOptions& o) {
       ->group(group);
 }
 
-void add_loop_options(CLI::App& app, MethodOptions& o) {
+void add_loop_options(Command& app, MethodOptions& o) {
   const std::string group = "Shape of the curve";
   app.add_flag("--closed", o.closed, "A loop: the last key is the first one again, and joins it smoothly")
       ->group(group);
@@ -87,24 +87,24 @@ void add_loop_options(CLI::App& app, MethodOptions& o) {
       ->group(group);
 }
 
-void add_output_file(CLI::App& app, std::string& path) {
+void add_output_file(Command& app, std::string& path) {
   app.add_option("-o,--output", path, "File to write, complete or not at all [standard output]")
       ->type_name(file_type)
       ->group("Output");
 }
 
-void add_summary_options(CLI::App& app, SummaryOptions& o) {
+void add_summary_options(Command& app, SummaryOptions& o) {
   app.add_flag("--json", o.json, "Print the summary as JSON on standard output; needs -o")->group("Output");
   app.add_flag("--quiet", o.quiet, "No summary")->group("Output");
 }
 
-void add_report_option(CLI::App& app, ReportOptions& o) {
+void add_report_option(Command& app, ReportOptions& o) {
   app.add_option("--report", o.path, "Write a page to look at in a browser: measures, plots and a view in space")
       ->type_name(file_type)
       ->group("Output");
 }
 
-void add_output_options(CLI::App& app, OutputOptions& o) {
+void add_output_options(Command& app, OutputOptions& o) {
   const std::string group = "Output";
   add_output_file(app, o.path);
   app.add_option("--output-format", o.format, formatted("Format of the output [{}]", formats_by_name()))

@@ -13,9 +13,6 @@
 namespace orispline::cli {
 namespace {
 
-/// Shorter closing steps than this share of the shortest one between keys are worth a warning.
-constexpr double closing_share = 1e-3;
-
 /// What the library finds wrong with the text of an option begins with that option.
 template <class T>
 Expected<T> said_by(std::string_view option, Expected<T> result) {
@@ -115,29 +112,6 @@ std::vector<std::string> open_parameters(const Method& method) {
 }
 
 Method completed(const Method& method, const Track& track) { return completed(method, family_of(method), track); }
-
-std::optional<std::string> closing_step_warning(const Method& method, const Keyframes& keys) {
-  const auto times = keys.times();
-  if (!method.options.loop || !method.options.loop->period || times.size() < 2) return std::nullopt;
-  const double closing_step = *method.options.loop->period - (times.back() - times.front());
-  double shortest = times[1] - times[0];
-  for (std::size_t i = 1; i < times.size(); ++i) shortest = std::min(shortest, times[i] - times[i - 1]);
-  if (closing_step <= 0.0 || closing_step >= closing_share * shortest) return std::nullopt;
-  return formatted(
-      "--period: {:.2g} s from the last key back to the first make huge rates, the other steps are {:.4g} s and more; "
-      "--closed is for a last key that is the first one again",
-      closing_step, shortest);
-}
-
-std::optional<std::string> overwound_tangent_warning(const Method& method, const Track& track) {
-  const auto wound = overwound_tangent(completed(method, track), track.keys);
-  if (!wound || !*wound) return std::nullopt;
-  const std::string what = formatted(
-      "a handle of {} turns by {:.4g} degrees, wanted less than a full turn: the angular velocity may jump "
-      "there; timed-c1 has no such limit",
-      method.name, (*wound)->turn / full_turn * 360.0);
-  return describe(track.located({ErrorCode::bad_data, what, {.key = (*wound)->key}}));
-}
 
 std::vector<std::string> known_settings() {
   std::set<std::string> settings;

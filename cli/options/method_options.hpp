@@ -43,14 +43,6 @@ struct MethodOptions {
 /// What the command line says and, where it is silent, the columns of the file.
 [[nodiscard]] Method completed(const Method& method, const Track& track);
 
-/// A line about a loop whose closing step is so much shorter than every other one that its rates are huge; else
-/// nothing.
-[[nodiscard]] std::optional<std::string> closing_step_warning(const Method& method, const Keyframes& keys);
-
-/// A line about a handle that turns a full turn or more away from its key, where a curve of slerps loses its
-/// continuity; else nothing.
-[[nodiscard]] std::optional<std::string> overwound_tangent_warning(const Method& method, const Track& track);
-
 /// Every `NAME=` or `NAME=WORD` that some method takes.
 [[nodiscard]] std::vector<std::string> known_settings();
 /// Every end rule that some method has.

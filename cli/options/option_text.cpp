@@ -9,6 +9,43 @@
 #include <orispline/io/text_table.hpp>
 
 namespace orispline::cli {
+namespace {
+
+std::string names_of(std::span<const Unit> units) {
+  std::string names;
+  for (std::size_t i = 0; i < units.size(); ++i)
+    names += formatted("{}{}", i == 0 ? "" : i + 1 == units.size() ? " or " : ", ", units[i].name);
+  return names;
+}
+
+/// An error or a warning in the words of the command.
+template <class Note>
+Note told(Note note) {
+  note.message = with_flags(note.message);
+  if (!note.option.empty()) note.message = formatted("{}: {}", flag_of(note.option), note.message);
+  note.option.clear();
+  return note;
+}
+
+}  // namespace
+
+std::string flag_of(std::string_view name) {
+  std::string flag = formatted("--{}", name);
+  std::ranges::replace(flag, '_', '-');
+  return flag;
+}
+
+std::string with_flags(std::string_view text) {
+  const auto pieces = pieces_of(text, '`');
+  if (pieces.size() % 2 == 0) return std::string(text);
+  std::string result;
+  for (std::size_t i = 0; i < pieces.size(); ++i) result += i % 2 == 0 ? std::string(pieces[i]) : flag_of(pieces[i]);
+  return result;
+}
+
+Error with_flags(Error error) { return told(std::move(error)); }
+
+Warning with_flags(Warning warning) { return told(std::move(warning)); }
 
 tl::unexpected<Error> usage_failure(std::string message) {
   return failure(ErrorCode::bad_argument, std::move(message));
@@ -22,6 +59,22 @@ Expected<double> number_in(OptionText option) {
   const auto number = io::number_of(option.text);
   if (!number || !std::isfinite(*number)) return wanted(option, "a number");
   return *number;
+}
+
+Expected<double> positive_in(OptionText option) {
+  const auto number = number_in(option);
+  if (!number || !(*number > 0.0)) return wanted(option, "a number greater than 0");
+  return *number;
+}
+
+Expected<double> quantity_in(OptionText option, std::span<const Unit> units) {
+  for (const Unit& unit : units) {
+    if (!option.text.ends_with(unit.name)) continue;
+    const auto number = io::number_of(option.text.substr(0, option.text.size() - unit.name.size()));
+    if (number && std::isfinite(*number) && *number > 0.0) return *number * unit.size;
+  }
+  return wanted(option,
+                formatted("a number greater than 0 with its unit, {}, such as 1{}", names_of(units), units[0].name));
 }
 
 Expected<std::vector<double>> numbers_in(OptionText option) {

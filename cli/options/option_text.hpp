@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -12,6 +13,8 @@
 
 #include <orispline/base/decimal.hpp>
 #include <orispline/base/expected.hpp>
+#include <orispline/base/warning.hpp>
+#include <orispline/fields/quantity.hpp>
 #include <orispline/math/eigen.hpp>
 
 // What the text after an option means. Every error is bad_argument and begins with the option.
@@ -29,8 +32,21 @@ struct OptionText {
 /// `--rate: found 'fast', wanted a number`.
 [[nodiscard]] tl::unexpected<Error> wanted(OptionText option, std::string_view what);
 
+/// The option for a name of the library: `gyro_noise` is --gyro-noise.
+[[nodiscard]] std::string flag_of(std::string_view name);
+
+/// A text of the library with the options that it names between backquotes as those of the command.
+[[nodiscard]] std::string with_flags(std::string_view text);
+/// The same of an error or a warning, which begins with the option that is at fault.
+[[nodiscard]] Error with_flags(Error error);
+[[nodiscard]] Warning with_flags(Warning warning);
+
 /// A finite number.
 [[nodiscard]] Expected<double> number_in(OptionText option);
+/// A finite number above 0.
+[[nodiscard]] Expected<double> positive_in(OptionText option);
+/// A finite number above 0 with one of the units behind it, as in `0.1deg`, in the unit that the library takes.
+[[nodiscard]] Expected<double> quantity_in(OptionText option, std::span<const Unit> units);
 /// Finite numbers between commas.
 [[nodiscard]] Expected<std::vector<double>> numbers_in(OptionText option);
 /// Three finite numbers between commas.

@@ -3,39 +3,48 @@
 
 #include <numbers>
 
-#include "options/command_options.hpp"
-#include "options/quantity.hpp"
+#include <orispline/smooth/smooth_fields.hpp>
+
+#include "options/option_text.hpp"
 
 namespace orispline::cli {
+namespace {
 
-Expected<double> positive_in(OptionText option) {
-  const auto number = number_in(option);
-  if (!number || !(*number > 0.0)) return wanted(option, "a number greater than 0");
-  return *number;
+constexpr std::string_view section = "Smoothing";
+
+void add_cutoff(Command& app, SmoothnessOptions& o) {
+  app.add_option("--cutoff", o.cutoff, "Smoothing time as frequency 1/(2 pi tau), where half of a motion is left")
+      ->type_name("HZ")
+      ->group(std::string(section));
+}
+
+}  // namespace
+
+bool any_given(const SmoothnessOptions& options) {
+  return is_given(options.fields, "noise") || is_given(options.fields, "smoothing_time") || options.cutoff;
 }
 
 Expected<orispline::SmoothOptions> smoothing_in(const SmoothnessOptions& options) {
-  const int stated = options.noise.has_value() + options.smoothing_time.has_value() + options.cutoff.has_value();
-  if (stated > 1)
+  if (is_given(options.fields, "noise") + is_given(options.fields, "smoothing_time") + options.cutoff.has_value() > 1)
     return usage_failure("found several of --noise, --smoothing-time and --cutoff, wanted one: each says how smooth");
   FirstError checked;
-  orispline::SmoothOptions smoothing;
-  smoothing.noise = checked(if_given("--noise", options.noise, quantity_of(angle_units)));
-  smoothing.smoothing_time = checked(if_given("--smoothing-time", options.smoothing_time, positive_in));
+  auto smoothing = checked(options_in<orispline::SmoothOptions>(options.fields));
   if (const auto cutoff = checked(if_given("--cutoff", options.cutoff, positive_in)))
     smoothing.smoothing_time = 1.0 / (2.0 * std::numbers::pi * *cutoff);
-  return std::move(checked).or_else(std::move(smoothing));
+  return std::move(checked).or_else(std::move(smoothing)).and_then([](const orispline::SmoothOptions& read) {
+    return check(read).map([&] { return read; });
+  });
 }
 
-void add_smoothness_options(CLI::App& app, SmoothnessOptions& o) {
-  const std::string group = "Smoothing";
-  app.add_option("--noise", o.noise, "Standard deviation of the orientations per axis, such as 1deg or 0.02rad")
-      ->type_name("ANGLE")
-      ->group(group);
-  app.add_option("--smoothing-time", o.smoothing_time, "Smoothing time tau [chosen]")->type_name("S")->group(group);
-  app.add_option("--cutoff", o.cutoff, "The same as frequency 1/(2 pi tau), where half of a motion is left")
-      ->type_name("HZ")
-      ->group(group);
+void add_smoothing_options(Command& app, SmoothnessOptions& o) {
+  add_fields(app, o.fields, fields_of<orispline::SmoothOptions>(), section);
+  add_cutoff(app, o);
+}
+
+void add_smoothness_options(Command& app, SmoothnessOptions& o) {
+  for (const std::string_view name : {"noise", "smoothing_time"})
+    add_field(app, o.fields, field_named(fields_of<orispline::SmoothOptions>(), name), section);
+  add_cutoff(app, o);
 }
 
 }  // namespace orispline::cli

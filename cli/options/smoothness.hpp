@@ -6,19 +6,25 @@
 
 #include <orispline/smooth/smooth.hpp>
 
-#include "options/option_text.hpp"
+#include "options/field_options.hpp"
 
 namespace orispline::cli {
 
-/// How smooth a recording is made, as typed: one of them, or none where that is chosen.
+/// How a recording is smoothed, as typed.
 struct SmoothnessOptions {
-  std::optional<std::string> noise, smoothing_time, cutoff;
+  TypedFields fields;  ///< of orispline::SmoothOptions
+  std::optional<std::string> cutoff;
 };
 
-/// A finite number above 0.
-[[nodiscard]] Expected<double> positive_in(OptionText option);
+/// Whether something is said of how smooth it is to be.
+[[nodiscard]] bool any_given(const SmoothnessOptions& options);
 
-/// The same, understood; all else is left at its default.
+/// The same, understood; all else is left at its default. Error: bad_argument.
 [[nodiscard]] Expected<orispline::SmoothOptions> smoothing_in(const SmoothnessOptions& options);
+
+/// All options of smoothing.
+void add_smoothing_options(Command& app, SmoothnessOptions& options);
+/// How smooth a recording is made: one of them, or none where that is chosen.
+void add_smoothness_options(Command& app, SmoothnessOptions& options);
 
 }  // namespace orispline::cli

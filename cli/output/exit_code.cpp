@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output/exit_code.hpp"
 
+#include "options/option_text.hpp"
 #include "options/reading_flags.hpp"
 #include "output/standard_output.hpp"
 
 namespace orispline::cli {
 
 ExitCode report(const Error& error) {
-  tell("orispline: " + describe(with_reading_flags(error)) + "\n");
+  tell("orispline: " + describe(with_flags(with_reading_flags(error))) + "\n");
   switch (error.code) {
     case ErrorCode::bad_argument:
       tell("Run 'orispline --help', or '--help' after a command, for what is accepted.\n");

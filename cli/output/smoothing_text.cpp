@@ -4,43 +4,23 @@
 #include <algorithm>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/smooth/smooth_fields.hpp>
 
 namespace orispline::cli {
 namespace {
 
 using orispline::Smoothing;
 using orispline::SmoothingCriterion;
-using orispline::SmoothingWarning;
 
 constexpr std::size_t places_shown = 10;
 
 std::string reason_of(const Smoothing& smoothing) {
   if (!smoothing.criterion) return "as stated";
-  std::string reason = *smoothing.criterion == SmoothingCriterion::gcv    ? "by generalised cross-validation"
-                       : *smoothing.criterion == SmoothingCriterion::ubre ? "by the stated noise (UBRE)"
-                                                                          : "by restricted likelihood (REML)";
+  const std::span<const Word> criteria = words<SmoothingCriterion>;
+  std::string reason = formatted("by {}", criteria[static_cast<std::size_t>(*smoothing.criterion)].sentence);
   const std::size_t all = smoothing.keys.size();
   if (smoothing.chosen_on < all) reason += formatted(", on {} of {} samples", smoothing.chosen_on, all);
   return reason;
-}
-
-std::string text_of(const SmoothingWarning& warning) {
-  switch (warning.code) {
-    case SmoothingWarning::Code::least_smoothing:
-      return "hardly any noise was found beside the motion: the least smoothing was taken; state --smoothing-time for "
-             "more or less";
-    case SmoothingWarning::Code::most_smoothing:
-      return "no change of the rates was found beside the noise: the most smoothing was taken; state --smoothing-time "
-             "to have less";
-    case SmoothingWarning::Code::rejected_run:
-      return formatted(
-          "{} samples in a row do not count, which is rather motion than outliers: wanted --loss robust, "
-          "which keeps them",
-          warning.count);
-    case SmoothingWarning::Code::unfinished:
-      break;
-  }
-  return formatted("the last step of the iteration still moved by {:.2g} rad", warning.step);
 }
 
 }  // namespace
@@ -58,9 +38,9 @@ std::string choice_line(const Smoothing& smoothing) {
                    reason_of(smoothing));
 }
 
-std::optional<std::string> remark_on(const Smoothing& smoothing) {
-  if (smoothing.warnings.empty()) return std::nullopt;
-  return text_of(smoothing.warnings.front());
+std::vector<Warning> remark_on(const Smoothing& smoothing, const Track& recording) {
+  if (smoothing.warnings.empty()) return {};
+  return {recording.located(smoothing.warnings.front())};
 }
 
 }  // namespace orispline::cli

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +16,7 @@ namespace orispline::cli {
 /// `smoothing time  0.1 s (cut-off 1.59 Hz), by …`
 [[nodiscard]] std::string choice_line(const orispline::Smoothing& smoothing);
 
-/// The first of its warnings, as a sentence; else nothing. THE place where they are worded.
-[[nodiscard]] std::optional<std::string> remark_on(const orispline::Smoothing& smoothing);
+/// The first of its warnings, which is the likely cause of the others, with its place in the recording; else none.
+[[nodiscard]] std::vector<Warning> remark_on(const orispline::Smoothing& smoothing, const Track& recording);
 
 }  // namespace orispline::cli

@@ -2,10 +2,14 @@
 #include "output/standard_output.hpp"
 
 #include <cstdio>
+#include <set>
+#include <string>
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/io/file_format.hpp>
 #include <orispline/io/output_file.hpp>
+
+#include "options/option_text.hpp"
 
 namespace orispline::cli {
 
@@ -22,8 +26,10 @@ void tell(std::string_view text) noexcept {
 
 void warn(std::string_view message) { tell(formatted("orispline: warning: {}\n", message)); }
 
-void warn_if_any(const std::optional<std::string>& message) {
-  if (message) warn(*message);
+void warn(const std::vector<Warning>& warnings) {
+  std::set<std::string> told;
+  for (const Warning& warning : warnings)
+    if (const auto [text, is_new] = told.insert(describe(with_flags(warning))); is_new) warn(*text);
 }
 
 }  // namespace orispline::cli

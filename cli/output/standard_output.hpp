@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
-#include <string>
 #include <string_view>
+#include <vector>
 
 #include <orispline/base/expected.hpp>
+#include <orispline/base/warning.hpp>
 
 namespace orispline::cli {
 
@@ -17,7 +17,7 @@ void tell(std::string_view text) noexcept;
 
 /// `orispline: warning: …`, one line on standard error.
 void warn(std::string_view message);
-/// The same where there is something to say.
-void warn_if_any(const std::optional<std::string>& message);
+/// One line for each of them; none twice.
+void warn(const std::vector<Warning>& warnings);
 
 }  // namespace orispline::cli

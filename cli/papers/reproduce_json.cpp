@@ -10,8 +10,9 @@ Json table(const report::Table& table) {
   Json columns = Json::array(), rows = Json::array();
   for (const report::Column& column : table.columns) columns.push_back(column.name);
   for (const auto& row : table.rows) {
-    Json& cells = rows.emplace_back(Json::array());
+    Json cells = Json::array();
     for (const report::Cell& cell : row) std::visit([&](const auto& value) { cells.push_back(value); }, cell);
+    rows.push_back(std::move(cells));
   }
   return {{"title", table.title}, {"columns", columns}, {"rows", rows}, {"notes", table.notes}};
 }

@@ -8,5 +8,6 @@
 #include <orispline/curve/pose_curve.hpp>
 #include <orispline/curve/track.hpp>
 #include <orispline/families/method_text.hpp>
+#include <orispline/families/method_warnings.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/math/slerp.hpp>

@@ -11,7 +11,7 @@ METHODS = ("auto, auto5, slerp, squad, squad-timed, shoemake, tcb, barry-goldman
            "atbi, hermite-c1, hermite-c2, hermite-c3, hermite-cumulative, global-c2, rotation-spline, nu, "
            "nu-exact, bezier, bspline, bspline-through, averages, beta, beta-through, beta-g2")
 ENDS = "natural, repeat, quadratic, cubic, clamped, rest"
-COMMANDS = "sample, convert, inspect, compare, plot, smooth, tune, reduce, retime, methods, reproduce, completion"
+COMMANDS = "sample, convert, inspect, compare, plot, smooth, tune, reduce, retime, methods, tasks, reproduce, completion"
 
 CASES = (
     ("resample keys.csv", f"no command 'resample', wanted one of {COMMANDS}"),

@@ -201,7 +201,7 @@ class Refused(CommandTest):
                 ("--report -", "--report: found '-', wanted the name of a file"),
                 ("--random x", "--random: found 'x', wanted a whole number from 0 on"),
                 ("--inertia=1,2", "--inertia: found '1,2', wanted three principal moments, or JXX,JYY,JZZ,JXY,JXZ,JYZ"),
-                ("--inertia=1,2,-1", "--inertia: found '1,2,-1', wanted a positive definite inertia"),
+                ("--inertia=1,2,-1", "--inertia: found the principal moments -1, 1, 2, wanted all of them greater than 0"),
                 ("--sort torque", "--sort: found 'torque', wanted --inertia as well"),
                 ("--keep-every 2 --sort rate", "--sort rate: wanted columns wx,wy,wz in keys.csv"),
                 ("--keep-every 4 --reference keys.csv",

@@ -257,13 +257,13 @@ class Reduce(CommandTest):
         self.assert_fails("reduce keys.csv --tolerance 1deg --noise 1deg --cutoff 3", BAD_USAGE,
                           "found several of --noise, --smoothing-time and --cutoff, wanted one: each says how smooth")
         self.assert_fails("reduce keys.csv --tolerance 1e-13rad", BAD_USAGE,
-                          "the tolerance is 1e-13 rad, wanted 1e-12 rad at least: the rounding of orientations is not "
+                          "--tolerance: found 1e-13 rad, wanted 1e-12 rad at least: the rounding of orientations is not "
                           "much smaller")
         self.assert_fails("reduce keys.csv --tolerance 1deg --position-tolerance 1mm", BAD_DATA,
                           "keys.csv: found no positions, wanted columns px,py,pz for --position-tolerance")
         self.write("poses.csv", "t,qw,qx,qy,qz,px,py,pz\n0,1,0,0,0,3,0,4\n1,1,0,0,0,0,0,0\n")
         self.assert_fails("reduce poses.csv --tolerance 1deg --position-tolerance 1e-30m", BAD_USAGE,
-                          "the tolerance of positions is 1e-30 m, wanted 7.1e-14 m at least: the rounding of these "
+                          "--position-tolerance: found 1e-30 m, wanted 7.1e-14 m at least: the rounding of these "
                           "positions is not much smaller")
         self.write("one.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n")
         self.assert_fails("reduce one.csv --tolerance 1deg", BAD_DATA,

@@ -137,10 +137,14 @@ class Smooth(CommandTest):
         self.assert_fails("smooth noisy.csv --noise 1deg --smoothing-time 1", BAD_USAGE,
                           "found several of --noise, --smoothing-time and --cutoff, wanted one: each says how smooth")
         self.assert_fails("smooth noisy.csv --gap 0.01", BAD_USAGE,
-                          "gap: found 0.01 s, wanted more than the median interval of 0.02 s")
+                          "--gap: found 0.01 s, wanted more than the median interval of 0.02 s")
         self.assert_fails("smooth noisy.csv --gyro --gyro-noise 0.1deg", BAD_USAGE,
                           "--gyro-noise: found '0.1deg', wanted a number greater than 0 with its unit, deg/s or rad/s, "
                           "such as 1deg/s")
+        self.assert_fails("smooth noisy.csv --gyro-noise 0.1deg/s", BAD_USAGE, "--gyro-noise: wanted --gyro as well")
+        self.assert_fails("smooth noisy.csv --gyro --gap 1", BAD_USAGE, "--gap: wanted no --gyro, which bridges gaps")
+        self.assert_fails("smooth noisy.csv --noise 40deg", BAD_USAGE,
+                          "--noise: found 0.698132 rad, wanted 1e-07 to 0.5 rad")
         self.assert_fails("smooth noisy.csv --gyro", BAD_DATA,
                           "noisy.csv: found no angular velocities of the body, wanted wx,wy,wz of the gyro")
         self.write("two.csv", recording(2, 0.0))

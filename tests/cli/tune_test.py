@@ -76,8 +76,11 @@ class Tune(CommandTest):
         refused("keys.csv --objective fit --reference late.csv", BAD_DATA, "keys.csv: the reference has no time between "
                 "the first and the last key, wanted some from 0 to 4 s")
         refused("keys.csv --objective torque --inertia=1,-2,4", BAD_USAGE,
-                "--inertia: found '1,-2,4', wanted a positive definite inertia")
-        refused("keys.csv --objective torque", BAD_USAGE, "--objective torque: wanted --inertia JX,JY,JZ as well")
+                "--inertia: found the principal moments -2, 1, 4, wanted all of them greater than 0")
+        refused("keys.csv --objective torque", BAD_USAGE, "--objective: found torque, wanted --inertia as well")
+        refused("keys.csv --objective fit", BAD_USAGE, "--objective: found fit, wanted --reference as well")
+        refused("keys.csv --reference late.csv", BAD_USAGE, "--reference: wanted --objective fit as well")
+        refused("keys.csv --free nu", BAD_USAGE, "--free: found 'nu' for timed-c2, wanted one of tension, tension2")
         refused("keys.csv --bounds=1,0", BAD_USAGE, "--bounds: found '1,0', wanted LOWEST,HIGHEST, the lower one first")
         self.assertFalse((self.folder / "tuned.csv").exists())
 

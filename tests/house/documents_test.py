@@ -9,6 +9,9 @@ import sys
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tools"))
+import make_field_tables  # noqa: E402
+
 DOCS = ROOT / "docs"
 PAGES = [*ROOT.glob("*.md"), *DOCS.rglob("*.md")]
 HEADINGS = ["Formula", "Continuity", "Picture", "When to use it", "Source", "Errata"]
@@ -129,6 +132,23 @@ class Documents(unittest.TestCase):
     def test_the_positions_of_every_method_are_in_the_conventions(self):
         cells = [cell for cells in rows("conventions.md", ["methods", "path"]) for cell in named(cells[0])]
         self.assertEqual(sorted(cells), sorted(self.methods))
+
+    def test_the_tables_of_options_and_results_are_those_of_the_library(self):
+        tasks = make_field_tables.tasks_of(sys.argv[1])
+        tables = {}
+        for page in DOCS.glob("*.md"):
+            text = page.read_text("utf-8")
+            tables |= {(task, part): page.stem for _, task, part, _ in make_field_tables.BLOCK.findall(text)}
+            self.assertEqual(make_field_tables.with_tables(text, tasks), text,
+                             f"{page.name} differs, wanted: tools/make_field_tables.py COMMAND")
+        wanted = {(name, part): name for name, task in tasks.items() for part in ("options", "results") if task[part]}
+        self.assertEqual(tables, wanted)
+
+    def test_the_json_of_a_task_is_described_with_every_result(self):
+        page = text_of("inspect-json.md")
+        for task in make_field_tables.tasks_of(sys.argv[1]).values():
+            for result in task["results"]:
+                self.assertIn(f"`{result['name']}`", page, task["task"])
 
     def test_the_code_of_optimising_is_that_of_its_example(self):
         def words(text):

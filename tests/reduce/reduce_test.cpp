@@ -227,15 +227,15 @@ TEST(Reduce, SaysWhatItCannotDo) {
   const Keyframes recording = about_an_axis(evenly(5, 0.1));
   const auto error = [&](std::string_view method, const Keyframes& samples, const Tolerance& tolerance) {
     const auto reduction = reduce(samples, method, {.tolerance = tolerance});
-    return reduction ? std::string("none") : reduction.error().message;
+    return reduction ? std::string("none") : describe(reduction.error());
   };
   for (const auto& [angle, shown] : {std::pair(0.0, "0"), {-1.0, "-1"}, {1e-13, "1e-13"}, {std::nan(""), "nan"}})
     EXPECT_EQ(error("slerp", recording, {.angle = angle}),
-              std::string("the tolerance is ") + shown +
+              std::string("tolerance: found ") + shown +
                   " rad, wanted 1e-12 rad at least: the rounding of orientations is not much smaller");
   for (const auto& [position, shown] : {std::pair(0.0, "0"), {-1.0, "-1"}, {std::nan(""), "nan"}})
     EXPECT_EQ(error("auto", recording, {.angle = 0.1, .position = position}),
-              std::string("the tolerance of positions is ") + shown + " m, wanted more than 0");
+              std::string("position_tolerance: found ") + shown + " m, wanted more than 0");
   EXPECT_EQ(error("slerp", about_an_axis({0.0}), {.angle = 0.1}),
             "found 1 sample, wanted 2 at least to keep the fewest that suffice");
   EXPECT_EQ(

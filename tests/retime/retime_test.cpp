@@ -165,7 +165,7 @@ TEST(Retime, IntervalsOfGeodesicsTakeWhatTheyMust) {
 
 std::string error(std::string_view method, const Keyframes& keys, const MotionLimits& limits) {
   const auto retiming = retime(keys, method, {.limits = limits});
-  return retiming ? std::string("none") : retiming.error().message;
+  return retiming ? std::string("none") : describe(retiming.error());
 }
 
 TEST(Retime, SaysHowItSlowed) {
@@ -177,17 +177,20 @@ TEST(Retime, SaysHowItSlowed) {
 
 TEST(Retime, RefusesLimitsThatAreNone) {
   const Keyframes keys = random_keys(1, {4, 1.0});
-  EXPECT_EQ(error("auto", keys, {}), "found no limit, wanted one at least");
-  EXPECT_EQ(error("auto", keys, {.rate = 0.0}), "found the limit 0, wanted a finite one above 0");
-  EXPECT_EQ(error("auto", keys, {.acceleration = -2.0}), "found the limit -2, wanted a finite one above 0");
+  EXPECT_EQ(error("auto", keys, {}), "found no limit, wanted `max_rate`, `max_acceleration` or `max_torque`");
+  EXPECT_EQ(error("auto", keys, {.rate = 0.0}), "max_rate: found 0 rad/s, wanted more than 0 rad/s");
+  EXPECT_EQ(error("auto", keys, {.acceleration = -2.0}),
+            "max_acceleration: found -2 rad/s², wanted more than 0 rad/s²");
   EXPECT_EQ(error("auto", keys, {.rate = std::numeric_limits<double>::infinity()}),
-            "found the limit inf, wanted a finite one above 0");
+            "max_rate: found inf rad/s, wanted more than 0 rad/s and finite");
   EXPECT_EQ(error("auto", keys, {.rate = std::numeric_limits<double>::quiet_NaN()}),
-            "found the limit nan, wanted a finite one above 0");
-  EXPECT_EQ(error("auto", keys, {.torque = 1.0}), "found a limit of torque without an inertia, wanted both");
+            "max_rate: found nan rad/s, wanted more than 0 rad/s");
+  EXPECT_EQ(error("auto", keys, {.torque = 1.0}), "max_torque: wanted `inertia` as well");
+  EXPECT_EQ(error("auto", keys, {.rate = 1.0, .inertia = Eigen::Matrix3d::Identity()}),
+            "inertia: wanted `max_torque` as well");
   const Eigen::Matrix3d indefinite = Eigen::Vector3d(1.0, -2.0, 3.0).asDiagonal();
   EXPECT_EQ(error("auto", keys, {.torque = 1.0, .inertia = indefinite}),
-            "the inertia has the principal moments -2, 1, 3, wanted all of them greater than 0");
+            "inertia: found the principal moments -2, 1, 3, wanted all of them greater than 0");
   for (const double limit : {1e-100, 5e-324})
     EXPECT_TRUE(error("auto", keys, {.rate = limit}).ends_with(", wanted limits that 1e+15 meets"));
 }

@@ -13,8 +13,6 @@
 namespace orispline {
 namespace {
 
-using Code = SmoothingWarning::Code;
-
 /// Two stretches of ten samples in 20, one apart from the other by a second.
 Smoothing two_stretches() {
   auto recording = recorded(20, degree);
@@ -36,9 +34,9 @@ TEST(SmoothingResult, WarnsOfTheLongestRunOfRejectedSamplesWithItsPlace) {
   Smoothing smoothing{.stretches = {{0, 20}, {20, 20}}, .rejected = {1, 2, 5, 6, 7, 18, 19, 20, 21}};
   const auto warnings = warnings_of(smoothing);
   ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_EQ(warnings[0].code, Code::rejected_run);
-  EXPECT_EQ(warnings[0].sample, 5u);  // 18 to 21 lie in two stretches
-  EXPECT_EQ(warnings[0].count, 3u);
+  EXPECT_EQ(warnings[0].code, "rejected_run");
+  EXPECT_EQ(warnings[0].where.key, 5u);  // 18 to 21 lie in two stretches
+  EXPECT_EQ(warnings[0].number("samples"), 3u);
   smoothing.rejected = {1, 2, 5, 6};
   EXPECT_TRUE(warnings_of(smoothing).empty());
 }
@@ -46,9 +44,9 @@ TEST(SmoothingResult, WarnsOfTheLongestRunOfRejectedSamplesWithItsPlace) {
 TEST(SmoothingResult, WarnsOfTheChoiceBeforeWhatFollowsFromIt) {
   const auto warnings = warnings_of({.edge = LambdaChoice::Edge::longest, .last_step = 1e-3});
   ASSERT_EQ(warnings.size(), 2u);
-  EXPECT_EQ(warnings[0].code, Code::most_smoothing);
-  EXPECT_EQ(warnings[1].code, Code::unfinished);
-  EXPECT_EQ(warnings[1].step, 1e-3);
+  EXPECT_EQ(warnings[0].code, "most_smoothing");
+  EXPECT_EQ(warnings[1].code, "unfinished");
+  EXPECT_EQ(warnings[1].number("step_rad"), 1e-3);
 }
 
 TEST(SmoothingResult, BringsItsWarnings) {
@@ -58,13 +56,14 @@ TEST(SmoothingResult, BringsItsWarnings) {
     recording.noisy.orientations[i] = recording.noisy.orientations[i] * exp<double>(Eigen::Vector3d(0.5, 0.0, 0.0));
   const auto smoothing = smooth(Keyframes::make(recording.noisy).value(), {.loss = Loss::tukey}).value();
   ASSERT_EQ(smoothing.warnings.size(), 1u);
-  const SmoothingWarning& warning = smoothing.warnings[0];
-  EXPECT_EQ(warning.code, Code::rejected_run);
-  EXPECT_GE(warning.count, 4u);
+  const Warning& warning = smoothing.warnings[0];
+  const auto count = static_cast<std::size_t>(warning.number("samples"));
+  EXPECT_EQ(warning.code, "rejected_run");
+  EXPECT_GE(count, 4u);
   const auto is_rejected = [&](std::size_t i) { return std::ranges::binary_search(smoothing.rejected, i); };
-  for (std::size_t i = 0; i < warning.count; ++i) EXPECT_TRUE(is_rejected(warning.sample + i)) << i;
-  EXPECT_FALSE(is_rejected(warning.sample - 1));
-  EXPECT_FALSE(is_rejected(warning.sample + warning.count));
+  for (std::size_t i = 0; i < count; ++i) EXPECT_TRUE(is_rejected(*warning.where.key + i)) << i;
+  EXPECT_FALSE(is_rejected(*warning.where.key - 1));
+  EXPECT_FALSE(is_rejected(*warning.where.key + count));
 }
 
 }  // namespace

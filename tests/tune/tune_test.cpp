@@ -138,17 +138,23 @@ TEST(Tune, FitsTheTensionsThatMadeTheReference) {
 TEST(Tune, RefusesWhatItCannotTune) {
   const auto error = [](std::string_view family, const Keyframes& keys, const TuneOptions& options) {
     const auto tuning = tune(keys, family, options);
-    return tuning ? std::string("none") : tuning.error().message;
+    return tuning ? std::string("none") : describe(tuning.error());
   };
   const Keyframes two = Keyframes::make({.times = {0, 1}, .orientations = {turned(0, 0, 0), turned(1, 0, 0)}}).value();
   EXPECT_EQ(error("quintic", two, {}), "found 2 keys, wanted at least 3 to tune tensions");
-  EXPECT_EQ(error("auto", some_keys(), {}),
-            "auto: this method has no tensions to tune, wanted one of " + tunable_methods());
+  EXPECT_EQ(error("auto", some_keys(), {}), "method: auto has no tensions to tune, wanted one of " + tunable_methods());
   EXPECT_EQ(error("quintic", some_keys(), {.objective = Objective::fit}),
+            "objective: found fit, wanted `reference` as well");
+  EXPECT_EQ(error("quintic", some_keys(), {.objective = Objective::torque}),
+            "objective: found torque, wanted `inertia` as well");
+  const std::vector<double> late{10.0};
+  const std::vector<Eigen::Quaterniond> there{Eigen::Quaterniond::Identity()};
+  EXPECT_EQ(error("quintic", some_keys(), {.reference = {late, there}}), "reference: wanted `objective` fit as well");
+  EXPECT_EQ(error("quintic", some_keys(), {.objective = Objective::fit, .reference = {late, there}}),
             "the reference has no time between the first and the last key, wanted some from 0 to 4 s");
   EXPECT_EQ(error("quintic", some_keys(),
                   {.objective = Objective::torque, .inertia = Eigen::Vector3d(1, -2, 3).asDiagonal()}),
-            "the inertia has the principal moments -2, 1, 3, wanted all of them greater than 0");
+            "inertia: found the principal moments -2, 1, 3, wanted all of them greater than 0");
   EXPECT_FALSE(is_physical_inertia(inertia));  // 4 > 1 + 2
   EXPECT_TRUE(is_physical_inertia(Eigen::Matrix3d::Identity()));
 }

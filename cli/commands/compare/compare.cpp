@@ -7,7 +7,6 @@
 #include <orispline/tune/tune.hpp>
 
 #include "commands/compare/compare_report.hpp"
-#include "options/inertia.hpp"
 #include "output/progress.hpp"
 #include "output/standard_output.hpp"
 
@@ -43,14 +42,13 @@ std::vector<ComparedMethod> methods_to_compare(const CompareRequest& request, co
 void measure_all(CompareReport& report, const CompareRequest& request, Progress::Show show) {
   std::vector<Candidate> candidates;
   for (const ComparedMethod& method : report.methods) candidates.push_back(method.candidate);
-  const MeasureOptions measures{.inertia = request.inertia.value_or(Eigen::Matrix3d::Identity()),
-                                .leave_out = request.leave_out};
   Progress progress(steps_per_method * candidates.size(), show);
-  Comparison comparison = orispline::compare(candidates, report.data.recording(), measures,
+  Comparison comparison = orispline::compare(candidates, report.data.recording(), request.measured,
                                              static_cast<unsigned>(request.threads), {.show = [&](double share) {
                                                progress.advance_to(static_cast<std::size_t>(std::lround(
                                                    share * static_cast<double>(steps_per_method * candidates.size()))));
                                              }});
+  warn(comparison.warnings);
   for (std::size_t i = 0; i < report.methods.size(); ++i) {
     ComparedMethod& method = report.methods[i];
     if (!method.measures) continue;  // it could not be tuned
@@ -72,11 +70,12 @@ Expected<void> any_worked(const CompareReport& report) {
 Expected<CompareReport> compared(const CompareOptions& options, const CompareRequest& request) {
   auto data = compared_data(request, options.reference);
   if (!data) return tl::unexpected(std::move(data.error()));
-  CompareReport report{.data = std::move(*data),
-                       .methods = {},
-                       .inertia = request.inertia,
-                       .leave_out = request.leave_out,
-                       .sort = request.sort};
+  CompareReport report{
+      .data = std::move(*data),
+      .methods = {},
+      .inertia = is_given(options.measured, "inertia") ? std::optional(request.measured.inertia) : std::nullopt,
+      .leave_out = request.measured.leave_out,
+      .sort = request.sort};
   if (const auto sortable = sort(report); !sortable) return tl::unexpected(sortable.error());
   report.methods = methods_to_compare(request, report.data);
   measure_all(report, request, options.quiet ? Progress::Show::never : Progress::Show::on_terminal);
@@ -108,7 +107,6 @@ Expected<void> print(const CompareReport& report, const CompareOptions& options)
 Expected<void> compare(const CompareOptions& options) {
   const auto request = compare_request(options);
   if (!request) return tl::unexpected(request.error());
-  if (request->inertia) warn_if_any(inertia_warning(*request->inertia));
   auto file = ReportFile::open(options.report);
   if (!file) return tl::unexpected(std::move(file.error()));
   return compared(options, *request).and_then([&](const CompareReport& report) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "options/field_options.hpp"
 #include "options/input_options.hpp"
 #include "output/report_file.hpp"
 
@@ -11,8 +12,9 @@ struct CompareOptions {
   InputOptions input;
   std::vector<std::string> keep_every;  ///< whole numbers, or lists of them with commas between them
   std::vector<std::string> methods;     ///< names with settings, or lists with commas between them; none: all
-  std::optional<std::string> random, reference, inertia, sort, threads;
-  bool jitter = false, tune = false, leave_out = false, json = false, csv = false, quiet = false;
+  std::optional<std::string> random, reference, sort, threads;
+  TypedFields measured;  ///< of MeasureOptions
+  bool jitter = false, tune = false, json = false, csv = false, quiet = false;
   ReportOptions report;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/compare/compare_options.hpp"
 
+#include <orispline/analysis/comparison_fields.hpp>
+
 #include "commands/compare/compare_report.hpp"
 
 namespace orispline::cli {
@@ -21,13 +23,12 @@ the best (docs/compare.md).)";
 
 }  // namespace
 
-void add_compare_options(CLI::App& app, CompareOptions& o) {
+void add_compare_options(Command& app, CompareOptions& o) {
   add_input_options(app, o.input);
-  app.remove_option(app.get_option("--sort"));  // which means the table here
-  app.add_flag("--sort-rows", o.input.sort, "Sort the rows of INPUT by time")->group("Reading");
+  app.option("--sort").names = "--sort-rows";  // for --sort means the table here
   const std::string group = "Keys and reference";
   app.add_option("--keep-every", o.keep_every, "Keep every N-th sample of INPUT as a key; repeatable, or a list [8]")
-      ->allow_extra_args(false)
+      ->repeated()
       ->type_name("N,...")
       ->group(group);
   app.add_flag("--jitter", o.jitter, "Move those keys by up to 35 % of N, at random")->group(group);
@@ -39,16 +40,12 @@ void add_compare_options(CLI::App& app, CompareOptions& o) {
       ->group(group);
   const std::string measures = "Methods and measures";
   app.add_option("--methods", o.methods, "Methods, also NAME:SETTING=VALUE:ends=RULE; repeatable, or a list [all]")
-      ->allow_extra_args(false)
+      ->repeated()
       ->type_name(methods_type)
       ->group(measures);
   app.add_flag("--tune", o.tune, "Each method that has tensions also with those of the least angular acceleration")
       ->group(measures);
-  app.add_option("--inertia", o.inertia,
-                 "Principal moments [kg m^2], or JXX,JYY,JZZ,JXY,JXZ,JYZ: torques are measured too")
-      ->type_name("JX,JY,JZ")
-      ->group(measures);
-  app.add_flag("--leave-out", o.leave_out, "Estimate the error also from keys that are left out")->group(measures);
+  add_fields(app, o.measured, fields_of<MeasureOptions>(), measures);
   app.add_option("--sort", o.sort, "Measure that the best of stands first [rms]")
       ->type_name(sort_words())
       ->group(measures);
@@ -60,7 +57,7 @@ void add_compare_options(CLI::App& app, CompareOptions& o) {
   app.add_flag("--csv", o.csv, "Print one CSV table")->group(output);
   add_report_option(app, o.report);
   app.add_flag("--quiet", o.quiet, "No progress bar")->group(output);
-  app.footer(compare_footer);
+  app.footer = compare_footer;
 }
 
 }  // namespace orispline::cli

@@ -2,12 +2,13 @@
 #include "commands/compare/compare_request.hpp"
 
 #include <algorithm>
+#include <utility>
 
+#include <orispline/analysis/comparison_fields.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/method_text.hpp>
 
 #include "commands/compare/compare_report.hpp"
-#include "options/inertia.hpp"
 #include "options/threads.hpp"
 
 namespace orispline::cli {
@@ -22,8 +23,7 @@ Expected<NamedMethod> named_method(const std::string& text) {
         return NamedMethod{text, std::move(method)};
       })
       .map_error([](Error error) {
-        if (!error.option.empty()) error.message = formatted("--methods: {}", error.message);
-        error.option.clear();
+        if (!std::exchange(error.option, {}).empty()) error.message = formatted("--methods: {}", error.message);
         return error;
       });
 }
@@ -83,6 +83,12 @@ Expected<std::vector<Decimation>> decimations_in(const CompareOptions& options) 
   return std::move(checked).or_else(std::move(decimations));
 }
 
+Expected<MeasureOptions> measures_in(const CompareOptions& options) {
+  return options_in<MeasureOptions>(options.measured).and_then([](const MeasureOptions& read) {
+    return check(read).map([&] { return read; });
+  });
+}
+
 /// What the options ask of each other.
 Expected<void> agree(const CompareOptions& options, const CompareRequest& request) {
   if (options.json && options.csv) return usage_failure("found --json and --csv, wanted one of them");
@@ -91,7 +97,8 @@ Expected<void> agree(const CompareOptions& options, const CompareRequest& reques
   if (auto fits = check_report(options.report, others); !fits) return fits;
   if (options.reference == io::standard_stream && options.input.path == io::standard_stream)
     return usage_failure("found '-' for INPUT and --reference, wanted it for one at most");
-  if (request.sort == "torque" && !request.inertia) return wanted({"--sort", request.sort}, "--inertia as well");
+  if (request.sort == "torque" && !is_given(options.measured, "inertia"))
+    return wanted({"--sort", request.sort}, "--inertia as well");
   return {};
 }
 
@@ -102,9 +109,8 @@ Expected<CompareRequest> compare_request(const CompareOptions& options) {
   CompareRequest request{.input = checked(input_request(options.input)),
                          .decimations = checked(decimations_in(options)),
                          .methods = checked(methods_in(options)),
-                         .inertia = checked(if_given("--inertia", options.inertia, inertia_in)),
+                         .measured = checked(measures_in(options)),
                          .tune = options.tune,
-                         .leave_out = options.leave_out ? LeaveOut::yes : LeaveOut::no,
                          .sort = checked(sort_word_in({"--sort", options.sort.value_or(std::string(default_sort))})),
                          .threads = checked(threads_in(options.threads))};
   if (auto agreed = agree(options, request); !agreed) static_cast<void>(checked(agreed.map([] { return 0; })));

@@ -20,10 +20,9 @@ struct CompareRequest {
   InputRequest input;
   std::vector<Decimation> decimations{};  ///< none: the keys are INPUT itself
   std::vector<NamedMethod> methods{};
-  std::optional<Eigen::Matrix3d> inertia{};  ///< [kg m²]
-  bool tune = false;                         ///< methods with tensions once more, tuned
-  LeaveOut leave_out = LeaveOut::no;
-  std::string sort;  ///< the word of a measure
+  MeasureOptions measured{};
+  bool tune = false;  ///< methods with tensions once more, tuned
+  std::string sort;   ///< the word of a measure
   std::size_t threads = 1;
 };
 

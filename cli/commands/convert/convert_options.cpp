@@ -15,11 +15,11 @@ counted. Positions are kept, angular velocities too where the output is CSV; oth
 
 }  // namespace
 
-void add_convert_options(CLI::App& app, ConvertOptions& o) {
+void add_convert_options(Command& app, ConvertOptions& o) {
   add_input_options(app, o.input, "as-given");
   add_output_options(app, o.output);
   add_summary_options(app, o.summary);
-  app.footer(convert_footer);
+  app.footer = convert_footer;
 }
 
 }  // namespace orispline::cli

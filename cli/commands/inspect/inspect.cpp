@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
+
+#include <orispline/families/method_warnings.hpp>
 
 #include "commands/inspect/inspect_report.hpp"
 #include "output/standard_output.hpp"
@@ -65,14 +68,15 @@ Expected<InspectReport> inspected(const InputRequest& input, const std::vector<M
   report.keyframes.non_unit_keys += scaled.wrong_norms;
   report.keyframes.largest_norm_error = std::max(report.keyframes.largest_norm_error, scaled.largest_norm_error);
   if (!report.defect && scaled.first_error) report.defect = describe(track.located(*scaled.first_error));
-  if (!methods.empty())
-    if (const auto warning = closing_step_warning(methods.front(), *keys)) warn(*warning);
+  std::vector<Warning> warnings;
   for (const Method& method : methods) {
     const auto curve = shaped_curve(method, track);
     if (!curve) return tl::unexpected(curve.error());
     const Seam seam = method.options.loop ? Seam::closed : Seam::open;
     report.methods.push_back({method.name, continuity_at_keys(curve->orientation, seam)});
+    std::ranges::move(warnings_of(method, track), std::back_inserter(warnings));
   }
+  warn(warnings);
   return report;
 }
 

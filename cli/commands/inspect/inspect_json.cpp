@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/inspect/inspect_report.hpp"
 
+#include <orispline/math/degrees.hpp>
+
 #include "options/input_options.hpp"
-#include "options/quantity.hpp"
 #include "output/json_document.hpp"
 
 namespace orispline::cli {

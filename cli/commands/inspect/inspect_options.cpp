@@ -14,16 +14,16 @@ and counted. The JSON is described in docs/inspect-json.md.)";
 
 }  // namespace
 
-void add_inspect_options(CLI::App& app, InspectOptions& o) {
+void add_inspect_options(Command& app, InspectOptions& o) {
   add_input_options(app, o.input);
   app.add_option("--method", o.methods, "Methods whose continuity is measured; repeatable, or a list with commas")
-      ->allow_extra_args(false)
+      ->repeated()
       ->type_name(methods_type)
       ->group("Shape of the curve");
   add_method_options(app, o.shape);
   add_loop_options(app, o.shape);
   app.add_flag("--json", o.json, "Print one JSON document");
-  app.footer(inspect_footer);
+  app.footer = inspect_footer;
 }
 
 }  // namespace orispline::cli

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/inspect/inspect_report.hpp"
 
-#include "options/quantity.hpp"
-
 #include <orispline/base/formatted.hpp>
+#include <orispline/math/degrees.hpp>
 
 namespace orispline::cli {
 namespace {

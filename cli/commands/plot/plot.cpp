@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/plot/plot.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/families/method_warnings.hpp>
 #include <orispline/io/output_file.hpp>
 #include <orispline/report/motion_drawing.hpp>
 #include <orispline/report/page_samples.hpp>
@@ -55,13 +58,14 @@ Expected<report::MotionPicture> picture_of(const Request& request) {
                                 .keys = report::page_keys(track.keys),
                                 .body_axis = Eigen::Vector3d::Unit(axis),
                                 .axis_name = std::string(axis_choices[static_cast<std::size_t>(axis)].first)};
-  if (const auto warning = closing_step_warning(request.methods.front(), track.keys)) warn(*warning);
+  std::vector<Warning> warnings;
   for (const Method& method : request.methods) {
     const auto curve = shaped_curve(method, track);
     if (!curve) return tl::unexpected(curve.error());
-    if (const auto warning = overwound_tangent_warning(method, track)) warn(*warning);
+    std::ranges::move(warnings_of(method, track), std::back_inserter(warnings));
     picture.methods.push_back({.name = method.name, .samples = report::sampled(*curve)});
   }
+  warn(warnings);
   return picture;
 }
 

@@ -16,11 +16,11 @@ sphere. At most 6 methods, each in a colour of its own.)";
 
 }  // namespace
 
-void add_plot_options(CLI::App& app, PlotOptions& o) {
+void add_plot_options(Command& app, PlotOptions& o) {
   add_input_options(app, o.input);
   app.add_option("--method", o.methods,
                  formatted("Methods to draw [{}]; repeatable, or a list with commas", default_method))
-      ->allow_extra_args(false)
+      ->repeated()
       ->type_name(methods_type)
       ->group("Shape of the curve");
   add_method_options(app, o.shape);
@@ -32,7 +32,7 @@ void add_plot_options(CLI::App& app, PlotOptions& o) {
   app.add_option("--axis", o.axis, "Body axis whose way over the sphere is drawn [x]")
       ->type_name(one_of(axis_choices))
       ->group(group);
-  app.footer(plot_footer);
+  app.footer = plot_footer;
 }
 
 }  // namespace orispline::cli

@@ -7,6 +7,6 @@
 namespace orispline::cli {
 
 /// The options of `orispline plot`, and what the help says about them.
-void add_plot_options(CLI::App& app, PlotOptions& options);
+void add_plot_options(Command& app, PlotOptions& options);
 
 }  // namespace orispline::cli

@@ -8,10 +8,10 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/parallel.hpp>
 #include <orispline/pages/reduce_page.hpp>
+#include <orispline/reduce/reduce_fields.hpp>
 
 #include "commands/reduce/reduce_report.hpp"
 #include "commands/reduce/reduce_track.hpp"
-#include "options/quantity.hpp"
 #include "options/threads.hpp"
 #include "output/output_folder.hpp"
 #include "output/smoothing_text.hpp"
@@ -63,21 +63,10 @@ Expected<std::vector<InputRequest>> inputs_in(const ReduceOptions& options) {
 }
 
 Expected<std::optional<orispline::SmoothOptions>> smoothing_wanted(const ReduceOptions& options) {
-  const SmoothnessOptions& smoothness = options.smoothness;
-  if (!options.smooth && !smoothness.noise && !smoothness.smoothing_time && !smoothness.cutoff)
-    return std::optional<orispline::SmoothOptions>();
-  return smoothing_in(smoothness).map([](const orispline::SmoothOptions& found) { return std::optional(found); });
-}
-
-Expected<orispline::ReduceOptions> reduction_in(const ReduceOptions& options) {
-  FirstError checked;
-  orispline::ReduceOptions reduction{
-      .tolerance = {.angle = checked(quantity_in({"--tolerance", options.tolerance}, angle_units))},
-      .values = options.refit ? orispline::KeyValues::refitted : orispline::KeyValues::sampled};
-  const auto position =
-      checked(if_given("--position-tolerance", options.position_tolerance, quantity_of(length_units)));
-  if (position) reduction.tolerance.position = *position;
-  return std::move(checked).or_else(reduction);
+  if (!options.smooth && !any_given(options.smoothness)) return std::optional<orispline::SmoothOptions>();
+  return smoothing_in(options.smoothness).map([](const orispline::SmoothOptions& found) {
+    return std::optional(found);
+  });
 }
 
 Expected<std::vector<Method>> methods_in(const ReduceOptions& options) {
@@ -126,7 +115,7 @@ Expected<Request> request_in(const ReduceOptions& options) {
                   .threads = static_cast<unsigned>(checked(threads_in(options.threads)))};
   request.columns = checked(columns_in(options, request.outputs));
   request.methods = checked(methods_in(options));
-  request.reduction = checked(reduction_in(options));
+  request.reduction = checked(options_in<orispline::ReduceOptions>(options.reduction));
   request.smoothing = checked(smoothing_wanted(options));
   if (request.methods.size() == 1)  // the settings of one method may stand in columns
     for (InputRequest& input : request.inputs) input.read.parameters = open_parameters(request.methods.front());
@@ -136,7 +125,7 @@ Expected<Request> request_in(const ReduceOptions& options) {
 }
 
 /// All of them, or the first complaint.
-Expected<std::vector<ReducedTrack>> open_tracks(const Request& request, const ReduceOptions& options) {
+Expected<std::vector<ReducedTrack>> open_tracks(const Request& request) {
   std::vector<std::optional<Expected<ReducedTrack>>> opened(request.inputs.size());
   parallel_for(opened.size(), request.threads,
                [&](std::size_t i) { opened[i] = open_track(request.inputs[i], request.smoothing); });
@@ -145,20 +134,24 @@ Expected<std::vector<ReducedTrack>> open_tracks(const Request& request, const Re
     Expected<ReducedTrack>& track = *found;
     if (!track) return tl::unexpected(std::move(track.error()));
     tracks.push_back(std::move(*track));
-    if (options.position_tolerance && tracks.back().samples().positions().empty())
+    if (request.reduction.tolerance.bounds_positions() && tracks.back().samples().positions().empty())
       return failure(ErrorCode::bad_data, "found no positions, wanted columns px,py,pz for --position-tolerance",
                      {.file = tracks.back().recording.track.name});
   }
   return tracks;
 }
 
-void warn_of(const std::vector<ReducedTrack>& tracks, const ReduceOptions& options) {
+void warn_of(const std::vector<ReducedTrack>& tracks, const Request& request) {
   const auto has_positions = [](const ReducedTrack& track) { return !track.samples().positions().empty(); };
-  if (!options.position_tolerance && std::ranges::any_of(tracks, has_positions))
+  if (!request.reduction.tolerance.bounds_positions() && std::ranges::any_of(tracks, has_positions))
     warn("positions are carried along without a bound, wanted --position-tolerance LENGTH for one");
-  for (const ReducedTrack& track : tracks)
-    if (const auto remark = track.smoothing ? remark_on(*track.smoothing) : std::nullopt)
-      warn(tracks.size() == 1 ? *remark : formatted("{}: {}", track.recording.track.name, *remark));
+  for (const ReducedTrack& track : tracks) {
+    if (!track.smoothing) continue;
+    auto remarks = remark_on(*track.smoothing, track.recording.track);
+    if (tracks.size() > 1)
+      for (Warning& remark : remarks) remark.where.file = track.recording.track.name;
+    warn(remarks);
+  }
 }
 
 Expected<std::vector<std::vector<orispline::Reduction>>> reductions_of(const Request& request,
@@ -239,9 +232,9 @@ Expected<void> reduce(const ReduceOptions& options) {
   auto page = ReportFile::open(options.report);
   if (!page) return tl::unexpected(std::move(page.error()));
   if (auto able = check_outputs(*request, options); !able) return able;
-  const auto tracks = open_tracks(*request, options);
+  const auto tracks = open_tracks(*request);
   if (!tracks) return tl::unexpected(tracks.error());
-  warn_of(*tracks, options);
+  warn_of(*tracks, *request);
   const auto reports = reports_of(*request, *tracks);
   if (!reports) return tl::unexpected(reports.error());
   if (options.folder)

@@ -3,6 +3,7 @@
 
 #include <orispline/reduce/reduce.hpp>
 
+#include "options/field_options.hpp"
 #include "options/input_options.hpp"
 #include "options/method_options.hpp"
 #include "options/output_options.hpp"
@@ -21,11 +22,12 @@ struct ReduceOptions {
   InputOptions input;  ///< how they are read
   OutputOptions output;
   ReportOptions report;
-  std::string tolerance, method{smallest_method};
+  TypedFields reduction;  ///< of orispline::ReduceOptions
+  std::string method{smallest_method};
   MethodOptions shape;
-  std::optional<std::string> position_tolerance, folder, threads;
+  std::optional<std::string> folder, threads;
   SmoothnessOptions smoothness;
-  bool refit = false, smooth = false;
+  bool smooth = false;
   SummaryOptions summary;
 };
 

@@ -2,6 +2,7 @@
 #include "commands/reduce/reduce_options.hpp"
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/reduce/reduce_fields.hpp>
 
 namespace orispline::cli {
 namespace {
@@ -20,27 +21,22 @@ among the samples; auto and timed-c2 are found by insertion and pruning. docs/re
 
 }  // namespace
 
-void add_reduce_options(CLI::App& app, ReduceOptions& o) {
+void add_reduce_options(Command& app, ReduceOptions& o) {
   app.add_option("INPUT", o.inputs, "CSV, TUM or EuRoC file, several with --output-folder; '-' is standard input")
       ->required()
       ->type_name(file_type);
   add_reading_options(app, o.input);
   const std::string group = "Reduction";
-  app.add_option("--tolerance", o.tolerance, "Largest angle between the curve and a sample, such as 0.1deg or 2e-3rad")
-      ->required()
-      ->type_name("ANGLE")
-      ->group(group);
-  app.add_option("--position-tolerance", o.position_tolerance,
-                 "Largest distance between the path and a sample, such as 1mm or 0.5m [positions are not bounded]")
-      ->type_name("LENGTH")
-      ->group(group);
+  const auto fields = fields_of<orispline::ReduceOptions>();
+  for (const std::string_view name : {"tolerance", "position_tolerance"})
+    add_field(app, o.reduction, field_named(fields, name), group);
   app.add_option(
          "--method", o.method,
          formatted("Method of the curve, a local one through its keys, or {} [{}]", smallest_method, smallest_method))
       ->type_name(method_type)
       ->group(group);
   add_method_options(app, o.shape);
-  app.add_flag("--refit", o.refit, "Move keys where that saves some; else they are samples")->group(group);
+  add_word_flag(app, o.reduction, field_named(fields, "values"), "refit", group);
   app.add_flag("--smooth", o.smooth,
                "Smooth the recording first, as 'orispline smooth' does; also said by what follows")
       ->group("Smoothing");
@@ -55,7 +51,7 @@ void add_reduce_options(CLI::App& app, ReduceOptions& o) {
       ->type_name("N")
       ->group("Output");
   add_summary_options(app, o.summary);
-  app.footer(reduce_footer);
+  app.footer = reduce_footer;
 }
 
 }  // namespace orispline::cli

@@ -3,11 +3,12 @@
 
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
+#include <orispline/math/degrees.hpp>
+#include <orispline/reduce/reduce_fields.hpp>
+#include <orispline/smooth/smooth_fields.hpp>
 
-#include "options/quantity.hpp"
-#include "output/json_document.hpp"
+#include "output/field_json.hpp"
 #include "output/repairs_text.hpp"
-#include "output/smoothing_json.hpp"
 #include "output/smoothing_text.hpp"
 #include "output/summary.hpp"
 
@@ -24,28 +25,22 @@ std::string line_of(const ReduceReport& report, const orispline::Reduction& redu
   return line + "\n";
 }
 
+Places places_of(const ReduceReport& report) { return {report.lines, report.times}; }
+
 Json method_json(const ReduceReport& report, const orispline::Reduction& reduction) {
-  const orispline::Deviation& d = reduction.deviation;
-  Json json{{"method", reduction.method.name},
-            {"keys", reduction.samples.size()},
-            {"error_max_deg", d.angle * degrees},
-            {"error_max_time_s", report.times[d.angle_at].to_string()}};
-  if (!d.position) return json;
-  json["position_error_max_m"] = *d.position;
-  json["position_error_max_time_s"] = report.times[d.position_at].to_string();
+  Json json{{"method", reduction.method.name}};
+  put(json, reduction, places_of(report), Absent::left_out);
   return json;
 }
 
 Json smoothing_json(const ReduceReport& report) {
   const auto& [smoothing, raw] = *report.smoothed;
-  return {{"smoothing_time_s", smoothing.smoothing_time},
-          {"cutoff_hz", smoothing.cutoff()},
-          {"criterion", criterion_of(smoothing)},
-          {"noise_rad", smoothing.noise},
-          {"rejected", places_json(smoothing.rejected, report.lines, report.times)},
-          {"raw_error_rms_deg", raw.rms * degrees},
-          {"raw_error_max_deg", raw.largest * degrees},
-          {"raw_error_max_time_s", report.times[raw.largest_at].to_string()}};
+  Json json;
+  put(json, smoothing, {"smoothing_time", "cutoff", "criterion", "noise", "rejected"}, places_of(report));
+  json["raw_error_rms_deg"] = raw.rms * degrees;
+  json["raw_error_max_deg"] = raw.largest * degrees;
+  json["raw_error_max_time_s"] = report.times[raw.largest_at].to_string();
+  return json;
 }
 
 Json track_json(const ReduceReport& report) {
@@ -58,8 +53,9 @@ Json track_json(const ReduceReport& report) {
   if (tolerance.bounds_positions()) json["position_tolerance_m"] = tolerance.position;
   json["refitted"] = report.options.values == orispline::KeyValues::refitted;
   json.update(method_json(report, chosen));
-  Json& methods = json["methods"] = Json::array();
+  Json methods = Json::array();
   for (const orispline::Reduction& reduction : report.reductions) methods.push_back(method_json(report, reduction));
+  json["methods"] = std::move(methods);
   if (report.smoothed) json["smoothing"] = smoothing_json(report);
   return json;
 }

@@ -7,11 +7,9 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/pages/retime_page.hpp>
-#include <orispline/tune/tune.hpp>
+#include <orispline/retime/retime_fields.hpp>
 
 #include "commands/retime/retime_report.hpp"
-#include "options/inertia.hpp"
-#include "options/quantity.hpp"
 #include "output/keys_file.hpp"
 
 namespace orispline::cli {
@@ -25,11 +23,8 @@ struct Request {
   orispline::RetimeOptions retiming;
 };
 
+/// What the files ask of each other.
 Expected<void> agree(const RetimeOptions& options) {
-  if (!options.rate && !options.acceleration && !options.torque)
-    return usage_failure("found no limit, wanted --max-rate, --max-acceleration or --max-torque");
-  if (options.torque && !options.inertia) return usage_failure("--max-torque: wanted --inertia JX,JY,JZ as well");
-  if (options.inertia && !options.torque) return usage_failure("--inertia: wanted --max-torque as well");
   return check_summary(options.summary, options.output.path, "keys").and_then([&] {
     return check_report(options.report, {{"that of -o", options.output.path}, {"INPUT", options.input.path}});
   });
@@ -40,20 +35,16 @@ Expected<Request> request_in(const RetimeOptions& options) {
   Request request{.input = checked(input_request(options.input)),
                   .method = checked(method_request(options.method, options.shape)),
                   .columns = checked(output_columns(options.output)),
-                  .retiming = {}};
-  request.retiming = {.limits = {.rate = checked(if_given("--max-rate", options.rate, quantity_of(rate_units))),
-                                 .acceleration = checked(if_given("--max-acceleration", options.acceleration,
-                                                                  quantity_of(acceleration_units))),
-                                 .torque = checked(if_given("--max-torque", options.torque, quantity_of(torque_units))),
-                                 .inertia = checked(if_given("--inertia", options.inertia, inertia_in))},
-                      .slowing = options.per_interval ? orispline::Slowing::per_interval : orispline::Slowing::uniform};
+                  .retiming = checked(options_in<orispline::RetimeOptions>(options.retiming))};
   request.input.read.rate_orders = 0;
   request.input.read.keep_as_read = true;
   request.input.read.parameters = open_parameters(request.method);
   auto read = std::move(checked).or_else(std::move(request));
   if (!read) return read;
-  if (auto agreed = agree(options); !agreed) return tl::unexpected(std::move(agreed.error()));
-  return check_times_are_kept(*read->columns.format, "-o", "the limits").map([&] { return std::move(*read); });
+  return check(read->retiming)
+      .and_then([&] { return agree(options); })
+      .and_then([&] { return check_times_are_kept(*read->columns.format, "-o", "the limits"); })
+      .map([&] { return std::move(*read); });
 }
 
 /// Settings with a value per key belong to the curve for which the limits hold: they are written as columns.
@@ -76,9 +67,9 @@ Expected<void> retime(const RetimeOptions& options) {
   const Track& track = file->track;
   if (!file->ignored_columns.empty()) warn(formatted("not carried over: {}", joined(file->ignored_columns, ", ")));
   const orispline::MotionLimits& limits = request->retiming.limits;
-  if (limits.inertia) warn_if_any(inertia_warning(*limits.inertia));
   auto retiming = orispline::retime(track, request->method, request->retiming);
   if (!retiming) return tl::unexpected(placed(track, std::move(retiming.error())));
+  warn(retiming->warnings);
   if (auto held = check_settings(retiming->track, request->columns); !held) return held;
   const RetimeReport report{.input = options.input.path,
                             .output = options.output.path,

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <orispline/retime/retime.hpp>
-
+#include "options/field_options.hpp"
 #include "options/input_options.hpp"
 #include "options/method_options.hpp"
 #include "options/output_options.hpp"
@@ -18,8 +17,7 @@ struct RetimeOptions {
   ReportOptions report;
   std::string method{default_method};
   MethodOptions shape;
-  std::optional<std::string> rate, acceleration, torque, inertia;
-  bool per_interval = false;
+  TypedFields retiming;  ///< of orispline::RetimeOptions
   SummaryOptions summary;
 };
 

@@ -2,6 +2,7 @@
 #include "commands/retime/retime_options.hpp"
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/retime/retime_fields.hpp>
 
 namespace orispline::cli {
 namespace {
@@ -19,29 +20,20 @@ says more.)";
 
 }  // namespace
 
-void add_retime_options(CLI::App& app, RetimeOptions& o) {
+void add_retime_options(Command& app, RetimeOptions& o) {
   add_input_options(app, o.input);
   app.add_option("--method", o.method, formatted("Method of the curve [{}]", default_method))
       ->type_name(method_type)
       ->group("Shape of the curve");
   add_method_options(app, o.shape);
-  const std::string group = "Limits";
-  app.add_option("--max-rate", o.rate, "Largest angular velocity, such as 90deg/s")->type_name("RATE")->group(group);
-  app.add_option("--max-acceleration", o.acceleration, "Largest angular acceleration, such as 200deg/s2")
-      ->type_name("ACCELERATION")
-      ->group(group);
-  app.add_option("--max-torque", o.torque, "Largest torque, such as 0.5Nm; needs --inertia")
-      ->type_name("TORQUE")
-      ->group(group);
-  app.add_option("--inertia", o.inertia, "Principal moments [kg m^2], or JXX,JYY,JZZ,JXY,JXZ,JYZ; for the torque")
-      ->type_name("JX,JY,JZ")
-      ->group(group);
-  app.add_flag("--per-interval", o.per_interval, "Slow each interval between keys by itself; else all alike")
-      ->group(group);
+  const std::string_view group = "Limits";
+  for (const FieldInfo& field : fields_of<orispline::RetimeOptions>())
+    if (field.name == "slowing") add_word_flag(app, o.retiming, field, "per-interval", group);
+    else add_field(app, o.retiming, field, group);
   add_output_options(app, o.output);
   add_report_option(app, o.report);
   add_summary_options(app, o.summary);
-  app.footer(retime_footer);
+  app.footer = retime_footer;
 }
 
 }  // namespace orispline::cli

@@ -4,8 +4,9 @@
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/retime/certificate.hpp>
+#include <orispline/retime/retime_fields.hpp>
 
-#include "output/json_document.hpp"
+#include "output/field_json.hpp"
 #include "output/summary.hpp"
 
 namespace orispline::cli {
@@ -13,10 +14,6 @@ namespace {
 
 double duration_of(const RetimeReport& report) {
   return report.retiming.track.keys.times().back() - report.retiming.track.keys.times().front();
-}
-
-std::string_view word_of(orispline::Slowing slowing) {
-  return slowing == orispline::Slowing::uniform ? "uniform" : "per-interval";
 }
 
 }  // namespace
@@ -34,15 +31,12 @@ std::string text_of(const RetimeReport& report) {
 }
 
 std::string json_of(const RetimeReport& report) {
-  Json json{{"input", report.input},
-            {"output", report.output},
-            {"method", report.retiming.method.name},
-            {"slowing", word_of(report.retiming.slowing)},
-            {"slowing_asked_for", word_of(report.slowing)},
-            {"keys", report.retiming.track.keys.times().size()},
-            {"duration_before_s", report.duration_before},
-            {"duration_after_s", duration_of(report)},
-            {"time_scale", report.retiming.time_scale}};
+  Json json{{"input", report.input}, {"output", report.output}, {"method", report.retiming.method.name}};
+  put(json, report.retiming, {"slowing"});
+  json["slowing_asked_for"] = word_of(report.slowing);
+  put(json, report.retiming, {"keys"});
+  json["duration_before_s"] = report.duration_before;
+  put(json, report.retiming, {"duration_after", "time_scale"});
   for (const Certificate& c : certificates_of(report.limits, report.retiming.peaks)) {
     json[c.id_of("limit")] = c.limit;
     json[c.id_of("bound")] = c.bound;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include <orispline/families/method_warnings.hpp>
+
 #include "commands/sample/sample_report.hpp"
 #include "commands/sample/sample_request.hpp"
 #include "commands/sample/sample_stream.hpp"
@@ -37,10 +39,9 @@ Expected<Source> open_source(const SampleRequest& request, io::KeyReader keys) {
   auto file = track_of(std::move(keys), request.input.signs);
   if (!file) return tl::unexpected(std::move(file.error()));
   const Track& track = file->track;
-  if (const auto warning = closing_step_warning(request.method, track.keys)) warn(*warning);
   auto curve = shaped_curve(request.method, track);
   if (!curve) return tl::unexpected(std::move(curve.error()));
-  if (const auto warning = overwound_tangent_warning(request.method, track)) warn(*warning);
+  warn(warnings_of(request.method, track));
   const Domain domain = curve->orientation.domain();
   auto times = SampleTimes::make(request.times, track.epoch, domain);
   if (!times) return tl::unexpected(std::move(times.error()));

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/sample/sample_report.hpp"
 
+#include <orispline/math/degrees.hpp>
+
 #include "commands/sample/sample.hpp"
-#include "options/quantity.hpp"
 #include "output/json_document.hpp"
 #include "output/repairs_json.hpp"
 

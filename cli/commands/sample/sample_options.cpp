@@ -34,7 +34,7 @@ and for NumPy into a pipe.
 A NumPy file (-o motion.npy) is one array of doubles, shape (samples, columns), with the columns of the CSV.
 Without -o the samples go to standard output as CSV; summaries and warnings go to standard error.)";
 
-void add_time_options(CLI::App& app, TimeOptions& o) {
+void add_time_options(Command& app, TimeOptions& o) {
   const std::string group = "Times (one of --rate, --count, --times)";
   app.add_option("--rate", o.rate, "Samples per second, from the start up to the end")->type_name("HZ")->group(group);
   app.add_option("--count", o.count, "Number of samples, both ends included")->type_name("N")->group(group);
@@ -45,7 +45,7 @@ void add_time_options(CLI::App& app, TimeOptions& o) {
 
 }  // namespace
 
-void add_sample_options(CLI::App& app, SampleOptions& o) {
+void add_sample_options(Command& app, SampleOptions& o) {
   add_input_options(app, o.input);
   app.add_option("--method", o.method, formatted("Method [{}]; see 'orispline methods'", default_method))
       ->type_name(method_type)
@@ -72,7 +72,7 @@ void add_sample_options(CLI::App& app, SampleOptions& o) {
       ->group(group);
   app.add_flag("--json", o.summary.json, "Print the summary as JSON on standard output; needs -o")->group(group);
   app.add_flag("--quiet", o.summary.quiet, "No summary, no progress bar")->group(group);
-  app.footer(sample_footer);
+  app.footer = sample_footer;
 }
 
 }  // namespace orispline::cli

@@ -7,8 +7,8 @@
 
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
+#include <orispline/math/degrees.hpp>
 
-#include "options/quantity.hpp"
 #include "output/repairs_text.hpp"
 #include "output/summary.hpp"
 

@@ -3,13 +3,13 @@
 
 #include <utility>
 
+#include <orispline/base/formatted.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/io/track_file.hpp>
 #include <orispline/pages/smooth_page.hpp>
 
 #include "commands/smooth/smooth_report.hpp"
 #include "options/method_options.hpp"
-#include "options/quantity.hpp"
 #include "options/sample_times.hpp"
 #include "output/interruption.hpp"
 #include "output/keys_file.hpp"
@@ -27,10 +27,8 @@ struct Request {
   std::optional<TimeRequest> times;  ///< of samples
 };
 
-/// What the options ask of each other.
+/// What the files ask of each other.
 Expected<void> agree(const SmoothOptions& options) {
-  if (options.gyro_noise && !options.gyro) return usage_failure("--gyro-noise: wanted --gyro as well");
-  if (options.gyro && options.gap) return usage_failure("--gap: wanted no --gyro, which bridges gaps");
   return check_summary(options.summary, options.output.path, "keys").and_then([&] {
     return check_report(options.report, {{"that of -o", options.output.path}, {"INPUT", options.input.path}});
   });
@@ -43,18 +41,11 @@ Expected<Request> request_in(const SmoothOptions& options) {
                   .smoothing = checked(smoothing_in(options.smoothness)),
                   .columns = checked(output_columns(options.output)),
                   .times = {}};
-  orispline::SmoothOptions& smoothing = request.smoothing;
-  smoothing.penalty =
-      checked(if_given("--penalty", options.penalty, choice_of(penalty_choices))).value_or(smoothing.penalty);
-  smoothing.loss = checked(if_given("--loss", options.loss, choice_of(loss_choices))).value_or(smoothing.loss);
-  smoothing.gap = checked(if_given("--gap", options.gap, positive_in));
-  smoothing.gyro = options.gyro;
-  smoothing.gyro_noise = checked(if_given("--gyro-noise", options.gyro_noise, quantity_of(rate_units)));
   if (TimeOptions times; options.rate) {
     times.rate = options.rate;
     request.times = checked(time_request(times));
   }
-  request.input.read.rate_orders = options.gyro ? 1 : 0;
+  request.input.read.rate_orders = request.smoothing.gyro ? 1 : 0;
   request.input.read.world_rates = true;
   request.input.read.keep_exact_times = true;
   return std::move(checked).or_else(std::move(request));
@@ -105,8 +96,8 @@ Expected<void> smooth(const SmoothOptions& options) {
   const Track& recording = file->track;
   auto smoothing = orispline::smooth(recording, request->smoothing);
   if (!smoothing) return tl::unexpected(placed(recording, std::move(smoothing.error())));
-  const auto remark = remark_on(*smoothing);
-  warn_if_any(remark);
+  const auto remarks = remark_on(*smoothing, recording);
+  warn(remarks);
   if (!request->columns.format->holds.rates)
     warn("this format holds no rates: wx,wy,wz,ax,ay,az are not written, wanted a CSV file for them");
   SmoothReport report{.recording = recording,
@@ -118,7 +109,7 @@ Expected<void> smooth(const SmoothOptions& options) {
                       .samples = request->times.has_value(),
                       .smoothing = std::move(*smoothing)};
   const auto make_page = [&](auto head) {
-    if (remark) head.notes.push_back("Warning: " + *remark + ".");
+    for (const Warning& remark : remarks) head.notes.push_back(formatted("Warning: {}.", with_flags(remark).message));
     return pages::smooth_page(recording, report.smoothing, head);
   };
   return page->write(make_page)

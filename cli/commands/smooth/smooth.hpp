@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <orispline/smooth/smooth.hpp>
-
 #include "options/input_options.hpp"
 #include "options/output_options.hpp"
 #include "options/smoothness.hpp"
@@ -11,21 +9,11 @@
 
 namespace orispline::cli {
 
-inline constexpr std::array penalty_choices{
-    Choice<orispline::Penalty>{"acceleration", orispline::Penalty::acceleration},
-    Choice<orispline::Penalty>{"jerk", orispline::Penalty::jerk}};
-inline constexpr std::array loss_choices{
-    Choice<orispline::Loss>{"robust", orispline::Loss::robust}, Choice<orispline::Loss>{"l2", orispline::Loss::l2},
-    Choice<orispline::Loss>{"huber", orispline::Loss::huber}, Choice<orispline::Loss>{"tukey", orispline::Loss::tukey}};
-
-/// The method that makes the C2 curve of smoothed keys.
-
 /// `orispline smooth`, as typed.
 struct SmoothOptions {
   InputOptions input;
-  std::optional<std::string> penalty, loss, gyro_noise, gap, rate;
   SmoothnessOptions smoothness;
-  bool gyro = false;
+  std::optional<std::string> rate;  ///< of samples
   OutputOptions output;
   ReportOptions report;
   SummaryOptions summary;

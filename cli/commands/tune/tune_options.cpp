@@ -2,6 +2,7 @@
 #include "commands/tune/tune_options.hpp"
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/tune/tune_fields.hpp>
 
 namespace orispline::cli {
 namespace {
@@ -19,31 +20,16 @@ tension2, tension3, nu), which 'sample' reads with the same --method, --ends and
 
 }  // namespace
 
-void add_tune_options(CLI::App& app, TuneOptions& o) {
+void add_tune_options(Command& app, TuneOptions& o) {
   add_input_options(app, o.input);
   app.add_option("--method", o.method, formatted("Method whose tensions are sought [{}]", default_tuned_method))
       ->type_name(method_type)
       ->group("Shape of the curve");
   add_method_options(app, o.shape);
-  const std::string group = "Tuning";
-  app.add_option("--objective", o.objective, "What is made least [acceleration]")
-      ->type_name(one_of(objective_choices))
-      ->group(group);
-  app.add_option("--inertia", o.inertia, "Principal moments [kg m^2], or JXX,JYY,JZZ,JXY,JXZ,JYZ; for torque")
-      ->type_name("JX,JY,JZ")
-      ->group(group);
-  app.add_option("--reference", o.reference, "Dense recording to be near to; for fit")
-      ->type_name(file_type)
-      ->group(group);
-  app.add_option("--bounds", o.bounds, "Of every tension [none but what the method accepts]")
-      ->type_name("LOWEST,HIGHEST")
-      ->group(group);
-  app.add_option("--free", o.free, "Tensions that may vary, such as tension2 [all of the method]")
-      ->type_name("NAME,...")
-      ->group(group);
+  add_fields(app, o.tuning, fields_of<orispline::TuneOptions>(), "Tuning");
   add_output_file(app, o.output);
   add_summary_options(app, o.summary);
-  app.footer(tune_footer);
+  app.footer = tune_footer;
 }
 
 }  // namespace orispline::cli

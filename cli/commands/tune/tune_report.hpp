@@ -16,9 +16,6 @@ struct TuneReport {
   orispline::Tuning tuning{};
 };
 
-/// The unit of an objective.
-[[nodiscard]] std::string_view unit_of(orispline::Objective objective);
-
 /// A few lines for people.
 [[nodiscard]] std::string text_of(const TuneReport& report);
 

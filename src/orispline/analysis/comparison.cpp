@@ -8,6 +8,7 @@
 #include <orispline/analysis/angle_travelled.hpp>
 #include <orispline/analysis/leave_out.hpp>
 #include <orispline/analysis/sampled.hpp>
+#include <orispline/analysis/torque.hpp>
 #include <orispline/base/expect.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/parallel.hpp>
@@ -84,7 +85,8 @@ bool Comparison::any() const noexcept {
 
 Comparison compare(std::span<const Candidate> candidates, const RecordedMotion& recording,
                    const MeasureOptions& options, unsigned threads, const Progress& progress) {
-  Comparison comparison{std::vector<Expected<Measures>>(candidates.size())};
+  Comparison comparison{.measures = std::vector<Expected<Measures>>(candidates.size()),
+                        .warnings = warnings_of(options.inertia)};
   std::mutex one_at_a_time;
   std::size_t done = 0;
   parallel_for(candidates.size(), threads, [&](std::size_t i) {

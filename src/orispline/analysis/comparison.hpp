@@ -11,6 +11,7 @@
 #include <orispline/analysis/energy.hpp>
 #include <orispline/analysis/peaks.hpp>
 #include <orispline/base/progress.hpp>
+#include <orispline/base/warning.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/method.hpp>
 
@@ -37,6 +38,9 @@ struct MeasureOptions {
   LeaveOut leave_out = LeaveOut::no;
 };
 
+/// Error (bad_argument): an inertia that is not symmetric and positive definite.
+[[nodiscard]] Expected<void> check(const MeasureOptions& options);
+
 /// How one curve follows a recording, how smooth it is, and what it costs.
 struct Measures {
   DistanceStatistics distance{};                   ///< full rotation angles to the recording [rad]
@@ -58,6 +62,7 @@ struct Measures {
 /// The measures of each candidate, or why it has none: one that fails does not hinder the others.
 struct Comparison {
   std::vector<Expected<Measures>> measures;  ///< one per candidate, in their order
+  std::vector<Warning> warnings{};           ///< of the inertia
 
   /// False where all failed.
   [[nodiscard]] bool any() const noexcept;

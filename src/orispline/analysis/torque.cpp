@@ -13,19 +13,26 @@ constexpr double rounding_of_tensor = 1e-12;  // of an inertia tensor that was c
 }  // namespace
 
 Expected<Eigen::Matrix3d> checked_inertia(const Eigen::Matrix3d& inertia) {
-  const auto refused = [](std::string message) { return failure(ErrorCode::bad_argument, std::move(message)); };
   if (!inertia.allFinite() || (inertia - inertia.transpose()).norm() > rounding_of_tensor * inertia.norm())
-    return refused("the inertia is not symmetric, wanted a symmetric tensor");
+    return bad_option("inertia", "found a tensor that is not symmetric, wanted a symmetric one");
   const Eigen::Vector3d moments = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia).eigenvalues();
-  const std::string found =
-      formatted("the inertia has the principal moments {:.6g}, {:.6g}, {:.6g}", moments[0], moments[1], moments[2]);
-  if (!(moments[0] > 0.0)) return refused(found + ", wanted all of them greater than 0");
-  return inertia;
+  if (moments[0] > 0.0) return inertia;
+  return bad_option("inertia",
+                    formatted("found the principal moments {:.6g}, {:.6g}, {:.6g}, wanted all of them greater "
+                              "than 0",
+                              moments[0], moments[1], moments[2]));
 }
 
 bool is_physical_inertia(const Eigen::Matrix3d& inertia) {
   const Eigen::Vector3d moments = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia).eigenvalues();
   return moments[2] <= (moments[0] + moments[1]) * (1.0 + rounding_of_tensor);
+}
+
+std::vector<Warning> warnings_of(const Eigen::Matrix3d& inertia) {
+  if (is_physical_inertia(inertia)) return {};
+  return {{.code = "no_rigid_body",
+           .message = "one principal moment is greater than the sum of the two others, as no rigid body has it",
+           .option = "inertia"}};
 }
 
 }  // namespace orispline

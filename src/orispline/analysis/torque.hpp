@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
 #include <orispline/base/expected.hpp>
+#include <orispline/base/warning.hpp>
 #include <orispline/curve/motion.hpp>
 
 namespace orispline {
@@ -28,5 +31,8 @@ template <Number T>
 /// No principal moment is greater than the sum of the two others: what holds for every distribution of mass. The torque
 /// of another tensor is a weighting of accelerations as good as any, but nobody's torque.
 [[nodiscard]] bool is_physical_inertia(const Eigen::Matrix3d& inertia);
+
+/// `no_rigid_body`, where the inertia is not a physical one.
+[[nodiscard]] std::vector<Warning> warnings_of(const Eigen::Matrix3d& inertia);
 
 }  // namespace orispline

@@ -13,6 +13,7 @@ std::string describe(const Error& error) {
   if (error.where.key) text += formatted("key {}: ", *error.where.key);
   if (error.where.time_index) text += formatted("time {}: ", *error.where.time_index);
   if (error.where.curve) text += formatted("curve {}: ", *error.where.curve);
+  if (!error.option.empty()) text += error.option + ": ";
   text += error.message;
   return error.remedy.empty() ? text : formatted("{} (option {})", text, error.remedy);
 }

@@ -36,7 +36,7 @@ struct Error {
   std::string message{};
   Where where{};
   /// The option that is at fault, by the name that the library gives it, such as `time_scale`; empty where there is
-  /// none. Each face says in its own terms how that one is set.
+  /// none. Each face says in its own terms how it is set, and those that the message has in backquotes.
   std::string option{};
   /// The option that would mend it, likewise, such as `drop_duplicates`.
   std::string remedy{};
@@ -62,7 +62,7 @@ using Expected = tl::expected<T, Error>;
       Error{ErrorCode::bad_data, std::move(message), std::move(where), {}, std::string(remedy)});
 }
 
-/// `keys.csv:7:3: key 2: message (option remedy)`, with the absent parts left out: one line for people.
+/// `keys.csv:7:3: key 2: option: message (option remedy)`, with the absent parts left out: one line for people.
 [[nodiscard]] std::string describe(const Error& error);
 
 }  // namespace orispline

@@ -67,6 +67,13 @@ Error Track::located(Error error) const {
   return error;
 }
 
+Warning Track::located(Warning warning) const {
+  if (!warning.where.key) return warning;
+  warning.where.file = name;
+  if (*warning.where.key < lines.size()) warning.where.line = lines[*warning.where.key];
+  return warning;
+}
+
 std::map<std::string, std::vector<double>, std::less<>> settings_per_key(const Method& method, std::size_t keys) {
   std::map<std::string, std::vector<double>, std::less<>> found;
   for (const auto& [name, values] : method.options.parameters)

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <orispline/base/decimal.hpp>
+#include <orispline/base/warning.hpp>
 #include <orispline/curve/key_table.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/method.hpp>
@@ -47,6 +48,8 @@ struct Track {
 
   /// The error with the name of the track and, where it names a key, its line.
   [[nodiscard]] Error located(Error error) const;
+  /// The warning with the same where it names a key.
+  [[nodiscard]] Warning located(Warning warning) const;
 };
 
 /// The settings of a method that have a value of their own for every key, by name: what a file of these keys states in

@@ -50,17 +50,15 @@ double smallest_position_tolerance(const Keyframes& recording) {
 
 Expected<void> check(const Keyframes& recording, const Tolerance& tolerance) {
   if (!(tolerance.angle >= smallest_tolerance))
-    return failure(ErrorCode::bad_argument, formatted("the tolerance is {:.6g} rad, wanted {:.0e} rad at least: the "
-                                                      "rounding of orientations is not much smaller",
-                                                      tolerance.angle, smallest_tolerance));
+    return bad_option("tolerance", formatted("found {:.6g} rad, wanted {:.0e} rad at least: the "
+                                             "rounding of orientations is not much smaller",
+                                             tolerance.angle, smallest_tolerance));
   if (!(tolerance.position > 0.0))
-    return failure(ErrorCode::bad_argument,
-                   formatted("the tolerance of positions is {:.6g} m, wanted more than 0", tolerance.position));
+    return bad_option("position_tolerance", formatted("found {:.6g} m, wanted more than 0", tolerance.position));
   if (const double smallest = smallest_position_tolerance(recording); !(tolerance.position >= smallest))
-    return failure(ErrorCode::bad_argument,
-                   formatted("the tolerance of positions is {:.6g} m, wanted {:.1e} m at least: the rounding of these "
-                             "positions is not much smaller",
-                             tolerance.position, smallest));
+    return bad_option("position_tolerance", formatted("found {:.6g} m, wanted {:.1e} m at least: the rounding of these "
+                                                      "positions is not much smaller",
+                                                      tolerance.position, smallest));
   if (recording.size() < 2)
     return failure(ErrorCode::bad_data, "found 1 sample, wanted 2 at least to keep the fewest that suffice");
   return {};

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/retime/retime.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <orispline/analysis/continuity.hpp>
 #include <orispline/analysis/torque.hpp>
 #include <orispline/base/formatted.hpp>
+#include <orispline/families/method_warnings.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/retime/interval_times.hpp>
+#include <orispline/retime/retime_fields.hpp>
 
 namespace orispline {
 namespace {
@@ -18,16 +22,8 @@ constexpr double least_gain = 1e-4;       // of the duration, to which the slowi
 constexpr double usual_rounds = 3.0;      // of slowing all alike
 constexpr double most_time_scale = 1e15;  // thirty million years a second
 
-Expected<void> check(const FamilyInfo& family, const Method& method, const Keyframes& keys,
-                     const MotionLimits& limits) {
+Expected<void> check_motion(const FamilyInfo& family, const Method& method, const Keyframes& keys) {
   const auto refused = [](std::string message) { return failure(ErrorCode::bad_argument, std::move(message)); };
-  if (!limits.rate && !limits.acceleration && !limits.torque) return refused("found no limit, wanted one at least");
-  for (const auto& limit : {limits.rate, limits.acceleration, limits.torque})
-    if (limit && !(*limit > 0.0 && std::isfinite(*limit)))
-      return refused(formatted("found the limit {:.6g}, wanted a finite one above 0", *limit));
-  if (limits.torque && !limits.inertia) return refused("found a limit of torque without an inertia, wanted both");
-  if (limits.torque)
-    if (const auto inertia = checked_inertia(*limits.inertia); !inertia) return tl::unexpected(inertia.error());
   if (family.rate_orders > 0)
     return refused(formatted("{}: this method takes rates from the keys, wanted one that has its own", family.name));
   if (method.options.loop) return refused(formatted("{}: loops are not slowed, wanted an open curve", family.name));
@@ -116,14 +112,25 @@ Expected<Slowed> least_slowed(const LimitedMotion& motion, int support_keys, Slo
 
 }  // namespace
 
+Expected<void> check(const RetimeOptions& options) {
+  if (auto checked = check_ranges(options); !checked) return checked;
+  const MotionLimits& limits = options.limits;
+  if (!limits.rate && !limits.acceleration && !limits.torque)
+    return failure(ErrorCode::bad_argument, "found no limit, wanted `max_rate`, `max_acceleration` or `max_torque`");
+  if (limits.torque && !limits.inertia) return bad_option("max_torque", "wanted `inertia` as well");
+  if (limits.inertia && !limits.torque) return bad_option("inertia", "wanted `max_torque` as well");
+  if (!limits.inertia) return {};
+  return checked_inertia(*limits.inertia).map([](const auto&) {});
+}
+
 Expected<Retiming> retime(const Track& track, const Method& given, const RetimeOptions& options,
                           const Progress& progress) {
   const auto family = find_family(given.name);
   if (!family) return tl::unexpected(family.error());
   const Method method = completed(given, **family, track);
   const MotionLimits& limits = options.limits;
-  if (auto checked = check(**family, method, track.keys, limits); !checked)
-    return tl::unexpected(std::move(checked.error()));
+  const auto checked = check(options).and_then([&] { return check_motion(**family, method, track.keys); });
+  if (!checked) return tl::unexpected(checked.error());
   if (limits.acceleration || limits.torque)
     if (auto smooth = check_continuity(**family, method, track.keys, options.slowing); !smooth)
       return tl::unexpected(std::move(smooth.error()));
@@ -135,7 +142,10 @@ Expected<Retiming> retime(const Track& track, const Method& given, const RetimeO
     return track.with_times(std::move(slowed.times)).map([&](Track later) {
       later.settings = settings_per_key(method, later.keys.size());
       work.finish();
-      return Retiming{std::move(later), method, slowed.time_scale, slowed.slowing, std::move(slowed.peaks)};
+      std::vector<Warning> warnings = limits.inertia ? warnings_of(*limits.inertia) : std::vector<Warning>();
+      std::ranges::move(warnings_of(method, later), std::back_inserter(warnings));
+      return Retiming{std::move(later),   method, slowed.time_scale, slowed.slowing, std::move(slowed.peaks),
+                      std::move(warnings)};
     });
   });
 }

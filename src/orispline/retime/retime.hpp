@@ -32,7 +32,12 @@ struct Retiming {
   double time_scale = 1.0;            ///< of the whole duration, at least 1
   Slowing slowing{};                  ///< how they were slowed: uniformly where intervals by themselves take longer
   std::vector<SegmentPeaks> peaks{};  ///< of the slowed curve, segment by segment: no bound above its limit
+  std::vector<Warning> warnings{};    ///< of the inertia, and of the method's curve
 };
+
+/// Error (bad_argument): limits that are absent or not greater than 0, a torque without a positive definite inertia and
+/// an inertia without a torque.
+[[nodiscard]] Expected<void> check(const RetimeOptions& options);
 
 /// The least slowing, to 1e-4, with which the method's curve through the keys stays within the limits everywhere.
 ///
@@ -40,8 +45,8 @@ struct Retiming {
 /// the times that are returned. A motion within the limits stays as it is. `per_interval` shortens the whole duration
 /// as far as least_interval_times() finds a way, for methods that are not local less far; it is the uniform slowing
 /// where that is the shorter, or longer by less than 1e-4. The curve is as smooth as the method makes it. Positions,
-/// where there are any, play no part. Errors: bad_argument for limits that are absent, not greater than 0 or ask for
-/// more than 1e15 times the duration, a torque without a positive definite inertia, a method that takes rates from the
+/// where there are any, play no part. Errors: those of check(); bad_argument for limits that ask for
+/// more than 1e15 times the duration, a method that takes rates from the
 /// keys, does not state its segments as polynomials, or whose ω jumps on these keys where acceleration is limited: no
 /// slowing helps; the like for `per_interval` of a method whose ω is continuous on even times only; loops, and rates at
 /// the ends other than zero, which slowing would change; bad_data for fewer than two keys; cancelled.

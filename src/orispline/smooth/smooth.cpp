@@ -7,6 +7,7 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/math/degrees.hpp>
+#include <orispline/smooth/smooth_fields.hpp>
 #include <orispline/smooth/smoothing_gyro.hpp>
 #include <orispline/smooth/smoothing_stretches.hpp>
 
@@ -16,41 +17,23 @@ namespace {
 constexpr double huber_threshold = 2.5, tukey_threshold = 6.0;  // in units of σ
 constexpr double rejection_threshold = 5.0;                     // likewise
 constexpr double tolerance_to_find_outliers = 1e-2;             // of the iteration, likewise
-constexpr double largest_noise = 0.5;  // [rad] per axis: residuals of this size are those of no motion at all
-
-struct Range {
-  double least, most;
-};
-
-Expected<void> check_range(const char* name, const char* unit, std::optional<double> value, Range range) {
-  if (!value || (*value >= range.least && *value <= range.most)) return {};
-  return failure(ErrorCode::bad_argument, formatted("{}: found {:.6g} {}, wanted {:.6g} to {:.6g} {}", name, *value,
-                                                    unit, range.least, range.most, unit));
-}
 
 /// Below them the samples are joined as they are; above, a steady rotation is left or rounding decides.
-Range smoothing_times(const Keyframes& recording, Penalty penalty) {
+Interval smoothing_times(const Keyframes& recording, Penalty penalty) {
   const double interval = median_interval(recording.times()),
                span = recording.times().back() - recording.times().front();
   const double longest = penalty == Penalty::jerk ? 5e3 : 1e6;  // in intervals: condition numbers of 1e12
-  return {.least = 1e-3 * interval, .most = std::min(10.0 * span, longest * interval)};
+  return {1e-3 * interval, std::min(10.0 * span, longest * interval)};
 }
 
 Expected<void> check(const Keyframes& recording, const SmoothOptions& options) {
-  constexpr double any = std::numeric_limits<double>::max(), least = std::numeric_limits<double>::min();
-  if (auto checked = check_range("noise", "rad", options.noise, {least_noise, largest_noise}); !checked) return checked;
-  if (auto checked = check_range("gap", "s", options.gap, {least, any}); !checked) return checked;
-  if (auto checked = check_range("gyro noise", "rad/s", options.gyro_noise, {1e-9, 1e3}); !checked) return checked;
+  if (auto checked = check(options); !checked) return checked;
   if (options.smoothing_time && recording.size() > 1) {
-    const Range range = smoothing_times(recording, options.penalty);
-    if (auto checked = check_range("smoothing time", "s", options.smoothing_time, range); !checked) return checked;
+    const Interval range = smoothing_times(recording, options.penalty);
+    if (!range.contains(*options.smoothing_time))
+      return bad_option("smoothing_time", formatted("found {:.6g} s, wanted {}", *options.smoothing_time,
+                                                    text_of(range, &quantities::time)));
   }
-  const auto contradiction = [](std::string message) { return failure(ErrorCode::bad_argument, std::move(message)); };
-  if (options.noise && options.smoothing_time)
-    return contradiction("found a noise and a smoothing time, wanted one of them: each determines how smooth");
-  if (options.gyro_noise && !options.gyro) return contradiction("found a gyro noise without a gyro");
-  if (options.gyro && options.gap)
-    return contradiction("found a gyro and a gap, wanted one of them: the gyro bridges gaps");
   if (options.gyro && recording.angular_velocities().empty())
     return failure(ErrorCode::bad_data, "found no angular velocities of the body, wanted wx,wy,wz of the gyro");
   return {};
@@ -277,6 +260,15 @@ Expected<Keyframes> smoothed_keyframes(const Keyframes& recording, const Smoothi
 }
 
 }  // namespace
+
+Expected<void> check(const SmoothOptions& options) {
+  if (auto checked = check_ranges(options); !checked) return checked;
+  if (options.noise && options.smoothing_time)
+    return bad_option("noise", "wanted no `smoothing_time` as well: each determines how smooth");
+  if (options.gyro_noise && !options.gyro) return bad_option("gyro_noise", "wanted `gyro` as well");
+  if (options.gyro && options.gap) return bad_option("gap", "wanted no `gyro`, which bridges gaps");
+  return {};
+}
 
 Expected<Smoothing> smooth(const Track& recording, const SmoothOptions& options, const Progress& progress) {
   const Keyframes& keys = recording.keys;

@@ -29,6 +29,10 @@ struct SmoothOptions {
   std::optional<double> gyro_noise{};  ///< σ per axis [rad/s], 1e-9 to 1e3
 };
 
+/// Errors (bad_argument): numbers that are out of their range whatever the recording is, and options that contradict
+/// each other: `noise` and `smoothing_time`, `gyro` and `gap`, `gyro_noise` without `gyro`.
+[[nodiscard]] Expected<void> check(const SmoothOptions& options);
+
 /// Of the times that it is shown, the choice of τ sees about this many at most.
 inline constexpr std::size_t most_times_for_choice = 10000;
 
@@ -38,10 +42,9 @@ inline constexpr std::size_t most_times_for_choice = 10000;
 /// The weight of the penalty follows from `smoothing_time`; else it is chosen: by GCV where nothing is known, by UBRE
 /// where the noise is stated, by REML with a gyro. Errors: bad_data for too few samples (fewer than three in every
 /// stretch, four for the jerk; so few beside the outliers), where no smooth motion is near to them or more than half of
-/// them count as outliers, for a gyro without angular velocities and for one that contradicts the orientations;
-/// bad_argument for numbers out of their range, for a gap not longer than the median interval, and for options that
-/// contradict each other: `noise` and `smoothing_time`, `gyro` and `gap`, `gyro_noise` without `gyro`; not_converged;
-/// cancelled.
+/// them count as outliers, for a gyro without angular velocities and for one that contradicts the orientations; those
+/// of check(); bad_argument for a smoothing time that does not suit the recording and for a gap not longer than the
+/// median interval; not_converged; cancelled.
 [[nodiscard]] Expected<Smoothing> smooth(const Track& recording, const SmoothOptions& options = {},
                                          const Progress& progress = {});
 

@@ -17,6 +17,8 @@ inline constexpr double median_length = 1.5381722544550522;
 
 /// Rounding of orientations in single precision [rad]: noise below it is not told apart.
 inline constexpr double least_noise = 1e-7;
+/// Residuals of this size per axis [rad] are those of no motion at all.
+inline constexpr double largest_noise = 0.5;
 
 /// The noise of a recording per axis [rad], from the difference of the steps to its two neighbours that every
 /// orientation has: the median, so that outliers and quick turns do not count. It holds the bends of the motion too,

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <numbers>
 
+#include <orispline/base/formatted.hpp>
+#include <orispline/fields/field_info.hpp>
+
 namespace orispline {
 namespace {
 
@@ -11,19 +14,26 @@ constexpr std::size_t motion_run = 3;  // of rejected samples; the loss tukey ma
 constexpr double wanted_step = 1e-6;   // [rad] of the last step of the iteration
 
 /// The longest run of rejected samples in one stretch, of equals the first; none of length 0.
-SmoothingWarning longest_rejected_run(const Smoothing& smoothing) {
-  SmoothingWarning longest{.code = SmoothingWarning::Code::rejected_run};
+SampleRun longest_rejected_run(const Smoothing& smoothing) {
+  SampleRun longest{};
   std::size_t run = 0;
   for (std::size_t k = 0; k < smoothing.rejected.size(); ++k) {
     const std::size_t sample = smoothing.rejected[k];
     const bool follows = k > 0 && smoothing.rejected[k - 1] + 1 == sample &&
                          !std::ranges::binary_search(smoothing.stretches, sample, {}, &Stretch::first);
     run = follows ? run + 1 : 1;
-    if (run <= longest.count) continue;
-    longest.count = run;
-    longest.sample = sample + 1 - run;
+    if (run > longest.second) longest = {sample + 1 - run, run};
   }
   return longest;
+}
+
+Warning rejected_run(const SampleRun& run) {
+  return {.code = "rejected_run",
+          .message = formatted("{} samples in a row do not count, which is rather motion than outliers: wanted `loss` "
+                               "robust, which keeps them",
+                               run.second),
+          .where = {.key = run.first},
+          .numbers = {{"samples", static_cast<double>(run.second)}}};
 }
 
 }  // namespace
@@ -41,13 +51,23 @@ bool Smoothing::covers(double t) const {
   return *before == t || sample + 1 < first + count;
 }
 
-std::vector<SmoothingWarning> warnings_of(const Smoothing& smoothing) {
-  using Code = SmoothingWarning::Code;
-  std::vector<SmoothingWarning> warnings;
-  if (smoothing.edge == LambdaChoice::Edge::shortest) warnings.push_back({.code = Code::least_smoothing});
-  if (smoothing.edge == LambdaChoice::Edge::longest) warnings.push_back({.code = Code::most_smoothing});
-  if (const SmoothingWarning run = longest_rejected_run(smoothing); run.count >= motion_run) warnings.push_back(run);
-  if (smoothing.last_step > wanted_step) warnings.push_back({.code = Code::unfinished, .step = smoothing.last_step});
+std::vector<Warning> warnings_of(const Smoothing& smoothing) {
+  std::vector<Warning> warnings;
+  if (smoothing.edge == LambdaChoice::Edge::shortest)
+    warnings.push_back({.code = "least_smoothing",
+                        .message = "hardly any noise was found beside the motion: the least smoothing was taken; state "
+                                   "`smoothing_time` for more or less"});
+  if (smoothing.edge == LambdaChoice::Edge::longest)
+    warnings.push_back({.code = "most_smoothing",
+                        .message = "no change of the rates was found beside the noise: the most smoothing was taken; "
+                                   "state `smoothing_time` to have less"});
+  if (const SampleRun run = longest_rejected_run(smoothing); run.second >= motion_run)
+    warnings.push_back(rejected_run(run));
+  if (smoothing.last_step > wanted_step)
+    warnings.push_back(
+        {.code = "unfinished",
+         .message = formatted("the last step of the iteration still moved by {:.2g} rad", smoothing.last_step),
+         .numbers = {{"step_rad", smoothing.last_step}}});
   return warnings;
 }
 

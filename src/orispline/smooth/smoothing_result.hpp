@@ -17,19 +17,6 @@ struct Stretch {
 /// The method whose curve through smoothed keys is the smooth motion: C2, through their orientations and rates.
 inline constexpr std::string_view smoothed_method = "hermite-c2";
 
-/// What is noteworthy about a smoothing.
-struct SmoothingWarning {
-  enum class Code {
-    least_smoothing,  ///< hardly any noise beside the motion: the least smoothing was chosen
-    most_smoothing,   ///< no change of the rates beside the noise: the most smoothing was chosen
-    rejected_run,     ///< `count` samples in a row do not count, which is rather motion than outliers
-    unfinished,       ///< the last step of the iteration still moved by `step`
-  } code{};
-  std::size_t sample = 0;  ///< of the recording, where the run begins
-  std::size_t count = 0;
-  double step = 0.0;  ///< [rad]
-};
-
 /// A smoothed recording.
 struct Smoothing {
   Track track{};  ///< the keys, with body rates ω and α; positions as they were
@@ -50,11 +37,11 @@ struct Smoothing {
       retained_outlier_runs{};  ///< samples as far away, but three or more in a row: rather motion than faults
   std::optional<SmoothingCriterion> criterion{};  ///< by which τ was chosen; absent: as stated
   LambdaChoice::Edge edge = LambdaChoice::Edge::none;
-  std::size_t chosen_on = 0;                 ///< times that the choice of τ saw
-  double interval = 0.0;                     ///< median one between samples [s]
-  double last_step = 0.0;                    ///< largest turn of a node in the last step of the iteration [rad]
-  int iterations = 0;                        ///< of the last fit
-  std::vector<SmoothingWarning> warnings{};  ///< none, or the likely cause of the others first
+  std::size_t chosen_on = 0;        ///< times that the choice of τ saw
+  double interval = 0.0;            ///< median one between samples [s]
+  double last_step = 0.0;           ///< largest turn of a node in the last step of the iteration [rad]
+  int iterations = 0;               ///< of the last fit
+  std::vector<Warning> warnings{};  ///< none, or the likely cause of the others first
 
   /// The frequency at which the smoother's gain is one half [Hz].
   [[nodiscard]] double cutoff() const noexcept;
@@ -64,6 +51,10 @@ struct Smoothing {
 };
 
 /// What is to be said about it; `warnings` themselves play no part.
-[[nodiscard]] std::vector<SmoothingWarning> warnings_of(const Smoothing& smoothing);
+///
+/// `least_smoothing`: hardly any noise beside the motion; `most_smoothing`: no change of the rates beside the noise;
+/// `rejected_run`: so many `samples` in a row do not count, which is rather motion than outliers; `unfinished`: the
+/// last step of the iteration still moved by `step_rad`.
+[[nodiscard]] std::vector<Warning> warnings_of(const Smoothing& smoothing);
 
 }  // namespace orispline

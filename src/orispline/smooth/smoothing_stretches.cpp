@@ -38,8 +38,8 @@ Expected<std::vector<Stretch>> stretches_of(const Keyframes& recording, Penalty 
   const auto t = recording.times();
   const double interval = median_interval(t);
   if (gap && *gap <= interval * (1.0 + time_rounding))
-    return failure(ErrorCode::bad_argument,
-                   formatted("gap: found {:.6g} s, wanted more than the median interval of {:.6g} s", *gap, interval));
+    return bad_option("gap",
+                      formatted("found {:.6g} s, wanted more than the median interval of {:.6g} s", *gap, interval));
   std::vector<Stretch> stretches{{0, 1}};
   for (std::size_t i = 1; i < t.size(); ++i)
     if (gap && t[i] - t[i - 1] > *gap) stretches.push_back({i, 1});

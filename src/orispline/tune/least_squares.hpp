@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <limits>
 #include <span>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include <orispline/base/interval.hpp>
 #include <orispline/base/progress.hpp>
 
 namespace orispline {
@@ -24,11 +24,6 @@ class SumOfSquares {
   /// At the present state.
   [[nodiscard]] virtual Eigen::VectorXd residuals(std::size_t block) const = 0;
   [[nodiscard]] virtual Eigen::MatrixXd jacobian(std::size_t block) const = 0;
-};
-
-/// Bounds of a variable; none by default.
-struct Interval {
-  double lowest = -std::numeric_limits<double>::infinity(), highest = std::numeric_limits<double>::infinity();
 };
 
 /// The sum at the present state.

@@ -2,9 +2,11 @@
 #include <orispline/tune/tune.hpp>
 
 #include <algorithm>
+#include <iterator>
 
 #include <orispline/analysis/torque.hpp>
 #include <orispline/base/formatted.hpp>
+#include <orispline/families/method_warnings.hpp>
 #include <orispline/families/nu.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/tune/nu_sum.hpp>
@@ -25,21 +27,19 @@ constexpr double expected_steps = 8.0;
 Expected<std::vector<std::string>> parameters_of(const FamilyInfo& family, const TuneOptions& options) {
   std::vector<std::string> tunable = tunable_parameters(family.name);
   if (tunable.empty())
-    return failure(ErrorCode::bad_argument, formatted("{}: this method has no tensions to tune, wanted one of {}",
-                                                      family.name, tunable_methods()));
+    return bad_option("method",
+                      formatted("{} has no tensions to tune, wanted one of {}", family.name, tunable_methods()));
   if (options.parameters.empty()) return tunable;
   for (const std::string& name : options.parameters)
     if (std::ranges::find(tunable, name) == tunable.end())
-      return failure(ErrorCode::bad_argument,
-                     formatted("{}: found '{}' to tune, wanted one of {}", family.name, name, joined(tunable, ", ")));
+      return bad_option("free",
+                        formatted("found '{}' for {}, wanted one of {}", name, family.name, joined(tunable, ", ")));
   return options.parameters;
 }
 
 /// Where the reference's orientations lie on the segments; those beyond the ends are left out.
 Expected<Goal> goal_of(const Keyframes& keys, const TuneOptions& options) {
-  Goal goal{.objective = options.objective, .inertia = options.inertia};
-  if (options.objective == Objective::torque)
-    if (const auto inertia = checked_inertia(options.inertia); !inertia) return tl::unexpected(inertia.error());
+  Goal goal{.objective = options.objective, .inertia = options.inertia.value_or(Eigen::Matrix3d::Identity())};
   if (options.objective != Objective::fit) return goal;
   const Knots knots({keys.times().begin(), keys.times().end()});
   goal.reference_samples.resize(knots.segments());
@@ -56,16 +56,12 @@ Expected<Goal> goal_of(const Keyframes& keys, const TuneOptions& options) {
                            knots.front(), knots.back()));
 }
 
-Expected<void> check_request(const FamilyInfo& family, const Keyframes& keys, const CurveOptions& curve,
-                             const TuneOptions& options) {
+Expected<void> check_keys(const FamilyInfo& family, const Keyframes& keys, const CurveOptions& curve) {
   if (keys.size() < fewest_keys)
     return failure(ErrorCode::bad_data, formatted("found {} key{}, wanted at least {} to tune tensions", keys.size(),
                                                   keys.size() == 1 ? "" : "s", fewest_keys));
   if (curve.loop)
     return failure(ErrorCode::bad_argument, formatted("{}: tensions of a loop are not tuned", family.name));
-  if (options.bounds && !(options.bounds->lowest < options.bounds->highest))
-    return failure(ErrorCode::bad_argument, formatted("the bounds are {} and {}, wanted the lower one first",
-                                                      options.bounds->lowest, options.bounds->highest));
   return {};
 }
 
@@ -155,6 +151,20 @@ Expected<Tuning> tuned_nu(const FamilyInfo& family, const Keyframes& keys, const
 
 }  // namespace
 
+Expected<void> check(const TuneOptions& options) {
+  if (options.objective == Objective::torque && !options.inertia)
+    return bad_option("objective", "found torque, wanted `inertia` as well");
+  if (options.objective == Objective::fit && options.reference.times.empty())
+    return bad_option("objective", "found fit, wanted `reference` as well");
+  if (options.objective != Objective::fit && !options.reference.times.empty())
+    return bad_option("reference", "wanted `objective` fit as well");
+  if (options.bounds && !(options.bounds->lowest < options.bounds->highest))
+    return bad_option("bounds", formatted("found {} and {}, wanted the lower one first", options.bounds->lowest,
+                                          options.bounds->highest));
+  if (!options.inertia) return {};
+  return checked_inertia(*options.inertia).map([](const auto&) {});
+}
+
 std::string tunable_methods() {
   std::vector<std::string_view> names;
   for (const FamilyInfo& family : families_info())
@@ -165,11 +175,12 @@ std::string tunable_methods() {
 Expected<Tuning> tune(const Track& track, const Method& given, const TuneOptions& options, const Progress& progress) {
   const auto info = find_family(given.name);
   if (!info) return tl::unexpected(info.error());
+  if (auto checked = check(options); !checked) return tl::unexpected(std::move(checked.error()));
   const Method method = completed(given, **info, track);
   const Keyframes& keys = track.keys;
   const auto parameters = parameters_of(**info, options);
   if (!parameters) return tl::unexpected(parameters.error());
-  if (auto checked = check_request(**info, keys, method.options, options); !checked)
+  if (auto checked = check_keys(**info, keys, method.options); !checked)
     return tl::unexpected(std::move(checked.error()));
   const auto goal = goal_of(keys, options);
   if (!goal) return tl::unexpected(goal.error());
@@ -184,6 +195,8 @@ Expected<Tuning> tune(const Track& track, const Method& given, const TuneOptions
         tuning.track = track;
         for (const std::string& name : *parameters)
           tuning.track.settings[name] = tuning.method.options.parameters.find(name)->second;
+        if (options.objective == Objective::torque) tuning.warnings = warnings_of(goal->inertia);
+        std::ranges::move(warnings_of(tuning.method, track), std::back_inserter(tuning.warnings));
         work.finish();
         return tuning;
       });

@@ -17,10 +17,10 @@ namespace orispline {
 /// How tensions are sought.
 struct TuneOptions {
   Objective objective = Objective::acceleration;
-  Eigen::Matrix3d inertia = Eigen::Matrix3d::Identity();  ///< [kg m²], body frame; for `torque`
-  OrientationSeries reference{};                          ///< for `fit`; times [s] of the keys
-  std::optional<Interval> bounds{};                       ///< of every tension; absent: what the family accepts
-  std::vector<std::string> parameters{};                  ///< to vary; empty: all that the family lets vary
+  std::optional<Eigen::Matrix3d> inertia{};  ///< [kg m²], body frame; for `torque`
+  OrientationSeries reference{};             ///< for `fit`; times [s] of the keys
+  std::optional<Interval> bounds{};          ///< of every tension; absent: what the family accepts
+  std::vector<std::string> parameters{};     ///< to vary; empty: all that the family lets vary
 };
 
 /// The result of tuning.
@@ -30,8 +30,13 @@ struct Tuning {
   std::vector<std::string> parameters{};  ///< the ones that were varied
   double energy_before = 0.0, energy_after = 0.0;  ///< in the unit of the objective
   std::size_t iterations = 0;                      ///< after the closed form; 0 where that is the answer
-  double stationarity = 0.0;  ///< by which share of the energy a Gauss–Newton step would lower it still
+  double stationarity = 0.0;        ///< by which share of the energy a Gauss–Newton step would lower it still
+  std::vector<Warning> warnings{};  ///< of the inertia that counts, and of the method's curve
 };
+
+/// Error (bad_argument): options that contradict each other, such as an objective without what it needs, and those that
+/// are wrong whatever the keys are.
+[[nodiscard]] Expected<void> check(const TuneOptions& options);
 
 /// The methods whose tensions can be tuned, between commas.
 [[nodiscard]] std::string tunable_methods();
@@ -41,10 +46,9 @@ struct Tuning {
 /// The closed form minimises `linearised` by one banded solve in linear time; every other objective is refined from
 /// there to a stationarity of 1e-8 at most, usually 1e-14. Tensions without influence stay as they are.
 /// Source: docs/tune.md.
-/// Errors: those of make_curve(); bad_argument for a family without tensions, an unknown parameter, a loop, bounds
-/// without a number between them, an inertia that is none; bad_data for fewer than three keys and for a reference
-/// without a time between the first and the last key; not_converged;
-/// cancelled.
+/// Errors: those of make_curve() and of check(); bad_argument for a family without tensions, an unknown parameter, a
+/// loop; bad_data for fewer than three keys and for a reference without a time between the first and the last key;
+/// not_converged; cancelled.
 [[nodiscard]] Expected<Tuning> tune(const Track& track, const Method& method, const TuneOptions& options = {},
                                     const Progress& progress = {});
 

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/tasks/tasks.hpp"
+
+#include <algorithm>
+
+#include <orispline/base/formatted.hpp>
+
+#include "commands/tasks/tasks_json.hpp"
+#include "output/standard_output.hpp"
+
+namespace orispline::cli {
+namespace {
+
+constexpr std::size_t name_width = 28, type_width = 18;
+
+/// ` [acceleration]`, what holds where nothing is stated.
+std::string standing(const FieldInfo& field) {
+  std::string text(field.absent);
+  if (text.empty() && !field.is_required) text = text_of(field.initial());
+  return text.empty() || field.type == FieldType::symmetric_matrix ? "" : formatted(" [{}]", text);
+}
+
+std::string lines_of(const FieldInfo& field, std::string_view name, std::string_view standing) {
+  std::string lines =
+      formatted("  {:{}}{:{}}{}{}\n", name, name_width, name_of(field.type), type_width, field.sentence, standing);
+  for (const Word& word : field.words)
+    lines += formatted("  {:{}}{:{}}{}\n", "", name_width, word.word, type_width, word.sentence);
+  return lines;
+}
+
+std::string lines_of_option(const FieldInfo& field) {
+  const std::string unit = field.quantity ? formatted(" [{}]", field.quantity->unit) : "";
+  return lines_of(field, formatted("{}{}", field.name, unit), standing(field));
+}
+
+std::string text_of(const TaskInfo& task) {
+  std::string text = formatted("{}: {}\n", task.name, task.sentence);
+  for (const FieldInfo& field : task.options) text += lines_of_option(field);
+  if (!task.results.empty()) text += "  results\n";
+  for (const FieldInfo& field : task.results)
+    text += lines_of(field, name_with_unit(field), field.absent.empty() ? "" : formatted(" [{}]", field.absent));
+  return text + "\n";
+}
+
+}  // namespace
+
+Expected<void> tasks(const TasksOptions& options) {
+  const auto tasks = tasks_info();
+  if (options.json) return print_document(json_of(tasks));
+  std::string text;
+  for (const TaskInfo& task : tasks) text += text_of(task);
+  return print_document(text);
+}
+
+}  // namespace orispline::cli

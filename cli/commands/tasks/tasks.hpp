@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <orispline/base/expected.hpp>
+
+namespace orispline::cli {
+
+/// `orispline tasks`, as typed.
+struct TasksOptions {
+  bool json = false;
+};
+
+/// Lists the tasks of the library with the fields of their options and results.
+[[nodiscard]] Expected<void> tasks(const TasksOptions& options);
+
+}  // namespace orispline::cli

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <orispline/analysis/comparison.hpp>
+#include <orispline/analysis/decimation.hpp>
+#include <orispline/fields/field_info.hpp>
+
+namespace orispline {
+
+template <>
+inline constexpr std::array words<Spacing>{
+    word("even", Spacing::even, "the samples 0, N, 2N, …"),
+    word("jittered", Spacing::jittered, "those but the first moved by up to 35 % of N, at random"),
+    word("random", Spacing::random, "steps of N/4, N/2, N and 2N at random")};
+
+template <>
+std::span<const FieldInfo> fields_of<MeasureOptions>() noexcept;
+template <>
+std::span<const FieldInfo> fields_of<Decimation>() noexcept;
+
+}  // namespace orispline

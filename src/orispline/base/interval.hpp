@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <limits>
+
+namespace orispline {
+
+/// Numbers from the lowest to the highest, both included; all by default.
+struct Interval {
+  double lowest = -std::numeric_limits<double>::infinity(), highest = std::numeric_limits<double>::infinity();
+
+  [[nodiscard]] constexpr bool contains(double x) const noexcept { return lowest <= x && x <= highest; }
+};
+
+}  // namespace orispline

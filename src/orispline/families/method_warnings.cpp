@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/families/method_warnings.hpp>
+
+#include <algorithm>
+#include <optional>
+
+#include <orispline/base/formatted.hpp>
+#include <orispline/families/registry.hpp>
+
+namespace orispline {
+namespace {
+
+/// Shorter closing steps than this share of the shortest one between keys are worth a warning.
+constexpr double closing_share = 1e-3;
+
+std::optional<Warning> closing_step(const Method& method, const Keyframes& keys) {
+  const auto times = keys.times();
+  if (!method.options.loop || !method.options.loop->period || times.size() < 2) return std::nullopt;
+  const double closing = *method.options.loop->period - (times.back() - times.front());
+  double shortest = times[1] - times[0];
+  for (std::size_t i = 1; i < times.size(); ++i) shortest = std::min(shortest, times[i] - times[i - 1]);
+  if (closing <= 0.0 || closing >= closing_share * shortest) return std::nullopt;
+  return Warning{.code = "closing_step",
+                 .message = formatted("{:.2g} s from the last key back to the first make huge rates, the other steps "
+                                      "are {:.4g} s and more; `closed` is for a last key that is the first one again",
+                                      closing, shortest),
+                 .numbers = {{"closing_step_s", closing}, {"shortest_step_s", shortest}},
+                 .option = "period"};
+}
+
+std::optional<Warning> overwound(const Method& method, const Keyframes& keys) {
+  const auto found = overwound_tangent(method, keys);
+  if (!found || !*found) return std::nullopt;
+  const HandleTurn& wound = **found;
+  const double turn = wound.turn / full_turn * 360.0;
+  return Warning{.code = "overwound_tangent",
+                 .message = formatted("a handle of {} turns by {:.4g} degrees, wanted less than a full turn: the "
+                                      "angular velocity may jump there; timed-c1 has no such limit",
+                                      method.name, turn),
+                 .where = {.key = wound.key},
+                 .numbers = {{"turn_deg", turn}}};
+}
+
+}  // namespace
+
+std::vector<Warning> warnings_of(const Method& method, const Track& track) {
+  std::vector<Warning> warnings;
+  const auto family = find_family(method.name);
+  if (!family) return warnings;
+  const Method shaped = completed(method, **family, track);
+  for (const auto& warning : {closing_step(shaped, track.keys), overwound(shaped, track.keys)})
+    if (warning) warnings.push_back(track.located(*warning));
+  return warnings;
+}
+
+}  // namespace orispline

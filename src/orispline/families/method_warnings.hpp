@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include <orispline/base/warning.hpp>
+#include <orispline/curve/track.hpp>
+
+namespace orispline {
+
+/// What is noteworthy about the curve of a method through the keys of a track, with the track's settings.
+///
+/// `closing_step`: a loop returns to its first key so soon after the last that its rates are huge (`closing_step_s`,
+/// `shortest_step_s` of the others). `overwound_tangent`: a handle turns a full turn or more away from its key, where a
+/// curve of slerps loses its continuity (`turn_deg`).
+[[nodiscard]] std::vector<Warning> warnings_of(const Method& method, const Track& track);
+
+}  // namespace orispline

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <orispline/base/expected.hpp>
+#include <orispline/base/interval.hpp>
+#include <orispline/fields/quantity.hpp>
+#include <orispline/fields/words.hpp>
+
+namespace orispline {
+
+/// What the value of a field is.
+enum class FieldType {
+  flag,              ///< bool
+  count,             ///< a whole number, std::size_t
+  number,            ///< double
+  word,              ///< of the field's words, std::string
+  names,             ///< std::vector<std::string>
+  interval,          ///< the lowest and the highest number, std::vector<double>
+  vector,            ///< x, y, z, std::vector<double>
+  symmetric_matrix,  ///< its diagonal and xy, xz, yz, or its diagonal alone, std::vector<double>
+  recording,         ///< orientations at times: faces pass them in their own way
+  sample,            ///< the index of a sample of the recording, std::size_t
+  samples,           ///< several of them, std::vector<std::size_t>
+  runs,              ///< of successive samples, std::vector<SampleRun>
+};
+
+/// Successive samples: the index of the first one, and their number.
+using SampleRun = std::pair<std::size_t, std::size_t>;
+
+/// The value of any field; std::monostate where it is absent.
+using FieldValue = std::variant<std::monostate, bool, std::size_t, double, std::string, std::vector<std::size_t>,
+                                std::vector<double>, std::vector<std::string>, std::vector<SampleRun>>;
+
+/// Finite numbers above 0.
+inline constexpr Interval positive{std::numeric_limits<double>::denorm_min(), std::numeric_limits<double>::max()};
+
+/// A member of a struct of options or of results: all that is known of it elsewhere.
+///
+/// Help, documents, tables and the keywords of other languages are made from lists of them.
+struct FieldInfo {
+  std::string_view name{};             ///< as a program writes it: `gyro_noise`
+  std::string_view sentence{};         ///< for people
+  const Quantity* quantity = nullptr;  ///< of numbers, in the unit of the library; null: they have no unit
+  Interval range{};                    ///< of a number, as far as it depends on nothing else
+  std::string_view absent{};           ///< what holds where nothing is stated, where the value itself does not say it
+  bool is_required = false;            ///< the caller has to state it
+  FieldType type{};
+  // What field() finds out by itself, as it does most types:
+  std::span<const Word> words{};
+  bool is_optional = false;                         ///< it may be absent
+  FieldValue (*initial)() = nullptr;                ///< its default
+  FieldValue (*get)(const void* object) = nullptr;  ///< of the struct whose field it is
+  /// Whether the value is one of that type; if so, it is taken over. Null: the field is computed.
+  bool (*set)(void* object, const FieldValue& value) = nullptr;
+};
+
+/// The fields of a struct of options or of results. Specialised for each.
+template <class T>
+[[nodiscard]] std::span<const FieldInfo> fields_of() noexcept;
+
+/// A field by its name. Precondition: there is one.
+[[nodiscard]] const FieldInfo& field_named(std::span<const FieldInfo> fields, std::string_view name);
+
+/// The name with the unit, as in documents: `noise_rad`.
+[[nodiscard]] std::string name_with_unit(const FieldInfo& field);
+
+/// `flag`, `count`, …
+[[nodiscard]] std::string_view name_of(FieldType type);
+
+/// Whether there is no value: it is absent, or a bound that is infinite.
+[[nodiscard]] bool is_absent(const FieldValue& value) noexcept;
+
+/// For people: `acceleration`, `8`; empty for what is absent and for the false flag.
+[[nodiscard]] std::string text_of(const FieldValue& value);
+
+/// `1e-07 to 0.5 rad`, `more than 0 s`; empty without bounds.
+[[nodiscard]] std::string text_of(Interval range, const Quantity* quantity);
+
+/// Error (bad_argument, with the option): a number out of its range.
+[[nodiscard]] Expected<void> check_ranges(std::span<const FieldInfo> fields, const void* options);
+template <class Options>
+[[nodiscard]] Expected<void> check_ranges(const Options& options) {
+  return check_ranges(fields_of<Options>(), &options);
+}
+
+}  // namespace orispline

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <span>
+#include <string_view>
+
+#include <orispline/math/degrees.hpp>
+
+namespace orispline {
+
+/// A unit as people type it, and how many of the unit of the library it is.
+struct Unit {
+  std::string_view name;
+  double size;
+};
+
+/// What a number measures.
+struct Quantity {
+  std::string_view name;                ///< `rate`
+  std::string_view unit;                ///< of the number: `rad/s`
+  std::string_view suffix;              ///< that unit in names: `noise_rad_s`
+  std::span<const Unit> typed_units{};  ///< those that people type behind a number; none: they type the number alone
+  std::string_view example{};           ///< typed
+  double shown = 1.0;                   ///< times the number of the library, where `unit` is another than its own
+};
+
+/// Units of what may be stated in several.
+namespace units {
+inline constexpr std::array angle{Unit{"deg", radians_per_degree}, Unit{"rad", 1.0}};
+inline constexpr std::array length{Unit{"mm", 1e-3}, Unit{"cm", 1e-2}, Unit{"m", 1.0}};
+inline constexpr std::array rate{Unit{"deg/s", radians_per_degree}, Unit{"rad/s", 1.0}};
+inline constexpr std::array acceleration{Unit{"deg/s2", radians_per_degree}, Unit{"rad/s2", 1.0}};
+inline constexpr std::array torque{Unit{"Nm", 1.0}};
+}  // namespace units
+
+namespace quantities {
+inline constexpr Quantity angle{"angle", "rad", "rad", units::angle, "1deg or 0.02rad"};
+inline constexpr Quantity angle_in_degrees{"angle", "°", "deg", {}, {}, degrees};
+inline constexpr Quantity length{"length", "m", "m", units::length, "1mm or 0.5m"};
+inline constexpr Quantity rate{"rate", "rad/s", "rad_s", units::rate, "90deg/s"};
+inline constexpr Quantity acceleration{"acceleration", "rad/s²", "rad_s2", units::acceleration, "200deg/s2"};
+inline constexpr Quantity torque{"torque", "N m", "nm", units::torque, "0.5Nm"};
+inline constexpr Quantity inertia{"inertia", "kg m²", "kg_m2"};
+inline constexpr Quantity time{"time", "s", "s"};
+inline constexpr Quantity frequency{"frequency", "Hz", "hz"};
+}  // namespace quantities
+
+}  // namespace orispline

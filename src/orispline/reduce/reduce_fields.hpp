@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <orispline/fields/field_info.hpp>
+#include <orispline/reduce/reduce.hpp>
+
+namespace orispline {
+
+template <>
+inline constexpr std::array words<KeyValues>{
+    word("sampled", KeyValues::sampled, "The keys are samples"),
+    word("refit", KeyValues::refitted, "Move keys where that saves some; else they are samples")};
+
+template <>
+std::span<const FieldInfo> fields_of<ReduceOptions>() noexcept;
+template <>
+std::span<const FieldInfo> fields_of<Reduction>() noexcept;
+
+}  // namespace orispline

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <orispline/fields/field_info.hpp>
+#include <orispline/retime/retime.hpp>
+
+namespace orispline {
+
+template <>
+inline constexpr std::array words<Slowing>{
+    word("uniform", Slowing::uniform, "All intervals between keys are slowed alike"),
+    word("per-interval", Slowing::per_interval, "Slow each interval between keys by itself; else all alike")};
+
+template <>
+std::span<const FieldInfo> fields_of<RetimeOptions>() noexcept;
+template <>
+std::span<const FieldInfo> fields_of<Retiming>() noexcept;
+
+}  // namespace orispline

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/smooth/smooth_fields.hpp>
+
+#include <array>
+
+#include <orispline/fields/field_codec.hpp>
+#include <orispline/smooth/smoothing_noise.hpp>
+
+namespace orispline {
+namespace {
+
+/// Nothing without a gyro.
+std::optional<Eigen::Vector3d> gyro_correction(const Smoothing& smoothing) {
+  return smoothing.gyro_noise ? std::optional(smoothing.nodes.gyro_correction) : std::nullopt;
+}
+
+}  // namespace
+
+template <>
+struct FieldCodec<std::vector<Stretch>> {
+  static constexpr FieldType type = FieldType::runs;
+  static FieldValue value(const std::vector<Stretch>& stretches) {
+    std::vector<SampleRun> runs;
+    for (const auto& [first, count] : stretches) runs.emplace_back(first, count);
+    return runs;
+  }
+};
+
+template <>
+std::span<const FieldInfo> fields_of<SmoothOptions>() noexcept {
+  static constexpr std::array fields{
+      field<&SmoothOptions::penalty>({.name = "penalty", .sentence = "What is kept small, squared and integrated"}),
+      field<&SmoothOptions::noise>({.name = "noise",
+                                    .sentence = "Standard deviation of the orientations per axis",
+                                    .quantity = &quantities::angle,
+                                    .range = {least_noise, largest_noise}}),
+      field<&SmoothOptions::smoothing_time>({.name = "smoothing_time",
+                                             .sentence = "Smoothing time tau",
+                                             .quantity = &quantities::time,
+                                             .range = positive,
+                                             .absent = "chosen"}),
+      field<&SmoothOptions::loss>(
+          {.name = "loss", .sentence = "What samples that fit badly count; l2 trusts every sample"}),
+      field<&SmoothOptions::gyro>(
+          {.name = "gyro",
+           .sentence = "The angular velocities are those of a gyro, with a constant bias that is estimated"}),
+      field<&SmoothOptions::gyro_noise>({.name = "gyro_noise",
+                                         .sentence = "Standard deviation of the gyro's rates per axis",
+                                         .quantity = &quantities::rate,
+                                         .range = {1e-9, 1e3},
+                                         .absent = "estimated"}),
+      field<&SmoothOptions::gap>({.name = "gap",
+                                  .sentence = "Nothing is smoothed over longer intervals",
+                                  .quantity = &quantities::time,
+                                  .range = positive,
+                                  .absent = "bridged"}),
+  };
+  return fields;
+}
+
+template <>
+std::span<const FieldInfo> fields_of<Smoothing>() noexcept {
+  static constexpr std::array fields{
+      field<&Smoothing::smoothing_time>(
+          {.name = "smoothing_time", .sentence = "Smoothing time τ", .quantity = &quantities::time}),
+      field<&Smoothing::cutoff>(
+          {.name = "cutoff", .sentence = "The frequency 1/(2πτ)", .quantity = &quantities::frequency}),
+      field<&Smoothing::lambda>({.name = "lambda", .sentence = "Weight λ of the penalty"}),
+      field<&Smoothing::criterion>({.name = "criterion", .sentence = "By what τ was chosen", .absent = "τ was stated"}),
+      field<&Smoothing::chosen_on>({.name = "chosen_on", .sentence = "Number of samples that the choice of τ saw"}),
+      field<&Smoothing::noise>({.name = "noise",
+                                .sentence = "σ of the orientations per axis, from the residuals or as stated",
+                                .quantity = &quantities::angle}),
+      field<&Smoothing::local_noise>({.name = "local_noise",
+                                      .sentence = "σ per axis, from how far samples are from their neighbours",
+                                      .quantity = &quantities::angle}),
+      field<&Smoothing::degrees_of_freedom>({.name = "degrees_of_freedom",
+                                             .sentence = "Effective ones of the curve, of three for each key",
+                                             .absent = "with a gyro"}),
+      field<&Smoothing::gyro_noise>({.name = "gyro_noise",
+                                     .sentence = "σ of the gyro per axis",
+                                     .quantity = &quantities::rate,
+                                     .absent = "without a gyro"}),
+      field<&gyro_correction>({.name = "gyro_correction",
+                               .sentence = "What is added to the rates of the gyro",
+                               .quantity = &quantities::rate,
+                               .absent = "without a gyro"}),
+      field<&Smoothing::rejected>({.name = "rejected", .sentence = "The samples that do not count"}),
+      field<&Smoothing::rejected_gyro>({.name = "rejected_gyro", .sentence = "The samples whose rates do not count"}),
+      field<&Smoothing::retained_outlier_runs>(
+          {.name = "retained_outlier_runs",
+           .sentence = "Samples as far away that stay, for they are three or more in a row"}),
+      field<&Smoothing::samples_in_short_stretches>(
+          {.name = "samples_in_short_stretches", .sentence = "Samples between gaps that are too few"}),
+      field<&Smoothing::stretches>({.name = "stretches", .sentence = "What lies between gaps"}),
+      field<&Smoothing::iterations>({.name = "iterations", .sentence = "Iterations of the last fit"}),
+      field<&Smoothing::last_step>(
+          {.name = "last_step",
+           .sentence = "The largest component by which an orientation moved in the last of them",
+           .quantity = &quantities::angle}),
+  };
+  return fields;
+}
+
+}  // namespace orispline

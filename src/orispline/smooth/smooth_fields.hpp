@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <orispline/fields/field_info.hpp>
+#include <orispline/smooth/smooth.hpp>
+
+namespace orispline {
+
+template <>
+inline constexpr std::array words<Penalty>{word("acceleration", Penalty::acceleration, "∫|α|² dt"),
+                                           word("jerk", Penalty::jerk, "∫|dα/dt|² dt")};
+template <>
+inline constexpr std::array words<Loss>{
+    word("robust", Loss::robust, "Huber's loss; samples farther than 5 σ are left out and the rest is fitted anew"),
+    word("l2", Loss::l2, "squares: every sample counts in full"),
+    word("huber", Loss::huber, "Huber's loss: far samples count less"),
+    word("tukey", Loss::tukey, "Tukey's loss: very far samples do not count")};
+template <>
+inline constexpr std::array words<SmoothingCriterion>{
+    word("gcv", SmoothingCriterion::gcv, "generalised cross-validation"),
+    word("ubre", SmoothingCriterion::ubre, "the stated noise (UBRE)"),
+    word("reml", SmoothingCriterion::reml, "restricted likelihood (REML)")};
+
+template <>
+std::span<const FieldInfo> fields_of<SmoothOptions>() noexcept;
+template <>
+std::span<const FieldInfo> fields_of<Smoothing>() noexcept;
+
+}  // namespace orispline

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <orispline/fields/field_info.hpp>
+#include <orispline/tune/tune.hpp>
+
+namespace orispline {
+
+template <>
+inline constexpr std::array words<Objective>{
+    word("linearised", Objective::linearised, "closed form: ∫|α|² dt less what the factors turn each other"),
+    word("acceleration", Objective::acceleration, "∫|α|² dt, α the angular acceleration"),
+    word("torque", Objective::torque, "∫|Jα + ω × Jω|² dt, of a body with the inertia J"),
+    word("jerk", Objective::jerk, "∫|dα/dt|² dt"),
+    word("fit", Objective::fit, "mean square of the angle to the reference, at its times between the end keys")};
+
+/// In which the energies of an objective are.
+[[nodiscard]] std::string_view unit_of(Objective objective) noexcept;
+
+template <>
+std::span<const FieldInfo> fields_of<TuneOptions>() noexcept;
+template <>
+std::span<const FieldInfo> fields_of<Tuning>() noexcept;
+
+}  // namespace orispline
