@@ -43,6 +43,21 @@ TEST(LineReader, TakesEveryEndOfLine) {
   EXPECT_EQ(lines_in(""), Lines{});
 }
 
+TEST(LineReader, GivesLinesOnceMoreThatItKept) {
+  const std::string long_line(100'000, 'x');
+  const TextFile file("\xEF\xBB\xBFt\n" + long_line + "\nlast\n");
+  auto reader = LineReader::open(file.path());
+  ASSERT_TRUE(reader);
+  reader->keep();
+  for (int i = 0; i < 2; ++i) ASSERT_TRUE(reader->next());
+  reader->rewind();
+  EXPECT_EQ(reader->line(), 0u);
+  EXPECT_EQ(**reader->next(), "t");
+  EXPECT_EQ(**reader->next(), long_line);
+  EXPECT_EQ(**reader->next(), "last");
+  EXPECT_FALSE(*reader->next());
+}
+
 TEST(LineReader, SkipsTheByteOrderMark) {
   EXPECT_EQ(lines_in("\xEF\xBB\xBFt\n1\n"), (Lines{"t", "1"}));
   EXPECT_EQ(lines_in("\xEF\xBB\xBF"), (Lines{""}));

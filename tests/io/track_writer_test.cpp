@@ -52,7 +52,7 @@ TEST(WriteTracks, KeepsTheDigitsOfTheFileWhileTheyStateTheKey) {
   const std::vector<std::size_t> second{1};
   EXPECT_EQ(written(track.at(second)), "t,qw,qx,qy,qz\n1,-0.6,0,0.8,0\n");
   const auto turned =
-      Keyframes::make({.times = {0.0, 1.0}, .orientations = std::vector(2, quaternion_wxyz(0, 0, 0, 1))});
+      Keyframes::make({.times = {0.0, 1.0}, .orientations = std::vector(2, quaternion_wxyz(0.0, 0.0, 0.0, 1.0))});
   EXPECT_EQ(written(track.with_keys(turned.value())), "t,qw,qx,qy,qz\n0,0,0,0,1\n1,0,0,0,1\n");
 }
 
@@ -72,7 +72,8 @@ TEST(WriteTracks, WritesTheTableOfTheFileWithSettingsInTheirColumns) {
 TEST(WriteTracks, RefusesWhatTheFormatCannotHold) {
   Track track = track_in("t,qw,qx,qy,qz\n0,1,0,0,0\n1,1,0,0,0\n");
   EXPECT_EQ(written(std::vector{track, track}), "out.csv: found 2 tracks, and a CSV file holds one");
-  EXPECT_EQ(written({}, {.format = &npy_format}), "out.csv: found 0 tracks, and a NumPy file holds one");
+  EXPECT_EQ(written(std::vector<Track>(), {.format = &npy_format}),
+            "out.csv: found 0 tracks, and a NumPy file holds one");
   track.settings = {{"tension", {0.5, 0.5}}};
   EXPECT_EQ(written(track, {.format = &euroc_format}), "1 columns of settings were asked for, and EuRoC holds 0");
 }

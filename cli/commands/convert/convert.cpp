@@ -11,8 +11,10 @@
 namespace orispline::cli {
 namespace {
 
-Expected<io::TrackFile> open_source(InputRequest request) {
-  request.read.keep_exact_times = request.read.keep_as_read = true;
+/// Digits are those of quaternions: other forms are those of a unit quaternion.
+Expected<io::TrackFile> open_source(InputRequest request, const io::OrientationForm& form) {
+  request.read.keep_exact_times = true;
+  request.read.keep_as_read = form.representation == io::Representation::quaternion;
   return io::read_track(request.path, request.read, request.signs);
 }
 
@@ -44,7 +46,7 @@ Expected<void> convert(const ConvertOptions& options) {
   auto request = std::move(checked).or_else(std::move(input));
   if (!request) return tl::unexpected(std::move(request.error()));
   if (auto fits = check_summary(options.summary, options.output.path, "keys"); !fits) return fits;
-  const auto source = open_source(std::move(*request));
+  const auto source = open_source(std::move(*request), columns.form);
   if (!source) return tl::unexpected(source.error());
   columns.positions = !source->track.keys.positions().empty();
   columns.derivatives = columns.format->holds.rates && !source->track.keys.angular_velocities().empty() ? 1 : 0;

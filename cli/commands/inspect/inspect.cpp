@@ -9,6 +9,7 @@
 #include <orispline/families/method_warnings.hpp>
 
 #include "commands/inspect/inspect_report.hpp"
+#include "options/reading_flags.hpp"
 #include "output/standard_output.hpp"
 
 namespace orispline::cli {
@@ -26,7 +27,7 @@ std::optional<std::string> defect_in(const InputRequest& input, const io::Repair
   const bool touched = repairs.duplicates_dropped + repairs.invalid_dropped + repairs.rows_moved > 0;
   if (!touched || input.path == io::standard_stream) return std::nullopt;
   const auto strict = io::read_keys(input.path, input.read);
-  return strict ? std::nullopt : std::optional(describe(strict.error()));
+  return strict ? std::nullopt : std::optional(describe(with_reading_flags(strict.error())));
 }
 
 /// Quaternions of any norm but 0, scaled to 1.

@@ -4,6 +4,7 @@
 #include <utility>
 
 namespace orispline::io {
+
 Expected<SampleWriter> SampleWriter::open(const std::string& path, const SampleColumns& columns, std::size_t rows) {
   if (auto checked = check_columns(columns); !checked) return tl::unexpected(std::move(checked.error()));
   return OutputFile::open(path).and_then([&](OutputFile&& file) -> Expected<SampleWriter> {

@@ -28,11 +28,9 @@ SampleColumns columns_for(const Track& track, SampleColumns columns) {
   return columns;
 }
 
-/// A key as the columns hold it. Digits are those of quaternions: other forms are those of a unit quaternion.
 Sample sample_at(const Track& track, const SampleColumns& columns, std::size_t key) {
   const Keyframes& keys = track.keys;
-  const bool keeps_digits = columns.form.representation == Representation::quaternion;
-  Sample sample{.motion = {.orientation = keeps_digits ? track.written(key) : keys.orientations()[key]}};
+  Sample sample{.motion = {.orientation = track.written(key)}};
   if (columns.positions) sample.linear_motion.position = keys.positions()[key];
   if (columns.derivatives > 0) sample.motion.angular_velocity = keys.angular_velocities()[key];
   if (columns.derivatives > 1) sample.motion.angular_acceleration = keys.angular_accelerations()[key];
