@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t most_descents = 60;
 constexpr double near_limit = 1e-6;  // by which a factor may be above 1
 constexpr std::array barrier_weights{0.1, 0.01, 0.001, 0.0};
-constexpr std::size_t sweeps = 4;      // per weight
+constexpr std::size_t sweeps = 4;           // per weight
 constexpr double usual_stretchings = 20.0;  // of stretching, before and after
 
 using Factors = Expected<std::vector<double>> (LimitedMotion::*)(std::vector<double>) const;
