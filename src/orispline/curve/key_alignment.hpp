@@ -15,8 +15,7 @@ struct KeyAlignment {
 
   /// The next unit orientation with its sign; `norm`: what it was divided by. `before`: the one before it, with its
   /// sign; null for the first.
-  Eigen::Quaterniond next(Eigen::Quaterniond unit, double norm, Signs signs,
-                                        const Eigen::Quaterniond* before) {
+  Eigen::Quaterniond next(Eigen::Quaterniond unit, double norm, Signs signs, const Eigen::Quaterniond* before) {
     const double norm_error = std::abs(norm - 1.0);
     report.largest_norm_error = std::max(report.largest_norm_error, norm_error);
     if (norm_error > unit_norm_tolerance) ++report.non_unit_keys;
