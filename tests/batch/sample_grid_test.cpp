@@ -3,7 +3,9 @@
 #include <orispline/batch/sample_grid.hpp>
 
 #include <cmath>
+#include <limits>
 #include <random>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -74,11 +76,11 @@ TEST(SampleGrid, FindsTheFirstSampleFromATimeOn) {
       const double t = i % 2 == 0 ? grid[static_cast<std::uint64_t>(i / 8)].t : grid[0].t + anywhere(random);
       const auto from = grid.first_from(t), after = grid.first_after(t);
       const std::uint64_t size = grid.size().value_or(from + 2);
-      if (from < size) EXPECT_GE(grid.time(from), t);
-      if (from > 0) EXPECT_LT(grid.time(from - 1), t);
+      EXPECT_TRUE(from >= size || grid.time(from) >= t);
+      EXPECT_TRUE(from == 0 || grid.time(from - 1) < t);
       EXPECT_GE(after, from);
       EXPECT_GT(grid.time(after), t);
-      if (after > 0) EXPECT_LE(grid.time(after - 1), t);
+      EXPECT_TRUE(after == 0 || grid.time(after - 1) <= t);
     }
 }
 
