@@ -67,14 +67,9 @@ Expected<void> check_range(const TimeRequest& request, const Decimal& key_epoch,
     return usage_failure(
         formatted("--from {} is after the end at {}, wanted --to as well", request.from->to_string(), end.to_string()));
   if (const auto* const count = std::get_if<Count>(&request.spacing); count && count->samples > 1 && start == end)
-    return usage_failure(
-        formatted("--count {}: the range is the single time {}, wanted --count 1", count->samples, start.to_string()));
+    return usage_failure(formatted("--count: found {} and a range that is the single time {}, wanted 1", count->samples,
+                                   start.to_string()));
   return {};
-}
-
-Error said_of_grid(Error error) {
-  if (!error.option.empty()) error.message = formatted("--{}", error.message);
-  return error;
 }
 
 SampleTimes::SampleTimes(const Decimal& key_epoch, const SampleGrid::Request& request, double curve_start,
@@ -87,8 +82,7 @@ Expected<SampleTimes> SampleTimes::make(const TimeRequest& request, const Decima
   if (const auto wanted = grid_request(request, key_epoch))
     return check_range(request, key_epoch, domain.start, domain.end)
         .and_then([&] { return SampleGrid::make(*wanted, domain.start, domain.end); })
-        .map([&](const SampleGrid& grid) { return SampleTimes(key_epoch, *wanted, domain.start, grid); })
-        .map_error(said_of_grid);
+        .map([&](const SampleGrid& grid) { return SampleTimes(key_epoch, *wanted, domain.start, grid); });
   const std::string& path = std::get<TimesFile>(request.spacing).path;
   return io::read_times(path, key_epoch).map([&](io::TimesList list) {
     return SampleTimes(key_epoch, List{path, std::move(list)});

@@ -35,9 +35,6 @@ struct TimeRequest {
 [[nodiscard]] Expected<void> check_range(const TimeRequest& request, const Decimal& key_epoch, double curve_start,
                                          std::optional<double> curve_end);
 
-/// What the library finds wrong with a grid, in terms of the option.
-[[nodiscard]] Error said_of_grid(Error error);
-
 /// The times of the samples, computed one by one or listed.
 class SampleTimes {
  public:

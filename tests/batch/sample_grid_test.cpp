@@ -59,9 +59,9 @@ TEST(SampleGrid, RefusesMoreSamplesThanDoublesCanTellApart) {
     const auto grid = SampleGrid::make(request, 0.0, 3.0);
     return grid ? "made" : grid.error().option + ": " + grid.error().message;
   };
-  EXPECT_EQ(refusal({.spacing = Rate{1e20}}), "rate: rate 1e+20 makes 3e+20 samples over 3 s, wanted fewer than 9e+15");
+  EXPECT_EQ(refusal({.spacing = Rate{1e20}}), "rate: 1e+20 makes 3e+20 samples over 3 s, wanted fewer than 9e+15");
   EXPECT_EQ(refusal({.spacing = Count{2}, .start = decimal("3")}),
-            "count: count 2: the range is the single time 3, wanted count 1");
+            "count: found 2 and a range that is the single time 3, wanted 1");
 }
 
 TEST(SampleGrid, FindsTheFirstSampleFromATimeOn) {

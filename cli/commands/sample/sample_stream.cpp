@@ -166,7 +166,7 @@ class PiecewiseSampling {
   }
   /// What is wrong with the keys has its place in the file; the rest is the fault of the command line.
   [[nodiscard]] Error placed(Error error) const {
-    if (!error.option.empty()) return said_of_grid(std::move(error));
+    if (!error.option.empty()) return error;
     if (!keys_.columns()->parameters.empty()) error.code = ErrorCode::bad_data;
     const bool concerns_file = error.code != ErrorCode::bad_argument || error.where.key;
     return concerns_file ? lines_.located(std::move(error)) : error;

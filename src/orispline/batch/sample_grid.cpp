@@ -39,7 +39,7 @@ Expected<SampleGrid::End> SampleGrid::end_of(const Request& request, const Decim
   if (end < start) return found;
   if (const auto* const count = std::get_if<Count>(&request.spacing)) {
     if (count->samples > 1 && found.span == 0.0)
-      return bad_option("count", formatted("count {}: the range is the single time {}, wanted count 1", count->samples,
+      return bad_option("count", formatted("found {} and a range that is the single time {}, wanted 1", count->samples,
                                            start.to_string()));
     found.samples = count->samples;
     found.index = found.samples - 1;
@@ -50,8 +50,8 @@ Expected<SampleGrid::End> SampleGrid::end_of(const Request& request, const Decim
   const bool meets_end = std::abs(exact - nearest) <= end_tolerance(exact);
   const double intervals = meets_end ? nearest : std::floor(exact);
   if (!(intervals < most_samples))
-    return bad_option("rate", formatted("rate {} makes {:.3g} samples over {} s, wanted fewer than {:.0e}", hertz,
-                                        intervals, found.span, most_samples));
+    return bad_option("rate", formatted("{} makes {:.3g} samples over {} s, wanted fewer than {:.0e}", hertz, intervals,
+                                        found.span, most_samples));
   found.samples = static_cast<std::uint64_t>(intervals) + 1;
   if (meets_end) found.index = found.samples - 1;
   return found;
