@@ -46,11 +46,6 @@ std::optional<Error> check_values(const FamilyInfo& family, const Parameter& par
   return std::nullopt;
 }
 
-template <class Named>
-bool has_name(std::span<const Named> list, std::string_view name) {
-  return std::ranges::find(list, name, &Named::name) != list.end();
-}
-
 Error unknown_parameter(const FamilyInfo& family, std::string_view name) {
   std::vector<std::string_view> names;
   for (const Parameter& p : family.parameters) names.push_back(p.name);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <optional>
@@ -176,6 +177,12 @@ struct FamilySettings {
   /// A parameter that must be a whole number, such as a degree or an order; else bad_argument.
   [[nodiscard]] Expected<int> whole(std::string_view name) const;
 };
+
+/// Whether a list of parameters or choices has one of that name.
+template <class Named>
+[[nodiscard]] bool has_name(std::span<const Named> list, std::string_view name) {
+  return std::ranges::find(list, name, &Named::name) != list.end();
+}
 
 /// The error with its place: the key of the value at that index, or in words the ghost key, which has no index.
 ///

@@ -27,8 +27,8 @@ struct Method {
   Method(const Name& method, CurveOptions given = {})  // NOLINT: a name is a method
       : name(std::string_view(method)), options(std::move(given)) {}
 
-  /// For some of the keys that this method is for, at rising indices: with the values of these keys where a setting has
-  /// one for each of the `keys`.
+  /// The method for some of its keys, at these rising indices: a setting with a value for each of the `keys` keeps the
+  /// values of these.
   [[nodiscard]] Method at(std::span<const std::size_t> indices, std::size_t keys) const;
 };
 

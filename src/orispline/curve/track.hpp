@@ -48,7 +48,7 @@ struct Track {
 
   /// The error with the name of the track and, where it names a key, its line.
   [[nodiscard]] Error located(Error error) const;
-  /// The warning with the same where it names a key.
+  /// The warning with the name of the track and, where it names a key, its line.
   [[nodiscard]] Warning located(Warning warning) const;
 };
 
@@ -57,7 +57,7 @@ struct Track {
 [[nodiscard]] std::map<std::string, std::vector<double>, std::less<>> settings_per_key(const Method& method,
                                                                                        std::size_t keys);
 
-/// The method with the track's settings for all that it has no values of its own for.
+/// The method, completed by the settings of the track that it does not state itself.
 [[nodiscard]] Method completed(Method method, const FamilyInfo& family, const Track& track);
 
 }  // namespace orispline

@@ -16,11 +16,6 @@ namespace {
 constexpr std::string_view ends = "ends", start_rate = "start_rate", end_rate = "end_rate", closed = "closed",
                            period = "period";
 
-template <class Named>
-bool has_name(std::span<const Named> list, std::string_view name) {
-  return std::ranges::find(list, name, &Named::name) != list.end();
-}
-
 /// A finite number that is the whole text, whatever the language of the machine.
 std::optional<double> number_of(std::string_view text) {
   std::istringstream stream{std::string(text)};

@@ -27,6 +27,7 @@ namespace orispline {
 /// The method with the rules for both ends that `RULE` or `START,END` names. Error: bad_argument.
 [[nodiscard]] Expected<Method> with_ends(Method method, std::string_view rules);
 
+/// At the first key, or at the last one.
 enum class CurveEnd { start, end };
 
 /// The method with a body rate [rad/s] at one end, which is clamped. Error: bad_argument for a method without clamped
