@@ -169,7 +169,8 @@ class CommandLine {
                                [this] { return retime(retime_); }),
                        retime_);
     add_methods_options(command("methods", "List the methods", [this] { return methods(methods_); }));
-    add_tasks_options(command("tasks", "List the tasks: what they take and give", [this] { return tasks(tasks_); }));
+    add_tasks_options(
+        command("tasks", "List the tasks with their options and results", [this] { return tasks(tasks_); }));
     add_reproduce_options(
         command("reproduce", "Run the experiments of the papers anew", [this] { return reproduce(reproduce_); }));
     add_completion_options(command("completion", "Print a completion script for a shell",

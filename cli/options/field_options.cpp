@@ -50,7 +50,9 @@ std::string argument_of(const FieldInfo& field) {
 /// How it is typed, and what holds where it is not.
 std::string help_of(const FieldInfo& field) {
   std::string text(field.sentence);
-  if (field.quantity && !field.quantity->example.empty()) text += formatted(", such as {}", field.quantity->example);
+  const std::string_view usual = field.quantity ? field.quantity->example : "";
+  if (const auto example = field.example.empty() ? usual : field.example; !example.empty())
+    text += formatted(", such as {}", example);
   if (field.type == FieldType::symmetric_matrix)
     text += formatted(": principal moments, or JXX,JYY,JZZ,JXY,JXZ,JYZ, in {}", field.quantity->unit);
   const FieldValue initial = field.initial();

@@ -3,6 +3,7 @@
 
 #include <numbers>
 
+#include <orispline/base/formatted.hpp>
 #include <orispline/smooth/smooth_fields.hpp>
 
 #include "options/option_text.hpp"
@@ -31,9 +32,18 @@ Expected<orispline::SmoothOptions> smoothing_in(const SmoothnessOptions& options
   auto smoothing = checked(options_in<orispline::SmoothOptions>(options.fields));
   if (const auto cutoff = checked(if_given("--cutoff", options.cutoff, positive_in)))
     smoothing.smoothing_time = 1.0 / (2.0 * std::numbers::pi * *cutoff);
-  return std::move(checked).or_else(std::move(smoothing)).and_then([](const orispline::SmoothOptions& read) {
-    return check(read).map([&] { return read; });
+  return std::move(checked).or_else(std::move(smoothing)).and_then([&](const orispline::SmoothOptions& read) {
+    return check(read).map([&] { return read; }).map_error([&](Error error) {
+      return said_of_cutoff(options, std::move(error));
+    });
   });
+}
+
+Error said_of_cutoff(const SmoothnessOptions& options, Error error) {
+  if (!options.cutoff || error.option != "smoothing_time") return error;
+  error.option = "cutoff";
+  error.message = formatted("its smoothing time 1/(2 pi f) is out of range: {}", error.message);
+  return error;
 }
 
 void add_smoothing_options(Command& app, SmoothnessOptions& o) {

@@ -22,6 +22,9 @@ struct SmoothnessOptions {
 /// The same, understood; all else is left at its default. Error: bad_argument.
 [[nodiscard]] Expected<orispline::SmoothOptions> smoothing_in(const SmoothnessOptions& options);
 
+/// An error about the smoothing time, which the user stated as a cutoff, in terms of that; any other as it is.
+[[nodiscard]] Error said_of_cutoff(const SmoothnessOptions& options, Error error);
+
 /// All options of smoothing.
 void add_smoothing_options(Command& app, SmoothnessOptions& options);
 /// How smooth a recording is made: one of them, or none where that is chosen.

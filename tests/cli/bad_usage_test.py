@@ -95,9 +95,9 @@ CASES = (
                                              "zyx (of the world), none twice in a row"),
     ("sample keys.csv --rate 1 --angle-unit grad", "--angle-unit: found 'grad', wanted deg|rad"),
     ("sample keys.csv --rate 1 --angle-unit deg",
-     "keys.csv:1: --angle-unit: a unit of angles is for Euler angles, and the orientation is in qw, qx, qy, qz"),
+     "keys.csv:1: --angle-unit: found an orientation in qw, qx, qy, qz, wanted Euler angles"),
     ("convert keys.csv --input-format tum --euler ZYX",
-     "keys.csv:1: --euler: an order of Euler angles wants a header, and TUM has none"),
+     "keys.csv:1: --euler: found a TUM file, which has no header, wanted CSV with one"),
     # loops
     ("sample keys.csv --rate 1 --method timed-c2 --period 0",
      "--period: found '0', wanted a number of seconds greater than 0"),

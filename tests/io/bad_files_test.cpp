@@ -85,7 +85,8 @@ TEST(BadFile, WithoutAUsableHeaderSaysWhatIsMissing) {
       {"0x10,1,0,0,0\n", "keys.csv:1: " + two_ways},
       {"nan,1,0,0,0\n", "keys.csv:1: " + two_ways},
       {"0 1 2 3 0 0 0 1\n",
-       "keys.csv:1: " + no_header + ", the order of the columns, or the format tum, which it is like (option format)"},
+       "keys.csv:1: " + no_header +
+           ", the format tum, of which this line may be, or the order of the columns (option order)"},
       {"0 1 2 3 0 0 1\n", "keys.txt:1: " + two_ways, "keys.txt"},
       {"t,qw,qx,qz\n" + key, "keys.csv:1: no column qy, found 't,qw,qx,qz'" + advice},
       {"sclk,q0,q1,q2,q3\n" + key, "keys.csv:1: no column t, qw, qx, qy, qz, found 'sclk,q0,q1,q2,q3'" + advice},
@@ -127,17 +128,20 @@ TEST(BadFile, ThatContradictsTheOptionsIsBadUsage) {
     return BadFile{std::move(content), std::move(error), std::move(name), std::move(options), ErrorCode::bad_argument};
   };
   expect_refusals({
-      contradiction(header + key, "[order] keys.csv:1: an order is for CSV without a header, and this line is one",
+      contradiction(header + key,
+                    "[order] keys.csv:1: found a header, which states the order of the columns, wanted CSV without one",
                     "keys.csv", {.order = QuaternionOrder::wxyz}),
       contradiction("0 1 2 3 0 0 0 1\n",
-                    "[order] keys.tum:1: an order is for CSV, and TUM is always t tx ty tz qx qy qz qw", "keys.tum",
-                    {.order = QuaternionOrder::xyzw}),
-      contradiction("0 1 2 3 0 0 0 1\n", "[columns] keys.tum:1: a name of a column wants a header, and TUM has none",
-                    "keys.tum", {.columns = {{"t", "x"}}}),
-      contradiction(key, "[columns] keys.csv:1: a name of a column wants a header, and the file has none", "keys.csv",
+                    "[order] keys.tum:1: found a TUM file, whose columns are always t tx ty tz qx qy qz qw, wanted CSV",
+                    "keys.tum", {.order = QuaternionOrder::xyzw}),
+      contradiction("0 1 2 3 0 0 0 1\n",
+                    "[columns] keys.tum:1: found a TUM file, which has no header, wanted CSV with one", "keys.tum",
+                    {.columns = {{"t", "x"}}}),
+      contradiction(key, "[columns] keys.csv:1: found no header, wanted one that names the columns", "keys.csv",
                     {.columns = {{"t", "x"}}, .order = QuaternionOrder::wxyz}),
       contradiction(header + key,
-                    "[columns] keys.csv:1: heading=qx: no such column is read, wanted one of t, qw, qx, qy, qz, roll, "
+                    "[columns] keys.csv:1: found heading=qx, wanted a name that is read before the sign: t, qw, qx, "
+                    "qy, qz, roll, "
                     "pitch, yaw, e1, e2, e3, r11, r12, r13, r21, r22, r23, r31, r32, r33, rx, ry, rz, px, py, pz, wx, "
                     "wy, wz, ax, ay, az, jx, jy, jz, wx_world, wy_world, wz_world, ax_world, ay_world, az_world, "
                     "jx_world, jy_world, jz_world, tension",

@@ -71,7 +71,7 @@ TEST(EuRoC, IsNotGuessedFromOtherHeaders) {
     const std::string line = *header ? "2" : "1";
     EXPECT_EQ(text_of(read(header + rows).error()),
               "data.csv:" + line + ": " + advice +
-                  ", the order of the columns, or the format euroc, which it is like (option format)");
+                  ", the format euroc, of which this line may be, or the order of the columns (option order)");
   }
   EXPECT_EQ(text_of(read("1,2,3,4,5,6,7,8\n").error()),
             "data.csv:1: " + advice + " or the order of the columns (option order)");
@@ -99,11 +99,12 @@ TEST(EuRoC, RefusesWhatIsNotItsKind) {
             "data.csv:1: found 1 column, wanted at least 8 (time, position, quaternion w,x,y,z)");
   EXPECT_EQ(refusal("1,2,3,4,1,0,0,0,9\n2,2,3,4,1,0,0,0\n"), "data.csv:2: key 1: found 8 cells, wanted 9");
   EXPECT_EQ(refusal(rows, {.order = QuaternionOrder::wxyz}),
-            "[order] data.csv:1: an order is for CSV, and EuRoC is always time, position, quaternion w,x,y,z");
+            "[order] data.csv:1: found an EuRoC file, whose columns are always time, position, quaternion w,x,y,z, "
+            "wanted CSV");
   EXPECT_EQ(refusal(rows, {.columns = {{"t", "stamp"}}}),
-            "[columns] data.csv:1: a name of a column is for CSV, and the columns of EuRoC are fixed");
+            "[columns] data.csv:1: found an EuRoC file, whose columns are fixed, wanted CSV");
   EXPECT_EQ(refusal(rows, {.orientation = {.euler = EulerOrder{}}}),
-            "[euler] data.csv:1: an order of Euler angles is for CSV, and the columns of EuRoC are fixed");
+            "[euler] data.csv:1: found an EuRoC file, whose columns are fixed, wanted CSV");
 }
 
 TEST(EuRoC, TimesAreScaledByTheCaller) {

@@ -154,10 +154,11 @@ TEST(OrientationColumns, OfSeveralOtherKindsWantAChoice) {
 
 TEST(OrientationColumns, RefuseOptionsThatContradictEachOther) {
   EXPECT_EQ(refusal("t,qw,qx,qy,qz\n0,1,0,0,0\n", {.angle_unit = AngleUnit::degrees}, ErrorCode::bad_argument),
-            "[angle_unit] keys.csv:1: a unit of angles is for Euler angles, and the orientation is in qw, qx, qy, qz");
+            "[angle_unit] keys.csv:1: found an orientation in qw, qx, qy, qz, wanted Euler angles");
   EXPECT_EQ(refusal("t,rx,ry,rz\n0,1,0,0\n", {.representation = Representation::matrix, .euler = euler_order_of("ZYX")},
                     ErrorCode::bad_argument),
-            "[euler] keys.csv:1: an order of Euler angles is stated, and another form of the orientation is asked for");
+            "[euler] keys.csv:1: found another form of the orientation asked for as well, wanted one of them (option "
+            "representation)");
 }
 
 TEST(OrientationColumns, AreConjugatedInEveryForm) {

@@ -233,7 +233,7 @@ Expected<void> reduce(const ReduceOptions& options) {
   if (!page) return tl::unexpected(std::move(page.error()));
   if (auto able = check_outputs(*request, options); !able) return able;
   const auto tracks = open_tracks(*request);
-  if (!tracks) return tl::unexpected(tracks.error());
+  if (!tracks) return tl::unexpected(said_of_cutoff(options.smoothness, tracks.error()));
   warn_of(*tracks, *request);
   const auto reports = reports_of(*request, *tracks);
   if (!reports) return tl::unexpected(reports.error());

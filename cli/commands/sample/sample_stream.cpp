@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <system_error>
 
 #include <orispline/base/parallel.hpp>
 #include <orispline/families/handles.hpp>
@@ -205,6 +206,13 @@ class PiecewiseSampling {
   std::size_t samples_ = 0, held_ = 0;
 };
 
+/// Where samples go into the very file that keys are read from, all keys are read before the first sample is written.
+bool writes_into_input(const SampleRequest& request) {
+  std::error_code unknown;  // such as on systems without these names
+  const std::string input = request.input.path == io::standard_stream ? "/dev/stdin" : request.input.path;
+  return request.output == io::standard_stream && std::filesystem::equivalent(input, "/dev/stdout", unknown);
+}
+
 }  // namespace
 
 bool goes_in_pieces(const SampleRequest& request, const io::KeyReader& keys) {
@@ -212,7 +220,7 @@ bool goes_in_pieces(const SampleRequest& request, const io::KeyReader& keys) {
   // A header that counts the rows stands before them; in a pipe that cannot be done later.
   const bool counts_later = !request.columns.format->writing.counts_rows || !io::is_stream(request.output);
   if (!keys.columns() || !is_rate || !counts_later || request.truth || request.input.read.sort ||
-      can_overwind(request.method.name))
+      can_overwind(request.method.name) || writes_into_input(request))
     return false;
   const auto sampler = TrackSampler::make(with_columns(request.method, *keys.columns()), {});
   return sampler && !sampler->is_global();

@@ -95,7 +95,8 @@ Expected<void> smooth(const SmoothOptions& options) {
   if (!file) return tl::unexpected(file.error());
   const Track& recording = file->track;
   auto smoothing = orispline::smooth(recording, request->smoothing);
-  if (!smoothing) return tl::unexpected(placed(recording, std::move(smoothing.error())));
+  if (!smoothing)
+    return tl::unexpected(said_of_cutoff(options.smoothness, placed(recording, std::move(smoothing.error()))));
   const auto remarks = remark_on(*smoothing, recording);
   warn(remarks);
   if (!request->columns.format->holds.rates)

@@ -30,7 +30,8 @@ std::span<const FieldInfo> fields_of<Decimation>() noexcept {
                                       .sentence = "Keep every N-th sample as a key",
                                       .range = {1.0, std::numeric_limits<double>::infinity()}}),
       field<&Decimation::spacing>({.name = "spacing", .sentence = "How the samples are spaced that stay"}),
-      field<&Decimation::seed>({.name = "seed", .sentence = "Of what is random: the same samples on every machine"}),
+      field<&Decimation::seed>(
+          {.name = "seed", .sentence = "Seed of what is random; the same samples on every machine"}),
   };
   return fields;
 }

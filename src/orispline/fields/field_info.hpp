@@ -51,6 +51,7 @@ struct FieldInfo {
   std::string_view sentence{};         ///< for people
   const Quantity* quantity = nullptr;  ///< of numbers, in the unit of the library; null: they have no unit
   Interval range{};                    ///< of a number, as far as it depends on nothing else
+  std::string_view example{};          ///< of a number with its unit, where that of the quantity would mislead
   std::string_view absent{};           ///< what holds where nothing is stated, where the value itself does not say it
   bool is_required = false;            ///< the caller has to state it
   FieldType type{};

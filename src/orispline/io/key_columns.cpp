@@ -43,8 +43,8 @@ Expected<void> check_mappings(const HeaderReading& reading) {
   const auto wanted = canonical_names(reading.parameters);
   for (const auto& [canonical, name] : reading.names)
     if (std::ranges::find(wanted, canonical) == wanted.end())
-      return bad_option("columns", formatted("{}={}: no such column is read, wanted one of {}", canonical, name,
-                                             joined(wanted, ", ")));
+      return bad_option("columns", formatted("found {}={}, wanted a name that is read before the sign: {}", canonical,
+                                             name, joined(wanted, ", ")));
   return {};
 }
 

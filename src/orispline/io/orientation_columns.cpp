@@ -42,7 +42,11 @@ Expected<ColumnGroup> any_group_of(const ColumnSearch& search, Representation re
 /// What the caller asks for, else quaternions if there are any, else the only one that is there.
 Expected<Representation> representation_in(const ColumnSearch& search, const OrientationReading& reading) {
   if (reading.euler && reading.representation.value_or(Representation::euler) != Representation::euler)
-    return bad_option("euler", "an order of Euler angles is stated, and another form of the orientation is asked for");
+    return tl::unexpected(
+        Error{.code = ErrorCode::bad_argument,
+              .message = "found another form of the orientation asked for as well, wanted one of them",
+              .option = "euler",
+              .remedy = "representation"});
   if (reading.representation) return *reading.representation;
   if (reading.euler) return Representation::euler;
   std::vector<Representation> found;
@@ -107,7 +111,7 @@ Expected<OrientationColumns> orientation_columns(const ColumnSearch& search, con
   if (!representation) return tl::unexpected(representation.error());
   if (*representation == Representation::euler) return euler_columns(search, reading);
   if (reading.angle_unit)
-    return bad_option("angle_unit", formatted("a unit of angles is for Euler angles, and the orientation is in {}",
+    return bad_option("angle_unit", formatted("found an orientation in {}, wanted Euler angles",
                                               joined(names_by_component(*representation), ", ")));
   return group_of(search, names_by_component(*representation), *representation).map([&](ColumnGroup group) {
     return OrientationColumns{{.representation = *representation}, std::move(group)};

@@ -10,11 +10,11 @@ std::size_t width_of(std::span<const std::string_view> cells) noexcept {
   return cells.size();
 }
 
-std::optional<OptionWords> header_option(const ReadOptions& options) {
-  if (!options.columns.empty()) return OptionWords{"columns", "a name of a column"};
-  if (options.orientation.representation) return OptionWords{"representation", "a form of the orientation"};
-  if (options.orientation.euler) return OptionWords{"euler", "an order of Euler angles"};
-  if (options.orientation.angle_unit) return OptionWords{"angle_unit", "a unit of angles"};
+std::optional<std::string_view> header_option(const ReadOptions& options) {
+  if (!options.columns.empty()) return "columns";
+  if (options.orientation.representation) return "representation";
+  if (options.orientation.euler) return "euler";
+  if (options.orientation.angle_unit) return "angle_unit";
   return std::nullopt;
 }
 

@@ -26,13 +26,8 @@ struct TableLayout {
 /// Cells of a row without the empty ones at its end.
 [[nodiscard]] std::size_t width_of(std::span<const std::string_view> cells) noexcept;
 
-/// An option, and what it says in words: `an order of Euler angles`.
-struct OptionWords {
-  std::string_view option, words;
-};
-
 /// The option that asks for something that only a header can give, if any.
-[[nodiscard]] std::optional<OptionWords> header_option(const ReadOptions& options);
+[[nodiscard]] std::optional<std::string_view> header_option(const ReadOptions& options);
 
 /// The error (bad_argument) of an option that contradicts the row of the table.
 [[nodiscard]] tl::unexpected<Error> misplaced(const TextTable& table, std::string_view option, std::string message);

@@ -22,6 +22,7 @@ std::span<const FieldInfo> fields_of<ReduceOptions>() noexcept {
                                                            .sentence = "Largest angle between the curve and a sample",
                                                            .quantity = &quantities::angle,
                                                            .range = positive,
+                                                           .example = "0.1deg or 2e-3rad",
                                                            .is_required = true}),
       field<&ReduceOptions::tolerance, &Tolerance::position>(
           {.name = "position_tolerance",

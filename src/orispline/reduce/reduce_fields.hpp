@@ -9,7 +9,7 @@ namespace orispline {
 template <>
 inline constexpr std::array words<KeyValues>{
     word("sampled", KeyValues::sampled, "The keys are samples"),
-    word("refit", KeyValues::refitted, "Move keys where that saves some; else they are samples")};
+    word("refit", KeyValues::refitted, "Keys are moved where that saves some")};
 
 template <>
 std::span<const FieldInfo> fields_of<ReduceOptions>() noexcept;

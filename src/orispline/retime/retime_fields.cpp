@@ -23,10 +23,11 @@ std::span<const FieldInfo> fields_of<RetimeOptions>() noexcept {
                                                                   .sentence = "Largest angular acceleration",
                                                                   .quantity = &quantities::acceleration,
                                                                   .range = positive}),
-      field<&RetimeOptions::limits, &MotionLimits::torque>({.name = "max_torque",
-                                                            .sentence = "Largest torque, of a body with that inertia",
-                                                            .quantity = &quantities::torque,
-                                                            .range = positive}),
+      field<&RetimeOptions::limits, &MotionLimits::torque>(
+          {.name = "max_torque",
+           .sentence = "Largest torque, of a body with the given inertia",
+           .quantity = &quantities::torque,
+           .range = positive}),
       field<&RetimeOptions::limits, &MotionLimits::inertia>(
           {.name = "inertia", .sentence = "Inertia of the body, for the torque", .quantity = &quantities::inertia}),
       field<&RetimeOptions::slowing>({.name = "slowing", .sentence = "Which intervals between keys are slowed"}),
@@ -38,7 +39,7 @@ template <>
 std::span<const FieldInfo> fields_of<Retiming>() noexcept {
   static constexpr std::array fields{
       field<&Retiming::slowing>(
-          {.name = "slowing", .sentence = "How they were slowed: uniformly where intervals by themselves take longer"}),
+          {.name = "slowing", .sentence = "How they were slowed; uniformly where that is the shorter motion"}),
       field<&Retiming::track, &Track::keys, &Keyframes::size>({.name = "keys", .sentence = "Number of keys"}),
       field<&Retiming::track, &duration_of>(
           {.name = "duration_after", .sentence = "From the first key to the last", .quantity = &quantities::time}),

@@ -9,7 +9,7 @@ namespace orispline {
 template <>
 inline constexpr std::array words<Slowing>{
     word("uniform", Slowing::uniform, "All intervals between keys are slowed alike"),
-    word("per-interval", Slowing::per_interval, "Slow each interval between keys by itself; else all alike")};
+    word("per-interval", Slowing::per_interval, "Each interval between keys is slowed by itself")};
 
 template <>
 std::span<const FieldInfo> fields_of<RetimeOptions>() noexcept;

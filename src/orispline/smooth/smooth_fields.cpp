@@ -40,14 +40,17 @@ std::span<const FieldInfo> fields_of<SmoothOptions>() noexcept {
                                              .range = positive,
                                              .absent = "chosen"}),
       field<&SmoothOptions::loss>(
-          {.name = "loss", .sentence = "What samples that fit badly count; l2 trusts every sample"}),
+          {.name = "loss",
+           .sentence = "How much samples count that fit badly: robust rejects outliers, l2 trusts every sample"}),
       field<&SmoothOptions::gyro>(
           {.name = "gyro",
-           .sentence = "The angular velocities are those of a gyro, with a constant bias that is estimated"}),
+           .sentence =
+               "The angular velocities wx, wy, wz are those of a gyro, with a constant bias that is estimated"}),
       field<&SmoothOptions::gyro_noise>({.name = "gyro_noise",
                                          .sentence = "Standard deviation of the gyro's rates per axis",
                                          .quantity = &quantities::rate,
                                          .range = {1e-9, 1e3},
+                                         .example = "0.1deg/s",
                                          .absent = "estimated"}),
       field<&SmoothOptions::gap>({.name = "gap",
                                   .sentence = "Nothing is smoothed over longer intervals",
@@ -74,9 +77,10 @@ std::span<const FieldInfo> fields_of<Smoothing>() noexcept {
       field<&Smoothing::local_noise>({.name = "local_noise",
                                       .sentence = "σ per axis, from how far samples are from their neighbours",
                                       .quantity = &quantities::angle}),
-      field<&Smoothing::degrees_of_freedom>({.name = "degrees_of_freedom",
-                                             .sentence = "Effective ones of the curve, of three for each key",
-                                             .absent = "with a gyro"}),
+      field<&Smoothing::degrees_of_freedom>(
+          {.name = "degrees_of_freedom",
+           .sentence = "Effective degrees of freedom of the curve, of three for each key",
+           .absent = "with a gyro"}),
       field<&Smoothing::gyro_noise>({.name = "gyro_noise",
                                      .sentence = "σ of the gyro per axis",
                                      .quantity = &quantities::rate,

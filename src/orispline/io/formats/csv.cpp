@@ -23,7 +23,8 @@ RateReading rate_reading(const ReadOptions& options) {
 }
 
 Expected<TableLayout> layout_of_header(const TextTable& table, const ReadOptions& options) {
-  if (options.order) return misplaced(table, "order", "an order is for CSV without a header, and this line is one");
+  if (options.order)
+    return misplaced(table, "order", "found a header, which states the order of the columns, wanted CSV without one");
   const HeaderReading reading{.names = options.columns,
                               .parameters = options.parameters,
                               .rates = rate_reading(options),
@@ -43,17 +44,16 @@ tl::unexpected<Error> no_header(const TextTable& table, const ReadOptions& optio
     return mended_by("order",
                      formatted("no header, wanted a first line such as {} or the order of the columns", example),
                      table.here());
-  return mended_by(
-      "format",
-      formatted(
-          "no header, wanted a first line such as {}, the order of the columns, or the format {}, which it is like",
-          example, like->id),
-      table.here());
+  return mended_by("order",
+                   formatted("no header, wanted a first line such as {}, the format {}, of which this line may be, or "
+                             "the order of the columns",
+                             example, like->id),
+                   table.here());
 }
 
 Expected<TableLayout> layout_of_order(const TextTable& table, const ReadOptions& options) {
   if (const auto option = header_option(options))
-    return misplaced(table, option->option, formatted("{} wants a header, and the file has none", option->words));
+    return misplaced(table, *option, "found no header, wanted one that names the columns");
   if (!options.order) return no_header(table, options);
   const std::size_t width = width_of(table.cells());
   return located(table, columns_of_order(width, *options.order)).map([&](KeyColumns columns) {

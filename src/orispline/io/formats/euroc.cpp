@@ -62,10 +62,10 @@ Likeness likeness(const TextTable& table, const ReadOptions& options) {
 
 Expected<TableLayout> layout(const TextTable& table, const ReadOptions& options) {
   if (options.order)
-    return misplaced(table, "order", "an order is for CSV, and EuRoC is always time, position, quaternion w,x,y,z");
+    return misplaced(table, "order",
+                     "found an EuRoC file, whose columns are always time, position, quaternion w,x,y,z, wanted CSV");
   if (const auto option = header_option(options))
-    return misplaced(table, option->option,
-                     formatted("{} is for CSV, and the columns of EuRoC are fixed", option->words));
+    return misplaced(table, *option, "found an EuRoC file, whose columns are fixed, wanted CSV");
   const std::size_t width = width_of(table.cells());
   if (width < names.size())
     return failure(ErrorCode::bad_data,

@@ -20,9 +20,10 @@ Likeness likeness(const TextTable& table, const ReadOptions& options) {
 }
 
 Expected<TableLayout> layout(const TextTable& table, const ReadOptions& options) {
-  if (options.order) return misplaced(table, "order", "an order is for CSV, and TUM is always t tx ty tz qx qy qz qw");
+  if (options.order)
+    return misplaced(table, "order", "found a TUM file, whose columns are always t tx ty tz qx qy qz qw, wanted CSV");
   if (const auto option = header_option(options))
-    return misplaced(table, option->option, formatted("{} wants a header, and TUM has none", option->words));
+    return misplaced(table, *option, "found a TUM file, which has no header, wanted CSV with one");
   const KeyColumns columns{
       .width = names.size(), .orientation = {{7}, {4}, {5}, {6}}, .position = three_columns_from(1)};
   return TableLayout{columns, {names.begin(), names.end()}, TableLayout::FirstRow::key};
