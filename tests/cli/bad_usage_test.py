@@ -6,10 +6,6 @@ import os
 
 from command import BAD_USAGE, HINT, CommandTest, main
 
-METHODS = ("auto, auto5, slerp, squad, squad-timed, shoemake, tcb, barry-goldman, circular, log-parabola, "
-           "quintic, sextic, timed-c1, timed-c2, timed-c3, timed-sextic, xing-quartic, xing-quintic, uniform, "
-           "atbi, hermite-c1, hermite-c2, hermite-c3, hermite-cumulative, global-c2, rotation-spline, nu, "
-           "nu-exact, bezier, bspline, bspline-through, averages, beta, beta-through, beta-g2")
 ENDS = "natural, repeat, quadratic, cubic, clamped, rest"
 COMMANDS = "sample, convert, inspect, compare, plot, smooth, tune, reduce, retime, methods, tasks, reproduce, completion"
 
@@ -43,7 +39,6 @@ CASES = (
     ("sample keys.csv --rate 1 --extrapolate bend", "--extrapolate: found 'bend', wanted hold|error"),
     ("sample - --times -", "found '-' for several of INPUT, --times and --truth, wanted it for one at most"),
     # the shape of the curve
-    ("sample keys.csv --rate 1 --method spline", f"no method 'spline', wanted one of {METHODS}"),
     ("sample keys.csv --rate 1 --method timed-c2 --tension high",
      "--tension: found 'high', wanted numbers with commas between them"),
     ("sample keys.csv --rate 1 --method timed-c2 --tension 1,,2",
@@ -133,7 +128,6 @@ CASES = (
     ("convert", "INPUT is required"),
     ("convert keys.csv --rate 1", "The following arguments were not expected: 1 --rate"),
     ("inspect", "INPUT is required"),
-    ("inspect keys.csv --method slerp,spline", f"no method 'spline', wanted one of {METHODS}"),
     ("inspect keys.csv --method slerp --tension 1",
      "slerp: no parameter 'tension', wanted none: this method has no parameters"),
     ("methods all", "The following argument was not expected: all"),
@@ -146,6 +140,12 @@ class BadUsage(CommandTest):
         for arguments, message in CASES:
             with self.subTest(arguments):
                 self.assert_fails(arguments, BAD_USAGE, message)
+
+    def test_a_method_that_is_not_there_is_refused_with_those_that_are(self):
+        known = ", ".join(method["name"] for method in json.loads(self.output_of("methods --json")))
+        for arguments in ("sample keys.csv --rate 1 --method spline", "inspect keys.csv --method slerp,spline"):
+            with self.subTest(arguments):
+                self.assert_fails(arguments, BAD_USAGE, f"no method 'spline', wanted one of {known}")
 
     def test_a_loop_by_a_method_without_loops_is_refused_with_those_that_have_them(self):
         closing = ", ".join(m["name"] for m in json.loads(self.output_of("methods --json")) if m["closes"])

@@ -122,6 +122,13 @@ class Compare(CommandTest):
         continuity = self.compared("cubic.csv --keep-every 10 --methods slerp,timed-c1,timed-c3 --sort continuity")
         self.assertEqual([row["method"] for row in continuity][-1], "slerp")
 
+    def test_every_energy_that_is_infinite_for_some_method_has_a_note(self):
+        note = "{} is that inside the segments: with C0 the true one is infinite.\n"
+        for method, inertia, noted in (("slerp", "--inertia=1,2,3", 2), ("slerp", "", 1), ("timed-c2", "--inertia=1,2,3", 0)):
+            table = self.output_of(f"compare cubic.csv --keep-every 10 --methods auto,{method} {inertia}")
+            for energy, some in (("∫|α|²", noted > 0), ("∫|torque|²", noted > 1)):
+                self.assertEqual(note.format(energy) in table, some)
+
     def test_left_out_keys_estimate_the_error(self):
         row, = self.compared("cubic.csv --keep-every 20 --methods slerp --leave-out")
         self.assertAlmostEqual(row["leave_out_rms_deg"], math.degrees(1 - 0.25), delta=1e-9)  # half way to 2 rad
@@ -203,6 +210,7 @@ class Refused(CommandTest):
                 ("--inertia=1,2", "--inertia: found '1,2', wanted three principal moments, or JXX,JYY,JZZ,JXY,JXZ,JYZ"),
                 ("--inertia=1,2,-1", "--inertia: found the principal moments -1, 1, 2, wanted all of them greater than 0"),
                 ("--sort torque", "--sort: found 'torque', wanted --inertia as well"),
+                ("--sort peak-torque", "--sort: found 'peak-torque', wanted --inertia as well"),
                 ("--keep-every 2 --sort rate", "--sort rate: wanted columns wx,wy,wz in keys.csv"),
                 ("--keep-every 4 --reference keys.csv",
                  "found --reference and --keep-every, --jitter or --random, wanted a dense reference or samples of INPUT "

@@ -59,7 +59,7 @@ class Streamed(CommandTest):
     def test_every_local_method_has_the_samples_of_all_keys(self):
         self.write("keys.csv", csv(18001))
         methods = [method for method in json.loads(self.output_of("methods --json")) if method["support_keys"]]
-        self.assertEqual(len(methods), 28)
+        self.assertGreaterEqual(len(methods), 28)
         for method in methods:
             with self.subTest(method["name"]):
                 self.assert_same(f"keys.csv --method {method['name']} --rate 70 --derivatives 3")

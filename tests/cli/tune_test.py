@@ -3,7 +3,7 @@
 """orispline tune: what it prints and writes, that 'sample' reads it, and what it refuses."""
 import json
 
-from command import BAD_DATA, BAD_USAGE, CommandTest, main
+from command import BAD_DATA, BAD_USAGE, SUCCESS, CommandTest, main
 
 KEYS = """t,qw,qx,qy,qz,note
 0,1,0,0,0,"take off, level"
@@ -64,6 +64,15 @@ class Tune(CommandTest):
         self.assertEqual(self.read("tuned.csv").splitlines()[0], "t,px,py,pz,qx,qy,qz,qw,tension")
         self.output_of("sample tuned.csv --method quintic --count 3 --quiet")
 
+    def test_refuses_methods_without_tensions_and_names_those_that_it_tunes(self):
+        refusal = self.run_command("tune keys.csv --method slerp -o tuned.csv").stderr.splitlines()[0]
+        words, _, names = refusal.partition(", wanted one of ")
+        self.assertEqual(words, "orispline: --method: slerp has no tensions to tune")
+        self.assertLessEqual({"tcb", "quintic", "sextic", "timed-c2", "timed-c3", "timed-sextic", "nu"}, set(names.split(", ")))
+        for method in json.loads(self.output_of("methods --json")):
+            done = self.run_command(f"tune keys.csv --method {method['name']} -o tuned.csv --quiet")
+            self.assertEqual(done.returncode, SUCCESS if method["name"] in names.split(", ") else BAD_USAGE, done.stderr)
+
     def test_refuses_what_it_cannot_tune(self):
         self.write("two.csv", "\n".join(KEYS.splitlines()[:3]) + "\n")
         self.write("one.csv", "\n".join(KEYS.splitlines()[:2]) + "\n")
@@ -71,8 +80,6 @@ class Tune(CommandTest):
         refused = lambda arguments, code, message: self.assert_fails(f"tune {arguments} -o tuned.csv", code, message)
         refused("one.csv", BAD_DATA, "one.csv: found 1 key, wanted at least 3 to tune tensions")
         refused("two.csv", BAD_DATA, "two.csv: found 2 keys, wanted at least 3 to tune tensions")
-        refused("keys.csv --method slerp", BAD_USAGE, "--method: slerp has no tensions to tune, wanted one of tcb, "
-                "quintic, sextic, timed-c2, timed-c3, timed-sextic, nu")
         refused("keys.csv --objective fit --reference late.csv", BAD_DATA, "keys.csv: the reference has no time between "
                 "the first and the last key, wanted some from 0 to 4 s")
         refused("keys.csv --objective torque --inertia=1,-2,4", BAD_USAGE,

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The documents beside the registry and each other: documents_test.py COMMAND, the built orispline."""
 import json
+import os
 import pathlib
 import re
 import subprocess
@@ -120,6 +121,12 @@ class Documents(unittest.TestCase):
     def test_the_table_of_rates_names_exactly_the_methods_that_read_them(self):
         read = {name: cells[1].count(",") + 1 for cells in rows("files.md", ["method", "reads"]) for name in named(cells[0])}
         self.assertEqual(read, {name: m["rate_orders"] for name, m in self.methods.items() if m["rate_orders"]})
+
+    def test_the_table_of_tensions_names_exactly_the_methods_that_are_tuned(self):
+        refused = [sys.argv[1], "tune", ROOT / "examples/data/flight_keys.csv", "--method", "slerp", "-o", os.devnull]
+        line = subprocess.run(refused, capture_output=True, text=True, check=False).stderr.splitlines()[0]
+        table = [name for cells in rows("tune.md", ["method", "tensions that are found"]) for name in named(cells[0])]
+        self.assertEqual(sorted(table), sorted(line.partition(" wanted one of ")[2].split(", ")))
 
     def test_every_end_rule_is_explained(self):
         rules = {rule for method in self.methods.values() for rule in method["ends"]}

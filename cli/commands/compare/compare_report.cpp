@@ -34,11 +34,26 @@ std::vector<std::string> methods_with_rates(const CompareReport& report, std::si
   return names;
 }
 
-std::vector<std::string> notes_of(const CompareReport& report, std::size_t key_set, bool some_jump) {
+/// Whether some method has more of a measure than is shown: what happens inside the segments only.
+bool is_infinite_for_some(const MeasureInfo& measure, const CompareReport& report, std::size_t key_set) {
+  return std::ranges::any_of(report.methods, [&](const ComparedMethod& method) {
+    return method.key_set == key_set && method.measures && !measure.is_finite(*method.measures);
+  });
+}
+
+std::string note_on_infinite(const MeasureInfo& measure) {
+  std::string orders = "C0";
+  for (int order = 1; order < measure.finite_from; ++order) orders += formatted(" or C{}", order);
+  return formatted("{} is that inside the segments: with {} the true one is infinite.", measure.label, orders);
+}
+
+std::vector<std::string> notes_of(const CompareReport& report, std::size_t key_set,
+                                  const std::vector<MeasureInfo>& measures) {
   std::vector<std::string> notes;
   if (const auto names = methods_with_rates(report, key_set); !names.empty())
     notes.push_back(formatted("{} took the logged rates at the keys too.", joined(names, ", ")));
-  if (some_jump) notes.emplace_back("∫|α|² is that inside the segments: with C0 the true one is infinite.");
+  for (const MeasureInfo& measure : measures)
+    if (is_infinite_for_some(measure, report, key_set)) notes.push_back(note_on_infinite(measure));
   if (report.leave_out == LeaveOut::yes)
     notes.emplace_back("Left out: an estimate of the error from the keys alone; it is not fit for choosing a method.");
   return notes;
@@ -51,15 +66,13 @@ report::Table table_of(const CompareReport& report, std::size_t key_set) {
   for (const MeasureInfo& measure : measures)
     table.columns.push_back({.name = std::string(measure.heading), .digits = measure.digits});
   table.columns.push_back({""});  // why a method failed
-  bool some_jump = false;
   for (const ComparedMethod& method : report.methods) {
     if (method.key_set != key_set) continue;
     auto& row = table.rows.emplace_back(std::vector<report::Cell>{method.label, continuity_of(method)});
     for (const MeasureInfo& measure : measures) row.push_back(cell_of(method, measure, report.data));
     if (!method.measures) row.emplace_back(describe(method.measures.error()));
-    else some_jump |= method.measures->continuity.order() == 0;
   }
-  table.notes = notes_of(report, key_set, some_jump);
+  table.notes = notes_of(report, key_set, measures);
   return table;
 }
 

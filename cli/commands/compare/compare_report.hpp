@@ -28,6 +28,9 @@ struct CompareReport {
 /// `rms|mean|…`
 [[nodiscard]] std::string sort_words();
 
+/// Whether a word of `--sort` is that of a measure of torques, which are taken where the inertia is known.
+[[nodiscard]] bool is_torque(std::string_view word);
+
 /// Puts the best method first in each set of keys, what failed last. Error (bad_argument): rates are not logged.
 [[nodiscard]] Expected<void> sort(CompareReport& report);
 

@@ -97,7 +97,7 @@ Expected<void> agree(const CompareOptions& options, const CompareRequest& reques
   if (auto fits = check_report(options.report, others); !fits) return fits;
   if (options.reference == io::standard_stream && options.input.path == io::standard_stream)
     return usage_failure("found '-' for INPUT and --reference, wanted it for one at most");
-  if (request.sort == "torque" && !is_given(options.measured, "inertia"))
+  if (is_torque(request.sort) && !is_given(options.measured, "inertia"))
     return wanted({"--sort", request.sort}, "--inertia as well");
   return {};
 }

@@ -6,11 +6,6 @@
 #include <orispline/base/formatted.hpp>
 
 namespace orispline::cli {
-namespace {
-
-constexpr std::string_view rate_word = "rate";
-
-}  // namespace
 
 std::string sort_words() {
   std::string words;
@@ -26,13 +21,16 @@ Expected<std::string> sort_word_in(OptionText option) {
   return std::string(option.text);
 }
 
+bool is_torque(std::string_view word) {
+  const auto measure = std::ranges::find(measures_info(), word, &MeasureInfo::word);
+  return measure != measures_info().end() && measure->group == MeasureGroup::torque;
+}
+
 Expected<void> sort(CompareReport& report) {
   const auto measures = measures_of(report);
   const auto measure = std::ranges::find(measures, report.sort, &MeasureInfo::word);
   if (measure == measures.end())
-    return usage_failure(formatted(
-        "--sort {}: wanted {}", report.sort,
-        report.sort == rate_word ? "columns wx,wy,wz in " + report.data.reference : std::string("--inertia as well")));
+    return usage_failure(formatted("--sort {}: wanted columns wx,wy,wz in {}", report.sort, report.data.reference));
   sort_by(*measure, report.methods, report.data.measure_times());
   return {};
 }
