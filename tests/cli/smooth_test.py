@@ -47,6 +47,11 @@ class Smooth(CommandTest):
             for cell, want_cell in zip(row, want, strict=True):
                 self.assertAlmostEqual(cell, want_cell, delta=1e-10)
 
+    def test_a_cutoff_out_of_range_is_told_as_a_cutoff(self):
+        done = self.run_command("smooth noisy.csv --cutoff 1e-300 -o a.csv")
+        self.assertEqual(done.returncode, BAD_USAGE)
+        self.assertIn("--cutoff: its smoothing time 1/(2 pi f) is out of range: found 1.59155e+299 s", done.stderr)
+
     def test_cutoff_and_smoothing_time_are_two_words_for_one_thing(self):
         self.output_of("smooth noisy.csv --smoothing-time 0.1 -o a.csv")
         self.output_of(f"smooth noisy.csv --cutoff {1 / (0.2 * math.pi)!r} -o b.csv")

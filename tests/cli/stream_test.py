@@ -132,6 +132,15 @@ class Pipes(CommandTest):
         self.assertTrue(from_file.stdout == from_pipe.stdout)
         self.assertEqual(from_pipe.stderr, from_file.stderr.replace("keys.csv", "-"))
 
+    def test_samples_that_overwrite_the_keys_are_those_of_all_keys(self):
+        self.write("keys.csv", csv(40000))
+        expected = self.output_of("sample keys.csv --rate 60")
+        with open(self.folder / "keys.csv", "r+", encoding="utf-8") as file:
+            done = subprocess.run([COMMAND, "sample", "keys.csv", "--rate", "60", "--quiet"], cwd=self.folder, stdout=file,
+                                  check=False)
+        self.assertEqual(done.returncode, 0)
+        self.assertTrue(self.read("keys.csv").startswith(expected))
+
     @staticmethod
     def feed(pipe):
         """Keys without an end, as long as somebody reads them."""
