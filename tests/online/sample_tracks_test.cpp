@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <online/track_stream.hpp>
+#include <support/follower.hpp>
 
 namespace orispline {
 namespace {
@@ -14,6 +15,7 @@ using namespace testing_support;
 constexpr double step = 0.05;  // [s]
 constexpr WantedSamples all{.angular_velocities = true,
                             .angular_accelerations = true,
+                            .angular_jerks = true,
                             .positions = true,
                             .velocities = true,
                             .accelerations = true};
@@ -71,6 +73,7 @@ TEST(SampleTracks, GivesEachTrackTheSamplesOfItsOwnCurve) {
         EXPECT_TRUE(same(table->orientations, first, wanted.orientations));
         EXPECT_TRUE(same(table->angular_velocities, first, wanted.angular_velocities));
         EXPECT_TRUE(same(table->angular_accelerations, first, wanted.angular_accelerations));
+        EXPECT_TRUE(same(table->angular_jerks, first, wanted.angular_jerks));
         EXPECT_TRUE(same(table->positions, first, wanted.positions));
         EXPECT_TRUE(same(table->velocities, first, wanted.velocities));
         EXPECT_TRUE(same(table->accelerations, first, wanted.accelerations));
@@ -121,6 +124,16 @@ TEST(TrackBatch, CountsTheSamplesAndFillsColumnsOfTheCaller) {
   for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(own[4 + c], wanted.positions[c]);
   for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(own[7 + c], wanted.velocities[c]);
   EXPECT_FALSE(batch.take(columns));
+}
+
+TEST(SampleTracks, ShowsTheShareOfTheTracksAndStops) {
+  const Tracks tracks({30, 5, 70, 2, 40});
+  for (const unsigned threads : {1u, 3u})
+    testing_support::expect_to_be_followed_and_stopped(
+        [&](const Progress& progress) {
+          return sample_tracks("auto", tracks.columns(), {.step = step}, {}, {}, {.threads = threads}, progress);
+        },
+        threads - 1);
 }
 
 TEST(SampleTracks, RefusesColumnsThatDoNotBelongTogether) {

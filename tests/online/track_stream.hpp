@@ -12,8 +12,8 @@ using KeySettings = std::map<std::string, std::vector<double>, std::less<>>;
 
 /// Samples with all that a pose has.
 struct TrackSamples {
-  std::vector<double> times, orientations, angular_velocities, angular_accelerations, positions, velocities,
-      accelerations;
+  std::vector<double> times, orientations, angular_velocities, angular_accelerations, angular_jerks, positions,
+      velocities, accelerations;
 
   [[nodiscard]] std::size_t size() const { return times.size(); }
   /// Room for more samples behind these.
@@ -25,7 +25,8 @@ struct TrackSamples {
     more(times, count);
     Samples<double> room{.orientations = more(orientations, 4 * count),
                          .angular_velocities = more(angular_velocities, 3 * count),
-                         .angular_accelerations = more(angular_accelerations, 3 * count)};
+                         .angular_accelerations = more(angular_accelerations, 3 * count),
+                         .angular_jerks = more(angular_jerks, 3 * count)};
     if (!has_positions) return room;
     room.positions = more(positions, 3 * count);
     room.velocities = more(velocities, 3 * count);

@@ -2,6 +2,7 @@
 #include <orispline/online/sample_tracks.hpp>
 
 #include <algorithm>
+#include <mutex>
 #include <optional>
 
 #include <orispline/base/formatted.hpp>
@@ -11,7 +12,7 @@ namespace orispline {
 namespace {
 
 /// Of a track.
-constexpr std::size_t samples_at_a_time = 1024;
+constexpr std::size_t samples_at_a_time = 1024, keys_at_a_time = 4096;
 
 Error bad_columns(std::string message) { return {ErrorCode::bad_argument, std::move(message), {}}; }
 
@@ -31,9 +32,11 @@ std::optional<Error> check_keys(const TrackColumns& keys) {
 }
 
 /// All keys of a track, and the curves through them.
-Expected<void> feed(TrackSampler& sampler, const TrackColumns& keys, std::size_t first, std::size_t end) {
+Expected<void> feed(TrackSampler& sampler, const TrackColumns& keys, std::size_t first, std::size_t end,
+                    const Progress& progress) {
   const auto& [x, y, z, w] = keys.orientations;
   for (std::size_t i = first; i < end; ++i) {
+    if (i % keys_at_a_time == 0 && progress.stopped()) return cancellation();
     StreamKey key{.time = keys.times[i], .orientation = quaternion_xyzw(x[i], y[i], z[i], w[i])};
     if (!keys.positions[0].empty())
       key.position = Eigen::Vector3d(keys.positions[0][i], keys.positions[1][i], keys.positions[2][i]);
@@ -53,8 +56,8 @@ std::optional<Error> check_columns(const TrackSampleColumns& out, std::size_t si
   };
   std::optional<Error> error = check(out.orientations, true);
   if (!error) error = check(std::array{out.times}, !out.times.empty());
-  for (const auto* columns :
-       {&out.angular_velocities, &out.angular_accelerations, &out.positions, &out.velocities, &out.accelerations})
+  for (const auto* columns : {&out.angular_velocities, &out.angular_accelerations, &out.angular_jerks, &out.positions,
+                              &out.velocities, &out.accelerations})
     if (!error) error = check(*columns, !(*columns)[0].empty());
   return error;
 }
@@ -73,6 +76,7 @@ class Rows {
     const Samples<double> rows{.orientations = room(orientations_, out_.orientations),
                                .angular_velocities = room(angular_velocities_, out_.angular_velocities),
                                .angular_accelerations = room(angular_accelerations_, out_.angular_accelerations),
+                               .angular_jerks = room(angular_jerks_, out_.angular_jerks),
                                .positions = room(positions_, out_.positions),
                                .velocities = room(velocities_, out_.velocities),
                                .accelerations = room(accelerations_, out_.accelerations)};
@@ -81,6 +85,7 @@ class Rows {
       lay_out(orientations_, out_.orientations, first);
       lay_out(angular_velocities_, out_.angular_velocities, first);
       lay_out(angular_accelerations_, out_.angular_accelerations, first);
+      lay_out(angular_jerks_, out_.angular_jerks, first);
       lay_out(positions_, out_.positions, first);
       lay_out(velocities_, out_.velocities, first);
       lay_out(accelerations_, out_.accelerations, first);
@@ -95,7 +100,7 @@ class Rows {
   }
 
   const TrackSampleColumns& out_;
-  std::vector<double> orientations_, angular_velocities_, angular_accelerations_;
+  std::vector<double> orientations_, angular_velocities_, angular_accelerations_, angular_jerks_;
   std::vector<double> positions_, velocities_, accelerations_;
 };
 
@@ -109,10 +114,30 @@ std::array<std::span<double>, N> made(std::array<std::vector<double>, N>& column
   return spans;
 }
 
+/// Works on every track, until it is asked to stop.
+Expected<void> for_each_track(std::size_t tracks, Work work, const Progress& progress,
+                              const std::function<void(std::size_t)>& job) {
+  std::mutex showing;
+  std::size_t done = 0;
+  parallel_for(tracks, work.threads, [&](std::size_t i) {
+    if (progress.stopped()) return;
+    job(i);
+    const std::scoped_lock one_at_a_time(showing);
+    progress.at(static_cast<double>(++done) / static_cast<double>(tracks));
+  });
+  if (progress.stopped()) return cancellation();
+  return {};
+}
+
+/// Of the first half of the work, or of the second one.
+Progress half_of(const Progress& progress, double start) {
+  return {.stop = progress.stop, .show = [&progress, start](double share) { progress.at(start + 0.5 * share); }};
+}
+
 }  // namespace
 
 Expected<TrackBatch> TrackBatch::make(const Method& method, const TrackColumns& keys, const TrackGrid& grid,
-                                      const TrackOptions& options, Work work) {
+                                      const TrackOptions& options, Work work, const Progress& progress) {
   if (auto error = check_keys(keys)) return tl::unexpected(std::move(*error));
   const auto empty = TrackSampler::make(method, grid, options);
   if (!empty) return tl::unexpected(empty.error());
@@ -121,11 +146,12 @@ Expected<TrackBatch> TrackBatch::make(const Method& method, const TrackColumns& 
   batch.samplers_.assign(tracks, *empty);
   batch.has_positions_ = !keys.positions[0].empty() || keys.times.empty();
   std::vector<std::optional<Error>> errors(tracks);
-  parallel_for(tracks, work.threads, [&](std::size_t i) {
+  const auto done = for_each_track(tracks, work, progress, [&](std::size_t i) {
     const auto fed = feed(batch.samplers_[i], keys, static_cast<std::size_t>(keys.offsets[i]),
-                          static_cast<std::size_t>(keys.offsets[i + 1]));
+                          static_cast<std::size_t>(keys.offsets[i + 1]), progress);
     if (!fed) errors[i] = fed.error();
   });
+  if (!done) return tl::unexpected(done.error());
   for (std::size_t i = 0; i < tracks; ++i) {
     const auto count = errors[i] ? 0 : static_cast<std::int64_t>(batch.samplers_[i].ready());
     batch.offsets_.push_back(batch.offsets_.back() + count);
@@ -136,23 +162,27 @@ Expected<TrackBatch> TrackBatch::make(const Method& method, const TrackColumns& 
   return batch;
 }
 
-Expected<void> TrackBatch::take(const TrackSampleColumns& out, Work work) {
+Expected<void> TrackBatch::take(const TrackSampleColumns& out, Work work, const Progress& progress) {
   if (auto error = check_columns(out, size(), has_positions_)) return tl::unexpected(std::move(*error));
   std::vector<Expected<void>> outcomes(samplers_.size());
-  parallel_for(samplers_.size(), work.threads, [&](std::size_t i) {
+  const auto done = for_each_track(samplers_.size(), work, progress, [&](std::size_t i) {
     const auto end = static_cast<std::size_t>(offsets_[i + 1]);
     Rows rows(out);
-    for (auto first = static_cast<std::size_t>(offsets_[i]); first < end && outcomes[i]; first += samples_at_a_time)
+    for (auto first = static_cast<std::size_t>(offsets_[i]); first < end && outcomes[i] && !progress.stopped();
+         first += samples_at_a_time)
       outcomes[i] = rows.take(samplers_[i], first, std::min(samples_at_a_time, end - first));
   });
+  if (!done) return done;
   for (Expected<void>& outcome : outcomes)
     if (!outcome) return std::move(outcome);
   return {};
 }
 
 Expected<SampledTracks> sample_tracks(const Method& method, const TrackColumns& keys, const TrackGrid& grid,
-                                      const WantedSamples& wanted, const TrackOptions& options, Work work) {
-  return TrackBatch::make(method, keys, grid, options, work).and_then([&](TrackBatch batch) -> Expected<SampledTracks> {
+                                      const WantedSamples& wanted, const TrackOptions& options, Work work,
+                                      const Progress& progress) {
+  auto made_ready = TrackBatch::make(method, keys, grid, options, work, half_of(progress, 0.0));
+  return std::move(made_ready).and_then([&](TrackBatch batch) -> Expected<SampledTracks> {
     if (keys.positions[0].empty() && !keys.times.empty() &&
         (wanted.positions || wanted.velocities || wanted.accelerations))
       return tl::unexpected(bad_columns("positions are wanted, and the keys have none"));
@@ -166,10 +196,11 @@ Expected<SampledTracks> sample_tracks(const Method& method, const TrackColumns& 
         .orientations = made(table.orientations, true, size),
         .angular_velocities = made(table.angular_velocities, wanted.angular_velocities, size),
         .angular_accelerations = made(table.angular_accelerations, wanted.angular_accelerations, size),
+        .angular_jerks = made(table.angular_jerks, wanted.angular_jerks, size),
         .positions = made(table.positions, wanted.positions, size),
         .velocities = made(table.velocities, wanted.velocities, size),
         .accelerations = made(table.accelerations, wanted.accelerations, size)};
-    return batch.take(columns, work).map([&] { return std::move(table); });
+    return batch.take(columns, work, half_of(progress, 0.5)).map([&] { return std::move(table); });
   });
 }
 

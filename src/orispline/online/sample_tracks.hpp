@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include <orispline/base/progress.hpp>
 #include <orispline/online/track_sampler.hpp>
 
 namespace orispline {
@@ -20,16 +21,17 @@ struct TrackColumns {
 
 /// What samples have besides time and orientation.
 struct WantedSamples {
-  bool angular_velocities = false, angular_accelerations = false;
+  bool angular_velocities = false, angular_accelerations = false, angular_jerks = false;
   bool positions = false, velocities = false, accelerations = false;
 };
 
 /// Samples of many tracks, column by column as the keys. Columns that are not wanted are empty.
 struct SampledTracks {
   std::vector<std::int64_t> offsets;
-  std::vector<double> times;                                                         ///< [s]
-  std::array<std::vector<double>, 4> orientations;                                   ///< qx, qy, qz, qw
-  std::array<std::vector<double>, 3> angular_velocities{}, angular_accelerations{};  ///< [rad/s], [rad/s²], body frame
+  std::vector<double> times;                        ///< [s]
+  std::array<std::vector<double>, 4> orientations;  ///< qx, qy, qz, qw
+  /// [rad/s], [rad/s²] and [rad/s³], body frame
+  std::array<std::vector<double>, 3> angular_velocities{}, angular_accelerations{}, angular_jerks{};
   std::array<std::vector<double>, 3> positions{}, velocities{}, accelerations{};  ///< [m], [m/s], [m/s²], world frame
   std::vector<Error> errors;  ///< of the tracks that have no samples for it: `where.curve` says of which, in order
 };
@@ -38,8 +40,8 @@ struct SampledTracks {
 struct TrackSampleColumns {
   std::span<double> times{};
   std::array<std::span<double>, 4> orientations;
-  std::array<std::span<double>, 3> angular_velocities{}, angular_accelerations{}, positions{}, velocities{},
-      accelerations{};
+  std::array<std::span<double>, 3> angular_velocities{}, angular_accelerations{}, angular_jerks{};
+  std::array<std::span<double>, 3> positions{}, velocities{}, accelerations{};
 };
 
 /// The curves of many tracks, of which the samples are counted but not taken: the caller makes room for them first.
@@ -49,9 +51,10 @@ class TrackBatch {
   ///
   /// A track whose keys are refused, or make no curve, has no samples and does not hinder the others. Errors
   /// (bad_argument): those of TrackSampler::make; columns of different length, offsets that do not rise from 0 on
-  /// within them.
+  /// within them; cancelled. The share that is shown is that of the tracks.
   [[nodiscard]] static Expected<TrackBatch> make(const Method& method, const TrackColumns& keys, const TrackGrid& grid,
-                                                 const TrackOptions& options = {}, Work work = {});
+                                                 const TrackOptions& options = {}, Work work = {},
+                                                 const Progress& progress = {});
 
   /// The samples of track i will be offsets()[i] … offsets()[i + 1] - 1.
   [[nodiscard]] std::span<const std::int64_t> offsets() const noexcept { return offsets_; }
@@ -59,8 +62,9 @@ class TrackBatch {
   /// Of the tracks that have no samples for it: `where.curve` says of which, in order.
   [[nodiscard]] std::span<const Error> errors() const noexcept { return errors_; }
 
-  /// Takes all samples, once. Errors (bad_argument): columns of another length; positions of keys that have none.
-  Expected<void> take(const TrackSampleColumns& out, Work work = {});
+  /// Takes all samples, once. Errors: bad_argument for columns of another length, and for positions of keys that have
+  /// none; cancelled, which leaves the columns half filled.
+  Expected<void> take(const TrackSampleColumns& out, Work work = {}, const Progress& progress = {});
 
  private:
   std::vector<TrackSampler> samplers_;
@@ -72,6 +76,7 @@ class TrackBatch {
 /// The same with columns of its own, in one call. Errors: those of TrackBatch.
 [[nodiscard]] Expected<SampledTracks> sample_tracks(const Method& method, const TrackColumns& keys,
                                                     const TrackGrid& grid, const WantedSamples& wanted = {},
-                                                    const TrackOptions& options = {}, Work work = {});
+                                                    const TrackOptions& options = {}, Work work = {},
+                                                    const Progress& progress = {});
 
 }  // namespace orispline
