@@ -173,6 +173,7 @@ TEST(TrackSampler, BeginsANewCurveAfterAGap) {
       behind(wanted.orientations, more.orientations);
       behind(wanted.angular_velocities, more.angular_velocities);
       behind(wanted.angular_accelerations, more.angular_accelerations);
+      behind(wanted.angular_jerks, more.angular_jerks);
       behind(wanted.positions, more.positions);
       behind(wanted.velocities, more.velocities);
       behind(wanted.accelerations, more.accelerations);
