@@ -47,8 +47,10 @@ Error said_of_cutoff(const SmoothnessOptions& options, Error error) {
 }
 
 void add_smoothing_options(Command& app, SmoothnessOptions& o) {
-  add_fields(app, o.fields, fields_of<orispline::SmoothOptions>(), section);
-  add_cutoff(app, o);
+  for (const FieldInfo& field : fields_of<orispline::SmoothOptions>()) {
+    add_field(app, o.fields, field, section);
+    if (field.name == "smoothing_time") add_cutoff(app, o);
+  }
 }
 
 void add_smoothness_options(Command& app, SmoothnessOptions& o) {

@@ -41,7 +41,7 @@ std::span<const FieldInfo> fields_of<SmoothOptions>() noexcept {
                                              .absent = "chosen"}),
       field<&SmoothOptions::loss>(
           {.name = "loss",
-           .sentence = "How much samples count that fit badly: robust rejects outliers, l2 trusts every sample"}),
+           .sentence = "How much badly fitting samples count: robust rejects outliers, l2 trusts every sample"}),
       field<&SmoothOptions::gyro>(
           {.name = "gyro",
            .sentence =
