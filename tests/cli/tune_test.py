@@ -58,6 +58,13 @@ class Tune(CommandTest):
         self.assertEqual(max(summary["tension"]), 0.52)
         self.assertGreaterEqual(min(summary["tension"]), 0.48)
 
+    def test_reads_a_header_and_rows_that_end_with_a_comma(self):
+        self.write("comma.csv", "t,qw,qx,qy,qz,\n0,1,0,0,0,\n1,0.9,0.43588989435,0,0,\n2,0.8,0.6,0,0,\n"
+                                "3.5,0.9,0.1,0.3,0.3,\n")
+        lines = self.output_of("tune comma.csv --method timed-c2 --quiet").splitlines()
+        self.assertEqual(lines[0], "t,qw,qx,qy,qz,tension,tension2")
+        self.assertEqual([line.count(",") for line in lines], [6] * 5)
+
     def test_makes_a_csv_of_a_tum_file(self):
         self.output_of("convert keys.csv -o keys.tum --quiet")
         self.output_of("tune keys.tum --method quintic -o tuned.csv --quiet")
