@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <mutex>
 
 #include <orispline/analysis/angle_travelled.hpp>
 #include <orispline/analysis/leave_out.hpp>
 #include <orispline/analysis/sampled.hpp>
 #include <orispline/analysis/torque.hpp>
+#include <orispline/base/counted_work.hpp>
 #include <orispline/base/expect.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/parallel.hpp>
@@ -87,13 +87,11 @@ Comparison compare(std::span<const Candidate> candidates, const RecordedMotion& 
                    const MeasureOptions& options, unsigned threads, const Progress& progress) {
   Comparison comparison{.measures = std::vector<Expected<Measures>>(candidates.size()),
                         .warnings = warnings_of(options.inertia)};
-  std::mutex one_at_a_time;
-  std::size_t done = 0;
+  CountedWork work(progress, candidates.size());
   parallel_for(candidates.size(), threads, [&](std::size_t i) {
     comparison.measures[i] =
         progress.stopped() ? Expected<Measures>(cancellation()) : measure(candidates[i], recording, options);
-    const std::lock_guard lock(one_at_a_time);
-    progress.at(static_cast<double>(++done) / static_cast<double>(candidates.size()));
+    work.add_part();
   });
   return comparison;
 }

@@ -18,6 +18,13 @@ std::vector<T> picked(const std::vector<T>& values, std::span<const std::size_t>
   return some;
 }
 
+/// The place with the name of the track and, where it is a key, its line.
+Where in_file(Where where, const Track& track) {
+  where.file = track.name;
+  if (where.key && *where.key < track.lines.size()) where.line = track.lines[*where.key];
+  return where;
+}
+
 }  // namespace
 
 Decimal Track::time_of(std::size_t key) const {
@@ -62,15 +69,12 @@ Expected<Track> Track::with_times(std::vector<double> times) const {
 }
 
 Error Track::located(Error error) const {
-  error.where.file = name;
-  if (error.where.key && *error.where.key < lines.size()) error.where.line = lines[*error.where.key];
+  error.where = in_file(std::move(error.where), *this);
   return error;
 }
 
 Warning Track::located(Warning warning) const {
-  if (!warning.where.key) return warning;
-  warning.where.file = name;
-  if (*warning.where.key < lines.size()) warning.where.line = lines[*warning.where.key];
+  if (warning.where.key) warning.where = in_file(std::move(warning.where), *this);
   return warning;
 }
 

@@ -2,9 +2,10 @@
 #include <orispline/online/sample_tracks.hpp>
 
 #include <algorithm>
-#include <mutex>
+#include <functional>
 #include <optional>
 
+#include <orispline/base/counted_work.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/parallel.hpp>
 
@@ -117,13 +118,11 @@ std::array<std::span<double>, N> made(std::array<std::vector<double>, N>& column
 /// Works on every track, until it is asked to stop.
 Expected<void> for_each_track(std::size_t tracks, Work work, const Progress& progress,
                               const std::function<void(std::size_t)>& job) {
-  std::mutex showing;
-  std::size_t done = 0;
+  CountedWork done(progress, tracks);
   parallel_for(tracks, work.threads, [&](std::size_t i) {
     if (progress.stopped()) return;
     job(i);
-    const std::scoped_lock one_at_a_time(showing);
-    progress.at(static_cast<double>(++done) / static_cast<double>(tracks));
+    done.add_part();
   });
   if (progress.stopped()) return cancellation();
   return {};

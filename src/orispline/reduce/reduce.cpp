@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <limits>
-#include <mutex>
 #include <optional>
 
+#include <orispline/base/counted_work.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/parallel.hpp>
 #include <orispline/families/registry.hpp>
@@ -120,12 +120,10 @@ std::vector<Expected<std::vector<Reduction>>> reduce_tracks(std::span<const Trac
                                                             const ReduceOptions& options, unsigned threads,
                                                             const Progress& progress) {
   std::vector<std::optional<Expected<Reduction>>> found(tracks.size() * methods.size());
-  std::mutex one_at_a_time;
-  std::size_t done = 0;
+  CountedWork work(progress, found.size());
   parallel_for(found.size(), threads, [&](std::size_t i) {
     found[i] = reduce(tracks[i / methods.size()], methods[i % methods.size()], options, {.stop = progress.stop});
-    const std::lock_guard lock(one_at_a_time);
-    progress.at(static_cast<double>(++done) / static_cast<double>(found.size()));
+    work.add_part();
   });
   std::vector<Expected<std::vector<Reduction>>> of_tracks(tracks.size());
   for (std::size_t i = 0; i < found.size(); ++i) {

@@ -40,14 +40,9 @@ Expected<TableLayout> layout_of_header(const TextTable& table, const ReadOptions
 tl::unexpected<Error> no_header(const TextTable& table, const ReadOptions& options) {
   const std::string_view example = "t,qw,qx,qy,qz";
   const FormatInfo* const like = likest(formats_read(), table, options, Likeness::possible);
-  if (!like)
-    return mended_by("order",
-                     formatted("no header, wanted a first line such as {} or the order of the columns", example),
-                     table.here());
+  const std::string other = like ? formatted(", the format {}, of which this line may be,", like->id) : "";
   return mended_by("order",
-                   formatted("no header, wanted a first line such as {}, the format {}, of which this line may be, or "
-                             "the order of the columns",
-                             example, like->id),
+                   formatted("no header, wanted a first line such as {}{} or the order of the columns", example, other),
                    table.here());
 }
 
