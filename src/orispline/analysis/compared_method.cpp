@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 /// Rising from the best; infinite where nothing can be said.
@@ -25,4 +25,4 @@ void sort_by(const MeasureInfo& measure, std::vector<ComparedMethod>& methods, c
   });
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -6,7 +6,7 @@
 
 #include <orispline/analysis/measure_info.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// A method by the name that its user gives it, on one of several sets of keys.
 struct ComparedMethod {
@@ -19,4 +19,4 @@ struct ComparedMethod {
 /// Puts the best method first in each set of keys, what failed last; those of which nothing can be said before them.
 void sort_by(const MeasureInfo& measure, std::vector<ComparedMethod>& methods, const MeasureTimes& times);
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -14,7 +14,7 @@
 #include <orispline/base/parallel.hpp>
 #include <orispline/families/registry.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -96,4 +96,4 @@ Comparison compare(std::span<const Candidate> candidates, const RecordedMotion& 
   return comparison;
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

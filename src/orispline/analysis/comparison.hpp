@@ -15,7 +15,7 @@
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/method.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// A motion known densely. The caller's memory.
 struct RecordedMotion {
@@ -73,4 +73,4 @@ struct Comparison {
                                  const MeasureOptions& options = {}, unsigned threads = 1,
                                  const Progress& progress = {});
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -6,7 +6,7 @@
 #include <orispline/analysis/torque.hpp>
 #include <orispline/fields/field_codec.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 template <>
 struct FieldCodec<LeaveOut> : PlainCodec<LeaveOut, bool, FieldType::flag> {};
@@ -40,4 +40,4 @@ Expected<void> check(const MeasureOptions& options) {
   return checked_inertia(options.inertia).map([](const auto&) {});
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

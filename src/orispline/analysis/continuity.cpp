@@ -7,7 +7,7 @@
 
 #include <orispline/analysis/rounding.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 using Rate = Eigen::Vector3d Motion::*;
@@ -78,4 +78,4 @@ Continuity continuity_at_keys(const AnyCurve& curve, Seam seam) {
   return {jumps[0], jumps[1], jumps[2]};
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -9,7 +9,7 @@
 #include <orispline/base/expect.hpp>
 #include <orispline/base/formatted.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 constexpr double largest_jitter = 0.35;  // of the step: neighbours never meet
@@ -86,4 +86,4 @@ std::string name_of(const Decimation& decimation) {
   return every;
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -7,7 +7,7 @@
 #include <orispline/analysis/sampled.hpp>
 #include <orispline/base/expect.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 double percentile(std::span<const double> rising, double part) {
@@ -60,4 +60,4 @@ DistanceStatistics rate_error(const AnyCurve& curve, RateSeries logged) {
   return distance_statistics(std::move(errors), first);
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

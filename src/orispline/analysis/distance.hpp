@@ -6,7 +6,7 @@
 
 #include <orispline/curve/curve.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// Distances between two motions: of their orientations [rad] or of their angular velocities [rad/s].
 struct DistanceStatistics {
@@ -49,4 +49,4 @@ struct RateSeries {
 /// jumps at a key, the mean of both sides counts.
 [[nodiscard]] DistanceStatistics rate_error(const AnyCurve& curve, RateSeries logged);
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

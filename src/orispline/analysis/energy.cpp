@@ -5,7 +5,7 @@
 #include <orispline/analysis/rounding.hpp>
 #include <orispline/analysis/torque.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 /// Integrals that are rounding altogether, on a segment of h seconds.
@@ -31,4 +31,4 @@ Energies energies(const AnyCurve& curve, const Eigen::Matrix3d& inertia) {
   return {.acceleration = sum[0], .jerk = sum[1], .torque = sum[2]};
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -3,7 +3,7 @@
 
 #include <orispline/curve/curve.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// How much a curve accelerates, summed over its segments.
 ///
@@ -22,4 +22,4 @@ struct Energies {
 /// degree 19. With turning axes the integrands hold sines of the factors' angles, and no closed form is known.
 [[nodiscard]] Energies energies(const AnyCurve& curve, const Eigen::Matrix3d& inertia = Eigen::Matrix3d::Identity());
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -8,7 +8,7 @@
 #include <orispline/analysis/spread.hpp>
 #include <orispline/curve/keyframe.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// What the keys are like, before any curve is drawn through them.
 struct KeyStatistics {
@@ -23,4 +23,4 @@ inline constexpr double half_turn_margin = std::numbers::pi / 180.0;
 
 [[nodiscard]] KeyStatistics key_statistics(const Keyframes& keys);
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

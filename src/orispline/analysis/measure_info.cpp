@@ -6,7 +6,7 @@
 
 #include <orispline/analysis/measure_value.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 using D = DistanceStatistics;
@@ -227,4 +227,4 @@ std::vector<MeasureInfo> measures_of(std::initializer_list<MeasureGroup> groups)
   return measures_of(std::span(groups.begin(), groups.size()));
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

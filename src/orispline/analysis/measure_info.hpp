@@ -10,7 +10,7 @@
 #include <orispline/base/better.hpp>
 #include <orispline/base/decimal.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// What measures that are times are told by.
 struct MeasureTimes {
@@ -55,4 +55,4 @@ struct MeasureInfo {
 [[nodiscard]] std::vector<MeasureInfo> measures_of(std::span<const MeasureGroup> groups);
 [[nodiscard]] std::vector<MeasureInfo> measures_of(std::initializer_list<MeasureGroup> groups);
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

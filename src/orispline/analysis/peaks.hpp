@@ -3,7 +3,7 @@
 
 #include <orispline/curve/curve.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// The largest length of a rate, and the first time when it is reached [s].
 struct Peak {
@@ -22,4 +22,4 @@ struct Peaks {
 /// (ω·α, α·jerk, torque times its rate), to the rounding of time.
 [[nodiscard]] Peaks peaks(const AnyCurve& curve, const Eigen::Matrix3d& inertia = Eigen::Matrix3d::Identity());
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -5,7 +5,7 @@
 
 #include <orispline/math/gauss_legendre.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// A row of N figures that are integrated at the same times.
 template <int N>
@@ -47,4 +47,4 @@ template <int N, class F>
   return halved_integral<N>(f, a, b, whole, allowed, most_halvings);
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

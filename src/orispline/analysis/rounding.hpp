@@ -3,9 +3,11 @@
 
 #include <limits>
 
-namespace orispline {
+#include <orispline/base/abi.hpp>
+
+namespace orispline::inline ORISPLINE_ABI {
 
 /// So much of an increment is rounding [rad], and of a rate of order k over steps of h seconds so much over h^k.
 inline constexpr double rounding_of_increments = 256.0 * std::numeric_limits<double>::epsilon();
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

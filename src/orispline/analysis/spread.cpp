@@ -5,7 +5,7 @@
 
 #include <orispline/base/expect.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 Spread spread_of(std::vector<double> figures) {
   ORISPLINE_EXPECT(!figures.empty());
@@ -22,4 +22,4 @@ Spread spread_of(std::vector<double> figures) {
   return spread;
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

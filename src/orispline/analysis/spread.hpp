@@ -4,7 +4,9 @@
 #include <cstddef>
 #include <vector>
 
-namespace orispline {
+#include <orispline/base/abi.hpp>
+
+namespace orispline::inline ORISPLINE_ABI {
 
 /// Smallest, median and largest of a row of figures, and where the largest stands.
 struct Spread {
@@ -15,4 +17,4 @@ struct Spread {
 /// At least one figure, none of them NaN. The median of an even number is the mean of the middle two.
 [[nodiscard]] Spread spread_of(std::vector<double> figures);
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -5,7 +5,7 @@
 
 #include <orispline/base/formatted.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 constexpr double rounding_of_tensor = 1e-12;  // of an inertia tensor that was computed
@@ -35,4 +35,4 @@ std::vector<Warning> warnings_of(const Eigen::Matrix3d& inertia) {
            .option = "inertia"}};
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

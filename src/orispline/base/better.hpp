@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-namespace orispline {
+#include <orispline/base/abi.hpp>
+
+namespace orispline::inline ORISPLINE_ABI {
 
 /// Which of two values of a measure is the better one.
 enum class Better { less, more, neither };
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

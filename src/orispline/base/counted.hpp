@@ -5,9 +5,11 @@
 #include <string>
 #include <string_view>
 
-namespace orispline {
+#include <orispline/base/abi.hpp>
+
+namespace orispline::inline ORISPLINE_ABI {
 
 /// `1 key`, `2 keys`
 [[nodiscard]] std::string counted(std::size_t count, std::string_view noun);
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -17,7 +17,7 @@
 #include <orispline/base/number_text.hpp>
 #include <orispline/base/quoted.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 Integer magnitude(Integer value) { return value < 0 ? -value : value; }
@@ -259,4 +259,4 @@ std::strong_ordering Decimal::operator<=>(const Decimal& other) const noexcept {
   return a <=> b;
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

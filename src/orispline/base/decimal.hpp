@@ -7,7 +7,7 @@
 
 #include <orispline/base/expected.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// Decimal number of up to 37 significant digits: time stamps as files write them, without the rounding of a double.
 ///
@@ -62,4 +62,4 @@ class Decimal {
   int exponent_ = 0;
 };
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

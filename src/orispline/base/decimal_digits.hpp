@@ -6,7 +6,9 @@
 #include <cstdint>
 #include <string_view>
 
-namespace orispline {
+#include <orispline/base/abi.hpp>
+
+namespace orispline::inline ORISPLINE_ABI {
 
 __extension__ typedef __int128 Integer;  ///< holds 38 decimal digits
 
@@ -48,4 +50,4 @@ class Digits {
   std::size_t begin_ = end_of_digits;
 };
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -3,7 +3,7 @@
 
 #include <orispline/base/formatted.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 std::string describe(const Error& error) {
   std::string text = error.where.file;
@@ -18,4 +18,4 @@ std::string describe(const Error& error) {
   return error.remedy.empty() ? text : formatted("{} (option {})", text, error.remedy);
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

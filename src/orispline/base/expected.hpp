@@ -9,7 +9,9 @@
 
 #include <tl/expected.hpp>
 
-namespace orispline {
+#include <orispline/base/abi.hpp>
+
+namespace orispline::inline ORISPLINE_ABI {
 
 /// What kind of thing went wrong; each face maps it to its own habit (exit code, exception type).
 enum class ErrorCode {
@@ -65,4 +67,4 @@ using Expected = tl::expected<T, Error>;
 /// `keys.csv:7:3: key 2: option: message (option remedy)`, with the absent parts left out: one line for people.
 [[nodiscard]] std::string describe(const Error& error);
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 std::string formatted_values(fmt::string_view text, fmt::format_args values) { return fmt::vformat(text, values); }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

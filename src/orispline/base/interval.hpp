@@ -3,7 +3,9 @@
 
 #include <limits>
 
-namespace orispline {
+#include <orispline/base/abi.hpp>
+
+namespace orispline::inline ORISPLINE_ABI {
 
 /// Numbers from the lowest to the highest, both included; all by default.
 struct Interval {
@@ -12,4 +14,4 @@ struct Interval {
   [[nodiscard]] constexpr bool contains(double x) const noexcept { return lowest <= x && x <= highest; }
 };
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -12,7 +12,7 @@
 
 #include <orispline/base/decimal_digits.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 constexpr int most_digits = 17;                       // of the shortest decimal of a double
@@ -126,4 +126,4 @@ char* write_shortest_text(char* to, double value) {
   return point == 1 ? write_units(to, digits) : write_above_one(to, digits, point);
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -4,7 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace orispline {
+#include <orispline/base/abi.hpp>
+
+namespace orispline::inline ORISPLINE_ABI {
 
 /// significand · 10^exponent without digits that are not needed: the significand does not end in a zero digit.
 struct ShortestDecimal {
@@ -24,4 +26,4 @@ inline constexpr std::size_t shortest_text_room = 40;     ///< [characters] that
 /// `to`: where there is `shortest_text_room`. Gives the end of the text.
 [[nodiscard]] char* write_shortest_text(char* to, double value);
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 void parallel_for(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& work) {
   if (threads == 0) threads = std::max(1U, std::thread::hardware_concurrency());
@@ -24,4 +24,4 @@ void parallel_for(std::size_t count, unsigned threads, const std::function<void(
   run();
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -4,7 +4,9 @@
 #include <string_view>
 #include <vector>
 
-namespace orispline {
+#include <orispline/base/abi.hpp>
+
+namespace orispline::inline ORISPLINE_ABI {
 
 /// The pieces of a text between the separators; one empty piece for an empty text. They refer to the text.
 [[nodiscard]] inline std::vector<std::string_view> pieces_of(std::string_view text, char separator) {
@@ -17,4 +19,4 @@ namespace orispline {
   return pieces;
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 bool continues_utf8(char c) { return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u; }
@@ -20,4 +20,4 @@ std::string in_quotes(std::string_view text, std::size_t longest) {
   return "'" + shown + (shortened ? "...'" : "'");
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

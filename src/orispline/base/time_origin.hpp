@@ -3,7 +3,7 @@
 
 #include <orispline/base/decimal.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// An exact time that doubles are counted from.
 class TimeOrigin {
@@ -22,4 +22,4 @@ class TimeOrigin {
   double high_, low_ = 0.0;
 };
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

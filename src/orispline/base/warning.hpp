@@ -8,7 +8,7 @@
 
 #include <orispline/base/expected.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// Something noteworthy about a result, or about what it was made from.
 struct Warning {
@@ -25,4 +25,4 @@ struct Warning {
 /// As an Error is described.
 [[nodiscard]] std::string describe(const Warning& warning);
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

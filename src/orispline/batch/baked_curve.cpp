@@ -10,7 +10,7 @@
 #include <orispline/batch/interpolation.hpp>
 #include <orispline/families/registry.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 using batch::BakedRecord;
@@ -152,4 +152,4 @@ template Expected<BakedCurve<float>> bake<float>(const AnyCurve&, double, const 
 template Expected<BakedCurve<double>> bake<double>(const Method&, const Keyframes&, double, const Progress&);
 template Expected<BakedCurve<float>> bake<float>(const Method&, const Keyframes&, double, const Progress&);
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

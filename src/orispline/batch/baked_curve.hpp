@@ -10,7 +10,7 @@
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/method.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// A curve of any kind turned into polynomials: for curves that are stored and replayed. `bake` makes one.
 ///
@@ -68,4 +68,4 @@ template <class T = double>
 [[nodiscard]] Expected<BakedCurve<T>> bake(const Method& method, const Keyframes& keys, double tolerance,
                                            const Progress& progress = {});
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -6,7 +6,7 @@
 #include <orispline/batch/kernel/dispatch.hpp>
 #include <orispline/batch/sample_layout.hpp>
 
-namespace orispline::batch {
+namespace orispline::inline ORISPLINE_ABI::batch {
 namespace {
 
 const auto& baked_kernel(const PolynomialKernels& k, double) noexcept { return k.baked; }
@@ -42,4 +42,4 @@ template void sample_piece(const BakedRecord<float>&, const Clock&, std::size_t,
 template class BakedSampler<double>;
 template class BakedSampler<float>;
 
-}  // namespace orispline::batch
+}  // namespace orispline::inline ORISPLINE_ABI::batch

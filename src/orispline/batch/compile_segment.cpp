@@ -6,7 +6,7 @@
 
 #include <orispline/math/so3.hpp>
 
-namespace orispline::batch {
+namespace orispline::inline ORISPLINE_ABI::batch {
 namespace {
 
 using Powers = std::array<double, record_degree + 1>;
@@ -211,4 +211,4 @@ template CumulativeRecord<float> compile_segment<float>(const CumulativeForm&, c
 template CompiledChart<double> compile_segment<double>(const ChartForm&, const KnotSpan&) noexcept;
 template CompiledChart<float> compile_segment<float>(const ChartForm&, const KnotSpan&) noexcept;
 
-}  // namespace orispline::batch
+}  // namespace orispline::inline ORISPLINE_ABI::batch

@@ -7,7 +7,7 @@
 #include <orispline/curve/knots.hpp>
 #include <orispline/curve/segment_form.hpp>
 
-namespace orispline::batch {
+namespace orispline::inline ORISPLINE_ABI::batch {
 
 /// Half angles of a chart segment beyond this [rad] are left to the scalar evaluator.
 inline constexpr double largest_chart_half_angle = 1.0;
@@ -39,4 +39,4 @@ struct CompiledChart {
 template <class T>
 [[nodiscard]] CompiledChart<T> compile_segment(const ChartForm& form, const KnotSpan& span) noexcept;
 
-}  // namespace orispline::batch
+}  // namespace orispline::inline ORISPLINE_ABI::batch

@@ -7,7 +7,7 @@
 #include <orispline/batch/kernel/dispatch.hpp>
 #include <orispline/batch/sample_layout.hpp>
 
-namespace orispline::batch {
+namespace orispline::inline ORISPLINE_ABI::batch {
 namespace {
 
 const auto& path_kernel(const PolynomialKernels& k, double) noexcept { return k.path; }
@@ -93,4 +93,4 @@ template std::optional<PathRecord<float>> record_of<float>(const AnyPath&, std::
 template class PathSampler<double>;
 template class PathSampler<float>;
 
-}  // namespace orispline::batch
+}  // namespace orispline::inline ORISPLINE_ABI::batch

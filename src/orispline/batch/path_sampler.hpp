@@ -8,7 +8,7 @@
 #include <orispline/batch/segment_runs.hpp>
 #include <orispline/curve/path.hpp>
 
-namespace orispline::batch {
+namespace orispline::inline ORISPLINE_ABI::batch {
 
 /// A segment of a path for the kernel, where it is a polynomial.
 template <class T>
@@ -35,4 +35,4 @@ class PathSampler {
   std::optional<PathRecord<T>> record_{};
 };
 
-}  // namespace orispline::batch
+}  // namespace orispline::inline ORISPLINE_ABI::batch

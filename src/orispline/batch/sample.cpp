@@ -13,7 +13,7 @@
 #include <orispline/batch/segment_runs.hpp>
 #include <orispline/batch/segment_sampler.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 using batch::check_room;
@@ -254,4 +254,4 @@ Expected<void> sample_many(std::span<const CompiledCurve<T>> curves, double t, c
 ORISPLINE_SAMPLE(double)
 ORISPLINE_SAMPLE(float)
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -7,7 +7,7 @@
 
 #include <orispline/base/formatted.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -126,4 +126,4 @@ std::uint64_t SampleGrid::settled_until(double t) const noexcept {
   return sure > 0.0 ? static_cast<std::uint64_t>(std::min(sure, most_samples)) : 0;
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

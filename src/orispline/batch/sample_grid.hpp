@@ -7,7 +7,7 @@
 
 #include <orispline/base/time_origin.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// One time of a grid.
 struct Instant {
@@ -87,4 +87,4 @@ class SampleGrid {
   std::optional<End> end_{};
 };
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

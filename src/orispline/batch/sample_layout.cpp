@@ -3,7 +3,7 @@
 
 #include <orispline/base/formatted.hpp>
 
-namespace orispline::batch {
+namespace orispline::inline ORISPLINE_ABI::batch {
 
 template <class T>
 std::optional<Error> check_room(const Samples<T>& out, std::size_t wanted) {
@@ -34,4 +34,4 @@ std::optional<Error> check_room(const Samples<T>& out, std::size_t wanted) {
 template std::optional<Error> check_room(const Samples<double>&, std::size_t);
 template std::optional<Error> check_room(const Samples<float>&, std::size_t);
 
-}  // namespace orispline::batch
+}  // namespace orispline::inline ORISPLINE_ABI::batch

@@ -4,7 +4,7 @@
 #include <orispline/batch/compile_segment.hpp>
 #include <orispline/batch/kernel/dispatch.hpp>
 
-namespace orispline::batch {
+namespace orispline::inline ORISPLINE_ABI::batch {
 namespace {
 
 const auto& cumulative_kernel(const Kernels& k, double) noexcept { return k.cumulative; }
@@ -81,4 +81,4 @@ template bool by_kernel<double>(const AnyCurve&, std::size_t, const Clock&, std:
                                 const Target<double>&) noexcept;
 template bool by_kernel<float>(const AnyCurve&, std::size_t, const Clock&, std::size_t, const Target<float>&) noexcept;
 
-}  // namespace orispline::batch
+}  // namespace orispline::inline ORISPLINE_ABI::batch

@@ -6,7 +6,7 @@
 #include <orispline/batch/kernel/record.hpp>
 #include <orispline/curve/curve.hpp>
 
-namespace orispline::batch {
+namespace orispline::inline ORISPLINE_ABI::batch {
 
 /// A segment ready for the kernel; empty: left to the scalar evaluator.
 template <class T>
@@ -30,4 +30,4 @@ template <class T>
 [[nodiscard]] bool by_kernel(const AnyCurve& curve, std::size_t segment, const Clock& clock, std::size_t count,
                              const Target<T>& target) noexcept;
 
-}  // namespace orispline::batch
+}  // namespace orispline::inline ORISPLINE_ABI::batch

@@ -9,7 +9,7 @@
 #include <orispline/curve/cumulative_bezier.hpp>
 #include <orispline/math/geodesic.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// How a Beta curve divides the arcs between its auxiliary points. Source: He et al. 2022, section 3.1.
 struct BetaShape {
@@ -35,4 +35,4 @@ struct BetaShape {
 [[nodiscard]] ControlPolygon<Eigen::Vector3d> beta_polygon(std::span<const Eigen::Vector3d> points,
                                                            const BetaShape& shape);
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -7,7 +7,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/math/banded_lu.hpp>
 
-namespace orispline::chain {
+namespace orispline::inline ORISPLINE_ABI::chain {
 namespace {
 
 Outcome largest(const Steps& residual) {
@@ -137,4 +137,4 @@ Error not_converged(std::string_view method, const Outcome& outcome, double shar
           {.key = outcome.worst}};
 }
 
-}  // namespace orispline::chain
+}  // namespace orispline::inline ORISPLINE_ABI::chain

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace orispline::chain {
+namespace orispline::inline ORISPLINE_ABI::chain {
 namespace {
 
 /// Unknowns of one colour share no equation: one pass over duals differentiates by all of three colours at once.
@@ -43,4 +43,4 @@ void differentiate(std::size_t size, bool closed, const std::function<DualSteps(
   }
 }
 
-}  // namespace orispline::chain
+}  // namespace orispline::inline ORISPLINE_ABI::chain

@@ -3,7 +3,7 @@
 
 #include <orispline/curve/cumulative_curve.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// Cumulative cubic Bernstein polynomials: segment i runs through control orientations 3i … 3i+3.
 ///
@@ -27,4 +27,4 @@ using CubicBezierPath = CumulativePath<CubicBezierBasis>;
 [[nodiscard]] CubicBezierCurve hermite_curve(Knots knots, std::span<const Eigen::Quaterniond> joints,
                                              std::span<const Eigen::Vector3d> rates);
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

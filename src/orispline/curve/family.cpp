@@ -7,7 +7,7 @@
 
 #include <orispline/base/formatted.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 constexpr std::array<std::string_view, 12> end_rule_names{"none", "repeat", "natural", "quadratic", "cubic",  "clamped",
@@ -172,4 +172,4 @@ Expected<FamilySettings> settle(const FamilyInfo& family, const CurveOptions& op
   return settings;
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -15,7 +15,7 @@
 #include <orispline/curve/key_use.hpp>
 #include <orispline/math/eigen.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// A number that shapes a family's curves.
 struct Parameter {
@@ -203,4 +203,4 @@ template <class Named>
 /// The end rule of that name, or an error that lists those of the family.
 [[nodiscard]] Expected<EndRule> end_rule_by_name(const FamilyInfo& family, std::string_view name);
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

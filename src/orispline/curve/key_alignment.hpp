@@ -6,7 +6,7 @@
 
 #include <orispline/curve/keyframe.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// Chooses the signs of keys that come one after the other, and notices what there is to report of them.
 struct KeyAlignment {
@@ -27,4 +27,4 @@ struct KeyAlignment {
   }
 };
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -6,7 +6,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/curve/keyframe.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 Error key_error(std::size_t key, std::string message) {
@@ -51,4 +51,4 @@ std::optional<Error> check_vector(std::size_t key, const char* what, const Eigen
   return key_error(key, formatted("the {} has a component that is not finite", what));
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -10,7 +10,7 @@
 // What one key must be, whether it comes with all the others or alone. Errors are bad_data with the key's index;
 // success allocates nothing.
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// A time that is not finite, or that does not come after that of the key before, or not at a step in range.
 [[nodiscard]] std::optional<Error> check_time(std::size_t key, double time, std::optional<double> before);
@@ -21,4 +21,4 @@ namespace orispline {
 /// A vector that is not finite; `what` names it, such as "position".
 [[nodiscard]] std::optional<Error> check_vector(std::size_t key, const char* what, const Eigen::Vector3d& v);
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
-namespace orispline {
+#include <orispline/base/abi.hpp>
+
+namespace orispline::inline ORISPLINE_ABI {
 
 /// The text of a table of keys, column by column as it was read.
 struct KeyTable {
@@ -12,4 +14,4 @@ struct KeyTable {
   std::vector<std::vector<std::string>> rows{};  ///< one cell per name, one row per key
 };
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -3,7 +3,9 @@
 
 #include <cstddef>
 
-namespace orispline {
+#include <orispline/base/abi.hpp>
+
+namespace orispline::inline ORISPLINE_ABI {
 
 /// How a family uses the keys of a curve, beyond passing through all of them and blending its neighbours.
 struct KeyUse {
@@ -25,4 +27,4 @@ struct KeyUse {
   }
 };
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -9,7 +9,7 @@
 #include <orispline/base/expected.hpp>
 #include <orispline/math/geodesic.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// How the signs of the key quaternions are chosen; q and -q are the same orientation.
 enum class Signs {
@@ -103,4 +103,4 @@ class Keyframes {
   KeyframeReport report_;
 };
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -4,7 +4,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/math/degrees.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 /// What keeps the last key from being the first one come back; nothing if it is.
@@ -75,4 +75,4 @@ ControlPolygon<P> closed_polygon(const Keyframes& keys, const Closure& closure) 
 template ControlPolygon<Eigen::Quaterniond> closed_polygon(const Keyframes&, const Closure&);
 template ControlPolygon<Eigen::Vector3d> closed_polygon(const Keyframes&, const Closure&);
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -6,7 +6,7 @@
 #include <orispline/curve/four_key_curve.hpp>
 #include <orispline/curve/increments.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 std::optional<Eigen::Vector3d> end_rate(const End& end, const Eigen::Vector3d& secant) {
@@ -66,4 +66,4 @@ Expected<HermitePath<3>> cubic_spline_path(std::string_view method, const Keyfra
       });
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

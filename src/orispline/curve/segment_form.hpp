@@ -6,7 +6,7 @@
 
 #include <orispline/math/eigen.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// Largest degree of the polynomials in which a segment may state itself.
 inline constexpr std::size_t form_degree = 7;
@@ -34,4 +34,4 @@ struct ChartForm {
 /// What a segment is made of, where it is made of polynomials: for evaluation in bulk.
 using SegmentForm = std::variant<std::monostate, CumulativeForm, ChartForm>;
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -13,7 +13,7 @@
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/method.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// Keyframes with where they come from: what tasks take and give back, and what files hold.
 ///
@@ -60,4 +60,4 @@ struct Track {
 /// The method, completed by the settings of the track that it does not state itself.
 [[nodiscard]] Method completed(Method method, const FamilyInfo& family, const Track& track);
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -3,7 +3,7 @@
 
 #include <orispline/base/expect.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 std::array<Eigen::Vector3d, 3> polynomial_derivatives(const Window& window) noexcept {
   ORISPLINE_EXPECT(window.size >= 2 && window.size <= Window::capacity);
@@ -54,4 +54,4 @@ WindowRates natural_spline_rates(const Window& window) noexcept {
   return {slope, second[c]};
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

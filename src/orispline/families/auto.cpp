@@ -11,7 +11,7 @@
 
 // The steps are numbered as on docs/families/auto.md, which also says where the constants come from.
 
-namespace orispline::families {
+namespace orispline::inline ORISPLINE_ABI::families {
 namespace {
 
 using Rates = WindowRates;
@@ -253,4 +253,4 @@ Expected<HermitePath<5>> Auto5::path(const Keyframes& keys, const FamilySettings
   return path_of_reach(keys, 2, settings);
 }
 
-}  // namespace orispline::families
+}  // namespace orispline::inline ORISPLINE_ABI::families

@@ -10,7 +10,7 @@
 #include <orispline/curve/points_through.hpp>
 #include <orispline/curve/reflected.hpp>
 
-namespace orispline::families {
+namespace orispline::inline ORISPLINE_ABI::families {
 namespace {
 
 BSplineBasis<3> basis_on(std::span<const double> key_times) {
@@ -139,4 +139,4 @@ Expected<CumulativePath<BSplineBasis<3>>> Averages::path(const Keyframes& keys, 
   });
 }
 
-}  // namespace orispline::families
+}  // namespace orispline::inline ORISPLINE_ABI::families

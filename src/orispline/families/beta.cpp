@@ -3,7 +3,7 @@
 
 #include <orispline/curve/beta_polygon.hpp>
 
-namespace orispline::families {
+namespace orispline::inline ORISPLINE_ABI::families {
 namespace {
 
 Expected<BetaShape> shape_of(std::size_t points, const FamilySettings& settings) {
@@ -26,4 +26,4 @@ template Expected<CumulativeCurve<CubicBezierBasis, Eigen::Quaterniond>> Beta::c
 template Expected<CumulativeCurve<CubicBezierBasis, Eigen::Vector3d>> Beta::curve<Eigen::Vector3d>(
     const Keyframes&, const FamilySettings&);
 
-}  // namespace orispline::families
+}  // namespace orispline::inline ORISPLINE_ABI::families

@@ -7,7 +7,7 @@
 #include <orispline/curve/key_knots.hpp>
 #include <orispline/curve/points_through.hpp>
 
-namespace orispline::families {
+namespace orispline::inline ORISPLINE_ABI::families {
 namespace {
 
 struct Betas {
@@ -176,4 +176,4 @@ Expected<CubicBezierPath> BetaG2::path(const Keyframes& keys, const FamilySettin
   });
 }
 
-}  // namespace orispline::families
+}  // namespace orispline::inline ORISPLINE_ABI::families

@@ -5,7 +5,7 @@
 #include <orispline/curve/family.hpp>
 #include <orispline/curve/keyframe.hpp>
 
-namespace orispline::families {
+namespace orispline::inline ORISPLINE_ABI::families {
 
 /// Beta quaternion splines that are truly G2: s'' after a joint is β₁² s'' + β₂ s' before it, in the local parameter.
 ///
@@ -52,4 +52,4 @@ struct BetaG2 {
   [[nodiscard]] static Expected<CubicBezierPath> path(const Keyframes& keys, const FamilySettings& settings);
 };
 
-}  // namespace orispline::families
+}  // namespace orispline::inline ORISPLINE_ABI::families

@@ -9,7 +9,7 @@
 #include <orispline/curve/points_through.hpp>
 #include <orispline/curve/reflected.hpp>
 
-namespace orispline::families {
+namespace orispline::inline ORISPLINE_ABI::families {
 namespace {
 
 /// What the joint of a key misses it by; auxiliary point i + 1 belongs to key i.
@@ -65,4 +65,4 @@ template Expected<CumulativeCurve<CubicBezierBasis, Eigen::Quaterniond>> BetaThr
 template Expected<CumulativeCurve<CubicBezierBasis, Eigen::Vector3d>> BetaThrough::curve<Eigen::Vector3d>(
     const Keyframes&, const FamilySettings&);
 
-}  // namespace orispline::families
+}  // namespace orispline::inline ORISPLINE_ABI::families

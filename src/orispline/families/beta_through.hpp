@@ -5,7 +5,7 @@
 #include <orispline/curve/family.hpp>
 #include <orispline/curve/keyframe.hpp>
 
-namespace orispline::families {
+namespace orispline::inline ORISPLINE_ABI::families {
 
 /// The Beta quaternion spline through the keys: its auxiliary points are solved so that the joints are the keys.
 ///
@@ -30,4 +30,4 @@ struct BetaThrough {
                                                                             const FamilySettings& settings);
 };
 
-}  // namespace orispline::families
+}  // namespace orispline::inline ORISPLINE_ABI::families

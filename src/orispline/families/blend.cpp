@@ -7,7 +7,7 @@
 
 #include <orispline/curve/reflected.hpp>
 
-namespace orispline::families {
+namespace orispline::inline ORISPLINE_ABI::families {
 namespace {
 
 /// Keys nearer to each other than this in R⁴ do not tell the circle through them.
@@ -95,4 +95,4 @@ Expected<Circular::Curve> Circular::curve(const Keyframes& keys, const FamilySet
   return blended<Curve>(keys.orientations(), keys.times(), settings, circle);
 }
 
-}  // namespace orispline::families
+}  // namespace orispline::inline ORISPLINE_ABI::families

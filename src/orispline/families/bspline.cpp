@@ -5,7 +5,7 @@
 #include <orispline/curve/cumulative_curve.hpp>
 #include <orispline/curve/reflected.hpp>
 
-namespace orispline::families {
+namespace orispline::inline ORISPLINE_ABI::families {
 namespace {
 
 /// Control points on either side of a span's first one, beyond the two that it lies between.
@@ -78,4 +78,4 @@ template Expected<AnyCurveThrough<Eigen::Quaterniond>> BSpline::curve<Eigen::Qua
 template Expected<AnyCurveThrough<Eigen::Vector3d>> BSpline::curve<Eigen::Vector3d>(const Keyframes&,
                                                                                     const FamilySettings&);
 
-}  // namespace orispline::families
+}  // namespace orispline::inline ORISPLINE_ABI::families

@@ -29,7 +29,7 @@
 #include <orispline/families/uniform.hpp>
 #include <orispline/families/xing.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// THE list of families: the registry, the command line, the docs table and the contract tests all read it.
 using Families =
@@ -42,4 +42,4 @@ using Families =
                families::NuExact, families::Bezier, families::BSpline, families::BSplineThrough, families::Averages,
                families::Beta, families::BetaThrough, families::BetaG2>;
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -6,7 +6,7 @@
 #include <orispline/curve/increments.hpp>
 #include <orispline/curve/rate_chain.hpp>
 
-namespace orispline::families {
+namespace orispline::inline ORISPLINE_ABI::families {
 namespace {
 
 Expected<SlerpBezierCurve> solved_curve(std::string_view method, const Keyframes& keys,
@@ -35,4 +35,4 @@ Expected<HermitePath<3>> NuExact::path(const Keyframes& keys, const FamilySettin
   return cubic_spline_path(info.name, keys, settings);
 }
 
-}  // namespace orispline::families
+}  // namespace orispline::inline ORISPLINE_ABI::families

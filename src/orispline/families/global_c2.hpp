@@ -6,7 +6,7 @@
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/slerp_bezier.hpp>
 
-namespace orispline::families {
+namespace orispline::inline ORISPLINE_ABI::families {
 
 /// The C2 curve of slerp cubics whose rates at the keys solve for equal accelerations: close to the least ∫|α|².
 ///
@@ -55,4 +55,4 @@ struct NuExact {
   [[nodiscard]] static Expected<HermitePath<3>> path(const Keyframes& keys, const FamilySettings& settings);
 };
 
-}  // namespace orispline::families
+}  // namespace orispline::inline ORISPLINE_ABI::families

@@ -3,10 +3,12 @@
 
 #include <string_view>
 
-namespace orispline {
+#include <orispline/base/abi.hpp>
+
+namespace orispline::inline ORISPLINE_ABI {
 
 /// Whether the curves of a method have handles that may turn too far, which overwound_tangent() looks for.
 /// Precondition: there is such a method.
 [[nodiscard]] bool can_overwind(std::string_view method);
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -7,7 +7,7 @@
 #include <orispline/curve/key_knots.hpp>
 #include <orispline/curve/window.hpp>
 
-namespace orispline::families {
+namespace orispline::inline ORISPLINE_ABI::families {
 namespace {
 
 /// Steps nearer than this to a full turn [rad] have no rotation vector that rates could be carried to.
@@ -97,4 +97,4 @@ template struct Hermite<1>;
 template struct Hermite<2>;
 template struct Hermite<3>;
 
-}  // namespace orispline::families
+}  // namespace orispline::inline ORISPLINE_ABI::families

@@ -5,7 +5,7 @@
 #include <orispline/curve/key_knots.hpp>
 #include <orispline/curve/three_key_rates.hpp>
 
-namespace orispline::families {
+namespace orispline::inline ORISPLINE_ABI::families {
 namespace {
 
 std::vector<Eigen::Vector3d> key_rates(const Keyframes& keys) {
@@ -22,4 +22,4 @@ Expected<CubicBezierCurve> HermiteCumulative::curve(const Keyframes& keys, const
   return hermite_curve(key_knots(keys), keys.orientations(), rates);
 }
 
-}  // namespace orispline::families
+}  // namespace orispline::inline ORISPLINE_ABI::families

@@ -6,7 +6,7 @@
 #include <orispline/curve/family.hpp>
 #include <orispline/curve/keyframe.hpp>
 
-namespace orispline::families {
+namespace orispline::inline ORISPLINE_ABI::families {
 
 /// Kim's cubic Hermite curve: C1 in time on any knots through given or estimated rates at the keys.
 ///
@@ -31,4 +31,4 @@ struct HermiteCumulative {
   }
 };
 
-}  // namespace orispline::families
+}  // namespace orispline::inline ORISPLINE_ABI::families

@@ -10,7 +10,7 @@
 #include <orispline/base/pieces.hpp>
 #include <orispline/families/registry.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 constexpr std::string_view ends = "ends", start_rate = "start_rate", end_rate = "end_rate", closed = "closed",
@@ -163,4 +163,4 @@ std::string text_of(const Method& method) {
   return text;
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

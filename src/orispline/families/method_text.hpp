@@ -7,7 +7,7 @@
 #include <orispline/base/expected.hpp>
 #include <orispline/curve/method.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// A method from its text form `NAME:SETTING=VALUE:…`, such as `quintic:tension=0.6:ends=natural`.
 ///
@@ -37,4 +37,4 @@ enum class CurveEnd { start, end };
 /// The method as a loop. Errors: bad_argument for a method without loops and a period that is not greater than 0.
 [[nodiscard]] Expected<Method> with_loop(Method method, Loop loop);
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

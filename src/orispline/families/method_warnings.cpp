@@ -7,7 +7,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/registry.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 /// Shorter closing steps than this share of the shortest one between keys are worth a warning.
@@ -53,4 +53,4 @@ std::vector<Warning> warnings_of(const Method& method, const Track& track) {
   return warnings;
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -6,7 +6,7 @@
 #include <orispline/base/warning.hpp>
 #include <orispline/curve/track.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// What is noteworthy about the curve of a method through the keys of a track, with the track's settings.
 ///
@@ -15,4 +15,4 @@ namespace orispline {
 /// curve of slerps loses its continuity (`turn_deg`).
 [[nodiscard]] std::vector<Warning> warnings_of(const Method& method, const Track& track);
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

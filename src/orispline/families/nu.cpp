@@ -9,7 +9,7 @@
 #include <orispline/curve/rate_chain.hpp>
 #include <orispline/families/nu_construction.hpp>
 
-namespace orispline::families {
+namespace orispline::inline ORISPLINE_ABI::families {
 namespace {
 
 using Ratios = NuRatios<double>;
@@ -83,4 +83,4 @@ Expected<HermitePath<3>> Nu::path(const Keyframes& keys, const FamilySettings& s
   return cubic_spline_path(info.name, keys, settings);
 }
 
-}  // namespace orispline::families
+}  // namespace orispline::inline ORISPLINE_ABI::families

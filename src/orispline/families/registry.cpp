@@ -8,7 +8,7 @@
 #include <orispline/families/families.hpp>
 #include <orispline/families/handles.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 template <class F, CurvePoint P>
@@ -119,4 +119,4 @@ Expected<PoseCurve> make_pose_curve(const Method& method, const Keyframes& keys)
   });
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

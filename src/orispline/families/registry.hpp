@@ -12,7 +12,7 @@
 #include <orispline/curve/method.hpp>
 #include <orispline/curve/pose_curve.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// Every family's description, in the order of the list.
 [[nodiscard]] std::span<const FamilyInfo> families_info() noexcept;
@@ -35,4 +35,4 @@ namespace orispline {
 /// families. Errors: those of make_curve() before anything is solved.
 [[nodiscard]] Expected<std::optional<HandleTurn>> overwound_tangent(const Method& method, const Keyframes& keys);
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

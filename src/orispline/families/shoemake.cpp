@@ -4,7 +4,7 @@
 #include <orispline/curve/key_knots.hpp>
 #include <orispline/curve/reflected.hpp>
 
-namespace orispline::families {
+namespace orispline::inline ORISPLINE_ABI::families {
 namespace {
 
 /// The step after a key to the step before it, as the rule has it.
@@ -58,4 +58,4 @@ HandleTurn Shoemake::widest_handle(const Keyframes& keys, const FamilySettings& 
   return widest;
 }
 
-}  // namespace orispline::families
+}  // namespace orispline::inline ORISPLINE_ABI::families

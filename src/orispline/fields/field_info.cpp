@@ -8,7 +8,7 @@
 #include <orispline/base/expect.hpp>
 #include <orispline/base/formatted.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 /// ` rad`, nothing without a unit.
@@ -76,4 +76,4 @@ Expected<void> check_ranges(std::span<const FieldInfo> fields, const void* optio
   return {};
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -7,7 +7,7 @@
 
 #include <orispline/math/degrees.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// A unit as people type it, and how many of the unit of the library it is.
 struct Unit {
@@ -46,4 +46,4 @@ inline constexpr Quantity time{"time", "s", "s"};
 inline constexpr Quantity frequency{"frequency", "Hz", "hz"};
 }  // namespace quantities
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -6,7 +6,9 @@
 #include <string>
 #include <string_view>
 
-namespace orispline {
+#include <orispline/base/abi.hpp>
+
+namespace orispline::inline ORISPLINE_ABI {
 
 /// A word of a vocabulary and what it stands for.
 struct Word {
@@ -41,4 +43,4 @@ template <class E>
   return text;
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -4,7 +4,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 namespace {
 
 constexpr std::size_t longest_list = 200;  // [bytes] of column names in a message
@@ -51,4 +51,4 @@ tl::unexpected<Error> ColumnSearch::two_columns(std::string_view canonical, std:
   return mended_by("columns", formatted("{} and {} may both be {}, wanted one", name(one), name(other), canonical));
 }
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

@@ -12,7 +12,7 @@
 
 #include <orispline/base/expected.hpp>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 
 /// Suffix of column names: value · numerator / denominator is in the unit of this library.
 struct Unit {
@@ -104,4 +104,4 @@ class ColumnSearch {
   const Names& mapped_;
 };
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

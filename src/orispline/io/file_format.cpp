@@ -6,7 +6,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/io/formats/formats.hpp>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 namespace {
 
 char lower(char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
@@ -48,4 +48,4 @@ std::string any_of(std::span<const FormatInfo* const> formats) {
   return formatted("{} or {}", joined(titles, ", "), last);
 }
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

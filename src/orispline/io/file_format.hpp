@@ -12,13 +12,13 @@
 
 #include <orispline/base/expected.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 class Decimal;
 struct KeyTable;
 struct Track;
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 
 class LineReader;
 class OutputFile;
@@ -118,4 +118,4 @@ struct FormatInfo {
 /// The titles as a message names them: `CSV, TUM or EuRoC`.
 [[nodiscard]] std::string any_of(std::span<const FormatInfo* const> formats);
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 namespace {
 
 using Candidates = std::vector<const FormatInfo*>;
@@ -90,4 +90,4 @@ Expected<Source> open_keys(const std::string& path, const ReadOptions& options) 
   });
 }
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

@@ -7,7 +7,7 @@
 #include <orispline/io/key_file.hpp>
 #include <orispline/io/table_layout.hpp>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 
 /// The format that a row is most like, at least that much; of equals the first. Null: none.
 [[nodiscard]] const FormatInfo* likest(std::span<const FormatInfo* const> formats, const TextTable& table,
@@ -31,4 +31,4 @@ struct TracksSource {
 [[nodiscard]] Expected<std::variant<KeyRowsSource, TracksSource>> open_keys(const std::string& path,
                                                                             const ReadOptions& options);
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-namespace orispline::io {
+#include <orispline/base/abi.hpp>
+
+namespace orispline::inline ORISPLINE_ABI::io {
 
 /// The frame in which angular rates are stated. Positions and their rates are always in the world frame.
 enum class Frame { body, world };
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

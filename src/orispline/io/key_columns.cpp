@@ -6,7 +6,7 @@
 
 #include <orispline/base/formatted.hpp>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 namespace {
 
 /// Suffix of time columns: value · 10^exponent is in seconds.
@@ -150,4 +150,4 @@ std::optional<Decimal> time_unit_of(std::string_view name) {
   return std::nullopt;
 }
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

@@ -11,7 +11,7 @@
 #include <orispline/io/rate_columns.hpp>
 #include <orispline/io/text_table.hpp>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 
 /// Order of the quaternion columns of a table without a header.
 enum class QuaternionOrder { wxyz, xyzw };
@@ -72,4 +72,4 @@ struct HeaderReading {
 /// Unit [s] of a column that is named like a time; nothing for other names.
 [[nodiscard]] std::optional<Decimal> time_unit_of(std::string_view name);
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

@@ -7,7 +7,7 @@
 #include <orispline/io/format_choice.hpp>
 #include <orispline/io/key_reader.hpp>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 namespace {
 
 Expected<std::vector<KeyFile>> keys_in(KeyRowsSource source, const ReadOptions& options) {
@@ -40,4 +40,4 @@ Error located(const KeyFile& file, Error error) {
   return error;
 }
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

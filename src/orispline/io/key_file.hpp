@@ -12,7 +12,7 @@
 #include <orispline/io/key_columns.hpp>
 #include <orispline/io/key_table.hpp>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 
 /// How a file of keyframes is to be read.
 struct ReadOptions {
@@ -80,4 +80,4 @@ struct KeyFile {
 /// The error with the file and, where it names a key, the line.
 [[nodiscard]] Error located(const KeyFile& file, Error error);
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

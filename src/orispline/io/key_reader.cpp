@@ -5,7 +5,7 @@
 
 #include <orispline/base/formatted.hpp>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 namespace {
 
 /// The track of a file of one.
@@ -76,4 +76,4 @@ Expected<KeyFile> KeyReader::next(std::size_t most) {
   });
 }
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

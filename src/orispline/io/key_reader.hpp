@@ -9,7 +9,7 @@
 #include <orispline/io/format_choice.hpp>
 #include <orispline/io/key_rows.hpp>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 
 /// Reads the keys of a file of one track, or of standard input for `-`, in pieces where they are rows of a table.
 class KeyReader {
@@ -45,4 +45,4 @@ class KeyReader {
   bool is_at_end_ = false;
 };
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

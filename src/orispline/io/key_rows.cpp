@@ -11,7 +11,7 @@
 #include <orispline/base/quoted.hpp>
 #include <orispline/curve/motion.hpp>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 namespace {
 
 /// One key as a row states it.
@@ -263,4 +263,4 @@ KeyFile KeyRows::take() {
   return std::exchange(file_, std::move(rest));
 }
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

@@ -7,7 +7,7 @@
 
 #include <orispline/io/key_file.hpp>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 
 /// Gathers the keys of a table row by row, checks and repairs them. They may be taken out in pieces.
 class KeyRows {
@@ -41,4 +41,4 @@ class KeyRows {
   std::vector<Decimal> times_;   // of all rows, gathered only to be sorted
 };
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

@@ -6,7 +6,7 @@
 
 #include <orispline/base/number_text.hpp>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 namespace {
 
 /// In quotes where it holds what separates cells.
@@ -45,4 +45,4 @@ std::string csv_with_columns(const KeyTable& table, const NumberColumns& columns
   return text;
 }
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

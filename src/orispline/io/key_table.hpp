@@ -8,9 +8,9 @@
 #include <orispline/curve/key_table.hpp>
 #include <orispline/io/file_format.hpp>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 
 /// The table as CSV; a column of a name that the table has takes its place, others follow in the order of their names.
 [[nodiscard]] std::string csv_with_columns(const KeyTable& table, const NumberColumns& columns);
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

@@ -7,7 +7,7 @@
 
 #include <orispline/io/file_format.hpp>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 namespace {
 
 constexpr std::size_t chunk = std::size_t{64} << 10;  // [bytes] read at a time
@@ -85,4 +85,4 @@ Expected<std::optional<std::string_view>> LineReader::give(std::string_view line
   return line;
 }
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

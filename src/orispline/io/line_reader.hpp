@@ -9,7 +9,7 @@
 
 #include <orispline/base/expected.hpp>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 
 /// Streams a text file line by line in constant memory.
 ///
@@ -56,4 +56,4 @@ class LineReader {
   bool keeps_ = false;
 };
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

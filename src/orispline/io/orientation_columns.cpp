@@ -7,7 +7,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 namespace {
 
 constexpr std::array plain_numbers{Unit{""}};
@@ -118,4 +118,4 @@ Expected<OrientationColumns> orientation_columns(const ColumnSearch& search, con
   });
 }
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

@@ -6,7 +6,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/math/rotation_matrix.hpp>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 namespace {
 
 constexpr std::array<std::string_view, 4> quaternion_names{"qw", "qx", "qy", "qz"};
@@ -93,4 +93,4 @@ Expected<Eigen::Quaterniond> orientation_from(const OrientationNumbers& numbers,
   return quaternion_wxyz(numbers[0], numbers[1], numbers[2], numbers[3]);
 }
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

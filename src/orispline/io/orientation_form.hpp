@@ -10,7 +10,7 @@
 #include <orispline/base/expected.hpp>
 #include <orispline/math/euler.hpp>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 
 /// What columns may state an orientation by.
 enum class Representation {
@@ -54,4 +54,4 @@ using OrientationNumbers = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMa
 [[nodiscard]] Expected<Eigen::Quaterniond> orientation_from(const OrientationNumbers& numbers,
                                                             const OrientationForm& form);
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

@@ -9,7 +9,7 @@
 #include <orispline/base/expect.hpp>
 #include <orispline/io/file_format.hpp>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -149,4 +149,4 @@ Expected<void> check_output(const std::string& path) {
   return OutputFile::open(path).map([](const OutputFile&) {});
 }
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

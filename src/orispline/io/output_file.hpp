@@ -8,7 +8,7 @@
 
 #include <orispline/base/expected.hpp>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 
 /// A file that appears complete or not at all.
 ///
@@ -58,4 +58,4 @@ class OutputFile {
 /// at their word. Error (bad_access): what OutputFile::open() would say.
 [[nodiscard]] Expected<void> check_output(const std::string& path);
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

@@ -5,7 +5,7 @@
 
 #include <orispline/base/formatted.hpp>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 namespace {
 
 using Names = std::array<std::string_view, 3>;
@@ -94,4 +94,4 @@ std::vector<std::string> rates_of_unknown_frame(const ColumnSearch& search, cons
   return names;
 }
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

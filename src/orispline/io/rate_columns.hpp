@@ -9,7 +9,7 @@
 #include <orispline/io/column_search.hpp>
 #include <orispline/io/frame.hpp>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 
 /// What the columns `wx`, `ax`, `jx` without a frame in their names are.
 enum class UnnamedRates {
@@ -46,4 +46,4 @@ using RateColumns = std::array<std::optional<RateVector>, 3>;
 [[nodiscard]] std::vector<std::string> rates_of_unknown_frame(const ColumnSearch& search, const RateReading& reading,
                                                               const RateColumns& read);
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

@@ -7,7 +7,7 @@
 
 #include <orispline/base/formatted.hpp>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 namespace {
 
 constexpr int highest_derivative = 3, highest_position_derivative = 2;
@@ -88,4 +88,4 @@ bool RowNumbers::are_finite() const noexcept {
   return std::ranges::all_of(values(), [](double value) { return std::isfinite(value); });
 }
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

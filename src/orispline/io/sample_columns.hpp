@@ -13,7 +13,7 @@
 #include <orispline/io/frame.hpp>
 #include <orispline/io/orientation_form.hpp>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 
 /// What a file of samples holds.
 struct SampleColumns {
@@ -65,4 +65,4 @@ class RowNumbers {
 /// Those of a sample in the order of `column_names`.
 [[nodiscard]] RowNumbers named_numbers(const Sample& sample, const SampleColumns& columns);
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

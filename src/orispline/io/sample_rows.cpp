@@ -3,7 +3,7 @@
 
 #include <orispline/base/formatted.hpp>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 namespace {
 
 tl::unexpected<Error> not_finite(const Decimal& time) {
@@ -68,4 +68,4 @@ void SampleRows::continue_after(const SampleRows& others) noexcept {
   if (others.last_whole_) last_whole_ = others.last_whole_;
 }
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

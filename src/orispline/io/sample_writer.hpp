@@ -9,7 +9,7 @@
 #include <orispline/io/sample_columns.hpp>
 #include <orispline/io/sample_rows.hpp>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 
 /// Streams samples into a file, or to standard output for `-`.
 ///
@@ -48,4 +48,4 @@ class SampleWriter {
   SampleRows pending_;  // not written yet
 };
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

@@ -12,7 +12,7 @@
 #include <orispline/io/key_columns.hpp>
 #include <orispline/io/text_table.hpp>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 
 struct ReadOptions;
 
@@ -35,4 +35,4 @@ struct TableLayout {
 /// The columns, or what is wrong with them at the row of the table.
 [[nodiscard]] Expected<KeyColumns> located(const TextTable& table, Expected<KeyColumns> columns);
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

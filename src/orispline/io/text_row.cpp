@@ -6,7 +6,7 @@
 #include <orispline/base/number_text.hpp>
 #include <orispline/io/sample_columns.hpp>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 
 void append_text_row(std::string& text, const Decimal& time, std::span<const double> numbers, char separator) {
   time.append_to(text);
@@ -20,4 +20,4 @@ void append_text_row(std::string& text, const Decimal& time, std::span<const dou
   text.append(row.data(), end);
 }
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

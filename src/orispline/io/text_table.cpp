@@ -10,7 +10,7 @@
 
 #include <orispline/base/quoted.hpp>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 namespace {
 
 constexpr bool is_blank(char c) { return c == ' ' || c == '\t'; }
@@ -119,4 +119,4 @@ Where TextTable::here(std::optional<std::size_t> cell) const {
   return {path(), line(), cell ? std::optional(*cell + 1) : std::nullopt, std::nullopt};
 }
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

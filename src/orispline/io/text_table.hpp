@@ -10,7 +10,7 @@
 #include <orispline/base/decimal.hpp>
 #include <orispline/io/line_reader.hpp>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 
 /// What stands between two cells of a line.
 enum class Delimiter { comma, semicolon, tab, blanks };
@@ -66,4 +66,4 @@ class TextTable {
   std::string comment_;
 };
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

@@ -8,7 +8,7 @@
 #include <orispline/io/key_columns.hpp>
 #include <orispline/io/text_table.hpp>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 namespace {
 
 tl::unexpected<Error> at_row(const TextTable& table, std::string message) {
@@ -66,4 +66,4 @@ Expected<TimesList> read_times(const std::string& path, const Decimal& epoch) {
   return list;
 }
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

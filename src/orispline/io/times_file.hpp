@@ -7,7 +7,7 @@
 
 #include <orispline/base/decimal.hpp>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 
 /// The times of a file in its order.
 struct TimesList {
@@ -21,4 +21,4 @@ struct TimesList {
 /// `epoch` [s]. Errors: bad_access, bad_data.
 [[nodiscard]] Expected<TimesList> read_times(const std::string& path, const Decimal& epoch);
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

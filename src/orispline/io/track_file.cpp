@@ -3,7 +3,7 @@
 
 #include <utility>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 namespace {
 
 Expected<TrackFile> checked(KeyFile file, const ReadOptions& options, Signs signs) {
@@ -49,4 +49,4 @@ Expected<TrackFile> read_track(const std::string& path, const ReadOptions& optio
   return read_keys(path, options).and_then([&](KeyFile file) { return checked(std::move(file), options, signs); });
 }
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

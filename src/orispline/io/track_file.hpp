@@ -7,7 +7,7 @@
 #include <orispline/curve/track.hpp>
 #include <orispline/io/key_file.hpp>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 
 /// A track as a file holds it, with what reading did to it.
 struct TrackFile {
@@ -30,4 +30,4 @@ struct TrackFile {
 /// What was read of a file, with its keys when they have been checked.
 [[nodiscard]] TrackFile track_file(KeyFile file, Keyframes keys);
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

@@ -10,7 +10,7 @@
 #include <orispline/io/key_table.hpp>
 #include <orispline/io/sample_rows.hpp>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 namespace {
 
 int rate_orders_of(const Keyframes& keys) {
@@ -73,4 +73,4 @@ Expected<void> write_tracks(OutputFile& file, std::span<const Track> tracks, con
   });
 }
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

@@ -7,7 +7,7 @@
 #include <orispline/io/output_file.hpp>
 #include <orispline/io/sample_columns.hpp>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 
 /// Writes keys into an open file, which is left to be closed.
 ///
@@ -19,4 +19,4 @@ namespace orispline::io {
 [[nodiscard]] Expected<void> write_tracks(OutputFile& file, std::span<const Track> tracks,
                                           const SampleColumns& columns);
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

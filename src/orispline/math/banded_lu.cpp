@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 /// Of what stands in the rows or columns of one place within the band.
@@ -93,4 +93,4 @@ void BandedLu::bring_up_pivot(std::size_t k) {
   std::swap_ranges(row, row + (end_column(k) - k), &matrix_(pivot, k));
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

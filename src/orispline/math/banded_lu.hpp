@@ -6,7 +6,9 @@
 
 #include <Eigen/Core>
 
-namespace orispline {
+#include <orispline/base/abi.hpp>
+
+namespace orispline::inline ORISPLINE_ABI {
 
 /// A square matrix whose entries lie at most `band` places from the diagonal.
 class BandedMatrix {
@@ -65,4 +67,4 @@ class BandedLu {
   bool regular_ = true;
 };
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -3,9 +3,11 @@
 
 #include <numbers>
 
-namespace orispline {
+#include <orispline/base/abi.hpp>
+
+namespace orispline::inline ORISPLINE_ABI {
 
 inline constexpr double degrees = 180.0 / std::numbers::pi;  ///< in a radian, for what is shown
 inline constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -8,7 +8,7 @@
 
 #include <orispline/math/elementary_tables.hpp>
 
-namespace orispline::elementary {
+namespace orispline::inline ORISPLINE_ABI::elementary {
 namespace {
 
 constexpr double round_to_even =
@@ -213,4 +213,4 @@ double natural_logarithm(double x) noexcept {
   return e * log_of_two[0] - ((half - rest) - f);
 }
 
-}  // namespace orispline::elementary
+}  // namespace orispline::inline ORISPLINE_ABI::elementary

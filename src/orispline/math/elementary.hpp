@@ -3,12 +3,14 @@
 
 #include <array>
 
+#include <orispline/base/abi.hpp>
+
 /// Elementary functions with the same bits on every processor and from every compiler: IEEE operations alone, where the
 /// system's library takes other paths on processors with fused multiply-add.
 ///
 /// Each result is within 1 ulp of the true value, for every argument; zeros, infinities and NaN are answered as by
 /// `<cmath>`. The formulas: docs/conventions.md, "The same bits everywhere".
-namespace orispline::elementary {
+namespace orispline::inline ORISPLINE_ABI::elementary {
 
 struct SineCosine {
   double sine, cosine;
@@ -26,4 +28,4 @@ struct SineCosine {
 /// Logarithm to the base e.
 [[nodiscard]] double natural_logarithm(double x) noexcept;
 
-}  // namespace orispline::elementary
+}  // namespace orispline::inline ORISPLINE_ABI::elementary

@@ -6,7 +6,9 @@
 #include <cstddef>
 #include <numbers>
 
-namespace orispline {
+#include <orispline/base/abi.hpp>
+
+namespace orispline::inline ORISPLINE_ABI {
 
 /// A node of a quadrature rule on [0, 1].
 struct QuadratureNode {
@@ -36,4 +38,4 @@ template <std::size_t N>
   return rule;
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -7,7 +7,7 @@
 #include <orispline/math/eigen.hpp>
 #include <orispline/math/series.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// Euclidean norm, where squares would overflow or underflow too.
 template <std::floating_point T>
@@ -155,4 +155,4 @@ template <Number T>
   return right_jacobian_inverse<T>(-phi);
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

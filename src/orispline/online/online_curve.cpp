@@ -7,7 +7,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/registry.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 Error argument_error(std::string message) { return {ErrorCode::bad_argument, std::move(message), {}}; }
@@ -162,4 +162,4 @@ std::optional<LinearMotion> OnlineCurve::linear_motion(double t, Side side) cons
   return t < domain->start || t > domain->end ? LinearMotion{.position = there.position} : there;
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

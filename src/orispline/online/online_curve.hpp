@@ -12,7 +12,7 @@
 #include <orispline/curve/method.hpp>
 #include <orispline/online/online_segments.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// A curve whose keys arrive one by one, for loops that cannot wait for the last one.
 ///
@@ -125,4 +125,4 @@ class OnlineCurve {
   bool finished_ = false;
 };
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

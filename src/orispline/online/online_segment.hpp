@@ -7,7 +7,7 @@
 #include <orispline/math/bernstein.hpp>
 #include <orispline/online/recent_keys.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// A basis on one knot span, its polynomials formed once.
 template <std::size_t M>
@@ -114,4 +114,4 @@ requires(B::increments == 3)
   return segment;
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -9,7 +9,7 @@
 #include <orispline/families/registry.hpp>
 #include <orispline/online/online_segment.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 template <CumulativeBasis B>
@@ -117,4 +117,4 @@ std::unique_ptr<OnlineSegments> segments_in_place(const StreamMethod& method, st
 
 std::span<const std::string_view> online_methods() noexcept { return local_names; }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

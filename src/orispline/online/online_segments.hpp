@@ -10,7 +10,7 @@
 #include <orispline/curve/path.hpp>
 #include <orispline/online/stream_keys.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// The keys that the next segments need, and the segments of one method by their place in a ring.
 class OnlineSegments {
@@ -42,4 +42,4 @@ class OnlineSegments {
 /// The names of the methods whose segments depend on a few keys.
 [[nodiscard]] std::span<const std::string_view> online_methods() noexcept;
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

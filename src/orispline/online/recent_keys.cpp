@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 /// Keys counted inwards from one end. The functions of an EndNeighbourhood hold one pointer to it: what is larger would
@@ -60,4 +60,4 @@ Expected<GhostIncrements> ghost_beyond(EndKey which, const RecentKeys& keys, con
   return GhostIncrements{.turn = *turn, .shift = *shift};
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -9,7 +9,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/parallel.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 /// Of a track.
@@ -203,4 +203,4 @@ Expected<SampledTracks> sample_tracks(const Method& method, const TrackColumns& 
   });
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -6,7 +6,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/curve/key_check.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 struct Part {
@@ -52,4 +52,4 @@ Expected<Eigen::Quaterniond> checked_orientation(std::uint64_t index, const Stre
   return Eigen::Quaterniond(key.orientation.coeffs() / *norm);
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

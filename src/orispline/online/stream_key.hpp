@@ -9,7 +9,7 @@
 #include <orispline/base/expected.hpp>
 #include <orispline/math/eigen.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// One key of a stream, body to world.
 struct StreamKey {
@@ -39,4 +39,4 @@ struct KeyParts {
 [[nodiscard]] Expected<Eigen::Quaterniond> checked_orientation(std::uint64_t index, const StreamKey& key,
                                                                std::optional<double> before, const KeyParts& wanted);
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

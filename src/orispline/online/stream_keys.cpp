@@ -6,7 +6,7 @@
 
 #include <orispline/families/registry.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 /// Calls `change` with every list of the data that has an entry per key, empty ones included.
@@ -117,4 +117,4 @@ Expected<PoseCurve> StreamKeys::curve_from(std::uint64_t key, const StreamMethod
   return tl::unexpected(std::move(error));
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -6,7 +6,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/registry.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 /// Enough for every end rule and every family.
@@ -105,4 +105,4 @@ std::optional<Error> StreamMethod::check_settings(std::uint64_t index, const Str
                                           joined(names, ", "), joined(per_key, ", "))));
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -11,7 +11,7 @@
 #include <orispline/curve/method.hpp>
 #include <orispline/online/track_stretch.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// How the keys of a track become curves.
 struct TrackOptions {
@@ -113,4 +113,4 @@ class TrackSampler {
   bool finished_ = false;
 };
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

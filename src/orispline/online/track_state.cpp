@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 constexpr std::uint64_t mark = 0x324b434152545249u;  // "IRTRACK2", lowest byte first
@@ -218,4 +218,4 @@ Expected<void> TrackState::read_rest(StateReader& in, TrackSampler& sampler) {
   return in.is_complete() ? sampler.check_order() : Expected<void>(failure(ErrorCode::bad_data, "they end elsewhere"));
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -9,7 +9,7 @@
 #include <orispline/families/registry.hpp>
 #include <orispline/pages/curve_page.hpp>
 
-namespace orispline::pages {
+namespace orispline::inline ORISPLINE_ABI::pages {
 namespace {
 
 constexpr std::size_t samples_per_method = 600;
@@ -88,4 +88,4 @@ report::Page compare_page(const ComparedCurves& compared, const PageHead& head, 
   return page;
 }
 
-}  // namespace orispline::pages
+}  // namespace orispline::inline ORISPLINE_ABI::pages

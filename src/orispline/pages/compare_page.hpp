@@ -10,7 +10,7 @@
 #include <orispline/pages/page_head.hpp>
 #include <orispline/report/page.hpp>
 
-namespace orispline::pages {
+namespace orispline::inline ORISPLINE_ABI::pages {
 
 /// Methods on sets of keys, with what they were compared with.
 struct ComparedCurves {
@@ -27,4 +27,4 @@ struct ComparedCurves {
 /// 0: one per core.
 [[nodiscard]] report::Page compare_page(const ComparedCurves& compared, const PageHead& head, unsigned threads = 0);
 
-}  // namespace orispline::pages
+}  // namespace orispline::inline ORISPLINE_ABI::pages

@@ -10,7 +10,7 @@
 #include <orispline/base/version.hpp>
 #include <orispline/math/degrees.hpp>
 
-namespace orispline::pages {
+namespace orispline::inline ORISPLINE_ABI::pages {
 namespace {
 
 constexpr std::size_t most_keys = 2000;
@@ -102,4 +102,4 @@ report::PageMethod with_errors(report::PageMethod method, const report::PageErro
   return method;
 }
 
-}  // namespace orispline::pages
+}  // namespace orispline::inline ORISPLINE_ABI::pages

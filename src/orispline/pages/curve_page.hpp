@@ -12,7 +12,7 @@
 
 // What the pages have alike.
 
-namespace orispline::pages {
+namespace orispline::inline ORISPLINE_ABI::pages {
 
 /// A page that says what it is about, with the keys; of very many some, and a note that says so.
 [[nodiscard]] report::Page begun_page(std::string title, const PageHead& head, const Decimal& epoch,
@@ -68,4 +68,4 @@ inline constexpr std::size_t samples_of_few = 2000;
 [[nodiscard]] report::PageMethod with_errors(report::PageMethod method, const report::PageErrors& errors,
                                              const report::Covers& covers);
 
-}  // namespace orispline::pages
+}  // namespace orispline::inline ORISPLINE_ABI::pages

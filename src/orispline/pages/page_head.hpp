@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
-namespace orispline::pages {
+#include <orispline/base/abi.hpp>
+
+namespace orispline::inline ORISPLINE_ABI::pages {
 
 /// What a page says about its making, which only the caller knows.
 struct PageHead {
@@ -14,4 +16,4 @@ struct PageHead {
   std::vector<std::string> notes{};  ///< sentences that stand before those of the page, such as warnings
 };
 
-}  // namespace orispline::pages
+}  // namespace orispline::inline ORISPLINE_ABI::pages

@@ -9,7 +9,7 @@
 #include <orispline/math/degrees.hpp>
 #include <orispline/pages/curve_page.hpp>
 
-namespace orispline::pages {
+namespace orispline::inline ORISPLINE_ABI::pages {
 namespace {
 
 std::string title_of(const Track& recording, const Reduction& chosen, const Tolerance& allowed) {
@@ -69,4 +69,4 @@ report::Page reduce_page(const Track& recording, std::span<const Reduction> redu
   return page;
 }
 
-}  // namespace orispline::pages
+}  // namespace orispline::inline ORISPLINE_ABI::pages

@@ -8,7 +8,7 @@
 #include <orispline/reduce/reduce.hpp>
 #include <orispline/report/page.hpp>
 
-namespace orispline::pages {
+namespace orispline::inline ORISPLINE_ABI::pages {
 
 /// The page to look at: the recording that was reduced, and the curves of all reductions, one at least, the smallest
 /// first. `smoothing_time`: that the recording was smoothed with before [s].
@@ -16,4 +16,4 @@ namespace orispline::pages {
                                        const ReduceOptions& options, const PageHead& head,
                                        std::optional<double> smoothing_time = std::nullopt);
 
-}  // namespace orispline::pages
+}  // namespace orispline::inline ORISPLINE_ABI::pages

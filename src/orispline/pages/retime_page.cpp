@@ -10,7 +10,7 @@
 #include <orispline/pages/curve_page.hpp>
 #include <orispline/retime/certificate.hpp>
 
-namespace orispline::pages {
+namespace orispline::inline ORISPLINE_ABI::pages {
 namespace {
 
 /// Of the motion before it was slowed; nothing where it has none.
@@ -98,4 +98,4 @@ report::Page retime_page(const Track& before, const Retiming& retiming, const Mo
   return page;
 }
 
-}  // namespace orispline::pages
+}  // namespace orispline::inline ORISPLINE_ABI::pages

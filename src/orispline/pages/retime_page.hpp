@@ -5,10 +5,10 @@
 #include <orispline/report/page.hpp>
 #include <orispline/retime/retime.hpp>
 
-namespace orispline::pages {
+namespace orispline::inline ORISPLINE_ABI::pages {
 
 /// The page to look at: the motion as it was and as it is slowed, with the limits.
 [[nodiscard]] report::Page retime_page(const Track& before, const Retiming& retiming, const MotionLimits& limits,
                                        const PageHead& head);
 
-}  // namespace orispline::pages
+}  // namespace orispline::inline ORISPLINE_ABI::pages

@@ -14,7 +14,7 @@
 #include <orispline/families/registry.hpp>
 #include <orispline/pages/curve_page.hpp>
 
-namespace orispline::pages {
+namespace orispline::inline ORISPLINE_ABI::pages {
 namespace {
 
 constexpr std::string_view rms_of_accepted = "rms_accepted_deg";
@@ -176,4 +176,4 @@ report::Page smooth_page(const Track& recording, const Smoothing& smoothing, con
   return page;
 }
 
-}  // namespace orispline::pages
+}  // namespace orispline::inline ORISPLINE_ABI::pages

@@ -5,9 +5,9 @@
 #include <orispline/report/page.hpp>
 #include <orispline/smooth/smooth.hpp>
 
-namespace orispline::pages {
+namespace orispline::inline ORISPLINE_ABI::pages {
 
 /// The page to look at: the smoothed motion beside the recording as it was read.
 [[nodiscard]] report::Page smooth_page(const Track& recording, const Smoothing& smoothing, const PageHead& head);
 
-}  // namespace orispline::pages
+}  // namespace orispline::inline ORISPLINE_ABI::pages

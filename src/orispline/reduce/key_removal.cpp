@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 /// Which inner keys may be worth a trial without them, and which of those can be tried at once.
@@ -143,4 +143,4 @@ Expected<KeySet> with_keys_removed(const LocalMethod& method, const ToleranceChe
   return Removal(method, recording, repair, std::move(keys)).run();
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

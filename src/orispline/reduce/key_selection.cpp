@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 Expected<KeySet> with_keys_added(const LocalMethod& method, const ToleranceCheck& recording, KeySet keys) {
@@ -57,4 +57,4 @@ Expected<KeySet> selected_keys(const LocalMethod& method, const ToleranceCheck& 
   return keys;
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -11,7 +11,7 @@
 #include <orispline/curve/track.hpp>
 #include <orispline/reduce/tolerance_check.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// What may become of the keys that are chosen among the samples.
 enum class KeyValues {
@@ -66,4 +66,4 @@ inline constexpr std::array<std::string_view, 3> reducing_methods{"auto", "timed
 /// The index of the one with the fewest keys, of equals the first.
 [[nodiscard]] std::size_t smallest(std::span<const Reduction> reductions);
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -5,7 +5,7 @@
 
 #include <orispline/fields/field.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 /// Nothing where the recording has no positions.
@@ -60,4 +60,4 @@ std::span<const FieldInfo> fields_of<Reduction>() noexcept {
   return fields;
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -7,7 +7,7 @@
 
 #include <orispline/math/geodesic.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 constexpr double rounding_of_bounds = 1e-12;  // of bounds, relative, against acceptance
@@ -211,4 +211,4 @@ std::optional<Violation> SpanTest::violation(std::size_t i, std::size_t j, const
   return std::nullopt;
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

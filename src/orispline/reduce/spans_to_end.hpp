@@ -4,7 +4,9 @@
 #include <cstddef>
 #include <vector>
 
-namespace orispline {
+#include <orispline/base/abi.hpp>
+
+namespace orispline::inline ORISPLINE_ABI {
 
 /// How many spans a chain from a sample to the last one has at least. Later samples never have more.
 class SpansToEnd {
@@ -20,4 +22,4 @@ class SpansToEnd {
   std::vector<std::size_t> spans_;
 };
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

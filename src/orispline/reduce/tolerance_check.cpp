@@ -9,7 +9,7 @@
 #include <orispline/families/registry.hpp>
 #include <orispline/math/elementary.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 double per_square(double bound) { return 1.0 / (bound * bound); }
@@ -116,4 +116,4 @@ Expected<Deviation> ToleranceCheck::deviation(const Method& method, const Keyfra
   });
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -12,7 +12,7 @@
 #include <orispline/curve/pose_curve.hpp>
 #include <orispline/math/so3.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// Between an orientation and the same one evaluated in another order of operations [rad].
 inline constexpr double angle_rounding = 4e-15;
@@ -101,4 +101,4 @@ class ToleranceCheck {
 /// The worst sample of every segment, the keys' own samples among them.
 [[nodiscard]] std::vector<WorstSample> worst_of_segments(const KeySet& keys, const std::vector<Miss>& misses);
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -10,7 +10,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/report/characters.hpp>
 
-namespace orispline::report {
+namespace orispline::inline ORISPLINE_ABI::report {
 namespace {
 
 /// From values to places in the box.
@@ -115,4 +115,4 @@ void draw_legend(Drawing& drawing, Point at, std::span<const Series> series) {
   }
 }
 
-}  // namespace orispline::report
+}  // namespace orispline::inline ORISPLINE_ABI::report

@@ -9,7 +9,7 @@
 #include <orispline/report/chart.hpp>
 #include <orispline/report/sphere.hpp>
 
-namespace orispline::report {
+namespace orispline::inline ORISPLINE_ABI::report {
 namespace {
 
 constexpr double width = 1180.0, chart_height = 130.0, chart_pitch = 185.0, charts_top = 85.0;
@@ -99,4 +99,4 @@ Drawing motion_drawing(const MotionPicture& picture) {
   return drawing;
 }
 
-}  // namespace orispline::report
+}  // namespace orispline::inline ORISPLINE_ABI::report

@@ -7,7 +7,7 @@
 #include <orispline/report/page.hpp>
 #include <orispline/report/svg.hpp>
 
-namespace orispline::report {
+namespace orispline::inline ORISPLINE_ABI::report {
 
 /// As many methods have a colour of their own in one drawing.
 inline constexpr std::size_t most_drawn_methods = 6;
@@ -25,4 +25,4 @@ struct MotionPicture {
 /// marked, and beside them the path of a body axis on the unit sphere.
 [[nodiscard]] Drawing motion_drawing(const MotionPicture& picture);
 
-}  // namespace orispline::report
+}  // namespace orispline::inline ORISPLINE_ABI::report

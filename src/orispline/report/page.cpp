@@ -4,7 +4,7 @@
 #include <orispline/report/page_json.hpp>
 #include <orispline/report/page_template.hpp>
 
-namespace orispline::report {
+namespace orispline::inline ORISPLINE_ABI::report {
 
 std::string document(const Page& page) {
   std::string html;
@@ -12,4 +12,4 @@ std::string document(const Page& page) {
   return html.replace(html.find(data_marker), data_marker.size(), json_of(page));
 }
 
-}  // namespace orispline::report
+}  // namespace orispline::inline ORISPLINE_ABI::report

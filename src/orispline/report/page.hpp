@@ -9,7 +9,7 @@
 #include <orispline/base/better.hpp>
 #include <orispline/math/eigen.hpp>
 
-namespace orispline::report {
+namespace orispline::inline ORISPLINE_ABI::report {
 
 using orispline::Better;
 
@@ -92,4 +92,4 @@ struct Page {
 /// Not in a build without ORISPLINE_PAGE; the JSON alone (page_json.hpp) is in every build.
 [[nodiscard]] std::string document(const Page& page);
 
-}  // namespace orispline::report
+}  // namespace orispline::inline ORISPLINE_ABI::report

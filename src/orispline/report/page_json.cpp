@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-namespace orispline::report {
+namespace orispline::inline ORISPLINE_ABI::report {
 namespace {
 
 /// What a line on a screen can show; keeps the file small.
@@ -162,4 +162,4 @@ std::string json_of(const Page& page) {
                     {"methods", array_of(page.methods, [](const PageMethod& m) { return json_of(m); })}});
 }
 
-}  // namespace orispline::report
+}  // namespace orispline::inline ORISPLINE_ABI::report

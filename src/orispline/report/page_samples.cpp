@@ -11,7 +11,7 @@
 #include <orispline/math/degrees.hpp>
 #include <orispline/math/slerp.hpp>
 
-namespace orispline::report {
+namespace orispline::inline ORISPLINE_ABI::report {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -154,4 +154,4 @@ PageKeys thinned(const PageKeys& keys, std::size_t count) {
   return {.path = thinned(keys.path, count), .positions = picked(keys.positions, count)};
 }
 
-}  // namespace orispline::report
+}  // namespace orispline::inline ORISPLINE_ABI::report

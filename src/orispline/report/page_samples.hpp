@@ -7,7 +7,7 @@
 #include <orispline/curve/pose_curve.hpp>
 #include <orispline/report/page.hpp>
 
-namespace orispline::report {
+namespace orispline::inline ORISPLINE_ABI::report {
 
 [[nodiscard]] PageKeys page_keys(const Keyframes& keys);
 
@@ -44,4 +44,4 @@ using Covers = std::function<bool(double)>;
 /// Of the keys likewise.
 [[nodiscard]] PageKeys thinned(const PageKeys& keys, std::size_t count);
 
-}  // namespace orispline::report
+}  // namespace orispline::inline ORISPLINE_ABI::report

@@ -4,7 +4,9 @@
 #include <span>
 #include <string_view>
 
-namespace orispline::report {
+#include <orispline/base/abi.hpp>
+
+namespace orispline::inline ORISPLINE_ABI::report {
 
 /// Where the JSON document of a page goes in the template.
 inline constexpr std::string_view data_marker = "__ORISPLINE_REPORT_DATA__";
@@ -12,4 +14,4 @@ inline constexpr std::string_view data_marker = "__ORISPLINE_REPORT_DATA__";
 /// The page without its data, in pieces to be joined: page_template.html, which studio/report builds.
 [[nodiscard]] std::span<const std::string_view> page_template();
 
-}  // namespace orispline::report
+}  // namespace orispline::inline ORISPLINE_ABI::report

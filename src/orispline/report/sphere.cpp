@@ -5,7 +5,7 @@
 
 #include <orispline/math/degrees.hpp>
 
-namespace orispline::report {
+namespace orispline::inline ORISPLINE_ABI::report {
 namespace {
 
 constexpr std::string_view globe = "#f7f9fb", graticule_color = "#dde3e8";
@@ -74,4 +74,4 @@ View facing(std::span<const Eigen::Vector3d> directions) {
   return View(sum.normalized() + Eigen::Vector3d(0.0, 0.0, 0.2));
 }
 
-}  // namespace orispline::report
+}  // namespace orispline::inline ORISPLINE_ABI::report

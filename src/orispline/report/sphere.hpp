@@ -6,7 +6,7 @@
 
 #include <orispline/report/view.hpp>
 
-namespace orispline::report {
+namespace orispline::inline ORISPLINE_ABI::report {
 
 /// A path on the unit sphere, such as that of a body axis.
 struct SpherePath {
@@ -32,4 +32,4 @@ void draw(Drawing& drawing, const View& view, Point center, double radius, const
 /// The view that has the middle of the directions in front, a little from above.
 [[nodiscard]] View facing(std::span<const Eigen::Vector3d> directions);
 
-}  // namespace orispline::report
+}  // namespace orispline::inline ORISPLINE_ABI::report

@@ -10,7 +10,7 @@
 
 #include <orispline/base/formatted.hpp>
 
-namespace orispline::report {
+namespace orispline::inline ORISPLINE_ABI::report {
 namespace {
 
 bool is_finite(Point p) { return std::isfinite(p.x) && std::isfinite(p.y); }
@@ -96,4 +96,4 @@ std::string Drawing::document() const {
       width_, height_, parts_);
 }
 
-}  // namespace orispline::report
+}  // namespace orispline::inline ORISPLINE_ABI::report

@@ -5,7 +5,9 @@
 #include <string>
 #include <string_view>
 
-namespace orispline::report {
+#include <orispline/base/abi.hpp>
+
+namespace orispline::inline ORISPLINE_ABI::report {
 
 /// The colours of the project's pictures: told apart by every eye and in print.
 namespace color {
@@ -65,4 +67,4 @@ class Drawing {
   std::string parts_;
 };
 
-}  // namespace orispline::report
+}  // namespace orispline::inline ORISPLINE_ABI::report

@@ -6,7 +6,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/report/characters.hpp>
 
-namespace orispline::report {
+namespace orispline::inline ORISPLINE_ABI::report {
 namespace {
 
 bool is_word(const Cell& cell) { return std::holds_alternative<std::string>(cell); }
@@ -65,4 +65,4 @@ std::string text_of(const Table& table) {
   return text;
 }
 
-}  // namespace orispline::report
+}  // namespace orispline::inline ORISPLINE_ABI::report

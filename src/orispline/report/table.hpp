@@ -5,7 +5,9 @@
 #include <variant>
 #include <vector>
 
-namespace orispline::report {
+#include <orispline/base/abi.hpp>
+
+namespace orispline::inline ORISPLINE_ABI::report {
 
 /// A word or a number.
 using Cell = std::variant<std::string, double>;
@@ -29,4 +31,4 @@ struct Table {
 /// The table for people: words to the left, numbers to the right, notes below.
 [[nodiscard]] std::string text_of(const Table& table);
 
-}  // namespace orispline::report
+}  // namespace orispline::inline ORISPLINE_ABI::report

@@ -6,7 +6,7 @@
 
 #include <orispline/math/so3.hpp>
 
-namespace orispline::report {
+namespace orispline::inline ORISPLINE_ABI::report {
 namespace {
 
 struct Face {
@@ -37,4 +37,4 @@ void draw_body(Drawing& drawing, const View& view, Point center, double size, co
   }
 }
 
-}  // namespace orispline::report
+}  // namespace orispline::inline ORISPLINE_ABI::report

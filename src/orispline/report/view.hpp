@@ -6,7 +6,7 @@
 #include <orispline/math/eigen.hpp>
 #include <orispline/report/svg.hpp>
 
-namespace orispline::report {
+namespace orispline::inline ORISPLINE_ABI::report {
 
 /// How the world is looked at from far away: z is up in the picture, as far as the eye allows.
 class View {
@@ -32,4 +32,4 @@ class View {
 void draw_body(Drawing& drawing, const View& view, Point center, double size, const Eigen::Quaterniond& orientation,
                std::string_view color);
 
-}  // namespace orispline::report
+}  // namespace orispline::inline ORISPLINE_ABI::report

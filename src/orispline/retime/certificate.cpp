@@ -6,7 +6,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/math/degrees.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 std::string Certificate::id_of(std::string_view part) const { return formatted("{}_{}_{}", name, part, unit_in_ids); }
 
@@ -26,4 +26,4 @@ std::vector<Certificate> certificates_of(const MotionLimits& limits, std::span<c
   return certificates;
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

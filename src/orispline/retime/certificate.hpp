@@ -9,7 +9,7 @@
 #include <orispline/retime/motion_limits.hpp>
 #include <orispline/retime/rate_bounds.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// A limited quantity in the units that are shown, at the segment where its bound is largest.
 struct Certificate {
@@ -25,4 +25,4 @@ struct Certificate {
 /// One for each of the limits. Precondition: one segment at least.
 [[nodiscard]] std::vector<Certificate> certificates_of(const MotionLimits& limits, std::span<const SegmentPeaks> peaks);
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

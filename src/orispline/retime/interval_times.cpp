@@ -9,7 +9,7 @@
 #include <orispline/curve/family.hpp>
 #include <orispline/math/elementary.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 constexpr std::size_t most_descents = 60;
@@ -139,4 +139,4 @@ Expected<std::vector<double>> least_interval_times(const LimitedMotion& motion, 
   return stretched(motion, std::move(*times), &LimitedMotion::certified_factors);
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -8,7 +8,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/registry.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 MotionSizes bounds_of(const SegmentPeaks& peaks) {
@@ -83,4 +83,4 @@ double LimitedMotion::largest_factor(std::span<const SegmentPeaks> peaks) const 
   return factor;
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -12,7 +12,7 @@
 #include <orispline/retime/motion_limits.hpp>
 #include <orispline/retime/rate_bounds.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// By which factor a segment must be slowed at least, below 1 where it could be faster: ω goes with 1/s, α and torque
 /// with 1/s².
@@ -46,4 +46,4 @@ class LimitedMotion {
   OpenEndedWork& work_;  ///< every curve is a piece of it; when it is stopped, none is made any more
 };
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

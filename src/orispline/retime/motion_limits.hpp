@@ -5,7 +5,7 @@
 
 #include <orispline/math/eigen.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// What the body that follows the motion can do, everywhere and always; absent: not limited.
 struct MotionLimits {
@@ -15,4 +15,4 @@ struct MotionLimits {
   std::optional<Eigen::Matrix3d> inertia{};  ///< I [kg m²], body frame; for the torque
 };
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -9,7 +9,7 @@
 #include <orispline/base/parallel.hpp>
 #include <orispline/batch/sample.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 constexpr double gap = 1e-4;               // of a bound above the largest value found, relative
@@ -194,4 +194,4 @@ std::optional<std::vector<SegmentPeaks>> certified_peaks(const AnyCurve& curve,
   return peaks;
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

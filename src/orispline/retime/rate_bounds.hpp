@@ -6,7 +6,7 @@
 
 #include <orispline/curve/curve.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// The largest of a quantity on one segment: what was found at a time, and what it is nowhere above.
 struct CertifiedPeak {
@@ -51,4 +51,4 @@ struct MotionSizes {
                                                                        const std::optional<Eigen::Matrix3d>& inertia,
                                                                        const MotionSizes& floors);
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -13,7 +13,7 @@
 #include <orispline/retime/interval_times.hpp>
 #include <orispline/retime/retime_fields.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 constexpr double margin = 1e-9;  // of a factor, for the rounding of the new times; twice as much in every round
@@ -150,4 +150,4 @@ Expected<Retiming> retime(const Track& track, const Method& given, const RetimeO
   });
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

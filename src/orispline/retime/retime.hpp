@@ -11,7 +11,7 @@
 #include <orispline/retime/motion_limits.hpp>
 #include <orispline/retime/rate_bounds.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// Which intervals between keys are slowed.
 enum class Slowing {
@@ -53,4 +53,4 @@ struct Retiming {
 [[nodiscard]] Expected<Retiming> retime(const Track& track, const Method& method, const RetimeOptions& options,
                                         const Progress& progress = {});
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

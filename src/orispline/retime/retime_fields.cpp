@@ -5,7 +5,7 @@
 
 #include <orispline/fields/field_codec.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 double duration_of(const Track& track) { return track.keys.times().back() - track.keys.times().front(); }
@@ -48,4 +48,4 @@ std::span<const FieldInfo> fields_of<Retiming>() noexcept {
   return fields;
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -11,7 +11,7 @@
 #include <orispline/smooth/smoothing_gyro.hpp>
 #include <orispline/smooth/smoothing_stretches.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 constexpr double huber_threshold = 2.5, tukey_threshold = 6.0;  // in units of σ
@@ -287,4 +287,4 @@ Expected<Smoothing> smooth(const Track& recording, const SmoothOptions& options,
       });
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -6,7 +6,7 @@
 #include <orispline/fields/field_codec.hpp>
 #include <orispline/smooth/smoothing_noise.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 /// Nothing without a gyro.
@@ -106,4 +106,4 @@ std::span<const FieldInfo> fields_of<Smoothing>() noexcept {
   return fields;
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

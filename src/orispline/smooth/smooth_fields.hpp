@@ -4,7 +4,7 @@
 #include <orispline/fields/field_info.hpp>
 #include <orispline/smooth/smooth.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 template <>
 inline constexpr std::array words<Penalty>{word("acceleration", Penalty::acceleration, "∫|α|² dt"),
@@ -26,4 +26,4 @@ std::span<const FieldInfo> fields_of<SmoothOptions>() noexcept;
 template <>
 std::span<const FieldInfo> fields_of<Smoothing>() noexcept;
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -7,7 +7,7 @@
 #include <orispline/base/progress.hpp>
 #include <orispline/math/eigen.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// What a smoothing curve keeps small.
 enum class Penalty {
@@ -92,4 +92,4 @@ struct SmoothingFit {
 [[nodiscard]] double log_determinant(const SmoothingProblem& problem, const SmoothingObjective& objective,
                                      const SmoothedNodes& nodes);
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

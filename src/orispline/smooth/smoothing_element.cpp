@@ -5,7 +5,7 @@
 
 #include <orispline/curve/chart_curve.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 using Derivative = Jet<double, 1>;
@@ -195,4 +195,4 @@ std::vector<Eigen::Vector3d> mean_accelerations(std::span<const double> times, s
   return sums;
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -6,7 +6,7 @@
 
 #include <orispline/base/formatted.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 constexpr double fault_threshold = 20.0;   // of the difference, in its medians: the fit's own errors come in bursts
@@ -100,4 +100,4 @@ Expected<std::vector<std::size_t>> gyro_faults(const StretchFits& fits, const Ke
   return faults;
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -3,7 +3,7 @@
 
 #include <orispline/smooth/smoothing_stretches.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// Whether a gyro measures the motion of the orientations: samples of it that do not count, faults of one or two in a
 /// row, far from the rates of a fit without it.
@@ -12,4 +12,4 @@ namespace orispline {
 [[nodiscard]] Expected<std::vector<std::size_t>> gyro_faults(const StretchFits& fits, const Keyframes& recording,
                                                              const std::vector<Stretch>& stretches);
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -13,7 +13,7 @@
 #include <orispline/smooth/smoothing_element.hpp>
 #include <orispline/smooth/smoothing_loss.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 inline constexpr double cost_rounding = 1e-12;  // a cost that rises by no more than this share has not risen
 inline constexpr double contraction = 0.5;      // of steps, that tells that the iteration converges
@@ -289,4 +289,4 @@ class Minimisation {
   double lowest_cost_ = std::numeric_limits<double>::infinity();
 };
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

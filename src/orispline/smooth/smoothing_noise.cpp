@@ -6,7 +6,7 @@
 
 #include <orispline/smooth/smoothing_element.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 /// `deviation(i, a)`: how far value i is from the share a of the way between its neighbours. Values that lie there to
@@ -46,4 +46,4 @@ double local_noise(std::span<const double> times, std::span<const Eigen::Vector3
   });
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

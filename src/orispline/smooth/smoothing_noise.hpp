@@ -6,7 +6,7 @@
 
 #include <orispline/math/eigen.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// Median of the length of a vector of three normal variables of variance 1: of a chi variable with 3 degrees of
 /// freedom.
@@ -30,4 +30,4 @@ inline constexpr double largest_noise = 0.5;
 /// The noise per axis of vectors, such as rates, in their unit: from the straight line between the neighbours.
 [[nodiscard]] double local_noise(std::span<const double> times, std::span<const Eigen::Vector3d> vectors);
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -7,7 +7,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/fields/field_info.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 constexpr std::size_t motion_run = 3;  // of rejected samples; the loss tukey may have it
@@ -71,4 +71,4 @@ std::vector<Warning> warnings_of(const Smoothing& smoothing) {
   return warnings;
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -7,7 +7,7 @@
 #include <orispline/curve/track.hpp>
 #include <orispline/smooth/smoothing_choice.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// Successive keys without a gap.
 struct Stretch {
@@ -57,4 +57,4 @@ struct Smoothing {
 /// last step of the iteration still moved by `step_rad`.
 [[nodiscard]] std::vector<Warning> warnings_of(const Smoothing& smoothing);
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

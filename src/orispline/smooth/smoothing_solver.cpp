@@ -5,7 +5,7 @@
 
 #include <orispline/smooth/smoothing_minimisation.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 /// Calls `use` with the iteration for the problem.
@@ -60,4 +60,4 @@ double log_determinant(const SmoothingProblem& problem, const SmoothingObjective
                            [](auto&& minimisation) { return minimisation.log_determinant(); });
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -6,7 +6,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/smooth/smoothing_noise.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 constexpr double time_rounding = 1e-6;   // relative, of intervals
@@ -112,4 +112,4 @@ Expected<FarSamples> reject(StretchProblems& problems, const std::vector<Stretch
   return done;
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -4,7 +4,7 @@
 #include <orispline/smooth/smooth.hpp>
 #include <orispline/smooth/smoothing_noise.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// What can be read off a recording before anything is fitted.
 struct RecordingScale {
@@ -46,4 +46,4 @@ struct FarSamples {
 [[nodiscard]] Expected<FarSamples> reject(StretchProblems& problems, const std::vector<Stretch>& stretches,
                                           FarSamples far, Penalty penalty);
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -5,7 +5,7 @@
 
 #include <orispline/smooth/chain_elimination.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 /// The link of two nodes of the scalar smoother: its value and P-1 derivatives at both ends, whose combination has the
@@ -58,4 +58,4 @@ double hat_trace(std::span<const double> times, std::span<const double> weights,
   return penalty == Penalty::acceleration ? trace<2>(times, weights, lambda) : trace<3>(times, weights, lambda);
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

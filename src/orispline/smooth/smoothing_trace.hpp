@@ -5,7 +5,7 @@
 
 #include <orispline/smooth/smoothing.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// The trace of the hat matrix of the smoother, per axis: how many samples' worth of freedom the curve has.
 ///
@@ -15,4 +15,4 @@ namespace orispline {
 [[nodiscard]] double hat_trace(std::span<const double> times, std::span<const double> weights, Penalty penalty,
                                double lambda);
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 /// A pivot that is less than this share of its diagonal is rounding.
@@ -54,4 +54,4 @@ std::vector<double> BandedSystem::solved(std::span<const std::size_t> held) cons
   return x;
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -6,7 +6,9 @@
 
 #include <Eigen/Core>
 
-namespace orispline {
+#include <orispline/base/abi.hpp>
+
+namespace orispline::inline ORISPLINE_ABI {
 
 /// The normal equations of residuals that each involve neighbouring variables only: JᵀJ x = -Jᵀr, in a band.
 class BandedSystem {
@@ -34,4 +36,4 @@ class BandedSystem {
   std::vector<double> gradient_;
 };
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -5,7 +5,7 @@
 
 #include <orispline/tune/banded_system.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 constexpr std::size_t most_iterations = 1000;
@@ -74,4 +74,4 @@ Minimum minimised(SumOfSquares& sum, std::vector<double> start, std::span<const 
   return minimum;
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

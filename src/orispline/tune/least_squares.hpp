@@ -9,7 +9,7 @@
 #include <orispline/base/interval.hpp>
 #include <orispline/base/progress.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// A sum of squares that falls into blocks, each of which depends on few variables near to each other.
 class SumOfSquares {
@@ -55,4 +55,4 @@ struct Minimum {
 [[nodiscard]] Minimum minimised(SumOfSquares& sum, std::vector<double> start, std::span<const Interval> bounds,
                                 OpenEndedWork& work);
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -9,7 +9,7 @@
 #include <orispline/families/registry.hpp>
 #include <orispline/math/banded_lu.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 using families::Nu;
@@ -151,4 +151,4 @@ Expected<TensionModel> nu_model(const Keyframes& keys, const CurveOptions& optio
       });
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

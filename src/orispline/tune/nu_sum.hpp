@@ -4,7 +4,7 @@
 #include <orispline/tune/least_squares.hpp>
 #include <orispline/tune/segment_residuals.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// An objective as a function of the ν of a curve of the family `nu`: one block per segment.
 ///
@@ -35,4 +35,4 @@ class NuSum final : public SumOfSquares {
 /// The ν of all keys but the two ends, where they have no influence. Errors: those of make_curve().
 [[nodiscard]] Expected<TensionModel> nu_model(const Keyframes& keys, const CurveOptions& options);
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

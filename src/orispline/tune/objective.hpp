@@ -5,7 +5,7 @@
 
 #include <orispline/math/eigen.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// What tuning makes as small as it can.
 enum class Objective {
@@ -30,4 +30,4 @@ struct Goal {
   std::size_t sample_count = 0;
 };
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

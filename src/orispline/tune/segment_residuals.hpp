@@ -6,7 +6,7 @@
 #include <orispline/tune/objective.hpp>
 #include <orispline/tune/tension_model.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// How many residuals a segment has: the sum of their squares is what it adds to the objective.
 [[nodiscard]] std::size_t residual_count(const Goal& goal, std::size_t segment);
@@ -27,4 +27,4 @@ namespace orispline {
 [[nodiscard]] Eigen::MatrixXd residual_jacobian(const TensionSegment& segment, const Goal& goal, std::size_t index,
                                                 std::span<const Increments> slopes);
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

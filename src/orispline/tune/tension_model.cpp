@@ -7,7 +7,7 @@
 #include <orispline/families/tcb.hpp>
 #include <orispline/math/bernstein.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 /// Influences below this share of the largest possible one are rounding.
@@ -257,4 +257,4 @@ Expected<TensionModel> tension_model(const FamilyInfo& family, const Keyframes& 
   return model_of(std::move(*segments), candidates);
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

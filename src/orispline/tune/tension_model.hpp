@@ -8,7 +8,7 @@
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/segment_form.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// Bernstein coefficients of degree `form_degree` of a segment's blending functions β̃_1, β̃_2, β̃_3.
 using BlendingRows = std::array<BernsteinForm, 3>;
@@ -65,4 +65,4 @@ struct TensionModel {
                                                    const CurveOptions& options,
                                                    const std::vector<std::string>& parameters);
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

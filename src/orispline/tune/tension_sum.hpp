@@ -6,7 +6,7 @@
 #include <orispline/tune/least_squares.hpp>
 #include <orispline/tune/segment_residuals.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// An objective as a function of the tensions of a model: one block per segment.
 class TensionSum final : public SumOfSquares {
@@ -42,4 +42,4 @@ class TensionSum final : public SumOfSquares {
   std::vector<double> values_;
 };
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

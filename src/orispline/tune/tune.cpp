@@ -12,7 +12,7 @@
 #include <orispline/tune/nu_sum.hpp>
 #include <orispline/tune/tension_sum.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 constexpr std::size_t fewest_keys = 3;
@@ -202,4 +202,4 @@ Expected<Tuning> tune(const Track& track, const Method& given, const TuneOptions
       });
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -12,7 +12,7 @@
 #include <orispline/tune/least_squares.hpp>
 #include <orispline/tune/objective.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 /// How tensions are sought.
 struct TuneOptions {
@@ -52,4 +52,4 @@ struct Tuning {
 [[nodiscard]] Expected<Tuning> tune(const Track& track, const Method& method, const TuneOptions& options = {},
                                     const Progress& progress = {});
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

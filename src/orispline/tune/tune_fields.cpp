@@ -5,7 +5,7 @@
 
 #include <orispline/fields/field_codec.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 template <>
 struct FieldCodec<Interval> {
@@ -70,4 +70,4 @@ std::span<const FieldInfo> fields_of<Tuning>() noexcept {
   return fields;
 }
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -4,7 +4,7 @@
 #include <orispline/fields/field_info.hpp>
 #include <orispline/tune/tune.hpp>
 
-namespace orispline {
+namespace orispline::inline ORISPLINE_ABI {
 
 template <>
 inline constexpr std::array words<Objective>{
@@ -22,4 +22,4 @@ std::span<const FieldInfo> fields_of<TuneOptions>() noexcept;
 template <>
 std::span<const FieldInfo> fields_of<Tuning>() noexcept;
 
-}  // namespace orispline
+}  // namespace orispline::inline ORISPLINE_ABI

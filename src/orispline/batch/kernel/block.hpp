@@ -7,7 +7,7 @@
 // Samples are computed in blocks of planes on the stack and then laid out as the caller wants them: loops over planes
 // vectorise. In an anonymous namespace, so that every instruction set has its own.
 
-namespace orispline::batch {
+namespace orispline::inline ORISPLINE_ABI::batch {
 namespace {
 
 constexpr int block = 128;
@@ -148,4 +148,4 @@ template <class T, class Run>
 }
 
 }  // namespace
-}  // namespace orispline::batch
+}  // namespace orispline::inline ORISPLINE_ABI::batch

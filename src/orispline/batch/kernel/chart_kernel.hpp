@@ -7,7 +7,7 @@
 
 // Samples of a chart segment. In an anonymous namespace, so that every instruction set has its own.
 
-namespace orispline::batch {
+namespace orispline::inline ORISPLINE_ABI::batch {
 namespace {
 
 /// base exp(φ) with x = ‖φ‖² ≤ 4, as qx, qy, qz, qw.
@@ -121,4 +121,4 @@ void chart(const ChartRecord<T>& r, const Clock& clock, std::size_t count, const
 }
 
 }  // namespace
-}  // namespace orispline::batch
+}  // namespace orispline::inline ORISPLINE_ABI::batch

@@ -7,7 +7,7 @@
 
 // Samples of a cumulative segment. In an anonymous namespace, so that every instruction set has its own.
 
-namespace orispline::batch {
+namespace orispline::inline ORISPLINE_ABI::batch {
 namespace {
 
 /// What the angle of one factor makes of every sample of a block. Each factor has a loop of its own: in one loop for
@@ -174,4 +174,4 @@ void cumulative(const CumulativeRecord<T>& r, const Clock& clock, std::size_t co
 }
 
 }  // namespace
-}  // namespace orispline::batch
+}  // namespace orispline::inline ORISPLINE_ABI::batch

@@ -9,7 +9,7 @@
 
 #include <orispline/base/formatted.hpp>
 
-namespace orispline::batch {
+namespace orispline::inline ORISPLINE_ABI::batch {
 
 #if defined(ORISPLINE_X86_KERNELS)
 extern const Kernels v2, v3, v4;
@@ -77,4 +77,4 @@ const Kernels& kernels() noexcept {
   return chosen;
 }
 
-}  // namespace orispline::batch
+}  // namespace orispline::inline ORISPLINE_ABI::batch

@@ -6,7 +6,7 @@
 #include <orispline/base/expected.hpp>
 #include <orispline/batch/kernel/record.hpp>
 
-namespace orispline::batch {
+namespace orispline::inline ORISPLINE_ABI::batch {
 
 /// The loops for the best instruction set of this processor: `v4` (AVX-512), `v3` (AVX2) or `v2` (the baseline of
 /// x86-64), `neon` on 64-bit ARM, `simd128` or `scalar` in WebAssembly, elsewhere `native`.
@@ -32,4 +32,4 @@ struct Candidate {
 /// forced_kernels() among any candidates, the text of the variable given; null where it is not set.
 [[nodiscard]] Expected<const Kernels*> forced_kernels(std::span<const Candidate> candidates, const char* text);
 
-}  // namespace orispline::batch
+}  // namespace orispline::inline ORISPLINE_ABI::batch

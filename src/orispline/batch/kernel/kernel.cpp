@@ -5,7 +5,7 @@
 #include <orispline/batch/kernel/chart_kernel.hpp>
 #include <orispline/batch/kernel/cumulative_kernel.hpp>
 
-namespace orispline::batch {
+namespace orispline::inline ORISPLINE_ABI::batch {
 namespace {
 
 template <class T>
@@ -66,4 +66,4 @@ const Kernels ORISPLINE_KERNELS{ORISPLINE_TEXT(ORISPLINE_KERNELS),
                                 &bundle<float>,
                                 &ORISPLINE_POLYNOMIAL_KERNELS};
 
-}  // namespace orispline::batch
+}  // namespace orispline::inline ORISPLINE_ABI::batch

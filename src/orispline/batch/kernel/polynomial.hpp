@@ -3,10 +3,12 @@
 
 #include <type_traits>
 
+#include <orispline/base/abi.hpp>
+
 // Polynomials for the kernel's loops, over numbers or over lanes. In an anonymous namespace, so that every instruction
 // set has its own.
 
-namespace orispline::batch {
+namespace orispline::inline ORISPLINE_ABI::batch {
 namespace {
 
 /// Four numbers side by side, which add and multiply as one.
@@ -114,4 +116,4 @@ template <class T, int N, class V>
 }
 
 }  // namespace
-}  // namespace orispline::batch
+}  // namespace orispline::inline ORISPLINE_ABI::batch

@@ -4,7 +4,7 @@
 #include <orispline/batch/kernel/polynomial_record.hpp>
 #include <orispline/batch/kernel/vector.hpp>
 
-namespace orispline::batch {
+namespace orispline::inline ORISPLINE_ABI::batch {
 namespace {
 
 /// One component's values at the parameters s.
@@ -166,4 +166,4 @@ void path(const PathRecord<T>& record, const Clock& clock, std::size_t count, co
 extern const PolynomialKernels ORISPLINE_POLYNOMIAL_KERNELS;
 const PolynomialKernels ORISPLINE_POLYNOMIAL_KERNELS{&baked<double>, &baked<float>, &path<double>, &path<float>};
 
-}  // namespace orispline::batch
+}  // namespace orispline::inline ORISPLINE_ABI::batch

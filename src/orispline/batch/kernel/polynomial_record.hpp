@@ -5,7 +5,7 @@
 
 // Plain data only, for the reason given in record.hpp.
 
-namespace orispline::batch {
+namespace orispline::inline ORISPLINE_ABI::batch {
 
 /// A piece of a curve whose components are polynomials in s = (t - middle) * per_step, with rising powers.
 template <class T, int Components, int Degree>
@@ -45,4 +45,4 @@ struct PolynomialKernels {
   void (*path_float)(const PathRecord<float>&, const Clock&, std::size_t count, const PathTarget<float>&);
 };
 
-}  // namespace orispline::batch
+}  // namespace orispline::inline ORISPLINE_ABI::batch

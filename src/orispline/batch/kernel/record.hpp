@@ -3,10 +3,12 @@
 
 #include <cstddef>
 
+#include <orispline/base/abi.hpp>
+
 // Plain data only: this header is read by translation units that are compiled for different instruction sets, and an
 // inline function that the linker merges across them would run where it cannot.
 
-namespace orispline::batch {
+namespace orispline::inline ORISPLINE_ABI::batch {
 
 /// How large the half angles of a segment get: which series of sine and cosine will do.
 enum class AngleRange : unsigned char {
@@ -83,4 +85,4 @@ struct Kernels {
   const PolynomialKernels* polynomials;
 };
 
-}  // namespace orispline::batch
+}  // namespace orispline::inline ORISPLINE_ABI::batch

@@ -11,7 +11,7 @@
 // cos x = 1 + u P(u), sin x = x + x u R(u), u = x²: the coefficients interpolate at Chebyshev nodes, computed with 60
 // digits by tools/make_kernel_series.py. Errors: below 0.02 ulp in double, 0.5 ulp in float, before rounding.
 
-namespace orispline::batch {
+namespace orispline::inline ORISPLINE_ABI::batch {
 namespace {
 
 template <class T>
@@ -185,4 +185,4 @@ struct Any {
 };
 
 }  // namespace
-}  // namespace orispline::batch
+}  // namespace orispline::inline ORISPLINE_ABI::batch

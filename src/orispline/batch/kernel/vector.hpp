@@ -8,7 +8,7 @@
 // Vectors and quaternions in registers for the kernel's loops. In an anonymous namespace, so that every instruction set
 // has its own.
 
-namespace orispline::batch {
+namespace orispline::inline ORISPLINE_ABI::batch {
 namespace {
 
 template <class T>
@@ -65,4 +65,4 @@ template <class T>
 }
 
 }  // namespace
-}  // namespace orispline::batch
+}  // namespace orispline::inline ORISPLINE_ABI::batch

@@ -8,7 +8,7 @@
 #include <orispline/io/table_layout.hpp>
 #include <orispline/io/text_row.hpp>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 namespace {
 namespace csv {
 
@@ -84,4 +84,4 @@ constinit const FormatInfo csv_format{
     .reading = {.layout = csv::layout},
     .writing = {.header = csv::header, .numbers = named_numbers, .row = csv::row, .table = csv_with_columns}};
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

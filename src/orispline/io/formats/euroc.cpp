@@ -8,7 +8,7 @@
 #include <orispline/io/table_layout.hpp>
 #include <orispline/io/text_row.hpp>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 namespace {
 namespace euroc {
 
@@ -117,4 +117,4 @@ constinit const FormatInfo euroc_format{
                 .row = euroc::row,
                 .whole_times = WholeTimes{.per_second = euroc::nanoseconds, .unit = "nanosecond"}}};
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

@@ -8,7 +8,7 @@
 #include <orispline/io/formats/formats.hpp>
 #include <orispline/io/sample_columns.hpp>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 namespace {
 namespace npy {
 
@@ -54,4 +54,4 @@ constinit const FormatInfo npy_format{
     .holds = {.forms = true, .rates = true, .settings = true},
     .writing = {.header = npy::header, .counts_rows = true, .numbers = named_numbers, .rounded_row = npy::row}};
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io

@@ -6,7 +6,7 @@
 #include <orispline/io/table_layout.hpp>
 #include <orispline/io/text_row.hpp>
 
-namespace orispline::io {
+namespace orispline::inline ORISPLINE_ABI::io {
 namespace {
 namespace tum {
 
@@ -54,4 +54,4 @@ constinit const FormatInfo tum_format{
     .reading = {.likeness = tum::likeness, .layout = tum::layout, .delimiter = Delimiter::blanks},
     .writing = {.numbers = tum::numbers, .row = tum::row}};
 
-}  // namespace orispline::io
+}  // namespace orispline::inline ORISPLINE_ABI::io
