@@ -111,6 +111,13 @@ def flag_breaches(path, text):
             yield f"{path}: line {text.count(chr(10), 0, literal.start()) + 1}: {flag[0]} is a word of the command"
 
 
+def dropped_result_breaches(path, text):
+    """What can fail must not be overlooked: a header declares it [[nodiscard]]."""
+    if path.startswith("src/orispline/") and path.endswith(".hpp"):
+        for found in re.finditer(r"^ *(?:(?:static|virtual|inline|constexpr) )*Expected<.*> \w+\(", text, re.M):
+            yield f"{path}: line {text.count(chr(10), 0, found.start()) + 1}: wanted [[nodiscard]] before Expected"
+
+
 def file_breaches(path, text):
     lines, longest = text.count("\n"), max((b - a + 1, a) for a, b in [(1, 1), *functions(path, text)])
     laws = ((path not in EXCEPTIONS and lines > FILE_LINES, f"{lines} lines, at most {FILE_LINES}"),
@@ -124,7 +131,7 @@ def file_breaches(path, text):
 root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".")
 files = [f for room in ROOMS for f in sorted((root / room).rglob("*")) if f.suffix in {".hpp", ".cpp", ".py"}]
 sources = {f.relative_to(root).as_posix(): f.read_text("utf-8") for f in files}
-breaches = [*include_breaches(sources), *(b for path, text in sources.items() for b in (*file_breaches(path, text), *flag_breaches(path, text)))]
+breaches = [*include_breaches(sources), *(b for path, text in sources.items() for b in (*file_breaches(path, text), *flag_breaches(path, text), *dropped_result_breaches(path, text)))]
 if (median := statistics.median(text.count("\n") for text in sources.values())) >= MEDIAN_LINES:
     breaches.append(f"the median file has {median} lines, wanted below {MEDIAN_LINES}")
 sys.exit("\n".join(breaches) or 0)

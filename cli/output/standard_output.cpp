@@ -6,6 +6,7 @@
 #include <string>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/base/quoted.hpp>
 #include <orispline/io/file_format.hpp>
 #include <orispline/io/output_file.hpp>
 
@@ -24,7 +25,7 @@ void tell(std::string_view text) noexcept {
   std::fflush(stderr);
 }
 
-void warn(std::string_view message) { tell(formatted("orispline: warning: {}\n", message)); }
+void warn(std::string_view message) { tell(formatted("orispline: warning: {}\n", printable(message))); }
 
 void warn(const std::vector<Warning>& warnings) {
   std::set<std::string> told;

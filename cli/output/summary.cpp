@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output/summary.hpp"
 
+#include <orispline/base/quoted.hpp>
 #include <orispline/io/file_format.hpp>
 
 namespace orispline::cli {
 
 std::string destination(const std::string& output) {
-  return output == io::standard_stream ? "standard output" : output;
+  return output == io::standard_stream ? "standard output" : printable(output);
 }
 
 }  // namespace orispline::cli

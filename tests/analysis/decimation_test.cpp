@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/analysis/decimation.hpp>
 
+#include <algorithm>
+#include <functional>
+
 #include <gtest/gtest.h>
 
 namespace orispline {
@@ -44,8 +47,21 @@ TEST(Decimation, DependsOnTheSeedAlone) {
 }
 
 TEST(Decimation, NeverStandsStill) {
-  const auto kept = kept_samples({.keep_every = 2, .spacing = Spacing::random}, 100);
-  for (std::size_t i = 1; i < kept.size(); ++i) EXPECT_GT(kept[i], kept[i - 1]);
+  for (const Spacing spacing : {Spacing::even, Spacing::jittered, Spacing::random})
+    for (std::size_t step = 1; step <= 8; ++step)
+      for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+        const auto kept = kept_samples({.keep_every = step, .spacing = spacing, .seed = seed}, 100);
+        ASSERT_EQ(std::ranges::adjacent_find(kept, std::greater_equal{}), kept.end()) << step << ", seed " << seed;
+        ASSERT_LT(kept.back(), 100u);
+      }
+}
+
+TEST(Decimation, JittersEveryOtherSampleWithoutTakingOneTwice) {
+  const auto kept = kept_samples({.keep_every = 2, .spacing = Spacing::jittered, .seed = 47}, 5);
+  EXPECT_EQ(kept, (Indices{0, 3, 4}));
+  const auto many = kept_samples({.keep_every = 2, .spacing = Spacing::jittered, .seed = 47}, 2000);
+  EXPECT_EQ(many.size(), 1000u);
+  EXPECT_GT(std::ranges::count_if(many, [](std::size_t index) { return index % 2 != 0; }), 200);  // 286 in the mean
 }
 
 TEST(Decimation, KeepsWhatTheKeysCarry) {

@@ -113,6 +113,13 @@ class CheckFloors(unittest.TestCase):
             self.assert_sound("cli/main.cpp", SPDX + f"f({literal});\n")
         self.assert_sound("src/orispline/io/csv.cpp", SPDX + 'int b = --a;  // "--sort"\nf("a--b", "--", "---c");\n')
 
+    def test_finds_a_result_that_may_be_dropped(self):
+        for declaration in ("Expected<void> append(int key);", "  static Expected<Key> make(int a,\n int b);"):
+            self.assert_breach("src/orispline/io/csv.hpp", SPDX + "#pragma once\n" + declaration, "wanted [[nodiscard]]")
+        for sound in ("[[nodiscard]] Expected<void> append(int key);", "Expected<void> (*tracks)(int);",
+                      "friend Expected<int> made(int);", "/// Expected<void> f(int) in words"):
+            self.assert_sound("src/orispline/io/csv.hpp", SPDX + "#pragma once\n" + sound)
+
     def test_finds_a_file_of_301_lines(self):
         self.assert_sound("cli/main.cpp", SPDX + "int a;\n" * 299)
         self.assert_breach("cli/main.cpp", SPDX + "int a;\n" * 300, "cli/main.cpp: 301 lines, at most 300")

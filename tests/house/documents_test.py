@@ -157,14 +157,15 @@ class Documents(unittest.TestCase):
             for result in task["results"]:
                 self.assertIn(f"`{result['name']}`", page, task["task"])
 
-    def test_the_code_of_optimising_is_that_of_its_example(self):
+    def test_the_code_of_a_page_is_that_of_its_example(self):
         def words(text):
             return " ".join(text.split())
-        example = words((ROOT / "examples/07_optimise.cpp").read_text("utf-8"))
-        parts = re.findall(r"^```cpp\n(.*?)^```", text_of("optimise.md"), re.M | re.S)
-        self.assertEqual(len(parts), 5)
-        for part in parts:
-            self.assertIn(words(part), example)
+        for page, example, count in (("optimise.md", "07_optimise.cpp", 5), ("files-in-cpp.md", "08_files.cpp", 2)):
+            code = words((ROOT / "examples" / example).read_text("utf-8"))
+            parts = re.findall(r"^```cpp\n(.*?)^```", text_of(page), re.M | re.S)
+            self.assertEqual(len(parts), count, page)
+            for part in parts:
+                self.assertIn(words(part), code, page)
 
     def test_the_index_lists_every_public_header_and_pages_include_no_other(self):
         public = {path.name for path in (ROOT / "src/orispline").glob("*.hpp")}

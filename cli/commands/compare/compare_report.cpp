@@ -5,6 +5,7 @@
 
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
+#include <orispline/base/quoted.hpp>
 #include <orispline/report/table.hpp>
 
 #include "output/repairs_text.hpp"
@@ -100,9 +101,9 @@ std::optional<double> value_of(const MeasureInfo& measure, const ComparedMethod&
 }
 
 std::string title_of(const CompareReport& report, const ComparedKeys& keys) {
-  const std::string what = keys.decimation
-                               ? formatted("{}: {} sample kept", report.data.reference, name_of(*keys.decimation))
-                               : formatted("{} against {}", keys.track.name, report.data.reference);
+  const std::string what =
+      keys.decimation ? formatted("{}: {} sample kept", printable(report.data.reference), name_of(*keys.decimation))
+                      : formatted("{} against {}", printable(keys.track.name), printable(report.data.reference));
   return formatted("{}, {}, {} compared", what, counted(keys.track.keys.size(), "key"),
                    counted(keys.compared, "sample"));
 }

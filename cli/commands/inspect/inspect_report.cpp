@@ -2,6 +2,7 @@
 #include "commands/inspect/inspect_report.hpp"
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/base/quoted.hpp>
 #include <orispline/math/degrees.hpp>
 
 namespace orispline::cli {
@@ -16,8 +17,9 @@ std::string place(const InspectReport& report, std::size_t key) {
 
 std::string keys_lines(const InspectReport& report) {
   const std::size_t last = report.keys() - 1;
-  std::string text = formatted("{}\nkeys          {}, {} to {} s, span {} s\n", report.file.track.name, last + 1,
-                               report.time_of(0).to_string(), report.time_of(last).to_string(), report.statistics.span);
+  std::string text =
+      formatted("{}\nkeys          {}, {} to {} s, span {} s\n", printable(report.file.track.name), last + 1,
+                report.time_of(0).to_string(), report.time_of(last).to_string(), report.statistics.span);
   if (const auto& spacing = report.statistics.spacing)
     text += formatted("spacing       min {:.6g} s, median {:.6g} s, max {:.6g} s after {}\n", spacing->smallest,
                       spacing->median, spacing->largest, place(report, spacing->largest_at));

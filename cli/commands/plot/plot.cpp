@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/base/quoted.hpp>
 #include <orispline/families/method_warnings.hpp>
 #include <orispline/io/output_file.hpp>
 #include <orispline/report/motion_drawing.hpp>
@@ -45,7 +46,7 @@ Expected<Request> request_in(const PlotOptions& options) {
 std::string title_of(const Track& track) {
   const std::string start = track.epoch == Decimal() ? "" : formatted(", t = 0 at {} s", track.epoch.to_string());
   const std::size_t keys = track.keys.size();
-  return formatted("{}: {} {}{}", track.name == io::standard_stream ? "standard input" : track.name, keys,
+  return formatted("{}: {} {}{}", track.name == io::standard_stream ? "standard input" : printable(track.name), keys,
                    keys == 1 ? "key" : "keys", start);
 }
 

@@ -3,6 +3,7 @@
 
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
+#include <orispline/base/quoted.hpp>
 #include <orispline/math/degrees.hpp>
 #include <orispline/reduce/reduce_fields.hpp>
 #include <orispline/smooth/smooth_fields.hpp>
@@ -73,8 +74,8 @@ std::string smoothed_lines(const ReduceReport& report) {
 
 std::string text_of(const ReduceReport& report) {
   const orispline::Reduction& chosen = report.reductions[report.chosen];
-  std::string text = formatted("{} from {}, tolerance {:.6g}°", counted(report.samples, "sample"), report.input,
-                               report.options.tolerance.angle * degrees);
+  std::string text = formatted("{} from {}, tolerance {:.6g}°", counted(report.samples, "sample"),
+                               printable(report.input), report.options.tolerance.angle * degrees);
   if (report.options.tolerance.bounds_positions())
     text += formatted(" and {:.6g} m", report.options.tolerance.position);
   text += "\n";
@@ -90,8 +91,9 @@ std::string text_of(std::span<const ReduceReport> reports) {
   std::string text;
   for (const ReduceReport& report : reports) {
     const orispline::Reduction& chosen = report.reductions[report.chosen];
-    text += formatted("{}: {} of {} from {}, {:.6g}° off at most", report.output, counted(chosen.samples.size(), "key"),
-                      chosen.method.name, counted(report.samples, "sample"), chosen.deviation.angle * degrees);
+    text += formatted("{}: {} of {} from {}, {:.6g}° off at most", printable(report.output),
+                      counted(chosen.samples.size(), "key"), chosen.method.name, counted(report.samples, "sample"),
+                      chosen.deviation.angle * degrees);
     if (chosen.deviation.position) text += formatted(", {:.6g} m", *chosen.deviation.position);
     if (report.smoothed)
       text += formatted("; smoothed with {:.4g} s, {} rejected, {:.6g}° RMS from the raw samples",

@@ -3,6 +3,7 @@
 
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
+#include <orispline/base/quoted.hpp>
 #include <orispline/retime/certificate.hpp>
 #include <orispline/retime/retime_fields.hpp>
 
@@ -21,8 +22,8 @@ double duration_of(const RetimeReport& report) {
 std::string text_of(const RetimeReport& report) {
   std::string text =
       formatted("{} from {}, {}: {:.6g} s before, {:.6g} s after, slowed by {:.6g}{}\n",
-                counted(report.retiming.track.keys.times().size(), "key"), report.input, report.retiming.method.name,
-                report.duration_before, duration_of(report), report.retiming.time_scale,
+                counted(report.retiming.track.keys.times().size(), "key"), printable(report.input),
+                report.retiming.method.name, report.duration_before, duration_of(report), report.retiming.time_scale,
                 report.retiming.slowing == report.slowing ? "" : ", all intervals alike: each by itself saves no time");
   for (const Certificate& c : certificates_of(report.limits, report.retiming.peaks))
     text += formatted("{}: nowhere above {:.6g} {} (limit {:.6g}), largest found {:.6g} at {:.6g} s after the start\n",

@@ -7,6 +7,7 @@
 
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
+#include <orispline/base/quoted.hpp>
 #include <orispline/math/degrees.hpp>
 
 #include "output/repairs_text.hpp"
@@ -18,7 +19,7 @@ namespace {
 constexpr std::size_t many_keys = 1'000'000;  // some hundred megabytes, worth a word
 
 std::string keys_line(const SampleReport& report) {
-  std::string line = formatted("{} from {}, {} to {} s", counted(report.keys, "key"), report.input,
+  std::string line = formatted("{} from {}, {} to {} s", counted(report.keys, "key"), printable(report.input),
                                report.start.to_string(), report.end.to_string());
   const KeyframeReport& keyframes = report.keyframes;
   if (keyframes.sign_flips > 0) line += formatted("; sign flips in the file: {}", keyframes.sign_flips);
@@ -41,10 +42,11 @@ std::string rates_lines(const SampleReport& report) {
 
 std::string truth_line(const TruthReport& truth) {
   const DistanceStatistics& d = truth.distance;
-  if (d.count == 0) return formatted("distance to {}: none of its times lies between the keys\n", truth.path);
-  return formatted("distance to {}: RMS {:.4g}°, mean {:.4g}°, largest {:.4g}° at {} s; {} compared\n", truth.path,
-                   d.rms * degrees, d.mean * degrees, d.largest * degrees, truth.largest_time.to_string(),
-                   counted(d.count, "orientation"));
+  if (d.count == 0)
+    return formatted("distance to {}: none of its times lies between the keys\n", printable(truth.path));
+  return formatted("distance to {}: RMS {:.4g}°, mean {:.4g}°, largest {:.4g}° at {} s; {} compared\n",
+                   printable(truth.path), d.rms * degrees, d.mean * degrees, d.largest * degrees,
+                   truth.largest_time.to_string(), counted(d.count, "orientation"));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
+#include <orispline/base/quoted.hpp>
 #include <orispline/math/degrees.hpp>
 
 #include "output/repairs_text.hpp"
@@ -65,7 +66,8 @@ std::string stretch_lines(const SmoothReport& report) {
 
 std::string text_of(const SmoothReport& report) {
   const Smoothing& smoothing = report.smoothing;
-  std::string text = formatted("{} from {}", counted(report.recording.lines.size(), "sample"), report.recording.name);
+  std::string text =
+      formatted("{} from {}", counted(report.recording.lines.size(), "sample"), printable(report.recording.name));
   if (const std::string repairs = text_of(report.repairs); !repairs.empty()) text += "; " + repairs;
   text += "\n" + choice_line(smoothing);
   text += noise_line(report);

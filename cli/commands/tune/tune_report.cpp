@@ -6,6 +6,7 @@
 
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
+#include <orispline/base/quoted.hpp>
 #include <orispline/math/degrees.hpp>
 #include <orispline/tune/tune_fields.hpp>
 
@@ -27,8 +28,8 @@ std::string energy_line(const TuneReport& report) {
 }  // namespace
 
 std::string text_of(const TuneReport& report) {
-  std::string text =
-      formatted("{} from {}, {}\n", counted(report.times.size(), "key"), report.input, report.tuning.method.name);
+  std::string text = formatted("{} from {}, {}\n", counted(report.times.size(), "key"), printable(report.input),
+                               report.tuning.method.name);
   text += energy_line(report);
   for (const std::string& name : report.tuning.parameters) {
     const auto& values = report.tuning.method.options.parameters.find(name)->second;

@@ -12,7 +12,7 @@
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
-constexpr double largest_jitter = 0.35;  // of the step: neighbours never meet
+constexpr double largest_jitter = 0.35;  // of the step: neighbours meet by rounding only, where the step is 2
 
 /// Numbers in [0, 1) that are the same on every machine, as those of std::uniform_real_distribution are not.
 class Dice {
@@ -57,7 +57,7 @@ std::vector<std::size_t> kept_samples(const Decimation& decimation, std::size_t 
   std::vector<std::size_t> kept;
   for (std::size_t next = 0; next < samples;) {
     const bool moves = decimation.spacing == Spacing::jittered && next > 0;
-    const std::size_t index = moves ? moved(next, decimation.keep_every, dice) : next;
+    const std::size_t index = moves ? std::max(kept.back() + 1, moved(next, decimation.keep_every, dice)) : next;
     if (index < samples) kept.push_back(index);
     next += decimation.spacing == Spacing::random ? random_step(decimation.keep_every, dice) : decimation.keep_every;
   }

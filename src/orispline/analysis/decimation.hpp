@@ -25,7 +25,7 @@ struct Decimation {
   friend bool operator==(const Decimation&, const Decimation&) = default;
 };
 
-/// The indices of the samples that are kept, rising from 0; the last sample only if it falls on the grid.
+/// The indices of the samples that are kept, strictly rising from 0; the last sample only if it falls on the grid.
 [[nodiscard]] std::vector<std::size_t> kept_samples(const Decimation& decimation, std::size_t samples);
 
 /// The keys at those indices, with all that they carry.

@@ -2,6 +2,7 @@
 #include <orispline/base/expected.hpp>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/base/quoted.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
 
@@ -15,7 +16,7 @@ std::string describe(const Error& error) {
   if (error.where.curve) text += formatted("curve {}: ", *error.where.curve);
   if (!error.option.empty()) text += error.option + ": ";
   text += error.message;
-  return error.remedy.empty() ? text : formatted("{} (option {})", text, error.remedy);
+  return printable(error.remedy.empty() ? text : formatted("{} (option {})", text, error.remedy));
 }
 
 }  // namespace orispline::inline ORISPLINE_ABI

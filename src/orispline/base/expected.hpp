@@ -64,7 +64,8 @@ using Expected = tl::expected<T, Error>;
       Error{ErrorCode::bad_data, std::move(message), std::move(where), {}, std::string(remedy)});
 }
 
-/// `keys.csv:7:3: key 2: option: message (option remedy)`, with the absent parts left out: one line for people.
+/// `keys.csv:7:3: key 2: option: message (option remedy)`, with the absent parts left out: one printable
+/// line for people.
 [[nodiscard]] std::string describe(const Error& error);
 
 }  // namespace orispline::inline ORISPLINE_ABI

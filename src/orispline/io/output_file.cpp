@@ -6,6 +6,12 @@
 #include <system_error>
 #include <utility>
 
+#ifdef _WIN32
+#include <io.h>
+#else
+#include <unistd.h>
+#endif
+
 #include <orispline/base/expect.hpp>
 #include <orispline/io/file_format.hpp>
 
@@ -21,6 +27,15 @@ tl::unexpected<Error> no_access(const std::string& path, const std::error_code& 
 }
 
 std::error_code last_error() { return {errno, std::generic_category()}; }
+
+/// Waits until the disk has the file: a name put in place before that could be of an empty file after a power cut.
+bool reached_disk(std::FILE* file) {
+#ifdef _WIN32
+  return _commit(_fileno(file)) == 0;
+#else
+  return fsync(fileno(file)) == 0 || errno == EINVAL || errno == ENOTSUP;  // a file system that cannot be asked
+#endif
+}
 
 /// The file behind symbolic links; the path itself where there is none.
 fs::path resolved(const std::string& path) {
@@ -120,6 +135,7 @@ Expected<void> OutputFile::close() {
   ORISPLINE_EXPECT(file_ != nullptr);
   errno = 0;
   if (std::fflush(file_.get()) != 0) return no_access(path_, last_error());
+  if (!part_.empty() && !reached_disk(file_.get())) return no_access(path_, last_error());
   std::FILE* file = file_.release();
   if (file != stdout && std::fclose(file) != 0) return no_access(path_, last_error());
   return {};

@@ -10,7 +10,7 @@
 
 namespace orispline::inline ORISPLINE_ABI::io {
 
-/// A file that appears complete or not at all.
+/// A file that appears complete or not at all, after a power cut too.
 ///
 /// Text goes to `<path>.part` beside the target, which `finish` renames. Destroyed before that, the part is removed and
 /// the target untouched. Standard output (`-`), devices and pipes are written directly.
@@ -26,8 +26,8 @@ class OutputFile {
   [[nodiscard]] Expected<void> write(std::string_view text);
   /// Writes over the beginning of the file. Error: bad_access, also for pipes.
   [[nodiscard]] Expected<void> write_again(std::string_view beginning);
-  /// Closes the file, which stays beside the target until finish(): so several files appear all or none. Nothing may be
-  /// written afterwards. Error: bad_access.
+  /// Closes the file, once the disk has it; it stays beside the target until finish(): so several files appear all or
+  /// none. Nothing may be written afterwards. Error: bad_access.
   [[nodiscard]] Expected<void> close();
   /// Closes the file, if it is still open, and puts it in its place. Error: bad_access.
   [[nodiscard]] Expected<void> finish();

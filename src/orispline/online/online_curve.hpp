@@ -44,21 +44,22 @@ class OnlineCurve {
   /// Normalises, aligns the sign and refuses as `Keyframes::make` does (bad_data with the key's index, counted from 0
   /// since construction or reset). A refused key leaves the curve as it was. Either all keys have a position or none;
   /// after `finish` there are no more (bad_argument).
-  Expected<void> append(double time, const Eigen::Quaterniond& orientation) {
+  [[nodiscard]] Expected<void> append(double time, const Eigen::Quaterniond& orientation) {
     return append({.time = time, .orientation = orientation});
   }
   /// Takes the next key with its position [m], world frame.
-  Expected<void> append(double time, const Eigen::Quaterniond& orientation, const Eigen::Vector3d& position) {
+  [[nodiscard]] Expected<void> append(double time, const Eigen::Quaterniond& orientation,
+                                      const Eigen::Vector3d& position) {
     return append({.time = time, .orientation = orientation, .position = position});
   }
   /// Takes the next key with rates, which some methods use, and with values of the parameters that come with the keys.
-  Expected<void> append(const StreamKey& key);
+  [[nodiscard]] Expected<void> append(const StreamKey& key);
 
   /// Declares the last key to be the end: by the end rule the last segment becomes final too.
   ///
   /// Errors: bad_data without keys, with fewer than the end rules need or with another count than the method takes; the
   /// curve stays as it was.
-  Expected<void> finish();
+  [[nodiscard]] Expected<void> finish();
 
   /// Forgets all keys, not the method: a new curve, in the same memory.
   void reset() noexcept;

@@ -64,7 +64,7 @@ class TrackBatch {
 
   /// Takes all samples, once. Errors: bad_argument for columns of another length, and for positions of keys that have
   /// none; cancelled, which leaves the columns half filled.
-  Expected<void> take(const TrackSampleColumns& out, Work work = {}, const Progress& progress = {});
+  [[nodiscard]] Expected<void> take(const TrackSampleColumns& out, Work work = {}, const Progress& progress = {});
 
  private:
   std::vector<TrackSampler> samplers_;

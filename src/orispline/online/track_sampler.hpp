@@ -39,25 +39,25 @@ class TrackSampler {
 
   /// Takes the next key. Errors as of OnlineCurve::append; after a gap also those of finish() for the stretch before. A
   /// refused key changes nothing. Those of SampleGrid::make() too, of which the track does not recover.
-  Expected<void> append(StreamKey key);
+  [[nodiscard]] Expected<void> append(StreamKey key);
   /// Takes many keys, until the first that is refused. `settings`: a value per key of every parameter that comes
   /// with the keys.
-  Expected<void> append(const KeyframeData& keys,
-                        const std::map<std::string, std::vector<double>, std::less<>>& settings = {});
+  [[nodiscard]] Expected<void> append(const KeyframeData& keys,
+                                      const std::map<std::string, std::vector<double>, std::less<>>& settings = {});
 
   /// Declares the last key to be the end. Errors: bad_data without keys, with fewer than the end rules need or another
   /// count than the method takes.
-  Expected<void> finish();
+  [[nodiscard]] Expected<void> finish();
 
   /// How many samples are final and not taken.
   [[nodiscard]] std::uint64_t ready() const noexcept;
   /// Builds the curves of the samples that are ready, as take() does else. Errors: those of make_curve().
-  Expected<void> prepare();
+  [[nodiscard]] Expected<void> prepare();
   /// The next samples, as many as there is room for in either layout; their times too where they are wanted.
   ///
   /// Errors: bad_argument for more than are ready and for what sample() refuses; those of make_curve(). Nothing is
   /// taken then.
-  Expected<void> take(const Samples<double>& out, std::span<double> times = {}, Work work = {});
+  [[nodiscard]] Expected<void> take(const Samples<double>& out, std::span<double> times = {}, Work work = {});
 
   /// The grid, once it is known where it starts; open until its end is known.
   [[nodiscard]] const std::optional<SampleGrid>& grid() const noexcept { return times_; }

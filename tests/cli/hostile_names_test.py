@@ -1,0 +1,66 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Names of files and columns that would steer a terminal are shown without their control characters."""
+import json
+import unicodedata
+
+from command import BAD_ACCESS, SUCCESS, CommandTest, main
+
+NAME = "a\x1b[2J\u009b31mb\nc\r.csv"  # clears the terminal, colours it, ends the line
+SHOWN = "a?[2J?31mb?c?.csv"
+ROWS = "t,qw,qx,qy,qz,\x1b[5m\x07\n" + "".join(f"{t},1,0,0,{t * t / 2000},x\n" for t in range(9))
+KEYS = ROWS.replace("\x1b[5m\x07", "note\u009b2J")
+
+COMMANDS = (("sample", "--rate", "2", "-o", NAME + "2"), ("convert", "-o", NAME + "2", "--output-format", "tum"),
+            ("sample", "--rate", "2", "--truth", NAME, "-o", NAME + "2"),
+            ("inspect",), ("compare", "--keep-every", "2", "--methods", "auto,slerp"), ("smooth", "-o", NAME + "2"),
+            ("reduce", "--tolerance", "1deg", "-o", NAME + "2"), ("tune", "--method", "timed-c2", "-o", NAME + "2"),
+            ("retime", "--max-rate", "1deg/s", "-o", NAME + "2"), ("plot", "-o", "plot.svg"))
+
+
+class HostileNames(CommandTest):
+    def setUp(self):
+        super().setUp()
+        (self.folder / NAME).write_text(ROWS, "utf-8", newline="")
+
+    def assert_printable(self, text):
+        strange = {character for character in text if unicodedata.category(character) == "Cc"} - {"\n"}
+        self.assertEqual(strange, set(), repr(text))
+
+    def test_every_command_shows_them_without_control_characters(self):
+        for command, *options in COMMANDS:
+            with self.subTest(command=command, options=options):
+                done = self.run_command([command, NAME, *options])
+                self.assertEqual(done.returncode, SUCCESS, done.stderr)
+                self.assert_printable(done.stdout + done.stderr)
+                if command != "plot":
+                    self.assertIn(SHOWN, done.stdout + done.stderr)
+
+    def test_errors_show_them_so_too(self):
+        for command, *options in COMMANDS:
+            with self.subTest(command=command):
+                done = self.run_command([command, "no\n" + NAME, *options])
+                self.assertEqual((done.returncode, done.stdout), (BAD_ACCESS, ""))
+                self.assertEqual(done.stderr, f"orispline: no?{SHOWN}: cannot open: No such file or directory\n")
+
+    def test_usage_errors_show_them_so_too(self):
+        for arguments in (["sample", NAME, "--rate", NAME], ["sample", NAME, "--" + NAME], [NAME],
+                          ["sample", "keys.csv", "--rate", "1", "--method", NAME]):
+            with self.subTest(arguments=arguments):
+                done = self.run_command(arguments)
+                self.assertNotEqual(done.returncode, SUCCESS)
+                self.assert_printable(done.stdout + done.stderr)
+
+    def test_json_has_them_as_they_are(self):
+        done = json.loads(self.output_of(["sample", NAME, "--rate", "2", "--json", "-o", "out.csv"]))
+        self.assertEqual(done["input"], NAME)
+
+    def test_columns_that_are_not_carried_over(self):
+        self.write("keys.csv", KEYS)
+        done = self.run_command("convert keys.csv --output-format tum -o keys.tum")
+        self.assertIn("not carried over: note?2J\n", done.stderr)
+        self.assert_printable(done.stderr)
+
+
+if __name__ == "__main__":
+    main()

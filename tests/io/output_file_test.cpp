@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/io/output_file.hpp>
+
+#include <cerrno>
+#include <filesystem>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "io/text_file.hpp"
+
+namespace {
+
+std::vector<long> synced_sizes;  // of the files that fsync() was asked for
+int sync_error = 0;              // what it then says
+
+}  // namespace
+
+/// In the place of the C library's, which no test can ask whether it was called.
+extern "C" int fsync(int descriptor) {
+  struct stat status {};
+  if (fstat(descriptor, &status) == 0) synced_sizes.push_back(status.st_size);
+  errno = sync_error;
+  return sync_error == 0 ? 0 : -1;
+}
+
+namespace orispline::io {
+namespace {
+
+class Synced : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    synced_sizes.clear();
+    sync_error = 0;
+  }
+  void TearDown() override { sync_error = 0; }
+
+  const test::TextFile old_{"old", "out.csv"};
+};
+
+TEST_F(Synced, ReachesTheDiskWholeBeforeItHasItsName) {
+  auto file = OutputFile::open(old_.path());
+  ASSERT_TRUE(file && file->write("all of it"));
+  EXPECT_TRUE(synced_sizes.empty());
+  ASSERT_TRUE(file->close());
+  EXPECT_EQ(synced_sizes, std::vector<long>{9});
+  EXPECT_EQ(test::content_of(old_.path()), "old");
+  ASSERT_TRUE(file->finish());
+  EXPECT_EQ(test::content_of(old_.path()), "all of it");
+  EXPECT_EQ(synced_sizes.size(), 1u);
+}
+
+TEST_F(Synced, LeavesTheOldFileWhereTheDiskFails) {
+  sync_error = EIO;
+  {
+    auto file = OutputFile::open(old_.path());
+    ASSERT_TRUE(file && file->write("all of it"));
+    const auto finished = file->finish();
+    ASSERT_FALSE(finished);
+    EXPECT_EQ(test::text_of(finished.error()), "out.csv: cannot write: Input/output error");
+    EXPECT_EQ(finished.error().code, ErrorCode::bad_access);
+  }
+  EXPECT_EQ(test::content_of(old_.path()), "old");
+  EXPECT_FALSE(std::filesystem::exists(old_.path() + ".part"));
+}
+
+TEST_F(Synced, IsWrittenWhereTheFileSystemCannotBeAsked) {
+  sync_error = EINVAL;
+  auto file = OutputFile::open(old_.path());
+  ASSERT_TRUE(file && file->write("new") && file->finish());
+  EXPECT_EQ(test::content_of(old_.path()), "new");
+}
+
+}  // namespace
+}  // namespace orispline::io
