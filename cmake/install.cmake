@@ -2,7 +2,15 @@
 include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/orispline)
-install(TARGETS orispline EXPORT orisplineTargets FILE_SET HEADERS COMPONENT headers FILE_SET inner COMPONENT headers)
+install(TARGETS orispline_headers EXPORT orisplineTargets FILE_SET HEADERS COMPONENT headers FILE_SET inner COMPONENT headers)
+install(TARGETS orispline EXPORT orisplineTargets)
+if(BUILD_SHARED_LIBS)
+  set(libraries orispline)
+else()
+  list(TRANSFORM orispline_components PREPEND orispline_ OUTPUT_VARIABLE libraries)
+  install(TARGETS ${libraries} EXPORT orisplineTargets)
+  list(REVERSE libraries) # for linkers, who want callers first
+endif()
 install(EXPORT orisplineTargets NAMESPACE orispline:: DESTINATION ${package_dir})
 
 configure_package_config_file(
@@ -14,11 +22,12 @@ install(FILES ${PROJECT_BINARY_DIR}/orisplineConfig.cmake ${PROJECT_BINARY_DIR}/
 
 # The prefix is found from the place of the .pc file, so that the installed tree can be moved.
 file(RELATIVE_PATH prefix_from_pc /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+list(TRANSFORM libraries PREPEND -l)
+string(JOIN " " link_options ${libraries} ${CMAKE_THREAD_LIBS_INIT})
 configure_file(cmake/orispline.pc.in ${PROJECT_BINARY_DIR}/orispline.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/orispline.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
+install(FILES LICENSE NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 if(TARGET orispline-cli)
-  file(RELATIVE_PATH libraries_from_bin /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_LIBDIR})
-  set_target_properties(orispline-cli PROPERTIES INSTALL_RPATH "$ORIGIN/${libraries_from_bin}")
   install(TARGETS orispline-cli)
 endif()

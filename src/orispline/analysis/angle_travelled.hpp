@@ -11,7 +11,7 @@ namespace orispline::inline ORISPLINE_ABI {
 ///
 /// Made once per curve by adaptive Gauss quadrature, to 1e-10 relative in each segment (less where |ω| touches zero and
 /// has a kink).
-class AngleTravelled {
+class ORISPLINE_EXPORT AngleTravelled {
  public:
   explicit AngleTravelled(AnyCurve curve);
 

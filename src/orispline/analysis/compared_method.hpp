@@ -17,6 +17,7 @@ struct ComparedMethod {
 };
 
 /// Puts the best method first in each set of keys, what failed last; those of which nothing can be said before them.
-void sort_by(const MeasureInfo& measure, std::vector<ComparedMethod>& methods, const MeasureTimes& times);
+ORISPLINE_EXPORT void sort_by(const MeasureInfo& measure, std::vector<ComparedMethod>& methods,
+                              const MeasureTimes& times);
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -39,7 +39,7 @@ struct MeasureOptions {
 };
 
 /// Error (bad_argument): an inertia that is not symmetric and positive definite.
-[[nodiscard]] Expected<void> check(const MeasureOptions& options);
+[[nodiscard]] ORISPLINE_EXPORT Expected<void> check(const MeasureOptions& options);
 
 /// How one curve follows a recording, how smooth it is, and what it costs.
 struct Measures {
@@ -56,11 +56,11 @@ struct Measures {
 
 /// Builds the curve and measures it. Errors: those of make_curve(); bad_data where no time of the recording lies
 /// between the first and the last key.
-[[nodiscard]] Expected<Measures> measure(const Candidate& candidate, const RecordedMotion& recording,
-                                         const MeasureOptions& options = {});
+[[nodiscard]] ORISPLINE_EXPORT Expected<Measures> measure(const Candidate& candidate, const RecordedMotion& recording,
+                                                          const MeasureOptions& options = {});
 
 /// The measures of each candidate, or why it has none: one that fails does not hinder the others.
-struct Comparison {
+struct ORISPLINE_EXPORT Comparison {
   std::vector<Expected<Measures>> measures;  ///< one per candidate, in their order
   std::vector<Warning> warnings{};           ///< of the inertia
 
@@ -69,8 +69,8 @@ struct Comparison {
 };
 
 /// Measures the candidates on up to `threads` threads (0: one per core). Those that a stop came before are cancelled.
-[[nodiscard]] Comparison compare(std::span<const Candidate> candidates, const RecordedMotion& recording,
-                                 const MeasureOptions& options = {}, unsigned threads = 1,
-                                 const Progress& progress = {});
+[[nodiscard]] ORISPLINE_EXPORT Comparison compare(std::span<const Candidate> candidates,
+                                                  const RecordedMotion& recording, const MeasureOptions& options = {},
+                                                  unsigned threads = 1, const Progress& progress = {});
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -14,8 +14,8 @@ inline constexpr std::array words<Spacing>{
     word("random", Spacing::random, "steps of N/4, N/2, N and 2N at random")};
 
 template <>
-std::span<const FieldInfo> fields_of<MeasureOptions>() noexcept;
+ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<MeasureOptions>() noexcept;
 template <>
-std::span<const FieldInfo> fields_of<Decimation>() noexcept;
+ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<Decimation>() noexcept;
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -14,7 +14,7 @@ struct RateJump {
 };
 
 /// The continuity in time that a curve really has on its keys.
-struct Continuity {
+struct ORISPLINE_EXPORT Continuity {
   RateJump angular_velocity{};      ///< [rad/s]
   RateJump angular_acceleration{};  ///< [rad/s²]
   RateJump angular_jerk{};          ///< [rad/s³]
@@ -31,6 +31,6 @@ enum class Seam { open, closed };
 
 /// One-sided rates compared at every interior key and, of a loop, where its end meets its beginning (key 0). A jump of
 /// a rate of order k within 256 ε/h^k, h [s] being the smaller spacing beside the key, is rounding.
-[[nodiscard]] Continuity continuity_at_keys(const AnyCurve& curve, Seam seam = Seam::open);
+[[nodiscard]] ORISPLINE_EXPORT Continuity continuity_at_keys(const AnyCurve& curve, Seam seam = Seam::open);
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -26,12 +26,12 @@ struct Decimation {
 };
 
 /// The indices of the samples that are kept, strictly rising from 0; the last sample only if it falls on the grid.
-[[nodiscard]] std::vector<std::size_t> kept_samples(const Decimation& decimation, std::size_t samples);
+[[nodiscard]] ORISPLINE_EXPORT std::vector<std::size_t> kept_samples(const Decimation& decimation, std::size_t samples);
 
 /// The keys at those indices, with all that they carry.
-[[nodiscard]] KeyframeData kept_keys(const KeyframeData& data, std::span<const std::size_t> kept);
+[[nodiscard]] ORISPLINE_EXPORT KeyframeData kept_keys(const KeyframeData& data, std::span<const std::size_t> kept);
 
 /// `every 8th`, `every 8th, jittered (seed 1)`
-[[nodiscard]] std::string name_of(const Decimation& decimation);
+[[nodiscard]] ORISPLINE_EXPORT std::string name_of(const Decimation& decimation);
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -27,7 +27,8 @@ struct DistanceStatistics {
 }
 
 /// Of distances that are not NaN, the first of them at index `first` of the reference.
-[[nodiscard]] DistanceStatistics distance_statistics(std::vector<double> distances, std::size_t first = 0);
+[[nodiscard]] ORISPLINE_EXPORT DistanceStatistics distance_statistics(std::vector<double> distances,
+                                                                      std::size_t first = 0);
 
 /// Orientations that were measured or simulated at times [s] of the curve.
 struct OrientationSeries {
@@ -37,7 +38,8 @@ struct OrientationSeries {
 
 /// How far the curve is from the reference, at those of the reference's times that lie in the curve's domain: the full
 /// angle of the rotation from one to the other [rad].
-[[nodiscard]] DistanceStatistics distance_to_reference(const AnyCurve& curve, OrientationSeries reference);
+[[nodiscard]] ORISPLINE_EXPORT DistanceStatistics distance_to_reference(const AnyCurve& curve,
+                                                                        OrientationSeries reference);
 
 /// Angular velocities that were logged at times [s] of the curve.
 struct RateSeries {
@@ -47,6 +49,6 @@ struct RateSeries {
 
 /// How far ω of the curve is from the logged one, at those of its times that lie in the curve's domain [rad/s]. Where ω
 /// jumps at a key, the mean of both sides counts.
-[[nodiscard]] DistanceStatistics rate_error(const AnyCurve& curve, RateSeries logged);
+[[nodiscard]] ORISPLINE_EXPORT DistanceStatistics rate_error(const AnyCurve& curve, RateSeries logged);
 
 }  // namespace orispline::inline ORISPLINE_ABI

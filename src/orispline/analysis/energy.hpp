@@ -20,6 +20,7 @@ struct Energies {
 /// A closed form exists only where a segment turns about a fixed axis (slerps, keys about one axis): there the rates of
 /// the polynomial methods are polynomials of time, and one Gauss rule of ten points is that closed form, exact to
 /// degree 19. With turning axes the integrands hold sines of the factors' angles, and no closed form is known.
-[[nodiscard]] Energies energies(const AnyCurve& curve, const Eigen::Matrix3d& inertia = Eigen::Matrix3d::Identity());
+[[nodiscard]] ORISPLINE_EXPORT Energies energies(const AnyCurve& curve,
+                                                 const Eigen::Matrix3d& inertia = Eigen::Matrix3d::Identity());
 
 }  // namespace orispline::inline ORISPLINE_ABI

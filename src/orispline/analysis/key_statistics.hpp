@@ -21,6 +21,6 @@ struct KeyStatistics {
 /// Steps this near to 180° [rad] may as well go the other way round.
 inline constexpr double half_turn_margin = std::numbers::pi / 180.0;
 
-[[nodiscard]] KeyStatistics key_statistics(const Keyframes& keys);
+[[nodiscard]] ORISPLINE_EXPORT KeyStatistics key_statistics(const Keyframes& keys);
 
 }  // namespace orispline::inline ORISPLINE_ABI

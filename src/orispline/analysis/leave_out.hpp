@@ -17,6 +17,7 @@ namespace orispline::inline ORISPLINE_ABI {
 ///
 /// Parameters with a value per key are refused, for the keys are others. Errors: those of make_curve(); bad_data for
 /// fewer than 3 keys.
-[[nodiscard]] Expected<DistanceStatistics> leave_out_error(const Keyframes& keys, const Method& method = {});
+[[nodiscard]] ORISPLINE_EXPORT Expected<DistanceStatistics> leave_out_error(const Keyframes& keys,
+                                                                            const Method& method = {});
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -49,10 +49,10 @@ struct MeasureInfo {
 };
 
 /// All measures. THE list of them.
-[[nodiscard]] std::span<const MeasureInfo> measures_info() noexcept;
+[[nodiscard]] ORISPLINE_EXPORT std::span<const MeasureInfo> measures_info() noexcept;
 
 /// Those of some groups, in the order of the list.
-[[nodiscard]] std::vector<MeasureInfo> measures_of(std::span<const MeasureGroup> groups);
-[[nodiscard]] std::vector<MeasureInfo> measures_of(std::initializer_list<MeasureGroup> groups);
+[[nodiscard]] ORISPLINE_EXPORT std::vector<MeasureInfo> measures_of(std::span<const MeasureGroup> groups);
+[[nodiscard]] ORISPLINE_EXPORT std::vector<MeasureInfo> measures_of(std::initializer_list<MeasureGroup> groups);
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -20,6 +20,7 @@ struct Peaks {
 ///
 /// Each segment is searched in 16 steps; a maximum between two of them is found by bisection of the exact derivative
 /// (ω·α, α·jerk, torque times its rate), to the rounding of time.
-[[nodiscard]] Peaks peaks(const AnyCurve& curve, const Eigen::Matrix3d& inertia = Eigen::Matrix3d::Identity());
+[[nodiscard]] ORISPLINE_EXPORT Peaks peaks(const AnyCurve& curve,
+                                           const Eigen::Matrix3d& inertia = Eigen::Matrix3d::Identity());
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -15,6 +15,6 @@ struct Spread {
 };
 
 /// At least one figure, none of them NaN. The median of an even number is the mean of the middle two.
-[[nodiscard]] Spread spread_of(std::vector<double> figures);
+[[nodiscard]] ORISPLINE_EXPORT Spread spread_of(std::vector<double> figures);
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -26,13 +26,13 @@ template <Number T>
 }
 
 /// The matrix, if it is symmetric and positive definite. Error: bad_argument.
-[[nodiscard]] Expected<Eigen::Matrix3d> checked_inertia(const Eigen::Matrix3d& inertia);
+[[nodiscard]] ORISPLINE_EXPORT Expected<Eigen::Matrix3d> checked_inertia(const Eigen::Matrix3d& inertia);
 
 /// No principal moment is greater than the sum of the two others: what holds for every distribution of mass. The torque
 /// of another tensor is a weighting of accelerations as good as any, but nobody's torque.
-[[nodiscard]] bool is_physical_inertia(const Eigen::Matrix3d& inertia);
+[[nodiscard]] ORISPLINE_EXPORT bool is_physical_inertia(const Eigen::Matrix3d& inertia);
 
 /// `no_rigid_body`, where the inertia is not a physical one.
-[[nodiscard]] std::vector<Warning> warnings_of(const Eigen::Matrix3d& inertia);
+[[nodiscard]] ORISPLINE_EXPORT std::vector<Warning> warnings_of(const Eigen::Matrix3d& inertia);
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -13,7 +13,7 @@ namespace orispline::inline ORISPLINE_ABI {
 ///
 /// Sums, differences and products are exact while they need no more than `max_digits`; farther digits are cut off.
 /// Comparisons are always exact.
-class Decimal {
+class ORISPLINE_EXPORT Decimal {
  public:
   static constexpr int max_digits = 37;
   /// Parsed numbers are zero or of a size between 10^-limit and 10^limit, so that products stay finite doubles.

@@ -33,7 +33,7 @@ struct Where {
 };
 
 /// One failure: the kind, one sentence that says what was found and what was wanted, and the place.
-struct Error {
+struct ORISPLINE_EXPORT Error {
   ErrorCode code = ErrorCode::bad_data;
   std::string message{};
   Where where{};
@@ -66,6 +66,6 @@ using Expected = tl::expected<T, Error>;
 
 /// `keys.csv:7:3: key 2: option: message (option remedy)`, with the absent parts left out: one printable
 /// line for people.
-[[nodiscard]] std::string describe(const Error& error);
+[[nodiscard]] ORISPLINE_EXPORT std::string describe(const Error& error);
 
 }  // namespace orispline::inline ORISPLINE_ABI

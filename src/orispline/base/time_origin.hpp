@@ -6,7 +6,7 @@
 namespace orispline::inline ORISPLINE_ABI {
 
 /// An exact time that doubles are counted from.
-class TimeOrigin {
+class ORISPLINE_EXPORT TimeOrigin {
  public:
   explicit TimeOrigin(const Decimal& time);
 

@@ -11,7 +11,7 @@
 namespace orispline::inline ORISPLINE_ABI {
 
 /// Something noteworthy about a result, or about what it was made from.
-struct Warning {
+struct ORISPLINE_EXPORT Warning {
   std::string_view code{};  ///< what programs go by: `closing_step`
   std::string message{};    ///< one sentence for people, in the manner of an Error's
   Where where{};
@@ -23,6 +23,6 @@ struct Warning {
 };
 
 /// As an Error is described.
-[[nodiscard]] std::string describe(const Warning& warning);
+[[nodiscard]] ORISPLINE_EXPORT std::string describe(const Warning& warning);
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -18,7 +18,7 @@ namespace orispline::inline ORISPLINE_ABI {
 /// the curve's own signs, and its ends are held as the curve's are. 344 bytes a piece in double, 120 in float; one
 /// segment has 2^n pieces or fewer, by its own need.
 template <class T = double>
-class BakedCurve {
+class ORISPLINE_EXPORT BakedCurve {
  public:
   [[nodiscard]] Domain domain() const noexcept { return {knots_.front(), knots_.back()}; }
   /// The ends of the pieces [s].
@@ -61,11 +61,12 @@ inline constexpr double least_bake_tolerance<float> = 1e-6;
 /// Errors: bad_argument for a tolerance that is not a number, infinite or below the least one, and for a segment, named
 /// as the key, on which it cannot be reached, because the curve's own rounding or a jump is larger; cancelled.
 template <class T = double>
-[[nodiscard]] Expected<BakedCurve<T>> bake(const AnyCurve& curve, double tolerance, const Progress& progress = {});
+[[nodiscard]] ORISPLINE_EXPORT Expected<BakedCurve<T>> bake(const AnyCurve& curve, double tolerance,
+                                                            const Progress& progress = {});
 
 /// The same of the method's curve through the keys. Errors: those of make_curve() too.
 template <class T = double>
-[[nodiscard]] Expected<BakedCurve<T>> bake(const Method& method, const Keyframes& keys, double tolerance,
-                                           const Progress& progress = {});
+[[nodiscard]] ORISPLINE_EXPORT Expected<BakedCurve<T>> bake(const Method& method, const Keyframes& keys,
+                                                            double tolerance, const Progress& progress = {});
 
 }  // namespace orispline::inline ORISPLINE_ABI

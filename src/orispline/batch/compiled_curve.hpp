@@ -11,7 +11,7 @@ namespace orispline::inline ORISPLINE_ABI {
 ///
 /// 704 bytes a segment in double, 384 in float. `sample…` take it in place of the curve, with the same results.
 template <class T = double>
-class CompiledCurve {
+class ORISPLINE_EXPORT CompiledCurve {
  public:
   explicit CompiledCurve(AnyCurve curve);
 

@@ -14,7 +14,7 @@ namespace orispline::inline ORISPLINE_ABI {
 /// Takes the curves of one cumulative method of up to three factors, with tensions that are the same for all. Memory:
 /// 13 numbers a curve and segment.
 template <class T = double>
-class CurveBundle {
+class ORISPLINE_EXPORT CurveBundle {
  public:
   /// Errors (bad_argument, with the index of the curve as the key): no curves; a curve that is not of cumulative
   /// pieces, or whose key times or blending differ from those of the first.

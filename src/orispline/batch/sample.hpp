@@ -83,49 +83,49 @@ struct Work {
 
 /// Evenly spaced: sample k at k * dt + t0, computed as written. dt may not be negative.
 template <class T>
-[[nodiscard]] Expected<void> sample_uniform(const AnyCurve& curve, double t0, double dt, const Samples<T>& out,
-                                            Work work = {});
+[[nodiscard]] ORISPLINE_EXPORT Expected<void> sample_uniform(const AnyCurve& curve, double t0, double dt,
+                                                             const Samples<T>& out, Work work = {});
 template <class T>
-[[nodiscard]] Expected<void> sample_uniform(const CompiledCurve<T>& curve, double t0, double dt, const Samples<T>& out,
-                                            Work work = {});
+[[nodiscard]] ORISPLINE_EXPORT Expected<void> sample_uniform(const CompiledCurve<T>& curve, double t0, double dt,
+                                                             const Samples<T>& out, Work work = {});
 template <class T>
-[[nodiscard]] Expected<void> sample_uniform(const PoseCurve& curve, double t0, double dt, const Samples<T>& out,
-                                            Work work = {});
+[[nodiscard]] ORISPLINE_EXPORT Expected<void> sample_uniform(const PoseCurve& curve, double t0, double dt,
+                                                             const Samples<T>& out, Work work = {});
 template <class T>
-[[nodiscard]] Expected<void> sample_uniform(const BakedCurve<T>& curve, double t0, double dt, const Samples<T>& out,
-                                            Work work = {});
+[[nodiscard]] ORISPLINE_EXPORT Expected<void> sample_uniform(const BakedCurve<T>& curve, double t0, double dt,
+                                                             const Samples<T>& out, Work work = {});
 
 /// At times that do not decrease.
 template <class T>
-[[nodiscard]] Expected<void> sample(const AnyCurve& curve, std::span<const double> times, const Samples<T>& out,
-                                    Work work = {});
+[[nodiscard]] ORISPLINE_EXPORT Expected<void> sample(const AnyCurve& curve, std::span<const double> times,
+                                                     const Samples<T>& out, Work work = {});
 template <class T>
-[[nodiscard]] Expected<void> sample(const CompiledCurve<T>& curve, std::span<const double> times, const Samples<T>& out,
-                                    Work work = {});
+[[nodiscard]] ORISPLINE_EXPORT Expected<void> sample(const CompiledCurve<T>& curve, std::span<const double> times,
+                                                     const Samples<T>& out, Work work = {});
 template <class T>
-[[nodiscard]] Expected<void> sample(const PoseCurve& curve, std::span<const double> times, const Samples<T>& out,
-                                    Work work = {});
+[[nodiscard]] ORISPLINE_EXPORT Expected<void> sample(const PoseCurve& curve, std::span<const double> times,
+                                                     const Samples<T>& out, Work work = {});
 template <class T>
-[[nodiscard]] Expected<void> sample(const BakedCurve<T>& curve, std::span<const double> times, const Samples<T>& out,
-                                    Work work = {});
+[[nodiscard]] ORISPLINE_EXPORT Expected<void> sample(const BakedCurve<T>& curve, std::span<const double> times,
+                                                     const Samples<T>& out, Work work = {});
 
 /// At times in any order; successive ones of one segment are as fast as sorted ones.
 template <class T>
-[[nodiscard]] Expected<void> sample_at(const AnyCurve& curve, std::span<const double> times, const Samples<T>& out,
-                                       Work work = {});
+[[nodiscard]] ORISPLINE_EXPORT Expected<void> sample_at(const AnyCurve& curve, std::span<const double> times,
+                                                        const Samples<T>& out, Work work = {});
 template <class T>
-[[nodiscard]] Expected<void> sample_at(const CompiledCurve<T>& curve, std::span<const double> times,
-                                       const Samples<T>& out, Work work = {});
+[[nodiscard]] ORISPLINE_EXPORT Expected<void> sample_at(const CompiledCurve<T>& curve, std::span<const double> times,
+                                                        const Samples<T>& out, Work work = {});
 template <class T>
-[[nodiscard]] Expected<void> sample_at(const PoseCurve& curve, std::span<const double> times, const Samples<T>& out,
-                                       Work work = {});
+[[nodiscard]] ORISPLINE_EXPORT Expected<void> sample_at(const PoseCurve& curve, std::span<const double> times,
+                                                        const Samples<T>& out, Work work = {});
 template <class T>
-[[nodiscard]] Expected<void> sample_at(const BakedCurve<T>& curve, std::span<const double> times, const Samples<T>& out,
-                                       Work work = {});
+[[nodiscard]] ORISPLINE_EXPORT Expected<void> sample_at(const BakedCurve<T>& curve, std::span<const double> times,
+                                                        const Samples<T>& out, Work work = {});
 
 /// Many curves at one time, a sample each.
 template <class T>
-[[nodiscard]] Expected<void> sample_many(std::span<const CompiledCurve<T>> curves, double t, const Samples<T>& out,
-                                         Work work = {});
+[[nodiscard]] ORISPLINE_EXPORT Expected<void> sample_many(std::span<const CompiledCurve<T>> curves, double t,
+                                                          const Samples<T>& out, Work work = {});
 
 }  // namespace orispline::inline ORISPLINE_ABI

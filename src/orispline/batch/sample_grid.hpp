@@ -20,7 +20,7 @@ struct Instant {
 /// The grid of a rate or a count begins at an exact decimal: sample k is at the double nearest to the sum of that and
 /// its offset, the last one at the double nearest to the end where the grid meets it. A grid of steps has the times
 /// k * step + start, computed as written, and no end.
-class SampleGrid {
+class ORISPLINE_EXPORT SampleGrid {
  public:
   struct Step {
     double seconds;

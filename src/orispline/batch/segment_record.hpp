@@ -13,21 +13,22 @@ template <class T>
 using SegmentRecord = std::variant<std::monostate, CumulativeRecord<T>, ChartRecord<T>>;
 
 template <class T>
-[[nodiscard]] SegmentRecord<T> record_of(const AnyCurve& curve, std::size_t segment) noexcept;
+[[nodiscard]] ORISPLINE_EXPORT SegmentRecord<T> record_of(const AnyCurve& curve, std::size_t segment) noexcept;
 
 /// Orientation at t [s] on a segment, with the bits of a sample.
 template <class T>
-[[nodiscard]] Eigen::Quaternion<T> orientation_by(const SegmentRecord<T>& record, const AnyCurve& curve,
-                                                  std::size_t segment, double t) noexcept;
+[[nodiscard]] ORISPLINE_EXPORT Eigen::Quaternion<T> orientation_by(const SegmentRecord<T>& record,
+                                                                   const AnyCurve& curve, std::size_t segment,
+                                                                   double t) noexcept;
 
 /// Has the kernel write `count` samples of the segment; false where it cannot.
 template <class T>
-[[nodiscard]] bool by_kernel(const SegmentRecord<T>& record, const Clock& clock, std::size_t count,
-                             const Target<T>& target) noexcept;
+[[nodiscard]] ORISPLINE_EXPORT bool by_kernel(const SegmentRecord<T>& record, const Clock& clock, std::size_t count,
+                                              const Target<T>& target) noexcept;
 
 /// The same of a segment whose record nobody keeps.
 template <class T>
-[[nodiscard]] bool by_kernel(const AnyCurve& curve, std::size_t segment, const Clock& clock, std::size_t count,
-                             const Target<T>& target) noexcept;
+[[nodiscard]] ORISPLINE_EXPORT bool by_kernel(const AnyCurve& curve, std::size_t segment, const Clock& clock,
+                                              std::size_t count, const Target<T>& target) noexcept;
 
 }  // namespace orispline::inline ORISPLINE_ABI::batch

@@ -20,7 +20,7 @@ struct Domain {
 ///
 /// Immutable, cheap to copy, safe to share between threads. Evaluation allocates nothing. Outside the domain the end
 /// orientation is held at rest (ω = 0); `checked_motion` makes that an error instead. A NaN time gives NaN.
-class AnyCurve {
+class ORISPLINE_EXPORT AnyCurve {
  public:
   template <class C>
   requires(!std::same_as<C, AnyCurve> && Curve<C>) AnyCurve(C curve)

@@ -55,10 +55,10 @@ enum class EndRule {
   secant,     ///< the rate of the end's increment
 };
 
-[[nodiscard]] std::string_view name_of(EndRule rule) noexcept;
+[[nodiscard]] ORISPLINE_EXPORT std::string_view name_of(EndRule rule) noexcept;
 
 /// How many keys a rule extrapolates from, at least two.
-[[nodiscard]] std::size_t keys_needed(EndRule rule) noexcept;
+[[nodiscard]] ORISPLINE_EXPORT std::size_t keys_needed(EndRule rule) noexcept;
 
 /// For FamilyInfo::support_keys: a segment depends on every key, because the curve solves equations over all of them.
 inline constexpr int all_keys = 0;
@@ -152,7 +152,7 @@ struct Closure {
 };
 
 /// Options completed and checked against a family: every parameter present, the ends chosen.
-struct FamilySettings {
+struct ORISPLINE_EXPORT FamilySettings {
   std::string_view method{};  ///< the family's name
   std::map<std::string, PerKey, std::less<>> parameters{};
   std::map<std::string_view, std::string_view> choices{};
@@ -187,20 +187,22 @@ template <class Named>
 /// The error with its place: the key of the value at that index, or in words the ghost key, which has no index.
 ///
 /// There are as many values as keys, or those of ghost keys before and after them as well.
-[[nodiscard]] Error at_value(Error error, std::size_t value, std::size_t values, std::size_t keys);
+[[nodiscard]] ORISPLINE_EXPORT Error at_value(Error error, std::size_t value, std::size_t values, std::size_t keys);
 
 /// Checks the options against what the family accepts and fills in its defaults.
 ///
 /// Errors: bad_argument (with the key index where one value is at fault) for an unknown parameter or word, a wrong
 /// number of values, a value out of range or not finite, an unknown end rule; bad_data for too few keys for the family
 /// or the rule.
-[[nodiscard]] Expected<FamilySettings> settle(const FamilyInfo& family, const CurveOptions& options, std::size_t keys);
+[[nodiscard]] ORISPLINE_EXPORT Expected<FamilySettings> settle(const FamilyInfo& family, const CurveOptions& options,
+                                                               std::size_t keys);
 
 /// Keys on either side of those that a segment joins which a curve must go through to have the bits of the whole one
 /// there. Absent: all keys, for then equations over them are solved.
-[[nodiscard]] std::optional<std::size_t> keys_beside(const FamilyInfo& family, const FamilySettings& settings);
+[[nodiscard]] ORISPLINE_EXPORT std::optional<std::size_t> keys_beside(const FamilyInfo& family,
+                                                                      const FamilySettings& settings);
 
 /// The end rule of that name, or an error that lists those of the family.
-[[nodiscard]] Expected<EndRule> end_rule_by_name(const FamilyInfo& family, std::string_view name);
+[[nodiscard]] ORISPLINE_EXPORT Expected<EndRule> end_rule_by_name(const FamilyInfo& family, std::string_view name);
 
 }  // namespace orispline::inline ORISPLINE_ABI

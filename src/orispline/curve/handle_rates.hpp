@@ -40,6 +40,6 @@ template <class HandlesOf>
 }
 
 /// The Bézier handle that turns farthest from its key, from the rates of the handles.
-[[nodiscard]] HandleTurn widest_handle(std::span<const double> times, const HandleRates& rates);
+[[nodiscard]] ORISPLINE_EXPORT HandleTurn widest_handle(std::span<const double> times, const HandleRates& rates);
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -46,7 +46,7 @@ inline constexpr double shortest_step = 1e-90, longest_step = 1e90;
 ///
 /// Times are finite and strictly increasing, orientations are unit quaternions with the signs that the curve will
 /// follow.
-class Keyframes {
+class ORISPLINE_EXPORT Keyframes {
  public:
   /// Validates, normalises, aligns the signs.
   ///

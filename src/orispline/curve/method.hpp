@@ -18,7 +18,7 @@ inline constexpr std::string_view default_method = "auto";
 ///
 /// A name alone is a method, so that `make_curve("auto", keys)` reads as it should. Its text form is read by
 /// method_from_text() and written by text_of(). The *family* of that name is the code that makes its curves.
-struct Method {
+struct ORISPLINE_EXPORT Method {
   std::string name{default_method};
   CurveOptions options{};
 

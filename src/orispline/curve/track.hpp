@@ -18,7 +18,7 @@ namespace orispline::inline ORISPLINE_ABI {
 /// Keyframes with where they come from: what tasks take and give back, and what files hold.
 ///
 /// Keys alone are a track without a name. Vectors that are not empty have one entry per key.
-struct Track {
+struct ORISPLINE_EXPORT Track {
   Keyframes keys{};
   std::string name{};                  ///< of the file, or of the track in it; `-` for standard input
   Decimal epoch{};                     ///< [s], exact: what the times of the keys count from
@@ -54,10 +54,10 @@ struct Track {
 
 /// The settings of a method that have a value of their own for every key, by name: what a file of these keys states in
 /// columns.
-[[nodiscard]] std::map<std::string, std::vector<double>, std::less<>> settings_per_key(const Method& method,
-                                                                                       std::size_t keys);
+[[nodiscard]] ORISPLINE_EXPORT std::map<std::string, std::vector<double>, std::less<>> settings_per_key(
+    const Method& method, std::size_t keys);
 
 /// The method, completed by the settings of the track that it does not state itself.
-[[nodiscard]] Method completed(Method method, const FamilyInfo& family, const Track& track);
+[[nodiscard]] ORISPLINE_EXPORT Method completed(Method method, const FamilyInfo& family, const Track& track);
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -15,26 +15,27 @@ namespace orispline::inline ORISPLINE_ABI {
 /// `ends=START,END` names the end rules, `start_rate=WX,WY,WZ` and `end_rate=…` give the body rates [rad/s] of clamped
 /// ends, `closed` makes a loop whose last key is its first one, `period=T` one that returns after T seconds.
 /// Errors: bad_argument for a method, setting, rule or number that there is not, and for a setting that stands twice.
-[[nodiscard]] Expected<Method> method_from_text(std::string_view text);
+[[nodiscard]] ORISPLINE_EXPORT Expected<Method> method_from_text(std::string_view text);
 
 /// The text form, which method_from_text() reads back as the same method bit for bit; defaults are left out.
-[[nodiscard]] std::string text_of(const Method& method);
+[[nodiscard]] ORISPLINE_EXPORT std::string text_of(const Method& method);
 
 /// The method with one more setting, numbers for a parameter and a word for a choice. Errors: bad_argument for a
 /// setting that the method does not have or has been given already, and for a text that is no value of it.
-[[nodiscard]] Expected<Method> with_setting(Method method, std::string_view setting, std::string_view value);
+[[nodiscard]] ORISPLINE_EXPORT Expected<Method> with_setting(Method method, std::string_view setting,
+                                                             std::string_view value);
 
 /// The method with the rules for both ends that `RULE` or `START,END` names. Error: bad_argument.
-[[nodiscard]] Expected<Method> with_ends(Method method, std::string_view rules);
+[[nodiscard]] ORISPLINE_EXPORT Expected<Method> with_ends(Method method, std::string_view rules);
 
 /// At the first key, or at the last one.
 enum class CurveEnd { start, end };
 
 /// The method with a body rate [rad/s] at one end, which is clamped. Error: bad_argument for a method without clamped
 /// ends and for another rule at that end.
-[[nodiscard]] Expected<Method> with_end_rate(Method method, CurveEnd end, const Eigen::Vector3d& rate);
+[[nodiscard]] ORISPLINE_EXPORT Expected<Method> with_end_rate(Method method, CurveEnd end, const Eigen::Vector3d& rate);
 
 /// The method as a loop. Errors: bad_argument for a method without loops and a period that is not greater than 0.
-[[nodiscard]] Expected<Method> with_loop(Method method, Loop loop);
+[[nodiscard]] ORISPLINE_EXPORT Expected<Method> with_loop(Method method, Loop loop);
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -66,28 +66,28 @@ struct FieldInfo {
 
 /// The fields of a struct of options or of results. Specialised for each.
 template <class T>
-[[nodiscard]] std::span<const FieldInfo> fields_of() noexcept;
+[[nodiscard]] ORISPLINE_EXPORT std::span<const FieldInfo> fields_of() noexcept;
 
 /// A field by its name. Precondition: there is one.
-[[nodiscard]] const FieldInfo& field_named(std::span<const FieldInfo> fields, std::string_view name);
+[[nodiscard]] ORISPLINE_EXPORT const FieldInfo& field_named(std::span<const FieldInfo> fields, std::string_view name);
 
 /// The name with the unit, as in documents: `noise_rad`.
-[[nodiscard]] std::string name_with_unit(const FieldInfo& field);
+[[nodiscard]] ORISPLINE_EXPORT std::string name_with_unit(const FieldInfo& field);
 
 /// `flag`, `count`, …
-[[nodiscard]] std::string_view name_of(FieldType type);
+[[nodiscard]] ORISPLINE_EXPORT std::string_view name_of(FieldType type);
 
 /// Whether there is no value: it is absent, or a bound that is infinite.
-[[nodiscard]] bool is_absent(const FieldValue& value) noexcept;
+[[nodiscard]] ORISPLINE_EXPORT bool is_absent(const FieldValue& value) noexcept;
 
 /// For people: `acceleration`, `8`; empty for what is absent and for the false flag.
-[[nodiscard]] std::string text_of(const FieldValue& value);
+[[nodiscard]] ORISPLINE_EXPORT std::string text_of(const FieldValue& value);
 
 /// `1e-07 to 0.5 rad`, `more than 0 s`; empty without bounds.
-[[nodiscard]] std::string text_of(Interval range, const Quantity* quantity);
+[[nodiscard]] ORISPLINE_EXPORT std::string text_of(Interval range, const Quantity* quantity);
 
 /// Error (bad_argument, with the option): a number out of its range.
-[[nodiscard]] Expected<void> check_ranges(std::span<const FieldInfo> fields, const void* options);
+[[nodiscard]] ORISPLINE_EXPORT Expected<void> check_ranges(std::span<const FieldInfo> fields, const void* options);
 template <class Options>
 [[nodiscard]] Expected<void> check_ranges(const Options& options) {
   return check_ranges(fields_of<Options>(), &options);

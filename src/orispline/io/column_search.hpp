@@ -54,7 +54,7 @@ struct ColumnGroup {
 };
 
 /// Looks for columns by their canonical names in the header of a table.
-class ColumnSearch {
+class ORISPLINE_EXPORT ColumnSearch {
  public:
   using Names = std::map<std::string, std::string, std::less<>>;  ///< canonical name to name in the header
 

@@ -88,7 +88,7 @@ struct FormatWriting {
 };
 
 /// A format of files of keys and samples: all that is known of it elsewhere.
-struct FormatInfo {
+struct ORISPLINE_EXPORT FormatInfo {
   std::string_view id;       ///< the word that it is chosen by: `csv`
   std::string_view title;    ///< what people call it: `CSV`
   std::string_view file;     ///< with its article: `a CSV file`
@@ -108,14 +108,14 @@ struct FormatInfo {
 };
 
 /// All formats, in the order in which they are shown. The first is taken where nothing tells another one.
-[[nodiscard]] std::span<const FormatInfo* const> formats() noexcept;
-[[nodiscard]] std::vector<const FormatInfo*> formats_read();
-[[nodiscard]] std::vector<const FormatInfo*> formats_written();
+[[nodiscard]] ORISPLINE_EXPORT std::span<const FormatInfo* const> formats() noexcept;
+[[nodiscard]] ORISPLINE_EXPORT std::vector<const FormatInfo*> formats_read();
+[[nodiscard]] ORISPLINE_EXPORT std::vector<const FormatInfo*> formats_written();
 
 /// The first format with the extension of the path; null if there is none.
-[[nodiscard]] const FormatInfo* format_of_extension(std::string_view path) noexcept;
+[[nodiscard]] ORISPLINE_EXPORT const FormatInfo* format_of_extension(std::string_view path) noexcept;
 
 /// The titles as a message names them: `CSV, TUM or EuRoC`.
-[[nodiscard]] std::string any_of(std::span<const FormatInfo* const> formats);
+[[nodiscard]] ORISPLINE_EXPORT std::string any_of(std::span<const FormatInfo* const> formats);
 
 }  // namespace orispline::inline ORISPLINE_ABI::io

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/io/format_choice.hpp>
 
+#include <orispline/base/formatted.hpp>
+
 #include <algorithm>
 #include <utility>
 

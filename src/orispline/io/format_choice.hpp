@@ -10,8 +10,9 @@
 namespace orispline::inline ORISPLINE_ABI::io {
 
 /// The format that a row is most like, at least that much; of equals the first. Null: none.
-[[nodiscard]] const FormatInfo* likest(std::span<const FormatInfo* const> formats, const TextTable& table,
-                                       const ReadOptions& options, Likeness least);
+[[nodiscard]] ORISPLINE_EXPORT const FormatInfo* likest(std::span<const FormatInfo* const> formats,
+                                                        const TextTable& table, const ReadOptions& options,
+                                                        Likeness least);
 
 /// A table of keys that stands at its first row.
 struct KeyRowsSource {
@@ -28,7 +29,7 @@ struct TracksSource {
 
 /// Opens a file, `-` for standard input, and settles how it is read: by the options, by its extension where only one
 /// format has it, else by what it is like. Errors: those of read_keys() before the first key.
-[[nodiscard]] Expected<std::variant<KeyRowsSource, TracksSource>> open_keys(const std::string& path,
-                                                                            const ReadOptions& options);
+[[nodiscard]] ORISPLINE_EXPORT Expected<std::variant<KeyRowsSource, TracksSource>> open_keys(
+    const std::string& path, const ReadOptions& options);
 
 }  // namespace orispline::inline ORISPLINE_ABI::io

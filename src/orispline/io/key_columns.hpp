@@ -46,7 +46,7 @@ struct HeaderReading {
 };
 
 /// Whether the first row of a table names columns: its first cell that is not empty is no number.
-[[nodiscard]] bool is_header(std::span<const std::string_view> row);
+[[nodiscard]] ORISPLINE_EXPORT bool is_header(std::span<const std::string_view> row);
 
 /// The columns that a header names, in any order: `t` (or `time`, `timestamp`; with a unit `t_s`, `t_ms`, `t_us`,
 /// `t_ns`), the orientation by one of its representations, and where present `px,py,pz` (`px_m`, `px_mm`, `px_cm`,
@@ -58,11 +58,11 @@ struct HeaderReading {
 ///
 /// Errors: bad_data for a column that is missing or there twice; bad_argument for a mapping of an unknown name; those
 /// of `orientation_columns`.
-[[nodiscard]] Expected<KeyColumns> columns_of_header(std::span<const std::string_view> header,
-                                                     const HeaderReading& reading);
+[[nodiscard]] ORISPLINE_EXPORT Expected<KeyColumns> columns_of_header(std::span<const std::string_view> header,
+                                                                      const HeaderReading& reading);
 
 /// `t`, the quaternion, and with 8 columns the position. Error (bad_data): another number of columns.
-[[nodiscard]] Expected<KeyColumns> columns_of_order(std::size_t columns, QuaternionOrder order);
+[[nodiscard]] ORISPLINE_EXPORT Expected<KeyColumns> columns_of_order(std::size_t columns, QuaternionOrder order);
 
 /// Columns without units, side by side.
 [[nodiscard]] constexpr VectorColumns three_columns_from(std::size_t first) noexcept {
@@ -70,6 +70,6 @@ struct HeaderReading {
 }
 
 /// Unit [s] of a column that is named like a time; nothing for other names.
-[[nodiscard]] std::optional<Decimal> time_unit_of(std::string_view name);
+[[nodiscard]] ORISPLINE_EXPORT std::optional<Decimal> time_unit_of(std::string_view name);
 
 }  // namespace orispline::inline ORISPLINE_ABI::io

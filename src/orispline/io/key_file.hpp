@@ -72,12 +72,13 @@ struct KeyFile {
 /// Times are strictly increasing and all numbers finite; norms and signs are left to `Keyframes::make`.
 /// Errors name the file, the line and the column or the key: bad_access, bad_data, and bad_argument for options that
 /// contradict the file.
-[[nodiscard]] Expected<KeyFile> read_keys(const std::string& path, const ReadOptions& options = {});
+[[nodiscard]] ORISPLINE_EXPORT Expected<KeyFile> read_keys(const std::string& path, const ReadOptions& options = {});
 
 /// The same of every track in a file, one at least.
-[[nodiscard]] Expected<std::vector<KeyFile>> read_all_keys(const std::string& path, const ReadOptions& options = {});
+[[nodiscard]] ORISPLINE_EXPORT Expected<std::vector<KeyFile>> read_all_keys(const std::string& path,
+                                                                            const ReadOptions& options = {});
 
 /// The error with the file and, where it names a key, the line.
-[[nodiscard]] Error located(const KeyFile& file, Error error);
+[[nodiscard]] ORISPLINE_EXPORT Error located(const KeyFile& file, Error error);
 
 }  // namespace orispline::inline ORISPLINE_ABI::io

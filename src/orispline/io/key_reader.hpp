@@ -12,7 +12,7 @@
 namespace orispline::inline ORISPLINE_ABI::io {
 
 /// Reads the keys of a file of one track, or of standard input for `-`, in pieces where they are rows of a table.
-class KeyReader {
+class ORISPLINE_EXPORT KeyReader {
  public:
   /// Reads as far as the first row, which decides how the others are read; keys of another kind all at once. Errors:
   /// those of read_keys().

@@ -10,7 +10,7 @@
 namespace orispline::inline ORISPLINE_ABI::io {
 
 /// Gathers the keys of a table row by row, checks and repairs them. They may be taken out in pieces.
-class KeyRows {
+class ORISPLINE_EXPORT KeyRows {
  public:
   KeyRows(std::string path, const FormatInfo& format, KeyColumns columns, const ReadOptions& options);
 

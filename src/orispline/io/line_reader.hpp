@@ -14,7 +14,7 @@ namespace orispline::inline ORISPLINE_ABI::io {
 /// Streams a text file line by line in constant memory.
 ///
 /// Lines end in LF or CRLF, the last one also in nothing; a UTF-8 byte order mark is skipped.
-class LineReader {
+class ORISPLINE_EXPORT LineReader {
  public:
   /// No text of numbers has longer lines; what has is some other kind of file.
   static constexpr std::size_t longest_line = std::size_t{16} << 20;  // [bytes]

@@ -26,13 +26,13 @@ struct OrientationColumns {
 };
 
 /// Every canonical name that an orientation column may have.
-[[nodiscard]] std::vector<std::string_view> orientation_names();
+[[nodiscard]] ORISPLINE_EXPORT std::vector<std::string_view> orientation_names();
 
 /// Finds the columns of one representation.
 ///
 /// Errors: bad_data for several representations to choose from, Euler angles without an order or a unit; bad_argument
 /// for options that contradict the header or each other.
-[[nodiscard]] Expected<OrientationColumns> orientation_columns(const ColumnSearch& search,
-                                                               const OrientationReading& reading);
+[[nodiscard]] ORISPLINE_EXPORT Expected<OrientationColumns> orientation_columns(const ColumnSearch& search,
+                                                                                const OrientationReading& reading);
 
 }  // namespace orispline::inline ORISPLINE_ABI::io

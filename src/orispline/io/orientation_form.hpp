@@ -34,24 +34,25 @@ inline constexpr double orthonormality_limit = 1e-3;
 
 /// The names that the columns of a representation have, without units. Euler angles: `e1`, `e2`, `e3` in the order of
 /// their turns.
-[[nodiscard]] std::span<const std::string_view> names_by_component(Representation representation) noexcept;
+[[nodiscard]] ORISPLINE_EXPORT std::span<const std::string_view> names_by_component(
+    Representation representation) noexcept;
 /// The names of Euler angles by the axes that they turn about, `roll` x, `pitch` y, `yaw` z, in the order of the turns.
-[[nodiscard]] std::array<std::string_view, 3> names_by_axis(const EulerOrder& order) noexcept;
+[[nodiscard]] ORISPLINE_EXPORT std::array<std::string_view, 3> names_by_axis(const EulerOrder& order) noexcept;
 
 /// The names of the columns that hold a form when it is written: `roll_deg,pitch_deg,yaw_deg` for the order ZYX.
-[[nodiscard]] std::vector<std::string> written_names(const OrientationForm& form);
+[[nodiscard]] ORISPLINE_EXPORT std::vector<std::string> written_names(const OrientationForm& form);
 
 /// Up to nine numbers that state an orientation.
 using OrientationNumbers = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 9, 1>;
 
 /// An orientation in a form, in the order of `written_names`.
-[[nodiscard]] OrientationNumbers numbers_of(const Eigen::Quaterniond& q, const OrientationForm& form);
+[[nodiscard]] ORISPLINE_EXPORT OrientationNumbers numbers_of(const Eigen::Quaterniond& q, const OrientationForm& form);
 
 /// The orientation that finite numbers state: those of `names_by_component`, Euler angles [rad] in the order of the
 /// turns. Quaternions are taken as they are.
 ///
 /// Error (bad_data): a matrix that is no rotation.
-[[nodiscard]] Expected<Eigen::Quaterniond> orientation_from(const OrientationNumbers& numbers,
-                                                            const OrientationForm& form);
+[[nodiscard]] ORISPLINE_EXPORT Expected<Eigen::Quaterniond> orientation_from(const OrientationNumbers& numbers,
+                                                                             const OrientationForm& form);
 
 }  // namespace orispline::inline ORISPLINE_ABI::io

@@ -14,7 +14,7 @@ namespace orispline::inline ORISPLINE_ABI::io {
 ///
 /// Text goes to `<path>.part` beside the target, which `finish` renames. Destroyed before that, the part is removed and
 /// the target untouched. Standard output (`-`), devices and pipes are written directly.
-class OutputFile {
+class ORISPLINE_EXPORT OutputFile {
  public:
   /// Error: bad_access.
   [[nodiscard]] static Expected<OutputFile> open(const std::string& path);
@@ -52,10 +52,10 @@ class OutputFile {
 };
 
 /// Whether that is standard output (`-`), a device or a pipe.
-[[nodiscard]] bool is_stream(const std::string& path);
+[[nodiscard]] ORISPLINE_EXPORT bool is_stream(const std::string& path);
 
 /// Whether a file can be opened there, asked for before long work; leaves nothing behind. Devices and pipes are taken
 /// at their word. Error (bad_access): what OutputFile::open() would say.
-[[nodiscard]] Expected<void> check_output(const std::string& path);
+[[nodiscard]] ORISPLINE_EXPORT Expected<void> check_output(const std::string& path);
 
 }  // namespace orispline::inline ORISPLINE_ABI::io

@@ -34,16 +34,18 @@ struct RateVector {
 using RateColumns = std::array<std::optional<RateVector>, 3>;
 
 /// Every canonical name that a column of rates may have.
-[[nodiscard]] std::vector<std::string_view> rate_names();
+[[nodiscard]] ORISPLINE_EXPORT std::vector<std::string_view> rate_names();
 
 /// `wx,wy,wz`, `ax,ay,az`, `jx,jy,jz` in their frames and units.
 ///
 /// Errors (bad_data): one of three columns without the others; accelerations without velocities, jerks without
 /// accelerations.
-[[nodiscard]] Expected<RateColumns> rate_columns(const ColumnSearch& search, const RateReading& reading);
+[[nodiscard]] ORISPLINE_EXPORT Expected<RateColumns> rate_columns(const ColumnSearch& search,
+                                                                  const RateReading& reading);
 
 /// The names of angular velocities that are there but whose frame nobody knows, so that no rates are read; else none.
-[[nodiscard]] std::vector<std::string> rates_of_unknown_frame(const ColumnSearch& search, const RateReading& reading,
-                                                              const RateColumns& read);
+[[nodiscard]] ORISPLINE_EXPORT std::vector<std::string> rates_of_unknown_frame(const ColumnSearch& search,
+                                                                               const RateReading& reading,
+                                                                               const RateColumns& read);
 
 }  // namespace orispline::inline ORISPLINE_ABI::io

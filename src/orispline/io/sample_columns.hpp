@@ -36,17 +36,17 @@ struct Sample {
 inline constexpr std::size_t most_settings = 8;  ///< columns of settings in a file
 
 /// Error (bad_argument): what the format cannot hold.
-[[nodiscard]] Expected<void> check_columns(const SampleColumns& columns);
+[[nodiscard]] ORISPLINE_EXPORT Expected<void> check_columns(const SampleColumns& columns);
 
 /// What stands before that many rows of a file of these columns.
-[[nodiscard]] std::string header_of(const SampleColumns& columns, std::size_t rows);
+[[nodiscard]] ORISPLINE_EXPORT std::string header_of(const SampleColumns& columns, std::size_t rows);
 
 /// The names of the columns where a file may hold all: time, orientation, position, angular rates, rates of position,
 /// settings.
-[[nodiscard]] std::vector<std::string> column_names(const SampleColumns& columns);
+[[nodiscard]] ORISPLINE_EXPORT std::vector<std::string> column_names(const SampleColumns& columns);
 
 /// The numbers of a row after its time.
-class RowNumbers {
+class ORISPLINE_EXPORT RowNumbers {
  public:
   static constexpr std::size_t most =
       9 + 3 + 9 + 6 + most_settings;  ///< a matrix, a position, three and two rates, settings
@@ -63,6 +63,6 @@ class RowNumbers {
 };
 
 /// Those of a sample in the order of `column_names`.
-[[nodiscard]] RowNumbers named_numbers(const Sample& sample, const SampleColumns& columns);
+[[nodiscard]] ORISPLINE_EXPORT RowNumbers named_numbers(const Sample& sample, const SampleColumns& columns);
 
 }  // namespace orispline::inline ORISPLINE_ABI::io

@@ -13,7 +13,7 @@ namespace orispline::inline ORISPLINE_ABI::io {
 inline constexpr std::size_t written_block = std::size_t{256} << 10;  ///< [bytes] of rows, best written at a time
 
 /// Rows of samples as their file holds them, gathered in memory: several threads may each make some.
-class SampleRows {
+class ORISPLINE_EXPORT SampleRows {
  public:
   /// The columns are those that `check_columns` accepts.
   explicit SampleRows(const SampleColumns& columns) : columns_(columns) {}

@@ -15,7 +15,7 @@ namespace orispline::inline ORISPLINE_ABI::io {
 ///
 /// Numbers are the shortest that read back as the same double. Times are exact, or rounded as the format says. The file
 /// appears when `finish` succeeds.
-class SampleWriter {
+class ORISPLINE_EXPORT SampleWriter {
  public:
   /// `rows`: how many samples will be written. Only formats whose header counts them ask (NumPy), and only where the
   /// file is a pipe or a device: it cannot be written again there.

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include <orispline/base/formatted.hpp>
+#include <orispline/base/expected.hpp>
 #include <orispline/io/key_columns.hpp>
 #include <orispline/io/text_table.hpp>
 
@@ -24,15 +24,16 @@ struct TableLayout {
 };
 
 /// Cells of a row without the empty ones at its end.
-[[nodiscard]] std::size_t width_of(std::span<const std::string_view> cells) noexcept;
+[[nodiscard]] ORISPLINE_EXPORT std::size_t width_of(std::span<const std::string_view> cells) noexcept;
 
 /// The option that asks for something that only a header can give, if any.
-[[nodiscard]] std::optional<std::string_view> header_option(const ReadOptions& options);
+[[nodiscard]] ORISPLINE_EXPORT std::optional<std::string_view> header_option(const ReadOptions& options);
 
 /// The error (bad_argument) of an option that contradicts the row of the table.
-[[nodiscard]] tl::unexpected<Error> misplaced(const TextTable& table, std::string_view option, std::string message);
+[[nodiscard]] ORISPLINE_EXPORT tl::unexpected<Error> misplaced(const TextTable& table, std::string_view option,
+                                                               std::string message);
 
 /// The columns, or what is wrong with them at the row of the table.
-[[nodiscard]] Expected<KeyColumns> located(const TextTable& table, Expected<KeyColumns> columns);
+[[nodiscard]] ORISPLINE_EXPORT Expected<KeyColumns> located(const TextTable& table, Expected<KeyColumns> columns);
 
 }  // namespace orispline::inline ORISPLINE_ABI::io

@@ -19,6 +19,6 @@ struct TimesList {
 ///
 /// A header `t` is allowed, also with a unit (`t_ns`); without one the numbers are seconds. The result is relative to
 /// `epoch` [s]. Errors: bad_access, bad_data.
-[[nodiscard]] Expected<TimesList> read_times(const std::string& path, const Decimal& epoch);
+[[nodiscard]] ORISPLINE_EXPORT Expected<TimesList> read_times(const std::string& path, const Decimal& epoch);
 
 }  // namespace orispline::inline ORISPLINE_ABI::io

@@ -21,13 +21,14 @@ struct TrackFile {
 /// Reads the tracks of a file, or of standard input for `-`, one at least, and checks their keys.
 ///
 /// Errors name the file, the line and the column or the key: those of read_keys() and of Keyframes::make().
-[[nodiscard]] Expected<std::vector<TrackFile>> read_tracks(const std::string& path, const ReadOptions& options = {},
-                                                           Signs signs = Signs::shortest);
+[[nodiscard]] ORISPLINE_EXPORT Expected<std::vector<TrackFile>> read_tracks(const std::string& path,
+                                                                            const ReadOptions& options = {},
+                                                                            Signs signs = Signs::shortest);
 /// The track of a file of one.
-[[nodiscard]] Expected<TrackFile> read_track(const std::string& path, const ReadOptions& options = {},
-                                             Signs signs = Signs::shortest);
+[[nodiscard]] ORISPLINE_EXPORT Expected<TrackFile> read_track(const std::string& path, const ReadOptions& options = {},
+                                                              Signs signs = Signs::shortest);
 
 /// What was read of a file, with its keys when they have been checked.
-[[nodiscard]] TrackFile track_file(KeyFile file, Keyframes keys);
+[[nodiscard]] ORISPLINE_EXPORT TrackFile track_file(KeyFile file, Keyframes keys);
 
 }  // namespace orispline::inline ORISPLINE_ABI::io

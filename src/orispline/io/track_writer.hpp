@@ -16,7 +16,7 @@ namespace orispline::inline ORISPLINE_ABI::io {
 /// no more rates than its keys have; quaternions keep the digits of its file.
 ///
 /// Errors: bad_access; bad_argument for what the format cannot hold, several tracks among it; bad_data with the key.
-[[nodiscard]] Expected<void> write_tracks(OutputFile& file, std::span<const Track> tracks,
-                                          const SampleColumns& columns);
+[[nodiscard]] ORISPLINE_EXPORT Expected<void> write_tracks(OutputFile& file, std::span<const Track> tracks,
+                                                           const SampleColumns& columns);
 
 }  // namespace orispline::inline ORISPLINE_ABI::io

@@ -4,7 +4,18 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <orispline/base/abi.hpp>
 #include <orispline/math/jet.hpp>
+
+// With wider vectors, as by -mavx and -march=native, Eigen would align its types otherwise, and what holds them would
+// have other sizes than in the library. (Where it knows no vectors of a processor, Eigen aligns nothing.)
+#if !defined(EIGEN_ARCH_WANTS_STACK_ALIGNMENT) || EIGEN_ARCH_WANTS_STACK_ALIGNMENT
+static_assert(
+    alignof(Eigen::Quaterniond) == orispline::eigen_alignment,
+    "orispline was compiled with Eigen's types aligned to 16 bytes (orispline::eigen_alignment, where its builder "
+    "chose another number): compile with -DEIGEN_MAX_ALIGN_BYTES=16, as the CMake target orispline::orispline and "
+    "pkg-config do, or build orispline with your options and ORISPLINE_EIGEN_ALIGN_BYTES");
+#endif
 
 namespace Eigen {
 

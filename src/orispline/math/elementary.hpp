@@ -17,15 +17,15 @@ struct SineCosine {
 };
 
 /// Sine and cosine of an angle [rad] of any size.
-[[nodiscard]] SineCosine sine_cosine(double angle) noexcept;
+[[nodiscard]] ORISPLINE_EXPORT SineCosine sine_cosine(double angle) noexcept;
 
 /// Of three angles at once: none waits for another.
-[[nodiscard]] std::array<SineCosine, 3> sines_cosines(const std::array<double, 3>& angles) noexcept;
+[[nodiscard]] ORISPLINE_EXPORT std::array<SineCosine, 3> sines_cosines(const std::array<double, 3>& angles) noexcept;
 
 /// Angle of the vector (x, y) from the x axis [rad], in [-π, π], with the sign of y.
-[[nodiscard]] double arctangent(double y, double x) noexcept;
+[[nodiscard]] ORISPLINE_EXPORT double arctangent(double y, double x) noexcept;
 
 /// Logarithm to the base e.
-[[nodiscard]] double natural_logarithm(double x) noexcept;
+[[nodiscard]] ORISPLINE_EXPORT double natural_logarithm(double x) noexcept;
 
 }  // namespace orispline::inline ORISPLINE_ABI::elementary

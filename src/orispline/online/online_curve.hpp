@@ -23,7 +23,7 @@ namespace orispline::inline ORISPLINE_ABI {
 /// Where a segment blends two or four keys nothing is allocated after construction, but for the message of an error.
 /// The other methods, and parameters that come with the keys, allocate when a key is appended, never when the curve is
 /// evaluated: `allocates()` tells. For one thread: let the writer evaluate, or lock.
-class OnlineCurve {
+class ORISPLINE_EXPORT OnlineCurve {
  public:
   static constexpr std::size_t least_capacity = 2, greatest_capacity = 1'000'000;
 

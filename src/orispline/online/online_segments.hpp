@@ -34,12 +34,14 @@ class OnlineSegments {
 
 /// Segments that blend two or four keys and hold all that they depend on: nothing is allocated after construction. Null
 /// where the method has no such segments, or its keys bring settings of their own.
-[[nodiscard]] std::unique_ptr<OnlineSegments> segments_in_place(const StreamMethod& method, std::size_t places);
+[[nodiscard]] ORISPLINE_EXPORT std::unique_ptr<OnlineSegments> segments_in_place(const StreamMethod& method,
+                                                                                 std::size_t places);
 
 /// Segments of any local method: each is the middle of a curve through its own keys and those beside them.
-[[nodiscard]] std::unique_ptr<OnlineSegments> segments_of_windows(const StreamMethod& method, std::size_t places);
+[[nodiscard]] ORISPLINE_EXPORT std::unique_ptr<OnlineSegments> segments_of_windows(const StreamMethod& method,
+                                                                                   std::size_t places);
 
 /// The names of the methods whose segments depend on a few keys.
-[[nodiscard]] std::span<const std::string_view> online_methods() noexcept;
+[[nodiscard]] ORISPLINE_EXPORT std::span<const std::string_view> online_methods() noexcept;
 
 }  // namespace orispline::inline ORISPLINE_ABI

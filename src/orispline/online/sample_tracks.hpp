@@ -45,7 +45,7 @@ struct TrackSampleColumns {
 };
 
 /// The curves of many tracks, of which the samples are counted but not taken: the caller makes room for them first.
-class TrackBatch {
+class ORISPLINE_EXPORT TrackBatch {
  public:
   /// Samples every track on a grid of its own, as a TrackSampler does; the samples do not depend on the threads.
   ///
@@ -74,9 +74,10 @@ class TrackBatch {
 };
 
 /// The same with columns of its own, in one call. Errors: those of TrackBatch.
-[[nodiscard]] Expected<SampledTracks> sample_tracks(const Method& method, const TrackColumns& keys,
-                                                    const TrackGrid& grid, const WantedSamples& wanted = {},
-                                                    const TrackOptions& options = {}, Work work = {},
-                                                    const Progress& progress = {});
+[[nodiscard]] ORISPLINE_EXPORT Expected<SampledTracks> sample_tracks(const Method& method, const TrackColumns& keys,
+                                                                     const TrackGrid& grid,
+                                                                     const WantedSamples& wanted = {},
+                                                                     const TrackOptions& options = {}, Work work = {},
+                                                                     const Progress& progress = {});
 
 }  // namespace orispline::inline ORISPLINE_ABI

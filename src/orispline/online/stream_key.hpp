@@ -24,7 +24,7 @@ struct StreamKey {
 };
 
 /// The orientation of a key that has passed its check, normalised as Keyframes::make does.
-[[nodiscard]] Eigen::Quaterniond unit_orientation(const Eigen::Quaterniond& orientation);
+[[nodiscard]] ORISPLINE_EXPORT Eigen::Quaterniond unit_orientation(const Eigen::Quaterniond& orientation);
 
 /// What the keys of a stream have besides time and orientation: all of them or none.
 struct KeyParts {
@@ -32,11 +32,13 @@ struct KeyParts {
   bool operator==(const KeyParts&) const = default;
 };
 
-[[nodiscard]] KeyParts parts_of(const StreamKey& key) noexcept;
+[[nodiscard]] ORISPLINE_EXPORT KeyParts parts_of(const StreamKey& key) noexcept;
 
 /// The orientation of the key after the one at `before` [s], key `index` of the stream, normalised. Errors: what
 /// Keyframes::make refuses, in the same words, and other parts than `wanted`. Success allocates nothing.
-[[nodiscard]] Expected<Eigen::Quaterniond> checked_orientation(std::uint64_t index, const StreamKey& key,
-                                                               std::optional<double> before, const KeyParts& wanted);
+[[nodiscard]] ORISPLINE_EXPORT Expected<Eigen::Quaterniond> checked_orientation(std::uint64_t index,
+                                                                                const StreamKey& key,
+                                                                                std::optional<double> before,
+                                                                                const KeyParts& wanted);
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -15,7 +15,7 @@ enum class Stream { open, finished };
 
 /// The keys of a stream that are still needed, the newest. Their signs are chosen already, their norms are as given: a
 /// curve through some of them normalises as one through all of them does.
-class StreamKeys {
+class ORISPLINE_EXPORT StreamKeys {
  public:
   /// Takes the next key, which has been checked against those before, with its sign.
   void push(const StreamKey& key);

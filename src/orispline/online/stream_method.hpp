@@ -13,7 +13,7 @@ namespace orispline::inline ORISPLINE_ABI {
 
 /// A family with the options of a curve whose keys arrive one by one, and which keys a part of that curve needs to have
 /// the bits of the whole.
-struct StreamMethod {
+struct ORISPLINE_EXPORT StreamMethod {
   const FamilyInfo* family;
   CurveOptions options;              ///< every parameter has one value for all keys …
   std::vector<std::string> per_key;  ///< … but for these, in the order of their names, whose values come with the keys

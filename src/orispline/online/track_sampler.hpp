@@ -28,7 +28,7 @@ struct TrackOptions {
 /// coming sample depends are forgotten: the memory grows with the samples that are not taken, and of global methods
 /// with the stretch. The signs of the keys are aligned from the first key of a stretch on. Between stretches there are
 /// no samples.
-class TrackSampler {
+class ORISPLINE_EXPORT TrackSampler {
  public:
   /// A parameter of the method that has no values has them with the keys.
   ///

@@ -15,7 +15,7 @@ struct SampleRange {
 };
 
 /// One curve of a track: the keys that are still needed, and what of it is final.
-class TrackStretch {
+class ORISPLINE_EXPORT TrackStretch {
  public:
   /// `first_key`: how many keys of the track came before.
   explicit TrackStretch(std::uint64_t first_key) noexcept : first_key_(first_key) {}

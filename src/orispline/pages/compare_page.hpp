@@ -25,6 +25,7 @@ struct ComparedCurves {
 
 /// The page to look at: the curves through the first set of keys, the measures on all sets. On up to `threads` threads;
 /// 0: one per core.
-[[nodiscard]] report::Page compare_page(const ComparedCurves& compared, const PageHead& head, unsigned threads = 0);
+[[nodiscard]] ORISPLINE_EXPORT report::Page compare_page(const ComparedCurves& compared, const PageHead& head,
+                                                         unsigned threads = 0);
 
 }  // namespace orispline::inline ORISPLINE_ABI::pages

@@ -15,22 +15,24 @@
 namespace orispline::inline ORISPLINE_ABI::pages {
 
 /// A page that says what it is about, with the keys; of very many some, and a note that says so.
-[[nodiscard]] report::Page begun_page(std::string title, const PageHead& head, const Decimal& epoch,
-                                      const Keyframes& keys);
+[[nodiscard]] ORISPLINE_EXPORT report::Page begun_page(std::string title, const PageHead& head, const Decimal& epoch,
+                                                       const Keyframes& keys);
 
 /// Orientations over time, all of them.
-[[nodiscard]] report::PagePath path_of(std::span<const double> times, std::span<const Eigen::Quaterniond> orientations);
-[[nodiscard]] report::PagePath path_of(const Keyframes& keys);
+[[nodiscard]] ORISPLINE_EXPORT report::PagePath path_of(std::span<const double> times,
+                                                        std::span<const Eigen::Quaterniond> orientations);
+[[nodiscard]] ORISPLINE_EXPORT report::PagePath path_of(const Keyframes& keys);
 
 /// The columns of measures, the ones first that people look at first.
-[[nodiscard]] std::vector<report::PageColumn> measure_columns(std::vector<MeasureInfo> measures);
+[[nodiscard]] ORISPLINE_EXPORT std::vector<report::PageColumn> measure_columns(std::vector<MeasureInfo> measures);
 
 /// A curve as a page shows it, its torques too where the inertia [kg m²] is known.
-[[nodiscard]] report::PageSamples samples_of(const PoseCurve& curve, const std::optional<Eigen::Matrix3d>& inertia,
-                                             std::size_t count);
+[[nodiscard]] ORISPLINE_EXPORT report::PageSamples samples_of(const PoseCurve& curve,
+                                                              const std::optional<Eigen::Matrix3d>& inertia,
+                                                              std::size_t count);
 
 /// `C2`
-[[nodiscard]] std::string continuity_of(const Measures& measures);
+[[nodiscard]] ORISPLINE_EXPORT std::string continuity_of(const Measures& measures);
 
 /// A curve that a page shows, with its own keys.
 struct ShownCurve {
@@ -56,16 +58,17 @@ struct CurvePage {
 inline constexpr std::size_t samples_of_few = 2000;
 
 /// The curve with its keys and measures, not yet with errors.
-[[nodiscard]] report::PageMethod method_of(const CurvePage& page, const ShownCurve& curve);
+[[nodiscard]] ORISPLINE_EXPORT report::PageMethod method_of(const CurvePage& page, const ShownCurve& curve);
 
 /// Angles [deg] between the curve and a recording, at times of the recording that lie on the curve.
-[[nodiscard]] report::PageErrors errors_at(const PoseCurve& curve, const report::PagePath& recording);
+[[nodiscard]] ORISPLINE_EXPORT report::PageErrors errors_at(const PoseCurve& curve, const report::PagePath& recording);
 
 /// What the head says where errors or curves of so many samples are not shown in full.
-[[nodiscard]] std::vector<std::string> notes_on_samples(std::size_t samples);
+[[nodiscard]] ORISPLINE_EXPORT std::vector<std::string> notes_on_samples(std::size_t samples);
 
 /// The method with the largest of these errors, and none over the gaps.
-[[nodiscard]] report::PageMethod with_errors(report::PageMethod method, const report::PageErrors& errors,
-                                             const report::Covers& covers);
+[[nodiscard]] ORISPLINE_EXPORT report::PageMethod with_errors(report::PageMethod method,
+                                                              const report::PageErrors& errors,
+                                                              const report::Covers& covers);
 
 }  // namespace orispline::inline ORISPLINE_ABI::pages

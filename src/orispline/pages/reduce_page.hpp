@@ -12,8 +12,8 @@ namespace orispline::inline ORISPLINE_ABI::pages {
 
 /// The page to look at: the recording that was reduced, and the curves of all reductions, one at least, the smallest
 /// first. `smoothing_time`: that the recording was smoothed with before [s].
-[[nodiscard]] report::Page reduce_page(const Track& recording, std::span<const Reduction> reductions,
-                                       const ReduceOptions& options, const PageHead& head,
-                                       std::optional<double> smoothing_time = std::nullopt);
+[[nodiscard]] ORISPLINE_EXPORT report::Page reduce_page(const Track& recording, std::span<const Reduction> reductions,
+                                                        const ReduceOptions& options, const PageHead& head,
+                                                        std::optional<double> smoothing_time = std::nullopt);
 
 }  // namespace orispline::inline ORISPLINE_ABI::pages

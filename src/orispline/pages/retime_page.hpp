@@ -8,7 +8,7 @@
 namespace orispline::inline ORISPLINE_ABI::pages {
 
 /// The page to look at: the motion as it was and as it is slowed, with the limits.
-[[nodiscard]] report::Page retime_page(const Track& before, const Retiming& retiming, const MotionLimits& limits,
-                                       const PageHead& head);
+[[nodiscard]] ORISPLINE_EXPORT report::Page retime_page(const Track& before, const Retiming& retiming,
+                                                        const MotionLimits& limits, const PageHead& head);
 
 }  // namespace orispline::inline ORISPLINE_ABI::pages

@@ -8,6 +8,7 @@
 namespace orispline::inline ORISPLINE_ABI::pages {
 
 /// The page to look at: the smoothed motion beside the recording as it was read.
-[[nodiscard]] report::Page smooth_page(const Track& recording, const Smoothing& smoothing, const PageHead& head);
+[[nodiscard]] ORISPLINE_EXPORT report::Page smooth_page(const Track& recording, const Smoothing& smoothing,
+                                                        const PageHead& head);
 
 }  // namespace orispline::inline ORISPLINE_ABI::pages

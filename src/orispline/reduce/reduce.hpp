@@ -46,24 +46,23 @@ inline constexpr std::array<std::string_view, 3> reducing_methods{"auto", "timed
 /// Errors: bad_argument for a method that is unknown, not local, does not pass through its keys, is a loop or needs
 /// more than two keys, and for a tolerance that is not greater than the rounding of orientations (1e-12 rad) or of
 /// positions; bad_data for fewer than two samples; cancelled.
-[[nodiscard]] Expected<Reduction> reduce(const Track& recording, const Method& method, const ReduceOptions& options,
-                                         const Progress& progress = {});
+[[nodiscard]] ORISPLINE_EXPORT Expected<Reduction> reduce(const Track& recording, const Method& method,
+                                                          const ReduceOptions& options, const Progress& progress = {});
 
 /// Every one of the tracks by each of the methods, in their order, on up to that many threads; 0 means one per core.
 /// The results are the same on any number of them.
-[[nodiscard]] std::vector<Expected<std::vector<Reduction>>> reduce_tracks(std::span<const Track> tracks,
-                                                                          std::span<const Method> methods,
-                                                                          const ReduceOptions& options,
-                                                                          unsigned threads = 0,
-                                                                          const Progress& progress = {});
+[[nodiscard]] ORISPLINE_EXPORT std::vector<Expected<std::vector<Reduction>>> reduce_tracks(
+    std::span<const Track> tracks, std::span<const Method> methods, const ReduceOptions& options, unsigned threads = 0,
+    const Progress& progress = {});
 
 /// How far the curve through the keys is from samples at times of its own, such as those of the recording before it was
 /// smoothed: the full angle of the rotation from one to the other [rad]. Those at the rising indices `left_out` do not
 /// count; `largest_at` is an index of the samples.
-[[nodiscard]] Expected<DistanceStatistics> distance_of(const Reduction& reduction, const Keyframes& samples,
-                                                       std::span<const std::size_t> left_out = {});
+[[nodiscard]] ORISPLINE_EXPORT Expected<DistanceStatistics> distance_of(const Reduction& reduction,
+                                                                        const Keyframes& samples,
+                                                                        std::span<const std::size_t> left_out = {});
 
 /// The index of the one with the fewest keys, of equals the first.
-[[nodiscard]] std::size_t smallest(std::span<const Reduction> reductions);
+[[nodiscard]] ORISPLINE_EXPORT std::size_t smallest(std::span<const Reduction> reductions);
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -12,8 +12,8 @@ inline constexpr std::array words<KeyValues>{
     word("refit", KeyValues::refitted, "Keys are moved where that saves some")};
 
 template <>
-std::span<const FieldInfo> fields_of<ReduceOptions>() noexcept;
+ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<ReduceOptions>() noexcept;
 template <>
-std::span<const FieldInfo> fields_of<Reduction>() noexcept;
+ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<Reduction>() noexcept;
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -61,7 +61,7 @@ struct Miss {
 };
 
 /// A recording that curves are measured against: steps between keys go the shorter way. Refers to its samples.
-class ToleranceCheck {
+class ORISPLINE_EXPORT ToleranceCheck {
  public:
   ToleranceCheck(const Keyframes& samples, Tolerance tolerance, OpenEndedWork& work);
   ToleranceCheck(Keyframes&&, Tolerance, OpenEndedWork&) = delete;
@@ -99,6 +99,7 @@ class ToleranceCheck {
 };
 
 /// The worst sample of every segment, the keys' own samples among them.
-[[nodiscard]] std::vector<WorstSample> worst_of_segments(const KeySet& keys, const std::vector<Miss>& misses);
+[[nodiscard]] ORISPLINE_EXPORT std::vector<WorstSample> worst_of_segments(const KeySet& keys,
+                                                                          const std::vector<Miss>& misses);
 
 }  // namespace orispline::inline ORISPLINE_ABI

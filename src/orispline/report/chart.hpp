@@ -14,13 +14,13 @@ struct Range {
 };
 
 /// The smallest range of the finite values; [0, 1] where there are none.
-[[nodiscard]] Range range_of(std::span<const double> values);
+[[nodiscard]] ORISPLINE_EXPORT Range range_of(std::span<const double> values);
 
 /// A little wider at both ends, where the range has no extent by 1.
-[[nodiscard]] Range with_margin(Range range);
+[[nodiscard]] ORISPLINE_EXPORT Range with_margin(Range range);
 
 /// Multiples of 1, 2 or 5 times a power of ten in a finite range with an extent: at most 8 of them.
-[[nodiscard]] std::vector<double> round_values(Range range);
+[[nodiscard]] ORISPLINE_EXPORT std::vector<double> round_values(Range range);
 
 /// One curve of a chart. Where y is not finite the curve breaks.
 struct Series {
@@ -45,9 +45,9 @@ struct Chart {
 };
 
 /// Draws the chart; the box is that of the curves, titles and numbers stand around it.
-void draw(Drawing& drawing, const Box& box, const Chart& chart);
+ORISPLINE_EXPORT void draw(Drawing& drawing, const Box& box, const Chart& chart);
 
 /// The labels of the series in a row from `at` to the right; a label that another series had before is left out.
-void draw_legend(Drawing& drawing, Point at, std::span<const Series> series);
+ORISPLINE_EXPORT void draw_legend(Drawing& drawing, Point at, std::span<const Series> series);
 
 }  // namespace orispline::inline ORISPLINE_ABI::report

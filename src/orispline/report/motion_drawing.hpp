@@ -23,6 +23,6 @@ struct MotionPicture {
 
 /// Charts over time [s] of the angle from the start [deg], |ω| [rad/s], |α| [rad/s²] and |jerk| [rad/s³], the keys
 /// marked, and beside them the path of a body axis on the unit sphere.
-[[nodiscard]] Drawing motion_drawing(const MotionPicture& picture);
+[[nodiscard]] ORISPLINE_EXPORT Drawing motion_drawing(const MotionPicture& picture);
 
 }  // namespace orispline::inline ORISPLINE_ABI::report

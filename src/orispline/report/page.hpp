@@ -90,6 +90,6 @@ struct Page {
 /// Numbers are rounded to 7 significant digits. The text may hold any characters; what is not UTF-8 shows as U+FFFD.
 /// The content of the embedded JSON is described in studio/report/README.md. 35 methods of 600 samples make about 4 MB.
 /// Not in a build without ORISPLINE_PAGE; the JSON alone (page_json.hpp) is in every build.
-[[nodiscard]] std::string document(const Page& page);
+[[nodiscard]] ORISPLINE_EXPORT std::string document(const Page& page);
 
 }  // namespace orispline::inline ORISPLINE_ABI::report

@@ -9,17 +9,17 @@
 
 namespace orispline::inline ORISPLINE_ABI::report {
 
-[[nodiscard]] PageKeys page_keys(const Keyframes& keys);
+[[nodiscard]] ORISPLINE_EXPORT PageKeys page_keys(const Keyframes& keys);
 
 /// The curve at about `count` times, at least both ends of every segment: a time at a key stands twice, first with the
 /// rates on its left, then with those on its right, so that their jumps are seen.
 ///
 /// Of a curve with more than `count` / 4 segments, at `count` even times instead. `count` is at least 2. Of a constant
 /// curve, one sample.
-[[nodiscard]] PageSamples sampled(const PoseCurve& curve, std::size_t count = 600);
+[[nodiscard]] ORISPLINE_EXPORT PageSamples sampled(const PoseCurve& curve, std::size_t count = 600);
 
 /// Angles [deg] to the reference, which goes the shortest way between its orientations; NaN beyond its ends.
-[[nodiscard]] std::vector<double> errors_to(const PagePath& reference, const PagePath& path);
+[[nodiscard]] ORISPLINE_EXPORT std::vector<double> errors_to(const PagePath& reference, const PagePath& path);
 
 /// Angles [deg] at rising times.
 struct PageErrors {
@@ -28,20 +28,20 @@ struct PageErrors {
 };
 
 /// At most `count` of the errors: the largest of every so many neighbours, so that none is missed. None of them is NaN.
-[[nodiscard]] PageErrors largest(const PageErrors& errors, std::size_t count);
+[[nodiscard]] ORISPLINE_EXPORT PageErrors largest(const PageErrors& errors, std::size_t count);
 
 /// Whether there is a motion at a time [s]; not in a gap.
 using Covers = std::function<bool(double)>;
 /// The curve with NaN for its orientations and rates in gaps.
-[[nodiscard]] PageSamples with_gaps(PageSamples samples, const Covers& covers);
+[[nodiscard]] ORISPLINE_EXPORT PageSamples with_gaps(PageSamples samples, const Covers& covers);
 /// The orientations with one of NaN between neighbours that a gap is between.
-[[nodiscard]] PagePath with_gaps(const PagePath& path, const Covers& covers);
+[[nodiscard]] ORISPLINE_EXPORT PagePath with_gaps(const PagePath& path, const Covers& covers);
 /// The errors with a NaN likewise.
-[[nodiscard]] PageErrors with_gaps(const PageErrors& errors, const Covers& covers);
+[[nodiscard]] ORISPLINE_EXPORT PageErrors with_gaps(const PageErrors& errors, const Covers& covers);
 
 /// At most about `count` of the orientations, evenly picked, with both ends.
-[[nodiscard]] PagePath thinned(const PagePath& path, std::size_t count = 600);
+[[nodiscard]] ORISPLINE_EXPORT PagePath thinned(const PagePath& path, std::size_t count = 600);
 /// Of the keys likewise.
-[[nodiscard]] PageKeys thinned(const PageKeys& keys, std::size_t count);
+[[nodiscard]] ORISPLINE_EXPORT PageKeys thinned(const PageKeys& keys, std::size_t count);
 
 }  // namespace orispline::inline ORISPLINE_ABI::report

@@ -27,9 +27,10 @@ struct SpherePicture {
 };
 
 /// Draws the unit sphere with what is on it; what lies on the far side shines through, pale.
-void draw(Drawing& drawing, const View& view, Point center, double radius, const SpherePicture& picture);
+ORISPLINE_EXPORT void draw(Drawing& drawing, const View& view, Point center, double radius,
+                           const SpherePicture& picture);
 
 /// The view that has the middle of the directions in front, a little from above.
-[[nodiscard]] View facing(std::span<const Eigen::Vector3d> directions);
+[[nodiscard]] ORISPLINE_EXPORT View facing(std::span<const Eigen::Vector3d> directions);
 
 }  // namespace orispline::inline ORISPLINE_ABI::report

@@ -45,12 +45,12 @@ struct Lettering {
 };
 
 /// Text with the characters replaced that XML would take for its own.
-[[nodiscard]] std::string escaped(std::string_view text);
+[[nodiscard]] ORISPLINE_EXPORT std::string escaped(std::string_view text);
 
 /// A picture in the making, on white: what is drawn later lies on top.
 ///
 /// Places that are not finite are not drawn: a line breaks there.
-class Drawing {
+class ORISPLINE_EXPORT Drawing {
  public:
   Drawing(double width, double height) : width_(width), height_(height) {}
 

@@ -29,6 +29,6 @@ struct Table {
 };
 
 /// The table for people: words to the left, numbers to the right, notes below.
-[[nodiscard]] std::string text_of(const Table& table);
+[[nodiscard]] ORISPLINE_EXPORT std::string text_of(const Table& table);
 
 }  // namespace orispline::inline ORISPLINE_ABI::report

@@ -29,7 +29,7 @@ class View {
 };
 
 /// Draws a small aircraft: its nose along the body's x axis, the left wing along y, the fin along z.
-void draw_body(Drawing& drawing, const View& view, Point center, double size, const Eigen::Quaterniond& orientation,
-               std::string_view color);
+ORISPLINE_EXPORT void draw_body(Drawing& drawing, const View& view, Point center, double size,
+                                const Eigen::Quaterniond& orientation, std::string_view color);
 
 }  // namespace orispline::inline ORISPLINE_ABI::report

@@ -12,7 +12,7 @@
 namespace orispline::inline ORISPLINE_ABI {
 
 /// A limited quantity in the units that are shown, at the segment where its bound is largest.
-struct Certificate {
+struct ORISPLINE_EXPORT Certificate {
   std::string_view name, unit, unit_in_ids;  ///< `rate`, `°/s`, `deg_s`
   double limit, bound, found;                ///< in that unit
   double time;                               ///< of `found` [s]
@@ -23,6 +23,7 @@ struct Certificate {
 };
 
 /// One for each of the limits. Precondition: one segment at least.
-[[nodiscard]] std::vector<Certificate> certificates_of(const MotionLimits& limits, std::span<const SegmentPeaks> peaks);
+[[nodiscard]] ORISPLINE_EXPORT std::vector<Certificate> certificates_of(const MotionLimits& limits,
+                                                                        std::span<const SegmentPeaks> peaks);
 
 }  // namespace orispline::inline ORISPLINE_ABI

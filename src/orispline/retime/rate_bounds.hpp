@@ -27,8 +27,8 @@ struct MotionSizes {
 };
 
 /// The largest of every segment at 17 even places of its closed interval; of the torque 0 without an inertia.
-[[nodiscard]] std::vector<MotionSizes> sampled_peaks(const AnyCurve& curve,
-                                                     const std::optional<Eigen::Matrix3d>& inertia);
+[[nodiscard]] ORISPLINE_EXPORT std::vector<MotionSizes> sampled_peaks(const AnyCurve& curve,
+                                                                      const std::optional<Eigen::Matrix3d>& inertia);
 
 /// What the snap, the derivative of the jerk, is nowhere above on a segment [rad/s⁴]; absent for one that is not of
 /// polynomials. `duration` [s].
@@ -37,7 +37,7 @@ struct MotionSizes {
 /// bounded by the Bernstein coefficients of the derivatives, |q^(n)| ≤ Q_n with Q_1 = A_1, Q_2 = A_2 + A_1², Q_3 = A_3
 /// + 3 A_1 A_2 + A_1³, Q_4 = A_4 + 4 A_1 A_3 + 3 A_2² + 6 A_1² A_2 + A_1⁴, and from ω = 2 q̄ q' the snap is at most 2
 /// (Q_4 + 4 Q_1 Q_3 + 3 Q_2²). Source: our own derivation, docs/retime.md.
-[[nodiscard]] std::optional<double> snap_bound(const SegmentForm& form, double duration);
+[[nodiscard]] ORISPLINE_EXPORT std::optional<double> snap_bound(const SegmentForm& form, double duration);
 
 /// The peaks of every segment on its closed interval, by bounds and not by samples; nothing where the curve does not
 /// state its segments as polynomials.
@@ -47,8 +47,7 @@ struct MotionSizes {
 /// with the jerk j: |ω| ≤ max |ω_m ± α_m r| + |j_m| r²/2 + S r³/6 and |α| ≤ max |α_m ± j_m r| + S r²/2, for a straight
 /// line is longest at an end; likewise the torque. Intervals are halved until no bound is more than 1e-4 of the largest
 /// value above it, or all are below the floors, or 16 times. Source: our own derivation, docs/retime.md.
-[[nodiscard]] std::optional<std::vector<SegmentPeaks>> certified_peaks(const AnyCurve& curve,
-                                                                       const std::optional<Eigen::Matrix3d>& inertia,
-                                                                       const MotionSizes& floors);
+[[nodiscard]] ORISPLINE_EXPORT std::optional<std::vector<SegmentPeaks>> certified_peaks(
+    const AnyCurve& curve, const std::optional<Eigen::Matrix3d>& inertia, const MotionSizes& floors);
 
 }  // namespace orispline::inline ORISPLINE_ABI

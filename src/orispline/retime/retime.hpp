@@ -37,7 +37,7 @@ struct Retiming {
 
 /// Error (bad_argument): limits that are absent or not greater than 0, a torque without a positive definite inertia and
 /// an inertia without a torque.
-[[nodiscard]] Expected<void> check(const RetimeOptions& options);
+[[nodiscard]] ORISPLINE_EXPORT Expected<void> check(const RetimeOptions& options);
 
 /// The least slowing, to 1e-4, with which the method's curve through the keys stays within the limits everywhere.
 ///
@@ -50,7 +50,7 @@ struct Retiming {
 /// keys, does not state its segments as polynomials, or whose ω jumps on these keys where acceleration is limited: no
 /// slowing helps; the like for `per_interval` of a method whose ω is continuous on even times only; loops, and rates at
 /// the ends other than zero, which slowing would change; bad_data for fewer than two keys; cancelled.
-[[nodiscard]] Expected<Retiming> retime(const Track& track, const Method& method, const RetimeOptions& options,
-                                        const Progress& progress = {});
+[[nodiscard]] ORISPLINE_EXPORT Expected<Retiming> retime(const Track& track, const Method& method,
+                                                         const RetimeOptions& options, const Progress& progress = {});
 
 }  // namespace orispline::inline ORISPLINE_ABI

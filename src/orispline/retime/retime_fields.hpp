@@ -12,8 +12,8 @@ inline constexpr std::array words<Slowing>{
     word("per-interval", Slowing::per_interval, "Each interval between keys is slowed by itself")};
 
 template <>
-std::span<const FieldInfo> fields_of<RetimeOptions>() noexcept;
+ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<RetimeOptions>() noexcept;
 template <>
-std::span<const FieldInfo> fields_of<Retiming>() noexcept;
+ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<Retiming>() noexcept;
 
 }  // namespace orispline::inline ORISPLINE_ABI

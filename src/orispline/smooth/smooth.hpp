@@ -31,7 +31,7 @@ struct SmoothOptions {
 
 /// Errors (bad_argument): numbers that are out of their range whatever the recording is, and options that contradict
 /// each other: `noise` and `smoothing_time`, `gyro` and `gap`, `gyro_noise` without `gyro`.
-[[nodiscard]] Expected<void> check(const SmoothOptions& options);
+[[nodiscard]] ORISPLINE_EXPORT Expected<void> check(const SmoothOptions& options);
 
 /// Of the times that it is shown, the choice of τ sees about this many at most.
 inline constexpr std::size_t most_times_for_choice = 10000;
@@ -45,7 +45,7 @@ inline constexpr std::size_t most_times_for_choice = 10000;
 /// them count as outliers, for a gyro without angular velocities and for one that contradicts the orientations; those
 /// of check(); bad_argument for a smoothing time that does not suit the recording and for a gap not longer than the
 /// median interval; not_converged; cancelled.
-[[nodiscard]] Expected<Smoothing> smooth(const Track& recording, const SmoothOptions& options = {},
-                                         const Progress& progress = {});
+[[nodiscard]] ORISPLINE_EXPORT Expected<Smoothing> smooth(const Track& recording, const SmoothOptions& options = {},
+                                                          const Progress& progress = {});
 
 }  // namespace orispline::inline ORISPLINE_ABI

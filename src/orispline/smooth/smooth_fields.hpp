@@ -22,8 +22,8 @@ inline constexpr std::array words<SmoothingCriterion>{
     word("reml", SmoothingCriterion::reml, "restricted likelihood (REML)")};
 
 template <>
-std::span<const FieldInfo> fields_of<SmoothOptions>() noexcept;
+ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<SmoothOptions>() noexcept;
 template <>
-std::span<const FieldInfo> fields_of<Smoothing>() noexcept;
+ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<Smoothing>() noexcept;
 
 }  // namespace orispline::inline ORISPLINE_ABI

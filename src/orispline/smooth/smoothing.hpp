@@ -84,12 +84,13 @@ struct SmoothingFit {
 ///
 /// `start`: the fit of a similar problem at the same times. Precondition: as many weights as times, at least p of them
 /// positive, and likewise for the gyro where there is one.
-[[nodiscard]] SmoothingFit fit_smoothing(const SmoothingProblem& problem, const SmoothingObjective& objective,
-                                         const SmoothingIteration& iteration = {},
-                                         const SmoothedNodes* start = nullptr);
+[[nodiscard]] ORISPLINE_EXPORT SmoothingFit fit_smoothing(const SmoothingProblem& problem,
+                                                          const SmoothingObjective& objective,
+                                                          const SmoothingIteration& iteration = {},
+                                                          const SmoothedNodes* start = nullptr);
 
 /// log det of the normal matrix at a fit, with the weights that the loss leaves.
-[[nodiscard]] double log_determinant(const SmoothingProblem& problem, const SmoothingObjective& objective,
-                                     const SmoothedNodes& nodes);
+[[nodiscard]] ORISPLINE_EXPORT double log_determinant(const SmoothingProblem& problem,
+                                                      const SmoothingObjective& objective, const SmoothedNodes& nodes);
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -18,32 +18,34 @@ enum class SmoothingCriterion {
 
 /// λ of a smoothing time τ [s]: the smoother's gain at the frequency f is 1/(1 + (2π f τ)^2p), one half at 1/(2π τ).
 /// `noise`: σ per axis [rad]; `interval`: between samples [s].
-[[nodiscard]] double lambda_of(double smoothing_time, Penalty penalty, double noise, double interval);
-[[nodiscard]] double smoothing_time_of(double lambda, Penalty penalty, double noise, double interval);
+[[nodiscard]] ORISPLINE_EXPORT double lambda_of(double smoothing_time, Penalty penalty, double noise, double interval);
+[[nodiscard]] ORISPLINE_EXPORT double smoothing_time_of(double lambda, Penalty penalty, double noise, double interval);
 
 /// The stretches of a recording, which share λ and no motion.
 using StretchProblems = std::vector<SmoothingProblem>;
 
 /// Fits of all stretches.
-struct StretchFits {
+struct ORISPLINE_EXPORT StretchFits {
   std::vector<SmoothingFit> fits{};
 
   [[nodiscard]] double data() const noexcept;
 };
 
 /// Fits every stretch. `start`: fits of the same stretches, or none.
-[[nodiscard]] StretchFits fit_stretches(const StretchProblems& stretches, const SmoothingObjective& objective,
-                                        const SmoothingIteration& iteration = {}, const StretchFits& start = {});
+[[nodiscard]] ORISPLINE_EXPORT StretchFits fit_stretches(const StretchProblems& stretches,
+                                                         const SmoothingObjective& objective,
+                                                         const SmoothingIteration& iteration = {},
+                                                         const StretchFits& start = {});
 
 /// Whether the last steps turned no node by more than the noise [rad].
-[[nodiscard]] bool converged(const StretchFits& fits, double noise);
+[[nodiscard]] ORISPLINE_EXPORT bool converged(const StretchFits& fits, double noise);
 
 /// Times with an orientation that counts.
-[[nodiscard]] std::size_t observations(const StretchProblems& stretches);
+[[nodiscard]] ORISPLINE_EXPORT std::size_t observations(const StretchProblems& stretches);
 
 /// The trace of the hat matrix per axis, over all stretches, with the weights that the loss leaves.
-[[nodiscard]] double hat_trace(const StretchProblems& stretches, const StretchFits& fits, Penalty penalty,
-                               double lambda);
+[[nodiscard]] ORISPLINE_EXPORT double hat_trace(const StretchProblems& stretches, const StretchFits& fits,
+                                                Penalty penalty, double lambda);
 
 /// λ of least criterion.
 struct LambdaChoice {
@@ -59,15 +61,16 @@ struct LambdaChoice {
 /// Scans τ upward from half the interval until the criterion has risen for two steps of 1.3², looks about the least
 /// value in steps of 1.3 and refines it by a parabola in log τ. `noise`, `interval`: as of lambda_of(). The objective's
 /// λ is not used. Where `near` is given the scan goes from that τ downhill.
-[[nodiscard]] LambdaChoice chosen_lambda(const StretchProblems& stretches, const SmoothingObjective& objective,
-                                         SmoothingCriterion criterion, double noise, double interval,
-                                         std::optional<double> near = std::nullopt);
+[[nodiscard]] ORISPLINE_EXPORT LambdaChoice chosen_lambda(const StretchProblems& stretches,
+                                                          const SmoothingObjective& objective,
+                                                          SmoothingCriterion criterion, double noise, double interval,
+                                                          std::optional<double> near = std::nullopt);
 
 /// Parts of the stretches, evenly spread, with `most` times altogether, or a little more; the stretches themselves
 /// where they have no more: for a choice of λ that need not see everything.
-[[nodiscard]] StretchProblems representative_parts(const StretchProblems& stretches, std::size_t most);
+[[nodiscard]] ORISPLINE_EXPORT StretchProblems representative_parts(const StretchProblems& stretches, std::size_t most);
 
 /// About how many steps of the iteration, each times its samples, the choice on so many of them and the fits take.
-[[nodiscard]] double expected_work(std::size_t samples, std::size_t most_of_choice) noexcept;
+[[nodiscard]] ORISPLINE_EXPORT double expected_work(std::size_t samples, std::size_t most_of_choice) noexcept;
 
 }  // namespace orispline::inline ORISPLINE_ABI

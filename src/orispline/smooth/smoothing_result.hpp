@@ -18,7 +18,7 @@ struct Stretch {
 inline constexpr std::string_view smoothed_method = "hermite-c2";
 
 /// A smoothed recording.
-struct Smoothing {
+struct ORISPLINE_EXPORT Smoothing {
   Track track{};  ///< the keys, with body rates ω and α; positions as they were
   Method method{smoothed_method};
   std::vector<std::size_t> keys{};                        ///< of the recording, increasing: all but those left out
@@ -55,6 +55,6 @@ struct Smoothing {
 /// `least_smoothing`: hardly any noise beside the motion; `most_smoothing`: no change of the rates beside the noise;
 /// `rejected_run`: so many `samples` in a row do not count, which is rather motion than outliers; `unfinished`: the
 /// last step of the iteration still moved by `step_rad`.
-[[nodiscard]] std::vector<Warning> warnings_of(const Smoothing& smoothing);
+[[nodiscard]] ORISPLINE_EXPORT std::vector<Warning> warnings_of(const Smoothing& smoothing);
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -36,10 +36,10 @@ struct Tuning {
 
 /// Error (bad_argument): options that contradict each other, such as an objective without what it needs, and those that
 /// are wrong whatever the keys are.
-[[nodiscard]] Expected<void> check(const TuneOptions& options);
+[[nodiscard]] ORISPLINE_EXPORT Expected<void> check(const TuneOptions& options);
 
 /// The methods whose tensions can be tuned, between commas.
-[[nodiscard]] std::string tunable_methods();
+[[nodiscard]] ORISPLINE_EXPORT std::string tunable_methods();
 
 /// The tensions that make the objective least, starting from those of the method and, where it is silent, of the track.
 ///
@@ -49,7 +49,7 @@ struct Tuning {
 /// Errors: those of make_curve() and of check(); bad_argument for a family without tensions, an unknown parameter, a
 /// loop; bad_data for fewer than three keys and for a reference without a time between the first and the last key;
 /// not_converged; cancelled.
-[[nodiscard]] Expected<Tuning> tune(const Track& track, const Method& method, const TuneOptions& options = {},
-                                    const Progress& progress = {});
+[[nodiscard]] ORISPLINE_EXPORT Expected<Tuning> tune(const Track& track, const Method& method,
+                                                     const TuneOptions& options = {}, const Progress& progress = {});
 
 }  // namespace orispline::inline ORISPLINE_ABI

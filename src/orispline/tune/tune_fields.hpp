@@ -15,11 +15,11 @@ inline constexpr std::array words<Objective>{
     word("fit", Objective::fit, "mean square of the angle to the reference, at its times between the end keys")};
 
 /// In which the energies of an objective are.
-[[nodiscard]] std::string_view unit_of(Objective objective) noexcept;
+[[nodiscard]] ORISPLINE_EXPORT std::string_view unit_of(Objective objective) noexcept;
 
 template <>
-std::span<const FieldInfo> fields_of<TuneOptions>() noexcept;
+ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<TuneOptions>() noexcept;
 template <>
-std::span<const FieldInfo> fields_of<Tuning>() noexcept;
+ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<Tuning>() noexcept;
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -1,28 +1,56 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <array>
 #include <cmath>
 #include <cstdio>
 
 #include <orispline/orispline.hpp>
+#include <orispline/sampling.hpp>
 
-// A steady turn about z, 0.5 rad/s, through uneven keys: timed-c2 keeps the rate, so the curve in between is known.
-int main() {
-  constexpr double rate = 0.5, t = 1.7;
+namespace {
+
+constexpr double rate = 0.5, when = 1.7;
+
+bool is_as_known(const orispline::Motion& motion) {
+  return std::abs(motion.orientation.z() - std::sin(rate * when / 2.0)) < 1e-12 &&
+         (motion.angular_velocity - Eigen::Vector3d(0.0, 0.0, rate)).norm() < 1e-12;
+}
+
+bool can_run_this() {
+#ifdef __AVX2__
+  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+#else
+  return true;
+#endif
+}
+
+/// A steady turn about z through uneven keys.
+orispline::Expected<orispline::AnyCurve> steady_turn() {
   orispline::KeyframeData data;
   for (const double time : {0.0, 1.0, 3.0, 3.5}) {
     data.times.push_back(time);
     data.orientations.emplace_back(Eigen::AngleAxisd(rate * time, Eigen::Vector3d::UnitZ()));
   }
-  const auto curve = orispline::Keyframes::make(std::move(data)).and_then([](const orispline::Keyframes& keys) {
+  return orispline::Keyframes::make(std::move(data)).and_then([](const orispline::Keyframes& keys) {
     return orispline::make_curve("timed-c2", keys);
   });
-  if (!curve) {
-    std::puts(orispline::describe(curve.error()).c_str());
-    return 1;
-  }
-  const auto motion = curve->motion(t);
-  const bool as_known = std::abs(motion.orientation.z() - std::sin(rate * t / 2.0)) < 1e-12 &&
-                        (motion.angular_velocity - Eigen::Vector3d(0.0, 0.0, rate)).norm() < 1e-12;
+}
+
+}  // namespace
+
+// timed-c2 keeps the rate, so the curve in between is known.
+int main() {
+  if (!can_run_this()) return std::puts("not run: this processor has not what the program was compiled for"), 0;
+  const auto curve = steady_turn();
+  if (!curve) return std::puts(orispline::describe(curve.error()).c_str()), 1;
+  const auto motion = curve->motion(when);
+  const auto checked = curve->checked_motion(when);
+  const auto outside = curve->checked_motion(-1.0);
+  std::array<double, 8> numbers{};  // of two samples: qx, qy, qz, qw
+  const bool sampled =
+      orispline::sample(*curve, std::array{0.0, when}, orispline::Samples<double>{.orientations = numbers}).has_value();
   std::printf("orispline %s: q.z %.15g, w.z %.15g\n", orispline::version.data(), motion.orientation.z(),
               motion.angular_velocity.z());
+  const bool as_known = is_as_known(motion) && checked && is_as_known(*checked) && !outside && sampled &&
+                        std::abs(numbers[6] - motion.orientation.z()) < 1e-12;
   return as_known ? 0 : 1;
 }

@@ -14,14 +14,14 @@ namespace orispline::inline ORISPLINE_ABI::batch {
 /// The environment variable ORISPLINE_ISA forces one; where it cannot, the best is taken all the same, and
 /// forced_kernels() says why. Chosen once. Every choice gives the same bits, unless the library was built with
 /// contraction into fused multiply-adds.
-[[nodiscard]] const Kernels& kernels() noexcept;
+[[nodiscard]] ORISPLINE_EXPORT const Kernels& kernels() noexcept;
 
 /// The kernels of that name; null where this build or this processor does not have it.
-[[nodiscard]] const Kernels* kernels_named(const char* name) noexcept;
+[[nodiscard]] ORISPLINE_EXPORT const Kernels* kernels_named(const char* name) noexcept;
 
 /// The loops that ORISPLINE_ISA forces, null where it is not set or empty. Errors: bad_argument for a name that this
 /// build does not know or this processor lacks.
-[[nodiscard]] Expected<const Kernels*> forced_kernels();
+[[nodiscard]] ORISPLINE_EXPORT Expected<const Kernels*> forced_kernels();
 
 /// The loops of one instruction set, and whether the processor has it.
 struct Candidate {
@@ -30,6 +30,7 @@ struct Candidate {
 };
 
 /// forced_kernels() among any candidates, the text of the variable given; null where it is not set.
-[[nodiscard]] Expected<const Kernels*> forced_kernels(std::span<const Candidate> candidates, const char* text);
+[[nodiscard]] ORISPLINE_EXPORT Expected<const Kernels*> forced_kernels(std::span<const Candidate> candidates,
+                                                                       const char* text);
 
 }  // namespace orispline::inline ORISPLINE_ABI::batch

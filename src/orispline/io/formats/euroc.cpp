@@ -2,6 +2,7 @@
 // Ground truth of the EuRoC data sets of flying robots: time [ns], position, quaternion `w,x,y,z`, and more.
 #include <algorithm>
 
+#include <orispline/base/formatted.hpp>
 #include <orispline/io/formats/formats.hpp>
 #include <orispline/io/key_file.hpp>
 #include <orispline/io/sample_columns.hpp>

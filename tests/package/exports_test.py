@@ -1,0 +1,29 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""The shared library exports names of its own and no others: exports_test.py NM PREFIX."""
+import pathlib
+import subprocess
+import sys
+import unittest
+
+AT_MOST = 400  # of a core without its optional rooms
+
+
+def exported(library):
+    lines = subprocess.run([NM, "-D", "-C", "--defined-only", library], capture_output=True, text=True, check=True).stdout
+    return [line.split(" ", 2)[2] for line in lines.splitlines()]
+
+
+class Exports(unittest.TestCase):
+    def test_names_of_others_stay_inside(self):
+        (library,) = (file for file in PREFIX.rglob("liborispline.so.*") if not file.is_symlink())
+        names = exported(library)
+        foreign = [name for name in names if "orispline::" not in name.split("(")[0]]
+        self.assertEqual(foreign, [])
+        self.assertTrue(any("make_curve" in name for name in names))
+        self.assertLess(len(names), AT_MOST)
+
+
+if __name__ == "__main__":
+    NM, PREFIX = sys.argv.pop(1), pathlib.Path(sys.argv.pop(1))
+    unittest.main()
