@@ -3,25 +3,62 @@
 
 #include <algorithm>
 #include <atomic>
+#include <exception>
+#include <new>
 #include <system_error>
 #include <thread>
 #include <vector>
 
 namespace orispline::inline ORISPLINE_ABI {
+namespace {
+
+/// Calls `work` with the numbers that the threads have not yet taken. What it throws ends them all.
+class Parts {
+ public:
+  Parts(std::size_t count, const std::function<void(std::size_t)>& work) : count_(count), work_(work) {}
+
+  void run() noexcept {
+    try {
+      for (std::size_t i = next_++; i < count_; i = next_++) work_(i);
+    } catch (...) {
+      next_ = count_;
+      if (!has_failed_.test_and_set()) failure_ = std::current_exception();
+    }
+  }
+
+  /// After all threads are joined.
+  void rethrow() const {
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+ private:
+  std::size_t count_;
+  const std::function<void(std::size_t)>& work_;
+  std::atomic<std::size_t> next_{0};
+  std::atomic_flag has_failed_;
+  std::exception_ptr failure_;
+};
+
+/// As many threads beside this one as the system has.
+void start(std::vector<std::jthread>& others, std::size_t count, Parts& parts) {
+  try {
+    while (others.size() < count) others.emplace_back([&parts] { parts.run(); });
+  } catch (const std::system_error&) {  // those that there are do the rest
+  } catch (const std::bad_alloc&) {
+  }
+}
+
+}  // namespace
 
 void parallel_for(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& work) {
   if (threads == 0) threads = std::max(1U, std::thread::hardware_concurrency());
-  std::atomic<std::size_t> next{0};
-  const auto run = [&] {
-    for (std::size_t i = next++; i < count; i = next++) work(i);
-  };
-  std::vector<std::jthread> others;  // joined when they go out of scope
-  try {
-    for (std::size_t i = 1; i < std::min<std::size_t>(threads, count); ++i) others.emplace_back(run);
-  } catch (const std::system_error&) {
-    // The system has no more threads: those that there are do the rest.
+  Parts parts(count, work);
+  {
+    std::vector<std::jthread> others;  // joined when they go out of scope
+    start(others, std::max<std::size_t>(1, std::min<std::size_t>(threads, count)) - 1, parts);
+    parts.run();
   }
-  run();
+  parts.rethrow();
 }
 
 }  // namespace orispline::inline ORISPLINE_ABI
