@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+
 #include <orispline/batch/kernel/record.hpp>
 
 // Plain data only, for the reason given in record.hpp.
@@ -10,7 +12,7 @@ namespace orispline::inline ORISPLINE_ABI::batch {
 /// A piece of a curve whose components are polynomials in s = (t - middle) * per_step, with rising powers.
 template <class T, int Components, int Degree>
 struct PolynomialRecord {
-  T coefficients[Components][Degree + 1];
+  T coefficients[static_cast<std::size_t>(Components)][static_cast<std::size_t>(Degree) + 1];
   double middle, per_step;  ///< [s], [1/s]
 };
 
