@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A unit of its own: beside its callers the compiler would inline the pair and complain about malloc and delete.
-#include <memory/failing_new.hpp>
+#include <out_of_memory/failing_new.hpp>
 
 #include <atomic>
 #include <cstdlib>

@@ -6,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
-#include <memory/failing_new.hpp>
 #include <orispline/analysis.hpp>
 #include <orispline/orispline.hpp>
 #include <orispline/sampling.hpp>
+#include <out_of_memory/failing_new.hpp>
 #include <support/tracks.hpp>
 #if defined(ORISPLINE_TEST_TASKS)
 #include <orispline/files.hpp>
@@ -33,12 +33,12 @@ void expect_bad_alloc_alone(std::string_view name, Work work) {
   EXPECT_LT(allowed, 10'000'000) << name;
 }
 
-Keyframes walk(std::size_t count) { return keyframes(posed_walk(77, count, Spacing::uneven, 0.5)); }
+Keyframes walk(std::size_t count) { return keyframes(posed_walk(77, count, testing_support::Spacing::uneven, 0.5)); }
 
 TEST(OutOfMemory, MakesNoCurveAndEndsNoProgram) {
-  const Keyframes keys = walk(6);
+  const Keyframes keys = walk(10);
   for (const FamilyInfo& family : families_info())
-    expect_bad_alloc_alone(family.name, [&] { EXPECT_TRUE(make_pose_curve(family.name, keys)); });
+    expect_bad_alloc_alone(family.name, [&] { EXPECT_TRUE(make_pose_curve(family.name, keys)) << family.name; });
   const AnyCurve curve = make_curve("auto", keys).value();
   expect_bad_alloc_alone("compile", [&] { static_cast<void>(CompiledCurve<double>(curve)); });
   expect_bad_alloc_alone("bake", [&] { EXPECT_TRUE(bake<float>(curve, 1e-4)); });

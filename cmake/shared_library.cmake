@@ -1,0 +1,12 @@
+# orispline_shared_library(TARGET): all components as one shared object, of the objects of their archives.
+function(orispline_shared_library target)
+  get_property(objects GLOBAL PROPERTY orispline_objects)
+  add_library(${target} SHARED ${objects})
+  target_link_libraries(${target} PUBLIC orispline_headers PRIVATE Threads::Threads)
+  set_target_properties(${target} PROPERTIES LINKER_LANGUAGE CXX WINDOWS_EXPORT_ALL_SYMBOLS ON)
+  if(UNIX AND NOT APPLE)
+    set(names ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/exports.map)
+    target_link_options(${target} PRIVATE LINKER:--version-script=${names})
+    set_target_properties(${target} PROPERTIES LINK_DEPENDS ${names})
+  endif()
+endfunction()
