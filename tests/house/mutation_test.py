@@ -57,7 +57,7 @@ class Mutants(unittest.TestCase):
         self.assertEqual(body("if (auto a = f()) return b;"), [])
 
     def test_statements_are_left_out_but_no_declarations(self):
-        self.assertEqual(body("a.b[i] = c; double d = e; ++n; f(g);"),
+        self.assertEqual(body("a.b[i] = c; double d = e; std::vector<T> h(k); ++n; f(g);"),
                          [("left out", text, ";") for text in ("a.b[i] = c;", "++n;", "f(g);")])
         self.assertIn(("operator", "a += b;", "a -= b;"), body("a += b;"))
 

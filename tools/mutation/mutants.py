@@ -178,8 +178,8 @@ class Finder:
         own = [k for k in range(i, last) if source.parent[k] == source.parent[i] and not source.in_template[k]]
         sign = next((k for k in own if source.word(k) in ("=", *ASSIGNED)), None)
         head = [k for k in own if sign is None or k < sign]
-        if any(source.tokens[a].kind == source.tokens[b].kind == "word" and b == a + 1 for a, b in zip(head, head[1:])):
-            return
+        if any(source.tokens[a].kind == source.tokens[b].kind == "word" for a, b in zip(head, head[1:])):
+            return  # a variable is declared
         if any(source.word(k) in ("<<", ">>", "&") for k in head) or any(k + 1 < last and source.in_template[k + 1] and
                source.tokens[k].kind == "word" and sign is not None for k in head):
             return

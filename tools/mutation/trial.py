@@ -25,7 +25,7 @@ class Program:
         """The exit status, "time" where it took too long."""
         shutil.rmtree(scratch, ignore_errors=True)
         scratch.mkdir(parents=True)
-        limited = ["sh", "-c", f'ulimit -v {MEMORY_KB} -f {FILE_BLOCKS} -c 0; exec "$@"', "sh", *self.command]
+        limited = ["sh", "-c", f'ulimit -v {MEMORY_KB}; ulimit -f {FILE_BLOCKS}; ulimit -c 0; exec "$@"', "sh", *self.command]
         places = {"TMPDIR": str(scratch), "TEST_TMPDIR": str(scratch)}
         with subprocess.Popen(limited, cwd=self.folder, env={**os.environ, **self.environment, **environment, **places},
                               stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
