@@ -2,7 +2,7 @@
 # Every target does the set-up that it needs.
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 
-.PHONY: run build test check clang asan ubsan coverage bench bench-quick docs page format tidy clean
+.PHONY: run build test check clang asan ubsan tsan coverage nightly mutants random bench bench-quick docs page format tidy clean
 .NOTPARALLEL:
 
 define build_and_test
@@ -23,9 +23,9 @@ test:
 	tools/setup.sh build test
 	$(call build_and_test,dev)
 
-check: test clang asan ubsan coverage
+check: test clang asan ubsan tsan coverage
 
-clang asan ubsan:
+clang asan ubsan tsan:
 	tools/setup.sh build test check
 	$(call build_and_test,$@)
 
@@ -35,6 +35,27 @@ coverage:
 	rm -rf build/coverage
 	$(call build_and_test,coverage)
 	gcovr --root . --filter src/ --txt build/coverage/lines.txt --print-summary --fail-under-line 95 build/coverage
+
+# What is too long for every change; docs/testing.md tells what each part finds. Ten minutes a target are an hour of fuzzing.
+nightly: build check random
+	ctest --test-dir build/dev -L nightly --output-on-failure --no-tests=ignore
+	$(MAKE) fuzz SECONDS=600
+	$(MAKE) mutants
+
+# The properties, each on many random cases from a seed that is new every time; it is printed to have them again.
+random: CASES = 5000
+random: SEED := $(shell od -An -N4 -tu4 /dev/urandom | tr -d ' ')
+random:
+	tools/setup.sh build test
+	cmake --preset dev
+	cmake --build --preset dev -j $(JOBS)
+	RC_PARAMS="seed=$(SEED) max_success=$(CASES) max_size=60" \
+	  ctest --test-dir build/dev -R '^(contract|batch)_tests\.' -j $(JOBS) --output-on-failure
+
+# Small faults in the library, and whether the tests find them: hours.
+mutants:
+	tools/setup.sh build test
+	tools/mutate.py --jobs $(JOBS)
 
 # Speed beside the peers; both write build/bench/ratios.json. Best on a machine that does nothing else.
 define build_and_measure
