@@ -25,7 +25,8 @@ void claim_finite(const Specimen& specimen);
 void claim_through_keys(const Specimen& specimen);
 /// At the knots it is as smooth as its family declares.
 void claim_continuity(const Specimen& specimen);
-/// Samples in bulk have the same bits in every layout, in any order, of the compiled curve and by every instruction set.
+/// Samples in bulk have the same bits in every layout, in any order, of the compiled curve and by every instruction
+/// set.
 void claim_same_bits(const AnyCurve& curve);
 /// Samples in bulk, and those of the baked curve, are those of the scalar evaluator.
 void claim_agreement(const AnyCurve& curve);

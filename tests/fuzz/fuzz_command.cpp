@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The command in this process, in a folder of its own. The first line of the input is its arguments, the rest the file
 // keys.csv, which is also its standard input.
-#include <sys/resource.h>
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -140,7 +140,8 @@ void try_command(const Words& words, std::string_view keys) {
     code = run(words);
   }
   const std::string out = streams.read("stdout"), said = streams.read("stderr");
-  const Situation situation([&] { return fmt::format("code {}\nstdout:\n{}\nstderr:\n{}", code, out.substr(0, 2000), said); });
+  const Situation situation(
+      [&] { return fmt::format("code {}\nstdout:\n{}\nstderr:\n{}", code, out.substr(0, 2000), said); });
   claim(0 <= code && code <= 3, "the exit code is {}", code);
   claim_words(said, code);
   claim_files(folder, before, code);

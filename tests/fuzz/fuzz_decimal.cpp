@@ -45,7 +45,8 @@ void claim_shortest_text(double x) {
 
 void claim_order(const Decimal& a, const Decimal& b) {
   claim((a < b) == (b > a) && (a == b) == (b == a) && (a < b) + (a == b) + (b < a) == 1, "no order");
-  if (a < b) claim(a.to_double() <= b.to_double(), "rounding turns the order of {} and {}", a.to_string(), b.to_string());
+  if (a < b)
+    claim(a.to_double() <= b.to_double(), "rounding turns the order of {} and {}", a.to_string(), b.to_string());
   claim(a + b == b + a && a * b == b * a, "sum or product depend on the order");
   claim(-(-a) == a && (a - a) == Decimal(), "minus twice, or a difference, is another number");
   claim(a.rounded().is_whole(), "{} is not whole", a.rounded().to_string());

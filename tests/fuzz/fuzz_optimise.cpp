@@ -51,7 +51,8 @@ void try_reduce(FuzzInput& input, const Track& track, const FuzzedKeys& fuzzed) 
   if (flags.next()) options.values = KeyValues::refitted;
   if (flags.next()) options.tolerance.position = 0.1;
   const Method method = chosen(input, names, fuzzed);
-  const Situation situation([&] { return fmt::format("reduce to {} rad by {}", options.tolerance.angle, text_of(method)); });
+  const Situation situation(
+      [&] { return fmt::format("reduce to {} rad by {}", options.tolerance.angle, text_of(method)); });
   const Stopwatch stopwatch;
   const auto reduction = reduce(track, method, options);
   if (!reduction) return claim_plain(reduction.error());
@@ -126,7 +127,8 @@ void try_smooth(FuzzInput& input, const Track& track) {
   const double size = std::pow(10.0, static_cast<double>(input.below(9)) - 6.0);
   if (stated == 1) options.noise = std::min(size, 0.5);
   if (stated == 2) options.smoothing_time = size;
-  const Situation situation([&] { return fmt::format("smooth: loss {}, stated {} {}", static_cast<int>(options.loss), stated, size); });
+  const Situation situation(
+      [&] { return fmt::format("smooth: loss {}, stated {} {}", static_cast<int>(options.loss), stated, size); });
   const Stopwatch stopwatch;
   const auto smoothing = smooth(track, options);
   if (!smoothing) return claim_plain(smoothing.error());
@@ -142,13 +144,13 @@ void try_smooth(FuzzInput& input, const Track& track) {
 }
 
 void try_tune(FuzzInput& input, const Track& track, const FuzzedKeys& fuzzed) {
-  constexpr std::array names{"timed-c2", "timed-c1", "timed-c3", "timed-sextic", "quintic", "hermite-cumulative", "nu-exact"};
+  constexpr std::array names{"timed-c2", "timed-c1",           "timed-c3", "timed-sextic",
+                             "quintic",  "hermite-cumulative", "nu-exact"};
   TuneOptions options;
   options.objective = std::array{Objective::acceleration, Objective::jerk, Objective::linearised}[input.below(3)];
   const Method method = chosen(input, names, fuzzed);
-  const Situation situation([&] {
-    return fmt::format("tune {}, objective {}", text_of(method), static_cast<int>(options.objective));
-  });
+  const Situation situation(
+      [&] { return fmt::format("tune {}, objective {}", text_of(method), static_cast<int>(options.objective)); });
   const Stopwatch stopwatch;
   const auto tuning = tune(track, method, options);
   if (!tuning) return claim_plain(tuning.error());

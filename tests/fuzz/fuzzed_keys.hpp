@@ -43,8 +43,10 @@ struct FuzzedKeys {
 [[nodiscard]] inline Eigen::Quaterniond fuzzed_turn(FuzzInput& input, const Eigen::Quaterniond& q,
                                                     const Eigen::Quaterniond& first) {
   switch (static_cast<Turn>(input.below(8))) {
-    case Turn::none: return q;
-    case Turn::full: return Eigen::Quaterniond(-q.coeffs());
+    case Turn::none:
+      return q;
+    case Turn::full:
+      return Eigen::Quaterniond(-q.coeffs());
     case Turn::half: {
       const auto axis = static_cast<Eigen::Index>(input.below(3));
       return q * Eigen::Quaterniond(Eigen::Vector4d::Unit(axis));
@@ -53,9 +55,12 @@ struct FuzzedKeys {
       const double size = std::pow(10.0, -static_cast<double>(input.below(20)));
       return q * exp<double>(size * input.vector());
     }
-    case Turn::ordinary: return q * exp<double>(input.vector());
-    case Turn::wide: return q * exp<double>(2.0 * std::numbers::pi / std::sqrt(3.0) * input.vector());
-    case Turn::back: return first;
+    case Turn::ordinary:
+      return q * exp<double>(input.vector());
+    case Turn::wide:
+      return q * exp<double>(2.0 * std::numbers::pi / std::sqrt(3.0) * input.vector());
+    case Turn::back:
+      return first;
     case Turn::off_norm: {
       const double norm = (input.below(2) == 0 ? 1.0 : -1.0) * (1.0 + 5e-4 * input.signed_unit());
       return Eigen::Quaterniond(norm * (q * exp<double>(input.vector())).coeffs());
@@ -92,8 +97,7 @@ struct FuzzedKeys {
     keys.data.times.push_back(t);
     keys.data.orientations.push_back(q);
     if (positions) keys.data.positions.push_back(3.0 * input.vector());
-    for (auto* of_order :
-         {&keys.data.angular_velocities, &keys.data.angular_accelerations, &keys.data.angular_jerks})
+    for (auto* of_order : {&keys.data.angular_velocities, &keys.data.angular_accelerations, &keys.data.angular_jerks})
       if (rates > static_cast<unsigned>(of_order == &keys.data.angular_accelerations) +
                       2 * static_cast<unsigned>(of_order == &keys.data.angular_jerks))
         of_order->push_back(input.vector());
@@ -105,13 +109,16 @@ struct FuzzedKeys {
 /// The keys as a file that the command reads, with all digits.
 [[nodiscard]] inline std::string csv_of(const KeyframeData& data) {
   std::string text = "t,qw,qx,qy,qz";
-  for (const auto& [names, list] : {std::pair(",px,py,pz", &data.positions), {",wx,wy,wz", &data.angular_velocities},
-                                    {",ax,ay,az", &data.angular_accelerations}, {",jx,jy,jz", &data.angular_jerks}})
+  for (const auto& [names, list] : {std::pair(",px,py,pz", &data.positions),
+                                    {",wx,wy,wz", &data.angular_velocities},
+                                    {",ax,ay,az", &data.angular_accelerations},
+                                    {",jx,jy,jz", &data.angular_jerks}})
     if (!list->empty()) text += names;
   for (std::size_t i = 0; i < data.times.size(); ++i) {
     const Eigen::Quaterniond& q = data.orientations[i];
     text += fmt::format("\n{},{},{},{},{}", data.times[i], q.w(), q.x(), q.y(), q.z());
-    for (const auto* list : {&data.positions, &data.angular_velocities, &data.angular_accelerations, &data.angular_jerks})
+    for (const auto* list :
+         {&data.positions, &data.angular_velocities, &data.angular_accelerations, &data.angular_jerks})
       if (!list->empty()) text += fmt::format(",{},{},{}", (*list)[i].x(), (*list)[i].y(), (*list)[i].z());
   }
   return text + "\n";

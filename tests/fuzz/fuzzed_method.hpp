@@ -66,8 +66,8 @@ enum class Given { for_all, for_all_or_per_key };
 
 /// What tells a broken claim from others: the method and the keys, as the command takes them.
 [[nodiscard]] inline std::string told(const Method& method, const FuzzedKeys& keys) {
-  return fmt::format("method {}\nsigns {}\n{}", text_of(method), keys.signs == Signs::shortest ? "shortest" : "as-given",
-                     csv_of(keys.data));
+  return fmt::format("method {}\nsigns {}\n{}", text_of(method),
+                     keys.signs == Signs::shortest ? "shortest" : "as-given", csv_of(keys.data));
 }
 
 }  // namespace orispline::fuzz

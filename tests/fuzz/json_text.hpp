@@ -34,8 +34,7 @@ class JsonText {
   bool value(int levels) {
     if (levels == 0) return false;
     blanks();
-    if (mark('{'))
-      return list('}', [&] { return blanks(), string() && mark(':') && value(levels - 1); });
+    if (mark('{')) return list('}', [&] { return blanks(), string() && mark(':') && value(levels - 1); });
     if (mark('[')) return list(']', [&] { return value(levels - 1); });
     return string() || number() || word("true") || word("false") || word("null");
   }

@@ -80,8 +80,8 @@ void claim_same_by_every_instruction_set(const AnyCurve& curve) {
     for (const char* name : {"v2", "v3", "v4"})
       if (const batch::Kernels* kernels = batch::kernels_named(name)) {
         const std::vector<T> numbers = by_kernels(*kernels, record, times);
-        claim(std::memcmp(numbers.data(), best.data(), sizeof(T) * best.size()) == 0, "segment {}: {} has other bits", i,
-              name);
+        claim(std::memcmp(numbers.data(), best.data(), sizeof(T) * best.size()) == 0, "segment {}: {} has other bits",
+              i, name);
       }
   }
 }

@@ -10,10 +10,10 @@
 
 namespace orispline::fuzz {
 
-/// How large the rates get of which rounding takes its share: on a segment of length h [s] that turns by A [rad], where A
-/// is the largest of |ω|h, (|α|h²)^½ and (|jerk|h³)^⅓, a derivative of order k sums terms up to (1 + A)^k/hᵏ, for every
-/// order multiplies by a derivative in u of a factor, and that is A at most, while the one stands for the rounding of the
-/// orientation itself.
+/// How large the rates get of which rounding takes its share: on a segment of length h [s] that turns by A [rad], where
+/// A is the largest of |ω|h, (|α|h²)^½ and (|jerk|h³)^⅓, a derivative of order k sums terms up to (1 + A)^k/hᵏ, for
+/// every order multiplies by a derivative in u of a factor, and that is A at most, while the one stands for the
+/// rounding of the orientation itself.
 struct SegmentScale {
   double length = 1.0;  ///< h [s]
   double turn = 0.0;    ///< A [rad]

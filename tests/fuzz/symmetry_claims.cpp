@@ -34,7 +34,10 @@ void for_every_rate(KeyframeData& data, Method& method, const std::function<void
 }
 
 Change turned_world() {
-  return {"turning the world", [](KeyframeData& data, Method&) { for (auto& q : data.orientations) q = turn * q; },
+  return {"turning the world",
+          [](KeyframeData& data, Method&) {
+            for (auto& q : data.orientations) q = turn * q;
+          },
           [](Motion m) {
             m.orientation = turn * m.orientation;
             return m;
@@ -88,9 +91,9 @@ Motions motions(const AnyCurve& curve, std::span<const double> times) {
   return all;
 }
 
-/// Each key turned by up to this much [rad] in a direction of its own, as an experiment on what the curve makes of it: some
-/// times what turning, normalising and rounding the keys do to them. Not more, since limits of rates and the choice of
-/// the shorter way are no linear functions of the keys.
+/// Each key turned by up to this much [rad] in a direction of its own, as an experiment on what the curve makes of it:
+/// some times what turning, normalising and rounding the keys do to them. Not more, since limits of rates and the
+/// choice of the shorter way are no linear functions of the keys.
 constexpr double disturbance = 32.0 * std::numeric_limits<double>::epsilon();
 /// What other disturbances of that size may do beside those that were tried.
 constexpr double beyond_experiment = 8.0;
@@ -102,8 +105,8 @@ class Symmetries {
         times_(testing_support::sample_times(specimen.curve.orientation.knots().times(), times_of_segment)),
         wanted_(motions(specimen.curve.orientation, times_)) {}
 
-  /// How far every order of every segment goes where the keys are disturbed; nothing where that is a leap, such as to the
-  /// other way round, or makes another curve impossible: rounding may do the same there.
+  /// How far every order of every segment goes where the keys are disturbed; nothing where that is a leap, such as to
+  /// the other way round, or makes another curve impossible: rounding may do the same there.
   [[nodiscard]] bool measure_sensitivity() {
     const std::size_t segments = specimen_.curve.orientation.knots().segments();
     sensitivity_.assign(segments, {});
@@ -132,8 +135,8 @@ class Symmetries {
       const auto off = difference(curve->motion(times_[i] * change.time_scale), wanted);
       for (std::size_t k = 0; k < 4; ++k) {
         const double allowed = allowed_at(i, k) / std::pow(change.time_scale, k);
-        claim(off[k] <= allowed, "{}: order {} at t = {} is another by {}, allowed {}", change.name, k, times_[i], off[k],
-              allowed);
+        claim(off[k] <= allowed, "{}: order {} at t = {} is another by {}, allowed {}", change.name, k, times_[i],
+              off[k], allowed);
       }
     }
   }
@@ -190,8 +193,7 @@ void claim_symmetries(const Specimen& specimen) {
   symmetries.claim_holds(turned_world());
   symmetries.claim_holds(turned_body());
   if (!feels_the_unit_of_time(specimen.method)) symmetries.claim_holds(slower_clock());
-  if (specimen.fuzzed.signs == Signs::shortest && !has_half_turns(specimen.keys))
-    symmetries.claim_holds(other_signs());
+  if (specimen.fuzzed.signs == Signs::shortest && !has_half_turns(specimen.keys)) symmetries.claim_holds(other_signs());
 }
 
 }  // namespace orispline::fuzz
