@@ -2,7 +2,7 @@
 # Every target does the set-up that it needs.
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 
-.PHONY: run build test check clang asan ubsan tsan coverage nightly mutants random bench bench-quick docs page format tidy clean
+.PHONY: run build test check clang asan ubsan tsan coverage fuzz nightly mutants random bench bench-quick docs page format tidy clean
 .NOTPARALLEL:
 
 define build_and_test
@@ -35,6 +35,14 @@ coverage:
 	rm -rf build/coverage
 	$(call build_and_test,coverage)
 	gcovr --root . --filter src/ --txt build/coverage/lines.txt --print-summary --fail-under-line 95 build/coverage
+
+# Every target so many seconds, under sanitizers; docs/fuzzing.md tells what to do with what it finds.
+fuzz: SECONDS ?= 60
+fuzz:
+	tools/setup.sh build check
+	cmake --preset fuzz
+	cmake --build --preset fuzz -j $(JOBS)
+	tests/fuzz/run.py build/fuzz/tests/fuzz $(SECONDS) --jobs $(JOBS)
 
 # What is too long for every change; docs/testing.md tells what each part finds. Ten minutes a target are an hour of fuzzing.
 nightly: build check random

@@ -25,6 +25,7 @@ test  nodejs?            node
 test  npm?               npm
 test  chromium?          chromium
 check clang              clang++
+check libclang-rt-14-dev? fuzzer/FuzzedDataProvider.h
 check gcovr              gcovr
 tidy  clang              clang++
 tidy  clang-tidy         clang-tidy
@@ -38,8 +39,8 @@ groups=${*:-build test}
 is_there() {
   command -v "$1" >/dev/null && return
   for prefix in $(echo "${CMAKE_PREFIX_PATH:-}" | tr ':;' '  ') /usr /usr/local /opt/homebrew; do
-    for place in include include/eigen3; do
-      [ ! -f "$prefix/$place/$1" ] || return 0
+    for place in "$prefix/include" "$prefix/include/eigen3" "$prefix"/lib/llvm-14/lib/clang/*/include; do
+      [ ! -f "$place/$1" ] || return 0
     done
   done
   return 1

@@ -59,6 +59,7 @@ class Setup(unittest.TestCase):
 
     def test_installs_only_what_is_missing(self):
         self.machine.add_command("gcovr")
+        self.machine.add_header("fuzzer/FuzzedDataProvider.h")
         self.machine.add_apt("echo > {bin}/clang++; chmod +x {bin}/clang++")
         run = self.machine.setup("check")
         self.assertEqual((run.returncode, run.stderr), (0, ""))
@@ -73,9 +74,19 @@ class Setup(unittest.TestCase):
         self.assertIn("not here (Debian's names of the packages): doxygen\n", run.stderr)
 
     def test_fails_and_names_the_packages_without_apt(self):
+        self.machine.add_header("fuzzer/FuzzedDataProvider.h")
         run = self.machine.setup("check", "docs")
         self.assertEqual(run.returncode, 1)
         self.assertIn("clang gcovr doxygen\nsetup: install them, then try again\n", run.stderr)
+
+    def test_finds_the_headers_of_the_compiler_itself(self):
+        for command in ("clang++", "gcovr"):
+            self.machine.add_command(command)
+        header = self.machine.folder / "lib/llvm-14/lib/clang/14.0.6/include/fuzzer/FuzzedDataProvider.h"
+        header.parent.mkdir(parents=True)
+        header.touch()
+        run = self.machine.setup("check")
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
 
     def test_goes_on_without_what_is_only_welcome(self):
         for header in ("gtest/gtest.h", "rapidcheck.h"):

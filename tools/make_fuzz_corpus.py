@@ -1,0 +1,160 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""The seeds of the fuzz targets that read bytes of their own, and those of text: tools/make_fuzz_corpus.py.
+
+Writes tests/fuzz/corpus/fuzz_*/seed_*; files of other names, which fuzzing found, stay as they are. The layouts are those
+of tests/fuzz/fuzzed_keys.hpp, fuzzed_method.hpp and of each target."""
+import pathlib
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+CORPUS = ROOT / "tests/fuzz/corpus"
+WHOLE, EVEN, MODERATE, WILD = range(4)  # Steps
+NONE, FULL, HALF, TINY, ORDINARY, WIDE, BACK, OFF_NORM = range(8)  # Turn
+ZERO, TODAY, BEFORE, LATER = range(4)  # the first time
+SECOND = 20  # the byte of a step of 2^0 s
+
+# How many families and methods of streams there are; seeds name them by number, and too large a number starts over.
+FAMILIES, ONLINE = 35, 25
+
+# What a key asks for behind its turn.
+TURN_BYTES = {NONE: b"", FULL: b"", HALF: b"\x02", TINY: bytes([8, 90, 200, 30]), ORDINARY: bytes([60, 220, 30]),
+              WIDE: bytes([100, 90, 200]), BACK: b"", OFF_NORM: bytes([1, 60, 40, 200, 10])}
+
+
+def keys(turns, steps=WHOLE, start=ZERO, as_given=False, half_quaternion=False, even_step=SECOND, step_bytes=(),
+         positions=False):
+    """The bytes of fuzzed_keys(): a key more than there are turns."""
+    how = steps + 4 * start + 16 * as_given + 32 * half_quaternion
+    text = bytes([len(turns), how, int(positions)]) + (bytes([even_step]) if steps == EVEN else b"")
+    place = bytes([50, 200, 10]) if positions else b""
+    text += place
+    for i, turn in enumerate(turns):
+        step = bytes([step_bytes[i % len(step_bytes)]]) if steps in (MODERATE, WILD) else b""
+        text += step + bytes([turn]) + TURN_BYTES[turn] + place
+    return text
+
+
+KEY_SEEDS = {
+    "walk": keys([ORDINARY] * 6),
+    "uneven": keys([ORDINARY, WIDE] * 3, MODERATE, step_bytes=(3, 15, 0, 7)),
+    "wild": keys([ORDINARY, TINY] * 3, WILD, step_bytes=(0, 40, 20, 10)),
+    "today": keys([ORDINARY] * 5, EVEN, TODAY, even_step=10),
+    "repeated": keys([NONE, ORDINARY, NONE, NONE, BACK]),
+    "half": keys([HALF, ORDINARY, HALF, TINY], as_given=True),
+    "antipodal": keys([FULL, FULL, NONE], as_given=True, half_quaternion=True),  # q, -q, q, q
+    "poses": keys([ORDINARY, OFF_NORM, BACK, ORDINARY], MODERATE, step_bytes=(1, 9), positions=True),
+    "one": keys([]),
+}
+PLAIN = bytes(32)
+# Parameters per key, choices and ends; or a loop.
+SETTINGS = bytes([0b1111]) + bytes(range(7, 38))
+LOOP = bytes([0b10000, 5]) + bytes(30)
+
+
+def curve_seeds():
+    for family in range(FAMILIES):
+        for name in ("walk", "uneven"):
+            yield f"{family:02}_{name}", bytes([family]) + PLAIN + KEY_SEEDS[name]
+        name = list(KEY_SEEDS)[family % len(KEY_SEEDS)]
+        yield f"{family:02}_{name}_settings", bytes([family]) + (LOOP if family % 3 == 0 else SETTINGS) + KEY_SEEDS[name]
+
+
+def online_seeds():
+    for method in range(ONLINE):
+        name = list(KEY_SEEDS)[method % len(KEY_SEEDS)]
+        stream = bytes([method, 0, 1, 2, 1, 4, 1, 5]) + bytes(24)
+        yield f"{method:02}_{name}", bytes([method]) + (SETTINGS if method % 2 else PLAIN) + stream + KEY_SEEDS[name]
+
+
+def optimise_seeds():
+    for task in range(5):
+        for name in ("walk", "uneven", "repeated", "poses"):
+            yield f"{task}_{name}", bytes([task]) + bytes([3, 3, 1] + [0] * 29) + KEY_SEEDS[name]
+    yield "4_jittered_47", bytes([4, 1, 1, 47]) + bytes(29) + KEY_SEEDS["walk"]
+    steady = bytes([7, 0, 0]) + bytes([ORDINARY, 0, 0, 64]) * 7
+    for objective in range(2):
+        yield f"3_steady_{objective}", bytes([3, objective]) + bytes(31) + steady
+
+
+def key_files():
+    """Texts of keyframe files with the options that read them: format, flags, more, then what `more` asks for."""
+    header = "t,qw,qx,qy,qz\n"
+    rows = "0,1,0,0,0\n1,0.9,0.43588989435,0,0\n2,0.8,0.6,0,0\n3.5,0.9,0.1,0.3,0.3\n"
+    table = bytes([0, 0b11100000, 1])
+    yield "plain", table + (header + rows).encode()
+    yield "comma_at_the_end", table + b"t,qw,qx,qy,qz,\n0,1,0,0,0,\n1,0.9,0.43588989435,0,0,\n2,0.8,0.6,0,0,\n"
+    yield "more_commas", table + b"t,qw,qx,qy,qz,,\n0,1,0,0,0,,\n1,0.9,0.43588989435,0,0,,\n"
+    yield "escape", table + b"t,qw,qx,qy,qz,\x1b[2J\n0,1,0,0,0,1\n1,0.8,0.6,0,0,2\n"
+    yield "repairs", bytes([0, 0b10111100, 1]) + (header + "2,1,0,0,0\n0,1,0,0,0\n0,1,0,0,0\n1,nan,0,0,0\n").encode()
+    yield "semicolons", table + (header + rows).replace(",", ";").encode()
+    yield "quotes", table + b'"t",qw,qx,qy,qz,"a ""b"", c"\n0,1,0,0,0,"x,y"\n1,0.8,0.6,0,0,#\n'
+    yield "tum", bytes([0, 0b01000000, 1]) + b"# timestamp tx ty tz qx qy qz qw\n1 0 0 0 0 0 0 1\n2 1 2 3 0.6 0 0 0.8\n"
+    yield "euroc", bytes([0, 0, 1]) + (b"#timestamp [ns],p_x,p_y,p_z,q_w,q_x,q_y,q_z\n1403636580838555648,1,2,3,1,0,0,0\n"
+                                       b"1403636580843555328,1,2,3,0.8,0.6,0,0\n")
+    yield "order", bytes([0, 0b10000000, 0b0101]) + rows.encode()
+    yield "xyzw_order", bytes([0, 0b10000000, 0b1101]) + b"0,0,0,0,1\n1,0.6,0,0,0.8\n"
+    yield "euler", bytes([0, 0, 0b10001, 2, 1, 1, 0, 0, 0]) + b"t,roll,pitch,yaw\n0,0,0,0\n1,10,20,30\n"
+    yield "matrix", table + b"t,r11,r12,r13,r21,r22,r23,r31,r32,r33\n0,1,0,0,0,1,0,0,0,1\n1,1,0,0,0,0,-1,0,1,0\n"
+    yield "vector", table + b"time_ns,rx,ry,rz\n1700000000000000000,0,0,0\n1700000000000000001,0.1,0,3\n"
+    yield "rates", bytes([0, 0b10000010, 3]) + (b"t_ms,qw,qx,qy,qz,wx_world,wy_world,wz_world,px_mm,py_mm,pz_mm\n"
+                                               b"0,1,0,0,0,1,2,3,4,5,6\n10,0.8,0.6,0,0,1,2,3,4,5,6\n")
+    yield "bom_crlf", table + b"\xef\xbb\xbf" + (header + rows).replace("\n", "\r\n").encode()
+    yield "nul", table + b"t,qw,qx,qy,qz\n0,1,0,\x00,0\n"
+    yield "empty", table
+    npy = b"{'descr': '<f8', 'fortran_order': False, 'shape': (1, 5), }"
+    yield "npy", bytes([0, 0, 1]) + b"\x93NUMPY\x01\x00" + bytes([len(npy) + 1, 0]) + npy + b"\n" + bytes(40)
+
+
+def times_files():
+    yield "plain", b"\x00t\n0\n0.5\n1e-3\n"
+    yield "today", b"\x01t_ns\n1700000000123456789\n1700000000123456790\n"
+    yield "no_header", b"\x00# times\n3\n\n2\n"
+    yield "wrong", b"\x001,2\nx\n"
+
+
+def decimal_files():
+    for name, text in (("plain", "1311868163.8697\n0.1"), ("exponents", "1e-150\n-.5e+150"), ("zeros", "-0.000\n0e99"),
+                       ("long", "1234567890123456789012345678901234567\n9007199254740993"), ("huge", "1e999\n1e-999"),
+                       ("words", "nan\n-inf"), ("wrong", "1e\n--1"), ("halves", "0.5\n-2.5"),
+                       ("subnormal", "5e-324\n2.2250738585072014e-308")):
+        yield name, text.encode()
+
+
+def command_files():
+    keys_file = "t,qw,qx,qy,qz\n0,1,0,0,0\n1,0.9,0.43588989435,0,0\n2,0.8,0.6,0,0\n3.5,0.9,0.1,0.3,0.3\n"
+    comma = "t,qw,qx,qy,qz,\n0,1,0,0,0,\n1,0.9,0.43588989435,0,0,\n2,0.8,0.6,0,0,\n3.5,0.9,0.1,0.3,0.3,\n"
+    steady = "t,qw,qx,qy,qz\n" + "".join(f"{t},{c},0,0,{s}\n" for t, c, s in (
+        (0, 1, 0), (1, 0.9689124217106447, 0.24740395925452294), (2, 0.8775825618903728, 0.479425538604203),
+        (3, 0.7316888688738209, 0.6816387600233341), (4, 0.5403023058681398, 0.8414709848078965)))
+    lines = {
+        "tune_comma": ("tune keys.csv --method timed-c2", comma), "tune_steady": ("tune keys.csv --method timed-c2", steady),
+        "sample": ("sample keys.csv --rate 10 -o out.csv --json", keys_file), "over_old": ("sample - --count 5 -o old.csv", keys_file),
+        "npy": ("sample keys.csv --count 7 -o out.npy", keys_file), "loop": ("sample keys.csv --method timed-c2 --period 5 --rate 3", keys_file),
+        "inspect": ("inspect keys.csv --json --method auto,quintic", keys_file), "methods": ("methods --json", ""),
+        "compare": ("compare keys.csv --keep-every 1 --json", keys_file), "jitter": ("compare keys.csv --keep-every 2 --jitter --random 47", keys_file),
+        "smooth": ("smooth keys.csv --json -o out.csv", keys_file), "reduce": ("reduce keys.csv --tolerance 1deg -o out.csv --json", keys_file),
+        "retime": ("retime keys.csv --max-rate 10deg/s -o out.tum --json", keys_file), "plot": ("plot keys.csv -o out.svg", keys_file),
+        "convert": ("convert keys.csv -o out.tum", keys_file), "usage": ("sample keys.csv --rat 3", keys_file), "missing": ("inspect none.csv", ""),
+        "escape": ("inspect keys.csv", "t,qw,qx,qy,qz,\x1b[2J\n0,1,0,0,0,1\n1,0.8,0.6,0,0,2\n"), "help": ("tune --help", ""),
+        "duplicate": ("sample keys.csv --rate 1", "t,qw,qx,qy,qz\n0,1,0,0,0\n0,1,0,0,0\n"),
+        "truth": ("sample keys.csv --rate 4 --truth old.csv -o out.csv --json", keys_file)}
+    for name, (line, text) in lines.items():
+        yield name, f"{line}\n{text}".encode()
+
+
+TARGETS = {"curve": curve_seeds, "online": online_seeds, "optimise": optimise_seeds, "keys": key_files, "times": times_files,
+           "decimal": decimal_files, "command": command_files}
+
+
+def main():
+    for target, seeds in TARGETS.items():
+        folder = CORPUS / f"fuzz_{target}"
+        folder.mkdir(parents=True, exist_ok=True)
+        for old in folder.glob("seed_*"):
+            old.unlink()
+        for name, content in seeds():
+            (folder / f"seed_{name}").write_bytes(content)
+
+
+if __name__ == "__main__":
+    main()
