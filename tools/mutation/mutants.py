@@ -185,6 +185,8 @@ class Finder:
             return
         if any(source.word(k) == "*" and k > i and not source.is_spaced(k) for k in head):
             return  # a pointer is declared
+        if source.word(last - 1) == ")" and source.word(source.partner[last - 1] - 1) == "reserve":
+            return  # nothing but time depends on it
         if sign is None and not (self.is_call(i, last) or source.word(i) in ("++", "--")):
             return
         self.add("left out", i, last, ";", "{ if (!orispline_mutation::is({id})) {original} }")

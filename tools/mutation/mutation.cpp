@@ -8,17 +8,18 @@
 
 namespace orispline_mutation {
 
-extern const int chosen;
-extern const bool is_recording;
-extern unsigned char reached[1U << 16];
-
-// Before all other variables, some of which are mutated themselves.
-[[gnu::init_priority(101)]] const int chosen = std::getenv("ORISPLINE_MUTANT") ? std::atoi(std::getenv("ORISPLINE_MUTANT")) : -1;
-[[gnu::init_priority(101)]] const bool is_recording = std::getenv("ORISPLINE_MUTANTS_REACHED") != nullptr;
+int chosen = -1;
+bool is_recording = false;
 unsigned char reached[1U << 16];
 
-struct Record {
-  ~Record() {
+namespace {
+
+struct Trial {
+  Trial() {
+    if (const char* id = std::getenv("ORISPLINE_MUTANT")) chosen = std::atoi(id);
+    is_recording = std::getenv("ORISPLINE_MUTANTS_REACHED") != nullptr;
+  }
+  ~Trial() {
     if (!is_recording) return;
     const std::string path = std::string(std::getenv("ORISPLINE_MUTANTS_REACHED")) + "/" + std::to_string(getpid());
     if (std::FILE* file = std::fopen(path.c_str(), "wb")) {
@@ -27,6 +28,9 @@ struct Record {
     }
   }
 };
-[[gnu::init_priority(101)]] const Record record;
 
+// Before all other variables, some of which are mutated themselves.
+[[gnu::init_priority(101)]] const Trial trial;
+
+}  // namespace
 }  // namespace orispline_mutation

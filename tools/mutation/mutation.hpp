@@ -8,8 +8,8 @@
 
 namespace orispline_mutation {
 
-extern const int chosen;                // by ORISPLINE_MUTANT; -1: none
-extern const bool is_recording;         // whether ORISPLINE_MUTANTS_REACHED names a folder
+extern int chosen;                       // by ORISPLINE_MUTANT; -1: none
+extern bool is_recording;                // whether ORISPLINE_MUTANTS_REACHED names a folder
 extern unsigned char reached[1U << 16];  // whether the program came by each mutant
 
 [[gnu::always_inline]] static inline constexpr bool is(int id) {
