@@ -147,6 +147,7 @@ void claim_same_from_its_table(const TemporaryFolder& folder, ReadOptions option
   const std::string text = io::csv_with_columns(wanted.table, {});
   const Situation situation([&] { return "as CSV:\n" + text; });
   options.format = &io::csv_format;
+  options.order.reset();  // it has a header
   const auto again = io::read_keys(folder.write("again.csv", text), options);
   claim(again.has_value(), "the table is refused: {}", again ? "" : describe(again.error()));
   claim_same(*again, wanted);

@@ -29,7 +29,7 @@ def fuzzed(program, seconds):
     grown, findings = folder / "grown" / target, folder / "findings"
     for place in (grown, findings):
         place.mkdir(parents=True, exist_ok=True)
-    known = set(findings.iterdir())
+    known = set(findings.glob(f"{target}-*"))
     memory = pathlib.Path("/dev/shm")  # where files cost nothing
     environment = os.environ | ({"TMPDIR": str(memory)} if memory.is_dir() else {})
     command = [program, f"-max_total_time={seconds}", f"-timeout={SLOWEST}", f"-rss_limit_mb={MOST_MEMORY}",
@@ -39,7 +39,7 @@ def fuzzed(program, seconds):
         done = subprocess.run(command, stdout=log, stderr=log, env=environment, check=False)
     text = (folder / f"{target}.log").read_text("utf-8", "replace")
     counts = re.findall(r"^(?:#|stat::number_of_executed_units: *)(\d+)", text, re.M)
-    new = sorted(set(findings.iterdir()) - known)
+    new = sorted(set(findings.glob(f"{target}-*")) - known)
     if done.returncode and not new:
         new = [folder / f"{target}.log"]
     return target, max(map(int, counts), default=0), new

@@ -84,6 +84,18 @@ TEST(Decimal, AddsAndMultipliesExactly) {
   EXPECT_EQ((decimal("0") * decimal("1e100")).to_string(), "0");
 }
 
+TEST(Decimal, ProductsOfAsManyDigitsAsThereIsRoomForAreExact) {
+  const Decimal a = decimal("1100000000000000001"), b = decimal("1000000000000000003");
+  EXPECT_EQ((a * b).to_string(), "1100000000000000004300000000000000003");
+}
+
+TEST(Decimal, ProductsDoNotDependOnTheOrderOfTheFactors) {
+  const Decimal a = decimal("1123456789012345678901234567"), b = decimal("9007456789012345678901993");
+  const Decimal c = decimal("-1999999999999999999"), d = decimal("9111111111111111111");
+  EXPECT_EQ(a * b, b * a);
+  EXPECT_EQ(c * d, d * c);
+}
+
 TEST(Decimal, CutsOnlyDigitsBeyondThe37th) {
   EXPECT_EQ((decimal("1e100") + decimal("1")).to_double(), 1e100);
   EXPECT_EQ((decimal("1") + decimal("1e-36")).to_string(), "1.000000000000000000000000000000000001");

@@ -245,9 +245,10 @@ Decimal Decimal::operator+(const Decimal& other) const noexcept {
 Decimal Decimal::operator*(const Decimal& other) const noexcept {
   Integer a = coefficient_, b = other.coefficient_;
   int exponent = exponent_ + other.exponent_;
-  for (int a_digits = digits_of(magnitude(a)), b_digits = digits_of(magnitude(b)); a_digits + b_digits > max_digits;
+  // Factors of n digits together have a product of n or n - 1, and one more than `max_digits` still fits an integer.
+  for (int a_digits = digits_of(magnitude(a)), b_digits = digits_of(magnitude(b)); a_digits + b_digits > max_digits + 1;
        ++exponent) {
-    if (a_digits > b_digits) a /= 10, --a_digits;
+    if (magnitude(a) > magnitude(b)) a /= 10, --a_digits;
     else b /= 10, --b_digits;
   }
   return Decimal(a * b, exponent);
