@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <orispline/analysis/angle_travelled.hpp>
+#include <orispline/families/auto.hpp>
 #include <orispline/families/registry.hpp>
 #include <support/data_table.hpp>
 #include <support/golden_case.hpp>
+#include <support/random_motion.hpp>
 
 namespace orispline {
 namespace {
@@ -63,6 +66,67 @@ TEST(Energies, OfSteadyTurnsAreNoneButForTheTorqueThatHoldsTheAxis) {
 
   EXPECT_NEAR(e.acceleration, 0.0, 1e-25);
   EXPECT_NEAR(e.torque, 3.1 * rate.cross(inertia * rate).squaredNorm(), 1e-13);
+}
+
+/// A curve that counts how often its motion is asked for.
+class CountingCurve {
+ public:
+  CountingCurve(const Keyframes& keys, std::size_t& motions)
+      : curve_(families::Auto::curve(keys, settle(families::Auto::info, {}, keys.size()).value()).value()),
+        motions_(&motions) {}
+  [[nodiscard]] const Knots& knots() const noexcept { return curve_.knots(); }
+  template <Number T>
+  [[nodiscard]] Quaternion<T> point(const T& t, std::size_t segment) const noexcept {
+    return curve_.point(t, segment);
+  }
+  [[nodiscard]] Motion motion(double t, std::size_t segment) const noexcept {
+    ++*motions_;
+    return curve_.motion(t, segment);
+  }
+
+ private:
+  ChartCurve<5> curve_;
+  std::size_t* motions_;
+};
+
+/// The same keys with these steps, uneven by 4, of which `origin` takes nothing away.
+Keyframes keys_from(double origin, double step, std::size_t count) {
+  const Keyframes turns = random_keys(5, {count, 1.5, 4.0});
+  std::vector<double> times{origin};
+  for (std::size_t i = 1; i < count; ++i) {
+    const double interval = std::round(1024.0 * (turns.times()[i] - turns.times()[i - 1])) / 1024.0;
+    times.push_back(times.back() + step * interval);
+  }
+  return turns.with_times(std::move(times)).value();
+}
+
+constexpr double today = 1.7e9;  // [s]
+
+TEST(Energies, AskForAsFewMotionsAtTheTimesOfTodayAsAtTheStartOfTime) {
+  for (const double step : {1.0, 1.0 / 64.0}) {
+    const auto motions_from = [&](double origin) {
+      std::size_t motions = 0;
+      static_cast<void>(energies(CountingCurve(keys_from(origin, step, 40), motions)));
+      return motions;
+    };
+    EXPECT_LE(motions_from(today), motions_from(0.0) * 11 / 10);
+    EXPECT_LE(motions_from(today), std::size_t{39 * 150});
+  }
+}
+
+TEST(Energies, OfEveryMethodAreTheSameAtTheTimesOfTodayAsAtTheStartOfTime) {
+  const Eigen::Matrix3d inertia = Eigen::Vector3d(1.0, 2.0, 2.5).asDiagonal();
+  for (const FamilyInfo& family : families_info())
+    for (const double step : {1.0, 1.0 / 64.0}) {
+      const auto early = make_curve(family.name, keys_from(0.0, step, 8));
+      const auto late = make_curve(family.name, keys_from(today, step, 8));
+      if (!early || !late) continue;
+      const Energies wanted = energies(*early, inertia), found = energies(*late, inertia);
+      expect_relative(found.acceleration, wanted.acceleration, 1e-8, std::string(family.name));
+      expect_relative(found.jerk, wanted.jerk, 1e-8, std::string(family.name));
+      expect_relative(found.torque, wanted.torque, 1e-8, std::string(family.name));
+      expect_relative(AngleTravelled(*late).total(), AngleTravelled(*early).total(), 1e-8, std::string(family.name));
+    }
 }
 
 TEST(Energies, OfOneKeyAreNone) {

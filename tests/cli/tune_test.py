@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """orispline tune: what it prints and writes, that 'sample' reads it, and what it refuses."""
 import json
+import math
+import random
 
 from command import BAD_DATA, BAD_USAGE, SUCCESS, CommandTest, main
 
@@ -52,6 +54,34 @@ class Tune(CommandTest):
         self.assertLess(summary["energy_after"], 1e-20)
         for tension in summary["tension"]:
             self.assertAlmostEqual(tension, 0.1, delta=1e-8)
+
+    def test_leaves_a_steady_turn_as_it_is(self):
+        self.write("steady.csv", "t,qw,qx,qy,qz\n" + "".join(
+            f"{t},{math.cos(0.25 * t)!r},0,0,{math.sin(0.25 * t)!r}\n" for t in range(8)))
+        for method in ("timed-c2", "timed-c3", "timed-sextic"):
+            for objective in ("acceleration", "jerk"):
+                done = self.run_command(f"tune steady.csv --method {method} --objective {objective} --json -o tuned.csv")
+                self.assertEqual((done.returncode, done.stderr), (SUCCESS, ""))
+                summary = json.loads(done.stdout)
+                self.assertEqual((summary["iterations"], summary["stationarity"]), (0, 0))
+                self.assertEqual(summary["energy_after"], summary["energy_before"])
+                self.assertEqual(len(set(summary["tension"])), 1)
+
+    def test_says_where_there_may_be_better_tensions(self):
+        wild, t, rows = random.Random(4), 0.0, []
+        for _ in range(7):
+            quaternion = [wild.gauss(0, 1) for _ in range(4)]
+            rows.append(",".join(map(repr, [t, *(c / math.hypot(*quaternion) for c in quaternion)])) + "\n")
+            t += math.exp(wild.uniform(math.log(4e-4), math.log(98)))
+        self.write("uneven.csv", "t,qw,qx,qy,qz\n" + "".join(rows))
+        done = self.run_command("tune uneven.csv --method timed-c3 --objective jerk --json -o tuned.csv")
+        self.assertEqual(done.returncode, SUCCESS)
+        summary = json.loads(done.stdout)
+        self.assertLess(summary["energy_after"], summary["energy_before"])
+        self.assertGreater(summary["stationarity"], 1e-8)
+        self.assertRegex(done.stderr, r"^orispline: warning: timed-c3: after \d+ iterations a step would still lower the "
+                         r"energy by \S+ of itself, wanted 1e-08 at most: these tensions are better than those before, "
+                         r"others may be better still\n$")
 
     def test_keeps_bounds(self):
         summary = self.tuned("--method quintic --bounds=0.48,0.52")

@@ -10,6 +10,7 @@
 #include <support/data_table.hpp>
 #include <support/follower.hpp>
 #include <support/golden_case.hpp>
+#include <support/random_motion.hpp>
 
 namespace orispline {
 namespace {
@@ -147,6 +148,51 @@ TEST(Tune, FitsTheTensionsThatMadeTheReference) {
   for (std::size_t key = 0; key < 6; ++key)
     EXPECT_NEAR(found.method.options.parameters.at("tension")[key], made.parameters.at("tension")[key], 1e-9);
   EXPECT_LT(found.energy_after, 1e-20);
+}
+
+Keyframes steady_turn(const std::vector<double>& times) {
+  KeyframeData data{.times = times};
+  for (const double t : times) data.orientations.push_back(turned(0.0, 0.0, 0.5 * t));
+  return Keyframes::make(std::move(data)).value();
+}
+
+TEST(Tune, LeavesTensionsWhoseEnergyIsRoundingAsTheyAre) {
+  for (const Keyframes& keys : {steady_turn({0, 1, 2, 3, 4, 5, 6, 7}), steady_turn({0, 1, 1.001, 1.5, 4, 4.25})})
+    for (const std::string_view method : {"timed-c2", "timed-c3", "timed-sextic"})
+      for (const Objective objective :
+           {Objective::linearised, Objective::acceleration, Objective::jerk, Objective::torque}) {
+        const Tuning found = tuned(method, keys, {.objective = objective});
+        EXPECT_LT(found.energy_before, 1e-9) << method;
+        EXPECT_EQ(found.energy_after, found.energy_before) << method;
+        EXPECT_EQ(found.stationarity, 0.0) << method;
+        EXPECT_EQ(found.iterations, 0u) << method;
+        const AnyCurve plain = make_curve(method, keys).value(), same = make_curve(found.method, keys).value();
+        EXPECT_EQ(plain(0.7).coeffs(), same(0.7).coeffs()) << method;
+      }
+}
+
+TEST(Tune, BringsSteadyTurnsWithinBoundsThatTheirTensionsBreak) {
+  const Tuning found = tuned("timed-c2", steady_turn({0, 1, 2, 3, 4}), {.bounds = Interval{0.6, 0.9}});
+  for (const double tension : found.method.options.parameters.at("tension")) EXPECT_GE(tension, 0.6);
+}
+
+TEST(Tune, GivesOutWhatDidNotComeToRestWithAWarning) {
+  std::size_t unfinished = 0;
+  for (unsigned seed = 1; seed <= 2; ++seed) {
+    const Keyframes keys = random_keys(seed, {7, 1.5, 2.5e5});
+    for (const Objective objective : {Objective::acceleration, Objective::jerk}) {
+      const Tuning found = tuned("timed-c3", keys, {.objective = objective});
+      EXPECT_LT(found.energy_after, found.energy_before) << seed;
+      EXPECT_LE(found.iterations, 200u) << seed;
+      const auto warning = std::ranges::find(found.warnings, "not_at_rest", &Warning::code);
+      ASSERT_EQ(warning != found.warnings.end(), found.stationarity > 1e-8) << seed;
+      if (warning == found.warnings.end()) continue;
+      ++unfinished;
+      EXPECT_EQ(warning->number("stationarity"), found.stationarity);
+      EXPECT_EQ(warning->number("iterations"), static_cast<double>(found.iterations));
+    }
+  }
+  EXPECT_GE(unfinished, 1u);
 }
 
 TEST(Tune, RefusesWhatItCannotTune) {

@@ -31,15 +31,14 @@ struct Joint {
 void compare_sides(Jumps& jumps, const Joint& joint) {
   widen_magnitudes(jumps, joint.left);
   widen_magnitudes(jumps, joint.right);
-  double rounding = rounding_of_increments;
   for (std::size_t k = 0; k < rates_of_motion.size(); ++k) {
-    rounding /= joint.spacing;
     const double jump = (joint.right.*rates_of_motion[k] - joint.left.*rates_of_motion[k]).norm();
     if (jump > jumps[k].largest) {
       jumps[k].largest = jump;
       jumps[k].key = joint.key;
     }
-    if (jump > rounding) jumps[k].relative = std::max(jumps[k].relative, jump);
+    if (jump > rounding_of_rates(joint.spacing, static_cast<int>(k) + 1))
+      jumps[k].relative = std::max(jumps[k].relative, jump);
   }
 }
 

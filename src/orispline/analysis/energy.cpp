@@ -10,7 +10,7 @@ namespace {
 
 /// Integrals that are rounding altogether, on a segment of h seconds.
 Figures<3> rounding_of(double h, double moment) {
-  const double acceleration = rounding_of_increments / (h * h), jerk = acceleration / h;
+  const double acceleration = rounding_of_rates(h, 2), jerk = rounding_of_rates(h, 3);
   return {h * acceleration * acceleration, h * jerk * jerk, h * moment * moment * acceleration * acceleration};
 }
 

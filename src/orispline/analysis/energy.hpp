@@ -15,7 +15,7 @@ struct Energies {
   double torque = 0.0;        ///< ∫|J α + ω × J ω|² dt [N² m² s]; the first one for unit inertia
 };
 
-/// By adaptive Gauss quadrature, to 1e-10 relative in each segment.
+/// By adaptive Gauss quadrature, to 1e-10 relative in each segment, whatever the epoch of the times.
 ///
 /// A closed form exists only where a segment turns about a fixed axis (slerps, keys about one axis): there the rates of
 /// the polynomial methods are polynomials of time, and one Gauss rule of ten points is that closed form, exact to

@@ -8,7 +8,6 @@
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
-constexpr std::size_t most_iterations = 1000;
 constexpr double at_rest = 1e-14;  // a step that lowers the sum by a smaller share of it is not made
 constexpr double smallest_share = 1e-6;
 
@@ -48,12 +47,13 @@ Descent descent(const SumOfSquares& sum, std::span<const double> values, std::sp
   return found;
 }
 
-Minimum minimised(SumOfSquares& sum, std::vector<double> start, std::span<const Interval> bounds, OpenEndedWork& work) {
+Minimum minimised(SumOfSquares& sum, std::vector<double> start, std::span<const Interval> bounds, const SearchEnd& end,
+                  OpenEndedWork& work) {
   for (std::size_t v = 0; v < start.size(); ++v) start[v] = std::clamp(start[v], bounds[v].lowest, bounds[v].highest);
   Minimum minimum{std::move(start), 0};
   sum.move_to(minimum.values);
-  for (double value = value_of(sum); minimum.iterations < most_iterations; ++minimum.iterations) {
-    if (work.stopped()) break;
+  for (double value = value_of(sum); minimum.iterations < end.most_iterations; ++minimum.iterations) {
+    if (work.stopped() || value <= end.rounding) break;
     const Descent found = descent(sum, minimum.values, bounds);
     if (!(found.decrease > at_rest * value)) break;
     double lower = value;

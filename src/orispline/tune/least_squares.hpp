@@ -43,6 +43,12 @@ struct Descent {
 [[nodiscard]] ORISPLINE_EXPORT Descent descent(const SumOfSquares& sum, std::span<const double> values,
                                                std::span<const Interval> bounds);
 
+/// When a search for the least sum ends.
+struct SearchEnd {
+  std::size_t most_iterations;
+  double rounding = 0.0;  ///< a sum that is no larger is rounding altogether, and at rest
+};
+
 /// Where the sum has its least value near the start, and how many steps led there.
 struct Minimum {
   std::vector<double> values;
@@ -53,6 +59,7 @@ struct Minimum {
 /// sum is lower and stopped at the bounds, until the sum is at rest. Moves the sum there. Every step is a piece of the
 /// work; ends early where that is stopped.
 [[nodiscard]] ORISPLINE_EXPORT Minimum minimised(SumOfSquares& sum, std::vector<double> start,
-                                                 std::span<const Interval> bounds, OpenEndedWork& work);
+                                                 std::span<const Interval> bounds, const SearchEnd& end,
+                                                 OpenEndedWork& work);
 
 }  // namespace orispline::inline ORISPLINE_ABI

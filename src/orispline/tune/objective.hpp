@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <orispline/math/eigen.hpp>
@@ -29,5 +30,10 @@ struct Goal {
   std::vector<std::vector<ReferenceSample>> reference_samples{};  ///< by segment; of the fit
   std::size_t sample_count = 0;
 };
+
+/// So much of an objective is rounding of the keys at these times [s], and no gain.
+///
+/// The rates of a segment are as uncertain as those of the shortest step beside it.
+[[nodiscard]] double rounding_of(const Goal& goal, std::span<const double> times) noexcept;
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include <orispline/analysis/torque.hpp>
+#include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/method_warnings.hpp>
 #include <orispline/families/nu.hpp>
@@ -16,8 +17,9 @@ namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 constexpr std::size_t fewest_keys = 3;
-/// Asked of the result: a Gauss–Newton step may lower the energy by no more than this share.
+/// At rest, a Gauss–Newton step lowers the energy by no more than this share.
 constexpr double wanted_stationarity = 1e-8;
+constexpr std::size_t most_iterations = 200;
 /// An energy of this share of what it was is rounding.
 constexpr double rounding_energy = 1e-16;
 /// Of an objective that is no sum of affine squares, and of one with bounds.
@@ -94,6 +96,14 @@ std::vector<double> least_nu(std::span<const Interval> bounds) {
   return values;
 }
 
+/// An objective as a function of what is varied, where it is sought, and when it is rounding.
+struct Search {
+  SumOfSquares& sum;
+  std::vector<Interval> bounds;
+  double rounding;
+  OpenEndedWork& work;
+};
+
 /// The least linearised energy within the bounds.
 std::vector<double> closed_form(const TensionModel& model, std::span<const Interval> bounds, OpenEndedWork& work) {
   const Goal linearised{.objective = Objective::linearised};
@@ -102,51 +112,72 @@ std::vector<double> closed_form(const TensionModel& model, std::span<const Inter
   const std::vector<double> step = newton_step(sum, values.size());
   for (std::size_t v = 0; v < values.size(); ++v) values[v] += step[v];
   if (inside(values, bounds)) return values;
-  return minimised(sum, std::move(values), bounds, work).values;
+  return minimised(sum, std::move(values), bounds, {most_iterations}, work).values;
 }
 
-/// The least energy near the closed form: free where that stays within the bounds.
-Minimum refined(SumOfSquares& sum, const std::vector<double>& start, std::span<const Interval> bounds,
-                OpenEndedWork& work) {
-  const std::vector<Interval> free(start.size());
-  const Minimum minimum = minimised(sum, start, free, work);
-  return inside(minimum.values, bounds) ? minimum : minimised(sum, start, bounds, work);
+/// The least energy near the closed form or, where that is worse than they are, near the initial values.
+Minimum refined(const Search& search, const std::vector<double>& closed, const std::vector<double>& initial,
+                double before) {
+  search.sum.move_to(closed);
+  const bool is_better = value_of(search.sum) < before || !inside(initial, search.bounds);
+  return minimised(search.sum, is_better ? closed : initial, search.bounds, {most_iterations, search.rounding},
+                   search.work);
 }
 
-/// From the closed form `start` on.
-Expected<Tuning> tuned(const FamilyInfo& family, const TensionModel& model, SumOfSquares& sum,
-                       const std::vector<double>& start, std::span<const Interval> bounds, Objective objective,
-                       OpenEndedWork& work) {
-  Tuning tuning{.energy_before = value_of(sum)};
-  Minimum minimum{start, 0};
-  if (objective != Objective::linearised) minimum = refined(sum, start, bounds, work);
-  if (work.stopped()) return cancellation();
-  sum.move_to(minimum.values);
-  tuning.energy_after = value_of(sum);
-  const double scale = std::max(tuning.energy_after, rounding_energy * tuning.energy_before);
-  if (objective != Objective::linearised && scale > 0.0)
-    tuning.stationarity = descent(sum, minimum.values, bounds).decrease / scale;
+Warning not_at_rest(std::string_view method, const Tuning& tuning) {
+  return {
+      .code = "not_at_rest",
+      .message = formatted("{}: after {} a step would still lower the energy by {:.2g} of itself, wanted {:.2g} at "
+                           "most: these tensions are better than those before, others may be better still",
+                           method, counted(tuning.iterations, "iteration"), tuning.stationarity, wanted_stationarity),
+      .numbers = {{"stationarity", tuning.stationarity}, {"iterations", static_cast<double>(tuning.iterations)}}};
+}
+
+/// By which share of the energy, where more than rounding, a further step would lower it.
+double stationarity_of(const Search& search, std::span<const double> values, const Tuning& tuning) {
+  const double decrease = descent(search.sum, values, search.bounds).decrease;
+  const double negligible = std::max(search.rounding, rounding_energy * tuning.energy_before);
+  return decrease <= negligible ? 0.0 : decrease / std::max(tuning.energy_after, negligible);
+}
+
+/// From the closed form on, where the energy before is more than rounding.
+Expected<Tuning> tuned(const FamilyInfo& family, const TensionModel& model, const Search& search,
+                       const std::vector<double>& closed, Objective objective) {
+  Minimum minimum{initial_values(model), 0};
+  Tuning tuning{.energy_before = value_of(search.sum)};
+  const bool is_least = tuning.energy_before <= search.rounding && inside(minimum.values, search.bounds);
+  if (!is_least && objective == Objective::linearised) minimum.values = closed;
+  else if (!is_least) minimum = refined(search, closed, minimum.values, tuning.energy_before);
+  if (search.work.stopped()) return cancellation();
+  search.sum.move_to(minimum.values);
+  tuning.energy_after = value_of(search.sum);
+  if (!is_least && objective != Objective::linearised)
+    tuning.stationarity = stationarity_of(search, minimum.values, tuning);
   tuning.iterations = minimum.iterations;
   tuning.method = {family.name, model.with(minimum.values)};
   if (tuning.stationarity <= wanted_stationarity) return tuning;
+  if (tuning.energy_after < tuning.energy_before) {
+    tuning.warnings.push_back(not_at_rest(family.name, tuning));
+    return tuning;
+  }
   return failure(ErrorCode::not_converged,
-                 formatted("{}: tuning came to rest where a step would lower the energy by {:.2g} of itself, wanted "
-                           "{:.2g} at most",
+                 formatted("{}: tuning found no tensions better than these, of which a step should lower the energy by "
+                           "{:.2g} of itself, wanted {:.2g} at most",
                            family.name, tuning.stationarity, wanted_stationarity));
 }
 
-Expected<Tuning> tuned_affine(const FamilyInfo& family, const TensionModel& model, const Goal& goal,
-                              const TuneOptions& options, OpenEndedWork& work) {
+Expected<Tuning> tuned_affine(const FamilyInfo& family, const Keyframes& keys, const TensionModel& model,
+                              const Goal& goal, const TuneOptions& options, OpenEndedWork& work) {
   TensionSum sum(model, goal);
-  const std::vector<Interval> bounds = bounds_of(model, options.bounds);
-  return tuned(family, model, sum, closed_form(model, bounds, work), bounds, goal.objective, work);
+  const Search search{sum, bounds_of(model, options.bounds), rounding_of(goal, keys.times()), work};
+  return tuned(family, model, search, closed_form(model, search.bounds, work), goal.objective);
 }
 
 Expected<Tuning> tuned_nu(const FamilyInfo& family, const Keyframes& keys, const TensionModel& model, const Goal& goal,
                           const TuneOptions& options, OpenEndedWork& work) {
   NuSum sum(keys, model, goal);
-  const std::vector<Interval> bounds = bounds_of(model, options.bounds);
-  return tuned(family, model, sum, least_nu(bounds), bounds, goal.objective, work);
+  const Search search{sum, bounds_of(model, options.bounds), rounding_of(goal, keys.times()), work};
+  return tuned(family, model, search, least_nu(search.bounds), goal.objective);
 }
 
 }  // namespace
@@ -189,13 +220,14 @@ Expected<Tuning> tune(const Track& track, const Method& given, const TuneOptions
   if (!model) return tl::unexpected(model.error());
   OpenEndedWork work(progress, expected_steps);
   return (is_nu ? tuned_nu(**info, keys, *model, *goal, options, work)
-                : tuned_affine(**info, *model, *goal, options, work))
+                : tuned_affine(**info, keys, *model, *goal, options, work))
       .map([&](Tuning tuning) {
         tuning.parameters = *parameters;
         tuning.track = track;
         for (const std::string& name : *parameters)
           tuning.track.settings[name] = tuning.method.options.parameters.find(name)->second;
-        if (options.objective == Objective::torque) tuning.warnings = warnings_of(goal->inertia);
+        if (options.objective == Objective::torque)
+          std::ranges::move(warnings_of(goal->inertia), std::back_inserter(tuning.warnings));
         std::ranges::move(warnings_of(tuning.method, track), std::back_inserter(tuning.warnings));
         work.finish();
         return tuning;

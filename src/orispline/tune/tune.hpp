@@ -31,7 +31,7 @@ struct Tuning {
   double energy_before = 0.0, energy_after = 0.0;  ///< in the unit of the objective
   std::size_t iterations = 0;                      ///< after the closed form; 0 where that is the answer
   double stationarity = 0.0;        ///< by which share of the energy a Gauss–Newton step would lower it still
-  std::vector<Warning> warnings{};  ///< of the inertia that counts, and of the method's curve
+  std::vector<Warning> warnings{};  ///< `not_at_rest`; of the inertia that counts, and of the method's curve
 };
 
 /// Error (bad_argument): options that contradict each other, such as an objective without what it needs, and those that
@@ -44,11 +44,12 @@ struct Tuning {
 /// The tensions that make the objective least, starting from those of the method and, where it is silent, of the track.
 ///
 /// The closed form minimises `linearised` by one banded solve in linear time; every other objective is refined from
-/// there to a stationarity of 1e-8 at most, usually 1e-14. Tensions without influence stay as they are.
-/// Source: docs/tune.md.
-/// Errors: those of make_curve() and of check(); bad_argument for a family without tensions, an unknown parameter, a
-/// loop; bad_data for fewer than three keys and for a reference without a time between the first and the last key;
-/// not_converged; cancelled.
+/// there, in 200 iterations at most, usually to a stationarity of 1e-14. More than 1e-8 is a warning, `not_at_rest`
+/// (`stationarity`, `iterations`). Tensions without influence stay as they are, and all where the energy is no more
+/// than the rounding of the keys. Source: docs/tune.md. Errors: those of make_curve() and of check(); bad_argument for
+/// a family without tensions, an unknown parameter, a loop; bad_data for fewer than three keys and for a reference
+/// without a time between the first and the last key; not_converged where no tensions that are not at rest are better
+/// than those before; cancelled.
 [[nodiscard]] ORISPLINE_EXPORT Expected<Tuning> tune(const Track& track, const Method& method,
                                                      const TuneOptions& options = {}, const Progress& progress = {});
 

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/tune/objective.hpp>
+
+#include <algorithm>
+
+#include <orispline/analysis/rounding.hpp>
+
+namespace orispline::inline ORISPLINE_ABI {
+
+double rounding_of(const Goal& goal, std::span<const double> times) noexcept {
+  if (goal.objective == Objective::fit) return rounding_of_increments * rounding_of_increments;
+  const int order = goal.objective == Objective::jerk ? 3 : 2;
+  const double moment = goal.objective == Objective::torque ? goal.inertia.norm() : 1.0;
+  const auto step = [&](std::size_t i) { return times[i + 1] - times[i]; };
+  double sum = 0.0;
+  for (std::size_t i = 0; i + 1 < times.size(); ++i) {
+    double shortest = step(i);
+    if (i > 0) shortest = std::min(shortest, step(i - 1));
+    if (i + 2 < times.size()) shortest = std::min(shortest, step(i + 1));
+    const double rate = moment * rounding_of_rates(shortest, order);
+    sum += step(i) * rate * rate;
+  }
+  return sum;
+}
+
+}  // namespace orispline::inline ORISPLINE_ABI

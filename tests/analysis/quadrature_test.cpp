@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/analysis/quadrature.hpp>
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace orispline {
+namespace {
+
+constexpr double today = 1.7e9;  // [s]; a double there is exact to 1.2e-7 s
+
+template <class F>
+double integral(F f, double a, double b) {
+  return adaptive_integral<1>([&](double t) { return Figures<1>(f(t)); }, a, b, Figures<1>(0.0))[0];
+}
+
+TEST(Quadrature, HalvesUntilItHasFollowedAPeakThatIsMuchNarrowerThanThePiece) {
+  constexpr double width = 0.003, middle = 0.3;
+  const auto peak = [](double t) { return width / (width * width + (t - middle) * (t - middle)); };
+  const double wanted = std::atan((1.0 - middle) / width) + std::atan(middle / width);
+  EXPECT_NEAR(integral(peak, 0.0, 1.0) / wanted, 1.0, 1e-10);
+}
+
+TEST(Quadrature, WeighsTheTimesThatANodeIsRoundedTo) {
+  for (const double h : {1.0, 1.0 / 64.0, 1.0 / 4096.0}) {
+    const auto ninth = [h](double t) { return std::pow((t - today) / h, 9.0); };
+    EXPECT_NEAR(gauss_integral<1>([&](double t) { return Figures<1>(ninth(t)); }, today, today + h)[0] / h, 0.1, 1e-13);
+    const auto wave = [h](double t) { return std::sin(3.0 * (t - today) / h); };
+    EXPECT_NEAR(integral(wave, today, today + h) / h, (1.0 - std::cos(3.0)) / 3.0, 1e-11);
+  }
+}
+
+TEST(Quadrature, AsksForNoMoreValuesAtTheTimesOfToday) {
+  const auto values_for = [](double origin, double h) {
+    std::size_t values = 0;
+    static_cast<void>(integral(
+        [&](double t) {
+          ++values;
+          return 2.0 + std::sin(9.0 * (t - origin) / h);
+        },
+        origin, origin + h));
+    return values;
+  };
+  for (const double h : {4.0, 1.0, 1.0 / 64.0, 1.0 / 1024.0}) EXPECT_LE(values_for(today, h), values_for(0.0, h)) << h;
+}
+
+TEST(Quadrature, TakesAPieceOfAFewRoundingsOfTimeAsItIs) {
+  const double ulp = std::nextafter(today, 2.0 * today) - today;
+  for (const double roundings : {1.0, 7.0, 100.0}) {
+    std::size_t values = 0;
+    const double h = roundings * ulp;
+    const auto rising = [&](double t) {
+      ++values;
+      return (t - today) / h;
+    };
+    EXPECT_NEAR(integral(rising, today, today + h) / h, 0.5, 0.5 / roundings);
+    EXPECT_EQ(values, gauss_nodes);
+  }
+}
+
+}  // namespace
+}  // namespace orispline
