@@ -35,6 +35,28 @@ class Retime(CommandTest):
         self.assertGreaterEqual(report["time_scale"], 2)
         self.assertLessEqual(report["rate_bound_deg_s"], 45)
 
+    def test_states_how_much_less_slowing_might_do(self):
+        report = self.retimed("robot.csv --max-rate 90deg/s")
+        self.assertGreaterEqual(report["slack"], 0)
+        self.assertLess(report["slack"], 2e-4)
+        self.write("rest.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n1e-9,-1,0,1e-16,0\n2e-9,1,1e-16,0,0\n3e-9,-1,0,0,0\n")
+        done = self.run_command("retime rest.csv --max-acceleration 0.54rad/s2 -o slow.csv --json")
+        report = json.loads(done.stdout)
+        self.assertGreater(report["slack"], 2e-4)
+        self.assertEqual(done.stderr, "orispline: warning: auto: the bounds lie above the largest values that were found, and "
+                         f"{report['slack']:.2g} less slowing might do; keys that are very close together in time make that "
+                         "happen\n")
+
+    def test_steps_that_differ_by_a_million_are_slowed_as_little_as_others(self):
+        angles = [0, 60, 100, 30, 80]
+        self.write("pair.csv", "t,qw,qx,qy,qz\n" + "".join(
+            f"{t},{math.cos(math.radians(a) / 2)!r},{'0,0,' if k % 2 else '0,'}{math.sin(math.radians(a) / 2)!r}"
+            f"{'' if k % 2 else ',0'}\n" for k, (t, a) in enumerate(zip((0, 1, 1.000001, 2, 3), angles))))
+        for method in ("timed-c1", "timed-c2"):
+            report = self.retimed(f"pair.csv --max-rate 90deg/s --method {method}")
+            self.assertLess(report["slack"], 2e-4)
+            self.assertGreater(report["rate_max_deg_s"], 90 * (1 - 3e-4))
+
     def test_limits_hold_everywhere_and_are_reached(self):
         for extra in ("", "--per-interval"):
             report = self.retimed(f"robot.csv --max-rate 90deg/s --max-acceleration 200deg/s2 {extra}")
@@ -215,7 +237,7 @@ class Retime(CommandTest):
         self.assert_fails("retime keys.csv --max-torque 1Nm --inertia=1,-2,3", BAD_USAGE,
                           "--inertia: found the principal moments -2, 1, 3, wanted all of them greater than 0")
         self.assert_fails("retime keys.csv --max-rate 1e-100deg/s", BAD_USAGE,
-                          "the limits ask for a slowing by 4.87514e+101, wanted limits that 1e+15 meets")
+                          "the limits ask for a slowing by 4.875e+101, wanted limits that 1e+15 meets")
         self.assert_fails("retime keys.csv --max-rate 1deg/s -o slow.npy", BAD_USAGE,
                           "-o: a NumPy file rounds times, with which the limits need not hold, wanted CSV or TUM")
         self.assert_fails("retime keys.csv --max-rate 1deg/s -o slow.csv --output-format euroc", BAD_USAGE,

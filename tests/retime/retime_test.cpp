@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <numbers>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -173,6 +174,69 @@ TEST(Retime, SaysHowItSlowed) {
   EXPECT_EQ(retimed("slerp", keys, {.rate = 1.0}, Slowing::uniform).slowing, Slowing::uniform);
   EXPECT_EQ(retimed("slerp", keys, {.rate = 1.0}, Slowing::per_interval).slowing, Slowing::per_interval);
   EXPECT_EQ(retimed("slerp", steady, {.rate = 0.1}, Slowing::per_interval).slowing, Slowing::uniform);
+}
+
+constexpr double degrees = std::numbers::pi / 180.0;
+
+TEST(Retime, KeepsItsPromiseWhereStepsDifferByAMillionAndMore) {
+  const Keyframes five = at_times(random_keys(2, {5, 1.5}), {0.0, 1.0, 1.0 + 1e-6, 2.0, 3.0});
+  for (const Keyframes& keys : {five, random_keys(2, {11, 1.5, 1e9})})
+    for (const std::string_view method : {"timed-c1", "timed-c2", "timed-c3", "auto"}) {
+      const Retiming slow = retimed(method, keys, {.rate = 90.0 * degrees});
+      EXPECT_LE(slow.slack, 2e-4) << method;
+      EXPECT_TRUE(slow.warnings.empty()) << method;
+      const double rate = sampled(curve_of(method, slow)).rate / (90.0 * degrees);
+      EXPECT_LE(rate, 1.0) << method;
+      EXPECT_GE(rate, 1.0 - 1e-2) << method;
+      const Retiming gentle = retimed(method, five, {.acceleration = 200.0 * degrees});
+      EXPECT_LE(gentle.slack, 2e-4) << method;
+      EXPECT_GE(sampled(curve_of(method, gentle)).acceleration, (1.0 - 1e-2) * 200.0 * degrees) << method;
+    }
+}
+
+/// Keys that are equal up to sign and to `rounding`.
+Keyframes nearly_equal_keys(unsigned seed, const std::vector<double>& times, double rounding) {
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> symmetric(-1.0, 1.0);
+  KeyframeData data{.times = times};
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    Eigen::Vector4d q(0.1, -0.7, 0.5, 0.5);
+    for (double& component : q) component += rounding * symmetric(generator);
+    data.orientations.emplace_back(Eigen::Vector4d(i % 2 == 0 ? q : Eigen::Vector4d(-q)));
+  }
+  return Keyframes::make(std::move(data)).value();
+}
+
+TEST(Retime, KeepsLimitsWhateverTheRoundingOfKeysMakesOfShortSteps) {
+  const std::vector<double> times{0.0, 1e-9, 2e-9, 3e-9, 4e-9, 5e-9};
+  for (const std::string_view method : {"auto", "timed-c2", "timed-c1", "bspline"})
+    for (unsigned seed = 0; seed < 3; ++seed) {
+      const Retiming slow = retimed(method, nearly_equal_keys(seed, times, 1e-16), {.acceleration = 0.54});
+      const auto later = slow.track.keys.times();
+      for (unsigned other = 10; other < 13; ++other) {
+        const Keyframes same = nearly_equal_keys(other, {later.begin(), later.end()}, 1e-16);
+        EXPECT_LE(sampled(make_curve(method, same).value()).acceleration, 0.54) << method;
+      }
+    }
+}
+
+TEST(Retime, StatesTheSlackThatItsBoundsLeave) {
+  const Retiming loose = retimed("auto", nearly_equal_keys(1, {0.0, 1e-9, 2e-9, 3e-9}, 1e-16), {.acceleration = 0.54});
+  ASSERT_EQ(loose.warnings.size(), 1u);
+  EXPECT_EQ(loose.warnings.front().code, "loose_bounds");
+  EXPECT_EQ(loose.warnings.front().number("slack"), loose.slack);
+  double found = 0.0;
+  for (const SegmentPeaks& peaks : loose.peaks) found = std::max(found, peaks.acceleration.found);
+  EXPECT_NEAR(loose.slack, 1.0 - std::sqrt(found / 0.54), 1e-6);
+  EXPECT_GT(loose.slack, 0.1);
+  const Keyframes keys = random_keys(4, {40, 2.5, 30.0});
+  EXPECT_EQ(retimed("auto", keys, {.rate = 1e6}).slack, 0.0);
+  for (const Slowing slowing : {Slowing::uniform, Slowing::per_interval}) {
+    const Retiming tight = retimed("auto", keys, {.rate = 1.0, .acceleration = 2.0}, slowing);
+    EXPECT_GT(tight.slack, 0.0);
+    EXPECT_LE(tight.slack, 2e-4);
+    EXPECT_TRUE(tight.warnings.empty());
+  }
 }
 
 TEST(Retime, RefusesLimitsThatAreNone) {

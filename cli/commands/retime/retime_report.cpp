@@ -37,7 +37,7 @@ std::string json_of(const RetimeReport& report) {
   json["slowing_asked_for"] = word_of(report.slowing);
   put(json, report.retiming, {"keys"});
   json["duration_before_s"] = report.duration_before;
-  put(json, report.retiming, {"duration_after", "time_scale"});
+  put(json, report.retiming, {"duration_after", "time_scale", "slack"});
   for (const Certificate& c : certificates_of(report.limits, report.retiming.peaks)) {
     json[c.id_of("limit")] = c.limit;
     json[c.id_of("bound")] = c.bound;

@@ -15,6 +15,19 @@ MotionSizes bounds_of(const SegmentPeaks& peaks) {
   return {peaks.rate.bound, peaks.acceleration.bound, peaks.torque.bound};
 }
 
+MotionSizes found_of(const SegmentPeaks& peaks) {
+  return {peaks.rate.found, peaks.acceleration.found, peaks.torque.found};
+}
+
+/// A segment that is slowed by itself is so near to its limits, where nothing else holds it.
+constexpr double at_the_limit = 1.0 - 1e-3;
+/// Bounds above this share of the limits are near enough to tell.
+constexpr double near_the_limit = 1.0 - 1e-2;
+
+MotionSizes operator*(double share, const MotionSizes& sizes) {
+  return {share * sizes.rate, share * sizes.acceleration, share * sizes.torque};
+}
+
 MotionSizes sizes_of(const MotionLimits& limits) {
   constexpr double unlimited = std::numeric_limits<double>::infinity();
   return {limits.rate.value_or(unlimited), limits.acceleration.value_or(unlimited), limits.torque.value_or(unlimited)};
@@ -69,7 +82,7 @@ Expected<std::vector<double>> LimitedMotion::certified_factors(std::vector<doubl
 Expected<std::vector<SegmentPeaks>> LimitedMotion::largest_peaks(std::vector<double> times) const {
   return curve(std::move(times)).and_then([this](const AnyCurve& made) {
     const MotionSizes limits = sizes_of(limits_);
-    MotionSizes floors{1e-3 * limits.rate, 1e-3 * limits.acceleration, 1e-3 * limits.torque};  // less matters to nobody
+    MotionSizes floors = 1e-3 * limits;  // less matters to nobody
     for (const MotionSizes& peaks : sampled_peaks(made, limits_.inertia))
       floors = {std::max(floors.rate, peaks.rate), std::max(floors.acceleration, peaks.acceleration),
                 std::max(floors.torque, peaks.torque)};
@@ -81,6 +94,27 @@ double LimitedMotion::largest_factor(std::span<const SegmentPeaks> peaks) const 
   double factor = 1.0;
   for (const SegmentPeaks& segment : peaks) factor = std::max(factor, needed_factor(bounds_of(segment), limits_));
   return factor;
+}
+
+double LimitedMotion::slack(std::span<const SegmentPeaks> peaks) const {
+  double bound = 0.0, found = 0.0;
+  for (const SegmentPeaks& segment : peaks) {
+    bound = std::max(bound, needed_factor(bounds_of(segment), limits_));
+    found = std::max(found, needed_factor(found_of(segment), limits_));
+  }
+  return bound > 0.0 ? 1.0 - found / bound : 0.0;
+}
+
+Expected<double> LimitedMotion::largest_slack(std::vector<double> times) const {
+  return curve(std::move(times))
+      .and_then([this](const AnyCurve& made) { return certified(made, near_the_limit * sizes_of(limits_)); })
+      .map([this](const std::vector<SegmentPeaks>& peaks) {
+        double largest = 0.0;
+        for (const SegmentPeaks& segment : peaks)
+          if (needed_factor(bounds_of(segment), limits_) >= at_the_limit)
+            largest = std::max(largest, slack(std::span(&segment, 1)));
+        return largest;
+      });
 }
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -35,6 +35,10 @@ class LimitedMotion {
   [[nodiscard]] Expected<std::vector<SegmentPeaks>> largest_peaks(std::vector<double> times) const;
   /// The largest of the factors, by bounds; 1 where none is needed.
   [[nodiscard]] double largest_factor(std::span<const SegmentPeaks> peaks) const;
+  /// By which share the motion might be shorter still, for bounds lie above the largest values that were found.
+  [[nodiscard]] double slack(std::span<const SegmentPeaks> peaks) const;
+  /// The same where every segment is slowed by itself: of the one at a limit at these times where it is the largest.
+  [[nodiscard]] Expected<double> largest_slack(std::vector<double> times) const;
 
  private:
   [[nodiscard]] Expected<AnyCurve> curve(std::vector<double> times) const;

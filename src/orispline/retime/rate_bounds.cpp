@@ -8,143 +8,156 @@
 #include <orispline/analysis/torque.hpp>
 #include <orispline/base/parallel.hpp>
 #include <orispline/batch/sample.hpp>
+#include <orispline/retime/segment_hull.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
-constexpr double gap = 1e-4;               // of a bound above the largest value found, relative
-constexpr double rounding = 1e-14;         // of evaluation, of the size of what is added up
-constexpr std::size_t most_halvings = 16;  // of an interval; there a bound may stay farther above
-constexpr std::size_t first_cuts = 4;      // of a segment
-
-using Coefficients = std::array<Eigen::Vector3d, form_degree + 1>;
-using OrderBounds = Eigen::Matrix<double, 5, 1>;  // of order 0 to 4
-
-/// |X| to |X''''| by the largest Bernstein coefficients of the derivatives, per unit of time.
-OrderBounds derivative_bounds(Coefficients c, std::size_t degree, double duration) {
-  OrderBounds bounds = OrderBounds::Zero();
-  double factor = 1.0;
-  for (std::size_t order = 0; order <= std::min<std::size_t>(4, degree); ++order) {
-    if (order > 0) factor *= static_cast<double>(degree - order + 1) / duration;
-    double& bound = bounds[static_cast<Eigen::Index>(order)];
-    for (std::size_t i = 0; i + order <= degree; ++i) bound = std::max(bound, factor * c[i].norm());
-    for (std::size_t i = 0; i + order + 1 <= degree; ++i) c[i] = c[i + 1] - c[i];
-  }
-  return bounds;
-}
-
-/// What is known of a whole segment.
-struct SegmentSize {
-  double snap;           ///< bound of |jerk'| [rad/s⁴]
-  MotionSizes rounding;  ///< of evaluated ω and α; none of the torque [rad/s], [rad/s²]
-};
-
-SegmentSize size_of(const OrderBounds& a, std::size_t degree, double duration) {
-  const double q1 = a[1], q2 = a[2] + a[1] * a[1], q3 = a[3] + 3.0 * a[1] * a[2] + a[1] * a[1] * a[1];
-  const double q4 = a[4] + 4.0 * a[1] * a[3] + 3.0 * a[2] * a[2] + 6.0 * a[1] * a[1] * a[2] + q1 * q1 * q1 * q1;
-  const double per_time = 2.0 * static_cast<double>(degree) / duration;  // of coefficients that are not differences yet
-  return {2.0 * (q4 + 4.0 * q1 * q3 + 3.0 * q2 * q2) * (1.0 + 1e-12),
-          {rounding * (2.0 * a[0] * per_time + q1), rounding * (2.0 * a[0] * per_time * per_time + q2), 0.0}};
-}
-
-/// `form`: one of polynomials; the exponents of its factors are halved into pure quaternions.
-SegmentSize size_of(const SegmentForm& form, double duration) {
-  OrderBounds bounds = OrderBounds::Zero();
-  Coefficients c{};
-  if (const auto* chart = std::get_if<ChartForm>(&form)) {
-    for (std::size_t i = 0; i <= chart->degree; ++i)
-      c[i] = 0.5 * Eigen::Vector3d(chart->rotation_vector[0].coefficients[i], chart->rotation_vector[1].coefficients[i],
-                                   chart->rotation_vector[2].coefficients[i]);
-    return size_of(derivative_bounds(c, chart->degree, duration), chart->degree, duration);
-  }
-  const auto& product = std::get<CumulativeForm>(form);
-  for (std::size_t k = 0; k < product.increments.size(); ++k) {
-    for (std::size_t i = 0; i <= product.degree; ++i)
-      c[i] = 0.5 * product.blending[k].coefficients[i] * product.increments[k];
-    bounds += derivative_bounds(c, product.degree, duration);
-  }
-  return size_of(bounds, product.degree, duration);
-}
+constexpr double gap = 1e-4;  // of a bound above the largest value found, relative
+/// Of an increment so much is rounding [rad]: that of two keys, also when they are written, read and normalised again.
+constexpr double rounding_of_keys = 16.0 * std::numeric_limits<double>::epsilon();
+constexpr std::size_t keys_near = 3;   // so many segments away a short step still shapes the curve
+constexpr std::size_t first_cuts = 4;  // of a segment
+/// Parts that the segments of a curve are cut into, all together, and those of each that it has in any case.
+constexpr std::size_t most_parts = std::size_t{1} << 20, fewest_parts = std::size_t{1} << 10;
 
 /// The longer end of the line a ± b r.
 double longest(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double r) {
   return std::max((a + b * r).norm(), (a - b * r).norm());
 }
 
-/// One segment, cut into intervals.
+MotionSizes smaller(const MotionSizes& a, const MotionSizes& b) {
+  return {std::min(a.rate, b.rate), std::min(a.acceleration, b.acceleration), std::min(a.torque, b.torque)};
+}
+
+/// A part of a segment, and what the motion is nowhere above on it.
+struct Part {
+  double middle, radius;  ///< [s]
+  MotionSizes bounds;
+  double excess;  ///< by which factor a bound is above what is near enough, when it was found
+};
+
+/// One segment, cut where its bounds are the farthest from what was found.
 class PeakSearch {
  public:
-  PeakSearch(const AnyCurve& curve, std::size_t segment, const SegmentSize& size,
+  PeakSearch(const AnyCurve& curve, std::size_t segment, const SegmentHull& hull,
              const std::optional<Eigen::Matrix3d>& inertia, const MotionSizes& floors)
       : curve_(curve),
         segment_(segment),
-        size_(size),
+        span_(curve.knots().span(segment)),
+        hull_(hull),
+        rounding_(hull.rounding()),
         inertia_(inertia ? *inertia : Eigen::Matrix3d::Zero()),
         weight_(inertia_.norm()),
         floors_(floors) {}
 
-  SegmentPeaks run() {
-    const KnotSpan span = curve_.knots().span(segment_);
-    const double step = span.step() / static_cast<double>(first_cuts);
-    for (std::size_t i = 0; i < first_cuts; ++i) note(span.start() + static_cast<double>(i) * step);
-    note(span.end());
+  /// `parts`: at most.
+  SegmentPeaks run(std::size_t parts) {
+    constexpr double any = std::numeric_limits<double>::infinity();
+    const double step = span_.step() / static_cast<double>(first_cuts);
+    for (std::size_t i = 0; i < first_cuts; ++i) note(span_.start() + static_cast<double>(i) * step);
+    note(span_.end());
     for (std::size_t i = 0; i < first_cuts; ++i)
-      search(span.start() + (static_cast<double>(i) + 0.5) * step, 0.5 * step, 0);
-    return peaks_;
+      add(span_.start() + (static_cast<double>(i) + 0.5) * step, 0.5 * step, {any, any, any});
+    for (std::size_t made = first_cuts; !open_.empty() && made < parts; made += 2) halve_worst();
+    for (const Part& part : open_) take(part.bounds);
+    return rounded();
   }
 
  private:
   Motion note(double t) {
     const Motion m = curve_.motion_on(segment_, t);
-    const auto take = [t](CertifiedPeak& peak, double value) {
+    const auto see = [t](CertifiedPeak& peak, double value) {
       if (value > peak.found) peak.found = value, peak.time = t;
       peak.bound = std::max(peak.bound, value);
     };
-    take(peaks_.rate, m.angular_velocity.norm());
-    take(peaks_.acceleration, m.angular_acceleration.norm());
-    take(peaks_.torque, orispline::torque(m, inertia_).norm());
+    see(peaks_.rate, m.angular_velocity.norm());
+    see(peaks_.acceleration, m.angular_acceleration.norm());
+    see(peaks_.torque, orispline::torque(m, inertia_).norm());
     return m;
   }
 
   /// Of all times within `r` of the motion's.
-  [[nodiscard]] MotionSizes bounds(const Motion& m, double r) const {
+  [[nodiscard]] MotionSizes bounds(const Motion& m, double r, const HullBounds& hull) const {
     const double jerk = m.angular_jerk.norm();
-    const double rate = longest(m.angular_velocity, m.angular_acceleration, r) +
-                        (0.5 * jerk + size_.snap * r / 6.0) * r * r + size_.rounding.rate;
+    const double rate = std::min(hull.rate, longest(m.angular_velocity, m.angular_acceleration, r) +
+                                                (0.5 * jerk + hull.snap * r / 6.0) * r * r) +
+                        rounding_.rate;
     const double acceleration =
-        longest(m.angular_acceleration, m.angular_jerk, r) + 0.5 * size_.snap * r * r + size_.rounding.acceleration;
+        std::min(hull.acceleration, longest(m.angular_acceleration, m.angular_jerk, r) + 0.5 * hull.snap * r * r) +
+        rounding_.acceleration;
     const double bend =
-        weight_ * (size_.snap + 2.0 * ((jerk + size_.snap * r) * rate + acceleration * acceleration));  // of the torque
+        weight_ * (hull.snap + 2.0 * ((jerk + hull.snap * r) * rate + acceleration * acceleration));  // of the torque
     const double torque = longest(orispline::torque(m, inertia_), torque_rate(m, inertia_), r) + 0.5 * bend * r * r +
-                          weight_ * (size_.rounding.acceleration + 2.0 * rate * size_.rounding.rate);
-    return {rate, acceleration, torque};
+                          weight_ * (rounding_.acceleration + 2.0 * rate * rounding_.rate);
+    return {rate, acceleration, std::min(torque, weight_ * (acceleration + rate * rate))};
   }
 
-  void search(double middle, double radius, std::size_t halvings) {
-    const Motion m = note(middle);
+  /// `within`: bounds of a part that holds this one.
+  void add(double middle, double radius, const MotionSizes& within) {
     const double of_time = 2.0 * std::numeric_limits<double>::epsilon() * std::abs(middle);
-    const MotionSizes b = bounds(m, radius + of_time);
-    const bool near = b.rate <= allowed(peaks_.rate, floors_.rate) &&
-                      b.acceleration <= allowed(peaks_.acceleration, floors_.acceleration) &&
-                      b.torque <= allowed(peaks_.torque, floors_.torque);
-    if (near || halvings == most_halvings) {
-      peaks_.rate.bound = std::max(peaks_.rate.bound, b.rate);
-      peaks_.acceleration.bound = std::max(peaks_.acceleration.bound, b.acceleration);
-      peaks_.torque.bound = std::max(peaks_.torque.bound, b.torque);
-      return;
+    const double r = radius + of_time;
+    const Motion m = note(middle);
+    const auto place = [&](double t) { return std::clamp(span_.normalised(t), 0.0, 1.0); };
+    const HullBounds hull = hull_.on(place(middle - r), place(middle + r));
+    const MotionSizes found = smaller(within, bounds(m, r, hull));
+    const double excess = excess_of(found);
+    if (excess > 1.0 && radius > of_time) {
+      open_.push_back({middle, radius, found, excess});
+      std::ranges::push_heap(open_, {}, &Part::excess);
+    } else {
+      take(found);
     }
-    search(middle - 0.5 * radius, 0.5 * radius, halvings + 1);
-    search(middle + 0.5 * radius, 0.5 * radius, halvings + 1);
   }
-  static double allowed(const CertifiedPeak& peak, double floor) { return std::max(peak.found * (1.0 + gap), floor); }
+
+  void halve_worst() {
+    std::ranges::pop_heap(open_, {}, &Part::excess);
+    const Part part = open_.back();
+    open_.pop_back();
+    if (!(excess_of(part.bounds) > 1.0)) return take(part.bounds);
+    add(part.middle - 0.5 * part.radius, 0.5 * part.radius, part.bounds);
+    add(part.middle + 0.5 * part.radius, 0.5 * part.radius, part.bounds);
+  }
+
+  void take(const MotionSizes& bounds) {
+    peaks_.rate.bound = std::max(peaks_.rate.bound, bounds.rate);
+    peaks_.acceleration.bound = std::max(peaks_.acceleration.bound, bounds.acceleration);
+    peaks_.torque.bound = std::max(peaks_.torque.bound, bounds.torque);
+  }
+
+  [[nodiscard]] double excess_of(const MotionSizes& bounds) const {
+    const auto of = [](double bound, const CertifiedPeak& peak, double floor) {
+      return bound > 0.0 ? bound / std::max(peak.found * (1.0 + gap), floor) : 0.0;
+    };
+    return std::max({of(bounds.rate, peaks_.rate, floors_.rate),
+                     of(bounds.acceleration, peaks_.acceleration, floors_.acceleration),
+                     of(bounds.torque, peaks_.torque, floors_.torque)});
+  }
+
+  /// With what the rounding of the keys makes of the shortest step near the segment.
+  [[nodiscard]] SegmentPeaks rounded() const {
+    const auto t = curve_.knots().times();
+    double shortest = span_.step();
+    for (std::size_t i = segment_ - std::min(segment_, keys_near); i <= segment_ + keys_near && i + 1 < t.size(); ++i)
+      shortest = std::min(shortest, t[i + 1] - t[i]);
+    const double rate = rounding_of_keys / shortest, acceleration = rate / shortest;
+    SegmentPeaks peaks = peaks_;
+    peaks.rate.bound += rate;
+    peaks.acceleration.bound += acceleration;
+    peaks.torque.bound += weight_ * (acceleration + 2.0 * peaks.rate.bound * rate);
+    return peaks;
+  }
 
   const AnyCurve& curve_;
   std::size_t segment_;
-  SegmentSize size_;
+  KnotSpan span_;
+  const SegmentHull& hull_;
+  HullBounds rounding_;
   Eigen::Matrix3d inertia_;
   double weight_;
   MotionSizes floors_;
   SegmentPeaks peaks_{};
+  std::vector<Part> open_{};  ///< a heap, the worst first
 };
 
 }  // namespace
@@ -176,8 +189,8 @@ std::vector<MotionSizes> sampled_peaks(const AnyCurve& curve, const std::optiona
 }
 
 std::optional<double> snap_bound(const SegmentForm& form, double duration) {
-  if (std::holds_alternative<std::monostate>(form)) return std::nullopt;
-  return size_of(form, duration).snap;
+  const auto hull = SegmentHull::of(form, duration);
+  return hull ? std::optional(hull->on(0.0, 1.0).snap) : std::nullopt;
 }
 
 std::optional<std::vector<SegmentPeaks>> certified_peaks(const AnyCurve& curve,
@@ -186,10 +199,12 @@ std::optional<std::vector<SegmentPeaks>> certified_peaks(const AnyCurve& curve,
   constexpr std::size_t together = 64;  // segments
   const std::size_t segments = curve.knots().segments();
   if (segments > 0 && std::holds_alternative<std::monostate>(curve.form(0))) return std::nullopt;
+  const std::size_t parts = std::max(fewest_parts, most_parts / std::max<std::size_t>(segments, 1));
   std::vector<SegmentPeaks> peaks(segments);
   parallel_for((segments + together - 1) / together, 0, [&](std::size_t part) {
     for (std::size_t s = part * together; s < std::min(segments, (part + 1) * together); ++s)
-      peaks[s] = PeakSearch(curve, s, size_of(curve.form(s), curve.knots().span(s).step()), inertia, floors).run();
+      if (const auto hull = SegmentHull::of(curve.form(s), curve.knots().span(s).step()))
+        peaks[s] = PeakSearch(curve, s, *hull, inertia, floors).run(parts);
   });
   return peaks;
 }

@@ -45,8 +45,10 @@ struct MotionSizes {
 /// `floors`: bounds below these are near enough, whatever the largest value; infinite for what nobody asks for.
 /// The bound S of the snap turns the motion at the middle of an interval of half length r into bounds on all of it,
 /// with the jerk j: |ω| ≤ max |ω_m ± α_m r| + |j_m| r²/2 + S r³/6 and |α| ≤ max |α_m ± j_m r| + S r²/2, for a straight
-/// line is longest at an end; likewise the torque. Intervals are halved until no bound is more than 1e-4 of the largest
-/// value above it, or all are below the floors, or 16 times. Source: our own derivation, docs/retime.md.
+/// line is longest at an end; likewise the torque. Bounds of SegmentHull count where they are nearer. The interval of
+/// the worst bound is halved until no bound is more than 1e-4 of the largest value above it, or all are below the
+/// floors, or there are very many. The rounding of the keys, also when they are written and read again, is in the
+/// bounds. Source: our own derivation, docs/retime.md.
 [[nodiscard]] ORISPLINE_EXPORT std::optional<std::vector<SegmentPeaks>> certified_peaks(
     const AnyCurve& curve, const std::optional<Eigen::Matrix3d>& inertia, const MotionSizes& floors);
 

@@ -19,6 +19,7 @@ namespace {
 constexpr double margin = 1e-9;  // of a factor, for the rounding of the new times; twice as much in every round
 constexpr std::size_t most_slowings = 30;
 constexpr double least_gain = 1e-4;       // of the duration, to which the slowing is the least one, for another path
+constexpr double promised_slack = 2e-4;   // more is worth a warning
 constexpr double usual_rounds = 3.0;      // of slowing all alike
 constexpr double most_time_scale = 1e15;  // thirty million years a second
 
@@ -66,7 +67,7 @@ Expected<void> check_continuity(const FamilyInfo& family, const Method& method, 
 /// Times at which the motion keeps its limits, as in Retiming.
 struct Slowed {
   std::vector<double> times;
-  double time_scale;
+  double time_scale, slack;
   Slowing slowing;
   std::vector<SegmentPeaks> peaks;
 };
@@ -91,7 +92,12 @@ Expected<Slowed> slowed(const LimitedMotion& motion, std::vector<double> times,
   if (!found) return tl::unexpected(std::move(found.error()));
   if (motion.largest_factor(*found) > 1.0)
     return failure(ErrorCode::not_converged, formatted("no slowing up to {:.6g} meets the limits", time_scale(times)));
-  return Slowed{times, time_scale(times), slowing, std::move(*found)};
+  const double scale = time_scale(times);
+  Expected<double> slack = 0.0;
+  if (scale > 1.0)
+    slack = slowing == Slowing::uniform ? Expected<double>(motion.slack(*found)) : motion.largest_slack(times);
+  if (!slack) return tl::unexpected(std::move(slack.error()));
+  return Slowed{std::move(times), scale, *slack, slowing, std::move(*found)};
 }
 
 /// The least slowing of the two, where both are asked for.
@@ -108,6 +114,14 @@ Expected<Slowed> least_slowed(const LimitedMotion& motion, int support_keys, Slo
   });
   if (!separate && separate.error().code == ErrorCode::cancelled) return separate;
   return separate && (!uniform || separate->time_scale < (1.0 - least_gain) * uniform->time_scale) ? separate : uniform;
+}
+
+Warning loose_bounds(std::string_view method, double slack) {
+  return {.code = "loose_bounds",
+          .message = formatted("{}: the bounds lie above the largest values that were found, and {:.2g} less slowing "
+                               "might do; keys that are very close together in time make that happen",
+                               method, slack),
+          .numbers = {{"slack", slack}}};
 }
 
 }  // namespace
@@ -143,9 +157,15 @@ Expected<Retiming> retime(const Track& track, const Method& given, const RetimeO
       later.settings = settings_per_key(method, later.keys.size());
       work.finish();
       std::vector<Warning> warnings = limits.inertia ? warnings_of(*limits.inertia) : std::vector<Warning>();
+      if (slowed.slack > promised_slack) warnings.push_back(loose_bounds(method.name, slowed.slack));
       std::ranges::move(warnings_of(method, later), std::back_inserter(warnings));
-      return Retiming{std::move(later),   method, slowed.time_scale, slowed.slowing, std::move(slowed.peaks),
-                      std::move(warnings)};
+      return Retiming{.track = std::move(later),
+                      .method = method,
+                      .time_scale = slowed.time_scale,
+                      .slack = slowed.slack,
+                      .slowing = slowed.slowing,
+                      .peaks = std::move(slowed.peaks),
+                      .warnings = std::move(warnings)};
     });
   });
 }

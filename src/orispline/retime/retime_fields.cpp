@@ -44,6 +44,9 @@ std::span<const FieldInfo> fields_of<Retiming>() noexcept {
       field<&Retiming::track, &duration_of>(
           {.name = "duration_after", .sentence = "From the first key to the last", .quantity = &quantities::time}),
       field<&Retiming::time_scale>({.name = "time_scale", .sentence = "That duration over the one before, at least 1"}),
+      field<&Retiming::slack>(
+          {.name = "slack",
+           .sentence = "By which share less slowing might do, for the bounds are above the largest values found"}),
   };
   return fields;
 }

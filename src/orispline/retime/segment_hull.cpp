@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/retime/segment_hull.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace orispline::inline ORISPLINE_ABI {
+namespace {
+
+using Orders = std::array<double, 5>;  // of order 0 to 4
+
+HullDerivatives derivatives_of(const BernsteinForm& form, std::size_t degree, double duration) {
+  HullDerivatives all{HullPolynomial{form, degree}};
+  for (std::size_t order = 1; order < all.size(); ++order) {
+    const HullPolynomial& before = all[order - 1];
+    HullPolynomial& next = all[order];
+    next.degree = before.degree > 0 ? before.degree - 1 : 0;
+    const double factor = static_cast<double>(before.degree) / duration;
+    for (std::size_t i = 0; i < before.degree; ++i)
+      next.form.coefficients[i] = factor * (before.form.coefficients[i + 1] - before.form.coefficients[i]);
+  }
+  return all;
+}
+
+/// The same polynomial over a part of [0, 1], by de Casteljau's algorithm.
+HullPolynomial restricted(HullPolynomial p, double start, double end) {
+  auto& c = p.form.coefficients;
+  for (std::size_t r = 1; r <= p.degree; ++r)
+    for (std::size_t i = p.degree; i >= r; --i) c[i] = (1.0 - end) * c[i - 1] + end * c[i];
+  const double place = end > 0.0 ? start / end : 0.0;
+  for (std::size_t r = 1; r <= p.degree; ++r)
+    for (std::size_t i = 0; i + r <= p.degree; ++i) c[i] = (1.0 - place) * c[i] + place * c[i + 1];
+  return p;
+}
+
+double largest(const HullPolynomial& p) {
+  double value = 0.0;
+  for (std::size_t i = 0; i <= p.degree; ++i) value = std::max(value, std::abs(p.form.coefficients[i]));
+  return value;
+}
+
+using Three = std::array<HullPolynomial, 3>;
+
+/// Σ weight polynomial, the three of one degree.
+HullPolynomial sum_of(const Three& p, const std::array<double, 3>& weights) {
+  HullPolynomial sum{.form = {}, .degree = p[0].degree};
+  for (std::size_t k = 0; k < p.size(); ++k)
+    for (std::size_t i = 0; i <= sum.degree; ++i) sum.form.coefficients[i] += weights[k] * p[k].form.coefficients[i];
+  return sum;
+}
+
+Three restricted(const std::array<HullDerivatives, 3>& parts, std::size_t order, double start, double end) {
+  return {restricted(parts[0][order], start, end), restricted(parts[1][order], start, end),
+          restricted(parts[2][order], start, end)};
+}
+
+Eigen::Vector3d coefficient(const Three& components, std::size_t i) {
+  return {components[0].form.coefficients[i], components[1].form.coefficients[i], components[2].form.coefficients[i]};
+}
+
+/// The longest vector of these components.
+double longest(const Three& components) {
+  double length = 0.0;
+  for (std::size_t i = 0; i <= components[0].degree; ++i) length = std::max(length, coefficient(components, i).norm());
+  return length;
+}
+
+/// Of a product of exponentials whose exponents, halved, have derivatives below these.
+double snap_of(const Orders& a) {
+  const double q1 = a[1], q2 = a[2] + a[1] * a[1], q3 = a[3] + 3.0 * a[1] * a[2] + a[1] * a[1] * a[1];
+  const double q4 = a[4] + 4.0 * a[1] * a[3] + 3.0 * a[2] * a[2] + 6.0 * a[1] * a[1] * a[2] + q1 * q1 * q1 * q1;
+  return 2.0 * (q4 + 4.0 * q1 * q3 + 3.0 * q2 * q2);
+}
+
+constexpr double rounded_up = 1.0 + 1e-12;
+constexpr double rounding_share = 1e-14;  // of evaluation, of the size of what is added up
+
+}  // namespace
+
+std::optional<SegmentHull> SegmentHull::of(const SegmentForm& form, double duration) {
+  SegmentHull hull;
+  hull.duration_ = duration;
+  if (const auto* chart = std::get_if<ChartForm>(&form)) {
+    hull.is_chart_ = true;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      hull.parts_[axis] = derivatives_of(chart->rotation_vector[axis], chart->degree, duration);
+    return hull;
+  }
+  const auto* product = std::get_if<CumulativeForm>(&form);
+  if (!product) return std::nullopt;
+  const auto& phi = product->increments;
+  const Eigen::Vector3d axis = (phi[1].isZero(0.0) ? phi[0] : phi[1]).stableNormalized();
+  for (std::size_t k = 0; k < phi.size(); ++k) {
+    hull.parts_[k] = derivatives_of(product->blending[k], product->degree, duration);
+    hull.lengths_[k] = phi[k].stableNorm();
+    hull.along_[k] = phi[k].dot(axis);
+    hull.across_[k] = (phi[k] - hull.along_[k] * axis).stableNorm();
+  }
+  return hull;
+}
+
+HullBounds SegmentHull::on(double start, double end) const {
+  const HullBounds b = is_chart_ ? chart_on(start, end) : product_on(start, end);
+  return {b.rate * rounded_up, b.acceleration * rounded_up, b.snap * rounded_up};
+}
+
+HullBounds SegmentHull::rounding() const {
+  double size = 0.0;  // of coefficients, which are not differences yet
+  for (std::size_t k = 0; k < parts_.size(); ++k) size += (is_chart_ ? 1.0 : lengths_[k]) * largest(parts_[k][0]);
+  const double per_time = 2.0 * static_cast<double>(parts_[0][0].degree) / duration_;
+  const HullBounds whole = on(0.0, 1.0);
+  return {rounding_share * (size * per_time + whole.rate),
+          rounding_share * (size * per_time * per_time + whole.acceleration), 0.0};
+}
+
+HullBounds SegmentHull::product_on(double start, double end) const {
+  // |ω| is that of R ω₁ + β₃' φ₃, ω₁ = β₁' φ₁ + β₂' φ₂, R a turn about φ₂; the bounds are those of all such turns.
+  const Three first = restricted(parts_, 1, start, end), second = restricted(parts_, 2, start, end);
+  const double b1 = largest(first[0]), b3 = largest(first[2]), c1 = largest(second[0]), c3 = largest(second[2]);
+  const double rate = std::hypot(largest(sum_of(first, along_)), b1 * across_[0] + b3 * across_[2]);
+  const double before = largest(sum_of(first, {along_[0], along_[1], 0.0}));
+  const double behind = largest(sum_of(first, {0.0, along_[1], along_[2]}));
+  const double acceleration =
+      std::hypot(largest(sum_of(second, along_)) + b1 * b3 * across_[0] * across_[2],
+                 across_[0] * std::hypot(c1, b1 * behind) + across_[2] * std::hypot(c3, b3 * before));
+  const auto size_of = [this](const Three& p) {
+    return 0.5 * (lengths_[0] * largest(p[0]) + lengths_[1] * largest(p[1]) + lengths_[2] * largest(p[2]));
+  };
+  return {rate, acceleration,
+          snap_of({0.0, size_of(first), size_of(second), size_of(restricted(parts_, 3, start, end)),
+                   size_of(restricted(parts_, 4, start, end))})};
+}
+
+HullBounds SegmentHull::chart_on(double start, double end) const {
+  const double middle = 0.5 * (start + end), radius = 0.5 * (end - start) * duration_;
+  const double speed = longest(restricted(parts_, 1, start, end));
+  const double change = longest(restricted(parts_, 2, start, end));
+  const Eigen::Vector3d p = coefficient(restricted(parts_, 0, middle, middle), 0);
+  const Eigen::Vector3d velocity = coefficient(restricted(parts_, 1, middle, middle), 0);
+  // α = J p'' + N(p, p'), |J| ≤ 1 and |N| ≤ |p'| min(|p'|/2, |p'⊥| 5.2/|p|), p'⊥ what p' has across p.
+  const double shortest = p.norm() - radius * speed;
+  double turning = 0.5 * speed;
+  if (shortest > 0.0) {
+    const double area = p.cross(velocity).norm() + radius * longest(restricted(parts_, 0, start, end)) * change;
+    turning = std::min(turning, area * std::min(1.0, 5.2 / shortest) / shortest);
+  }
+  return {speed, change + speed * turning,
+          snap_of({0.0, 0.5 * speed, 0.5 * change, 0.5 * longest(restricted(parts_, 3, start, end)),
+                   0.5 * longest(restricted(parts_, 4, start, end))})};
+}
+
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include <orispline/curve/segment_form.hpp>
+
+namespace orispline::inline ORISPLINE_ABI {
+
+/// What the motion is nowhere above: |ω| [rad/s], |α| [rad/s²] and the snap, the derivative of the jerk [rad/s⁴].
+struct HullBounds {
+  double rate, acceleration, snap;
+};
+
+/// A polynomial of u in [0, 1], in Bernstein form.
+struct HullPolynomial {
+  BernsteinForm form;
+  std::size_t degree;
+};
+using HullDerivatives = std::array<HullPolynomial, 5>;  ///< in time, of orders 0 to 4
+
+/// The segment's polynomials, whose values lie in the hulls of their coefficients. Source: our own derivation,
+/// docs/retime.md.
+class SegmentHull {
+ public:
+  /// Nothing for a form that is not of polynomials. `duration` [s].
+  [[nodiscard]] static std::optional<SegmentHull> of(const SegmentForm& form, double duration);
+
+  /// Bounds for u from `start` to `end` in [0, 1].
+  [[nodiscard]] HullBounds on(double start, double end) const;
+  /// By so much evaluated ω and α may be off; none of the snap.
+  [[nodiscard]] HullBounds rounding() const;
+
+ private:
+  [[nodiscard]] HullBounds product_on(double start, double end) const;
+  [[nodiscard]] HullBounds chart_on(double start, double end) const;
+
+  bool is_chart_ = false;
+  double duration_ = 0.0;
+  std::array<HullDerivatives, 3> parts_{};  ///< the blending functions of a product, the components of a chart
+  // Of a product: lengths of the increments, and of what they have along the second one and across it.
+  std::array<double, 3> lengths_{}, along_{}, across_{};
+};
+
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/retime/segment_hull.hpp>
+
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include <orispline/curve/motion.hpp>
+#include <orispline/math/bernstein.hpp>
+
+namespace orispline {
+namespace {
+
+constexpr double duration = 1.7;  // [s]
+using Time = Jet<double, 3>;
+
+/// u as a function of time.
+Time at(double u) {
+  Time t(u);
+  t.c[1] = 1.0 / duration;
+  return t;
+}
+
+Time value(const BernsteinForm& form, std::size_t degree, double u) {
+  // de Casteljau's algorithm in Taylor arithmetic, unlike the hull's
+  std::array<Time, form_degree + 1> c;
+  for (std::size_t i = 0; i <= degree; ++i) c[i] = Time(form.coefficients[i]);
+  for (std::size_t r = 1; r <= degree; ++r)
+    for (std::size_t i = 0; i + r <= degree; ++i) c[i] = (Time(1.0) - at(u)) * c[i] + at(u) * c[i + 1];
+  return c[0];
+}
+
+Motion motion_of(const SegmentForm& form, double u) {
+  Quaternion<Time> q = constant<Time>(Eigen::Quaterniond::Identity());
+  if (const auto* chart = std::get_if<ChartForm>(&form)) {
+    Vector3<Time> p;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      p[static_cast<Eigen::Index>(axis)] = value(chart->rotation_vector[axis], chart->degree, u);
+    return motion_from_jet(exp<Time>(p));
+  }
+  const auto& product = std::get<CumulativeForm>(form);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Time b = value(product.blending[k], product.degree, u);
+    q = q * exp<Time>(Vector3<Time>(constant<Time>(product.increments[k]) * b));
+  }
+  return motion_from_jet(q);
+}
+
+/// Segments that turn by about so many radians.
+class Forms {
+ public:
+  explicit Forms(unsigned seed) : generator_(seed) {}
+  SegmentForm product(double turn) {
+    CumulativeForm form{.degree = 7, .base = Eigen::Quaterniond::Identity(), .increments = {}, .blending = {}};
+    for (auto& phi : form.increments) phi = turn * Eigen::Vector3d(number(), number(), number());
+    for (auto& row : form.blending) row = polynomial(7, 1.0);
+    return form;
+  }
+  SegmentForm chart(double turn) {
+    ChartForm form{.degree = 5, .base = Eigen::Quaterniond::Identity(), .rotation_vector = {}};
+    for (auto& row : form.rotation_vector) row = polynomial(5, turn);
+    return form;
+  }
+
+ private:
+  double number() { return symmetric_(generator_); }
+  BernsteinForm polynomial(std::size_t degree, double size) {
+    BernsteinForm form;
+    for (std::size_t i = 0; i <= degree; ++i) form.coefficients[i] = size * number();
+    return form;
+  }
+  std::mt19937 generator_;
+  std::uniform_real_distribution<double> symmetric_{-1.0, 1.0};
+};
+
+void expect_above(const SegmentForm& form, const std::string& what) {
+  const SegmentHull hull = SegmentHull::of(form, duration).value();
+  for (const auto& [start, end] : {std::pair(0.0, 1.0), {0.0, 0.25}, {0.6, 0.7}, {0.99, 1.0}, {0.371, 0.372}}) {
+    const HullBounds bounds = hull.on(start, end);
+    for (int i = 0; i <= 200; ++i) {
+      const Motion m = motion_of(form, std::lerp(start, end, i / 200.0));
+      ASSERT_LE(m.angular_velocity.norm(), bounds.rate * (1.0 + 1e-9)) << what << start;
+      ASSERT_LE(m.angular_acceleration.norm(), bounds.acceleration * (1.0 + 1e-9)) << what << start;
+    }
+  }
+}
+
+TEST(SegmentHull, IsAboveTheMotionOnEveryPart) {
+  Forms forms(3);
+  for (const double turn : {0.01, 1.0, 5.0, 60.0, 3000.0})
+    for (int i = 0; i < 10; ++i) {
+      expect_above(forms.product(turn), "product of " + std::to_string(turn) + " from ");
+      expect_above(forms.chart(turn), "chart of " + std::to_string(turn) + " from ");
+    }
+}
+
+TEST(SegmentHull, IsNearToTheRateWhereTheBodyWhirlsAboutTheSecondIncrement) {
+  CumulativeForm form{.degree = 1, .base = Eigen::Quaterniond::Identity(), .increments = {}, .blending = {}};
+  form.increments = {Eigen::Vector3d(400.0, 100.0, 0.0), Eigen::Vector3d(0.0, 900.0, 0.0),
+                     Eigen::Vector3d(0.0, -300.0, 500.0)};
+  for (auto& row : form.blending) row.coefficients[1] = 1.0;
+  const HullBounds bounds = SegmentHull::of(form, duration).value().on(0.5, 0.51);
+  double rate = 0.0;
+  for (int i = 0; i <= 10000; ++i) rate = std::max(rate, motion_of(form, 0.5 + 1e-6 * i).angular_velocity.norm());
+  EXPECT_NEAR(bounds.rate / rate, 1.0, 1e-5);
+  EXPECT_NEAR(bounds.rate * duration, std::hypot(900.0 + 100.0 - 300.0, 400.0 + 500.0), 1e-6);
+}
+
+TEST(SegmentHull, IsNothingWithoutPolynomials) { EXPECT_FALSE(SegmentHull::of({}, duration)); }
+
+}  // namespace
+}  // namespace orispline
