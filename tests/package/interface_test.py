@@ -36,7 +36,7 @@ def unmarked(text):
         words = re.sub(r"^template <[^>]*>+|\[\[\w+\]\]", "", statement).strip()
         classes = [block for block in blocks if not block.startswith("namespace")]
         is_member_template = classes and statement.startswith("template")
-        if "(" not in words or NO_FUNCTION.match(words) or is_member_template:
+        if not re.match(r"([^[(]|operator\[)*\(", words) or NO_FUNCTION.match(words) or is_member_template:
             continue
         if "ORISPLINE_EXPORT" not in (classes or [statement])[0]:
             yield statement
