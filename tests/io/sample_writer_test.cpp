@@ -256,6 +256,19 @@ TEST(OutputFile, ReportsAFullDisk) {
             "/dev/full: cannot write: No space left on device");
 }
 
+TEST(SampleWriter, SaysThatTheDiskIsFullWhenRowsOfAnotherThreadCome) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  auto writer = SampleWriter::open("/dev/full", {});
+  ASSERT_TRUE(writer);
+  const Sample sample{.motion = moving};
+  for (int i = 0; i < 6000; ++i) ASSERT_TRUE(writer->write(decimal(std::to_string(1'000'000 + i)), sample));
+  SampleRows rows{SampleColumns{}};
+  ASSERT_TRUE(rows.append(decimal("2000000"), sample));
+  const auto done = writer->write(rows);
+  ASSERT_FALSE(done);
+  EXPECT_EQ(describe(done.error()), "/dev/full: cannot write: No space left on device");
+}
+
 TEST(OutputFile, WritesDevicesDirectly) {
   auto file = OutputFile::open("/dev/null");
   EXPECT_TRUE(file && file->write("gone") && file->finish());

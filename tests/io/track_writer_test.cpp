@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/io/track_writer.hpp>
 
+#include <filesystem>
+#include <numeric>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include <orispline/io/sample_rows.hpp>
 #include <orispline/io/track_file.hpp>
 
 #include "io/text_file.hpp"
@@ -67,6 +70,26 @@ TEST(WriteTracks, WritesTheTableOfTheFileWithSettingsInTheirColumns) {
   track.settings.clear();
   EXPECT_EQ(written(track, {.format = &tum_format}), "1.25 0 0 0 0 0 0 1\n2 0 0 0 0 0 0 1\n");
   EXPECT_EQ(written(track.with_times({0.0, 3.0}).value()), "t,qw,qx,qy,qz\n1.25,1,0,0,0\n4.25,1,0,0,0\n");
+}
+
+TEST(WriteTracks, WritesAllKeysOfATrackThatIsLongerThanABlock) {
+  constexpr std::size_t keys = 20'000;
+  std::string rows = "t,qw,qx,qy,qz\n";
+  for (std::size_t i = 0; i < keys; ++i) rows += std::to_string(1'000'000 + i) + ".5,0.5,-0.5,0.5,-0.5\n";
+  ASSERT_GT(rows.size(), 2 * written_block);
+  EXPECT_EQ(written(track_in(rows)), rows);
+}
+
+TEST(WriteTracks, SaysThatTheDiskIsFullInTheMiddleOfATrack) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  KeyframeData data{.times = std::vector<double>(20'000),
+                    .orientations = std::vector(20'000, quaternion_wxyz(1.0, 0.0, 0.0, 0.0))};
+  std::iota(data.times.begin(), data.times.end(), 1e9);
+  const Track track(Keyframes::make(std::move(data)).value());
+  auto file = OutputFile::open("/dev/full");
+  const auto done = write_tracks(*file, {&track, 1}, {});
+  ASSERT_FALSE(done);
+  EXPECT_EQ(describe(done.error()), "/dev/full: cannot write: No space left on device");
 }
 
 TEST(WriteTracks, RefusesWhatTheFormatCannotHold) {
