@@ -35,8 +35,12 @@ class ConstantCurve {
   ConstantCurve(double time, const P& point) : knots_({time}), point_(point) {}
   [[nodiscard]] const Knots& knots() const noexcept { return knots_; }
   template <Number T>
-  [[nodiscard]] PointOver<P, T> point(const T&, std::size_t) const noexcept {
-    return constant<T>(point_);
+  [[nodiscard]] PointOver<P, T> point(const T& t, std::size_t) const noexcept {
+    const T sure = T(1.0) + (t - t);  // NaN for NaN, as of every curve
+    PointOver<P, T> point = constant<T>(point_);
+    if constexpr (std::same_as<P, Eigen::Quaterniond>) point.coeffs() *= sure;
+    else point *= sure;
+    return point;
   }
 
  private:

@@ -192,8 +192,8 @@ template <class Named>
 /// Checks the options against what the family accepts and fills in its defaults.
 ///
 /// Errors: bad_argument (with the key index where one value is at fault) for an unknown parameter or word, a wrong
-/// number of values, a value out of range or not finite, an unknown end rule; bad_data for too few keys for the family
-/// or the rule.
+/// number of values, a value out of range or not finite, an unknown end rule, an end rate out of range; bad_data for
+/// too few keys for the family or the rule.
 [[nodiscard]] Expected<FamilySettings> settle(const FamilyInfo& family, const CurveOptions& options, std::size_t keys);
 
 /// Keys on either side of those that a segment joins which a curve must go through to have the bits of the whole one
