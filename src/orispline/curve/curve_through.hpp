@@ -55,6 +55,9 @@ class ErasedCurve {
   template <class C>
   requires(!std::same_as<C, ErasedCurve> && CurveThrough<C, P>) explicit ErasedCurve(C curve)
       : model_(std::make_shared<Model<C>>(std::move(curve))) {}
+  // Moving copies, which is cheap: what was moved from stays the curve that it was.
+  ErasedCurve(const ErasedCurve&) noexcept = default;
+  ErasedCurve& operator=(const ErasedCurve&) noexcept = default;
 
   [[nodiscard]] const Knots& knots() const noexcept { return model_->knots(); }
   [[nodiscard]] P point(double t, std::size_t segment) const noexcept { return model_->point(t, segment); }

@@ -161,7 +161,7 @@ Expected<FamilySettings> settle(const FamilyInfo& family, const CurveOptions& op
     if (auto error = check_values(family, parameter, values, keys)) return tl::unexpected(std::move(*error));
     settings.parameters.emplace(parameter.name, PerKey(std::move(values)));
   }
-  if (keys > 1)
+  if (keys != 1)
     if (auto error = check_count(family, keys)) return tl::unexpected(std::move(*error));
   if (options.loop) {
     if (auto error = check_loop(family, options)) return tl::unexpected(std::move(*error));

@@ -126,6 +126,9 @@ class PerKey {
  public:
   explicit PerKey(std::vector<double> values)
       : values_(std::make_shared<const std::vector<double>>(std::move(values))) {}
+  // Moving copies, which is cheap: what was moved from keeps its values.
+  PerKey(const PerKey&) noexcept = default;
+  PerKey& operator=(const PerKey&) noexcept = default;
   [[nodiscard]] double operator[](std::size_t key) const noexcept { return (*values_)[values_->size() == 1 ? 0 : key]; }
   [[nodiscard]] const std::vector<double>& values() const noexcept { return *values_; }
   /// The values of that many keys.

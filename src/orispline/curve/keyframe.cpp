@@ -42,7 +42,15 @@ std::optional<Error> check_vectors(const KeyframeData& data, std::size_t i) {
   return std::nullopt;
 }
 
+/// What stands for the data of no keys.
+const KeyframeData& no_data() {
+  static const KeyframeData none;
+  return none;
+}
+
 }  // namespace
+
+Keyframes::Keyframes() noexcept : data_(std::shared_ptr<const KeyframeData>(), &no_data()) {}
 
 Expected<Keyframes> Keyframes::make(KeyframeData data, Signs signs) {
   if (auto error = check_lengths(data)) return tl::unexpected(std::move(*error));

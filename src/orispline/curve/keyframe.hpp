@@ -56,6 +56,12 @@ inline constexpr double largest_component = 1e18;
 /// follow.
 class Keyframes {
  public:
+  /// No keys: size() is 0, all lists are empty. No curve goes through them.
+  Keyframes() noexcept;
+  // Moving copies, which is cheap: what was moved from keeps its keys.
+  Keyframes(const Keyframes&) noexcept = default;
+  Keyframes& operator=(const Keyframes&) noexcept = default;
+
   /// Validates, normalises, aligns the signs.
   ///
   /// Errors (bad_data, with the key index): no keys, vectors of different length, a time that is not finite or does not
@@ -108,7 +114,7 @@ class Keyframes {
   /// These keys with other data, which are known to be good.
   [[nodiscard]] Keyframes with(KeyframeData data) const;
 
-  std::shared_ptr<const KeyframeData> data_;  // immutable: copies share it
+  std::shared_ptr<const KeyframeData> data_;  // never null; immutable: copies share it
   KeyframeReport report_;
 };
 
