@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <orispline/analysis/key_statistics.hpp>
 #include <orispline/analysis/leave_out.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/math/slerp.hpp>
@@ -40,6 +41,16 @@ Motions cubic_motion() {
     m.rates.emplace_back(0.75 * t * t, 0.0, 0.0);
   }
   return m;
+}
+
+TEST(Comparison, OfACandidateWithoutKeysSaysSo) {
+  const Candidate none{};
+  EXPECT_EQ(none.keys.size(), 0u);
+  const auto measures = measure(none, {});
+  ASSERT_FALSE(measures);
+  EXPECT_EQ(measures.error().message, "empty: no keys");
+  EXPECT_EQ(key_statistics(none.keys).span, 0.0);
+  EXPECT_FALSE(leave_out_error(none.keys));
 }
 
 TEST(Measure, FindsAMethodThatReproducesTheMotionWithoutError) {

@@ -131,6 +131,33 @@ class JumpingCurve {
   Knots knots_{{0.0, 1.0}};
 };
 
+/// Five keys of which two are close, so that the curve between them is hard to follow.
+Keyframes close_keys(double ratio) {
+  KeyframeData data = random_walk(91, 5, Spacing::even);
+  data.times = {0.0, 1.0, 1.0 + 1.0 / ratio, 2.0, 3.0};
+  return keyframes(data);
+}
+
+TEST(BakedCurve, HasAsManyPiecesAsAreAllowedAndNoMore) {
+  const AnyCurve curve = make_curve("auto", close_keys(100.0)).value();
+  const std::size_t needed = bake(curve, 1e-6)->knots().segments();
+  EXPECT_EQ(bake(curve, 1e-6, {.max_pieces = needed})->knots().segments(), needed);
+  const auto fewer = bake(curve, 1e-6, {.max_pieces = needed - 1});
+  ASSERT_FALSE(fewer);
+  EXPECT_EQ(fewer.error().where.key, 3U);
+  EXPECT_FALSE(bake<float>(curve, 1e-6, {.max_pieces = 4}));
+}
+
+TEST(BakedCurve, NamesTheSegmentAndTheLimitBeforeMemoryGoes) {
+  const auto baked = bake("auto", close_keys(3e5), 1e-6, {.max_pieces = 2000});
+  ASSERT_FALSE(baked);
+  EXPECT_EQ(baked.error().code, ErrorCode::bad_argument);
+  EXPECT_LE(baked.error().where.key.value(), 2U);
+  EXPECT_TRUE(baked.error().message.starts_with("the 2000 pieces that are allowed (max_pieces) reach to "))
+      << baked.error().message;
+  EXPECT_EQ(BakeOptions{}.max_pieces, 1U << 20);
+}
+
 TEST(BakedCurve, NamesTheSegmentWhereTheToleranceCannotBeReached) {
   const auto baked = bake(AnyCurve(JumpingCurve()), 1e-3);
   ASSERT_FALSE(baked);
@@ -238,7 +265,7 @@ TEST(BakedCurve, IsTheSameFromAMethodAndKeysAsFromTheirCurve) {
 
 TEST(BakedCurve, IsFollowedAndStopped) {
   const AnyCurve curve = specimen_curve("squad", 51, 41);
-  expect_to_be_followed_and_stopped([&](const Progress& progress) { return bake(curve, 1e-9, progress); });
+  expect_to_be_followed_and_stopped([&](const Progress& progress) { return bake(curve, 1e-9, {}, progress); });
 }
 
 }  // namespace

@@ -69,6 +69,15 @@ TEST_P(KeyContract, OneKeyIsAConstantCurve) {
   }
 }
 
+TEST_P(KeyContract, NoKeysAreAnErrorThatSaysSo) {
+  for (const CurveOptions& options : {CurveOptions{}, CurveOptions{.loop = Loop{}}, CurveOptions{.loop = Loop{1.0}}}) {
+    const auto c = make_pose_curve({GetParam().name, options}, Keyframes());
+    ASSERT_FALSE(c);
+    EXPECT_EQ(c.error().code, ErrorCode::bad_data);
+    EXPECT_TRUE(c.error().message.ends_with("found 0")) << c.error().message;
+  }
+}
+
 TEST_P(KeyContract, FewerKeysThanItNeedsAreAnErrorThatSaysSo) {
   for (int n = 2; n < GetParam().min_keys; ++n) {
     const auto c = make_curve(GetParam().name, keyframes(random_walk(13, static_cast<std::size_t>(n), Spacing::even)));

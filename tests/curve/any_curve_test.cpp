@@ -85,6 +85,31 @@ TEST(AnyCurve, AnswersNotANumberToNotANumber) {
   }
 }
 
+TEST(AnyCurve, ThroughOneKeyAnswersNotANumberToNotANumber) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  KeyframeData data = random_walk(203, 1, Spacing::even);
+  data.positions.emplace_back(1, 0, -2);
+  const PoseCurve pose = make_pose_curve("auto", keyframes(data)).value();
+  for (const Side side : {Side::left, Side::right}) {
+    const Motion m = pose.orientation.motion(nan, side);
+    EXPECT_TRUE(m.orientation.coeffs().array().isNaN().all());
+    EXPECT_TRUE(m.angular_velocity.array().isNaN().all());
+    EXPECT_TRUE(pose.position->linear_motion(nan, side).position.array().isNaN().all());
+  }
+  EXPECT_TRUE(pose.orientation(nan).coeffs().array().isNaN().all());
+  EXPECT_FALSE(pose.orientation.checked_motion(nan));
+}
+
+TEST(AnyCurve, StaysTheCurveThatItWasWhenItIsMovedFrom) {
+  AnyCurve curve = some_curve();
+  const AnyCurve moved = std::move(curve);
+  EXPECT_EQ(curve.domain().end, moved.domain().end);    // NOLINT: that is what is tested
+  EXPECT_EQ(curve(0.3).coeffs(), moved(0.3).coeffs());  // NOLINT
+  AnyCurve assigned = make_curve("slerp", five_keys()).value();
+  assigned = std::move(curve);
+  EXPECT_EQ(curve(0.3).coeffs(), assigned(0.3).coeffs());  // NOLINT
+}
+
 TEST(AnyCurve, IsAValue) {
   const AnyCurve curve = some_curve();
   AnyCurve copy = curve;

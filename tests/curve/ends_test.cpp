@@ -50,9 +50,11 @@ TEST(Ghost, CubicEndExtrapolatesACubicExactly) {
 TEST(Ghost, ClampedEndSolvesForTheGivenRate) {
   const EndNeighbourhood end = polynomial_neighbourhood(1, 0, 0);
   const Eigen::Vector3d rate(0.3, 0.1, -0.7);
-  const RateWeights weights{.before = 0.8, .after = 1.7};
-  const Eigen::Vector3d before = ghost_increment(EndRule::clamped, rate, weights, end).value();
-  EXPECT_TRUE(near(weights.before * before + weights.after * end.displacement(1), rate, tolerance::algebra));
+  for (const RateWeights weights :
+       {RateWeights{.before = 0.8, .after = 1.7}, RateWeights{.before = -0.8, .after = -1.7}}) {
+    const Eigen::Vector3d before = ghost_increment(EndRule::clamped, rate, weights, end).value();
+    EXPECT_TRUE(near(weights.before * before + weights.after * end.displacement(1), rate, tolerance::algebra));
+  }
 }
 
 TEST(Ghost, ClampedEndWithoutTensionIsAnErrorUnlessAlreadyMet) {

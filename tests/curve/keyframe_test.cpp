@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Keyframes at the door: what is refused and in which words, what is repaired and how it is counted.
 #include <orispline/curve/keyframe.hpp>
+#include <orispline/curve/track.hpp>
 
 #include <limits>
 #include <ostream>
@@ -81,8 +82,93 @@ INSTANTIATE_TEST_SUITE_P(
                     BadKeys{"PositionNotANumber", [](KeyframeData& d) { d.positions[2].z() = nan; },
                             "key 2: the position has a component that is not finite"},
                     BadKeys{"AngularVelocityInfinite", [](KeyframeData& d) { d.angular_velocities[1].x() = infinity; },
-                            "key 1: the angular velocity has a component that is not finite"}),
+                            "key 1: the angular velocity has a component that is not finite"},
+                    BadKeys{"StepTooShort",
+                            [](KeyframeData& d) {
+                              d.times = {-1.0, 0.0, 0.9e-18};
+                            },
+                            "key 2: the step from time 0 to 9e-19 is 9e-19 s, wanted 1e-18 to 1e+18"},
+                    BadKeys{"StepTooLong",
+                            [](KeyframeData& d) {
+                              d.times = {0.0, 2e18, 3e18};
+                            },
+                            "key 1: the step from time 0 to 2e+18 is 2e+18 s, wanted 1e-18 to 1e+18"},
+                    BadKeys{"StepsTooUneven",
+                            [](KeyframeData& d) {
+                              d.times = {0.0, 1e-9, 2e5};
+                            },
+                            "key 2: the step from time 1e-09 to 200000 is 200000 s, and one of 1e-09 s is among the 5 "
+                            "before it, wanted neither longer than 1e+14 times the other"},
+                    BadKeys{"StepsTooUnevenBackwards",
+                            [](KeyframeData& d) {
+                              d.times = {-2e5, 0.0, 1e-9};
+                            },
+                            "key 2: the step from time 0 to 1e-09 is 1e-09 s, and one of 200000 s is among the 5 "
+                            "before it, wanted neither longer than 1e+14 times the other"},
+                    BadKeys{"PositionTooFar", [](KeyframeData& d) { d.positions[2].z() = -1.1e18; },
+                            "key 2: the position has a component of 1.1e+18, wanted 1e+18 at most"},
+                    BadKeys{"AngularVelocityTooLarge", [](KeyframeData& d) { d.angular_velocities[1].x() = 1e300; },
+                            "key 1: the angular velocity has a component of 1e+300, wanted 1e+18 at most"}),
     [](const auto& test) { return std::string(test.param.name); });
+
+/// Times with two steps so uneven that no method may see both, and so many keys between.
+std::vector<double> uneven_times(std::size_t steps_between) {
+  std::vector<double> times{0.0, 1e-9};
+  for (std::size_t i = 0; i < steps_between; ++i) times.push_back(times.back() + 1.0);
+  times.push_back(times.back() + 2e5);
+  return times;
+}
+
+TEST(Keyframes, AreTooUnevenOnlyForStepsThatAMethodSeesTogether) {
+  for (std::size_t between = 0; between <= 6; ++between) {
+    const std::vector<double> times = uneven_times(between);
+    const std::vector orientations(times.size(), Eigen::Quaterniond::Identity());
+    EXPECT_EQ(Keyframes::make({.times = times, .orientations = orientations}).has_value(), between >= 5) << between;
+    std::vector<double> even(times.size());
+    for (std::size_t i = 0; i < even.size(); ++i) even[i] = static_cast<double>(i);
+    const Keyframes keys = Keyframes::make({.times = even, .orientations = orientations}).value();
+    EXPECT_EQ(keys.with_times(times).has_value(), between >= 5) << between;
+  }
+}
+
+TEST(Keyframes, RatesOfAnotherSourceKeepTheirLimits) {
+  const Keyframes keys = Keyframes::make(three_keys()).value();
+  const std::vector<Eigen::Vector3d> rates(3, Eigen::Vector3d(1e18, 0, -1e18));
+  EXPECT_TRUE(keys.with_rates(rates, rates, rates));
+  EXPECT_FALSE(keys.with_rates(rates, rates, {{0, 0, 0}, {0, 2e18, 0}, {0, 0, 0}}));
+}
+
+TEST(Keyframes, AreNoneUnlessMade) {
+  const Keyframes none;
+  EXPECT_EQ(none.size(), 0u);
+  EXPECT_TRUE(none.times().empty() && none.orientations().empty() && none.positions().empty());
+  EXPECT_TRUE(none.angular_velocities().empty() && none.angular_accelerations().empty() &&
+              none.angular_jerks().empty());
+  EXPECT_EQ(none.report().sign_flips, 0u);
+  EXPECT_EQ(describe(none.with_times({}).error()), "empty: no keys");
+  EXPECT_FALSE(none.with_times({1.0}));
+  EXPECT_EQ(Track{}.keys.size(), 0u);
+}
+
+TEST(Keyframes, KeepTheirKeysWhenTheyAreMovedFrom) {
+  Keyframes keys = Keyframes::make(three_keys()).value();
+  const Keyframes moved = std::move(keys);
+  ASSERT_EQ(keys.size(), 3u);  // NOLINT: that is what is tested
+  EXPECT_EQ(keys.times()[2], moved.times()[2]);
+  Keyframes assigned;
+  assigned = std::move(keys);
+  EXPECT_EQ(keys.size(), assigned.size());  // NOLINT
+}
+
+TEST(Keyframes, TakeNormsOffByAThousandthAndNoMore) {
+  const auto made = [](double norm) {
+    KeyframeData data = three_keys();
+    data.orientations[1].coeffs() *= norm;
+    return Keyframes::make(std::move(data)).has_value();
+  };
+  for (const double norm : {0.999, 1.001}) EXPECT_TRUE(made(norm)) << norm;
+  for (const double norm : {0.9989, 1.0011, 0.998, 1.002}) EXPECT_FALSE(made(norm)) << norm;
+}
 
 TEST(Keyframes, KeepWhatTheyAreGiven) {
   const KeyframeData data = three_keys();

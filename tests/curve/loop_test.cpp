@@ -136,6 +136,16 @@ TEST(Loop, MayStateThePeriodThatItsClosingKeyGives) {
   for (const double t : sample_times(found.knots().times())) EXPECT_EQ(stated(t).coeffs(), found(t).coeffs());
 }
 
+TEST(ClosedKeys, AreRefusedWhereTheClosingStepIsTooUneven) {
+  KeyframeData data = turned({0.0, 0.5, 1.0});
+  data.times = {0.0, 1e-9, 2e-9};
+  EXPECT_TRUE(closed_keys(keyframes(data), Loop{9e4}));
+  const auto closed = closed_keys(keyframes(data), Loop{2e5});
+  ASSERT_FALSE(closed);
+  EXPECT_EQ(closed.error().message,
+            "the closing step is 200000 s and one beside it 1e-09 s, wanted neither longer than 1e+14 times the other");
+}
+
 TEST(ClosedKeys, LeaveTheClosingKeyOut) {
   const ClosedKeys closed = closed_keys(keyframes(turned({0.0, 0.5, 1.0, 0.0})), Loop{}).value();
   EXPECT_EQ(closed.keys.size(), 3u);

@@ -202,6 +202,17 @@ TEST(Averages, TellWhereTheirEquationsHaveNoSolution) {
   EXPECT_FALSE(make_curve("averages", keyframes(data)));
 }
 
+TEST(Averages, AreRefusedWhereAKeyIsNotTheAverageThoughItFulfilsTheEquation) {
+  for (const auto& [seed, count, step] :
+       {std::tuple{606u, 5u, 2.5106477622627388}, std::tuple{1032u, 5u, 1.7720811535913819},
+        std::tuple{1174u, 7u, 2.4361419526000896}}) {
+    const auto c = make_curve("averages", keyframes(random_walk(seed, count, Spacing::uneven, step)));
+    ASSERT_FALSE(c) << seed;
+    EXPECT_EQ(c.error().code, ErrorCode::not_converged);
+    EXPECT_NE(c.error().message.find("lie too far apart to have one average"), std::string::npos) << c.error().message;
+  }
+}
+
 TEST(Averages, OfControlPointsAllAroundAreRefusedRatherThanJump) {
   // Half turns about three axes in turn and back: in between the average would change from one side to the other.
   const KeyframeData data{.times = {0.0, 1.0, 2.5, 3.0, 4.0},

@@ -129,6 +129,25 @@ TEST(BetaG2Global, OfPositionsFulfilsBarskysConstraints) {
   }
 }
 
+TEST(BetaG2Global, HasNoHandleLongerThanHalfATurnOnEitherSideOfAKey) {
+  std::size_t refused = 0;
+  for (std::uint64_t seed = 442; seed < 472; ++seed) {
+    const Keyframes keys = keyframes(random_walk(seed, 5, Spacing::even, 2.5));
+    const auto c = make_curve({"beta-g2", options("global", {{"beta1", {4.0}}})}, keys);
+    if (!c) {
+      ++refused;
+      continue;
+    }
+    for (std::size_t i = 0; i < keys.size(); ++i)
+      for (const Side side : {Side::left, Side::right}) {
+        const double third = 0.5 / 3.0;  // of a step
+        EXPECT_LT(third * c->motion(keys.times()[i], side).angular_velocity.norm(), pi) << seed << ", key " << i;
+      }
+  }
+  EXPECT_GT(refused, 0u);
+  EXPECT_LT(refused, 30u);
+}
+
 TEST(BetaG2Global, TellsWhereItsEquationsHaveNoSolution) {
   KeyframeData data = at_whole_times(random_walk(441, 6, Spacing::even));
   for (std::size_t i = 0; i < 6; ++i)

@@ -160,6 +160,39 @@ TEST(BSplineThrough, CarriesPositionsOnTheNaturalCubicSpline) {
                      spline.derivative(0, t, pose.orientation.knots().segment_at(t)), tolerance::series));
 }
 
+/// The keys with all increments that many times as long.
+KeyframeData with_increments_times(double share, const KeyframeData& data) {
+  KeyframeData shorter = data;
+  for (std::size_t i = 1; i < data.orientations.size(); ++i)
+    shorter.orientations[i] = shorter.orientations[i - 1] *
+                              exp<double>(share * increment<double>(data.orientations[i - 1], data.orientations[i]));
+  return shorter;
+}
+
+TEST(BSplineThrough, ConvergesForTheShorterIncrementsThatItNamesWithTheRateShortenedToo) {
+  const Eigen::Vector3d rate(40.0, -30.0, 20.0);
+  const std::string claim = "it does for increments of ";
+  std::size_t named = 0;
+  for (std::uint64_t seed = 587; seed < 597; ++seed) {
+    const KeyframeData data = random_walk(seed, 8, Spacing::even, 2.5);
+    for (const bool at_start : {true, false}) {
+      const auto clamped = [&](double share) -> CurveOptions {
+        const End end{EndRule::clamped, share * rate};
+        return at_start ? CurveOptions{.start = end} : CurveOptions{.end = end};
+      };
+      const auto refused = make_curve({"bspline-through", clamped(1.0)}, keyframes(data));
+      if (refused) continue;
+      const std::string& message = refused.error().message;
+      ASSERT_NE(message.find(claim), std::string::npos) << message;
+      const double share = 0.95 * std::stod(message.substr(message.find(claim) + claim.size()));
+      ++named;
+      EXPECT_TRUE(make_curve({"bspline-through", clamped(share)}, keyframes(with_increments_times(share, data))))
+          << message;
+    }
+  }
+  EXPECT_GE(named, 5u);
+}
+
 TEST(BSplineThrough, SaysWhereAndHowFarItDoesNotConverge) {
   std::size_t refused = 0;
   for (const std::uint64_t seed : {583u, 584u, 585u, 586u}) {

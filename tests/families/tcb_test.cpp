@@ -128,13 +128,17 @@ TEST(Tcb, TwoKeysWithHandleEndsTurnAtAConstantRate) {
 TEST(Tcb, OneHandleEndOfTwoKeysLeavesTheOtherEndAlone) {
   const Keyframes keys = posed_keys(421, 2);
   const CurveOptions tense{.parameters = {{"tension", {0.7}}}};
-  CurveOptions one_handle = tense;
-  one_handle.start = handle;
-  const double end = keys.times().back();
-  const AnyCurve natural = make_curve({"tcb", tense}, keys).value(),
-                 curve = make_curve({"tcb", one_handle}, keys).value();
-  EXPECT_TRUE(near(curve.motion(end).angular_velocity, natural.motion(end).angular_velocity, tolerance::series));
-  EXPECT_LE(curve.motion(keys.times().front()).angular_acceleration.norm(), tolerance::rates);
+  const AnyCurve natural = make_curve({"tcb", tense}, keys).value();
+  const double start = keys.times().front(), end = keys.times().back();
+  for (const auto& [end_of_rule, at, other] :
+       {std::tuple{&CurveOptions::start, start, end}, std::tuple{&CurveOptions::end, end, start}}) {
+    CurveOptions one_handle = tense;
+    one_handle.*end_of_rule = handle;
+    const AnyCurve curve = make_curve({"tcb", one_handle}, keys).value();
+    EXPECT_TRUE(near(curve.motion(other).angular_velocity, natural.motion(other).angular_velocity, tolerance::series));
+    EXPECT_LE(curve.motion(at).angular_acceleration.norm(), tolerance::rates);
+    EXPECT_GT((curve.motion(at).angular_velocity - natural.motion(at).angular_velocity).norm(), 0.01);
+  }
 }
 
 TEST(Tcb, LosesC1WhereAHandleIsLongerThanAFullTurn) {

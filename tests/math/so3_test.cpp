@@ -152,6 +152,25 @@ TEST(ExpOfJets, HasTheDerivativesOnBothSidesOfEveryThreshold) {
   }
 }
 
+TEST(LogOfJets, OfAFullTurnIsThatOfNumbersAndTurnsOnAboutItsAxis) {
+  using J = Jet<double, 3>;
+  const auto minus = [](const Quaternion<J>& q) { return Quaternion<J>(-q.w(), -q.x(), -q.y(), -q.z()); };
+  const auto turning = [](const Eigen::Vector3d& rate) { return exp<J>(constant<J>(rate) * J::variable(0.0)); };
+  for (const Eigen::Vector3d& rate :
+       {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0.3, 0, 0), Eigen::Vector3d(-0.3, 0.2, 0.5)}) {
+    const Vector3<J> turn = log<J>(minus(turning(rate)));
+    EXPECT_EQ(turn.x().c[0], 2.0 * pi);
+    EXPECT_NEAR(turn.x().c[1], rate.x(), tolerance::exact);
+    for (const J& component : {turn.y(), turn.z()})
+      for (const double c : component.c) EXPECT_EQ(c, 0.0);
+    for (const std::size_t order : {2u, 3u}) EXPECT_NEAR(turn.x().c[order], 0.0, tolerance::algebra);
+  }
+  const Eigen::Quaterniond near_turn(-1.0, 0.0, 1e-120, 0.0);
+  const Vector3<J> turn = log<J>(constant<J>(near_turn));
+  const Eigen::Vector3d wanted = log<double>(near_turn);
+  for (Eigen::Index axis = 0; axis < 3; ++axis) EXPECT_NEAR(turn[axis].c[0], wanted[axis], tolerance::series);
+}
+
 TEST(LogOfJets, HasTheDerivativesOnBothSidesOfEveryThreshold) {
   const DataTable table("so3_jets.csv");
   for (const auto& row : table.rows()) {

@@ -59,8 +59,9 @@ TEST(OnlineCurve, RefusesKeysInTheWordsOfKeyframesAndGoesOn) {
     Eigen::Quaterniond orientation;
   };
   const KeyframeData good = raw_walk(701, 12);
-  for (const Bad& bad : {Bad{nan, one}, Bad{good.times[4], one}, Bad{good.times[3], one}, Bad{1e300, one},
-                         Bad{1e9, Eigen::Quaterniond(nan, 0, 0, 0)}, Bad{1e9, Eigen::Quaterniond(1.01, 0, 0, 0)}}) {
+  for (const Bad& bad :
+       {Bad{nan, one}, Bad{good.times[4], one}, Bad{good.times[3], one}, Bad{1e300, one}, Bad{1e16, one},
+        Bad{1e9, Eigen::Quaterniond(nan, 0, 0, 0)}, Bad{1e9, Eigen::Quaterniond(1.01, 0, 0, 0)}}) {
     OnlineCurve curve = timed(), undisturbed = timed();
     KeyframeData data{.times = good.times, .orientations = good.orientations};
     ASSERT_TRUE(append(curve, data, 0, 5));
@@ -77,6 +78,21 @@ TEST(OnlineCurve, RefusesKeysInTheWordsOfKeyframesAndGoesOn) {
     ASSERT_TRUE(append(curve, data, 5, 12));
     const double t = curve.available()->end - 0.01;
     EXPECT_EQ(curve(t).coeffs(), undisturbed(t).coeffs());
+  }
+}
+
+TEST(OnlineCurve, RefusesStepsTooUnevenAmongTheKeysSeenTogetherOnly) {
+  for (std::size_t between = 0; between <= 6; ++between) {
+    OnlineCurve curve = OnlineCurve::make("auto", 8).value();
+    ASSERT_TRUE(curve.append(0.0, one));
+    ASSERT_TRUE(curve.append(1e-9, one));
+    for (std::size_t i = 1; i <= between; ++i) ASSERT_TRUE(curve.append(static_cast<double>(i), one));
+    const auto taken = curve.append(2e5, one);
+    EXPECT_EQ(taken.has_value(), between >= 5) << between;
+    if (!taken) {
+      EXPECT_NE(taken.error().message.find("among the 5 before it"), std::string::npos) << taken.error().message;
+    }
+    EXPECT_TRUE(curve.append(3e5, one) || between < 5);
   }
 }
 
@@ -105,6 +121,8 @@ TEST(OnlineCurve, HoldsTheFirstKeyUntilASegmentIsFinal) {
     EXPECT_EQ(curve.available()->start, data.times[0]);
     EXPECT_EQ(curve.available()->end, data.times[0]);
     EXPECT_EQ(curve(5.0).coeffs(), data.orientations[0].coeffs().normalized());
+    EXPECT_TRUE(std::isnan(curve(nan).w()));
+    EXPECT_TRUE(curve.linear_motion(nan)->position.hasNaN());
     EXPECT_EQ(curve.motion(5.0).angular_velocity, Eigen::Vector3d::Zero());
     EXPECT_EQ(curve.linear_motion(5.0)->position, data.positions[0]);
   }
@@ -132,6 +150,23 @@ TEST(OnlineCurve, HoldsAtRestOutsideWhatIsAvailableOrSaysSo) {
   EXPECT_TRUE(std::isnan(curve(nan).w()));
   EXPECT_TRUE(std::isnan(curve.motion(nan).angular_velocity.x()));
   EXPECT_FALSE(curve.checked_motion(nan));
+}
+
+TEST(OnlineCurve, CountsNoKeyThatItRefusesForTheGhostOfTheFirst) {
+  const End turning{.rule = EndRule::clamped, .angular_velocity = {0, 0, 1}};
+  OnlineCurve curve = OnlineCurve::make({"timed-c2", {.parameters = {{"tension", {}}}, .start = turning}}, 8).value();
+  const auto key = [](double time) {
+    return StreamKey{.time = time, .orientation = one, .settings = {{"tension", 0.0}}};
+  };
+  std::uint64_t taken = 0;
+  while (curve.append(key(static_cast<double>(taken)))) ASSERT_LT(++taken, 8u);
+  for (int again = 0; again < 3; ++again) {
+    EXPECT_EQ(curve.keys(), taken);
+    EXPECT_EQ(refusal(curve.append(key(static_cast<double>(taken)))),
+              "key 0: a clamped end needs a non-zero tension at that key, found 0");
+  }
+  EXPECT_EQ(curve.keys(), taken);
+  EXPECT_EQ(refusal(curve.append(key(nan))), formatted("key {}: time is nan, wanted a finite number", taken));
 }
 
 TEST(OnlineCurve, EndsOnceAndBeginsAnewAfterReset) {

@@ -99,6 +99,13 @@ void expect_within(const Reduction& reduction, const Keyframes& recording, const
   EXPECT_NEAR(reduction.deviation.position.value_or(0.0), distance, 1e-12) << reduction.method.name;
 }
 
+TEST(Reduce, OfNoSamplesSaysSo) {
+  EXPECT_EQ(Reduction{}.track.keys.size(), 0u);
+  const auto reduction = reduce(Reduction{}.track, "auto", {.tolerance = {.angle = 0.01}});
+  ASSERT_FALSE(reduction);
+  EXPECT_EQ(reduction.error().message, "auto needs 2 keys, found 0");
+}
+
 TEST(Reduce, NeedsNoMoreGeodesicsThanTheShortestChainOfAll) {
   for (unsigned seed = 0; seed < 120; ++seed)
     for (const double tolerance : {0.3, 1.0, 3.0, 10.0, 40.0}) {

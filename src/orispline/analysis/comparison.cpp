@@ -61,6 +61,7 @@ void measure_shape(Measures& measures, const AnyCurve& curve, const MeasureOptio
 
 Expected<Measures> measure(const Candidate& candidate, const RecordedMotion& recording, const MeasureOptions& options) {
   ORISPLINE_EXPECT(recording.times.size() == recording.orientations.size());
+  if (candidate.keys.size() == 0) return failure(ErrorCode::bad_data, "empty: no keys");
   const auto truth = overlap_of(recording, {candidate.keys.times().front(), candidate.keys.times().back()});
   if (!truth) return tl::unexpected(truth.error());
   Measures measures;

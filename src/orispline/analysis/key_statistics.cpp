@@ -10,8 +10,8 @@ namespace orispline::inline ORISPLINE_ABI {
 KeyStatistics key_statistics(const Keyframes& keys) {
   const auto t = keys.times();
   const auto q = keys.orientations();
+  if (keys.size() < 2) return {};
   KeyStatistics statistics{.span = t.back() - t.front()};
-  if (keys.size() < 2) return statistics;
   std::vector<double> spacings, steps;
   spacings.reserve(keys.size() - 1);
   steps.reserve(keys.size() - 1);

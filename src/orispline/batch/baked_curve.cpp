@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/batch/baked_sampler.hpp>
@@ -23,15 +24,21 @@ constexpr double reserve = 2.0;
 template <class T>
 class Baker {
  public:
-  Baker(const AnyCurve& curve, double tolerance, const Progress& progress)
-      : curve_(curve), progress_(progress), allowed_(tolerance / reserve) {
+  Baker(const AnyCurve& curve, double tolerance, const BakeOptions& options, const Progress& progress)
+      : curve_(curve), options_(options), progress_(progress), allowed_(tolerance / reserve) {
     ends_.push_back(curve.knots().front());
   }
 
-  /// Adds the pieces of a segment; false where it is stopped or the tolerance cannot be reached, which leaves the
-  /// difference there.
+  /// Adds the pieces of a segment; false where it is stopped, or for what failure() then says.
   [[nodiscard]] bool add(const Subinterval& span, int halvings = 0) {
     if (progress_.stopped()) return false;
+    if (pieces_.size() >= options_.max_pieces) {
+      failure_ = formatted(
+          "the {} pieces that are allowed (max_pieces) reach to {} s, wanted a larger tolerance, or "
+          "more pieces",
+          options_.max_pieces, span.start);
+      return false;
+    }
     const BakedRecord<T> piece = through_curve(span);
     const double off = difference(piece, span);
     if (off <= allowed_) {
@@ -42,14 +49,16 @@ class Baker {
     }
     const double middle = span.middle();
     if (halvings == most_halvings || middle <= span.start || middle >= span.end) {
-      failed_at_ = middle;
-      largest_ = off;
+      failure_ = formatted(
+          "at {} s even the shortest piece is {:.2g} rad off, wanted {} at most: ask for a larger "
+          "tolerance",
+          middle, off, allowed_);
       return false;
     }
     return add({span.segment, span.start, middle}, halvings + 1) && add({span.segment, middle, span.end}, halvings + 1);
   }
 
-  [[nodiscard]] double failed_at() const noexcept { return failed_at_; }
+  [[nodiscard]] const std::string& failure() const noexcept { return failure_; }
   [[nodiscard]] double largest_difference() const noexcept { return largest_; }
   [[nodiscard]] std::vector<double> take_ends() { return std::move(ends_); }
   [[nodiscard]] std::vector<BakedRecord<T>> take_pieces() { return std::move(pieces_); }
@@ -88,8 +97,10 @@ class Baker {
   }
 
   const AnyCurve& curve_;
+  const BakeOptions& options_;
   const Progress& progress_;
-  double allowed_, largest_ = 0.0, failed_at_ = 0.0;
+  double allowed_, largest_ = 0.0;
+  std::string failure_;
   std::array<double, size> nodes_ = batch::chebyshev_nodes<size>();
   /// The extremes of ∏ (s - nodes), both ends among them.
   std::array<double, size + 1> checks_ = batch::cosines<size + 1>(0.0, static_cast<double>(size));
@@ -108,7 +119,8 @@ BakedRecord<T> constant_piece(const AnyCurve& curve) {
 }  // namespace
 
 template <class T>
-Expected<BakedCurve<T>> bake(const AnyCurve& curve, double tolerance, const Progress& progress) {
+Expected<BakedCurve<T>> bake(const AnyCurve& curve, double tolerance, const BakeOptions& options,
+                             const Progress& progress) {
   if (!(tolerance >= least_bake_tolerance<T>) || !std::isfinite(tolerance))
     return failure(ErrorCode::bad_argument, formatted("the tolerance is {} rad, wanted a number from {} on", tolerance,
                                                       least_bake_tolerance<T>));
@@ -117,24 +129,22 @@ Expected<BakedCurve<T>> bake(const AnyCurve& curve, double tolerance, const Prog
     progress.at(1.0);
     return BakedCurve<T>(knots, {constant_piece<T>(curve)}, 0.0);
   }
-  Baker<T> baker(curve, tolerance, progress);
+  Baker<T> baker(curve, tolerance, options, progress);
   for (std::size_t i = 0; i < knots.segments(); ++i) {
     const bool added = baker.add({i, knots.span(i).start(), knots.span(i).end()});
     if (progress.stopped()) return cancellation();
-    if (!added)
-      return failure(ErrorCode::bad_argument,
-                     formatted("at {} s even the shortest piece is {:.2g} rad off, wanted {} at most: ask for a larger "
-                               "tolerance",
-                               baker.failed_at(), baker.largest_difference(), tolerance / reserve),
-                     {.key = i});
+    if (!added) return failure(ErrorCode::bad_argument, baker.failure(), {.key = i});
     progress.at(static_cast<double>(i + 1) / static_cast<double>(knots.segments()));
   }
   return BakedCurve<T>(Knots(baker.take_ends()), baker.take_pieces(), baker.largest_difference());
 }
 
 template <class T>
-Expected<BakedCurve<T>> bake(const Method& method, const Keyframes& keys, double tolerance, const Progress& progress) {
-  return make_curve(method, keys).and_then([&](const AnyCurve& curve) { return bake<T>(curve, tolerance, progress); });
+Expected<BakedCurve<T>> bake(const Method& method, const Keyframes& keys, double tolerance, const BakeOptions& options,
+                             const Progress& progress) {
+  return make_curve(method, keys).and_then([&](const AnyCurve& curve) {
+    return bake<T>(curve, tolerance, options, progress);
+  });
 }
 
 template <class T>
@@ -147,9 +157,11 @@ Eigen::Quaternion<T> BakedCurve<T>::operator()(double t) const noexcept {
 
 template class BakedCurve<double>;
 template class BakedCurve<float>;
-template Expected<BakedCurve<double>> bake<double>(const AnyCurve&, double, const Progress&);
-template Expected<BakedCurve<float>> bake<float>(const AnyCurve&, double, const Progress&);
-template Expected<BakedCurve<double>> bake<double>(const Method&, const Keyframes&, double, const Progress&);
-template Expected<BakedCurve<float>> bake<float>(const Method&, const Keyframes&, double, const Progress&);
+template Expected<BakedCurve<double>> bake<double>(const AnyCurve&, double, const BakeOptions&, const Progress&);
+template Expected<BakedCurve<float>> bake<float>(const AnyCurve&, double, const BakeOptions&, const Progress&);
+template Expected<BakedCurve<double>> bake<double>(const Method&, const Keyframes&, double, const BakeOptions&,
+                                                   const Progress&);
+template Expected<BakedCurve<float>> bake<float>(const Method&, const Keyframes&, double, const BakeOptions&,
+                                                 const Progress&);
 
 }  // namespace orispline::inline ORISPLINE_ABI

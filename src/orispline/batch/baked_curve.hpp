@@ -12,6 +12,11 @@
 
 namespace orispline::inline ORISPLINE_ABI {
 
+/// What bounds a bake, besides its tolerance.
+struct BakeOptions {
+  std::size_t max_pieces = std::size_t{1} << 20;  ///< of the whole curve; in double these take 360 MB
+};
+
 /// A curve of any kind turned into polynomials: for curves that are stored and replayed. `bake` makes one.
 ///
 /// The four components of the quaternion are polynomials of degree 9 (`float`: 5) on pieces of the segments. They keep
@@ -32,7 +37,8 @@ class ORISPLINE_EXPORT BakedCurve {
 
  private:
   template <class U>
-  friend Expected<BakedCurve<U>> bake(const AnyCurve& curve, double tolerance, const Progress& progress);
+  friend Expected<BakedCurve<U>> bake(const AnyCurve& curve, double tolerance, const BakeOptions& options,
+                                      const Progress& progress);
   BakedCurve(Knots knots, std::vector<batch::BakedRecord<T>> pieces, double largest_difference)
       : knots_(std::move(knots)), pieces_(std::move(pieces)), largest_difference_(largest_difference) {}
 
@@ -59,14 +65,17 @@ inline constexpr double least_bake_tolerance<float> = 1e-6;
 /// length of the piece, and at the ends of pieces they jump by as much. docs/performance.md has what was measured.
 ///
 /// Errors: bad_argument for a tolerance that is not a number, infinite or below the least one, and for a segment, named
-/// as the key, on which it cannot be reached, because the curve's own rounding or a jump is larger; cancelled.
+/// as the key, on which it cannot be reached, because the curve's own rounding or a jump is larger, or on which more
+/// pieces would be needed than the options allow; cancelled.
 template <class T = double>
 [[nodiscard]] ORISPLINE_EXPORT Expected<BakedCurve<T>> bake(const AnyCurve& curve, double tolerance,
+                                                            const BakeOptions& options = {},
                                                             const Progress& progress = {});
 
 /// The same of the method's curve through the keys. Errors: those of make_curve() too.
 template <class T = double>
 [[nodiscard]] ORISPLINE_EXPORT Expected<BakedCurve<T>> bake(const Method& method, const Keyframes& keys,
-                                                            double tolerance, const Progress& progress = {});
+                                                            double tolerance, const BakeOptions& options = {},
+                                                            const Progress& progress = {});
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -35,8 +35,12 @@ class ConstantCurve {
   ConstantCurve(double time, const P& point) : knots_({time}), point_(point) {}
   [[nodiscard]] const Knots& knots() const noexcept { return knots_; }
   template <Number T>
-  [[nodiscard]] PointOver<P, T> point(const T&, std::size_t) const noexcept {
-    return constant<T>(point_);
+  [[nodiscard]] PointOver<P, T> point(const T& t, std::size_t) const noexcept {
+    const T sure = T(1.0) + (t - t);  // NaN for NaN, as of every curve
+    PointOver<P, T> point = constant<T>(point_);
+    if constexpr (std::same_as<P, Eigen::Quaterniond>) point.coeffs() *= sure;
+    else point *= sure;
+    return point;
   }
 
  private:
@@ -51,6 +55,9 @@ class ErasedCurve {
   template <class C>
   requires(!std::same_as<C, ErasedCurve> && CurveThrough<C, P>) explicit ErasedCurve(C curve)
       : model_(std::make_shared<Model<C>>(std::move(curve))) {}
+  // Moving copies, which is cheap: what was moved from stays the curve that it was.
+  ErasedCurve(const ErasedCurve&) noexcept = default;
+  ErasedCurve& operator=(const ErasedCurve&) noexcept = default;
 
   [[nodiscard]] const Knots& knots() const noexcept { return model_->knots(); }
   [[nodiscard]] P point(double t, std::size_t segment) const noexcept { return model_->point(t, segment); }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/curve/key_check.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
@@ -75,6 +76,10 @@ Expected<End> settle_end(const FamilyInfo& family, End end, std::size_t keys) {
                                                   name_of(end.rule), keys_needed(end.rule), keys));
   if (!end.angular_velocity.allFinite())
     return tl::unexpected(argument_error(formatted("{}: an end rate is not finite", family.name)));
+  if (!is_in_range(end.angular_velocity))
+    return tl::unexpected(
+        argument_error(formatted("{}: an end rate has a component of {:g} rad/s, wanted {:g} at most", family.name,
+                                 end.angular_velocity.cwiseAbs().maxCoeff(), largest_component)));
   if (end.rule != EndRule::clamped && !end.angular_velocity.isZero(0.0))
     return tl::unexpected(argument_error(
         formatted("{}: an end rate needs the end rule clamped, found {}", family.name, name_of(end.rule))));
@@ -156,7 +161,7 @@ Expected<FamilySettings> settle(const FamilyInfo& family, const CurveOptions& op
     if (auto error = check_values(family, parameter, values, keys)) return tl::unexpected(std::move(*error));
     settings.parameters.emplace(parameter.name, PerKey(std::move(values)));
   }
-  if (keys > 1)
+  if (keys != 1)
     if (auto error = check_count(family, keys)) return tl::unexpected(std::move(*error));
   if (options.loop) {
     if (auto error = check_loop(family, options)) return tl::unexpected(std::move(*error));

@@ -126,6 +126,9 @@ class PerKey {
  public:
   explicit PerKey(std::vector<double> values)
       : values_(std::make_shared<const std::vector<double>>(std::move(values))) {}
+  // Moving copies, which is cheap: what was moved from keeps its values.
+  PerKey(const PerKey&) noexcept = default;
+  PerKey& operator=(const PerKey&) noexcept = default;
   [[nodiscard]] double operator[](std::size_t key) const noexcept { return (*values_)[values_->size() == 1 ? 0 : key]; }
   [[nodiscard]] const std::vector<double>& values() const noexcept { return *values_; }
   /// The values of that many keys.
@@ -192,8 +195,8 @@ template <class Named>
 /// Checks the options against what the family accepts and fills in its defaults.
 ///
 /// Errors: bad_argument (with the key index where one value is at fault) for an unknown parameter or word, a wrong
-/// number of values, a value out of range or not finite, an unknown end rule; bad_data for too few keys for the family
-/// or the rule.
+/// number of values, a value out of range or not finite, an unknown end rule, an end rate out of range; bad_data for
+/// too few keys for the family or the rule.
 [[nodiscard]] ORISPLINE_EXPORT Expected<FamilySettings> settle(const FamilyInfo& family, const CurveOptions& options,
                                                                std::size_t keys);
 

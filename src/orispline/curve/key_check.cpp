@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include <orispline/base/formatted.hpp>
-#include <orispline/curve/keyframe.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
@@ -13,14 +12,13 @@ Error key_error(std::size_t key, std::string message) {
   return {ErrorCode::bad_data, std::move(message), {.key = key}};
 }
 
-/// What is wrong with a time that cannot follow.
-Error time_error(std::size_t key, double time, std::optional<double> before) {
-  if (!std::isfinite(time) || !before) return key_error(key, formatted("time is {}, wanted a finite number", time));
-  if (time == *before) return key_error(key, formatted("duplicate time {}, wanted strictly increasing times", time));
-  if (time < *before)
-    return key_error(key, formatted("time {} comes after {}, wanted strictly increasing times", time, *before));
-  return key_error(key, formatted("the step from time {} to {} is {:g} s, wanted {:g} to {:g}", *before, time,
-                                  time - *before, shortest_step, longest_step));
+/// What is wrong with a time that cannot follow another one.
+Error time_error(std::size_t key, double time, double before) {
+  if (time == before) return key_error(key, formatted("duplicate time {}, wanted strictly increasing times", time));
+  if (time < before)
+    return key_error(key, formatted("time {} comes after {}, wanted strictly increasing times", time, before));
+  return key_error(key, formatted("the step from time {} to {} is {:g} s, wanted {:g} to {:g}", before, time,
+                                  time - before, shortest_step, longest_step));
 }
 
 Error norm_error(std::size_t key, const Eigen::Vector4d& components) {
@@ -32,10 +30,24 @@ Error norm_error(std::size_t key, const Eigen::Vector4d& components) {
 
 }  // namespace
 
-std::optional<Error> check_time(std::size_t key, double time, std::optional<double> before) {
-  const double step = before ? time - *before : 0.0;
-  if (before ? shortest_step <= step && step <= longest_step : std::isfinite(time)) return std::nullopt;
-  return time_error(key, time, before);
+std::optional<Error> check_time(std::size_t key, double time, std::span<const double> before) {
+  if (!std::isfinite(time)) return key_error(key, formatted("time is {}, wanted a finite number", time));
+  if (before.empty()) return std::nullopt;
+  const double step = time - before.back();
+  if (!(shortest_step <= step && step <= longest_step)) return time_error(key, time, before.back());
+  const auto together = before.last(std::min(before.size(), keys_seen_together - 1));
+  for (std::size_t i = 1; i < together.size(); ++i)
+    if (const double other = together[i] - together[i - 1]; !are_comparable(step, other))
+      return key_error(key, formatted("the step from time {} to {} is {:g} s, and one of {:g} s is among the {} before "
+                                      "it, wanted neither longer than {:g} times the other",
+                                      before.back(), time, step, other, keys_seen_together - 2, widest_step_ratio));
+  return std::nullopt;
+}
+
+std::optional<Error> check_times(std::span<const double> times) {
+  for (std::size_t i = 0; i < times.size(); ++i)
+    if (auto error = check_time(i, times[i], times.first(i))) return error;
+  return std::nullopt;
 }
 
 Expected<double> checked_norm(std::size_t key, const Eigen::Quaterniond& q) {
@@ -47,8 +59,10 @@ Expected<double> checked_norm(std::size_t key, const Eigen::Quaterniond& q) {
 }
 
 std::optional<Error> check_vector(std::size_t key, const char* what, const Eigen::Vector3d& v) {
-  if (v.allFinite()) return std::nullopt;
-  return key_error(key, formatted("the {} has a component that is not finite", what));
+  if (is_in_range(v)) return std::nullopt;
+  if (!v.allFinite()) return key_error(key, formatted("the {} has a component that is not finite", what));
+  return key_error(key, formatted("the {} has a component of {:g}, wanted {:g} at most", what, v.cwiseAbs().maxCoeff(),
+                                  largest_component));
 }
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 
 #include <orispline/base/expected.hpp>
+#include <orispline/curve/keyframe.hpp>
 #include <orispline/math/eigen.hpp>
 
 // What one key must be, whether it comes with all the others or alone. Errors are bad_data with the key's index;
@@ -12,13 +16,43 @@
 
 namespace orispline::inline ORISPLINE_ABI {
 
-/// A time that is not finite, or that does not come after that of the key before, or not at a step in range.
-[[nodiscard]] std::optional<Error> check_time(std::size_t key, double time, std::optional<double> before);
+/// A time that is not finite, or that does not come after those of the keys before, at a step in range and comparable
+/// with theirs. Of the times before the last ones count, as many as are seen together with this one.
+[[nodiscard]] std::optional<Error> check_time(std::size_t key, double time, std::span<const double> before);
+
+/// The first time of keys in a row that cannot follow those before it.
+[[nodiscard]] std::optional<Error> check_times(std::span<const double> times);
+
+/// Whether two steps of keys that are seen together [s] are not too uneven.
+[[nodiscard]] inline bool are_comparable(double a, double b) noexcept {
+  return a <= widest_step_ratio * b && b <= widest_step_ratio * a;
+}
+
+/// The times of a stream's newest keys, as many as the next one is checked against.
+class RecentTimes {
+ public:
+  void push(double time) noexcept {
+    if (size_ == times_.size()) std::shift_left(times_.begin(), times_.end(), 1);
+    else ++size_;
+    times_[size_ - 1] = time;
+  }
+  void clear() noexcept { size_ = 0; }
+  [[nodiscard]] std::span<const double> all() const noexcept { return std::span(times_).first(size_); }
+
+ private:
+  std::array<double, keys_seen_together - 1> times_{};
+  std::size_t size_ = 0;
+};
 
 /// The norm of a key's quaternion; an error when it is not finite or farther than `norm_error_limit` from 1.
 [[nodiscard]] Expected<double> checked_norm(std::size_t key, const Eigen::Quaterniond& q);
 
-/// A vector that is not finite; `what` names it, such as "position".
+/// Whether every component of a vector is finite and no larger than `largest_component`.
+[[nodiscard]] inline bool is_in_range(const Eigen::Vector3d& v) noexcept {
+  return (v.array().abs() <= largest_component).all();
+}
+
+/// A vector that is not finite or too large; `what` names it, such as "position".
 [[nodiscard]] std::optional<Error> check_vector(std::size_t key, const char* what, const Eigen::Vector3d& v);
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -42,15 +42,23 @@ std::optional<Error> check_vectors(const KeyframeData& data, std::size_t i) {
   return std::nullopt;
 }
 
+/// What stands for the data of no keys.
+const KeyframeData& no_data() {
+  static const KeyframeData none;
+  return none;
+}
+
 }  // namespace
+
+Keyframes::Keyframes() noexcept : data_(std::shared_ptr<const KeyframeData>(), &no_data()) {}
 
 Expected<Keyframes> Keyframes::make(KeyframeData data, Signs signs) {
   if (auto error = check_lengths(data)) return tl::unexpected(std::move(*error));
   Keyframes keys;
   KeyAlignment alignment;
   for (std::size_t i = 0; i < data.times.size(); ++i) {
-    const auto before = i > 0 ? std::optional(data.times[i - 1]) : std::nullopt;
-    if (auto error = check_time(i, data.times[i], before)) return tl::unexpected(std::move(*error));
+    if (auto error = check_time(i, data.times[i], std::span(data.times).first(i)))
+      return tl::unexpected(std::move(*error));
     Eigen::Quaterniond& q = data.orientations[i];
     const auto norm = checked_norm(i, q);
     if (!norm) return tl::unexpected(norm.error());
@@ -101,9 +109,7 @@ Expected<Keyframes> Keyframes::with_times(std::vector<double> times) const {
   KeyframeData data = *data_;
   data.times = std::move(times);
   if (auto error = check_lengths(data)) return tl::unexpected(std::move(*error));
-  for (std::size_t i = 0; i < data.times.size(); ++i)
-    if (auto error = check_time(i, data.times[i], i > 0 ? std::optional(data.times[i - 1]) : std::nullopt))
-      return tl::unexpected(std::move(*error));
+  if (auto error = check_times(data.times)) return tl::unexpected(std::move(*error));
   return with(std::move(data));
 }
 

@@ -39,8 +39,16 @@ inline constexpr double unit_norm_tolerance = 1e-6;
 /// Norms farther than this from 1 are an error, not rounding.
 inline constexpr double norm_error_limit = 1e-3 + 1e-12;  // 0.999 and 1.001 themselves pass
 
-/// Steps between key times [s] outside this range would overflow in rates of the third order.
-inline constexpr double shortest_step = 1e-90, longest_step = 1e90;
+// Between these limits every method's curve and its rates are finite (docs/conventions.md, *Limits of keys*).
+
+/// Steps between key times [s].
+inline constexpr double shortest_step = 1e-18, longest_step = 1e18;
+/// How many keys in a row a method may look at together, and how many times the shortest step between them the longest
+/// may be.
+inline constexpr std::size_t keys_seen_together = 7;
+inline constexpr double widest_step_ratio = 1e14;
+/// Components of positions [m], of rates of keys [rad/s], [rad/s²], [rad/s³], and of the rates of clamped ends.
+inline constexpr double largest_component = 1e18;
 
 /// Orientations at times, validated at the door: every curve is built from these.
 ///
@@ -48,10 +56,17 @@ inline constexpr double shortest_step = 1e-90, longest_step = 1e90;
 /// follow.
 class ORISPLINE_EXPORT Keyframes {
  public:
+  /// No keys: size() is 0, all lists are empty. No curve goes through them.
+  Keyframes() noexcept;
+  // Moving copies, which is cheap: what was moved from keeps its keys.
+  Keyframes(const Keyframes&) noexcept = default;
+  Keyframes& operator=(const Keyframes&) noexcept = default;
+
   /// Validates, normalises, aligns the signs.
   ///
   /// Errors (bad_data, with the key index): no keys, vectors of different length, a time that is not finite or does not
-  /// increase or steps out of range, a component that is not finite, a norm farther than `norm_error_limit` from 1.
+  /// increase or steps out of range, steps too uneven, a component that is not finite or too large, a norm farther than
+  /// `norm_error_limit` from 1.
   [[nodiscard]] static Expected<Keyframes> make(KeyframeData data, Signs signs = Signs::shortest);
 
   /// The first `count` of these keys, 1 ≤ count ≤ size().
@@ -67,7 +82,7 @@ class ORISPLINE_EXPORT Keyframes {
 
   /// These keys with angular rates of theirs, such as smoothed ones; an empty vector takes away those that were there.
   ///
-  /// Errors (bad_data): not one rate per key, or one that is not finite.
+  /// Errors (bad_data): not one rate per key, or one that Keyframes::make() refuses.
   [[nodiscard]] Expected<Keyframes> with_rates(std::vector<Eigen::Vector3d> angular_velocities,
                                                std::vector<Eigen::Vector3d> angular_accelerations = {},
                                                std::vector<Eigen::Vector3d> angular_jerks = {}) const;
@@ -99,7 +114,7 @@ class ORISPLINE_EXPORT Keyframes {
   /// These keys with other data, which are known to be good.
   [[nodiscard]] Keyframes with(KeyframeData data) const;
 
-  std::shared_ptr<const KeyframeData> data_;  // immutable: copies share it
+  std::shared_ptr<const KeyframeData> data_;  // never null; immutable: copies share it
   KeyframeReport report_;
 };
 

@@ -2,6 +2,7 @@
 #include <orispline/curve/loop.hpp>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/curve/key_check.hpp>
 #include <orispline/math/degrees.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
@@ -27,6 +28,20 @@ Eigen::Quaterniond come_round(const Eigen::Quaterniond& key, const Closure& clos
 }
 Eigen::Vector3d come_round(const Eigen::Vector3d& key, const Closure&) { return key; }
 
+/// The keys of a loop, unless steps beside its seam are too uneven.
+Expected<ClosedKeys> comparable_around(Keyframes keys, const Closure& closure) {
+  const auto t = keys.times();
+  const std::size_t last = t.size() - 1;
+  const double closing_step = closure.period - (t[last] - t[0]);
+  for (const double step : {t[last] - t[last - 1], t[1] - t[0]})
+    if (!are_comparable(closing_step, step))
+      return failure(ErrorCode::bad_data,
+                     formatted("the closing step is {:g} s and one beside it {:g} s, wanted neither longer than {:g} "
+                               "times the other",
+                               closing_step, step, widest_step_ratio));
+  return ClosedKeys{std::move(keys), closure};
+}
+
 }  // namespace
 
 Expected<ClosedKeys> closed_keys(const Keyframes& keys, const Loop& loop) {
@@ -38,7 +53,7 @@ Expected<ClosedKeys> closed_keys(const Keyframes& keys, const Loop& loop) {
   const double sign = sign_towards_first(keys, keys.orientations()[last]);
   if (period != span) {
     const double closing_step = period - span;
-    if (shortest_step <= closing_step && closing_step <= longest_step) return ClosedKeys{keys, {period, sign}};
+    if (shortest_step <= closing_step && closing_step <= longest_step) return comparable_around(keys, {period, sign});
     return failure(
         ErrorCode::bad_argument,
         formatted("the period is {} s, wanted a finite number greater than the keys' span of {} s", period, span));
@@ -48,7 +63,7 @@ Expected<ClosedKeys> closed_keys(const Keyframes& keys, const Loop& loop) {
                    formatted("the last key is {} from the first, wanted the first again or a period", *gap),
                    {.key = last});
   if (last < 2) return failure(ErrorCode::bad_data, "a closed curve needs 2 different keys, found 1");
-  return ClosedKeys{keys.first(last), {period, sign}};
+  return comparable_around(keys.first(last), {period, sign});
 }
 
 Knots closed_knots(const Keyframes& keys, const Closure& closure) {

@@ -77,11 +77,13 @@ bool points_in_one_half_of_the_sphere(const AverageCurve& curve, std::size_t seg
   return std::ranges::all_of(points, [&](const Eigen::Quaterniond& p) { return p.coeffs().dot(sum) > 0.0; });
 }
 
-/// By how much the average jumps between two near times [rad]; 0 where its rates account for the way between them.
-double jump_between(const Motion& before, const Motion& after, double duration) {
+/// By how much the average jumps between two near times [rad]; nothing where its rates account for the way between
+/// them.
+std::optional<double> jump_between(const Motion& before, const Motion& after, double duration) {
   const double way = increment<double>(before.orientation, after.orientation).norm();
   const double rate = std::max(before.angular_velocity.norm(), after.angular_velocity.norm());
-  return way > 2.0 * rate * duration + 1e-9 ? way : 0.0;
+  const bool has_rates = before.angular_velocity.allFinite() && after.angular_velocity.allFinite();
+  return has_rates && way <= 2.0 * rate * duration + 1e-9 ? std::nullopt : std::optional(way);
 }
 
 /// Whether a segment's average exists, and moves without jumps where there may be several.
@@ -97,8 +99,8 @@ std::optional<Error> without_average(const AverageCurve& curve, std::size_t segm
     if (!(missing <= allowed)) return misses_average(segment, missing);
     if (one_at_most) continue;
     const Motion here = motion_from_jet(curve.point(Jet<double, 3>::variable(t), segment));
-    const double jump = before ? jump_between(*before, here, span.step() / parts) : 0.0;
-    if (jump > 0.0) return too_far_apart(segment, formatted("the average jumps by {:.3g} rad", jump));
+    const auto jump = before ? jump_between(*before, here, span.step() / parts) : std::nullopt;
+    if (jump) return too_far_apart(segment, formatted("the average jumps by {:.3g} rad", *jump));
     before = here;
   }
   return std::nullopt;

@@ -19,6 +19,11 @@ struct Triple {
   Point previous, key, next;
   double time, before, after;  ///< of the key; steps to its neighbours [s]
 
+  /// The displacements to the neighbours, backwards along the way that arrives: of a full turn the logarithm could not
+  /// tell which way it was.
+  [[nodiscard]] Displacement<Point> to_previous() const { return -displacement<double>(previous, key); }
+  [[nodiscard]] Displacement<Point> to_next() const { return displacement<double>(key, next); }
+
   /// The parabola from its values at the neighbours.
   template <class Value>
   [[nodiscard]] ParabolaThroughZero<Value> parabola(const Value& at_previous, const Value& at_next) const {
@@ -29,9 +34,7 @@ struct Triple {
 
 template <CurvePoint Point>
 Parabola<Point> chart_parabola(const Triple<Point>& p) {
-  return {p.key, p.time,
-          p.template parabola<Displacement<Point>>(displacement<double>(p.key, p.previous),
-                                                   displacement<double>(p.key, p.next))};
+  return {p.key, p.time, p.template parabola<Displacement<Point>>(p.to_previous(), p.to_next())};
 }
 
 /// The stereographic image of `q` seen from `centre`, which itself goes to infinity: circles through the centre become

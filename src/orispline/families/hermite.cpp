@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/families/hermite.hpp>
 
+#include <algorithm>
 #include <numbers>
 
 #include <orispline/base/formatted.hpp>
@@ -12,6 +13,17 @@ namespace {
 
 /// Steps nearer than this to a full turn [rad] have no rotation vector that rates could be carried to.
 constexpr double full_turn_margin = 1e-6;
+
+/// Rates that turn farther than this within a step [rad] lead where no double tells the angle; cubed they are chart
+/// derivatives, of which the jerk takes the cube again.
+constexpr double widest_told_turn = 1e15;
+
+/// How far the rates of a key would turn within h seconds [rad], of the order that turns farthest.
+double turn_within(double h, const std::array<Eigen::Vector3d, 3>& rates, std::size_t orders) {
+  double turn = 0.0, power = 1.0;
+  for (std::size_t k = 0; k < orders; ++k) turn = std::max(turn, (power *= h) * rates[k].stableNorm());
+  return turn;
+}
 
 std::size_t reach_of(const FamilySettings& settings) { return settings.choice("stencil") == "3" ? 1 : 2; }
 
@@ -57,6 +69,13 @@ Expected<ChartCurve<2 * K + 1>> Hermite<K>::chart(const Keyframes& keys, const F
                                "form cumulative",
                                info.name),
                      {.key = i});
+    for (const std::size_t key : {i, i + 1})
+      if (const double turn = turn_within(knots.span(i).step(), motions[key].rates, K); !(turn <= widest_told_turn))
+        return failure(ErrorCode::bad_data,
+                       formatted("{}: the rates at this key turn by {:.2g} rad within a step, wanted {:g} at most, or "
+                                 "the form cumulative",
+                                 info.name, turn, widest_told_turn),
+                       {.key = key});
     pieces.push_back(hermite_piece<K>(start.orientation, Eigen::Vector3d::Zero(), step, start.rates, end.rates,
                                       knots.span(i).step()));
   }

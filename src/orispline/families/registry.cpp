@@ -4,6 +4,7 @@
 #include <array>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/curve/key_check.hpp>
 #include <orispline/families/build.hpp>
 #include <orispline/families/families.hpp>
 #include <orispline/families/handles.hpp>
@@ -79,6 +80,8 @@ Expected<Settled> choose(const Method& method, const Keyframes& keys) {
   if (!index) return tl::unexpected(index.error());
   auto settings = settle(infos[*index], method.options, keys.size());
   if (!settings) return tl::unexpected(std::move(settings.error()));
+  // Keys that were left out of others may be more uneven than these.
+  if (auto error = check_times(keys.times())) return tl::unexpected(std::move(*error));
   if (!method.options.loop) return Settled{*index, keys, std::move(*settings)};
   return closed_keys(keys, *method.options.loop).map([&](ClosedKeys closed) {
     settings->closure = closed.closure;

@@ -2,6 +2,7 @@
 #include <orispline/online/online_curve.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <orispline/base/formatted.hpp>
@@ -9,6 +10,8 @@
 
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 Error argument_error(std::string message) { return {ErrorCode::bad_argument, std::move(message), {}}; }
 
@@ -45,11 +48,12 @@ Expected<OnlineCurve> OnlineCurve::make(const Method& method, std::size_t capaci
 Expected<void> OnlineCurve::append(const StreamKey& key) {
   if (finished_)
     return tl::unexpected(argument_error("the curve is finished, wanted no more keys or a reset before them"));
-  const auto before = keys_ > 0 ? std::optional(newest_.time) : std::nullopt;
-  const auto orientation = checked_orientation(keys_, key, before, parts_);
+  const auto orientation = checked_orientation(keys_, key, times_.all(), parts_);
   if (!orientation) return tl::unexpected(orientation.error());
   if (auto error = method_.check_settings(keys_, key)) return tl::unexpected(std::move(*error));
   const Place known = newest_;
+  const RecentTimes known_times = times_;
+  times_.push(key.time);
   newest_ = {key.time, *orientation, key.position.value_or(Eigen::Vector3d::Zero())};
   if (keys_ > 0 && signs_ == Signs::shortest && newest_.orientation.dot(known.orientation) < 0.0)
     newest_.orientation.coeffs() = -newest_.orientation.coeffs();
@@ -64,6 +68,7 @@ Expected<void> OnlineCurve::append(const StreamKey& key) {
   if (!made) {
     segments_->pop();
     newest_ = known;
+    times_ = known_times;
     --keys_;
   }
   return made;
@@ -94,6 +99,7 @@ Expected<void> OnlineCurve::finish() {
 
 void OnlineCurve::reset() noexcept {
   segments_->reset();
+  times_.clear();
   parts_ = {};
   keys_ = final_segments_ = 0;
   next_place_ = 0;
@@ -130,10 +136,7 @@ std::optional<Domain> OnlineCurve::available() const noexcept {
 }
 
 Eigen::Quaterniond OnlineCurve::operator()(double t) const noexcept {
-  if (keys_ == 0) {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    return {nan, nan, nan, nan};
-  }
+  if (keys_ == 0 || std::isnan(t)) return {nan, nan, nan, nan};
   if (final_segments_ == 0) return first_.orientation;
   const double held = std::clamp(t, starts_[place_of(0)], end_);
   return segments_->orientation(held, place_at(held, Side::right));
@@ -156,7 +159,7 @@ Expected<Motion> OnlineCurve::checked_motion(double t) const {
 std::optional<LinearMotion> OnlineCurve::linear_motion(double t, Side side) const noexcept {
   const auto domain = available();
   if (!parts_.position) return std::nullopt;
-  if (final_segments_ == 0) return LinearMotion{.position = first_.position};
+  if (final_segments_ == 0) return LinearMotion{.position = (std::isnan(t) ? nan : 1.0) * first_.position};
   const double held = std::clamp(t, domain->start, domain->end);
   const LinearMotion there = segments_->linear_motion(held, side, place_at(held, side));
   return t < domain->start || t > domain->end ? LinearMotion{.position = there.position} : there;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <orispline/curve/curve.hpp>
+#include <orispline/curve/key_check.hpp>
 #include <orispline/curve/method.hpp>
 #include <orispline/online/online_segments.hpp>
 
@@ -120,6 +121,7 @@ class ORISPLINE_EXPORT OnlineCurve {
   std::vector<double> starts_;  ///< of the segments [s]; the ring twice, so that what is kept lies in one piece
   double end_ = 0.0;            ///< of the last final segment [s]
   Place first_, newest_;
+  RecentTimes times_;
   KeyParts parts_;
   std::uint64_t keys_ = 0, final_segments_ = 0;
   std::size_t next_place_ = 0;

@@ -34,12 +34,12 @@ KeyParts parts_of(const StreamKey& key) noexcept {
 }
 
 Expected<Eigen::Quaterniond> checked_orientation(std::uint64_t index, const StreamKey& key,
-                                                 std::optional<double> before, const KeyParts& wanted) {
+                                                 std::span<const double> before, const KeyParts& wanted) {
   const auto place = static_cast<std::size_t>(index);
   if (auto error = check_time(place, key.time, before)) return tl::unexpected(std::move(*error));
   for (const Part& part : parts) {
     const auto& value = key.*part.value;
-    if (before && value.has_value() != wanted.*part.wanted)
+    if (!before.empty() && value.has_value() != wanted.*part.wanted)
       return failure(ErrorCode::bad_data,
                      value ? formatted("found {}, wanted none as the keys before have none", part.one)
                            : formatted("found no {}, wanted one as the keys before have", part.name),

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 
 #include <orispline/base/expected.hpp>
@@ -34,11 +35,11 @@ struct KeyParts {
 
 [[nodiscard]] ORISPLINE_EXPORT KeyParts parts_of(const StreamKey& key) noexcept;
 
-/// The orientation of the key after the one at `before` [s], key `index` of the stream, normalised. Errors: what
+/// The orientation of the key after those at `before` [s], key `index` of the stream, normalised. Errors: what
 /// Keyframes::make refuses, in the same words, and other parts than `wanted`. Success allocates nothing.
 [[nodiscard]] ORISPLINE_EXPORT Expected<Eigen::Quaterniond> checked_orientation(std::uint64_t index,
                                                                                 const StreamKey& key,
-                                                                                std::optional<double> before,
+                                                                                std::span<const double> before,
                                                                                 const KeyParts& wanted);
 
 }  // namespace orispline::inline ORISPLINE_ABI

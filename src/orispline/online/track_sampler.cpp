@@ -93,14 +93,18 @@ Expected<void> TrackSampler::append(StreamKey key) {
 /// Takes the next key and forgets none.
 Expected<void> TrackSampler::push(StreamKey key) {
   if (finished_) return failure(ErrorCode::bad_argument, "the track is finished, wanted no more keys");
-  const auto unit = checked_orientation(keys_, key, newest_, parts_);
+  const bool begins = !newest_ || (options_.gap && key.time - *newest_ > *options_.gap);
+  const auto before = !newest_ ? std::span<const double>()
+                      : begins ? std::span(&*newest_, 1)
+                               : stretches_.back().keys().times();
+  const auto unit = checked_orientation(keys_, key, before, parts_);
   if (!unit) return tl::unexpected(unit.error());
   if (auto error = method_.check_settings(keys_, key)) return tl::unexpected(std::move(*error));
-  const bool begins = !newest_ || (options_.gap && key.time - *newest_ > *options_.gap);
   if (begins && !stretches_.empty() && !stretches_.back().is_finished())
     if (auto ended = stretches_.back().finish(method_); !ended) return ended;
-  const auto before = begins ? std::nullopt : std::optional(unit_orientation(stretches_.back().keys().newest()));
-  alignment_.next(*unit, checked_norm(0, key.orientation).value(), options_.signs, before ? &*before : nullptr);
+  const auto turned_from = begins ? std::nullopt : std::optional(unit_orientation(stretches_.back().keys().newest()));
+  alignment_.next(*unit, checked_norm(0, key.orientation).value(), options_.signs,
+                  turned_from ? &*turned_from : nullptr);
   if (alignment_.negated) key.orientation.coeffs() = -key.orientation.coeffs();
   if (begins) stretches_.emplace_back(keys_);
   if (keys_ == 0) parts_ = parts_of(key);
