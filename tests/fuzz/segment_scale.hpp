@@ -10,8 +10,8 @@
 
 namespace orispline::fuzz {
 
-/// How large the terms get of which rounding takes its share: on a segment of length h [s] that turns by A [rad], where A
-/// is the largest of |ω|h, (|α|h²)^½ and (|jerk|h³)^⅓, a derivative of order k sums terms up to (1 + A)^k/hᵏ. The one
+/// How large the terms get of which rounding takes its share: on a segment of length h [s] that turns by A [rad], where
+/// A is the largest of |ω|h, (|α|h²)^½ and (|jerk|h³)^⅓, a derivative of order k sums terms up to (1 + A)^k/hᵏ. The one
 /// stands for the rounding of the orientation itself. Angles of A radians are rounded too, and turn all of them along:
 /// once more a factor of 1 + A.
 struct SegmentScale {
