@@ -9,9 +9,6 @@ namespace {
 
 constexpr std::size_t most_keys = 12;
 
-/// Baking halves segments as often as they need; keys far apart in scale may need millions of pieces.
-bool can_be_baked(const FuzzedKeys& keys) { return keys.step_ratio <= 16.0; }
-
 void try_method(const FamilyInfo& family, const Method& method, const FuzzedKeys& fuzzed, const Keyframes& keys) {
   const auto curve = make_pose_curve(method, keys);
   if (!curve) return claim_plain(curve.error());
@@ -21,7 +18,7 @@ void try_method(const FamilyInfo& family, const Method& method, const FuzzedKeys
   claim_continuity(specimen);
   claim_same_bits(curve->orientation);
   claim_agreement(curve->orientation);
-  if (can_be_baked(fuzzed)) claim_baked(curve->orientation);
+  claim_baked(curve->orientation);
   claim_symmetries(specimen);
 }
 

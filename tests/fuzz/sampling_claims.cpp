@@ -152,7 +152,8 @@ void claim_agreement(const AnyCurve& curve) {
 
 void claim_baked(const AnyCurve& curve) {
   constexpr double tolerance = 1e-6;  // [rad]
-  const auto baked = bake(curve, tolerance);
+  constexpr std::size_t most_pieces = 2048;
+  const auto baked = bake(curve, tolerance, BakeOptions{.max_pieces = most_pieces});
   if (!baked) return claim_plain(baked.error());
   for (const double t : sample_times(curve.knots().times(), 13)) {
     const double off = 2.0 * ((*baked)(t).coeffs() - curve(t).coeffs()).norm();

@@ -10,15 +10,15 @@
 
 namespace orispline::fuzz {
 
-/// How large the rates get of which rounding takes its share: on a segment of length h [s] that turns by A [rad], where
-/// A is the largest of |ω|h, (|α|h²)^½ and (|jerk|h³)^⅓, a derivative of order k sums terms up to (1 + A)^k/hᵏ, for
-/// every order multiplies by a derivative in u of a factor, and that is A at most, while the one stands for the
-/// rounding of the orientation itself.
+/// How large the terms get of which rounding takes its share: on a segment of length h [s] that turns by A [rad], where
+/// A is the largest of |ω|h, (|α|h²)^½ and (|jerk|h³)^⅓, a derivative of order k sums terms up to (1 + A)^k/hᵏ. The one
+/// stands for the rounding of the orientation itself. Angles of A radians are rounded too, and turn all of them along:
+/// once more a factor of 1 + A.
 struct SegmentScale {
   double length = 1.0;  ///< h [s]
   double turn = 0.0;    ///< A [rad]
 
-  [[nodiscard]] double of_order(int order) const { return std::pow((1.0 + turn) / length, order); }
+  [[nodiscard]] double of_order(int order) const { return (1.0 + turn) * std::pow((1.0 + turn) / length, order); }
 };
 
 [[nodiscard]] inline SegmentScale scale_of(const AnyCurve& curve, std::size_t segment) {

@@ -175,6 +175,10 @@ class Symmetries {
 /// ν is a rate: it has the unit 1/s.
 bool feels_the_unit_of_time(const Method& method) { return method.options.parameters.contains("nu"); }
 
+/// The rate at a key is made of the rates of the steps beside it: where one is so many times shorter, the rounding of
+/// its rate alone turns the longer one by as many roundings.
+constexpr double widest_ratio_of_turning = 64.0;
+
 /// A dot product of zero leaves the sign to the file.
 bool has_half_turns(const Keyframes& keys) {
   for (std::size_t i = 1; i < keys.size(); ++i)
@@ -189,11 +193,14 @@ void claim_symmetries(const Specimen& specimen) {
       specimen.family.is_global() && specimen.fuzzed.widest_turn > std::min(1.5, specimen.family.key_use.widest_turn);
   if (specimen.curve.orientation.knots().segments() == 0 || may_lead_astray) return;
   Symmetries symmetries(specimen);
-  if (!symmetries.measure_sensitivity()) return;
-  symmetries.claim_holds(turned_world());
-  symmetries.claim_holds(turned_body());
+  const bool may_flip = specimen.fuzzed.signs == Signs::shortest && has_half_turns(specimen.keys);
+  if (may_flip || !symmetries.measure_sensitivity()) return;
+  if (specimen.fuzzed.step_ratio <= widest_ratio_of_turning) {
+    symmetries.claim_holds(turned_world());
+    symmetries.claim_holds(turned_body());
+  }
   if (!feels_the_unit_of_time(specimen.method)) symmetries.claim_holds(slower_clock());
-  if (specimen.fuzzed.signs == Signs::shortest && !has_half_turns(specimen.keys)) symmetries.claim_holds(other_signs());
+  if (specimen.fuzzed.signs == Signs::shortest) symmetries.claim_holds(other_signs());
 }
 
 }  // namespace orispline::fuzz
