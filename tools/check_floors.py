@@ -26,7 +26,7 @@ FILE_LINES, FUNCTION_LINES, MEDIAN_LINES = 300, 60, 200
 EXCEPTIONS = {}  # path -> the reason why it may be larger
 SPDX = re.compile(r"(#!.*\n# |# |// )SPDX-License-Identifier: Apache-2\.0\n")
 NO_ROOM = re.compile(r"(.*/)?(utils?|helpers?|common|misc|detail|impl)[/.]")
-SILENT = re.compile(r'R"(\w*)\(.*?\)\1"|"(\\.|[^"\\\n])*"|\'(\\.|[^\'\\\n])\'|//[^\n]*|/\*.*?\*/|^#(.*\\\n)*.*', re.M | re.S)
+SILENT = re.compile(r'R"(\w*)\(.*?\)\1"|"(\\.|[^"\\\n])*"|\'(\\.|[^\'\\\n])\'|//[^\n]*|/\*.*?\*/|^#([^\n]*\\\n)*[^\n]*', re.M | re.S)
 
 
 def floor_of(include):

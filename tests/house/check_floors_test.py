@@ -132,6 +132,10 @@ class CheckFloors(unittest.TestCase):
             self.assert_sound("cli/main.cpp", SPDX + function_of(60 - extra, head) + tail)
             self.assert_breach("cli/main.cpp", SPDX + function_of(61 - extra, head) + tail, "function of 61 lines at line")
 
+    def test_looks_behind_the_lines_of_the_preprocessor(self):
+        includes = "#include <string>\n\n#define TWO \\\n  2\n"
+        self.assert_breach("cli/main.cpp", SPDX + includes + function_of(61, "int f(int a) {"), "function of 61 lines at line")
+
     def test_does_not_take_a_class_or_namespace_for_a_function(self):
         for head in ("namespace n {", "struct S {", "class S final : public T<f(1)> {", "template <class T> struct S {"):
             self.assert_sound("cli/main.cpp", SPDX + head + "\n" + "int a = f('{', \"{\");  // }\n" * 70 + "};\n")
