@@ -87,6 +87,12 @@ TEST(Log, OfMinusOneIsAFullTurnAboutX) {
   EXPECT_EQ(log<double>(quaternion_wxyz(-1.0, 0.0, 0.0, 0.0)), Eigen::Vector3d(2 * pi, 0, 0));
 }
 
+TEST(Log, SoNearMinusOneThatItsAxisCannotBeToldIsAFullTurnAboutX) {
+  for (const double off : {1e-317, -3e-308})
+    EXPECT_EQ(log<double>(Eigen::Quaterniond(-1.0, 0.0, off, 0.0)), Eigen::Vector3d(2.0 * pi, 0.0, 0.0)) << off;
+  EXPECT_EQ(log<double>(Eigen::Quaterniond(1.0, 0.0, 1e-317, 0.0)), Eigen::Vector3d(0.0, 2.0 * 1e-317, 0.0));
+}
+
 TEST(Log, NeverFlipsASign) {
   const Eigen::Vector3d beyond_pi(0.0, 4.0, 0.0);
 

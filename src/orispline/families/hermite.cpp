@@ -14,9 +14,9 @@ namespace {
 /// Steps nearer than this to a full turn [rad] have no rotation vector that rates could be carried to.
 constexpr double full_turn_margin = 1e-6;
 
-/// Rates that turn farther than this within a step [rad] lead where no double tells the angle; cubed they are chart
-/// derivatives, of which the jerk takes the cube again.
-constexpr double widest_told_turn = 1e15;
+/// How far rates may turn within a step [rad]: the jerk has the ninth power of this over the cube of the step, which is
+/// a double at the shortest one too.
+constexpr double widest_turn = 1e25;
 
 /// How far the rates of a key would turn within h seconds [rad], of the order that turns farthest.
 double turn_within(double h, const std::array<Eigen::Vector3d, 3>& rates, std::size_t orders) {
@@ -70,11 +70,11 @@ Expected<ChartCurve<2 * K + 1>> Hermite<K>::chart(const Keyframes& keys, const F
                                info.name),
                      {.key = i});
     for (const std::size_t key : {i, i + 1})
-      if (const double turn = turn_within(knots.span(i).step(), motions[key].rates, K); !(turn <= widest_told_turn))
+      if (const double turn = turn_within(knots.span(i).step(), motions[key].rates, K); !(turn <= widest_turn))
         return failure(ErrorCode::bad_data,
                        formatted("{}: the rates at this key turn by {:.2g} rad within a step, wanted {:g} at most, or "
                                  "the form cumulative",
-                                 info.name, turn, widest_told_turn),
+                                 info.name, turn, widest_turn),
                        {.key = key});
     pieces.push_back(hermite_piece<K>(start.orientation, Eigen::Vector3d::Zero(), step, start.rates, end.rates,
                                       knots.span(i).step()));

@@ -72,7 +72,8 @@ template <Number T>
   const Vector3<T> v = q.vec();
   if constexpr (std::floating_point<T>) {
     const T sine = norm_of<T>(v);
-    if (sine == T(0)) return q.w() < T(0) ? Vector3<T>(2 * std::numbers::pi_v<T>, T(0), T(0)) : Vector3<T>(v * T(2));
+    if (sine < 4 * std::numeric_limits<T>::min())  // a full turn over it would overflow
+      return q.w() < T(0) ? Vector3<T>(2 * std::numbers::pi_v<T>, T(0), T(0)) : Vector3<T>(v * T(2));
     return (2 * atan2_of(sine, q.w()) / sine) * v;
   } else {
     if (const T y = T(1.0) - q.w(); value_of(y) < 0.25) return v * (series::angle_over_sine(y) * Plain<T>(2));
