@@ -8,7 +8,9 @@
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
-double duration_of(const Track& track) { return track.keys.times().back() - track.keys.times().front(); }
+double duration_of(const Track& track) {
+  return track.keys.size() == 0 ? 0.0 : track.keys.times().back() - track.keys.times().front();
+}
 
 }  // namespace
 
