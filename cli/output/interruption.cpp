@@ -7,11 +7,15 @@
 
 #include <unistd.h>
 
+#include <orispline/io/output_file.hpp>
+
 namespace orispline::cli {
 namespace {
 
 using Place = std::atomic<const char*>;  // a signal handler may touch nothing that locks or allocates
 static_assert(Place::is_always_lock_free);
+
+constexpr std::array polite{SIGINT, SIGTERM, SIGHUP};
 
 std::array<Place, 1000> unfinished{};  // null: nothing to remove
 
@@ -25,18 +29,35 @@ void remove_and_end(int signal) {
 }
 
 void on_interruption(void (*handler)(int)) {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+  for (const int signal : polite)
     if (std::signal(signal, handler) == SIG_IGN) std::signal(signal, SIG_IGN);  // as a caller like nohup wants it
 }
 
 }  // namespace
 
-RemovedWhenInterrupted::RemovedWhenInterrupted(const std::string& path) : path_(path) {
+InterruptionHeld::InterruptionHeld(const std::string& output) : is_held_(!io::is_stream(output)) {
+  if (!is_held_) return;
+  sigset_t held;
+  sigemptyset(&held);
+  for (const int signal : polite) sigaddset(&held, signal);
+  pthread_sigmask(SIG_BLOCK, &held, &before_);
+}
+
+InterruptionHeld::~InterruptionHeld() { end(); }
+
+void InterruptionHeld::end() noexcept {
+  if (is_held_) pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  is_held_ = false;
+}
+
+RemovedWhenInterrupted::RemovedWhenInterrupted(const std::string& path, InterruptionHeld& held) : path_(path) {
   const auto place = std::ranges::find_if(unfinished, is_free);
-  if (path_.empty() || place == unfinished.end()) return;
-  place_ = &*place;
-  *place_ = path_.c_str();
-  on_interruption(remove_and_end);
+  if (!path_.empty() && place != unfinished.end()) {
+    place_ = &*place;
+    *place_ = path_.c_str();
+    on_interruption(remove_and_end);
+  }
+  held.end();
 }
 
 RemovedWhenInterrupted::~RemovedWhenInterrupted() {

@@ -13,10 +13,11 @@ namespace orispline::cli {
 Expected<ReportFile> ReportFile::open(const ReportOptions& options) {
   ReportFile report;
   if (!options.path) return report;
+  InterruptionHeld held(*options.path);
   auto file = io::OutputFile::open(*options.path);
   if (!file) return tl::unexpected(std::move(file.error()));
   report.command_line_ = options.command_line;
-  report.unfinished_ = std::make_unique<RemovedWhenInterrupted>(file->part());
+  report.unfinished_ = std::make_unique<RemovedWhenInterrupted>(file->part(), held);
   report.file_ = std::move(*file);
   return report;
 }

@@ -35,9 +35,10 @@ Expected<std::vector<Experiment>> chosen(std::string_view name) {
 /// Writes a picture into the folder; its path.
 Expected<std::string> write_picture(const std::string& folder, const Picture& picture) {
   std::string path = (fs::path(folder) / (picture.name + ".svg")).string();
+  InterruptionHeld held(path);
   return io::OutputFile::open(path)
       .and_then([&](io::OutputFile file) {
-        const RemovedWhenInterrupted unfinished(file.part());
+        const RemovedWhenInterrupted unfinished(file.part(), held);
         return file.write(picture.drawing.document()).and_then([&] { return file.finish(); });
       })
       .map([&] { return std::move(path); });

@@ -84,6 +84,31 @@ INSTANTIATE_TEST_SUITE_P(Every, BatchOfFamily, testing::ValuesIn(names_of_famili
   return name;
 });
 
+template <class T>
+double largest_error_of_norm(const AnyCurve& curve) {
+  const std::vector<double> times = sample_times(curve.knots().times(), 17);
+  Sampled<T> samples(times.size(), Wanted::orientation);
+  EXPECT_TRUE(sample<T>(curve, times, samples.spans()));
+  double largest = 0.0;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const double error = std::abs(samples.orientation(i).norm() - 1.0);
+    largest = error <= largest ? largest : error;  // NaN counts
+  }
+  return largest;
+}
+
+TEST(Batch, IsOfUnitQuaternionsHoweverOftenASegmentTurns) {
+  const Keyframes keys = keyframes(random_walk(44, 6, Spacing::uneven, 1.0));
+  for (const double rate : {1e3, 1e5, 1e6, 1e8, 1e12, 1e17}) {
+    SCOPED_TRACE(rate);
+    const End clamped{.rule = EndRule::clamped, .angular_velocity = {rate, -rate, 0.5 * rate}};
+    const auto curve = make_curve({"timed-c1", {.start = clamped, .end = clamped}}, keys);
+    ASSERT_TRUE(curve);
+    EXPECT_LE(largest_error_of_norm<double>(*curve), 1e-14);
+    EXPECT_LE(largest_error_of_norm<float>(*curve), 1e-5);
+  }
+}
+
 TEST(Batch, GoesThroughTheKernelForPolynomialFamilies) {
   const Keyframes keys = keyframes(random_walk(43, 12, Spacing::even, 0.8));
   const auto is_compiled = [&](const char* family) {

@@ -109,6 +109,9 @@ std::array<double, 4> allowed(const AnyCurve& curve, std::size_t segment, const 
           j * angle * std::max({1.0 / (h * h * h), size.jerk, m.angular_jerk.norm()})};
 }
 
+template <class T>
+constexpr double largest_error_of_norm = 64.0 * std::numeric_limits<T>::epsilon();
+
 /// Of an orientation [rad]: segments that turn by more than a million radians have no meaning in a float.
 constexpr double largest_rounding = 0.1;
 
@@ -125,6 +128,9 @@ void claim_agreement_at(const AnyCurve& curve, std::span<const double> times) {
         (samples.velocity(i) - m.angular_velocity).template lpNorm<Eigen::Infinity>(),
         (samples.acceleration(i) - m.angular_acceleration).template lpNorm<Eigen::Infinity>(),
         (samples.jerk(i) - m.angular_jerk).template lpNorm<Eigen::Infinity>()};
+    const double norm = samples.orientation(i).norm();
+    claim(std::abs(norm - 1.0) <= largest_error_of_norm<T>, "a sample ({} bytes a number) at t = {} has norm {}",
+          sizeof(T), times[i], norm);
     const auto limit = allowed<T>(curve, segment, m);
     if (limit[0] > largest_rounding) continue;
     for (std::size_t k = 0; k < 4; ++k) {

@@ -74,8 +74,9 @@ Expected<report::MotionPicture> picture_of(const Request& request) {
 
 Expected<void> plot(const PlotOptions& options) {
   return request_in(options).and_then(picture_of).and_then([&](const report::MotionPicture& picture) {
+    InterruptionHeld held(options.path);
     return io::OutputFile::open(options.path).and_then([&](io::OutputFile file) {
-      const RemovedWhenInterrupted unfinished(file.part());
+      const RemovedWhenInterrupted unfinished(file.part(), held);
       return file.write(report::motion_drawing(picture).document()).and_then([&] { return file.finish(); });
     });
   });

@@ -91,13 +91,14 @@ Expected<SampleReport> sample_whole(const SampleRequest& request, io::KeyReader 
     report.truth = std::move(*truth);
   }
   const Sampling sampling{source->curve, source->times, columns, request.threads};
+  InterruptionHeld held(request.output);
   return io::SampleWriter::open(request.output, columns, source->times.size())
       .and_then([&](io::SampleWriter writer) {
-        const RemovedWhenInterrupted unfinished(writer.part());
+        const RemovedWhenInterrupted unfinished(writer.part(), held);
         return write_samples(writer, sampling, request.progress);
       })
-      .map([&](std::size_t held) {
-        report.held_samples = held;
+      .map([&](std::size_t held_samples) {
+        report.held_samples = held_samples;
         return report;
       });
 }

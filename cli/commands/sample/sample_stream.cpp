@@ -122,10 +122,11 @@ class PiecewiseSampling {
     if (sampler_->ready() == 0) return {};
     if (!writer_) {
       const auto size = sampler_->grid()->size();
+      InterruptionHeld held(request_.output);
       auto writer = io::SampleWriter::open(request_.output, columns_, static_cast<std::size_t>(size.value_or(0)));
       if (!writer) return tl::unexpected(std::move(writer.error()));
       writer_ = std::move(*writer);
-      unfinished_.emplace(writer_->part());
+      unfinished_.emplace(writer_->part(), held);
     }
     const std::size_t most = std::min(most_samples_at_a_time, request_.threads * samples_of_a_thread);
     const TimeOrigin origin = times().origin();

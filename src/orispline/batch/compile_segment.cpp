@@ -156,9 +156,10 @@ FactoredSegment factored(const CumulativeForm& form, const KnotSpan& span) noexc
 }
 
 template <class T>
-CumulativeRecord<T> compile_segment(const CumulativeForm& form, const KnotSpan& span) noexcept {
+CompiledSegment<CumulativeRecord<T>> compile_segment(const CumulativeForm& form, const KnotSpan& span) noexcept {
   const FactoredSegment segment = factored(form, span);
-  CumulativeRecord<T> record;  // filled below: to clear it first takes time
+  CompiledSegment<CumulativeRecord<T>> compiled;  // filled below: to clear it first takes time
+  CumulativeRecord<T>& record = compiled.record;
   record.middle = segment.middle_time;
   record.per_step = segment.per_step;
   record.short_degree = form.degree <= 5;
@@ -179,13 +180,14 @@ CumulativeRecord<T> compile_segment(const CumulativeForm& form, const KnotSpan& 
   store<T>(axes[2].vec(), record.axis_c);
   store_products<T>(segment.middle, axes, record.products);
   record.range = range_of(largest);
-  return record;
+  compiled.half_angle = std::ranges::max(largest);
+  return compiled;
 }
 
 template <class T>
-CompiledChart<T> compile_segment(const ChartForm& form, const KnotSpan& span) noexcept {
+CompiledSegment<ChartRecord<T>> compile_segment(const ChartForm& form, const KnotSpan& span) noexcept {
   const Place place = place_of(span);
-  CompiledChart<T> compiled{};
+  CompiledSegment<ChartRecord<T>> compiled{};
   compiled.record.middle = place.middle;
   compiled.record.per_step = place.per_step;
   compiled.record.short_degree = form.degree <= 5;
@@ -206,9 +208,11 @@ CompiledChart<T> compile_segment(const ChartForm& form, const KnotSpan& span) no
   return compiled;
 }
 
-template CumulativeRecord<double> compile_segment<double>(const CumulativeForm&, const KnotSpan&) noexcept;
-template CumulativeRecord<float> compile_segment<float>(const CumulativeForm&, const KnotSpan&) noexcept;
-template CompiledChart<double> compile_segment<double>(const ChartForm&, const KnotSpan&) noexcept;
-template CompiledChart<float> compile_segment<float>(const ChartForm&, const KnotSpan&) noexcept;
+template CompiledSegment<CumulativeRecord<double>> compile_segment<double>(const CumulativeForm&,
+                                                                           const KnotSpan&) noexcept;
+template CompiledSegment<CumulativeRecord<float>> compile_segment<float>(const CumulativeForm&,
+                                                                         const KnotSpan&) noexcept;
+template CompiledSegment<ChartRecord<double>> compile_segment<double>(const ChartForm&, const KnotSpan&) noexcept;
+template CompiledSegment<ChartRecord<float>> compile_segment<float>(const ChartForm&, const KnotSpan&) noexcept;
 
 }  // namespace orispline::inline ORISPLINE_ABI::batch

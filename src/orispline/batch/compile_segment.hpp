@@ -9,8 +9,9 @@
 
 namespace orispline::inline ORISPLINE_ABI::batch {
 
-/// Half angles of a chart segment beyond this [rad] are left to the scalar evaluator.
-inline constexpr double largest_chart_half_angle = 1.0;
+/// Half angles of a segment beyond this [rad] are left to the scalar evaluator: the kernel's series end there, or it
+/// would take off quarter turns that its numbers cannot tell any more.
+inline constexpr double largest_chart_half_angle = 1.0, largest_cumulative_half_angle = 1e5;
 
 /// A segment taken apart: q(s) = middle ∏ exp(vectors_k f_k(s)), the constant parts of the factors gone into the
 /// middle.
@@ -23,20 +24,23 @@ struct FactoredSegment {
 };
 [[nodiscard]] FactoredSegment factored(const CumulativeForm& form, const KnotSpan& span) noexcept;
 
-/// A segment of a cumulative curve for the kernel.
+/// A segment for the kernel, with a bound on its half angles [rad], which says whether the kernel may be used.
+template <class Record>
+struct CompiledSegment {
+  Record record;
+  double half_angle;
+};
+
+/// A segment of a cumulative curve.
 ///
 /// The coefficients in s about the segment's middle come from the Bernstein form by exact integers: a shift of powers
 /// in double would cost digits. Derivation: docs/performance.md.
 template <class T>
-[[nodiscard]] CumulativeRecord<T> compile_segment(const CumulativeForm& form, const KnotSpan& span) noexcept;
+[[nodiscard]] CompiledSegment<CumulativeRecord<T>> compile_segment(const CumulativeForm& form,
+                                                                   const KnotSpan& span) noexcept;
 
-/// A segment of a chart curve for the kernel; its bound on the half angle [rad] says whether the kernel may be used.
+/// A segment of a chart curve.
 template <class T>
-struct CompiledChart {
-  ChartRecord<T> record;
-  double half_angle;
-};
-template <class T>
-[[nodiscard]] CompiledChart<T> compile_segment(const ChartForm& form, const KnotSpan& span) noexcept;
+[[nodiscard]] CompiledSegment<ChartRecord<T>> compile_segment(const ChartForm& form, const KnotSpan& span) noexcept;
 
 }  // namespace orispline::inline ORISPLINE_ABI::batch

@@ -33,7 +33,10 @@ auto with_record(const AnyCurve& curve, std::size_t segment, Use use) noexcept {
   if (curve.knots().segments() == 0) return use(std::monostate());
   const SegmentForm form = curve.form(segment);
   const KnotSpan span = curve.knots().span(segment);
-  if (const auto* cumulative = std::get_if<CumulativeForm>(&form)) return use(compile_segment<T>(*cumulative, span));
+  if (const auto* cumulative = std::get_if<CumulativeForm>(&form))
+    if (const auto compiled = compile_segment<T>(*cumulative, span);
+        compiled.half_angle <= largest_cumulative_half_angle)
+      return use(compiled.record);
   if (const auto* chart = std::get_if<ChartForm>(&form))
     if (const auto compiled = compile_segment<T>(*chart, span); compiled.half_angle <= largest_chart_half_angle)
       return use(compiled.record);
