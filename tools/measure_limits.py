@@ -3,8 +3,8 @@
 """The table of time and memory per key in docs/limits.md, measured.
 
 measure_limits.py COMMAND [MOST] runs COMMAND, the built orispline, on up to MOST keys (10^7) and rewrites the lines between
-`<!-- measured: tools/measure_limits.py -->` and `<!-- end of what is measured -->`. A row ends where a run takes longer than
-LONGEST or is refused.
+`<!-- measured: tools/measure_limits.py -->` and `<!-- end of what is measured -->`. A row ends where a run is refused, or takes
+longer than LONGEST, or would do so if it took as long per key as the one before.
 """
 import json
 import math
@@ -21,7 +21,7 @@ import tempfile
 PAGE = pathlib.Path(__file__).resolve().parents[1] / "docs/limits.md"
 BLOCK = re.compile(r"(<!-- measured: tools/measure_limits.py -->\n).*?(<!-- end of what is measured -->)", re.S)
 SIZES = (10**3, 10**4, 10**5, 10**6, 10**7)
-LONGEST = 300  # [s] of processor time
+LONGEST = 120  # [s] of processor time
 SEED = 7
 
 TASKS = (("inspect", "inspect {keys}"), ("convert", "convert {keys} --quiet -o out.csv"),
@@ -71,6 +71,8 @@ def measured(arguments, sizes, folder):
     """size -> (time, memory), as far as it goes."""
     found = {}
     for size in sizes:
+        if found and found[max(found)][0] * size / max(found) > LONGEST:
+            break
         result = run([part.format(keys=f"keys{size}.csv") for part in arguments], folder)
         if result is None:
             break
