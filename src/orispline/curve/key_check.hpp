@@ -18,10 +18,11 @@ namespace orispline::inline ORISPLINE_ABI {
 
 /// A time that is not finite, or that does not come after those of the keys before, at a step in range and comparable
 /// with theirs. Of the times before the last ones count, as many as are seen together with this one.
-[[nodiscard]] std::optional<Error> check_time(std::size_t key, double time, std::span<const double> before);
+[[nodiscard]] ORISPLINE_EXPORT std::optional<Error> check_time(std::size_t key, double time,
+                                                               std::span<const double> before);
 
 /// The first time of keys in a row that cannot follow those before it.
-[[nodiscard]] std::optional<Error> check_times(std::span<const double> times);
+[[nodiscard]] ORISPLINE_EXPORT std::optional<Error> check_times(std::span<const double> times);
 
 /// Whether two steps of keys that are seen together [s] are not too uneven.
 [[nodiscard]] inline bool are_comparable(double a, double b) noexcept {
@@ -45,7 +46,7 @@ class RecentTimes {
 };
 
 /// The norm of a key's quaternion; an error when it is not finite or farther than `norm_error_limit` from 1.
-[[nodiscard]] Expected<double> checked_norm(std::size_t key, const Eigen::Quaterniond& q);
+[[nodiscard]] ORISPLINE_EXPORT Expected<double> checked_norm(std::size_t key, const Eigen::Quaterniond& q);
 
 /// Whether every component of a vector is finite and no larger than `largest_component`.
 [[nodiscard]] inline bool is_in_range(const Eigen::Vector3d& v) noexcept {
@@ -53,6 +54,7 @@ class RecentTimes {
 }
 
 /// A vector that is not finite or too large; `what` names it, such as "position".
-[[nodiscard]] std::optional<Error> check_vector(std::size_t key, const char* what, const Eigen::Vector3d& v);
+[[nodiscard]] ORISPLINE_EXPORT std::optional<Error> check_vector(std::size_t key, const char* what,
+                                                                 const Eigen::Vector3d& v);
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -34,6 +34,6 @@ struct Goal {
 /// So much of an objective is rounding of the keys at these times [s], and no gain.
 ///
 /// The rates of a segment are as uncertain as those of the shortest step beside it.
-[[nodiscard]] double rounding_of(const Goal& goal, std::span<const double> times) noexcept;
+[[nodiscard]] ORISPLINE_EXPORT double rounding_of(const Goal& goal, std::span<const double> times) noexcept;
 
 }  // namespace orispline::inline ORISPLINE_ABI
