@@ -43,21 +43,16 @@ InterruptionHeld::InterruptionHeld(const std::string& output) : is_held_(!io::is
   pthread_sigmask(SIG_BLOCK, &held, &before_);
 }
 
-InterruptionHeld::~InterruptionHeld() { end(); }
-
-void InterruptionHeld::end() noexcept {
+InterruptionHeld::~InterruptionHeld() {
   if (is_held_) pthread_sigmask(SIG_SETMASK, &before_, nullptr);
-  is_held_ = false;
 }
 
-RemovedWhenInterrupted::RemovedWhenInterrupted(const std::string& path, InterruptionHeld& held) : path_(path) {
+RemovedWhenInterrupted::RemovedWhenInterrupted(const std::string& path) : path_(path) {
   const auto place = std::ranges::find_if(unfinished, is_free);
-  if (!path_.empty() && place != unfinished.end()) {
-    place_ = &*place;
-    *place_ = path_.c_str();
-    on_interruption(remove_and_end);
-  }
-  held.end();
+  if (path_.empty() || place == unfinished.end()) return;
+  place_ = &*place;
+  *place_ = path_.c_str();
+  on_interruption(remove_and_end);
 }
 
 RemovedWhenInterrupted::~RemovedWhenInterrupted() {

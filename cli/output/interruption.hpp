@@ -16,8 +16,6 @@ class InterruptionHeld {
   InterruptionHeld(const InterruptionHeld&) = delete;
   InterruptionHeld& operator=(const InterruptionHeld&) = delete;
 
-  void end() noexcept;
-
  private:
   sigset_t before_;
   bool is_held_;
@@ -26,9 +24,8 @@ class InterruptionHeld {
 /// While it lives, Ctrl-C and a polite kill remove the file that is being written before they end the command.
 class RemovedWhenInterrupted {
  public:
-  /// `path` may be empty: nothing to remove. A thousand at a time; more are left. Ends what was held since before the
-  /// file was opened.
-  RemovedWhenInterrupted(const std::string& path, InterruptionHeld& held);
+  /// `path` may be empty: nothing to remove. A thousand at a time; more are left.
+  explicit RemovedWhenInterrupted(const std::string& path);
   ~RemovedWhenInterrupted();
   RemovedWhenInterrupted(const RemovedWhenInterrupted&) = delete;
   RemovedWhenInterrupted& operator=(const RemovedWhenInterrupted&) = delete;

@@ -13,12 +13,10 @@ namespace orispline::cli {
 Expected<ReportFile> ReportFile::open(const ReportOptions& options) {
   ReportFile report;
   if (!options.path) return report;
-  InterruptionHeld held(*options.path);
-  auto file = io::OutputFile::open(*options.path);
-  if (!file) return tl::unexpected(std::move(file.error()));
+  auto output = open_output(*options.path);
+  if (!output) return tl::unexpected(std::move(output.error()));
   report.command_line_ = options.command_line;
-  report.unfinished_ = std::make_unique<RemovedWhenInterrupted>(file->part(), held);
-  report.file_ = std::move(*file);
+  report.output_ = std::move(*output);
   return report;
 }
 
@@ -26,6 +24,6 @@ pages::PageHead ReportFile::head() const {
   return {.command = command_line_, .date = fmt::format("{:%Y-%m-%d %H:%M}", fmt::localtime(std::time(nullptr)))};
 }
 
-Expected<void> ReportFile::finish() { return file_ ? file_->finish() : Expected<void>(); }
+Expected<void> ReportFile::finish() { return output_ ? output_->file.finish() : Expected<void>(); }
 
 }  // namespace orispline::cli

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -12,7 +11,7 @@
 
 #include "options/has_pages.hpp"
 #include "options/report_options.hpp"
-#include "output/interruption.hpp"
+#include "output/noted_output.hpp"
 
 namespace orispline::cli {
 
@@ -31,7 +30,7 @@ class ReportFile {
   template <class MakePage>
   [[nodiscard]] Expected<void> write(MakePage make_page) {
     if constexpr (has_pages)
-      if (file_) return file_->write(report::document(make_page(head())));
+      if (output_) return output_->file.write(report::document(make_page(head())));
     return {};
   }
 
@@ -43,8 +42,7 @@ class ReportFile {
   [[nodiscard]] pages::PageHead head() const;
 
   std::string command_line_;
-  std::optional<io::OutputFile> file_;
-  std::unique_ptr<RemovedWhenInterrupted> unfinished_;
+  std::optional<Noted<io::OutputFile>> output_;
 };
 
 }  // namespace orispline::cli

@@ -8,7 +8,7 @@
 #include <orispline/io/output_file.hpp>
 
 #include "options/option_text.hpp"
-#include "output/interruption.hpp"
+#include "output/noted_output.hpp"
 #include "output/output_folder.hpp"
 #include "output/standard_output.hpp"
 #include "papers/reproduce_report.hpp"
@@ -35,11 +35,9 @@ Expected<std::vector<Experiment>> chosen(std::string_view name) {
 /// Writes a picture into the folder; its path.
 Expected<std::string> write_picture(const std::string& folder, const Picture& picture) {
   std::string path = (fs::path(folder) / (picture.name + ".svg")).string();
-  InterruptionHeld held(path);
-  return io::OutputFile::open(path)
-      .and_then([&](io::OutputFile file) {
-        const RemovedWhenInterrupted unfinished(file.part(), held);
-        return file.write(picture.drawing.document()).and_then([&] { return file.finish(); });
+  return open_output(path)
+      .and_then([&](Noted<io::OutputFile> output) {
+        return output.file.write(picture.drawing.document()).and_then([&] { return output.file.finish(); });
       })
       .map([&] { return std::move(path); });
 }

@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <batch/every_kernel.hpp>
 #include <batch/sampled.hpp>
 #include <batch/specimen_curves.hpp>
-#include <orispline/batch/kernel/dispatch.hpp>
 
 namespace orispline {
 namespace {
@@ -18,13 +18,6 @@ using batch::Kernels;
 using batch::Target;
 
 constexpr std::size_t count = 173;  // a whole block and a part of one
-
-std::vector<const Kernels*> all_kernels() {
-  std::vector<const Kernels*> all;
-  for (const char* name : {"v2", "v3", "v4", "neon", "simd128", "native"})
-    if (const Kernels* kernels = batch::kernels_named(name)) all.push_back(kernels);
-  return all;
-}
 
 template <class T>
 struct Results {
@@ -47,21 +40,6 @@ struct Results {
   }
 };
 
-void run(const Kernels& k, const batch::CumulativeRecord<double>& r, const Clock& clock, const Target<double>& to) {
-  k.cumulative(r, clock, count, to);
-}
-void run(const Kernels& k, const batch::CumulativeRecord<float>& r, const Clock& clock, const Target<float>& to) {
-  k.cumulative_float(r, clock, count, to);
-}
-void run(const Kernels& k, const batch::ChartRecord<double>& r, const Clock& clock, const Target<double>& to) {
-  k.chart(r, clock, count, to);
-}
-void run(const Kernels& k, const batch::ChartRecord<float>& r, const Clock& clock, const Target<float>& to) {
-  k.chart_float(r, clock, count, to);
-}
-template <class T>
-void run(const Kernels&, std::monostate, const Clock&, const Target<T>&) {}
-
 /// Every segment of a curve, at even times and at given ones, by every instruction set.
 template <class T>
 void expect_the_same_by_every_instruction_set(const AnyCurve& curve) {
@@ -78,7 +56,7 @@ void expect_the_same_by_every_instruction_set(const AnyCurve& curve) {
         const Layout layout = clock.times ? Layout::interleaved : Layout::planar;
         Results<T> first;
         const auto into = [&](Results<T>& results, const Kernels& k) {
-          std::visit([&](const auto& r) { run(k, r, clock, results.target(wanted, layout)); }, record);
+          run<T>(k, record, clock, count, results.target(wanted, layout));
         };
         into(first, *kernels.front());
         for (const Kernels* other : kernels) {

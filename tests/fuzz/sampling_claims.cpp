@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstring>
 
+#include <batch/every_kernel.hpp>
 #include <batch/sampled.hpp>
 #include <batch/segment_size.hpp>
 #include <fuzz/claim.hpp>
 #include <fuzz/curve_claims.hpp>
 #include <fuzz/segment_scale.hpp>
-#include <orispline/batch/kernel/dispatch.hpp>
 #include <support/specimens.hpp>
 
 namespace orispline::fuzz {
@@ -35,25 +35,6 @@ void claim_same_numbers(const Sampled<T>& a, const Sampled<T>& b, std::size_t co
           "{}: sample {} has other bits ({} bytes a number)", what, i, sizeof(T));
 }
 
-template <class T>
-void run(const batch::Kernels&, std::monostate, const batch::Clock&, std::size_t, const batch::Target<T>&) {}
-void run(const batch::Kernels& k, const batch::CumulativeRecord<double>& r, const batch::Clock& clock, std::size_t n,
-         const batch::Target<double>& to) {
-  k.cumulative(r, clock, n, to);
-}
-void run(const batch::Kernels& k, const batch::CumulativeRecord<float>& r, const batch::Clock& clock, std::size_t n,
-         const batch::Target<float>& to) {
-  k.cumulative_float(r, clock, n, to);
-}
-void run(const batch::Kernels& k, const batch::ChartRecord<double>& r, const batch::Clock& clock, std::size_t n,
-         const batch::Target<double>& to) {
-  k.chart(r, clock, n, to);
-}
-void run(const batch::Kernels& k, const batch::ChartRecord<float>& r, const batch::Clock& clock, std::size_t n,
-         const batch::Target<float>& to) {
-  k.chart_float(r, clock, n, to);
-}
-
 /// Orientation, velocity, acceleration and jerk of samples of a segment, 13 numbers each.
 template <class T>
 std::vector<T> by_kernels(const batch::Kernels& kernels, const batch::SegmentRecord<T>& record,
@@ -65,7 +46,7 @@ std::vector<T> by_kernels(const batch::Kernels& kernels, const batch::SegmentRec
                             .angular_acceleration = numbers.data() + 7 * n,
                             .angular_jerk = numbers.data() + 10 * n};
   const batch::Clock clock{.times = times.data(), .start = 0.0, .step = 0.0, .first = 0.0};
-  std::visit([&](const auto& r) { run(kernels, r, clock, n, to); }, record);
+  run<T>(kernels, record, clock, n, to);
   return numbers;
 }
 
@@ -77,12 +58,11 @@ void claim_same_by_every_instruction_set(const AnyCurve& curve) {
     for (int k = 0; k < 11; ++k) times.push_back(span.start() + span.step() * k / 11.0);
     const auto record = batch::record_of<T>(curve, i);
     const std::vector<T> best = by_kernels(batch::kernels(), record, times);
-    for (const char* name : {"v2", "v3", "v4"})
-      if (const batch::Kernels* kernels = batch::kernels_named(name)) {
-        const std::vector<T> numbers = by_kernels(*kernels, record, times);
-        claim(std::memcmp(numbers.data(), best.data(), sizeof(T) * best.size()) == 0, "segment {}: {} has other bits",
-              i, name);
-      }
+    for (const batch::Kernels* kernels : all_kernels()) {
+      const std::vector<T> numbers = by_kernels(*kernels, record, times);
+      claim(std::memcmp(numbers.data(), best.data(), sizeof(T) * best.size()) == 0, "segment {}: {} has other bits", i,
+            kernels->name);
+    }
   }
 }
 

@@ -12,7 +12,7 @@
 #include <orispline/report/motion_drawing.hpp>
 #include <orispline/report/page_samples.hpp>
 
-#include "output/interruption.hpp"
+#include "output/noted_output.hpp"
 #include "output/standard_output.hpp"
 
 namespace orispline::cli {
@@ -74,10 +74,10 @@ Expected<report::MotionPicture> picture_of(const Request& request) {
 
 Expected<void> plot(const PlotOptions& options) {
   return request_in(options).and_then(picture_of).and_then([&](const report::MotionPicture& picture) {
-    InterruptionHeld held(options.path);
-    return io::OutputFile::open(options.path).and_then([&](io::OutputFile file) {
-      const RemovedWhenInterrupted unfinished(file.part(), held);
-      return file.write(report::motion_drawing(picture).document()).and_then([&] { return file.finish(); });
+    return open_output(options.path).and_then([&](Noted<io::OutputFile> output) {
+      return output.file.write(report::motion_drawing(picture).document()).and_then([&] {
+        return output.file.finish();
+      });
     });
   });
 }

@@ -213,13 +213,13 @@ Expected<void> check_outputs(const Request& request, const ReduceOptions& option
 
 /// All or none.
 Expected<void> write_all(const Request& request, const std::vector<ReduceReport>& reports) {
-  std::vector<UnfinishedKeys> outputs;
+  std::vector<Noted<io::OutputFile>> outputs;
   for (std::size_t i = 0; i < reports.size(); ++i) {
     auto output = write_keys(reports[i].output, request.columns[i], reports[i].reductions[reports[i].chosen].track);
     if (!output) return tl::unexpected(std::move(output.error()));
     outputs.push_back(std::move(*output));
   }
-  for (UnfinishedKeys& output : outputs)
+  for (Noted<io::OutputFile>& output : outputs)
     if (auto finished = output.file.finish(); !finished) return finished;
   return {};
 }

@@ -34,14 +34,12 @@ Expected<ReducedTrack> open_track(const InputRequest& input, const std::optional
   return smoothing ? smoothed(std::move(track), *smoothing) : std::move(track);
 }
 
-Expected<UnfinishedKeys> write_keys(const std::string& path, const io::SampleColumns& columns, const Track& keys) {
+Expected<Noted<io::OutputFile>> write_keys(const std::string& path, const io::SampleColumns& columns,
+                                           const Track& keys) {
   if (!keys.settings.empty() && !columns.format->holds.settings)
     return usage_failure(formatted("{}: {} has no column for {}, with which the tolerance holds, wanted {}", path,
                                    columns.format->file, keys.settings.begin()->first, formats_for_settings()));
-  InterruptionHeld held(path);
-  return io::OutputFile::open(path).and_then([&](io::OutputFile file) {
-    UnfinishedKeys output{std::move(file), nullptr};
-    output.removal = std::make_unique<RemovedWhenInterrupted>(output.file.part(), held);
+  return open_output(path).and_then([&](Noted<io::OutputFile> output) {
     return io::write_tracks(output.file, {&keys, 1}, columns).and_then([&] { return output.file.close(); }).map([&] {
       return std::move(output);
     });

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,7 +12,7 @@
 #include <orispline/smooth/smooth.hpp>
 
 #include "options/input_options.hpp"
-#include "output/interruption.hpp"
+#include "output/noted_output.hpp"
 
 namespace orispline::cli {
 
@@ -30,14 +29,9 @@ struct ReducedTrack {
 [[nodiscard]] Expected<ReducedTrack> open_track(const InputRequest& input,
                                                 const std::optional<orispline::SmoothOptions>& smoothing);
 
-/// Keys that are written beside their file, closed, and take its place when it finishes.
-struct UnfinishedKeys {
-  io::OutputFile file;
-  std::unique_ptr<RemovedWhenInterrupted> removal;
-};
-
-/// Writes the keys; those that are samples with the digits of the file. Errors: those of io::write_tracks().
-[[nodiscard]] Expected<UnfinishedKeys> write_keys(const std::string& path, const io::SampleColumns& columns,
-                                                  const Track& keys);
+/// Writes the keys beside their file, whose place they take when it finishes, and closes it; those that are samples
+/// with the digits of the file. Errors: those of io::write_tracks().
+[[nodiscard]] Expected<Noted<io::OutputFile>> write_keys(const std::string& path, const io::SampleColumns& columns,
+                                                         const Track& keys);
 
 }  // namespace orispline::cli

@@ -9,7 +9,7 @@
 #include "commands/sample/sample_request.hpp"
 #include "commands/sample/sample_stream.hpp"
 #include "commands/sample/sampling.hpp"
-#include "output/interruption.hpp"
+#include "output/noted_output.hpp"
 #include "output/standard_output.hpp"
 
 namespace orispline::cli {
@@ -91,14 +91,10 @@ Expected<SampleReport> sample_whole(const SampleRequest& request, io::KeyReader 
     report.truth = std::move(*truth);
   }
   const Sampling sampling{source->curve, source->times, columns, request.threads};
-  InterruptionHeld held(request.output);
-  return io::SampleWriter::open(request.output, columns, source->times.size())
-      .and_then([&](io::SampleWriter writer) {
-        const RemovedWhenInterrupted unfinished(writer.part(), held);
-        return write_samples(writer, sampling, request.progress);
-      })
-      .map([&](std::size_t held_samples) {
-        report.held_samples = held_samples;
+  return open_samples(request.output, columns, source->times.size())
+      .and_then([&](Noted<io::SampleWriter> output) { return write_samples(output.file, sampling, request.progress); })
+      .map([&](std::size_t held) {
+        report.held_samples = held;
         return report;
       });
 }

@@ -11,7 +11,7 @@
 #include <orispline/online/track_sampler.hpp>
 
 #include "commands/sample/sample_buffer.hpp"
-#include "output/interruption.hpp"
+#include "output/noted_output.hpp"
 
 namespace orispline::cli {
 namespace {
@@ -78,7 +78,7 @@ class PiecewiseSampling {
       if (!done) return tl::unexpected(done.error());
       if (auto written = write_ready(); !written) return tl::unexpected(std::move(written.error()));
     }
-    return writer_->finish().map([this] { return report(); });
+    return output_->file.finish().map([this] { return report(); });
   }
 
  private:
@@ -120,13 +120,11 @@ class PiecewiseSampling {
 
   [[nodiscard]] Expected<void> write_ready() {
     if (sampler_->ready() == 0) return {};
-    if (!writer_) {
+    if (!output_) {
       const auto size = sampler_->grid()->size();
-      InterruptionHeld held(request_.output);
-      auto writer = io::SampleWriter::open(request_.output, columns_, static_cast<std::size_t>(size.value_or(0)));
-      if (!writer) return tl::unexpected(std::move(writer.error()));
-      writer_ = std::move(*writer);
-      unfinished_.emplace(writer_->part(), held);
+      auto output = open_samples(request_.output, columns_, static_cast<std::size_t>(size.value_or(0)));
+      if (!output) return tl::unexpected(std::move(output.error()));
+      output_ = std::move(*output);
     }
     const std::size_t most = std::min(most_samples_at_a_time, request_.threads * samples_of_a_thread);
     const TimeOrigin origin = times().origin();
@@ -151,7 +149,7 @@ class PiecewiseSampling {
     parallel_for(rows_.size(), threads,
                  [&](std::size_t i) { rows_[i].make(buffer_, begin(i), begin(i + 1), origin, domain()); });
     for (const BufferRows& rows : rows_) {
-      const auto held = rows.write(*writer_);
+      const auto held = rows.write(output_->file);
       if (!held) return tl::unexpected(held.error());
       held_ += *held;
     }
@@ -199,8 +197,7 @@ class PiecewiseSampling {
   std::vector<BufferRows> rows_;
   Decimal epoch_;
   std::optional<TrackSampler> sampler_;
-  std::optional<io::SampleWriter> writer_;
-  std::optional<RemovedWhenInterrupted> unfinished_;
+  std::optional<Noted<io::SampleWriter>> output_;
   std::optional<Progress> progress_;  // through the file, then through the samples
   io::RepairReport repairs_;
   std::vector<std::string> rates_of_unknown_frame_;

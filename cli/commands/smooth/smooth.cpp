@@ -11,8 +11,8 @@
 #include "commands/smooth/smooth_report.hpp"
 #include "options/method_options.hpp"
 #include "options/sample_times.hpp"
-#include "output/interruption.hpp"
 #include "output/keys_file.hpp"
+#include "output/noted_output.hpp"
 #include "output/smoothing_text.hpp"
 #include "output/standard_output.hpp"
 
@@ -76,11 +76,9 @@ Expected<std::size_t> write(const std::string& path, const Request& request, con
   columns.derivatives = columns.format->holds.rates ? 2 : 0;
   columns.positions = !smoothed.track.keys.positions().empty();
   if (!request.times) return write_keys(path, smoothed.track, columns).map([&] { return smoothed.track.keys.size(); });
-  InterruptionHeld held(path);
-  return io::SampleWriter::open(path, columns, smoothed.track.keys.size()).and_then([&](io::SampleWriter writer) {
-    const RemovedWhenInterrupted unfinished(writer.part(), held);
-    return write_samples(writer, smoothed, *request.times).and_then([&](std::size_t count) {
-      return writer.finish().map([count] { return count; });
+  return open_samples(path, columns, smoothed.track.keys.size()).and_then([&](Noted<io::SampleWriter> output) {
+    return write_samples(output.file, smoothed, *request.times).and_then([&](std::size_t count) {
+      return output.file.finish().map([count] { return count; });
     });
   });
 }
