@@ -59,6 +59,7 @@ TEST(Measure, FindsAMethodThatReproducesTheMotionWithoutError) {
   ASSERT_TRUE(measures) << describe(measures.error());
   EXPECT_EQ(measures->distance.count, 41u);
   EXPECT_LT(measures->distance.largest, 1e-12);
+  ASSERT_TRUE(measures->rate_error);
   EXPECT_LT(measures->rate_error->largest, 1e-11);
   EXPECT_NEAR(measures->energies.acceleration, 2.25 * 8.0 / 3.0, 1e-9);  // ∫ (1.5 t)² dt
   EXPECT_NEAR(measures->peaks.angular_velocity.value, 3.0, 1e-10);
@@ -131,6 +132,21 @@ TEST(LeaveOut, IsTheDistanceOfSlerpsToTheKeysThatTheySkip) {
   EXPECT_EQ(error->count, 3u);
   EXPECT_NEAR(error->rms, 0.1, 1e-15);
   EXPECT_NEAR(error->largest, 0.1, 1e-15);
+}
+
+TEST(LeaveOut, NamesTheKeyThatIsMissedMost) {
+  std::vector<double> turns(9);
+  for (std::size_t i = 0; i < turns.size(); ++i) turns[i] = 0.1 * static_cast<double>(i);
+  for (const std::size_t odd : {1u, 4u, 6u, 7u}) {
+    std::vector<double> with_odd = turns;
+    with_odd[odd] += 0.03;
+    KeyframeData data{.times = {0, 1, 2, 3, 4, 5, 6, 7, 8}};
+    for (const double turn : with_odd) data.orientations.push_back(about_x(turn));
+    const auto error = leave_out_error(Keyframes::make(std::move(data)).value(), "slerp");
+    ASSERT_TRUE(error);
+    EXPECT_EQ(error->largest_at, odd);
+    EXPECT_NEAR(error->largest, 0.03, 1e-15);
+  }
 }
 
 TEST(LeaveOut, WantsThreeKeys) {

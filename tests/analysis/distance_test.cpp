@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <orispline/analysis/sampled.hpp>
 #include <orispline/families/registry.hpp>
 
 namespace orispline {
@@ -85,6 +86,9 @@ TEST(Distance, OfNothingIsZero) {
   const DistanceStatistics d = distance_to_reference(steady_turn(), {});
   EXPECT_EQ(d.count, 0u);
   EXPECT_EQ(d.rms, 0.0);
+  EXPECT_EQ(rate_error(steady_turn(), {}).count, 0u);
+  const SampledCurve none = sampled(steady_turn(), {}, Sampled::orientations_and_rates);
+  EXPECT_TRUE(none.orientations.empty() && none.angular_velocities.empty());
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/io/key_file.hpp>
+#include <orispline/io/key_reader.hpp>
 #include <orispline/io/sample_writer.hpp>
 #include <orispline/io/track_file.hpp>
 
@@ -116,6 +117,9 @@ TEST(Formats, MayBeACallersOwnAndHoldSeveralTracks) {
   ASSERT_TRUE(checked) << describe(checked.error());
   EXPECT_EQ(checked->front().track.name, "hand");
   EXPECT_EQ(checked->back().track.keys.size(), 1u);
+  auto reader = KeyReader::open(TextFile("hand\n").path(), {.format = &names_format}).value();
+  EXPECT_EQ(reader.bytes_read(), 0u);  // nobody counts them where there is no table
+  EXPECT_FALSE(reader.columns());
   const auto one = read_keys(file.path(), {.format = &names_format});
   EXPECT_EQ(text_of(one.error()), "keys.csv: found 2 tracks, wanted a file of one");
   const auto writer = SampleWriter::open("-", {.format = &names_format});

@@ -44,6 +44,7 @@ TEST(WriteTracks, WritesTheColumnsThatAreAskedForAsFarAsKeysHaveThem) {
   EXPECT_EQ(written(track, {.derivatives = 3}),
             "t,qw,qx,qy,qz,px,py,pz,wx,wy,wz,tension\n1.25,1,0,0,0,1,2,3,4,5,6,0.5\n");
   EXPECT_EQ(written(track), "t,qw,qx,qy,qz,px,py,pz,tension\n1.25,1,0,0,0,1,2,3,0.5\n");
+  EXPECT_EQ(written(track, {.settings = {"bias", "tension"}}), written(track));  // settings are those of the track
   EXPECT_EQ(written(Track(track.keys), {.format = &tum_format}), "0 1 2 3 0 0 0 1\n");
 }
 

@@ -249,12 +249,25 @@ TEST(Reduce, MeasuresTheDistanceToSamplesButThoseLeftOut) {
   EXPECT_EQ(distance.largest_at, 6u);
   EXPECT_NEAR(distance.largest, 0.03, 1e-12);
   EXPECT_NEAR(distance.rms, std::sqrt((0.02 * 0.02 + 0.03 * 0.03) / 8.0), 1e-12);
+  const DistanceStatistics of_none =
+      distance_of(reduction, about_an_axis(turns), std::array<std::size_t, 9>{0, 1, 2, 3, 4, 5, 6, 7, 8}).value();
+  EXPECT_EQ(of_none.count, 0u);
+  EXPECT_EQ(of_none.largest_at, 0u);
 }
 
 TEST(Reduce, IsFollowedAndStopped) {
   const Keyframes recording = recorded({300, 0.05, 0.0, 0.0}, 61);
   testing_support::expect_to_be_followed_and_stopped(
       [&](const Progress& progress) { return reduce(recording, "auto", {.tolerance = {.angle = degree}}, progress); });
+  std::stop_source stopped;
+  stopped.request_stop();
+  for (const std::string_view method : reducing_methods)
+    for (const KeyValues values : {KeyValues::sampled, KeyValues::refitted}) {
+      const auto none =
+          reduce(recording, method, {.tolerance = {.angle = degree}, .values = values}, {.stop = stopped.get_token()});
+      ASSERT_FALSE(none) << method;
+      EXPECT_EQ(none.error().code, ErrorCode::cancelled) << method;
+    }
 }
 
 }  // namespace

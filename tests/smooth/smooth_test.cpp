@@ -41,6 +41,27 @@ TEST(Smooth, FindsEveryOutlierAndNoOther) {
   EXPECT_LT(rms(smoothing, recording.clean), 0.7 * rms(trusting, recording.clean));
 }
 
+// The jerk of this motion is 0: what is penalised vanishes, and the motion comes out whatever its noise is.
+TEST(Smooth, GivesTheRatesOfTheKeys) {
+  KeyframeData data;
+  for (int i = 0; i < 200; ++i) {
+    const double t = 0.01 * i;
+    data.times.push_back(t);
+    data.orientations.push_back(exp<double>(Eigen::Vector3d(0.0, 0.3 * t + t * t, 0.0)));
+  }
+  const Keyframes recording = Keyframes::make(std::move(data)).value();
+  for (const Loss loss : {Loss::l2, Loss::robust}) {
+    const Keyframes keys =
+        smooth(recording, {.penalty = Penalty::jerk, .smoothing_time = 0.1, .loss = loss}).value().track.keys;
+    ASSERT_EQ(keys.angular_accelerations().size(), 200u);
+    for (std::size_t i = 0; i < 200; ++i) {
+      EXPECT_LT((keys.angular_velocities()[i] - Eigen::Vector3d(0.0, 0.3 + 0.02 * static_cast<double>(i), 0.0)).norm(),
+                1e-7);
+      EXPECT_LT((keys.angular_accelerations()[i] - Eigen::Vector3d(0.0, 2.0, 0.0)).norm(), 1e-5);
+    }
+  }
+}
+
 TEST(Smooth, StretchesDoNotKnowEachOther) {
   const auto recording = recorded(300, degree);
   KeyframeData cut = recording.noisy, first = recording.noisy;
