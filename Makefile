@@ -46,7 +46,6 @@ fuzz:
 
 # What is too long for every change; docs/testing.md tells what each part finds. Ten minutes a target are an hour of fuzzing.
 nightly: build check random
-	ctest --test-dir build/dev -L nightly --output-on-failure --no-tests=ignore
 	$(MAKE) fuzz SECONDS=600
 	$(MAKE) mutants
 

@@ -54,7 +54,7 @@ def programs(build, tree, pattern):
     for test in json.loads(listed.stdout)["tests"]:
         properties = {p["name"]: p["value"] for p in test["properties"]}
         command = test.get("command", [])
-        if not command or not pathlib.Path(command[0]).exists() or not set(properties.get("LABELS", [])).isdisjoint({"house", "page", "nightly"}):
+        if not command or not pathlib.Path(command[0]).exists() or not set(properties.get("LABELS", [])).isdisjoint({"house", "page"}):
             continue
         if not re.search(pattern, test["name"]) or test["name"].startswith("benchmarks"):
             continue

@@ -13,6 +13,15 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
+/// The motion at a time that is none, or of a curve without keys.
+Motion no_motion() noexcept {
+  const Eigen::Vector3d rate = Eigen::Vector3d::Constant(nan);
+  return {.orientation = {nan, nan, nan, nan},
+          .angular_velocity = rate,
+          .angular_acceleration = rate,
+          .angular_jerk = rate};
+}
+
 Error argument_error(std::string message) { return {ErrorCode::bad_argument, std::move(message), {}}; }
 
 std::optional<Error> check_method(std::string_view method) {
@@ -136,13 +145,14 @@ std::optional<Domain> OnlineCurve::available() const noexcept {
 }
 
 Eigen::Quaterniond OnlineCurve::operator()(double t) const noexcept {
-  if (keys_ == 0 || std::isnan(t)) return {nan, nan, nan, nan};
+  if (keys_ == 0 || std::isnan(t)) return no_motion().orientation;
   if (final_segments_ == 0) return first_.orientation;
   const double held = std::clamp(t, starts_[place_of(0)], end_);
   return segments_->orientation(held, place_at(held, Side::right));
 }
 
 Motion OnlineCurve::motion(double t, Side side) const noexcept {
+  if (keys_ == 0 || std::isnan(t)) return no_motion();
   const auto domain = available();
   if (final_segments_ == 0 || t < domain->start || t > domain->end) return {.orientation = (*this)(t)};
   return segments_->motion(t, side, place_at(t, side));
@@ -159,7 +169,11 @@ Expected<Motion> OnlineCurve::checked_motion(double t) const {
 std::optional<LinearMotion> OnlineCurve::linear_motion(double t, Side side) const noexcept {
   const auto domain = available();
   if (!parts_.position) return std::nullopt;
-  if (final_segments_ == 0) return LinearMotion{.position = (std::isnan(t) ? nan : 1.0) * first_.position};
+  if (std::isnan(t)) {
+    const Eigen::Vector3d none = Eigen::Vector3d::Constant(nan);
+    return LinearMotion{.position = none, .velocity = none, .acceleration = none, .jerk = none};
+  }
+  if (final_segments_ == 0) return LinearMotion{.position = first_.position};
   const double held = std::clamp(t, domain->start, domain->end);
   const LinearMotion there = segments_->linear_motion(held, side, place_at(held, side));
   return t < domain->start || t > domain->end ? LinearMotion{.position = there.position} : there;

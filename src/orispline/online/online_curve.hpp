@@ -83,7 +83,8 @@ class ORISPLINE_EXPORT OnlineCurve {
   [[nodiscard]] Eigen::Quaterniond operator()(double t) const noexcept;
 
   /// Orientation with body rates at time t [s], held at rest outside what is available. At a key the right-hand
-  /// segment's or on request the left-hand one's; at the last one available always the left-hand one's.
+  /// segment's or on request the left-hand one's; at the last one available always the left-hand one's. NaN as the
+  /// orientation is.
   [[nodiscard]] Motion motion(double t, Side side = Side::right) const noexcept;
 
   /// As motion(), but a time that is not available is an error (bad_argument).
