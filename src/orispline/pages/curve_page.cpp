@@ -49,7 +49,8 @@ report::PagePath path_of(const Keyframes& keys) { return path_of(keys.times(), k
 
 std::vector<report::PageColumn> measure_columns(std::vector<MeasureInfo> measures) {
   std::vector<report::PageColumn> columns;
-  std::ranges::stable_partition(measures, [](const MeasureInfo& measure) { return !measure.heading.empty(); });
+  // Clang 14 does not compile what std::ranges::stable_partition returns.
+  std::stable_partition(measures.begin(), measures.end(), [](const MeasureInfo& m) { return !m.heading.empty(); });
   for (const MeasureInfo& measure : measures)
     if (!measure.is_order)  // which has a column of its own
       columns.push_back({std::string(measure.id), std::string(measure.label), std::string(measure.unit),
