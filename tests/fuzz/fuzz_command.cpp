@@ -92,6 +92,14 @@ int run(Words words) {
 
 bool has(const Words& words, std::string_view word) { return std::ranges::find(words, word) != words.end(); }
 
+/// Short flags may be joined, -h among them.
+bool is_answered_by_text(const Words& words) {
+  const auto has_short_help = [](const std::string& word) {
+    return word.starts_with('-') && !word.starts_with("--") && word.find('h') != word.npos;
+  };
+  return has(words, "--help") || has(words, "--version") || std::ranges::any_of(words, has_short_help);
+}
+
 /// Errors are one line, after which a hint may stand where the command line is at fault; warnings are lines too.
 void claim_words(const std::string& text, int code) {
   std::istringstream lines(text);
@@ -145,8 +153,8 @@ void try_command(const Words& words, std::string_view keys) {
   claim(0 <= code && code <= 3, "the exit code is {}", code);
   claim_words(said, code);
   claim_files(folder, before, code);
-  const bool is_help = has(words, "--help") || has(words, "-h") || has(words, "--version");
-  if (code == 0 && has(words, "--json") && !is_help) claim(JsonText::is_whole(out), "this is no JSON");
+  if (code == 0 && has(words, "--json") && !is_answered_by_text(words))
+    claim(JsonText::is_whole(out), "this is no JSON");
 }
 
 }  // namespace
