@@ -69,11 +69,15 @@ TEST(Csv, ToleratesHowProgramsWriteIt) {
       "\xEF\xBB\xBFt,qw,qx,qy,qz\n1,.5,-.5,.5,-.5",  // byte order mark, no last LF
       "# made by hand\n\n  # twice\nt,qw,qx,qy,qz\n#1,1,0,0,0\n\n1,.5,-.5,.5,-.5\n\n# end\n",  // comments, blank lines
       "\"t\",\"qw\",\"qx\",\"qy\",\"qz\"\n\"1\",\".5\",\"-.5\",\".5\",\"-.5\"\n",              // quotes
-      "t,qw,qx,qy,qz,\n1,.5,-.5,.5,-.5,\n",             // a comma at the end of all lines
-      "t,qw,qx,qy,qz\n1,.5,-.5,.5,-.5,,\n",             // of the rows
-      "t,qw,qx,qy,qz,\n1,.5,-.5,.5,-.5\n",              // of the header
-      ",t,qw,qx,qy,qz\n0,1,.5,-.5,.5,-.5\n",            // an unnamed index column
-      "note;t;qw;qx;qy;qz\n\"a;b\";1;.5;-.5;.5;-.5\n",  // a delimiter in quotes
+      "t,qw,qx,qy,qz,\n1,.5,-.5,.5,-.5,\n",                          // a comma at the end of all lines
+      "t,qw,qx,qy,qz\n1,.5,-.5,.5,-.5,,\n",                          // of the rows
+      "t,qw,qx,qy,qz,\n1,.5,-.5,.5,-.5\n",                           // of the header
+      ",t,qw,qx,qy,qz\n0,1,.5,-.5,.5,-.5\n",                         // an unnamed index column
+      "note;t;qw;qx;qy;qz\n\"a;b\";1;.5;-.5;.5;-.5\n",               // a delimiter in quotes
+      "t,qw,qx,qy,qz,\"a;b\tc\"\n1,.5,-.5,.5,-.5,0\n",               // others in those of a name
+      "note,t,qw,qx,qy,qz\n\"say \"\"a, b\"\"\",1,.5,-.5,.5,-.5\n",  // quotes in quotes
+      "note,t,qw,qx,qy,qz\n\"\"\"\",1,.5,-.5,.5,-.5\n",
+      "a 5\" wheel,t,qw,qx,qy,qz\n2\",1,.5,-.5,.5,-.5\n",  // quotes within a cell
   };
   for (const char* content : contents) {
     const KeyFile file = read(content);

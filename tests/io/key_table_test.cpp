@@ -34,5 +34,16 @@ TEST(KeyTable, PutsNamesAndCellsWithSeparatorsInQuotes) {
             "t,\"a,b\",\"c;d\"\n0,\"say \"\"so\"\"\",1\n1,\"two\nlines\",2\n");
 }
 
+TEST(KeyTable, IsReadAsItWasWritten) {
+  const KeyTable table{
+      .names = {"#1", "t", "qw", "qx", "qy", "qz", "a;\"b\",c"},
+      .rows = {{"# not a comment", "0", "1", "0", "0", "0", "\""}, {"", "1", "1", "0", "0", "0", "\"\"x\"\" y\"\""}}};
+  const test::TextFile file(csv_with_columns(table, {}));
+  const auto keys = read_keys(file.path(), {.keep_table = true});
+  ASSERT_TRUE(keys) << test::text_of(keys.error());
+  EXPECT_EQ(keys->table.names, table.names);
+  EXPECT_EQ(keys->table.rows, table.rows);
+}
+
 }  // namespace
 }  // namespace orispline::io

@@ -194,6 +194,29 @@ TEST(Retime, KeepsItsPromiseWhereStepsDifferByAMillionAndMore) {
     }
 }
 
+// A step of 64 roundings of time: bounds of the fast motion are loose there, those of the slowed one are not.
+TEST(Retime, SlowsNoMoreAtTheTimesOfTodayHoweverFastTheMotionWas) {
+  constexpr double step = 1.0 / 65536.0;  // [s]
+  const Keyframes keys = random_keys(29, {8, 2.0, 2.0});
+  std::vector<double> early, late;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    early.push_back(step * static_cast<double>(i));
+    late.push_back(1.7e9 + early.back());
+  }
+  for (const MotionLimits& limits : {MotionLimits{.rate = 1.0}, MotionLimits{.acceleration = 2.0}}) {
+    const Retiming a = retimed("timed-c2", at_times(keys, early), limits);
+    const Retiming b = retimed("timed-c2", at_times(keys, late), limits);
+    EXPECT_NEAR(b.time_scale / a.time_scale, 1.0, 2e-4);
+    for (const Retiming& slow : {a, b}) {
+      EXPECT_LE(slow.slack, 2e-4);
+      const MotionSizes met = sampled(curve_of("timed-c2", slow));
+      const double used = limits.rate ? met.rate : std::sqrt(met.acceleration / 2.0);
+      EXPECT_LE(used, 1.0);
+      EXPECT_GE(used, 1.0 - slow.slack - 1e-5);
+    }
+  }
+}
+
 /// Keys that are equal up to sign and to `rounding`.
 Keyframes nearly_equal_keys(unsigned seed, const std::vector<double>& times, double rounding) {
   std::mt19937 generator(seed);

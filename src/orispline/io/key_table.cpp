@@ -9,9 +9,9 @@
 namespace orispline::inline ORISPLINE_ABI::io {
 namespace {
 
-/// In quotes where it holds what separates cells or rows.
+/// In quotes where it holds what separates cells or rows, or looks like a comment.
 std::string cell_of(std::string_view text) {
-  if (text.find_first_of(",;\t\"\r\n") == std::string_view::npos) return std::string(text);
+  if (text.find_first_of(",;\t\"\r\n") == std::string_view::npos && !text.starts_with('#')) return std::string(text);
   std::string cell = "\"";
   for (const char c : text) cell.append(c == '"' ? 2 : 1, c);
   return cell + "\"";

@@ -36,15 +36,36 @@ std::size_t cell_length(std::string_view text, Delimiter delimiter) {
   return static_cast<std::size_t>(std::find_if(text.begin(), text.end(), is_blank) - text.begin());
 }
 
+/// Where the quotes that a text begins with end; doubled ones stand for one in the cell. npos if they do not.
+std::size_t closing_quote(std::string_view text) {
+  std::size_t at = text.find('"', 1);
+  while (at < text.size() && text.substr(at + 1).starts_with('"')) at = text.find('"', at + 2);
+  return at;
+}
+
+/// The characters outside of quotes, which stand at the beginning of a cell.
+std::string without_quoted(std::string_view line) {
+  std::string rest;
+  bool is_quoted = false;
+  for (char before = ','; const char c : line) {
+    const bool begins_cell = before == '"' || before == ',' || before == ';' || is_blank(before);
+    if (c == '"' && (is_quoted || begins_cell)) is_quoted = !is_quoted;
+    else if (!is_quoted) rest += c;
+    before = c;
+  }
+  return rest;
+}
+
 bool is_word(std::string_view number) {
   return number.find_first_of("0123456789") == std::string_view::npos || number.find('(') != std::string_view::npos;
 }
 
 }  // namespace
 
-Delimiter delimiter_of(std::string_view line) noexcept {
+Delimiter delimiter_of(std::string_view line) {
+  const std::string text = without_quoted(trimmed(line));
   for (const Delimiter delimiter : {Delimiter::semicolon, Delimiter::comma, Delimiter::tab})
-    if (trimmed(line).find(character_of(delimiter)) != std::string_view::npos) return delimiter;
+    if (text.find(character_of(delimiter)) != std::string::npos) return delimiter;
   return Delimiter::blanks;
 }
 
@@ -95,24 +116,33 @@ LineReader TextTable::from_its_beginning() && {
 /// Fills the cells; an empty text after a delimiter is a cell, blanks as delimiters count once.
 Expected<bool> TextTable::split(std::string_view line) {
   cells_.clear();
+  with_doubled_quotes_.clear();
   if (delimiter_ == Delimiter::blanks) line = trimmed(line);
   for (bool more = true; more;) {
     if (delimiter_ != Delimiter::tab) line = without_leading_blanks(line);
     std::size_t quoted_length = 0;
     if (line.starts_with('"')) {
-      const std::size_t closing = line.find('"', 1);
+      const std::size_t closing = closing_quote(line);
       if (closing == std::string_view::npos)
         return failure(ErrorCode::bad_data, "found a quote that is not closed", here(cells_.size()));
       quoted_length = closing + 1;
     }
     const std::size_t length = quoted_length + cell_length(line.substr(quoted_length), *delimiter_);
     std::string_view cell = trimmed(line.substr(0, length));
-    if (quoted_length > 0 && cell.size() == quoted_length) cell = trimmed(cell.substr(1, cell.size() - 2));
+    if (quoted_length > 0 && cell.size() == quoted_length) cell = unquoted(cell);
     cells_.push_back(cell);
     more = length < line.size();
     line.remove_prefix(more ? length + 1 : length);
   }
   return true;
+}
+
+std::string_view TextTable::unquoted(std::string_view cell) {
+  cell = trimmed(cell.substr(1, cell.size() - 2));
+  if (cell.find("\"\"") == std::string_view::npos) return cell;
+  std::string& text = with_doubled_quotes_.emplace_back();
+  for (std::size_t i = 0; i < cell.size(); i += cell.substr(i).starts_with("\"\"") ? 2 : 1) text += cell[i];
+  return text;
 }
 
 Where TextTable::here(std::optional<std::size_t> cell) const {

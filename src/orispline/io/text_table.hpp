@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,8 +16,8 @@ namespace orispline::inline ORISPLINE_ABI::io {
 /// What stands between two cells of a line.
 enum class Delimiter { comma, semicolon, tab, blanks };
 
-/// The first of semicolon, comma, tab that occurs in the line; blanks if none does.
-[[nodiscard]] ORISPLINE_EXPORT Delimiter delimiter_of(std::string_view line) noexcept;
+/// The first of semicolon, comma, tab that occurs in the line outside of quotes; blanks if none does.
+[[nodiscard]] ORISPLINE_EXPORT Delimiter delimiter_of(std::string_view line);
 
 /// The number in a cell: `nan` and `inf` in any case of letters are not finite, an empty cell is NaN, numbers below the
 /// range of a double are 0.
@@ -59,10 +60,13 @@ class ORISPLINE_EXPORT TextTable {
 
  private:
   [[nodiscard]] Expected<bool> split(std::string_view line);
+  /// What a quoted cell says; blanks at its ends do not count.
+  [[nodiscard]] std::string_view unquoted(std::string_view cell);
 
   LineReader lines_;
   std::optional<Delimiter> delimiter_;
   std::vector<std::string_view> cells_;
+  std::deque<std::string> with_doubled_quotes_;  ///< that cells refer to, which stay where they are
   std::string comment_;
 };
 

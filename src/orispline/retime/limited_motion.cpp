@@ -91,18 +91,15 @@ Expected<std::vector<SegmentPeaks>> LimitedMotion::largest_peaks(std::vector<dou
 }
 
 double LimitedMotion::largest_factor(std::span<const SegmentPeaks> peaks) const {
-  double factor = 1.0;
+  double factor = 0.0;
   for (const SegmentPeaks& segment : peaks) factor = std::max(factor, needed_factor(bounds_of(segment), limits_));
   return factor;
 }
 
 double LimitedMotion::slack(std::span<const SegmentPeaks> peaks) const {
-  double bound = 0.0, found = 0.0;
-  for (const SegmentPeaks& segment : peaks) {
-    bound = std::max(bound, needed_factor(bounds_of(segment), limits_));
-    found = std::max(found, needed_factor(found_of(segment), limits_));
-  }
-  return bound > 0.0 ? 1.0 - found / bound : 0.0;
+  double found = 0.0;
+  for (const SegmentPeaks& segment : peaks) found = std::max(found, needed_factor(found_of(segment), limits_));
+  return 1.0 - found;
 }
 
 Expected<double> LimitedMotion::largest_slack(std::vector<double> times) const {
@@ -111,8 +108,8 @@ Expected<double> LimitedMotion::largest_slack(std::vector<double> times) const {
       .map([this](const std::vector<SegmentPeaks>& peaks) {
         double largest = 0.0;
         for (const SegmentPeaks& segment : peaks)
-          if (needed_factor(bounds_of(segment), limits_) >= at_the_limit)
-            largest = std::max(largest, slack(std::span(&segment, 1)));
+          if (const double bound = needed_factor(bounds_of(segment), limits_); bound >= at_the_limit)
+            largest = std::max(largest, 1.0 - needed_factor(found_of(segment), limits_) / bound);
         return largest;
       });
 }

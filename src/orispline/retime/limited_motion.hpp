@@ -33,11 +33,12 @@ class LimitedMotion {
   [[nodiscard]] Expected<std::vector<double>> certified_factors(std::vector<double> times) const;
   /// The peaks at these times; the bounds of those that are the largest of the curve are near.
   [[nodiscard]] Expected<std::vector<SegmentPeaks>> largest_peaks(std::vector<double> times) const;
-  /// The largest of the factors, by bounds; 1 where none is needed.
+  /// The largest of the factors, by bounds; below 1 where the motion could be faster.
   [[nodiscard]] double largest_factor(std::span<const SegmentPeaks> peaks) const;
-  /// By which share the motion might be shorter still, for bounds lie above the largest values that were found.
+  /// By which share the motion might be shorter still, for the largest values that were found lie below the limits.
   [[nodiscard]] double slack(std::span<const SegmentPeaks> peaks) const;
-  /// The same where every segment is slowed by itself: of the one at a limit at these times where it is the largest.
+  /// The same where every segment is slowed by itself: of the one at a limit at these times where it is the largest, by
+  /// its bounds.
   [[nodiscard]] Expected<double> largest_slack(std::vector<double> times) const;
 
  private:

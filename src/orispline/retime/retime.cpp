@@ -19,6 +19,7 @@ namespace {
 constexpr double margin = 1e-9;  // of a factor, for the rounding of the new times; twice as much in every round
 constexpr std::size_t most_slowings = 30;
 constexpr double least_gain = 1e-4;       // of the duration, to which the slowing is the least one, for another path
+constexpr double too_slow = 1e-5;         // so far below their limits, bounds ask for less slowing
 constexpr double promised_slack = 2e-4;   // more is worth a warning
 constexpr double usual_rounds = 3.0;      // of slowing all alike
 constexpr double most_time_scale = 1e15;  // thirty million years a second
@@ -79,9 +80,15 @@ Expected<Slowed> slowed(const LimitedMotion& motion, std::vector<double> times,
     return (t.back() - t.front()) / (before.back() - before.front());
   };
   double more = margin;
+  bool may_be_faster = slowing == Slowing::uniform;
   for (std::size_t round = 0; found && round < most_slowings; ++round, more *= 2.0) {
-    const double factor = motion.largest_factor(*found);
-    if (!(factor > 1.0)) break;
+    double factor = motion.largest_factor(*found);
+    if (may_be_faster && factor < 1.0 - too_slow && round > 0) {  // on fast motion rounding of times loosens the bounds
+      may_be_faster = false;
+      factor = std::max(factor, 1.0 / time_scale(times));
+    } else if (!(factor > 1.0)) {
+      break;
+    }
     if (!(factor * time_scale(times) <= most_time_scale))
       return failure(ErrorCode::bad_argument,
                      formatted("the limits ask for a slowing by {:.6g}, wanted limits that {:g} meets",
