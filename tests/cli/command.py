@@ -5,6 +5,7 @@ import math
 import os
 import pathlib
 import re
+import signal
 import subprocess
 import tempfile
 import unittest
@@ -103,4 +104,6 @@ def rows_of(text):
 
 
 def main():
+    # Shells let programs in the background ignore Ctrl-C, and children inherit that; here the command is to hear it.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     unittest.main()
