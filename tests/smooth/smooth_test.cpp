@@ -20,6 +20,7 @@ TEST(Smooth, ComesNearTheTruthWithoutBeingToldAnything) {
   EXPECT_NEAR(smoothing.noise / degree, 1.0, 0.05);
   EXPECT_NEAR(smoothing.local_noise / degree, 1.0, 0.08);
   EXPECT_TRUE(smoothing.rejected.empty());
+  EXPECT_LT(smoothing.last_step, 1e-9);
   const double found = rms(smoothing, recording.clean);
   EXPECT_LT(found, 0.45 * degree);
   for (const double factor : {0.5, 2.0}) {  // the choice is near the best one
@@ -37,6 +38,7 @@ TEST(Smooth, FindsEveryOutlierAndNoOther) {
   }
   const auto smoothing = smooth(Keyframes::make(recording.noisy).value()).value();
   EXPECT_EQ(smoothing.rejected, faults);
+  EXPECT_LT(smoothing.last_step, 1e-9);
   const auto trusting = smooth(Keyframes::make(recording.noisy).value(), {.loss = Loss::l2}).value();
   EXPECT_LT(rms(smoothing, recording.clean), 0.7 * rms(trusting, recording.clean));
 }
