@@ -33,8 +33,8 @@ def fuzzed(program, seconds):
     memory = pathlib.Path("/dev/shm")  # where files cost nothing
     environment = os.environ | ({"TMPDIR": str(memory)} if memory.is_dir() else {})
     command = [program, f"-max_total_time={seconds}", f"-timeout={SLOWEST}", f"-report_slow_units={SLOWEST}",
-               f"-rss_limit_mb={MOST_MEMORY}",
-               f"-dict={HERE / 'orispline.dict'}", f"-artifact_prefix={findings}/{target}-", "-print_final_stats=1",
+               f"-rss_limit_mb={MOST_MEMORY}", f"-dict={HERE / 'orispline.dict'}",
+               f"-artifact_prefix={findings}/{target}-", "-print_final_stats=1",
                *options_of(target), grown, HERE / "corpus" / target]
     with open(folder / f"{target}.log", "w", encoding="utf-8") as log:
         done = subprocess.run(command, stdout=log, stderr=log, env=environment, check=False)

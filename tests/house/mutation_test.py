@@ -48,7 +48,7 @@ class Mutants(unittest.TestCase):
     def test_a_named_constant_becomes_a_variable(self):
         mutant, = mutants_of("curve/some.cpp", "constexpr double margin = 1e-9;\n")
         mutant.id = 7
-        self.assertEqual(mutant.replacement(), "const double margin = (orispline_mutation::is(7) ? 1e-06 : 1e-9);")
+        self.assertEqual(mutant.replacement(), "const double margin = (orispline_mutation::is_at_start(7) ? 1e-06 : 1e-9);")
 
     def test_conditions_are_negated_and_guards_are_never_met(self):
         self.assertEqual(body("if (auto a = f(); !a) return b;"),

@@ -137,7 +137,7 @@ class Finder:
             variable = "inline const" if is_member else "const"
             text = source.between(first, last).replace("constexpr", variable, 1)
             at = source.tokens[i].start - source.tokens[first].start - len("constexpr") + len(variable)
-            choice = f"(orispline_mutation::is({{id}}) ? {mutated} : {source.word(i)})"
+            choice = f"(orispline_mutation::is_at_start({{id}}) ? {mutated} : {source.word(i)})"
             mutated_text = text[:at] + mutated + text[at + len(source.word(i)):]
             self.add("constant", first, last, mutated_text, text[:at] + choice + text[at + len(source.word(i)):])
 

@@ -33,4 +33,7 @@ struct Trial {
 [[gnu::init_priority(101)]] const Trial trial;
 
 }  // namespace
+
+bool is_at_start(int id) { return is(id); }
+
 }  // namespace orispline_mutation

@@ -18,6 +18,9 @@ extern unsigned char reached[1U << 16];  // whether the program came by each mut
   return id == chosen;
 }
 
+/// The same for variables that the compiler would initialise, and by the original: this it cannot evaluate.
+bool is_at_start(int id);
+
 /// A value that outlives the operands: a sum of matrices, not the expression for it.
 template <class T>
 constexpr auto plain(T&& value) {
