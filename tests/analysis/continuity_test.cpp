@@ -44,6 +44,16 @@ TEST(Continuity, OfSlerpIsTheDifferenceOfTheNeighbouringRates) {
   EXPECT_EQ(c.order(), 0);
 }
 
+TEST(Continuity, MeasuresAJumpByTheFasterSideOfAKey) {
+  for (const auto& turns : {std::vector{0.0, 0.1, 1.1}, std::vector{0.0, 1.0, 1.1}}) {  // rates 0.1, 1 and 1, 0.1 rad/s
+    KeyframeData data{.times = {0.0, 1.0, 2.0}};
+    for (const double turn : turns) data.orientations.push_back(about_x(turn));
+    const Continuity c = continuity_at_keys(make_curve("slerp", Keyframes::make(std::move(data)).value()).value());
+    EXPECT_NEAR(c.angular_velocity.magnitude, 1.0, 1e-14);
+    EXPECT_NEAR(c.angular_velocity.relative, 0.9, 1e-14);
+  }
+}
+
 TEST(Continuity, IsAsDeclaredOnUniformKnots) {
   for (const FamilyInfo& family : families_info())
     EXPECT_EQ(continuity_of(family.name, uniform_spacings).order(), family.continuity_uniform) << family.name;

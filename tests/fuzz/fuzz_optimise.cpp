@@ -109,8 +109,8 @@ void try_retime(FuzzInput& input, const Track& track, const FuzzedKeys& fuzzed) 
   claim(acceleration <= acceleration_limit * (1.0 + 1e-9), "it has {} rad/s², allowed {}", acceleration,
         acceleration_limit);
   const double used = std::max(rate / rate_limit, std::sqrt(acceleration / acceleration_limit));
-  const bool is_warned_of = std::ranges::any_of(
-      retiming->warnings, [](const Warning& warning) { return warning.code == "loose_bounds"; });
+  const bool is_warned_of =
+      std::ranges::any_of(retiming->warnings, [](const Warning& warning) { return warning.code == "loose_bounds"; });
   if (retiming->time_scale > 1.0 && !is_warned_of)
     claim(used >= 1.0 - retiming->slack - slack_of_retiming - slack_of_places,
           "it is slowed {} times, and uses {} of the limits", retiming->time_scale, used);

@@ -149,6 +149,10 @@ TEST(Csv, WithoutAHeaderTakesTheOrderThatIsGiven) {
 
   const KeyFile xyzw = read("0 0 0 1 0 7 8 9\n", {.order = QuaternionOrder::xyzw}, "keys.txt");
   EXPECT_EQ(xyzw.format, &csv_format);
+  EXPECT_EQ(read("0 0 0 1 0 7 8 9\n", {.order = QuaternionOrder::xyzw, .keep_table = true}, "keys.txt").table.names,
+            (std::vector<std::string>{"t", "qx", "qy", "qz", "qw", "px", "py", "pz"}));
+  EXPECT_EQ(read("0 0 0 0 1\n", {.order = QuaternionOrder::wxyz, .keep_table = true}, "keys.txt").table.names,
+            (std::vector<std::string>{"t", "qw", "qx", "qy", "qz"}));
   EXPECT_EQ(xyzw.data.orientations[0], half_turn_z);
   EXPECT_EQ(xyzw.data.positions[0], Eigen::Vector3d(7, 8, 9));
 }

@@ -43,6 +43,33 @@ TEST(Smooth, FindsEveryOutlierAndNoOther) {
   EXPECT_LT(rms(smoothing, recording.clean), 0.7 * rms(trusting, recording.clean));
 }
 
+TEST(Smooth, CountsSamplesWithLittleWeightAsFewerObservations) {
+  auto recording = recorded(300, degree);
+  for (std::size_t i = 20; i < 300; i += 31)
+    recording.noisy.orientations[i] = recording.noisy.orientations[i] * exp<double>(Eigen::Vector3d(0.0, 0.35, 0.0));
+  const Keyframes keys = Keyframes::make(recording.noisy).value();
+  const auto freedom = [&](Loss loss) {
+    return *smooth(keys, {.smoothing_time = 0.05, .loss = loss}).value().degrees_of_freedom;
+  };
+  EXPECT_LT(freedom(Loss::huber), 0.99 * freedom(Loss::l2));
+}
+
+// A jerk that is penalised much keeps far more turns than one from where the search begins; less and less smoothing
+// leads there in half of the steps.
+TEST(Smooth, FindsItsWayToStronglySmoothedSpins) {
+  KeyframeData data;
+  Dice dice(11);
+  for (int i = 0; i < 1500; ++i) {
+    data.times.push_back(0.01 * i);
+    data.orientations.push_back(exp<double>(Eigen::Vector3d(0.0, 0.0, std::remainder(0.5 * i, 6.283185307179586))) *
+                                exp<double>(Eigen::Vector3d(0.02 * normal_vector(dice))));
+  }
+  const auto smoothing =
+      smooth(Keyframes::make(data).value(), {.penalty = Penalty::jerk, .smoothing_time = 0.5, .loss = Loss::l2});
+  ASSERT_TRUE(smoothing) << describe(smoothing.error());
+  EXPECT_LE(smoothing->iterations, 12);
+}
+
 // The jerk of this motion is 0: what is penalised vanishes, and the motion comes out whatever its noise is.
 TEST(Smooth, GivesTheRatesOfTheKeys) {
   KeyframeData data;
