@@ -183,6 +183,7 @@ TEST(Tune, GivesOutWhatDidNotComeToRestWithAWarning) {
     for (const Objective objective : {Objective::acceleration, Objective::jerk}) {
       const Tuning found = tuned("timed-c3", keys, {.objective = objective});
       EXPECT_LT(found.energy_after, found.energy_before) << seed;
+      EXPECT_GE(found.iterations, 1u) << seed;
       EXPECT_LE(found.iterations, 200u) << seed;
       const auto warning = std::ranges::find(found.warnings, "not_at_rest", &Warning::code);
       ASSERT_EQ(warning != found.warnings.end(), found.stationarity > 1e-8) << seed;
