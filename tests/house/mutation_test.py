@@ -10,7 +10,7 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(ROOT / "tools"))
-from mutation.build import LIBRARY, overlap, sampled  # noqa: E402
+from mutation.build import LIBRARY, equivalents, key_of, overlap, sampled  # noqa: E402
 from mutation.mutants import mutants_of  # noqa: E402
 
 
@@ -20,6 +20,15 @@ def found(text):
 
 def body(statement):
     return found(f"void f() {{\n  {statement}\n}}\n")
+
+
+class Equivalents(unittest.TestCase):
+    def test_each_is_a_mutant_of_the_source_as_it_stands(self):
+        known = equivalents()
+        for file in {key[0] for key in known}:
+            text = (ROOT / LIBRARY / file).read_text("utf-8")
+            known -= {key_of(mutant, text) for mutant in mutants_of(file, text)}
+        self.assertEqual(known, set())
 
 
 class Mutants(unittest.TestCase):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """A copy of the tree with mutants in it, built once; those that do not compile are taken out again."""
 import collections
+import json
 import os
 import pathlib
 import re
@@ -23,14 +24,26 @@ def put(path, data):
         path.write_bytes(data)
 
 
+def equivalents():
+    """Mutants that no test can find, by file, text of the line, original and mutant; each has its reason there."""
+    listed = json.loads((HERE / "equivalent.json").read_text("utf-8"))
+    return {(e["file"], e["line"], e["original"], e["mutated"]) for e in listed}
+
+
+def key_of(mutant, text):
+    """As in equivalents()."""
+    return mutant.file, text.splitlines()[mutant.line - 1].strip(), mutant.original, mutant.mutated
+
+
 def candidates(rooms):
-    """All mutants of the library's rooms, in the order of files and lines."""
+    """All mutants of the library's rooms but equivalent ones, in the order of files and lines."""
     folder = ROOT / LIBRARY
-    found = []
+    found, without = [], equivalents()
     for path in sorted([*folder.rglob("*.cpp"), *folder.rglob("*.hpp")]):
         name = path.relative_to(folder)
         if len(name.parts) > 1 and name.parts[0] not in WITHOUT and (not rooms or name.parts[0] in rooms):
-            found += mutants_of(name.as_posix(), path.read_text("utf-8"))
+            text = path.read_text("utf-8")
+            found += [m for m in mutants_of(name.as_posix(), text) if key_of(m, text) not in without]
     return found
 
 
