@@ -43,7 +43,7 @@ class Retime(CommandTest):
         done = self.run_command("retime rest.csv --max-acceleration 0.54rad/s2 -o slow.csv --json")
         report = json.loads(done.stdout)
         self.assertGreater(report["slack"], 2e-4)
-        self.assertEqual(done.stderr, "orispline: warning: auto: the bounds lie above the largest values that were found, and "
+        self.assertEqual(done.stderr, "orispline: warning: auto: the largest values that were found lie below the limits, and "
                          f"{report['slack']:.2g} less slowing might do; keys that are very close together in time make that "
                          "happen\n")
 

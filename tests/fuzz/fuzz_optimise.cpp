@@ -18,7 +18,8 @@ namespace {
 
 constexpr std::size_t most_samples = 40;
 #if defined(ORISPLINE_FUZZ_SLOWED)
-constexpr double longest_task = 20.0;  // [s] of processor time, of code that sanitizers slow down twentyfold
+constexpr double longest_task =
+    20.0;  // [s] of processor time, of code that is slowed down twentyfold: a second of a user
 #else
 constexpr double longest_task = 5.0;  // [s] of processor time
 #endif
@@ -109,11 +110,18 @@ void try_retime(FuzzInput& input, const Track& track, const FuzzedKeys& fuzzed) 
   claim(acceleration <= acceleration_limit * (1.0 + 1e-9), "it has {} rad/s², allowed {}", acceleration,
         acceleration_limit);
   const double used = std::max(rate / rate_limit, std::sqrt(acceleration / acceleration_limit));
+  double bounds = 0.0;  // as shares of the limits; what the motion uses of them is found again but for rounding
+  for (const SegmentPeaks& peaks : retiming->peaks)
+    bounds =
+        std::max({bounds, peaks.rate.bound / rate_limit, std::sqrt(peaks.acceleration.bound / acceleration_limit)});
   const bool is_warned_of =
       std::ranges::any_of(retiming->warnings, [](const Warning& warning) { return warning.code == "loose_bounds"; });
-  if (retiming->time_scale > 1.0 && !is_warned_of)
-    claim(used >= 1.0 - retiming->slack - slack_of_retiming - slack_of_places,
+  if (retiming->time_scale > 1.0) {
+    claim(bounds >= 1.0 - slack_of_retiming, "it is slowed {} times, and its bounds are {} of the limits",
+          retiming->time_scale, bounds);
+    claim(is_warned_of || used >= 1.0 - retiming->slack - slack_of_retiming - slack_of_places,
           "it is slowed {} times, and uses {} of the limits", retiming->time_scale, used);
+  }
   if (!per_interval) return;
   options.slowing = Slowing::per_interval;
   const auto each = retime(track, method, options);

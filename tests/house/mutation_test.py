@@ -23,12 +23,13 @@ def body(statement):
 
 
 class Equivalents(unittest.TestCase):
-    def test_each_is_a_mutant_of_the_source_as_it_stands(self):
+    def test_each_is_one_mutant_of_the_source_as_it_stands(self):
         known = equivalents()
+        counts = collections.Counter()
         for file in {key[0] for key in known}:
             text = (ROOT / LIBRARY / file).read_text("utf-8")
-            known -= {key_of(mutant, text) for mutant in mutants_of(file, text)}
-        self.assertEqual(known, set())
+            counts.update(key for key in (key_of(mutant, text) for mutant in mutants_of(file, text)) if key in known)
+        self.assertEqual(counts, dict.fromkeys(known, 1))
 
 
 class Mutants(unittest.TestCase):

@@ -77,6 +77,8 @@ TEST(Csv, ToleratesHowProgramsWriteIt) {
       "t,qw,qx,qy,qz,\"a;b\tc\"\n1,.5,-.5,.5,-.5,0\n",               // others in those of a name
       "note,t,qw,qx,qy,qz\n\"say \"\"a, b\"\"\",1,.5,-.5,.5,-.5\n",  // quotes in quotes
       "note,t,qw,qx,qy,qz\n\"\"\"\",1,.5,-.5,.5,-.5\n",
+      "size in \",t,qw,qx,qy,qz\n2,1,.5,-.5,.5,-.5\n",
+      "a 5\"\" wheel,t,qw,qx,qy,qz\n2,1,.5,-.5,.5,-.5\n",
       "a 5\" wheel,t,qw,qx,qy,qz\n2\",1,.5,-.5,.5,-.5\n",  // quotes within a cell
   };
   for (const char* content : contents) {

@@ -150,6 +150,9 @@ TEST(SampleTracks, RefusesColumnsThatDoNotBelongTogether) {
   EXPECT_EQ(refusal(columns), "found 0 positions for 40 times, wanted as many or none");
   columns.positions = {};
   EXPECT_EQ(refusal(columns, {.velocities = true}), "positions are wanted, and the keys have none");
+  const std::vector<std::int64_t> no_keys{0, 0};  // and so no samples
+  columns.offsets = no_keys;
+  EXPECT_EQ(refusal(columns, {.velocities = true}), "positions are wanted, and the keys have none");
   for (const std::vector<std::int64_t>& offsets : {std::vector<std::int64_t>{}, {0, 41}, {-1, 40}, {0, 30, 20}}) {
     columns = tracks.columns();
     columns.offsets = offsets;

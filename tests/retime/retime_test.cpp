@@ -7,48 +7,12 @@
 
 #include <gtest/gtest.h>
 
-#include <orispline/analysis/torque.hpp>
-#include <orispline/families/registry.hpp>
-
+#include "retime/retimed_motion.hpp"
 #include "support/follower.hpp"
 #include "support/random_motion.hpp"
 
 namespace orispline {
 namespace {
-
-const std::optional<Eigen::Matrix3d> inertia = Eigen::Matrix3d(Eigen::Vector3d(1.0, 2.0, 2.5).asDiagonal());
-
-Keyframes at_times(const Keyframes& keys, std::vector<double> times) {
-  return Keyframes::make(
-             {.times = std::move(times), .orientations = {keys.orientations().begin(), keys.orientations().end()}},
-             Signs::as_given)
-      .value();
-}
-
-AnyCurve curve_of(std::string_view method, const Retiming& retiming) {
-  return make_curve(method, retiming.track.keys).value();
-}
-
-Retiming retimed(std::string_view method, const Keyframes& keys, const MotionLimits& limits,
-                 Slowing slowing = Slowing::uniform) {
-  auto retiming = retime(keys, method, {.limits = limits, .slowing = slowing});
-  EXPECT_TRUE(retiming) << describe(retiming.error());
-  return retiming.value_or(Retiming{});
-}
-
-/// The largest of the whole curve at 2000 places of every segment.
-MotionSizes sampled(const AnyCurve& curve) {
-  MotionSizes largest{};
-  for (std::size_t s = 0; s < curve.knots().segments(); ++s)
-    for (int i = 0; i <= 2000; ++i) {
-      const KnotSpan span = curve.knots().span(s);
-      const Motion m = curve.motion_on(s, span.start() + 5e-4 * i * span.step());
-      largest = {std::max(largest.rate, m.angular_velocity.norm()),
-                 std::max(largest.acceleration, m.angular_acceleration.norm()),
-                 std::max(largest.torque, torque(m, *inertia).norm())};
-    }
-  return largest;
-}
 
 double angle_between(const Eigen::Quaterniond& p, const Eigen::Quaterniond& q) { return increment(p, q).norm(); }
 
@@ -192,74 +156,6 @@ TEST(Retime, KeepsItsPromiseWhereStepsDifferByAMillionAndMore) {
       EXPECT_LE(gentle.slack, 2e-4) << method;
       EXPECT_GE(sampled(curve_of(method, gentle)).acceleration, (1.0 - 1e-2) * 200.0 * degrees) << method;
     }
-}
-
-// A step of 64 roundings of time: bounds of the fast motion are loose there, those of the slowed one are not.
-TEST(Retime, SlowsNoMoreAtTheTimesOfTodayHoweverFastTheMotionWas) {
-  constexpr double step = 1.0 / 65536.0;  // [s]
-  const Keyframes keys = random_keys(29, {8, 2.0, 2.0});
-  std::vector<double> early, late;
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    early.push_back(step * static_cast<double>(i));
-    late.push_back(1.7e9 + early.back());
-  }
-  for (const MotionLimits& limits : {MotionLimits{.rate = 1.0}, MotionLimits{.acceleration = 2.0}}) {
-    const Retiming a = retimed("timed-c2", at_times(keys, early), limits);
-    const Retiming b = retimed("timed-c2", at_times(keys, late), limits);
-    EXPECT_NEAR(b.time_scale / a.time_scale, 1.0, 2e-4);
-    for (const Retiming& slow : {a, b}) {
-      EXPECT_LE(slow.slack, 2e-4);
-      const MotionSizes met = sampled(curve_of("timed-c2", slow));
-      const double used = limits.rate ? met.rate : std::sqrt(met.acceleration / 2.0);
-      EXPECT_LE(used, 1.0);
-      EXPECT_GE(used, 1.0 - slow.slack - 1e-5);
-    }
-  }
-}
-
-/// Keys that are equal up to sign and to `rounding`.
-Keyframes nearly_equal_keys(unsigned seed, const std::vector<double>& times, double rounding) {
-  std::mt19937 generator(seed);
-  std::uniform_real_distribution<double> symmetric(-1.0, 1.0);
-  KeyframeData data{.times = times};
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    Eigen::Vector4d q(0.1, -0.7, 0.5, 0.5);
-    for (double& component : q) component += rounding * symmetric(generator);
-    data.orientations.emplace_back(Eigen::Vector4d(i % 2 == 0 ? q : Eigen::Vector4d(-q)));
-  }
-  return Keyframes::make(std::move(data)).value();
-}
-
-TEST(Retime, KeepsLimitsWhateverTheRoundingOfKeysMakesOfShortSteps) {
-  const std::vector<double> times{0.0, 1e-9, 2e-9, 3e-9, 4e-9, 5e-9};
-  for (const std::string_view method : {"auto", "timed-c2", "timed-c1", "bspline"})
-    for (unsigned seed = 0; seed < 3; ++seed) {
-      const Retiming slow = retimed(method, nearly_equal_keys(seed, times, 1e-16), {.acceleration = 0.54});
-      const auto later = slow.track.keys.times();
-      for (unsigned other = 10; other < 13; ++other) {
-        const Keyframes same = nearly_equal_keys(other, {later.begin(), later.end()}, 1e-16);
-        EXPECT_LE(sampled(make_curve(method, same).value()).acceleration, 0.54) << method;
-      }
-    }
-}
-
-TEST(Retime, StatesTheSlackThatItsBoundsLeave) {
-  const Retiming loose = retimed("auto", nearly_equal_keys(1, {0.0, 1e-9, 2e-9, 3e-9}, 1e-16), {.acceleration = 0.54});
-  ASSERT_EQ(loose.warnings.size(), 1u);
-  EXPECT_EQ(loose.warnings.front().code, "loose_bounds");
-  EXPECT_EQ(loose.warnings.front().number("slack"), loose.slack);
-  double found = 0.0;
-  for (const SegmentPeaks& peaks : loose.peaks) found = std::max(found, peaks.acceleration.found);
-  EXPECT_NEAR(loose.slack, 1.0 - std::sqrt(found / 0.54), 1e-6);
-  EXPECT_GT(loose.slack, 0.1);
-  const Keyframes keys = random_keys(4, {40, 2.5, 30.0});
-  EXPECT_EQ(retimed("auto", keys, {.rate = 1e6}).slack, 0.0);
-  for (const Slowing slowing : {Slowing::uniform, Slowing::per_interval}) {
-    const Retiming tight = retimed("auto", keys, {.rate = 1.0, .acceleration = 2.0}, slowing);
-    EXPECT_GT(tight.slack, 0.0);
-    EXPECT_LE(tight.slack, 2e-4);
-    EXPECT_TRUE(tight.warnings.empty());
-  }
 }
 
 TEST(Retime, RefusesLimitsThatAreNone) {

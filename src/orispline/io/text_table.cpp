@@ -43,15 +43,15 @@ std::size_t closing_quote(std::string_view text) {
   return at;
 }
 
-/// The characters outside of quotes, which stand at the beginning of a cell.
+/// The characters outside of quotes that begin a cell and are closed.
 std::string without_quoted(std::string_view line) {
   std::string rest;
-  bool is_quoted = false;
-  for (char before = ','; const char c : line) {
-    const bool begins_cell = before == '"' || before == ',' || before == ';' || is_blank(before);
-    if (c == '"' && (is_quoted || begins_cell)) is_quoted = !is_quoted;
-    else if (!is_quoted) rest += c;
-    before = c;
+  for (bool begins_cell = true; !line.empty();) {
+    const std::size_t closing = begins_cell && line.front() == '"' ? closing_quote(line) : std::string_view::npos;
+    const char c = line.front();
+    if (closing == std::string_view::npos) rest += c;
+    begins_cell = closing == std::string_view::npos && (c == ',' || c == ';' || is_blank(c));
+    line.remove_prefix(closing == std::string_view::npos ? 1 : closing + 1);
   }
   return rest;
 }

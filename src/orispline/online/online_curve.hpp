@@ -83,15 +83,15 @@ class ORISPLINE_EXPORT OnlineCurve {
   [[nodiscard]] Eigen::Quaterniond operator()(double t) const noexcept;
 
   /// Orientation with body rates at time t [s], held at rest outside what is available. At a key the right-hand
-  /// segment's or on request the left-hand one's; at the last one available always the left-hand one's. NaN as the
-  /// orientation is.
+  /// segment's or on request the left-hand one's; at the last one available always the left-hand one's. All NaN
+  /// at a NaN time and without keys.
   [[nodiscard]] Motion motion(double t, Side side = Side::right) const noexcept;
 
   /// As motion(), but a time that is not available is an error (bad_argument).
   [[nodiscard]] Expected<Motion> checked_motion(double t) const;
 
   /// Position with velocity, acceleration and jerk at time t [s], held at rest outside what is available; nothing when
-  /// the keys have no positions.
+  /// the keys have no positions. All NaN at a NaN time.
   [[nodiscard]] std::optional<LinearMotion> linear_motion(double t, Side side = Side::right) const noexcept;
 
  private:

@@ -182,6 +182,9 @@ Expected<SampledTracks> sample_tracks(const Method& method, const TrackColumns& 
                                       const Progress& progress) {
   auto made_ready = TrackBatch::make(method, keys, grid, options, work, half_of(progress, 0.0));
   return std::move(made_ready).and_then([&](TrackBatch batch) -> Expected<SampledTracks> {
+    if (keys.positions[0].empty() && !keys.times.empty() &&
+        (wanted.positions || wanted.velocities || wanted.accelerations))
+      return tl::unexpected(bad_columns("positions are wanted, and the keys have none"));
     const std::size_t size = batch.size();
     SampledTracks table;
     table.offsets.assign(batch.offsets().begin(), batch.offsets().end());

@@ -106,11 +106,11 @@ Expected<double> LimitedMotion::largest_slack(std::vector<double> times) const {
   return curve(std::move(times))
       .and_then([this](const AnyCurve& made) { return certified(made, near_the_limit * sizes_of(limits_)); })
       .map([this](const std::vector<SegmentPeaks>& peaks) {
-        double largest = 0.0;
+        std::optional<double> largest;
         for (const SegmentPeaks& segment : peaks)
           if (const double bound = needed_factor(bounds_of(segment), limits_); bound >= at_the_limit)
-            largest = std::max(largest, 1.0 - needed_factor(found_of(segment), limits_) / bound);
-        return largest;
+            largest = std::max(largest.value_or(0.0), 1.0 - needed_factor(found_of(segment), limits_) / bound);
+        return largest.value_or(slack(peaks));
       });
 }
 

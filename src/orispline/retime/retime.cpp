@@ -18,8 +18,9 @@ namespace {
 
 constexpr double margin = 1e-9;  // of a factor, for the rounding of the new times; twice as much in every round
 constexpr std::size_t most_slowings = 30;
-constexpr double least_gain = 1e-4;       // of the duration, to which the slowing is the least one, for another path
-constexpr double too_slow = 1e-5;         // so far below their limits, bounds ask for less slowing
+constexpr double least_gain = 1e-4;  // of the duration, to which the slowing is the least one, for another path
+constexpr double too_slow = 1e-5;    // so far below their limits, bounds ask for less slowing
+constexpr int most_quickenings = 4;
 constexpr double promised_slack = 2e-4;   // more is worth a warning
 constexpr double usual_rounds = 3.0;      // of slowing all alike
 constexpr double most_time_scale = 1e15;  // thirty million years a second
@@ -73,38 +74,64 @@ struct Slowed {
   std::vector<SegmentPeaks> peaks;
 };
 
+/// All intervals made longer by one factor, and the peaks of the motion at these times.
+struct Scaled {
+  double factor;
+  std::vector<double> times;
+  std::vector<SegmentPeaks> peaks;
+};
+
+Expected<Scaled> scaled(const LimitedMotion& motion, std::vector<double> times, double factor) {
+  for (double& t : times) t = times.front() + factor * (t - times.front());
+  return motion.largest_peaks(times).map([&](std::vector<SegmentPeaks> peaks) {
+    return Scaled{factor, std::move(times), std::move(peaks)};
+  });
+}
+
+/// Less slowing where that does as well: the rounding of times loosens the bounds of fast motion, and slowed by them it
+/// is slower than it has to be.
+Expected<Scaled> no_slower_than_needed(const LimitedMotion& motion, const std::vector<double>& given, Scaled slow) {
+  double factor = slow.factor * motion.largest_factor(slow.peaks) * (1.0 + margin);
+  for (int round = 0; round < most_quickenings && factor < (1.0 - too_slow) * slow.factor; ++round) {
+    auto faster = scaled(motion, given, std::max(1.0, factor));
+    if (!faster && faster.error().code == ErrorCode::cancelled) return faster;
+    if (!faster) break;
+    const double more = motion.largest_factor(faster->peaks);
+    if (!(more > 1.0)) return faster;
+    factor *= more * (1.0 + margin);
+  }
+  return slow;
+}
+
 /// All intervals made longer by the factor that is needed still; `found`: the peaks at these times.
-Expected<Slowed> slowed(const LimitedMotion& motion, std::vector<double> times,
-                        Expected<std::vector<SegmentPeaks>> found, Slowing slowing) {
+Expected<Slowed> slowed(const LimitedMotion& motion, const std::vector<double>& times, std::vector<SegmentPeaks> found,
+                        Slowing slowing) {
   const auto time_scale = [before = motion.given_times()](const std::vector<double>& t) {
     return (t.back() - t.front()) / (before.back() - before.front());
   };
+  Expected<Scaled> slow = Scaled{1.0, times, std::move(found)};
   double more = margin;
-  bool may_be_faster = slowing == Slowing::uniform;
-  for (std::size_t round = 0; found && round < most_slowings; ++round, more *= 2.0) {
-    double factor = motion.largest_factor(*found);
-    if (may_be_faster && factor < 1.0 - too_slow && round > 0) {  // on fast motion rounding of times loosens the bounds
-      may_be_faster = false;
-      factor = std::max(factor, 1.0 / time_scale(times));
-    } else if (!(factor > 1.0)) {
-      break;
-    }
-    if (!(factor * time_scale(times) <= most_time_scale))
+  for (std::size_t round = 0; slow && round < most_slowings; ++round, more *= 2.0) {
+    const double factor = motion.largest_factor(slow->peaks);
+    if (!(factor > 1.0)) break;
+    if (!(factor * time_scale(slow->times) <= most_time_scale))
       return failure(ErrorCode::bad_argument,
                      formatted("the limits ask for a slowing by {:.6g}, wanted limits that {:g} meets",
-                               factor * time_scale(times), most_time_scale));
-    for (double& t : times) t = times.front() + factor * (1.0 + more) * (t - times.front());
-    found = motion.largest_peaks(times);
+                               factor * time_scale(slow->times), most_time_scale));
+    slow = scaled(motion, times, slow->factor * factor * (1.0 + more));
   }
-  if (!found) return tl::unexpected(std::move(found.error()));
-  if (motion.largest_factor(*found) > 1.0)
-    return failure(ErrorCode::not_converged, formatted("no slowing up to {:.6g} meets the limits", time_scale(times)));
-  const double scale = time_scale(times);
+  if (slow && slow->factor > 1.0 && slowing == Slowing::uniform)
+    slow = no_slower_than_needed(motion, times, std::move(*slow));
+  if (!slow) return tl::unexpected(std::move(slow.error()));
+  const double scale = time_scale(slow->times);
+  if (motion.largest_factor(slow->peaks) > 1.0)
+    return failure(ErrorCode::not_converged, formatted("no slowing up to {:.6g} meets the limits", scale));
   Expected<double> slack = 0.0;
   if (scale > 1.0)
-    slack = slowing == Slowing::uniform ? Expected<double>(motion.slack(*found)) : motion.largest_slack(times);
+    slack =
+        slowing == Slowing::uniform ? Expected<double>(motion.slack(slow->peaks)) : motion.largest_slack(slow->times);
   if (!slack) return tl::unexpected(std::move(slack.error()));
-  return Slowed{std::move(times), scale, *slack, slowing, std::move(*found)};
+  return Slowed{std::move(slow->times), scale, *slack, slowing, std::move(slow->peaks)};
 }
 
 /// The least slowing of the two, where both are asked for.
@@ -113,11 +140,12 @@ Expected<Slowed> least_slowed(const LimitedMotion& motion, int support_keys, Slo
   auto peaks = motion.largest_peaks(given);
   if (!peaks) return tl::unexpected(std::move(peaks.error()));
   const bool is_slow = !(motion.largest_factor(*peaks) > 1.0);
-  auto uniform = slowed(motion, given, std::move(peaks), is_slow ? slowing : Slowing::uniform);
+  auto uniform = slowed(motion, given, std::move(*peaks), is_slow ? slowing : Slowing::uniform);
   if (slowing == Slowing::uniform || is_slow) return uniform;
   auto separate = least_interval_times(motion, support_keys).and_then([&](std::vector<double> times) {
-    auto found = motion.largest_peaks(times);
-    return slowed(motion, std::move(times), std::move(found), Slowing::per_interval);
+    return motion.largest_peaks(times).and_then([&](std::vector<SegmentPeaks> found) {
+      return slowed(motion, times, std::move(found), Slowing::per_interval);
+    });
   });
   if (!separate && separate.error().code == ErrorCode::cancelled) return separate;
   return separate && (!uniform || separate->time_scale < (1.0 - least_gain) * uniform->time_scale) ? separate : uniform;
@@ -125,7 +153,7 @@ Expected<Slowed> least_slowed(const LimitedMotion& motion, int support_keys, Slo
 
 Warning loose_bounds(std::string_view method, double slack) {
   return {.code = "loose_bounds",
-          .message = formatted("{}: the bounds lie above the largest values that were found, and {:.2g} less slowing "
+          .message = formatted("{}: the largest values that were found lie below the limits, and {:.2g} less slowing "
                                "might do; keys that are very close together in time make that happen",
                                method, slack),
           .numbers = {{"slack", slack}}};

@@ -30,7 +30,7 @@ struct Retiming {
   Track track{};                      ///< the one given at the new times, the first as it was
   Method method{};                    ///< the one given, with the settings of the track
   double time_scale = 1.0;            ///< of the whole duration, at least 1
-  double slack = 0.0;                 ///< by which share less slowing might do, for bounds are above what was found
+  double slack = 0.0;                 ///< by which share less slowing might do: what was found is below the limits
   Slowing slowing{};                  ///< how they were slowed: uniformly where intervals by themselves take longer
   std::vector<SegmentPeaks> peaks{};  ///< of the slowed curve, segment by segment: no bound above its limit
   std::vector<Warning> warnings{};    ///< `loose_bounds`; of the inertia, and of the method's curve
@@ -41,7 +41,7 @@ struct Retiming {
 [[nodiscard]] ORISPLINE_EXPORT Expected<void> check(const RetimeOptions& options);
 
 /// The least slowing, to 1e-4, with which the method's curve through the keys stays within the limits everywhere. Where
-/// the bounds are farther than 2e-4 above what was found, a warning says so: `loose_bounds` (`slack`).
+/// the largest values found are farther than 2e-4 below the limits, a warning says so: `loose_bounds` (`slack`).
 ///
 /// Certified by certified_peaks() on the method's curve, with its settings and those of the track, through the keys at
 /// the times that are returned. A motion within the limits stays as it is. `per_interval` shortens the whole duration

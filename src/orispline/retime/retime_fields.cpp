@@ -48,7 +48,7 @@ std::span<const FieldInfo> fields_of<Retiming>() noexcept {
       field<&Retiming::time_scale>({.name = "time_scale", .sentence = "That duration over the one before, at least 1"}),
       field<&Retiming::slack>(
           {.name = "slack",
-           .sentence = "By which share less slowing might do, for the bounds are above the largest values found"}),
+           .sentence = "By which share less slowing might do, for the largest values found lie below the limits"}),
   };
   return fields;
 }

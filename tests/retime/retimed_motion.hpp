@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <orispline/analysis/torque.hpp>
+#include <orispline/families/registry.hpp>
+#include <orispline/retime/retime.hpp>
+
+namespace orispline {
+
+inline const std::optional<Eigen::Matrix3d> inertia = Eigen::Matrix3d(Eigen::Vector3d(1.0, 2.0, 2.5).asDiagonal());
+
+inline Keyframes at_times(const Keyframes& keys, std::vector<double> times) {
+  return Keyframes::make(
+             {.times = std::move(times), .orientations = {keys.orientations().begin(), keys.orientations().end()}},
+             Signs::as_given)
+      .value();
+}
+
+inline AnyCurve curve_of(std::string_view method, const Retiming& retiming) {
+  return make_curve(method, retiming.track.keys).value();
+}
+
+inline Retiming retimed(std::string_view method, const Keyframes& keys, const MotionLimits& limits,
+                        Slowing slowing = Slowing::uniform) {
+  auto retiming = retime(keys, method, {.limits = limits, .slowing = slowing});
+  EXPECT_TRUE(retiming) << describe(retiming.error());
+  return retiming.value_or(Retiming{});
+}
+
+/// The largest of the whole curve at 2000 places of every segment.
+inline MotionSizes sampled(const AnyCurve& curve) {
+  MotionSizes largest{};
+  for (std::size_t s = 0; s < curve.knots().segments(); ++s)
+    for (int i = 0; i <= 2000; ++i) {
+      const KnotSpan span = curve.knots().span(s);
+      const Motion m = curve.motion_on(s, span.start() + 5e-4 * i * span.step());
+      largest = {std::max(largest.rate, m.angular_velocity.norm()),
+                 std::max(largest.acceleration, m.angular_acceleration.norm()),
+                 std::max(largest.torque, torque(m, *inertia).norm())};
+    }
+  return largest;
+}
+
+}  // namespace orispline
