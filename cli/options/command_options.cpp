@@ -55,6 +55,9 @@ void add_reading_options(Command& app, InputOptions& o, std::string_view default
   app.add_option("--signs", o.signs, formatted("Negate quaternions for the shortest way, or not [{}]", default_signs))
       ->type_name(one_of(sign_choices))
       ->group(group);
+  app.add_flag("--ignore-recipe", o.ignore_recipe,
+               "Read bare keys: pass over the line in which the file names its method")
+      ->group(group);
   app.add_flag("--drop-duplicates", o.drop_duplicates, "Of equal times keep the first row")->group(group);
   app.add_flag("--drop-invalid", o.drop_invalid, "Drop rows with NaN, infinite or empty cells")->group(group);
   app.add_flag("--sort", o.sort, "Sort the rows by time")->group(group);

@@ -58,7 +58,7 @@ std::string one_of(std::span<const io::FormatInfo* const> formats) {
   return joined(ids, "|");
 }
 
-Expected<InputRequest> input_request(const InputOptions& options, Signs signs) {
+Expected<InputRequest> input_request(const InputOptions& options) {
   if (options.path.empty()) return usage_failure("INPUT: found an empty name, wanted FILE or -");
   FirstError checked;
   io::ReadOptions read{.format = checked(input_format(options)).value_or(nullptr),
@@ -69,10 +69,10 @@ Expected<InputRequest> input_request(const InputOptions& options, Signs signs) {
                        .conjugate = options.conjugate,
                        .drop_duplicates = options.drop_duplicates,
                        .drop_invalid = options.drop_invalid,
-                       .sort = options.sort};
+                       .sort = options.sort,
+                       .recipe = options.ignore_recipe ? io::RecipeUse::ignored : io::RecipeUse::honoured};
   const auto given_signs = checked(if_given("--signs", options.signs, choice_of(sign_choices)));
-  return std::move(checked).or_else(
-      InputRequest{.path = options.path, .read = std::move(read), .signs = given_signs.value_or(signs)});
+  return std::move(checked).or_else(InputRequest{.path = options.path, .read = std::move(read), .signs = given_signs});
 }
 
 }  // namespace orispline::cli

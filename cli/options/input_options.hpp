@@ -29,18 +29,17 @@ struct InputOptions {
   std::string path;
   std::optional<std::string> format, order, orientation, euler, angle_unit, time_scale, signs;
   std::vector<std::string> columns;
-  bool conjugate = false, drop_duplicates = false, drop_invalid = false, sort = false;
+  bool conjugate = false, drop_duplicates = false, drop_invalid = false, sort = false, ignore_recipe = false;
 };
 
 /// The same, understood.
 struct InputRequest {
   std::string path;
   io::ReadOptions read;
-  Signs signs = Signs::shortest;
+  std::optional<Signs> signs{};  ///< absent: as the file says, else for the shortest way
 };
 
-/// `signs`: where the user says nothing about them.
-[[nodiscard]] Expected<InputRequest> input_request(const InputOptions& options, Signs signs = Signs::shortest);
+[[nodiscard]] Expected<InputRequest> input_request(const InputOptions& options);
 
 /// The one of these formats that is named.
 [[nodiscard]] Expected<const io::FormatInfo*> format_in(OptionText option,

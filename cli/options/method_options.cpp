@@ -13,6 +13,9 @@
 namespace orispline::cli {
 namespace {
 
+/// Who says how the ends are to be.
+enum class AskedBy { user, file };
+
 /// What the library finds wrong with the text of an option begins with that option.
 template <class T>
 Expected<T> said_by(std::string_view option, Expected<T> result) {
@@ -41,17 +44,35 @@ Expected<Method> with_settings(Method method, const MethodOptions& options) {
   return shaped;
 }
 
-/// A rate alone means clamped, and a clamped end wants one.
+/// A rate alone means clamped, and an end that is asked to be clamped wants one.
 Expected<Method> with_rate_option(Method method, CurveEnd end, std::string_view option,
-                                  const std::optional<std::string>& rate) {
-  const EndRule rule = (end == CurveEnd::start ? method.options.start : method.options.end).rule;
-  if (!rate && rule == EndRule::clamped) return usage_failure(formatted("--ends clamped: wanted {} as well", option));
+                                  const std::optional<std::string>& rate, AskedBy asked) {
+  const End& given = end == CurveEnd::start ? method.options.start : method.options.end;
+  const bool lacks_rate = given.rule == EndRule::clamped && given.angular_velocity.isZero(0.0);
+  if (!rate && lacks_rate && asked == AskedBy::user)
+    return usage_failure(formatted("--ends clamped: wanted {} as well", option));
   if (!rate) return method;
   // Whether the end can have a rate at all comes before its numbers.
   if (auto able = said_by(option, with_end_rate(method, end, Eigen::Vector3d::Zero())); !able) return able;
   return vector_in({option, *rate}).and_then([&](const Eigen::Vector3d& w) {
     return with_end_rate(std::move(method), end, w);
   });
+}
+
+/// A method as far as the options say nothing.
+Method silent_about(const MethodOptions& options, Method method) {
+  CurveOptions& stated = method.options;
+  std::vector<std::string> settings;
+  if (options.tension) settings.emplace_back("tension");
+  for (const std::string& text : options.settings) settings.push_back(text.substr(0, text.find('=')));
+  for (const std::string& setting : settings) {
+    stated.parameters.erase(setting);
+    stated.choices.erase(setting);
+  }
+  if (options.ends || options.start_rate) stated.start = {};
+  if (options.ends || options.end_rate) stated.end = {};
+  if (options.closed || options.period) stated.loop.reset();
+  return method;
 }
 
 Expected<Method> with_loop_options(Method method, const MethodOptions& options) {
@@ -64,19 +85,45 @@ Expected<Method> with_loop_options(Method method, const MethodOptions& options) 
   return with_loop(std::move(method), {.period = *seconds});
 }
 
+Expected<Method> shaped(Method given, const MethodOptions& options, AskedBy asked) {
+  return with_end_rules(std::move(given), options)
+      .and_then([&](Method method) { return with_settings(std::move(method), options); })
+      .and_then([&](Method method) {
+        return with_rate_option(std::move(method), CurveEnd::start, "--start-rate", options.start_rate, asked);
+      })
+      .and_then([&](Method method) {
+        return with_rate_option(std::move(method), CurveEnd::end, "--end-rate", options.end_rate, asked);
+      })
+      .and_then([&](Method method) { return with_loop_options(std::move(method), options); });
+}
+
 }  // namespace
 
 Expected<Method> method_request(std::string_view text, const MethodOptions& options) {
-  return said_by("--method", method_from_text(text))
-      .and_then([&](Method method) { return with_end_rules(std::move(method), options); })
-      .and_then([&](Method method) { return with_settings(std::move(method), options); })
-      .and_then([&](Method method) {
-        return with_rate_option(std::move(method), CurveEnd::start, "--start-rate", options.start_rate);
-      })
-      .and_then([&](Method method) {
-        return with_rate_option(std::move(method), CurveEnd::end, "--end-rate", options.end_rate);
-      })
-      .and_then([&](Method method) { return with_loop_options(std::move(method), options); });
+  return said_by("--method", method_from_text(text)).and_then([&](Method method) {
+    return shaped(std::move(method), options, AskedBy::user);
+  });
+}
+
+Expected<std::optional<Method>> named_method(const std::optional<std::string>& text, const MethodOptions& options) {
+  if (!text) return std::nullopt;
+  return method_request(*text, options).map([](Method method) { return std::optional(std::move(method)); });
+}
+
+Expected<ChosenMethod> chosen_method(const std::optional<Method>& named, const MethodOptions& options,
+                                     const io::KeyInput& keys, std::string_view otherwise) {
+  if (named) {
+    ChosenMethod chosen{.method = *named};
+    if (auto warning = recipe_set_aside(keys.recipe(), *named, keys.path()))
+      chosen.warnings.push_back(std::move(*warning));
+    return chosen;
+  }
+  const auto with_warnings = [](Method method) { return ChosenMethod{.method = std::move(method)}; };
+  return method_of(keys.recipe(), keys.path()).and_then([&](std::optional<Method> stated) {
+    if (!stated) return method_request(otherwise, options).map(with_warnings);
+    const AskedBy asked = options.ends ? AskedBy::user : AskedBy::file;
+    return shaped(silent_about(options, std::move(*stated)), options, asked).map(with_warnings);
+  });
 }
 
 Expected<std::vector<Method>> method_requests(const std::vector<std::string>& lists, const MethodOptions& options) {

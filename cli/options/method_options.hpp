@@ -8,6 +8,7 @@
 
 #include <orispline/curve/method.hpp>
 #include <orispline/curve/pose_curve.hpp>
+#include <orispline/families/recipe.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/io/track_file.hpp>
 
@@ -27,12 +28,27 @@ struct MethodOptions {
 /// `NAME` or `NAME:SETTING=VALUE:…`, shaped by the other options as well. Every error names its option.
 [[nodiscard]] Expected<Method> method_request(std::string_view method, const MethodOptions& options);
 
+/// The method whose curve the keys are for.
+struct ChosenMethod {
+  Method method{};
+  std::vector<Warning> warnings{};  ///< that the file names another one
+};
+
+/// The method that was named, already shaped; else the one that the file of the keys names, shaped by the options where
+/// they say something; else `otherwise`. Errors: those of method_request(), and of a recipe that cannot be read.
+[[nodiscard]] Expected<ChosenMethod> chosen_method(const std::optional<Method>& named, const MethodOptions& options,
+                                                   const io::KeyInput& keys, std::string_view otherwise);
+
 /// Several methods, by names or lists of names with commas between them, all shaped alike.
 [[nodiscard]] Expected<std::vector<Method>> method_requests(const std::vector<std::string>& lists,
                                                             const MethodOptions& options);
 
 /// The family of a method that was understood.
 [[nodiscard]] const FamilyInfo& family_of(const Method& method);
+
+/// The method of that name, or absent.
+[[nodiscard]] Expected<std::optional<Method>> named_method(const std::optional<std::string>& text,
+                                                           const MethodOptions& options);
 
 /// How a file is read for these methods: with the columns that one of them takes.
 [[nodiscard]] io::ReadOptions read_for(std::span<const Method> methods, io::ReadOptions read);

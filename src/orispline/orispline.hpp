@@ -9,5 +9,6 @@
 #include <orispline/curve/track.hpp>
 #include <orispline/families/method_text.hpp>
 #include <orispline/families/method_warnings.hpp>
+#include <orispline/families/recipe.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/math/slerp.hpp>

@@ -52,7 +52,7 @@ CASES = (
     ("sample keys.csv --rate 1 --set bias=1", "auto: no parameter 'bias', wanted one of hold"),
     ("sample keys.csv --rate 1 --tension 1", "auto: no parameter 'tension', wanted one of hold"),
     ("sample keys.csv --rate 1 --set hold=yes", "--set hold: found 'yes', wanted numbers with commas between them"),
-    ("sample none.csv --rate 1 --set bias=left", "auto: no parameter 'bias', wanted one of hold"),
+    ("sample none.csv --rate 1 --method auto --set bias=left", "auto: no parameter 'bias', wanted one of hold"),
     ("sample keys.csv --rate 1 --method timed-c2 --set bias=1",
      "timed-c2: no parameter 'bias', wanted one of tension, tension2"),
     ("sample keys.csv --rate 1 --method timed-c2 --set tension=1 --tension 1",

@@ -6,7 +6,7 @@ import json
 import math
 import pathlib
 
-from command import BAD_USAGE, CommandTest, main
+from command import BAD_USAGE, CommandTest, main, table_of
 
 DATA = pathlib.Path(__file__).resolve().parents[2] / "examples/data"
 SHAPE = "--method timed-c2 --ends rest"
@@ -21,7 +21,7 @@ class Chain(CommandTest):
         return json.loads(self.output_of(f"{arguments} --json"))
 
     def rows(self, name):
-        return list(csv.DictReader(self.read(name).splitlines()))
+        return list(csv.DictReader(table_of(self.read(name))))
 
     def test_from_a_noisy_recording_to_a_motion_within_limits(self):
         self.output_of("smooth flight.csv -o clean.csv")

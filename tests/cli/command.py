@@ -100,7 +100,12 @@ class CommandTest(unittest.TestCase):
 
 def rows_of(text):
     """The rows of a CSV below its header, as numbers."""
-    return [[float(cell) for cell in line.split(",")] for line in text.splitlines()[1:]]
+    return [[float(cell) for cell in line.split(",")] for line in table_of(text)[1:]]
+
+
+def table_of(text):
+    """The lines of a CSV without the comments above it."""
+    return [line for line in text.splitlines() if not line.startswith("#")]
 
 
 def main():

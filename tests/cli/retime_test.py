@@ -6,7 +6,7 @@ import math
 import pathlib
 import random
 
-from command import BAD_ACCESS, BAD_DATA, BAD_USAGE, CommandTest, main, rows_of, with_pages
+from command import BAD_ACCESS, BAD_DATA, BAD_USAGE, CommandTest, main, rows_of, table_of, with_pages
 
 ROBOT = pathlib.Path(__file__).resolve().parents[2] / "examples/data/robot_keys.csv"
 
@@ -83,7 +83,7 @@ class Retime(CommandTest):
             self.retimed(f"robot.csv --max-rate 30deg/s --max-acceleration 50deg/s2 {extra}")
             soon = self.sampled()
             self.retimed(f"late.csv --max-rate 30deg/s --max-acceleration 50deg/s2 {extra}")
-            self.assertTrue(self.read("slow.csv").splitlines()[1].startswith(late[0][0]))
+            self.assertTrue(table_of(self.read("slow.csv"))[1].startswith(late[0][0]))
             rows = self.sampled()
             self.assertEqual([row[1:] for row in rows], [row[1:] for row in soon])
             rate, acceleration = peaks(rows)
@@ -199,7 +199,7 @@ class Retime(CommandTest):
         self.write("shaped.csv", "t,qw,qx,qy,qz,tension,wx,wy,wz\n0,1,0,0,0,0.9,1,2,3\n1,0,1,0,0,0.9,1,2,3\n")
         done = self.run_command("retime shaped.csv --max-rate 1deg/s --method timed-c2 --quiet")
         self.assertEqual((done.returncode, done.stderr), (0, "orispline: warning: not carried over: wx, wy, wz\n"))
-        self.assertRegex(done.stdout, r"^t,qw,qx,qy,qz,tension\n0,1,0,0,0,0\.9\n[\d.]+,0,1,0,0,0\.9\n$")
+        self.assertRegex(done.stdout, r"^# orispline: method=timed-c2\nt,qw,qx,qy,qz,tension\n0,1,0,0,0,0\.9\n[\d.]+,0,1,0,0,0\.9\n$")
         done = self.run_command("retime shaped.csv --max-rate 1deg/s -o slow.csv --quiet")
         self.assertEqual((done.returncode, done.stderr),
                          (0, "orispline: warning: not carried over: tension, wx, wy, wz\n"))

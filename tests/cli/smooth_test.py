@@ -5,7 +5,7 @@ import json
 import math
 import random
 
-from command import BAD_DATA, BAD_USAGE, CommandTest, main, rows_of, with_pages
+from command import BAD_DATA, BAD_USAGE, CommandTest, main, rows_of, table_of, with_pages
 
 
 def recording(count, noise, outliers=()):
@@ -31,7 +31,7 @@ class Smooth(CommandTest):
         self.assertEqual([place["line"] for place in summary["rejected"]], [102, 252])
         self.assertEqual(summary["criterion"], "gcv")
         text = self.read("smooth.csv")
-        self.assertTrue(text.startswith("t,qw,qx,qy,qz,wx,wy,wz,ax,ay,az\n0,"))
+        self.assertTrue(text.startswith("# orispline: method=hermite-c2\nt,qw,qx,qy,qz,wx,wy,wz,ax,ay,az\n0,"))
         rows = rows_of(text)
         self.assertEqual(len(rows), 400)
         for row in rows[20:-20]:
@@ -105,7 +105,7 @@ class Smooth(CommandTest):
         self.assertEqual(in_gap, [None])
         whole = json.loads(self.output_of("compare smooth.csv --reference smooth.csv --methods hermite-c2 --json"))[0]
         parts = 0.0
-        rows = self.read("smooth.csv").splitlines()
+        rows = table_of(self.read("smooth.csv"))
         for name, part in (("a.csv", rows[:151]), ("b.csv", rows[:1] + rows[151:])):
             self.write(name, "\n".join(part) + "\n")
             measures = json.loads(self.output_of(f"compare {name} --reference {name} --methods hermite-c2 --json"))[0]

@@ -5,7 +5,7 @@ import json
 import math
 import random
 
-from command import BAD_DATA, BAD_USAGE, SUCCESS, CommandTest, main
+from command import BAD_DATA, BAD_USAGE, SUCCESS, CommandTest, main, table_of
 
 KEYS = """t,qw,qx,qy,qz,note
 0,1,0,0,0,"take off, level"
@@ -26,7 +26,7 @@ class Tune(CommandTest):
 
     def test_writes_the_keys_as_they_are_with_their_tensions(self):
         summary = self.tuned("--method timed-c2 --objective acceleration")
-        lines, keys = self.read("tuned.csv").splitlines(), KEYS.splitlines()
+        lines, keys = table_of(self.read("tuned.csv")), KEYS.splitlines()
         self.assertEqual(lines[0], keys[0] + ",tension,tension2")
         for line, key, first, second in zip(lines[1:], keys[1:], summary["tension"], summary["tension2"], strict=True):
             self.assertEqual(line, f"{key},{first!r},{second!r}".replace(".0,", ",").removesuffix(".0"))
@@ -91,14 +91,14 @@ class Tune(CommandTest):
     def test_reads_a_header_and_rows_that_end_with_a_comma(self):
         self.write("comma.csv", "t,qw,qx,qy,qz,\n0,1,0,0,0,\n1,0.9,0.43588989435,0,0,\n2,0.8,0.6,0,0,\n"
                                 "3.5,0.9,0.1,0.3,0.3,\n")
-        lines = self.output_of("tune comma.csv --method timed-c2 --quiet").splitlines()
+        lines = table_of(self.output_of("tune comma.csv --method timed-c2 --quiet"))
         self.assertEqual(lines[0], "t,qw,qx,qy,qz,tension,tension2")
         self.assertEqual([line.count(",") for line in lines], [6] * 5)
 
     def test_makes_a_csv_of_a_tum_file(self):
         self.output_of("convert keys.csv -o keys.tum --quiet")
         self.output_of("tune keys.tum --method quintic -o tuned.csv --quiet")
-        self.assertEqual(self.read("tuned.csv").splitlines()[0], "t,px,py,pz,qx,qy,qz,qw,tension")
+        self.assertEqual(table_of(self.read("tuned.csv"))[0], "t,px,py,pz,qx,qy,qz,qw,tension")
         self.output_of("sample tuned.csv --method quintic --count 3 --quiet")
 
     def test_refuses_methods_without_tensions_and_names_those_that_it_tunes(self):

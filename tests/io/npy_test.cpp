@@ -22,6 +22,7 @@ using namespace std::string_view_literals;
 using test::content_of;
 using test::ScratchDirectory;
 using test::text_of;
+using test::TextFile;
 
 /// What stands in a NumPy file of doubles.
 struct Array {
@@ -148,8 +149,8 @@ TEST(Npy, RefusesNumbersThatAreNotFinite) {
 }
 
 TEST(Npy, IsNoFileOfKeys) {
-  EXPECT_EQ(text_of(read_keys("absent.npy").error()),
-            "absent.npy: keys are not read from NumPy files, wanted " + any_of(formats_read()));
+  EXPECT_EQ(text_of(read_keys(TextFile("", "keys.npy").path()).error()),
+            "keys.npy: keys are not read from NumPy files, wanted " + any_of(formats_read()));
 }
 
 }  // namespace

@@ -14,7 +14,8 @@ Error with_its_options(Error error) {
 }
 
 /// A file whose keys are at least two.
-Expected<io::TrackFile> read_two_keys(const std::string& path, const io::ReadOptions& options, Signs signs) {
+Expected<io::TrackFile> read_two_keys(const std::string& path, const io::ReadOptions& options,
+                                      std::optional<Signs> signs) {
   auto file = io::read_track(path, options, signs);
   if (!file) return tl::unexpected(with_its_options(std::move(file.error())));
   if (file->track.keys.size() < 2)

@@ -1,21 +1,48 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/convert/convert.hpp"
 
+#include <algorithm>
 #include <utility>
 
+#include <orispline/families/recipe.hpp>
 #include <orispline/io/track_file.hpp>
 
 #include "commands/convert/convert_report.hpp"
+#include "options/method_options.hpp"
 #include "output/keys_file.hpp"
+#include "output/standard_output.hpp"
 
 namespace orispline::cli {
 namespace {
+
+constexpr int highest_order = 3;  // of rates that keys may have
 
 /// Digits are those of quaternions: other forms are those of a unit quaternion.
 Expected<io::TrackFile> open_source(InputRequest request, const io::OrientationForm& form) {
   request.read.keep_exact_times = true;
   request.read.keep_as_read = form.representation == io::Representation::quaternion;
-  return io::read_track(request.path, request.read, request.signs);
+  auto input = io::KeyInput::open(request.path, request.read.recipe);
+  if (!input) return tl::unexpected(std::move(input.error()));
+  Recipe recipe = input->recipe();
+  const auto method = method_of(recipe, request.path);
+  if (!method) return tl::unexpected(method.error());
+  if (*method) {
+    request.read.parameters = open_parameters(**method);
+    request.read.rate_orders = std::max(request.read.rate_orders, family_of(**method).rate_orders);
+  }
+  recipe.signs = request.signs.value_or(recipe.signs);
+  return io::read_track(std::move(*input), request.read, request.signs.value_or(Signs::as_given))
+      .map([&](io::TrackFile file) {
+        file.track.recipe = recipe;
+        return file;
+      });
+}
+
+/// Without their settings the keys are no longer for the curve of their method.
+void leave_settings(Track& track, const io::SampleColumns& columns, const std::string& path) {
+  if (const auto warning = io::recipe_not_stated(track, columns, path)) warn({*warning});
+  if (!track.settings.empty()) track.recipe = {};
+  track.settings.clear();
 }
 
 ConvertReport report_on(const io::TrackFile& source, const ConvertOptions& options, const io::SampleColumns& columns) {
@@ -31,6 +58,8 @@ ConvertReport report_on(const io::TrackFile& source, const ConvertOptions& optio
                        .dropped_columns = source.ignored_columns};
   if (columns.derivatives == 0 && !source.track.keys.angular_velocities().empty())
     report.dropped_columns.emplace_back("angular velocities");
+  if (!columns.format->holds.settings)
+    for (const auto& [name, values] : source.track.settings) report.dropped_columns.push_back(name);
   if (!columns.positions)
     report.positions =
         columns.format->holds.always_positions ? ConvertReport::Positions::zero : ConvertReport::Positions::absent;
@@ -41,16 +70,17 @@ ConvertReport report_on(const io::TrackFile& source, const ConvertOptions& optio
 
 Expected<void> convert(const ConvertOptions& options) {
   FirstError checked;
-  auto input = checked(input_request(options.input, Signs::as_given));
+  auto input = checked(input_request(options.input));
   auto columns = checked(output_columns(options.output));
   auto request = std::move(checked).or_else(std::move(input));
   if (!request) return tl::unexpected(std::move(request.error()));
   if (auto fits = check_summary(options.summary, options.output.path, "keys"); !fits) return fits;
-  const auto source = open_source(std::move(*request), columns.form);
+  auto source = open_source(std::move(*request), columns.form);
   if (!source) return tl::unexpected(source.error());
   columns.positions = !source->track.keys.positions().empty();
-  columns.derivatives = columns.format->holds.rates && !source->track.keys.angular_velocities().empty() ? 1 : 0;
+  columns.derivatives = columns.format->holds.rates ? highest_order : 0;
   const ConvertReport report = report_on(*source, options, columns);
+  if (!columns.format->holds.settings) leave_settings(source->track, columns, options.output.path);
   return write_keys(options.output.path, source->track, columns).and_then([&] {
     return summarise(options.summary, report);
   });

@@ -57,8 +57,9 @@ ScaledKeys scaled_to_unit(KeyframeData data) {
 Expected<InspectReport> inspected(const InputRequest& input, const std::vector<Method>& methods) {
   auto file = read_leniently(input);
   if (!file) return tl::unexpected(std::move(file.error()));
+  if (input.signs) file->recipe.signs = *input.signs;
   auto scaled = scaled_to_unit(std::exchange(file->data, {}));
-  auto keys = Keyframes::make(std::move(scaled.data), input.signs);
+  auto keys = Keyframes::make(std::move(scaled.data), file->recipe.signs);
   if (!keys) return tl::unexpected(located(*file, keys.error()));
   InspectReport report{.file = io::track_file(std::move(*file), *keys),
                        .statistics = key_statistics(*keys),

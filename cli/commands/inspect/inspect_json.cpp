@@ -61,6 +61,9 @@ std::string json_of(const InspectReport& report) {
             {"keys", report.keys()},
             {"start_s", report.time_of(0).to_string()},
             {"end_s", report.time_of(last).to_string()}};
+  const Recipe& recipe = report.file.track.recipe;
+  json["for_method"] = recipe.method.empty() ? Json(nullptr) : Json(recipe.method);
+  json["signs"] = word_of(sign_choices, recipe.signs);
   add_statistics(json, report);
   json["sign_flips"] = report.keyframes.sign_flips;
   json["non_unit_keys"] = report.keyframes.non_unit_keys;

@@ -29,6 +29,12 @@ std::string keys_lines(const InspectReport& report) {
   return text;
 }
 
+std::string recipe_line(const Recipe& recipe) {
+  if (recipe.is_empty()) return "";
+  return formatted("for           {}{}, says line {}\n", printable(recipe.method),
+                   recipe.signs == Signs::as_given ? ", signs as given" : "", recipe.line);
+}
+
 std::string half_turn_line(const InspectReport& report) {
   const auto& steps = report.statistics.near_half_turns;
   std::string line = formatted("near 180°     {}", steps.size());
@@ -71,7 +77,8 @@ std::string methods_table(const InspectReport& report) {
 }  // namespace
 
 std::string text_of(const InspectReport& report) {
-  std::string text = keys_lines(report) + half_turn_line(report) + quality_lines(report);
+  std::string text =
+      keys_lines(report) + recipe_line(report.file.track.recipe) + half_turn_line(report) + quality_lines(report);
   if (report.defect) text += formatted("defect        {}\n", *report.defect);
   return text + methods_table(report);
 }

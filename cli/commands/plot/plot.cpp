@@ -21,13 +21,13 @@ namespace {
 /// The command line, understood.
 struct Request {
   InputRequest input;
-  std::vector<Method> methods;
+  std::vector<Method> methods;  ///< none: the one that the file names
+  MethodOptions shape;          ///< of that one
   BodyAxis axis = BodyAxis::x;
 };
 
 Expected<std::vector<Method>> methods_in(const PlotOptions& options) {
-  auto methods = options.methods.empty() ? method_requests({std::string(default_method)}, options.shape)
-                                         : method_requests(options.methods, options.shape);
+  auto methods = method_requests(options.methods, options.shape);
   if (methods && methods->size() > report::most_drawn_methods)
     return usage_failure(
         formatted("--method: found {} methods, wanted at most {}", methods->size(), report::most_drawn_methods));
@@ -38,8 +38,8 @@ Expected<Request> request_in(const PlotOptions& options) {
   FirstError checked;
   Request request{.input = checked(input_request(options.input)),
                   .methods = checked(methods_in(options)),
+                  .shape = options.shape,
                   .axis = checked(if_given("--axis", options.axis, choice_of(axis_choices))).value_or(BodyAxis::x)};
-  request.input.read = read_for(request.methods, std::move(request.input.read));
   return std::move(checked).or_else(std::move(request));
 }
 
@@ -50,8 +50,16 @@ std::string title_of(const Track& track) {
                    keys == 1 ? "key" : "keys", start);
 }
 
-Expected<report::MotionPicture> picture_of(const Request& request) {
-  const auto file = io::read_track(request.input.path, request.input.read, request.input.signs);
+Expected<report::MotionPicture> picture_of(Request request) {
+  auto input = io::KeyInput::open(request.input.path, request.input.read.recipe);
+  if (!input) return tl::unexpected(std::move(input.error()));
+  if (request.methods.empty()) {
+    auto chosen = chosen_method(std::nullopt, request.shape, *input, default_method);
+    if (!chosen) return tl::unexpected(std::move(chosen.error()));
+    request.methods.push_back(std::move(chosen->method));
+  }
+  request.input.read = read_for(request.methods, std::move(request.input.read));
+  const auto file = io::read_track(std::move(*input), request.input.read, request.input.signs);
   if (!file) return tl::unexpected(file.error());
   const Track& track = file->track;
   const auto axis = static_cast<Eigen::Index>(request.axis);

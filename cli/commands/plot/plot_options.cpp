@@ -18,8 +18,9 @@ sphere. At most 6 methods, each in a colour of its own.)";
 
 void add_plot_options(Command& app, PlotOptions& o) {
   add_input_options(app, o.input);
-  app.add_option("--method", o.methods,
-                 formatted("Methods to draw [{}]; repeatable, or a list with commas", default_method))
+  app.add_option(
+         "--method", o.methods,
+         formatted("Methods to draw [that of INPUT, else {}]; repeatable, or a list with commas", default_method))
       ->repeated()
       ->type_name(methods_type)
       ->group("Shape of the curve");

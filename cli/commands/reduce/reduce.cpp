@@ -7,6 +7,7 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/parallel.hpp>
+#include <orispline/io/track_writer.hpp>
 #include <orispline/pages/reduce_page.hpp>
 #include <orispline/reduce/reduce_fields.hpp>
 
@@ -221,6 +222,12 @@ Expected<void> write_all(const Request& request, const std::vector<ReduceReport>
   }
   for (Noted<io::OutputFile>& output : outputs)
     if (auto finished = output.file.finish(); !finished) return finished;
+  std::vector<Warning> warnings;
+  for (std::size_t i = 0; i < reports.size(); ++i)
+    if (auto unstated = io::recipe_not_stated(reports[i].reductions[reports[i].chosen].track, request.columns[i],
+                                              reports[i].output))
+      warnings.push_back(std::move(*unstated));
+  warn(warnings);
   return {};
 }
 

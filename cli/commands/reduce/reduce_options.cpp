@@ -14,7 +14,7 @@ constexpr auto reduce_footer = R"(Examples:
   orispline reduce noisy.csv --smooth --tolerance 0.5deg -o keys.csv
   orispline reduce hips.csv head.csv arm.csv --tolerance 0.5deg --output-folder keys
   orispline reduce flight.csv --tolerance 0.1deg --method timed-c3 --tension=0.2 --ends rest -o keys.csv
-  orispline sample keys.csv --method auto --rate 100 -o motion.csv
+  orispline sample keys.csv --rate 100 -o motion.csv
 
 The curve of the method that is named in the summary is within the tolerance at every sample. slerp needs no fewer keys
 among the samples; auto and timed-c2 are found by insertion and pruning. docs/reduce.md says more.)";

@@ -18,7 +18,7 @@ namespace {
 /// The command line, understood.
 struct Request {
   InputRequest input;
-  Method method;
+  std::optional<Method> named;
   io::SampleColumns columns;
   orispline::RetimeOptions retiming;
 };
@@ -33,12 +33,11 @@ Expected<void> agree(const RetimeOptions& options) {
 Expected<Request> request_in(const RetimeOptions& options) {
   FirstError checked;
   Request request{.input = checked(input_request(options.input)),
-                  .method = checked(method_request(options.method, options.shape)),
+                  .named = checked(named_method(options.method, options.shape)),
                   .columns = checked(output_columns(options.output)),
                   .retiming = checked(options_in<orispline::RetimeOptions>(options.retiming))};
   request.input.read.rate_orders = 0;
   request.input.read.keep_as_read = true;
-  request.input.read.parameters = open_parameters(request.method);
   auto read = std::move(checked).or_else(std::move(request));
   if (!read) return read;
   return check(read->retiming)
@@ -62,12 +61,18 @@ Expected<void> retime(const RetimeOptions& options) {
   auto page = ReportFile::open(options.report);
   if (!page) return tl::unexpected(std::move(page.error()));
   if (auto writable = io::check_output(options.output.path); !writable) return writable;
-  const auto file = io::read_track(request->input.path, request->input.read, request->input.signs);
+  auto input = io::KeyInput::open(request->input.path, request->input.read.recipe);
+  if (!input) return tl::unexpected(std::move(input.error()));
+  const auto chosen = chosen_method(request->named, options.shape, *input, default_method);
+  if (!chosen) return tl::unexpected(chosen.error());
+  warn(chosen->warnings);
+  request->input.read.parameters = open_parameters(chosen->method);
+  const auto file = io::read_track(std::move(*input), request->input.read, request->input.signs);
   if (!file) return tl::unexpected(file.error());
   const Track& track = file->track;
   if (!file->ignored_columns.empty()) warn(formatted("not carried over: {}", joined(file->ignored_columns, ", ")));
   const orispline::MotionLimits& limits = request->retiming.limits;
-  auto retiming = orispline::retime(track, request->method, request->retiming);
+  auto retiming = orispline::retime(track, chosen->method, request->retiming);
   if (!retiming) return tl::unexpected(placed(track, std::move(retiming.error())));
   warn(retiming->warnings);
   if (auto held = check_settings(retiming->track, request->columns); !held) return held;

@@ -15,7 +15,7 @@ struct RetimeOptions {
   InputOptions input;
   OutputOptions output;
   ReportOptions report;
-  std::string method{default_method};
+  std::optional<std::string> method;
   MethodOptions shape;
   TypedFields retiming;  ///< of orispline::RetimeOptions
   SummaryOptions summary;

@@ -22,7 +22,7 @@ says more.)";
 
 void add_retime_options(Command& app, RetimeOptions& o) {
   add_input_options(app, o.input);
-  app.add_option("--method", o.method, formatted("Method of the curve [{}]", default_method))
+  app.add_option("--method", o.method, formatted("Method of the curve [that of INPUT, else {}]", default_method))
       ->type_name(method_type)
       ->group("Shape of the curve");
   add_method_options(app, o.shape);

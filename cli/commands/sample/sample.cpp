@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include <orispline/families/method_text.hpp>
 #include <orispline/families/method_warnings.hpp>
 
 #include "commands/sample/sample_report.hpp"
@@ -36,7 +37,7 @@ Expected<io::TrackFile> track_of(io::KeyReader reader, Signs signs) {
 }
 
 Expected<Source> open_source(const SampleRequest& request, io::KeyReader keys) {
-  auto file = track_of(std::move(keys), request.input.signs);
+  auto file = track_of(std::move(keys), *request.input.signs);
   if (!file) return tl::unexpected(std::move(file.error()));
   const Track& track = file->track;
   auto curve = shaped_curve(request.method, track);
@@ -67,6 +68,7 @@ SampleReport report_on(const Source& source, const SampleRequest& request, const
   return {.input = request.input.path,
           .output = request.output,
           .method = request.method.name,
+          .method_text = text_of(request.method),
           .keys = track.keys.size(),
           .repairs = source.file.repairs,
           .keyframes = track.keys.report(),
@@ -102,9 +104,14 @@ Expected<SampleReport> sample_whole(const SampleRequest& request, io::KeyReader 
 }  // namespace
 
 Expected<void> sample(const SampleOptions& options) {
-  const auto request = sample_request(options);
-  if (!request) return tl::unexpected(request.error());
-  return io::KeyReader::open(request->input.path, request->input.read)
+  auto request = sample_request(options);
+  if (!request) return tl::unexpected(std::move(request.error()));
+  auto input = io::KeyInput::open(request->input.path, request->input.read.recipe);
+  if (!input) return tl::unexpected(std::move(input.error()));
+  const auto warnings = settle_method(*request, *input);
+  if (!warnings) return tl::unexpected(warnings.error());
+  warn(*warnings);
+  return io::KeyReader::open(std::move(*input), request->input.read)
       .and_then([&](io::KeyReader keys) {
         return goes_in_pieces(*request, keys) ? sample_in_pieces(*request, std::move(keys))
                                               : sample_whole(*request, std::move(keys));

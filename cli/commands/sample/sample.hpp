@@ -19,7 +19,7 @@ inline constexpr std::array extrapolation_choices{Choice<Extrapolation>{"hold", 
 /// `orispline sample`, as typed.
 struct SampleOptions {
   InputOptions input;
-  std::string method{default_method};
+  std::optional<std::string> method;
   MethodOptions shape;
   TimeOptions times;
   OutputOptions output;

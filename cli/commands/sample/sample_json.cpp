@@ -33,6 +33,7 @@ std::string json_of(const SampleReport& report) {
             {"output_format", report.columns.format->id},
             {"output_orientation", word_of(orientation_choices, report.columns.form.representation)},
             {"method", report.method},
+            {"method_text", report.method_text},
             {"keys", report.keys},
             {"start_s", report.start.to_string()},
             {"end_s", report.end.to_string()},

@@ -47,7 +47,8 @@ void add_time_options(Command& app, TimeOptions& o) {
 
 void add_sample_options(Command& app, SampleOptions& o) {
   add_input_options(app, o.input);
-  app.add_option("--method", o.method, formatted("Method [{}]; see 'orispline methods'", default_method))
+  app.add_option("--method", o.method,
+                 formatted("Method [that of INPUT, else {}]; see 'orispline methods'", default_method))
       ->type_name(method_type)
       ->group("Shape of the curve");
   add_method_options(app, o.shape);

@@ -55,7 +55,7 @@ std::string text_of(const SampleReport& report) {
   std::string text = keys_line(report);
   if (const std::string repairs = text_of(report.repairs); !repairs.empty()) text += repairs + "\n";
   text += rates_lines(report);
-  text += formatted("{} with {} written to {}\n", counted(report.samples, "sample"), report.method,
+  text += formatted("{} with {} written to {}\n", counted(report.samples, "sample"), report.method_text,
                     destination(report.output));
   if (report.held_samples > 0)
     text += formatted("{} outside the curve hold the end orientation\n", counted(report.held_samples, "sample"));

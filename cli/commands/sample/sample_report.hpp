@@ -20,7 +20,7 @@ struct TruthReport {
 
 /// What `orispline sample` did.
 struct SampleReport {
-  std::string input{}, output{}, method{};
+  std::string input{}, output{}, method{}, method_text{};
   std::size_t keys = 0;
   io::RepairReport repairs{};
   KeyframeReport keyframes{};

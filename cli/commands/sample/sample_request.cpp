@@ -55,7 +55,8 @@ Expected<SampleRequest> sample_request(const SampleOptions& options) {
   FirstError checked;
   SampleRequest request{
       .input = checked(input_request(options.input)),
-      .method = checked(method_request(options.method, options.shape)),
+      .named = checked(named_method(options.method, options.shape)),
+      .shape = options.shape,
       .times = checked(time_request(options.times)),
       .columns = checked(columns_in(options)),
       .extrapolation = checked(if_given("--extrapolate", options.extrapolate, choice_of(extrapolation_choices)))
@@ -70,10 +71,16 @@ Expected<SampleRequest> sample_request(const SampleOptions& options) {
     return tl::unexpected(std::move(fits.error()));
   if (reads_standard_input_twice(options))
     return usage_failure("found '-' for several of INPUT, --times and --truth, wanted it for one at most");
-  read->input.read.parameters = open_parameters(read->method);
-  read->input.read.rate_orders = family_of(read->method).rate_orders;
-  read->input.read.world_rates = true;
   return read;
+}
+
+Expected<std::vector<Warning>> settle_method(SampleRequest& request, const io::KeyInput& keys) {
+  return chosen_method(request.named, request.shape, keys, default_method).map([&](ChosenMethod chosen) {
+    request.method = std::move(chosen.method);
+    request.input.read = read_for({&request.method, 1}, std::move(request.input.read));
+    request.input.signs = request.input.signs.value_or(keys.recipe().signs);
+    return std::move(chosen.warnings);
+  });
 }
 
 io::SampleColumns with_positions(io::SampleColumns columns, bool positions) {

@@ -11,7 +11,9 @@ namespace orispline::cli {
 /// The command line of `sample`, understood.
 struct SampleRequest {
   InputRequest input;
-  Method method;
+  std::optional<Method> named{};  ///< by the user
+  MethodOptions shape{};          ///< for the method that the file names
+  Method method{};                ///< when it is known: settle_method()
   TimeRequest times;
   io::SampleColumns columns;
   Extrapolation extrapolation = Extrapolation::hold;
@@ -22,6 +24,9 @@ struct SampleRequest {
 };
 
 [[nodiscard]] Expected<SampleRequest> sample_request(const SampleOptions& options);
+
+/// Decides for a method, by the file if nobody else does, and how the keys are read for it; what is noteworthy.
+[[nodiscard]] Expected<std::vector<Warning>> settle_method(SampleRequest& request, const io::KeyInput& keys);
 
 /// The columns for keys with or without positions.
 [[nodiscard]] io::SampleColumns with_positions(io::SampleColumns columns, bool positions);

@@ -8,6 +8,7 @@
 
 #include <orispline/base/parallel.hpp>
 #include <orispline/families/handles.hpp>
+#include <orispline/families/method_text.hpp>
 #include <orispline/online/track_sampler.hpp>
 
 #include "commands/sample/sample_buffer.hpp"
@@ -101,7 +102,7 @@ class PiecewiseSampling {
     epoch_ = epoch;
     auto sampler =
         TrackSampler::make(with_columns(request_.method, *keys_.columns()),
-                           {.request = grid_request(request_.times, epoch)}, {.signs = request_.input.signs});
+                           {.request = grid_request(request_.times, epoch)}, {.signs = *request_.input.signs});
     if (!sampler) return tl::unexpected(std::move(sampler.error()));
     sampler_ = std::move(*sampler);
     return {};
@@ -177,6 +178,7 @@ class PiecewiseSampling {
     return {.input = request_.input.path,
             .output = request_.output,
             .method = request_.method.name,
+            .method_text = text_of(request_.method),
             .keys = static_cast<std::size_t>(sampler_->keys()),
             .repairs = repairs_,
             .keyframes = sampler_->report(),

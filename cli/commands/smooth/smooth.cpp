@@ -98,7 +98,7 @@ Expected<void> smooth(const SmoothOptions& options) {
     return tl::unexpected(said_of_cutoff(options.smoothness, placed(recording, std::move(smoothing.error()))));
   const auto remarks = remark_on(*smoothing, recording);
   warn(remarks);
-  if (!request->columns.format->holds.rates)
+  if (request->times && !request->columns.format->holds.rates)
     warn("this format holds no rates: wx,wy,wz,ax,ay,az are not written, wanted a CSV file for them");
   SmoothReport report{.recording = recording,
                       .repairs = file->repairs,

@@ -17,7 +17,7 @@ namespace {
 /// The command line, understood.
 struct Request {
   InputRequest input;
-  Method method;
+  std::optional<Method> named;
   orispline::TuneOptions tuning;
 };
 
@@ -35,17 +35,21 @@ Expected<void> agree(const TuneOptions& options) {
   return {};
 }
 
+/// Whether the columns of INPUT are understood without an option: only then can the output have them.
+bool reads_the_same_again(const InputOptions& o) {
+  return !o.format && !o.order && !o.orientation && !o.euler && !o.angle_unit && !o.time_scale && o.columns.empty() &&
+         !o.conjugate;
+}
+
 Expected<Request> request_in(const TuneOptions& options) {
   FirstError checked;
   Request request{.input = checked(input_request(options.input)),
-                  .method = checked(method_request(options.method, options.shape)),
+                  .named = checked(named_method(options.method, options.shape)),
                   .tuning = checked(options_in<orispline::TuneOptions>(options.tuning))};
   auto read = std::move(checked).or_else(std::move(request));
   if (!read) return read;
   if (auto agreed = agree(options); !agreed) return tl::unexpected(std::move(agreed.error()));
-  read->input.read.parameters = open_parameters(read->method);
-  read->input.read.rate_orders = family_of(read->method).rate_orders;
-  read->input.read.keep_table = true;
+  read->input.read.keep_table = reads_the_same_again(options.input);
   return read;
 }
 
@@ -68,7 +72,8 @@ Expected<Reference> read_reference(const std::string& path, const Track& keys, I
   return reference;
 }
 
-Expected<orispline::Tuning> tuned(Request request, const TuneOptions& options, const Track& track) {
+Expected<orispline::Tuning> tuned(Request request, const Method& method, const TuneOptions& options,
+                                  const Track& track) {
   Reference reference;
   if (const auto& path = reference_of(options)) {
     auto read = read_reference(*path, track, request.input);
@@ -76,7 +81,7 @@ Expected<orispline::Tuning> tuned(Request request, const TuneOptions& options, c
     reference = std::move(*read);
     request.tuning.reference = {reference.times, reference.orientations};
   }
-  return orispline::tune(track, request.method, request.tuning).map_error([&](Error error) {
+  return orispline::tune(track, method, request.tuning).map_error([&](Error error) {
     return placed(track, std::move(error));
   });
 }
@@ -93,11 +98,18 @@ Track written_track(const orispline::Tuning& tuning) {
 }  // namespace
 
 Expected<void> tune(const TuneOptions& options) {
-  const auto request = request_in(options);
-  if (!request) return tl::unexpected(request.error());
-  const auto file = io::read_track(request->input.path, request->input.read, request->input.signs);
+  auto request = request_in(options);
+  if (!request) return tl::unexpected(std::move(request.error()));
+  auto input = io::KeyInput::open(request->input.path, request->input.read.recipe);
+  if (!input) return tl::unexpected(std::move(input.error()));
+  const auto chosen = chosen_method(request->named, options.shape, *input, default_tuned_method);
+  if (!chosen) return tl::unexpected(chosen.error());
+  warn(chosen->warnings);
+  request->input.read.parameters = open_parameters(chosen->method);
+  request->input.read.rate_orders = family_of(chosen->method).rate_orders;
+  const auto file = io::read_track(std::move(*input), request->input.read, request->input.signs);
   if (!file) return tl::unexpected(file.error());
-  auto tuning = tuned(*request, options, file->track);
+  auto tuning = tuned(*request, chosen->method, options, file->track);
   if (!tuning) return tl::unexpected(std::move(tuning.error()));
   warn(tuning->warnings);
   TuneReport report{.input = options.input.path,

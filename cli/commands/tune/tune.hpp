@@ -13,7 +13,7 @@ inline constexpr std::string_view default_tuned_method = "timed-c2";
 /// `orispline tune`, as typed.
 struct TuneOptions {
   InputOptions input;
-  std::string method{default_tuned_method};
+  std::optional<std::string> method;
   MethodOptions shape;
   TypedFields tuning;  ///< of orispline::TuneOptions
   std::string output{io::standard_stream};

@@ -12,17 +12,19 @@ constexpr auto tune_footer = R"(Examples:
   orispline tune keys.csv --method quintic --objective linearised -o tuned.csv
   orispline tune keys.csv --method timed-c2 --objective torque --inertia=1,2,2.5 --bounds=0,3 -o tuned.csv
   orispline tune keys.csv --method tcb --objective fit --reference recording.csv -o tuned.csv
-  orispline sample tuned.csv --method quintic --rate 100 -o motion.csv
+  orispline sample tuned.csv --rate 100 -o motion.csv
 
 Objectives: linearised (closed form), acceleration (angular acceleration squared, integrated), torque (of a body with
 --inertia), jerk, fit (distance to --reference). The output is INPUT as CSV with a column for each tension (tension,
-tension2, tension3, nu), which 'sample' reads with the same --method, --ends and reading options. docs/tune.md says more.)";
+tension2, tension3, nu), and with a comment that names the method and its ends: 'sample' takes them from there.
+docs/tune.md says more.)";
 
 }  // namespace
 
 void add_tune_options(Command& app, TuneOptions& o) {
   add_input_options(app, o.input);
-  app.add_option("--method", o.method, formatted("Method whose tensions are sought [{}]", default_tuned_method))
+  app.add_option("--method", o.method,
+                 formatted("Method whose tensions are sought [that of INPUT, else {}]", default_tuned_method))
       ->type_name(method_type)
       ->group("Shape of the curve");
   add_method_options(app, o.shape);

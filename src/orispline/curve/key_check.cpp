@@ -12,6 +12,12 @@ Error key_error(std::size_t key, std::string message) {
   return {ErrorCode::bad_data, std::move(message), {.key = key}};
 }
 
+/// The bits of stableNorm for all norms near 1, in a fraction of its time; NaN when a component is not finite.
+double norm_of(const Eigen::Quaterniond& q) noexcept {
+  const double largest = q.coeffs().cwiseAbs().maxCoeff();
+  return largest * std::sqrt((q.coeffs() * (1.0 / largest)).squaredNorm());
+}
+
 /// What is wrong with a time that cannot follow another one.
 Error time_error(std::size_t key, double time, double before) {
   if (time == before) return key_error(key, formatted("duplicate time {}, wanted strictly increasing times", time));
@@ -51,11 +57,19 @@ std::optional<Error> check_times(std::span<const double> times) {
 }
 
 Expected<double> checked_norm(std::size_t key, const Eigen::Quaterniond& q) {
-  // The bits of stableNorm for all norms near 1, in a fraction of its time; NaN when a component is not finite.
-  const double largest = q.coeffs().cwiseAbs().maxCoeff();
-  const double norm = largest * std::sqrt((q.coeffs() * (1.0 / largest)).squaredNorm());
+  const double norm = norm_of(q);
   if (std::abs(norm - 1.0) <= norm_error_limit) return norm;
   return tl::unexpected(norm_error(key, q.coeffs()));
+}
+
+Eigen::Quaterniond normalised(Eigen::Quaterniond q, double norm) noexcept {
+  for (;;) {
+    const Eigen::Quaterniond divided(q.coeffs() / norm);
+    const double left = norm_of(divided);
+    if (std::abs(left - 1.0) >= std::abs(norm - 1.0)) return q;
+    q = divided;
+    norm = left;
+  }
 }
 
 std::optional<Error> check_vector(std::size_t key, const char* what, const Eigen::Vector3d& v) {

@@ -48,6 +48,10 @@ class RecentTimes {
 /// The norm of a key's quaternion; an error when it is not finite or farther than `norm_error_limit` from 1.
 [[nodiscard]] ORISPLINE_EXPORT Expected<double> checked_norm(std::size_t key, const Eigen::Quaterniond& q);
 
+/// A quaternion of this norm, divided by it, and by what is left as long as that brings the norm nearer to 1. What
+/// comes out stays as it is when it comes in again: keys that were written and read are the same bit for bit.
+[[nodiscard]] ORISPLINE_EXPORT Eigen::Quaterniond normalised(Eigen::Quaterniond q, double norm) noexcept;
+
 /// Whether every component of a vector is finite and no larger than `largest_component`.
 [[nodiscard]] inline bool is_in_range(const Eigen::Vector3d& v) noexcept {
   return (v.array().abs() <= largest_component).all();

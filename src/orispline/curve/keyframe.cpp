@@ -63,8 +63,7 @@ Expected<Keyframes> Keyframes::make(KeyframeData data, Signs signs) {
     const auto norm = checked_norm(i, q);
     if (!norm) return tl::unexpected(norm.error());
     if (auto error = check_vectors(data, i)) return tl::unexpected(std::move(*error));
-    q.coeffs() /= *norm;
-    q = alignment.next(q, *norm, signs, i > 0 ? &data.orientations[i - 1] : nullptr);
+    q = alignment.next(normalised(q, *norm), *norm, signs, i > 0 ? &data.orientations[i - 1] : nullptr);
   }
   keys.report_ = alignment.report;
   keys.data_ = std::make_shared<const KeyframeData>(std::move(data));

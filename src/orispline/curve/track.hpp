@@ -12,6 +12,7 @@
 #include <orispline/curve/key_table.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/method.hpp>
+#include <orispline/curve/recipe.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
 
@@ -28,6 +29,7 @@ struct ORISPLINE_EXPORT Track {
   std::map<std::string, std::vector<double>, std::less<>> settings{};
   std::vector<Eigen::Quaterniond> as_read{};  ///< with the norms and signs of the file; only if asked for
   KeyTable table{};  ///< all columns of the file, while they state these keys; only if asked for
+  Recipe recipe{};   ///< the curve that the keys are for, as their file or the task that made them says
 
   Track() = default;
   Track(Keyframes keyframes) : keys(std::move(keyframes)) {}  // NOLINT: keys are a track
@@ -39,7 +41,8 @@ struct ORISPLINE_EXPORT Track {
   /// the file has and its norm there is 1; else the key itself.
   [[nodiscard]] Eigen::Quaterniond written(std::size_t key) const;
 
-  /// The keys at these rising indices, one at least, with all that belongs to them; signs for the shortest way.
+  /// The keys at these rising indices, one at least, with all that belongs to them; signs for the shortest way. The
+  /// curve that all keys were for is not theirs: the recipe is empty.
   [[nodiscard]] Track at(std::span<const std::size_t> indices) const;
   /// These keys at other times; exact times and the table are forgotten. Errors: those of Keyframes::with_times().
   [[nodiscard]] Expected<Track> with_times(std::vector<double> times) const;

@@ -43,6 +43,7 @@ struct FormatHolds {
   bool rates = false;             ///< angular rates, and the rates of positions
   bool settings = false;          ///< columns of a method's parameters
   bool always_positions = false;  ///< zeros where the keys have none
+  bool comments = false;          ///< lines from `#` on, such as one for the recipe of keys
 };
 
 /// How surely a text is of a format.

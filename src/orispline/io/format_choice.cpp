@@ -82,14 +82,13 @@ const FormatInfo* likest(std::span<const FormatInfo* const> formats, const TextT
   return best == formats.end() || likeness(*best) < least ? nullptr : *best;
 }
 
-Expected<Source> open_keys(const std::string& path, const ReadOptions& options) {
+Expected<Source> open_keys(KeyInput input, const ReadOptions& options) {
   if (auto checked = check_time_scale(options); !checked) return tl::unexpected(std::move(checked.error()));
-  const Candidates candidates = candidates_for(path, options);
-  if (!candidates.front()->is_read()) return not_read(*candidates.front(), path);
-  return LineReader::open(path).and_then([&](LineReader lines) {
-    if (candidates.size() == 1) return source_of(*candidates.front(), std::move(lines), options);
-    return likest_source(candidates, std::move(lines), options);
-  });
+  const Candidates candidates = candidates_for(input.path(), options);
+  if (!candidates.front()->is_read()) return not_read(*candidates.front(), input.path());
+  LineReader lines = std::move(input).lines();
+  if (candidates.size() == 1) return source_of(*candidates.front(), std::move(lines), options);
+  return likest_source(candidates, std::move(lines), options);
 }
 
 }  // namespace orispline::inline ORISPLINE_ABI::io

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include <orispline/io/key_file.hpp>
+#include <orispline/io/key_input.hpp>
 #include <orispline/io/table_layout.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::io {
@@ -27,9 +28,9 @@ struct TracksSource {
   LineReader lines;
 };
 
-/// Opens a file, `-` for standard input, and settles how it is read: by the options, by its extension where only one
-/// format has it, else by what it is like. Errors: those of read_keys() before the first key.
+/// Settles how an opened file is read: by the options, by its extension where only one format has it, else by what it
+/// is like. Errors: those of read_keys() before the first key.
 [[nodiscard]] ORISPLINE_EXPORT Expected<std::variant<KeyRowsSource, TracksSource>> open_keys(
-    const std::string& path, const ReadOptions& options);
+    KeyInput input, const ReadOptions& options);
 
 }  // namespace orispline::inline ORISPLINE_ABI::io

@@ -5,6 +5,7 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/io/format_choice.hpp>
+#include <orispline/io/key_input.hpp>
 #include <orispline/io/key_reader.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::io {
@@ -25,13 +26,27 @@ Expected<std::vector<KeyFile>> keys_in(TracksSource source, const ReadOptions& o
 }  // namespace
 
 Expected<std::vector<KeyFile>> read_all_keys(const std::string& path, const ReadOptions& options) {
-  return open_keys(path, options).and_then([&](auto source) {
+  return KeyInput::open(path, options.recipe).and_then([&](KeyInput input) {
+    return read_all_keys(std::move(input), options);
+  });
+}
+
+Expected<std::vector<KeyFile>> read_all_keys(KeyInput input, const ReadOptions& options) {
+  const Recipe recipe = input.recipe();
+  auto files = open_keys(std::move(input), options).and_then([&](auto source) {
     return std::visit([&](auto&& open) { return keys_in(std::move(open), options); }, std::move(source));
   });
+  if (files)
+    for (KeyFile& file : *files) file.recipe = recipe;
+  return files;
 }
 
 Expected<KeyFile> read_keys(const std::string& path, const ReadOptions& options) {
   return KeyReader::open(path, options).and_then([](KeyReader reader) { return reader.next(); });
+}
+
+Expected<KeyFile> read_keys(KeyInput input, const ReadOptions& options) {
+  return KeyReader::open(std::move(input), options).and_then([](KeyReader reader) { return reader.next(); });
 }
 
 Error located(const KeyFile& file, Error error) {

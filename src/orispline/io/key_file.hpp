@@ -8,11 +8,17 @@
 #include <vector>
 
 #include <orispline/curve/keyframe.hpp>
+#include <orispline/curve/recipe.hpp>
 #include <orispline/io/formats/formats.hpp>
 #include <orispline/io/key_columns.hpp>
 #include <orispline/io/key_table.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::io {
+
+class KeyInput;
+
+/// What becomes of the line in which a file names the curve that its keys are for.
+enum class RecipeUse { honoured, ignored };
 
 /// How a file of keyframes is to be read.
 struct ReadOptions {
@@ -41,6 +47,7 @@ struct ReadOptions {
   bool keep_exact_times = false;
   bool keep_as_read = false;  ///< orientations with the norms and signs of the file, for read_track()
   bool keep_table = false;
+  RecipeUse recipe = RecipeUse::honoured;
   /// Parameters that are read where a column has their name.
   std::vector<std::string> parameters{};
 };
@@ -56,6 +63,7 @@ struct RepairReport {
 struct KeyFile {
   std::string path{};
   const FormatInfo* format = &csv_format;
+  Recipe recipe{};                                                       ///< of the curve that the keys are for
   Decimal epoch{};                                                       ///< time of the first key [s], exact
   KeyframeData data{};                                                   ///< times are relative to `epoch` [s]
   std::vector<std::uint32_t> lines{};                                    ///< 1-based line of each key
@@ -74,9 +82,13 @@ struct KeyFile {
 /// contradict the file.
 [[nodiscard]] ORISPLINE_EXPORT Expected<KeyFile> read_keys(const std::string& path, const ReadOptions& options = {});
 
+[[nodiscard]] ORISPLINE_EXPORT Expected<KeyFile> read_keys(KeyInput input, const ReadOptions& options);
+
 /// The same of every track in a file, one at least.
 [[nodiscard]] ORISPLINE_EXPORT Expected<std::vector<KeyFile>> read_all_keys(const std::string& path,
                                                                             const ReadOptions& options = {});
+
+[[nodiscard]] ORISPLINE_EXPORT Expected<std::vector<KeyFile>> read_all_keys(KeyInput input, const ReadOptions& options);
 
 /// The error with the file and, where it names a key, the line.
 [[nodiscard]] ORISPLINE_EXPORT Error located(const KeyFile& file, Error error);

@@ -20,12 +20,20 @@ Expected<KeyFile> only_track(TracksSource source, const std::string& path, const
 }  // namespace
 
 Expected<KeyReader> KeyReader::open(const std::string& path, const ReadOptions& options) {
-  return open_keys(path, options).and_then([&](auto source) -> Expected<KeyReader> {
+  return KeyInput::open(path, options.recipe).and_then([&](KeyInput input) { return open(std::move(input), options); });
+}
+
+Expected<KeyReader> KeyReader::open(KeyInput input, const ReadOptions& options) {
+  const std::string path = input.path();
+  const Recipe recipe = input.recipe();
+  auto reader = open_keys(std::move(input), options).and_then([&](auto source) -> Expected<KeyReader> {
     if (auto* const rows = std::get_if<KeyRowsSource>(&source)) return KeyReader(std::move(*rows), options);
     return only_track(std::get<TracksSource>(std::move(source)), path, options).map([](KeyFile file) {
       return KeyReader(std::move(file));
     });
   });
+  if (reader) reader->recipe_ = recipe;
+  return reader;
 }
 
 KeyReader::KeyReader(KeyRowsSource source, const ReadOptions& options) : source_(KeyFile()) {
@@ -66,12 +74,14 @@ Expected<void> KeyReader::fill(Table& table, std::size_t most) {
 Expected<KeyFile> KeyReader::next(std::size_t most) {
   if (auto* const file = std::get_if<KeyFile>(&source_)) {
     is_at_end_ = true;
+    file->recipe = recipe_;
     return std::exchange(*file, {});
   }
   Table& table = std::get<Table>(source_);
   return fill(table, most).map([&] {
     KeyFile keys = table.rows.take();
     keys.table.names = table.names;
+    keys.recipe = recipe_;
     return keys;
   });
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <orispline/io/format_choice.hpp>
+#include <orispline/io/key_input.hpp>
 #include <orispline/io/key_rows.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::io {
@@ -17,7 +18,12 @@ class ORISPLINE_EXPORT KeyReader {
   /// Reads as far as the first row, which decides how the others are read; keys of another kind all at once. Errors:
   /// those of read_keys().
   [[nodiscard]] static Expected<KeyReader> open(const std::string& path, const ReadOptions& options = {});
+  /// The same of a file that was opened before.
+  [[nodiscard]] static Expected<KeyReader> open(KeyInput input, const ReadOptions& options);
   KeyReader(KeyRowsSource source, const ReadOptions& options);
+
+  /// Of the curve that the keys are for.
+  [[nodiscard]] const Recipe& recipe() const noexcept { return recipe_; }
 
   /// Which column holds what; null where the keys are no rows.
   [[nodiscard]] const KeyColumns* columns() const noexcept;
@@ -42,6 +48,7 @@ class ORISPLINE_EXPORT KeyReader {
   [[nodiscard]] Expected<void> fill(Table& table, std::size_t most);
 
   std::variant<Table, KeyFile> source_;
+  Recipe recipe_;
   bool is_at_end_ = false;
 };
 

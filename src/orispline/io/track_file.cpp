@@ -6,10 +6,11 @@
 namespace orispline::inline ORISPLINE_ABI::io {
 namespace {
 
-Expected<TrackFile> checked(KeyFile file, const ReadOptions& options, Signs signs) {
+Expected<TrackFile> checked(KeyFile file, const ReadOptions& options, std::optional<Signs> signs) {
+  if (signs) file.recipe.signs = *signs;
   KeyframeData data = std::exchange(file.data, {});
   if (options.keep_as_read) file.data.orientations = data.orientations;
-  auto keys = Keyframes::make(std::move(data), signs);
+  auto keys = Keyframes::make(std::move(data), file.recipe.signs);
   if (!keys) return tl::unexpected(located(file, std::move(keys.error())));
   return track_file(std::move(file), std::move(*keys));
 }
@@ -30,10 +31,12 @@ TrackFile track_file(KeyFile file, Keyframes keys) {
   track.settings = std::move(file.parameters);
   track.as_read = std::move(file.data.orientations);
   track.table = std::move(file.table);
+  track.recipe = std::move(file.recipe);
   return found;
 }
 
-Expected<std::vector<TrackFile>> read_tracks(const std::string& path, const ReadOptions& options, Signs signs) {
+Expected<std::vector<TrackFile>> read_tracks(const std::string& path, const ReadOptions& options,
+                                             std::optional<Signs> signs) {
   auto files = read_all_keys(path, options);
   if (!files) return tl::unexpected(std::move(files.error()));
   std::vector<TrackFile> tracks;
@@ -45,8 +48,14 @@ Expected<std::vector<TrackFile>> read_tracks(const std::string& path, const Read
   return tracks;
 }
 
-Expected<TrackFile> read_track(const std::string& path, const ReadOptions& options, Signs signs) {
+Expected<TrackFile> read_track(const std::string& path, const ReadOptions& options, std::optional<Signs> signs) {
   return read_keys(path, options).and_then([&](KeyFile file) { return checked(std::move(file), options, signs); });
+}
+
+Expected<TrackFile> read_track(KeyInput input, const ReadOptions& options, std::optional<Signs> signs) {
+  return read_keys(std::move(input), options).and_then([&](KeyFile file) {
+    return checked(std::move(file), options, signs);
+  });
 }
 
 }  // namespace orispline::inline ORISPLINE_ABI::io

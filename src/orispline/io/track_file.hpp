@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <orispline/curve/track.hpp>
 #include <orispline/io/key_file.hpp>
+#include <orispline/io/key_input.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::io {
 
@@ -18,17 +20,21 @@ struct TrackFile {
   std::vector<std::string> rates_of_unknown_frame{};  ///< those of them that are angular velocities in no known frame
 };
 
-/// Reads the tracks of a file, or of standard input for `-`, one at least, and checks their keys.
+/// Reads the tracks of a file, or of standard input for `-`, one at least, and checks their keys. Signs that are not
+/// given are those of the file's recipe, else for the shortest way.
 ///
 /// Errors name the file, the line and the column or the key: those of read_keys() and of Keyframes::make().
 [[nodiscard]] ORISPLINE_EXPORT Expected<std::vector<TrackFile>> read_tracks(const std::string& path,
                                                                             const ReadOptions& options = {},
-                                                                            Signs signs = Signs::shortest);
+                                                                            std::optional<Signs> signs = {});
 /// The track of a file of one.
 [[nodiscard]] ORISPLINE_EXPORT Expected<TrackFile> read_track(const std::string& path, const ReadOptions& options = {},
-                                                              Signs signs = Signs::shortest);
+                                                              std::optional<Signs> signs = {});
+/// The same of a file that was opened before.
+[[nodiscard]] ORISPLINE_EXPORT Expected<TrackFile> read_track(KeyInput input, const ReadOptions& options,
+                                                              std::optional<Signs> signs = {});
 
-/// What was read of a file, with its keys when they have been checked.
+/// What was read of a file, with its keys when they have been checked; the file's recipe states their signs.
 [[nodiscard]] ORISPLINE_EXPORT TrackFile track_file(KeyFile file, Keyframes keys);
 
 }  // namespace orispline::inline ORISPLINE_ABI::io

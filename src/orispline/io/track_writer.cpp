@@ -8,6 +8,7 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/io/key_table.hpp>
+#include <orispline/io/recipe_line.hpp>
 #include <orispline/io/sample_rows.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::io {
@@ -38,6 +39,14 @@ Sample sample_at(const Track& track, const SampleColumns& columns, std::size_t k
   return sample;
 }
 
+/// What a file would need so that its keys give the curve of their recipe; nothing if there is all.
+std::optional<std::string_view> lacking_for_recipe(const Track& track, const FormatInfo& format) {
+  if (!format.holds.comments) return "comments";
+  if (!format.holds.rates && rate_orders_of(track.keys) > 0) return "columns for rates";
+  if (!format.holds.settings && !track.settings.empty()) return "columns for settings";
+  return std::nullopt;
+}
+
 Expected<void> write_rows(OutputFile& file, const Track& track, const SampleColumns& columns) {
   SampleRows rows(columns);
   std::vector<double> settings(track.settings.size());
@@ -58,6 +67,21 @@ Expected<void> write_rows(OutputFile& file, const Track& track, const SampleColu
 
 }  // namespace
 
+bool states_recipe(const Track& track, const SampleColumns& columns) {
+  return !lacking_for_recipe(track, *columns.format);
+}
+
+std::optional<Warning> recipe_not_stated(const Track& track, const SampleColumns& columns, std::string_view file) {
+  const auto lacking = lacking_for_recipe(track, *columns.format);
+  if (track.recipe.method.empty() || !lacking) return std::nullopt;
+  return Warning{
+      .code = "recipe_not_stated",
+      .message = formatted("the keys are for the curve of {}, which is not written into the file, for {} has "
+                           "no {}; name the method where the keys are read",
+                           track.recipe.method, columns.format->file, *lacking),
+      .where = {.file = std::string(file)}};
+}
+
 Expected<void> write_tracks(OutputFile& file, std::span<const Track> tracks, const SampleColumns& columns) {
   const FormatInfo& format = *columns.format;
   if (format.writing.tracks) return format.writing.tracks(file, tracks, columns);
@@ -65,12 +89,13 @@ Expected<void> write_tracks(OutputFile& file, std::span<const Track> tracks, con
     return failure(ErrorCode::bad_argument, formatted("found {} tracks, and {} holds one", tracks.size(), format.file),
                    {.file = file.path()});
   const Track& track = tracks.front();
+  const std::string comment = states_recipe(track, columns) ? recipe_line(track.recipe) : "";
   if (format.writing.table && !track.table.rows.empty())
-    return file.write(format.writing.table(track.table, track.settings));
+    return file.write(comment + format.writing.table(track.table, track.settings));
   const SampleColumns filled = columns_for(track, columns);
-  return check_columns(filled).and_then([&] { return file.write(header_of(filled, track.keys.size())); }).and_then([&] {
-    return write_rows(file, track, filled);
-  });
+  return check_columns(filled)
+      .and_then([&] { return file.write(comment + header_of(filled, track.keys.size())); })
+      .and_then([&] { return write_rows(file, track, filled); });
 }
 
 }  // namespace orispline::inline ORISPLINE_ABI::io

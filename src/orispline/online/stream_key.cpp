@@ -24,7 +24,7 @@ constexpr std::array parts{
 }  // namespace
 
 Eigen::Quaterniond unit_orientation(const Eigen::Quaterniond& orientation) {
-  return Eigen::Quaterniond(orientation.coeffs() / checked_norm(0, orientation).value());
+  return normalised(orientation, checked_norm(0, orientation).value());
 }
 
 KeyParts parts_of(const StreamKey& key) noexcept {
@@ -49,7 +49,7 @@ Expected<Eigen::Quaterniond> checked_orientation(std::uint64_t index, const Stre
   }
   const auto norm = checked_norm(place, key.orientation);
   if (!norm) return tl::unexpected(norm.error());
-  return Eigen::Quaterniond(key.orientation.coeffs() / *norm);
+  return normalised(key.orientation, *norm);
 }
 
 }  // namespace orispline::inline ORISPLINE_ABI

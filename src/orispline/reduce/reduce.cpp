@@ -8,6 +8,7 @@
 #include <orispline/base/counted_work.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/parallel.hpp>
+#include <orispline/families/recipe.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/families/slerp.hpp>
 #include <orispline/reduce/fewest_geodesics.hpp>
@@ -91,6 +92,7 @@ Expected<Reduction> certified(const LocalMethod& local, const ToleranceCheck& re
     return missed(*deviation->position, tolerance.position, "m");
   Track reduced = track.at(found.samples).with_keys(std::move(*keys));
   reduced.settings = settings_per_key(method, found.samples.size());
+  reduced.recipe = recipe_for(method, reduced);
   return Reduction{std::move(reduced), method, std::move(found.samples), *deviation};
 }
 

@@ -9,6 +9,7 @@
 #include <orispline/analysis/torque.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/method_warnings.hpp>
+#include <orispline/families/recipe.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/retime/interval_times.hpp>
 #include <orispline/retime/retime_fields.hpp>
@@ -190,6 +191,7 @@ Expected<Retiming> retime(const Track& track, const Method& given, const RetimeO
   return least_slowed(motion, (*family)->support_keys, options.slowing).and_then([&](Slowed slowed) {
     return track.with_times(std::move(slowed.times)).map([&](Track later) {
       later.settings = settings_per_key(method, later.keys.size());
+      later.recipe = recipe_for(method, later);
       work.finish();
       std::vector<Warning> warnings = limits.inertia ? warnings_of(*limits.inertia) : std::vector<Warning>();
       if (slowed.slack > promised_slack) warnings.push_back(loose_bounds(method.name, slowed.slack));

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/families/recipe.hpp>
 #include <orispline/math/degrees.hpp>
 #include <orispline/smooth/smooth_fields.hpp>
 #include <orispline/smooth/smoothing_gyro.hpp>
@@ -281,6 +282,7 @@ Expected<Smoothing> smooth(const Track& recording, const SmoothOptions& options,
         auto smoothed = smoothed_keyframes(keys, smoothing);
         if (!smoothed) return tl::unexpected(std::move(smoothed.error()));
         smoothing.track = recording.at(smoothing.keys).with_keys(std::move(*smoothed));
+        smoothing.track.recipe = recipe_for(smoothing.method, recording);
         smoothing.warnings = warnings_of(smoothing);
         progress.at(1.0);
         return smoothing;

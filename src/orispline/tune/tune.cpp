@@ -9,6 +9,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/method_warnings.hpp>
 #include <orispline/families/nu.hpp>
+#include <orispline/families/recipe.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/tune/nu_sum.hpp>
 #include <orispline/tune/tension_sum.hpp>
@@ -226,6 +227,7 @@ Expected<Tuning> tune(const Track& track, const Method& given, const TuneOptions
         tuning.track = track;
         for (const std::string& name : *parameters)
           tuning.track.settings[name] = tuning.method.options.parameters.find(name)->second;
+        tuning.track.recipe = recipe_for(tuning.method, tuning.track);
         if (options.objective == Objective::torque)
           std::ranges::move(warnings_of(goal->inertia), std::back_inserter(tuning.warnings));
         std::ranges::move(warnings_of(tuning.method, track), std::back_inserter(tuning.warnings));

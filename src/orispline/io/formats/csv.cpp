@@ -81,7 +81,7 @@ constinit const FormatInfo csv_format{
     .file = "a CSV file",
     .summary = "named columns, separated by commas, semicolons, tabs or blanks",
     .extensions = csv::extensions,
-    .holds = {.forms = true, .rates = true, .settings = true},
+    .holds = {.forms = true, .rates = true, .settings = true, .comments = true},
     .reading = {.layout = csv::layout},
     .writing = {.header = csv::header, .numbers = named_numbers, .row = csv::row, .table = csv_with_columns}};
 

@@ -111,7 +111,7 @@ constinit const FormatInfo euroc_format{
     .file = "an EuRoC file",
     .summary = "time in whole nanoseconds, position, quaternion `w,x,y,z`, and more; separated by commas",
     .extensions = euroc::extensions,
-    .holds = {.always_positions = true},
+    .holds = {.always_positions = true, .comments = true},
     .reading = {.likeness = euroc::likeness, .layout = euroc::layout, .delimiter = Delimiter::comma},
     .writing = {.header = euroc::header,
                 .numbers = euroc::numbers,

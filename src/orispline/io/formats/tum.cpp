@@ -50,7 +50,7 @@ constinit const FormatInfo tum_format{
     .file = "a TUM file",
     .summary = "`t tx ty tz qx qy qz qw`, separated by blanks",
     .extensions = tum::extensions,
-    .holds = {.always_positions = true},
+    .holds = {.always_positions = true, .comments = true},
     .reading = {.likeness = tum::likeness, .layout = tum::layout, .delimiter = Delimiter::blanks},
     .writing = {.numbers = tum::numbers, .row = tum::row}};
 

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/families/recipe.hpp>
+
+#include <utility>
+
+#include <orispline/base/formatted.hpp>
+#include <orispline/families/method_text.hpp>
+
+namespace orispline::inline ORISPLINE_ABI {
+
+Recipe recipe_for(const Method& method, const Track& track) {
+  Method shared = method;
+  for (const auto& [name, values] : track.settings) shared.options.parameters.erase(name);
+  return {.method = text_of(shared), .signs = track.recipe.signs};
+}
+
+Expected<std::optional<Method>> method_of(const Recipe& recipe, std::string_view file) {
+  if (recipe.method.empty()) return std::nullopt;
+  auto method = method_from_text(recipe.method);
+  if (method) return std::optional(std::move(*method));
+  const std::string& option = method.error().option;
+  return mended_by("recipe",
+                   formatted("the curve that the keys are for, '{}': {}{}", recipe.method,
+                             option.empty() ? "" : formatted("{}: ", option), method.error().message),
+                   {.file = std::string(file), .line = recipe.line});
+}
+
+std::optional<Warning> recipe_set_aside(const Recipe& recipe, const Method& used, std::string_view file) {
+  if (recipe.method.empty() || recipe.method == text_of(used)) return std::nullopt;
+  return Warning{.code = "recipe_set_aside",
+                 .message = formatted("the keys are for the curve of {}, not of {}", recipe.method, text_of(used)),
+                 .where = {.file = std::string(file), .line = recipe.line}};
+}
+
+}  // namespace orispline::inline ORISPLINE_ABI

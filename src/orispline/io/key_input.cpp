@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/io/key_input.hpp>
+
+#include <orispline/io/recipe_line.hpp>
+
+namespace orispline::inline ORISPLINE_ABI::io {
+namespace {
+
+constexpr std::size_t most_comments = std::size_t{1} << 20;  // [bytes] read ahead for a recipe
+
+/// The comments before the first row. A line that is no text is left to whoever reads the keys.
+Expected<Recipe> recipe_above_rows(LineReader& lines) {
+  Recipe found;
+  while (lines.bytes_read() <= most_comments) {
+    const auto line = lines.next();
+    if (!line || !*line) break;
+    const std::size_t text = (*line)->find_first_not_of(" \t");
+    if (text == std::string_view::npos) continue;
+    if ((**line)[text] != '#') break;
+    auto recipe = recipe_in((*line)->substr(text));
+    const Where here{lines.path(), lines.line()};
+    if (!recipe) {
+      recipe.error().where = here;
+      return tl::unexpected(std::move(recipe.error()));
+    }
+    if (!*recipe) continue;
+    if (found.line != 0)
+      return mended_by("recipe", "a second line says which curve the keys are for, wanted one at most", here);
+    found = std::move(**recipe);
+    found.line = lines.line();
+  }
+  return found;
+}
+
+}  // namespace
+
+Expected<KeyInput> KeyInput::open(const std::string& path, RecipeUse use) {
+  return LineReader::open(path).and_then([use](LineReader lines) -> Expected<KeyInput> {
+    if (use == RecipeUse::ignored) return KeyInput(std::move(lines), {});
+    lines.keep();
+    auto recipe = recipe_above_rows(lines);
+    if (!recipe) return tl::unexpected(std::move(recipe.error()));
+    lines.rewind();
+    return KeyInput(std::move(lines), std::move(*recipe));
+  });
+}
+
+}  // namespace orispline::inline ORISPLINE_ABI::io

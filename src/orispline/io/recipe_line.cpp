@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/io/recipe_line.hpp>
+
+#include <utility>
+#include <vector>
+
+#include <orispline/base/formatted.hpp>
+#include <orispline/base/quoted.hpp>
+
+namespace orispline::inline ORISPLINE_ABI::io {
+namespace {
+
+constexpr std::string_view label = "orispline:", blanks = " \t";
+constexpr std::string_view method_word = "method=", signs_word = "signs=", shortest = "shortest", as_given = "as-given";
+
+std::string_view without_blanks_before(std::string_view text) {
+  text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+  return text;
+}
+
+std::vector<std::string_view> words_of(std::string_view text) {
+  std::vector<std::string_view> words;
+  while (!(text = without_blanks_before(text)).empty()) {
+    words.push_back(text.substr(0, text.find_first_of(blanks)));
+    text.remove_prefix(words.back().size());
+  }
+  return words;
+}
+
+tl::unexpected<Error> not_understood(std::string_view word) {
+  return mended_by("recipe",
+                   formatted("found {} in the line that says which curve the keys are for, wanted method=NAME, and "
+                             "signs=as-given or signs=shortest, each once",
+                             in_quotes(word)));
+}
+
+}  // namespace
+
+std::string recipe_line(const Recipe& recipe) {
+  if (recipe.is_empty()) return {};
+  std::string line = formatted("# {} {}{}", label, method_word, recipe.method);
+  if (recipe.signs == Signs::as_given) line += formatted(" {}{}", signs_word, as_given);
+  return line + "\n";
+}
+
+Expected<std::optional<Recipe>> recipe_in(std::string_view comment) {
+  const std::string_view text = without_blanks_before(comment.substr(1));
+  if (!text.starts_with(label)) return std::nullopt;
+  std::optional<std::string_view> named, signed_as;
+  for (const std::string_view word : words_of(text.substr(label.size()))) {
+    const bool is_method = word.starts_with(method_word);
+    if (!is_method && !word.starts_with(signs_word)) return not_understood(word);
+    const std::string_view value = word.substr(is_method ? method_word.size() : signs_word.size());
+    auto& place = is_method ? named : signed_as;
+    const bool is_known = is_method ? !value.empty() : value == as_given || value == shortest;
+    if (place || !is_known) return not_understood(word);
+    place = value;
+  }
+  if (!named) return not_understood(text);
+  return Recipe{.method = std::string(*named), .signs = signed_as == as_given ? Signs::as_given : Signs::shortest};
+}
+
+}  // namespace orispline::inline ORISPLINE_ABI::io

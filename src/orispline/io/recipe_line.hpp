@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <orispline/base/expected.hpp>
+#include <orispline/curve/recipe.hpp>
+
+namespace orispline::inline ORISPLINE_ABI::io {
+
+/// The comment that states a recipe, with the end of its line: `# orispline: method=timed-c2:ends=rest`, and
+/// `signs=as-given` where the signs of the keys mean something. Nothing for an empty recipe.
+[[nodiscard]] ORISPLINE_EXPORT std::string recipe_line(const Recipe& recipe);
+
+/// The recipe that a comment states, from its `#` on; nothing for comments of others. Error (bad_data): a word that is
+/// not understood, or stands twice; no method.
+[[nodiscard]] ORISPLINE_EXPORT Expected<std::optional<Recipe>> recipe_in(std::string_view comment);
+
+}  // namespace orispline::inline ORISPLINE_ABI::io

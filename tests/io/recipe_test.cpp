@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/io/recipe_line.hpp>
+
+#include <array>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include <orispline/io/key_reader.hpp>
+#include <orispline/io/track_file.hpp>
+#include <orispline/io/track_writer.hpp>
+
+#include "io/text_file.hpp"
+
+namespace orispline::io {
+namespace {
+
+using test::content_of;
+using test::ScratchDirectory;
+using test::text_of;
+using test::TextFile;
+
+constexpr std::string_view rows = "t,qw,qx,qy,qz\n0,1,0,0,0\n1,0.6,0,0.8,0\n";
+constexpr std::string_view wanted =
+    " in the line that says which curve the keys are for, wanted method=NAME, and signs=as-given or signs=shortest, "
+    "each "
+    "once";
+
+TEST(RecipeLine, IsReadAsItWasWritten) {
+  for (const Signs signs : {Signs::shortest, Signs::as_given}) {
+    const Recipe recipe{.method = "timed-c2:tension=0.25,1:ends=rest", .signs = signs};
+    std::string line = recipe_line(recipe);
+    ASSERT_TRUE(line.ends_with('\n'));
+    line.pop_back();
+    const auto read = recipe_in(line).value().value();
+    EXPECT_EQ(read.method, recipe.method);
+    EXPECT_EQ(read.signs, signs);
+  }
+  EXPECT_EQ(recipe_line({.method = "squad", .signs = Signs::as_given}), "# orispline: method=squad signs=as-given\n");
+  EXPECT_EQ(recipe_line({.signs = Signs::as_given}), "");
+}
+
+TEST(RecipeLine, LeavesCommentsOfOthersAlone) {
+  for (const std::string_view comment : {"#", "# ", "# orispline", "# by orispline: method=slerp", "#timestamp [ns]"})
+    EXPECT_FALSE(recipe_in(comment).value()) << comment;
+  EXPECT_EQ(recipe_in("#orispline:\tsigns=shortest  method=slerp ").value()->method, "slerp");
+}
+
+TEST(RecipeLine, RefusesWordsThatItDoesNotKnow) {
+  const auto refused = [](std::string_view words) { return recipe_in("# orispline: " + std::string(words)).error(); };
+  for (const std::string_view word : {"method=", "signs=", "signs=both", "band=0.9", "slerp"})
+    EXPECT_EQ(refused("method=auto " + std::string(word)).message,
+              "found '" + std::string(word) + "'" + std::string(wanted));
+  EXPECT_EQ(refused("method=auto method=auto").message, "found 'method=auto'" + std::string(wanted));
+  EXPECT_EQ(refused("signs=shortest").message, "found 'orispline: signs=shortest'" + std::string(wanted));
+  EXPECT_EQ(refused("signs=both").remedy, "recipe");
+}
+
+TEST(KeyInput, KnowsTheRecipeBeforeTheKeysAreRead) {
+  const TextFile file("\n# by hand\n  # orispline: method=squad signs=as-given\n# two keys\n" + std::string(rows));
+  auto input = KeyInput::open(file.path()).value();
+  EXPECT_EQ(input.recipe().method, "squad");
+  EXPECT_EQ(input.recipe().signs, Signs::as_given);
+  EXPECT_EQ(input.recipe().line, 3U);
+  const auto track = read_track(std::move(input), {}).value().track;
+  EXPECT_EQ(track.keys.size(), 2U);
+  EXPECT_EQ(track.lines, (std::vector<std::uint32_t>{6, 7}));
+  EXPECT_EQ(track.recipe.method, "squad");
+}
+
+TEST(KeyInput, PassesOverTheRecipeWhereItIsIgnored) {
+  const TextFile file("# orispline: what is this\n" + std::string(rows));
+  EXPECT_EQ(text_of(read_keys(file.path()).error()),
+            "keys.csv:1: found 'what'" + std::string(wanted) + " (option recipe)");
+  const auto bare = read_track(file.path(), {.recipe = RecipeUse::ignored}).value();
+  EXPECT_TRUE(bare.track.recipe.is_empty());
+  EXPECT_EQ(bare.track.keys.size(), 2U);
+}
+
+TEST(KeyInput, TakesOneRecipeAboveTheRows) {
+  const std::string line = "# orispline: method=slerp\n";
+  const TextFile twice(line + line + std::string(rows)), below(std::string(rows) + line);
+  EXPECT_EQ(text_of(read_keys(twice.path()).error()),
+            "keys.csv:2: a second line says which curve the keys are for, wanted one at most (option recipe)");
+  EXPECT_TRUE(read_keys(below.path()).value().recipe.is_empty());
+}
+
+TEST(KeyInput, SignsOfTheRecipeAreHonouredUnlessOthersAreGiven) {
+  const std::string turned = "t,qw,qx,qy,qz\n0,1,0,0,0\n1,-0.6,0,-0.8,0\n";
+  const TextFile file("# orispline: method=slerp signs=as-given\n" + turned);
+  const auto w_of = [&](std::optional<Signs> signs) {
+    return read_track(file.path(), {}, signs).value().track.keys.orientations()[1].w();
+  };
+  EXPECT_EQ(w_of(std::nullopt), -0.6);
+  EXPECT_EQ(w_of(Signs::shortest), 0.6);
+  EXPECT_EQ(read_track(file.path(), {}, Signs::shortest).value().track.recipe.signs, Signs::shortest);
+}
+
+TEST(WriteTracks, StatesTheRecipeInEveryFormatWithComments) {
+  Track track = read_track(TextFile(std::string(rows)).path()).value().track;
+  track.recipe.method = "timed-c2:ends=rest";
+  const ScratchDirectory directory;
+  std::size_t stated = 0;
+  for (const FormatInfo* const format : formats_written()) {
+    const std::string path = directory.file("keys" + std::string(format->extensions.front()));
+    auto file = OutputFile::open(path).value();
+    ASSERT_TRUE(write_tracks(file, {&track, 1}, {.format = format}));
+    ASSERT_TRUE(file.finish());
+    const auto unstated = recipe_not_stated(track, {.format = format}, path);
+    EXPECT_EQ(content_of(path).starts_with("# orispline: method=timed-c2:ends=rest\n"), !unstated) << format->id;
+    if (unstated) {
+      EXPECT_EQ(describe(*unstated),
+                path + ": the keys are for the curve of timed-c2:ends=rest, which is not written into the file, for " +
+                    std::string(format->file) + " has no comments; name the method where the keys are read");
+      continue;
+    }
+    ++stated;
+    const auto again = read_track(path, {.format = format}).value();
+    EXPECT_EQ(again.track.recipe.method, track.recipe.method) << format->id;
+    EXPECT_EQ(again.track.keys.size(), 2U);
+  }
+  EXPECT_EQ(stated, 3U);
+}
+
+TEST(WriteTracks, StatesNoRecipeWhoseCurveTheFileCannotGive) {
+  Track track = read_track(TextFile("t,qw,qx,qy,qz,wx,wy,wz\n0,1,0,0,0,1,2,3\n").path()).value().track;
+  track.recipe.method = "hermite-c1";
+  EXPECT_TRUE(states_recipe(track, {}));
+  EXPECT_EQ(recipe_not_stated(track, {.format = &tum_format}, "k.tum")->message,
+            "the keys are for the curve of hermite-c1, which is not written into the file, for a TUM file has no "
+            "columns for rates; name the method where the keys are read");
+  track.keys = track.keys.with_rates({}).value();
+  EXPECT_TRUE(states_recipe(track, {.format = &tum_format}));
+  track.settings = {{"tension", {0.5}}};
+  EXPECT_FALSE(states_recipe(track, {.format = &tum_format}));
+  EXPECT_TRUE(states_recipe(track, {}));
+  track.recipe = {};
+  EXPECT_FALSE(recipe_not_stated(track, {.format = &npy_format}, "k.npy"));
+}
+
+}  // namespace
+}  // namespace orispline::io
