@@ -51,13 +51,14 @@ void add_reading_options(Command& app, InputOptions& o, std::string_view default
   app.add_option("--time-scale", o.time_scale, "Seconds per unit of the time column [by its name, else 1]")
       ->type_name("X")
       ->group(group);
-  app.add_flag("--conjugate", o.conjugate, "The file holds world to body (SPICE, CCSDS)")->group(group);
+  app.add_flag("--conjugate", o.conjugate, "The file holds world to body, as C-kernels of SPICE do")->group(group);
   app.add_option("--signs", o.signs, formatted("Negate quaternions for the shortest way, or not [{}]", default_signs))
       ->type_name(one_of(sign_choices))
       ->group(group);
   app.add_flag("--ignore-recipe", o.ignore_recipe,
                "Read bare keys: pass over the line in which the file names its method")
       ->group(group);
+  app.add_flag("--normalise", o.normalise, "Take quaternions of any norm but 0 [norms within 2 % of 1]")->group(group);
   app.add_flag("--drop-duplicates", o.drop_duplicates, "Of equal times keep the first row")->group(group);
   app.add_flag("--drop-invalid", o.drop_invalid, "Drop rows with NaN, infinite or empty cells")->group(group);
   app.add_flag("--sort", o.sort, "Sort the rows by time")->group(group);

@@ -70,7 +70,8 @@ Expected<InputRequest> input_request(const InputOptions& options) {
                        .drop_duplicates = options.drop_duplicates,
                        .drop_invalid = options.drop_invalid,
                        .sort = options.sort,
-                       .recipe = options.ignore_recipe ? io::RecipeUse::ignored : io::RecipeUse::honoured};
+                       .recipe = options.ignore_recipe ? io::RecipeUse::ignored : io::RecipeUse::honoured,
+                       .norms = options.normalise ? io::Norms::any : io::Norms::near_one};
   const auto given_signs = checked(if_given("--signs", options.signs, choice_of(sign_choices)));
   return std::move(checked).or_else(InputRequest{.path = options.path, .read = std::move(read), .signs = given_signs});
 }

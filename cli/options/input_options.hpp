@@ -29,7 +29,8 @@ struct InputOptions {
   std::string path;
   std::optional<std::string> format, order, orientation, euler, angle_unit, time_scale, signs;
   std::vector<std::string> columns;
-  bool conjugate = false, drop_duplicates = false, drop_invalid = false, sort = false, ignore_recipe = false;
+  bool conjugate = false, drop_duplicates = false, drop_invalid = false, sort = false, ignore_recipe = false,
+       normalise = false;
 };
 
 /// The same, understood.

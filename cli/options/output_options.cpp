@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "options/output_options.hpp"
 
+#include <algorithm>
+
 #include <orispline/base/formatted.hpp>
+
+#include "options/file_places.hpp"
 
 namespace orispline::cli {
 namespace {
+
+constexpr std::string_view any_text = ".txt";  // of any format
 
 /// Euler angles are also asked for by their order or their unit alone.
 Expected<io::OrientationForm> form_in(const OutputOptions& options) {
@@ -23,6 +29,19 @@ Expected<io::OrientationForm> form_in(const OutputOptions& options) {
     return wanted({"--output-orientation", *options.orientation},
                   formatted("euler with {}", order ? "--output-euler" : "--output-angle-unit"));
   return read;
+}
+
+/// The format follows the name; one that ends as other files do is a mistake.
+Expected<bool> check_name(const std::string& path) {
+  std::vector<std::string_view> extensions;
+  for (const io::FormatInfo* const format : io::formats_written())
+    if (std::ranges::find(extensions, format->extensions.front()) == extensions.end())
+      extensions.push_back(format->extensions.front());
+  extensions.push_back(any_text);
+  return check_extension("-o", path, extensions).map([] { return true; }).map_error([](Error error) {
+    error.message += " or --output-format as well";
+    return error;
+  });
 }
 
 }  // namespace
@@ -47,10 +66,19 @@ Expected<std::optional<const io::FormatInfo*>> output_format(const OutputOptions
   return if_given("--output-format", options.format, [](OptionText o) { return format_in(o, io::formats_written()); });
 }
 
+io::SampleColumns columns_like(const io::FormatInfo& input, io::SampleColumns columns, const OutputOptions& options) {
+  const bool says_nothing = !options.format && options.path.ends_with(any_text);
+  const bool holds_form = input.holds.forms || columns.form.representation == io::Representation::quaternion;
+  const bool holds_rates = input.holds.rates || columns.derivatives == 0;
+  if (says_nothing && input.keeps_times() && holds_form && holds_rates) columns.format = &input;
+  return columns;
+}
+
 Expected<io::SampleColumns> output_columns(const OutputOptions& options) {
   if (options.path.empty()) return usage_failure("-o: found an empty name, wanted FILE or -");
   FirstError checked;
   const io::FormatInfo* const by_name = io::format_of_extension(options.path);
+  if (!options.format) static_cast<void>(checked(check_name(options.path)));
   const auto format = checked(output_format(options)).value_or(by_name ? by_name : &io::csv_format);
   const auto form = checked(form_in(options));
   auto columns = std::move(checked).or_else(io::SampleColumns{.format = format, .form = form});

@@ -20,6 +20,11 @@ struct OutputOptions {
 /// The format of the output and the form of its orientations; the rest of the columns is left to the command.
 [[nodiscard]] Expected<io::SampleColumns> output_columns(const OutputOptions& options);
 
+/// The columns where INPUT is of that format: a name such as `keys.txt`, which says nothing of the format, means that
+/// of INPUT if it holds what is asked for.
+[[nodiscard]] io::SampleColumns columns_like(const io::FormatInfo& input, io::SampleColumns columns,
+                                             const OutputOptions& options);
+
 /// Error (bad_argument): a format that rounds times, with which `promise`, such as `the limits`, need not hold.
 [[nodiscard]] Expected<void> check_times_are_kept(const io::FormatInfo& format, std::string_view option,
                                                   std::string_view promise);

@@ -27,6 +27,7 @@ constexpr std::array reading_flags{
     ReadingFlag{"time_scale", "--time-scale", " X"},
     ReadingFlag{"drop_duplicates", "--drop-duplicates", " keeps the first"},
     ReadingFlag{"drop_invalid", "--drop-invalid", " drops such rows"},
+    ReadingFlag{"norms", "--normalise", " takes any norm but 0"},
     ReadingFlag{"recipe", "--ignore-recipe", " reads the keys without it"},
     ReadingFlag{"sort", "--sort", " orders the rows"},
     ReadingFlag{"sort_rows", "--sort-rows", " orders the rows"}};  // of compare, where --sort is for its table

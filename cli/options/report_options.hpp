@@ -3,10 +3,11 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <orispline/base/expected.hpp>
+
+#include "options/file_places.hpp"
 
 namespace orispline::cli {
 
@@ -14,12 +15,6 @@ namespace orispline::cli {
 struct ReportOptions {
   std::optional<std::string> path;
   std::string command_line;  ///< to make the report again
-};
-
-/// A file that the command reads or writes besides, and its name in a message: `INPUT`.
-struct OtherFile {
-  std::string_view name;
-  std::string path;
 };
 
 /// Error (bad_argument): not the name of a file, or that of one of the others, which the report would replace; a build

@@ -7,6 +7,7 @@ void add_repairs(Json& json, const io::RepairReport& repairs) {
   json["duplicates_dropped"] = repairs.duplicates_dropped;
   json["invalid_dropped"] = repairs.invalid_dropped;
   json["rows_moved"] = repairs.rows_moved;
+  json["normalised"] = repairs.normalised;
 }
 
 }  // namespace orispline::cli

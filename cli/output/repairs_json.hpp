@@ -7,7 +7,7 @@
 
 namespace orispline::cli {
 
-/// Three members: how many rows each kind of repair touched.
+/// Four members: how many rows each kind of repair touched.
 void add_repairs(Json& json, const io::RepairReport& repairs);
 
 }  // namespace orispline::cli

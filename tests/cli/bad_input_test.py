@@ -14,9 +14,9 @@ CONTENT = (  # text of bad.csv, options, message
                                    "the columns (--order wxyz|xyzw)"),
     (HEADER + "0,1,0,0,0\n0,1,0,0,0\n", "", "bad.csv:3: key 1: duplicate time 0, as in line 2, wanted increasing times "
                                             "(--drop-duplicates keeps the first)"),
-    (HEADER + "0,1,0,0,0\n1,2,0,0,0\n", "", "bad.csv:3: key 1: the quaternion has norm 2, wanted 1 within 0.001"),
+    (HEADER + "0,1,0,0,0\n1,2,0,0,0\n", "", "bad.csv:3: key 1: the quaternion has norm 2, wanted 1 within 0.02 (--normalise takes any norm but 0)"),
     ("# note\n" + HEADER + "0,1,0,0,0\n1,0,0,0,0\n", "",
-     "bad.csv:4: key 1: the quaternion has norm 0, wanted 1 within 0.001"),
+     "bad.csv:4: key 1: the quaternion is zero, wanted a rotation"),
     (HEADER + "0,1,0,0,0\n1,1,0,0,0\n", "--method timed-c2 --ends quadratic",
      "bad.csv: timed-c2: ends 'quadratic' need 3 keys, found 2"),
     ("t,qw,qx,qy,qz,tension\n0,1,0,0,0,0.5\n1,1,0,0,0,101\n", "--method timed-c2",

@@ -65,9 +65,17 @@ class Content(CommandTest):
         self.assertEqual(done.stdout.splitlines()[1], "0,0.9999999,0,0,0")
         self.assertAlmostEqual(rows_of(done.stdout)[1][2], 1, delta=1e-15)
         self.assertIn("; 1 normalised\n", done.stderr)
-        self.write("keys.csv", "t,qw,qx,qy,qz\n0,0.99,0,0,0\n")
-        self.assert_fails("convert keys.csv", BAD_DATA,
-                          "keys.csv:2: key 0: the quaternion has norm 0.99, wanted 1 within 0.001")
+
+    def test_norms_that_are_farther_off_want_an_option(self):
+        self.write("keys.csv", "t,qw,qx,qy,qz\n0,0.7,0.7,0,0\n1,0,0.99,0,0\n")
+        done = self.run_command("convert keys.csv")
+        self.assertIn("\nmade 2 quaternions unit, whose norms were up to 0.0101 off\n", done.stderr)
+        self.write("keys.csv", "t,qw,qx,qy,qz\n0,0.7,0.7,0,0.3\n1,0,2,0,0\n")
+        self.assert_fails("convert keys.csv", BAD_DATA, "keys.csv:2: key 0: the quaternion has norm 1.03441, wanted 1 "
+                                                        "within 0.02 (--normalise takes any norm but 0)")
+        report = json.loads(self.output_of("convert keys.csv --normalise -o out.csv --json"))
+        self.assertEqual(report["normalised"], 2)
+        self.assertEqual(rows_of(self.read("out.csv"))[1], [1, 0, 1, 0, 0])
 
     def test_signs_are_kept_unless_asked_otherwise(self):
         text = "t,qw,qx,qy,qz\n0,1,0,0,0\n1,-0.6,0,0,0.8\n"
@@ -120,7 +128,7 @@ class Content(CommandTest):
         self.assertEqual(json.loads(self.output_of("convert keys.csv -o out.tum --json")),
                          {"input": "keys.csv", "input_format": "csv", "output": "out.tum", "output_format": "tum",
                           "keys": 2, "start_s": "0", "end_s": "1.5", "sign_flips": 1, "non_unit_keys": 0,
-                          "duplicates_dropped": 0, "invalid_dropped": 0, "rows_moved": 0, "dropped_columns": ["mode"]})
+                          "duplicates_dropped": 0, "invalid_dropped": 0, "rows_moved": 0, "normalised": 0, "dropped_columns": ["mode"]})
 
 
 if __name__ == "__main__":

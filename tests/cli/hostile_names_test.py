@@ -6,16 +6,17 @@ import unicodedata
 
 from command import BAD_ACCESS, SUCCESS, CommandTest, main
 
+OUT = "b\x1b[2J\u009b31m.csv"
 NAME = "a\x1b[2J\u009b31mb\nc\r.csv"  # clears the terminal, colours it, ends the line
 SHOWN = "a?[2J?31mb?c?.csv"
 ROWS = "t,qw,qx,qy,qz,\x1b[5m\x07\n" + "".join(f"{t},1,0,0,{t * t / 2000},x\n" for t in range(9))
 KEYS = ROWS.replace("\x1b[5m\x07", "note\u009b2J")
 
-COMMANDS = (("sample", "--rate", "2", "-o", NAME + "2"), ("convert", "-o", NAME + "2", "--output-format", "tum"),
-            ("sample", "--rate", "2", "--truth", NAME, "-o", NAME + "2"),
-            ("inspect",), ("compare", "--keep-every", "2", "--methods", "auto,slerp"), ("smooth", "-o", NAME + "2"),
-            ("reduce", "--tolerance", "1deg", "-o", NAME + "2"), ("tune", "--method", "timed-c2", "-o", NAME + "2"),
-            ("retime", "--max-rate", "1deg/s", "-o", NAME + "2"), ("plot", "-o", "plot.svg"))
+COMMANDS = (("sample", "--rate", "2", "-o", OUT), ("convert", "-o", OUT, "--output-format", "tum"),
+            ("sample", "--rate", "2", "--truth", NAME, "-o", OUT),
+            ("inspect",), ("compare", "--keep-every", "2", "--methods", "auto,slerp"), ("smooth", "-o", OUT),
+            ("reduce", "--tolerance", "1deg", "-o", OUT), ("tune", "--method", "timed-c2", "-o", OUT),
+            ("retime", "--max-rate", "1deg/s", "-o", OUT), ("plot", "-o", "plot.svg"))
 
 
 class HostileNames(CommandTest):

@@ -67,7 +67,8 @@ class Report(CommandTest):
 
     def test_a_wrong_norm_alone_is_a_defect_too(self):
         report = self.report_of("-", input="t,qw,qx,qy,qz\n0,1,0,0,0\n1,2,0,0,0\n")
-        self.assertEqual(report["defect"], "-:3: key 1: the quaternion has norm 2, wanted 1 within 0.001")
+        self.assertEqual(report["defect"], "-:3: key 1: the quaternion has norm 2, wanted 1 within 0.02 "
+                                           "(--normalise takes any norm but 0)")
 
     def test_steps_near_a_half_turn_are_named(self):
         report = self.report_of("-", input="t,qw,qx,qy,qz\n0,1,0,0,0\n1,1,0,0,0\n2,0,1,0,0\n")

@@ -223,11 +223,6 @@ class Destinations(CommandTest):
     def test_standard_input_is_read(self):
         self.assertEqual(self.output_of("sample - --count 2", input=KEYS), self.output_of("sample keys.csv --count 2"))
 
-    def test_the_input_may_be_replaced(self):
-        text = self.output_of("sample keys.csv --rate 10")
-        self.output_of("sample keys.csv --rate 10 -o keys.csv")
-        self.assertEqual(self.read("keys.csv"), text)
-
     def test_json_is_one_document_with_the_summary(self):
         report = json.loads(self.output_of("sample keys.csv --rate 1 --to 5 --truth keys.csv --json -o out.csv"))
         self.assertEqual((report["keys"], report["samples"], report["held_samples"]), (3, 6, 2))

@@ -198,7 +198,8 @@ class LateErrors(CommandTest):
 
     def test_a_key_that_is_none(self):
         self.assert_refused("9999,1,1,0,0,0,0,0\n", BAD_DATA,
-                            "keys.csv:40002: key 40000: the quaternion has norm 1.41421, wanted 1 within 0.001\n")
+                            "keys.csv:40002: key 40000: the quaternion has norm 1.41421, wanted 1 within 0.02 "
+                            "(--normalise takes any norm but 0)\n")
         self.assert_refused("1,1,0,0,0,0,0,0\n", BAD_DATA, "keys.csv:40002: key 40000: time 1 comes after ")
 
     def test_times_that_the_curve_does_not_cover(self):

@@ -233,7 +233,7 @@ TEST(Csv, NamesTheColumnsThatItIgnores) {
 }
 
 TEST(Csv, PlacesTheErrorsOfKeys) {
-  const KeyFile file = read("# one\nt,qw,qx,qy,qz\n0,1,0,0,0\n\n1,2,0,0,0\n");
+  const auto file = read("# one\nt,qw,qx,qy,qz\n0,1,0,0,0\n\n1,2,0,0,0\n", {.norms = Norms::as_they_are});
   const auto keys = Keyframes::make(file.data);
   ASSERT_FALSE(keys);
   EXPECT_EQ(text_of(located(file, keys.error())),

@@ -4,6 +4,8 @@
 #include <orispline/analysis/sampled.hpp>
 #include <orispline/base/formatted.hpp>
 
+#include "output/standard_output.hpp"
+
 namespace orispline::cli {
 namespace {
 
@@ -18,6 +20,7 @@ Expected<io::TrackFile> read_two_keys(const std::string& path, const io::ReadOpt
                                       std::optional<Signs> signs) {
   auto file = io::read_track(path, options, signs);
   if (!file) return tl::unexpected(with_its_options(std::move(file.error())));
+  warn(file->warnings);
   if (file->track.keys.size() < 2)
     return failure(ErrorCode::bad_data, "found 1 key, wanted 2 at least to compare curves", {.file = path});
   return file;

@@ -8,6 +8,7 @@
 #include <orispline/io/track_file.hpp>
 
 #include "commands/convert/convert_report.hpp"
+#include "options/file_places.hpp"
 #include "options/method_options.hpp"
 #include "output/keys_file.hpp"
 #include "output/standard_output.hpp"
@@ -75,8 +76,11 @@ Expected<void> convert(const ConvertOptions& options) {
   auto request = std::move(checked).or_else(std::move(input));
   if (!request) return tl::unexpected(std::move(request.error()));
   if (auto fits = check_summary(options.summary, options.output.path, "keys"); !fits) return fits;
+  if (auto apart = check_output_apart("-o", options.output.path, {{"INPUT", options.input.path}}); !apart) return apart;
   auto source = open_source(std::move(*request), columns.form);
   if (!source) return tl::unexpected(source.error());
+  warn(source->warnings);
+  columns = columns_like(*source->format, columns, options.output);
   columns.positions = !source->track.keys.positions().empty();
   columns.derivatives = columns.format->holds.rates ? highest_order : 0;
   const ConvertReport report = report_on(*source, options, columns);

@@ -8,6 +8,8 @@
 
 #include <orispline/families/method_warnings.hpp>
 
+#include <orispline/io/key_rows.hpp>
+
 #include "commands/inspect/inspect_report.hpp"
 #include "options/reading_flags.hpp"
 #include "output/standard_output.hpp"
@@ -19,12 +21,14 @@ namespace {
 Expected<io::KeyFile> read_leniently(const InputRequest& input) {
   io::ReadOptions read = input.read;
   read.drop_duplicates = read.drop_invalid = read.sort = true;
+  read.norms = io::Norms::as_they_are;
   return io::read_keys(input.path, read);
 }
 
 /// What stands in the way of `sample` in a file that needed repairs; standard input cannot be read twice.
-std::optional<std::string> defect_in(const InputRequest& input, const io::RepairReport& repairs) {
-  const bool touched = repairs.duplicates_dropped + repairs.invalid_dropped + repairs.rows_moved > 0;
+std::optional<std::string> defect_in(const InputRequest& input, const io::RepairReport& repairs,
+                                     std::size_t wrong_norms) {
+  const bool touched = repairs.duplicates_dropped + repairs.invalid_dropped + repairs.rows_moved + wrong_norms > 0;
   if (!touched || input.path == io::standard_stream) return std::nullopt;
   const auto strict = io::read_keys(input.path, input.read);
   return strict ? std::nullopt : std::optional(describe(with_reading_flags(strict.error())));
@@ -44,10 +48,9 @@ ScaledKeys scaled_to_unit(KeyframeData data) {
     Eigen::Quaterniond& q = scaled.data.orientations[i];
     const double norm = q.coeffs().stableNorm(), norm_error = std::abs(norm - 1.0);
     if (norm_error <= norm_error_limit || norm == 0.0) continue;
-    if (++scaled.wrong_norms == 1) {
-      scaled.first_error = Keyframes::make({.times = {0.0}, .orientations = {q}}).error();
-      scaled.first_error->where.key = i;
-    }
+    ++scaled.wrong_norms;
+    if (norm_error > io::loose_norm_limit && !scaled.first_error)
+      scaled.first_error = with_reading_flags(io::norm_refused(norm, {.key = i}));
     scaled.largest_norm_error = std::max(scaled.largest_norm_error, norm_error);
     q.coeffs() /= norm;
   }
@@ -66,11 +69,11 @@ Expected<InspectReport> inspected(const InputRequest& input, const std::vector<M
                        .keyframes = keys->report(),
                        .wrong_norms = scaled.wrong_norms};
   const Track& track = report.file.track;
-  report.defect = defect_in(input, report.file.repairs);
+  report.defect = defect_in(input, report.file.repairs, scaled.wrong_norms);
   report.keyframes.non_unit_keys += scaled.wrong_norms;
   report.keyframes.largest_norm_error = std::max(report.keyframes.largest_norm_error, scaled.largest_norm_error);
   if (!report.defect && scaled.first_error) report.defect = describe(track.located(*scaled.first_error));
-  std::vector<Warning> warnings;
+  std::vector<Warning> warnings = report.file.warnings;
   for (const Method& method : methods) {
     const auto curve = shaped_curve(method, track);
     if (!curve) return tl::unexpected(curve.error());

@@ -12,6 +12,7 @@
 #include <orispline/report/motion_drawing.hpp>
 #include <orispline/report/page_samples.hpp>
 
+#include "options/file_places.hpp"
 #include "output/noted_output.hpp"
 #include "output/standard_output.hpp"
 
@@ -35,6 +36,10 @@ Expected<std::vector<Method>> methods_in(const PlotOptions& options) {
 }
 
 Expected<Request> request_in(const PlotOptions& options) {
+  const auto output = check_output_apart("-o", options.path, {{"INPUT", options.input.path}}).and_then([&] {
+    return check_extension("-o", options.path, {".svg"});
+  });
+  if (!output) return tl::unexpected(output.error());
   FirstError checked;
   Request request{.input = checked(input_request(options.input)),
                   .methods = checked(methods_in(options)),
@@ -67,7 +72,7 @@ Expected<report::MotionPicture> picture_of(Request request) {
                                 .keys = report::page_keys(track.keys),
                                 .body_axis = Eigen::Vector3d::Unit(axis),
                                 .axis_name = std::string(axis_choices[static_cast<std::size_t>(axis)].first)};
-  std::vector<Warning> warnings;
+  std::vector<Warning> warnings = file->warnings;
   for (const Method& method : request.methods) {
     const auto curve = shaped_curve(method, track);
     if (!curve) return tl::unexpected(curve.error());

@@ -13,6 +13,7 @@
 
 #include "commands/reduce/reduce_report.hpp"
 #include "commands/reduce/reduce_track.hpp"
+#include "options/file_places.hpp"
 #include "options/threads.hpp"
 #include "output/output_folder.hpp"
 #include "output/smoothing_text.hpp"
@@ -42,6 +43,8 @@ Expected<void> agree(const ReduceOptions& options, const Request& request) {
         formatted("found {} inputs, wanted --output-folder FOLDER for their keys", options.inputs.size()));
   if (!options.folder)
     if (auto fits = check_summary(options.summary, options.output.path, "keys"); !fits) return fits;
+  if (auto apart = check_output_apart("-o", request.outputs.front(), {{"INPUT", options.inputs.front()}}); !apart)
+    return apart;
   if (options.report.path && options.inputs.size() > 1)
     return usage_failure(
         formatted("--report: found {} inputs, wanted one: a page shows one recording", options.inputs.size()));
@@ -147,6 +150,7 @@ void warn_of(const std::vector<ReducedTrack>& tracks, const Request& request) {
   if (!request.reduction.tolerance.bounds_positions() && std::ranges::any_of(tracks, has_positions))
     warn("positions are carried along without a bound, wanted --position-tolerance LENGTH for one");
   for (const ReducedTrack& track : tracks) {
+    warn(track.recording.warnings);
     if (!track.smoothing) continue;
     auto remarks = remark_on(*track.smoothing, track.recording.track);
     if (tracks.size() > 1)
@@ -234,13 +238,18 @@ Expected<void> write_all(const Request& request, const std::vector<ReduceReport>
 }  // namespace
 
 Expected<void> reduce(const ReduceOptions& options) {
-  const auto request = request_in(options);
-  if (!request) return tl::unexpected(request.error());
+  auto request = request_in(options);
+  if (!request) return tl::unexpected(std::move(request.error()));
   auto page = ReportFile::open(options.report);
   if (!page) return tl::unexpected(std::move(page.error()));
   if (auto able = check_outputs(*request, options); !able) return able;
   const auto tracks = open_tracks(*request);
   if (!tracks) return tl::unexpected(said_of_cutoff(options.smoothness, tracks.error()));
+  for (std::size_t i = 0; i < tracks->size(); ++i) {
+    OutputOptions output = options.output;
+    output.path = request->outputs[i];
+    request->columns[i] = columns_like(*(*tracks)[i].recording.format, request->columns[i], output);
+  }
   warn_of(*tracks, *request);
   const auto reports = reports_of(*request, *tracks);
   if (!reports) return tl::unexpected(reports.error());

@@ -10,6 +10,7 @@
 #include <orispline/retime/retime_fields.hpp>
 
 #include "commands/retime/retime_report.hpp"
+#include "options/file_places.hpp"
 #include "output/keys_file.hpp"
 
 namespace orispline::cli {
@@ -25,6 +26,7 @@ struct Request {
 
 /// What the files ask of each other.
 Expected<void> agree(const RetimeOptions& options) {
+  if (auto apart = check_output_apart("-o", options.output.path, {{"INPUT", options.input.path}}); !apart) return apart;
   return check_summary(options.summary, options.output.path, "keys").and_then([&] {
     return check_report(options.report, {{"that of -o", options.output.path}, {"INPUT", options.input.path}});
   });
@@ -69,7 +71,9 @@ Expected<void> retime(const RetimeOptions& options) {
   request->input.read.parameters = open_parameters(chosen->method);
   const auto file = io::read_track(std::move(*input), request->input.read, request->input.signs);
   if (!file) return tl::unexpected(file.error());
+  warn(file->warnings);
   const Track& track = file->track;
+  request->columns = columns_like(*file->format, request->columns, options.output);
   if (!file->ignored_columns.empty()) warn(formatted("not carried over: {}", joined(file->ignored_columns, ", ")));
   const orispline::MotionLimits& limits = request->retiming.limits;
   auto retiming = orispline::retime(track, chosen->method, request->retiming);

@@ -42,6 +42,7 @@ Expected<Source> open_source(const SampleRequest& request, io::KeyReader keys) {
   const Track& track = file->track;
   auto curve = shaped_curve(request.method, track);
   if (!curve) return tl::unexpected(std::move(curve.error()));
+  warn(file->warnings);
   warn(warnings_of(request.method, track));
   const Domain domain = curve->orientation.domain();
   auto times = SampleTimes::make(request.times, track.epoch, domain);
@@ -54,6 +55,7 @@ Expected<Source> open_source(const SampleRequest& request, io::KeyReader keys) {
 Expected<TruthReport> truth_report(const std::string& path, const Source& source) {
   const auto file = io::read_track(path);
   if (!file) return tl::unexpected(file.error());
+  warn(file->warnings);
   const Track& truth = file->track;
   const double shift = (truth.epoch - source.file.track.epoch).to_double();
   std::vector<double> times(truth.keys.times().begin(), truth.keys.times().end());
@@ -113,6 +115,7 @@ Expected<void> sample(const SampleOptions& options) {
   warn(*warnings);
   return io::KeyReader::open(std::move(*input), request->input.read)
       .and_then([&](io::KeyReader keys) {
+        request->columns = columns_for(options, keys.format());
         return goes_in_pieces(*request, keys) ? sample_in_pieces(*request, std::move(keys))
                                               : sample_whole(*request, std::move(keys));
       })

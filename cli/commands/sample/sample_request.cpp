@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "options/file_places.hpp"
 #include "options/threads.hpp"
 
 #include <orispline/base/formatted.hpp>
@@ -19,11 +20,13 @@ Expected<int> derivatives_in(OptionText option) {
   return static_cast<int>(*order);
 }
 
-Expected<io::SampleColumns> columns_in(const SampleOptions& options) {
+Expected<io::SampleColumns> columns_in(const SampleOptions& options, const io::FormatInfo* input = nullptr) {
   FirstError checked;
   auto columns = checked(output_columns(options.output));
   const auto derivatives = checked(if_given("--derivatives", options.derivatives, derivatives_in));
   const auto frame = checked(if_given("--frame", options.frame, choice_of(frame_choices)));
+  columns.derivatives = derivatives.value_or(0);
+  if (input && !frame) columns = columns_like(*input, columns, options.output);
   const bool holds_rates = columns.format->holds.rates;
   columns.derivatives = derivatives.value_or(holds_rates ? default_csv_derivatives : 0);
   columns.frame = frame.value_or(io::Frame::body);
@@ -69,9 +72,18 @@ Expected<SampleRequest> sample_request(const SampleOptions& options) {
   if (!read) return read;
   if (auto fits = check_summary(options.summary, options.output.path, "samples"); !fits)
     return tl::unexpected(std::move(fits.error()));
+  std::vector<OtherFile> others{{"INPUT", options.input.path}};
+  if (options.times.list) others.push_back({"that of --times", *options.times.list});
+  if (options.truth) others.push_back({"that of --truth", *options.truth});
+  if (auto apart = check_output_apart("-o", options.output.path, others); !apart)
+    return tl::unexpected(std::move(apart.error()));
   if (reads_standard_input_twice(options))
     return usage_failure("found '-' for several of INPUT, --times and --truth, wanted it for one at most");
   return read;
+}
+
+io::SampleColumns columns_for(const SampleOptions& options, const io::FormatInfo& input) {
+  return columns_in(options, &input).value();
 }
 
 Expected<std::vector<Warning>> settle_method(SampleRequest& request, const io::KeyInput& keys) {

@@ -13,6 +13,7 @@
 
 #include "commands/sample/sample_buffer.hpp"
 #include "output/noted_output.hpp"
+#include "output/standard_output.hpp"
 
 namespace orispline::cli {
 namespace {
@@ -92,6 +93,7 @@ class PiecewiseSampling {
     lines_.add(piece->lines, sampler_->keys() - sampler_->kept());
     repairs_ = piece->repairs;
     rates_of_unknown_frame_ = std::move(piece->rates_of_unknown_frame);
+    warn(piece->warnings);
     const auto taken = sampler_->append(piece->data, piece->parameters);
     if (!taken) return tl::unexpected(placed(taken.error()));
     if (progress_) progress_->advance_to(keys_.bytes_read());

@@ -9,6 +9,7 @@
 #include <orispline/pages/smooth_page.hpp>
 
 #include "commands/smooth/smooth_report.hpp"
+#include "options/file_places.hpp"
 #include "options/method_options.hpp"
 #include "options/sample_times.hpp"
 #include "output/keys_file.hpp"
@@ -29,6 +30,7 @@ struct Request {
 
 /// What the files ask of each other.
 Expected<void> agree(const SmoothOptions& options) {
+  if (auto apart = check_output_apart("-o", options.output.path, {{"INPUT", options.input.path}}); !apart) return apart;
   return check_summary(options.summary, options.output.path, "keys").and_then([&] {
     return check_report(options.report, {{"that of -o", options.output.path}, {"INPUT", options.input.path}});
   });
@@ -86,13 +88,15 @@ Expected<std::size_t> write(const std::string& path, const Request& request, con
 }  // namespace
 
 Expected<void> smooth(const SmoothOptions& options) {
-  const auto request = request_in(options);
-  if (!request) return tl::unexpected(request.error());
+  auto request = request_in(options);
+  if (!request) return tl::unexpected(std::move(request.error()));
   auto page = ReportFile::open(options.report);
   if (!page) return tl::unexpected(std::move(page.error()));
   const auto file = io::read_track(request->input.path, request->input.read, request->input.signs);
   if (!file) return tl::unexpected(file.error());
+  warn(file->warnings);
   const Track& recording = file->track;
+  request->columns = columns_like(*file->format, request->columns, options.output);
   auto smoothing = orispline::smooth(recording, request->smoothing);
   if (!smoothing)
     return tl::unexpected(said_of_cutoff(options.smoothness, placed(recording, std::move(smoothing.error()))));

@@ -8,6 +8,7 @@
 #include <orispline/tune/tune_fields.hpp>
 
 #include "commands/tune/tune_report.hpp"
+#include "options/file_places.hpp"
 #include "output/keys_file.hpp"
 #include "output/standard_output.hpp"
 
@@ -30,6 +31,12 @@ const std::optional<std::string>& reference_of(const TuneOptions& options) {
 Expected<void> agree(const TuneOptions& options) {
   if (options.output.empty()) return usage_failure("-o: found an empty name, wanted FILE or -");
   if (auto checked = check_summary(options.summary, options.output, "keys"); !checked) return checked;
+  std::vector<OtherFile> others{{"INPUT", options.input.path}};
+  if (const auto& reference = reference_of(options)) others.push_back({"that of --reference", *reference});
+  const auto output = check_output_apart("-o", options.output, others).and_then([&] {
+    return check_extension("-o", options.output, {".csv", ".txt"});
+  });
+  if (!output) return output;
   if (options.input.path == io::standard_stream && reference_of(options) == io::standard_stream)
     return usage_failure("found '-' for INPUT and --reference, wanted it for one at most");
   return {};
@@ -64,6 +71,7 @@ Expected<Reference> read_reference(const std::string& path, const Track& keys, I
   reading.read.keep_table = false;
   const auto file = io::read_track(path, reading.read, reading.signs);
   if (!file) return tl::unexpected(file.error());
+  warn(file->warnings);
   const Track& samples = file->track;
   const double shift = (samples.epoch - keys.epoch).to_double();
   Reference reference{{samples.keys.times().begin(), samples.keys.times().end()},
@@ -109,6 +117,7 @@ Expected<void> tune(const TuneOptions& options) {
   request->input.read.rate_orders = family_of(chosen->method).rate_orders;
   const auto file = io::read_track(std::move(*input), request->input.read, request->input.signs);
   if (!file) return tl::unexpected(file.error());
+  warn(file->warnings);
   auto tuning = tuned(*request, chosen->method, options, file->track);
   if (!tuning) return tl::unexpected(std::move(tuning.error()));
   warn(tuning->warnings);

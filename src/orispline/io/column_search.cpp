@@ -9,7 +9,27 @@ namespace {
 
 constexpr std::size_t longest_list = 200;  // [bytes] of column names in a message
 
+/// A unit in brackets at the end of a name, as a suffix: `px [mm]`, `wx (rad/s^2)`, `time(µs)`.
+std::string plain(std::string_view name) {
+  const std::size_t open = name.find_last_of("([");
+  const bool ends_in_brackets = name.ends_with(')') || name.ends_with(']');
+  if (open == 0 || open == std::string_view::npos || !ends_in_brackets) return std::string(name);
+  std::string base(name.substr(0, open));
+  while (base.ends_with(' ')) base.pop_back();
+  std::string unit(name.substr(open + 1, name.size() - open - 2));
+  for (const auto& [sign, word] : {std::pair("µ", "u"), std::pair("μ", "u"), std::pair("°", "deg"), std::pair("²", "2"),
+                                   std::pair("³", "3"), std::pair("/", "_"), std::pair("^", ""), std::pair(" ", "")})
+    for (std::size_t at = unit.find(sign); at != std::string::npos; at = unit.find(sign))
+      unit.replace(at, std::string_view(sign).size(), word);
+  return unit.empty() ? base : formatted("{}_{}", base, unit);
+}
+
 }  // namespace
+
+ColumnSearch::ColumnSearch(std::span<const std::string_view> header, const Names& mapped)
+    : header_(header), mapped_(mapped) {
+  for (const std::string_view name : header) plain_names_.push_back(plain(name));
+}
 
 Expected<ColumnGroup> ColumnSearch::group(std::span<const std::string_view> names, std::span<const Unit> accepted,
                                           std::span<const Unit> known) const {
@@ -20,7 +40,7 @@ Expected<ColumnGroup> ColumnSearch::group(std::span<const std::string_view> name
     if (!index) return tl::unexpected(index.error());
     (*index ? group.present : group.missing).push_back(canonical);
     if (!*index) continue;
-    const Unit unit = unit_of(header_[**index], known);
+    const Unit unit = unit_of(plain_name(**index), known);
     group.columns.push_back({**index, unit.numerator, unit.denominator});
   }
   return group;

@@ -58,18 +58,20 @@ class ORISPLINE_EXPORT ColumnSearch {
  public:
   using Names = std::map<std::string, std::string, std::less<>>;  ///< canonical name to name in the header
 
-  ColumnSearch(std::span<const std::string_view> header, const Names& mapped) : header_(header), mapped_(mapped) {}
+  ColumnSearch(std::span<const std::string_view> header, const Names& mapped);
 
   [[nodiscard]] std::string_view name(std::size_t column) const noexcept { return header_[column]; }
+  /// The name with a unit in brackets as a suffix: `time (us)` is `time_us`.
+  [[nodiscard]] std::string_view plain_name(std::size_t column) const noexcept { return plain_names_[column]; }
 
   /// The column of a canonical name: the one that was mapped, else the only one whose name is accepted. Errors
   /// (bad_data): a mapped name is not there; there are several.
   template <class Accepts>
   [[nodiscard]] Expected<std::optional<std::size_t>> column(std::string_view canonical, Accepts accepts) const {
     const auto mapping = mapped_.find(canonical);
-    if (mapping == mapped_.end()) return only_column(canonical, accepts);
+    if (mapping == mapped_.end()) return only_column(canonical, plain_names_, accepts);
     const std::string& name = mapping->second;
-    auto found = only_column(canonical, [&name](std::string_view column) { return column == name; });
+    auto found = only_column(canonical, header_, [&name](std::string_view column) { return column == name; });
     if (found && !*found) return not_there(canonical, name);
     return found;
   }
@@ -88,10 +90,11 @@ class ORISPLINE_EXPORT ColumnSearch {
 
  private:
   template <class Accepts>
-  [[nodiscard]] Expected<std::optional<std::size_t>> only_column(std::string_view canonical, Accepts accepts) const {
+  [[nodiscard]] Expected<std::optional<std::size_t>> only_column(std::string_view canonical, const auto& names,
+                                                                 Accepts accepts) const {
     std::optional<std::size_t> found;
-    for (std::size_t i = 0; i < header_.size(); ++i) {
-      if (!accepts(header_[i])) continue;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (!accepts(std::string_view(names[i]))) continue;
       if (found) return two_columns(canonical, *found, i);
       found = i;
     }
@@ -101,6 +104,7 @@ class ORISPLINE_EXPORT ColumnSearch {
   [[nodiscard]] tl::unexpected<Error> two_columns(std::string_view canonical, std::size_t one, std::size_t other) const;
 
   std::span<const std::string_view> header_;
+  std::vector<std::string> plain_names_;
   const Names& mapped_;
 };
 

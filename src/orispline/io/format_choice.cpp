@@ -46,6 +46,7 @@ Expected<Source> source_in(const FormatInfo& format, TextTable table, const Read
   if (!layout) return tl::unexpected(std::move(layout.error()));
   if (options.time_scale) {
     layout->columns.time_unit = *options.time_scale;
+    layout->columns.states_time_unit = true;
     layout->columns.whole_times = false;
   }
   return KeyRowsSource{&format, std::move(table), std::move(*layout)};

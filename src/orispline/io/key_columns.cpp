@@ -5,31 +5,21 @@
 #include <utility>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/io/time_column.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::io {
 namespace {
 
-/// Suffix of time columns: value · 10^exponent is in seconds.
-struct TimeUnit {
-  std::string_view suffix;
-  int exponent = 0;
-};
-
-constexpr std::array<std::string_view, 3> time_names{"t", "time", "timestamp"};
 constexpr std::array<std::string_view, 3> position_names{"px", "py", "pz"};
+/// What others call them, if all three are there.
+constexpr std::array<std::array<std::string_view, 3>, 2> other_position_names{{{"tx", "ty", "tz"}, {"x", "y", "z"}}};
 
-constexpr std::array time_units{TimeUnit{""}, TimeUnit{"_s"}, TimeUnit{"_ms", -3}, TimeUnit{"_us", -6},
-                                TimeUnit{"_ns", -9}};
 constexpr std::array lengths{Unit{""}, Unit{"_m"}, Unit{"_mm", 1.0, 1000.0}, Unit{"_cm", 1.0, 100.0},
                              Unit{"_km", 1000.0, 1.0}};
 
-Decimal time_unit_in(std::string_view name) {
-  return Decimal::power_of_ten(unit_of<TimeUnit>(name, time_units).exponent);
-}
-
 /// Every name that a mapping may be for.
 std::vector<std::string_view> canonical_names(std::span<const std::string> parameters) {
-  std::vector<std::string_view> names{time_names.front()};
+  std::vector<std::string_view> names{time_name};
   const auto append = [&names](const auto& more) { names.insert(names.end(), more.begin(), more.end()); };
   append(orientation_names());
   append(position_names);
@@ -55,13 +45,12 @@ struct RequiredColumns {
 };
 
 Expected<RequiredColumns> required_columns(const ColumnSearch& search, const OrientationReading& reading) {
-  const auto time =
-      search.column(time_names.front(), [](std::string_view name) { return time_unit_of(name).has_value(); });
+  const auto time = search.column(time_name, [](std::string_view name) { return time_unit_of(name).has_value(); });
   if (!time) return tl::unexpected(time.error());
   auto orientation = orientation_columns(search, reading);
   if (!orientation) return tl::unexpected(std::move(orientation.error()));
   auto missing = orientation->group.missing;
-  if (!*time) missing.insert(missing.begin(), time_names.front());
+  if (!*time) missing.insert(missing.begin(), time_name);
   if (missing.empty()) return RequiredColumns{**time, std::move(*orientation)};
   return mended_by("columns", formatted("no column {}, found {}", joined(missing, ", "), search.found_names()));
 }
@@ -73,6 +62,16 @@ Expected<std::vector<ParameterColumn>> parameter_columns(const ColumnSearch& sea
     const auto index = search.column(name, [&name](std::string_view column) { return column == name; });
     if (!index) return tl::unexpected(index.error());
     if (*index) columns.push_back({name, **index});
+  }
+  return columns;
+}
+
+Expected<std::optional<VectorColumns>> position_columns(const ColumnSearch& search) {
+  auto columns = search.vector(position_names, lengths, lengths);
+  for (const auto& names : other_position_names) {
+    if (!columns || *columns) return columns;
+    const auto others = search.group(names, lengths, lengths);
+    if (others && others->is_complete()) columns = search.vector(names, lengths, lengths);
   }
   return columns;
 }
@@ -112,16 +111,19 @@ Expected<KeyColumns> columns_of_header(std::span<const std::string_view> header,
   const ColumnSearch search(header, reading.names);
   auto required = required_columns(search, reading.orientation);
   if (!required) return tl::unexpected(std::move(required.error()));
-  const auto position = search.vector(position_names, lengths, lengths);
+  const auto position = position_columns(search);
   if (!position) return tl::unexpected(position.error());
   auto rates = rate_columns(search, reading.rates);
   if (!rates) return tl::unexpected(std::move(rates.error()));
   auto parameters = parameter_columns(search, reading.parameters);
   if (!parameters) return tl::unexpected(std::move(parameters.error()));
 
+  const std::string_view time = search.plain_name(required->time);
+  const TimeUnit unit = time_unit_of(time).value_or(time_unit_at_end_of(time));
   KeyColumns columns{.width = header.size(),
                      .time = required->time,
-                     .time_unit = time_unit_in(header[required->time]),
+                     .time_unit = unit.seconds,
+                     .states_time_unit = unit.is_stated,
                      .form = required->orientation.form,
                      .orientation = std::move(required->orientation.group.columns),
                      .position = *position,
@@ -142,12 +144,6 @@ Expected<KeyColumns> columns_of_order(std::size_t columns, QuaternionOrder order
   if (order == QuaternionOrder::xyzw) result.orientation = {{4}, {1}, {2}, {3}};
   if (columns == 8) result.position = three_columns_from(5);
   return result;
-}
-
-std::optional<Decimal> time_unit_of(std::string_view name) {
-  for (const std::string_view base : time_names)
-    if (is_with_unit<TimeUnit>(name, base, time_units)) return time_unit_in(name);
-  return std::nullopt;
 }
 
 }  // namespace orispline::inline ORISPLINE_ABI::io

@@ -27,6 +27,7 @@ struct KeyColumns {
   std::size_t width = 0;                         ///< cells in a row; empty ones may follow
   std::size_t time = 0;                          ///< 0-based
   Decimal time_unit = Decimal::power_of_ten(0);  ///< [s]
+  bool states_time_unit = false;                 ///< else the size of the first time decides
   bool whole_times = false;                      ///< times that are not whole numbers are errors
   OrientationForm form{};
   std::vector<NumberColumn> orientation{};  ///< in the order that `orientation_from` takes
@@ -48,13 +49,14 @@ struct HeaderReading {
 /// Whether the first row of a table names columns: its first cell that is not empty is no number.
 [[nodiscard]] ORISPLINE_EXPORT bool is_header(std::span<const std::string_view> row);
 
-/// The columns that a header names, in any order: `t` (or `time`, `timestamp`; with a unit `t_s`, `t_ms`, `t_us`,
-/// `t_ns`), the orientation by one of its representations, and where present `px,py,pz` (`px_m`, `px_mm`, `px_cm`,
-/// `px_km`), the rates that are asked for (`wx,wy,wz`, `ax,ay,az`, `jx,jy,jz`; `wx_rad_s`, `wx_deg_s`, `wx_body`,
-/// `wx_body_rad_s`, `wx_body_deg_s`, `ax_rad_s2`, `jx_rad_s3`, …; on request `wx_world`, …) and parameters. Others are
-/// ignored.
+/// The columns that a header names, in any order: `t` (or `time`, `timestamp`, `stamp`; with a unit `t_s`, `t_ms`,
+/// `t_us`, `t_ns`), the orientation by one of its representations, and where present `px,py,pz` (or `tx,ty,tz`, or
+/// `x,y,z`; `px_m`, `px_mm`, `px_cm`, `px_km`), the rates that are asked for (`wx,wy,wz`, `ax,ay,az`, `jx,jy,jz`;
+/// `wx_rad_s`, `wx_deg_s`, `wx_body`, `wx_body_rad_s`, `wx_body_deg_s`, `ax_rad_s2`, `jx_rad_s3`, …; on request
+/// `wx_world`, …) and parameters. Others are ignored.
 ///
-/// A name that was mapped brings the unit that it ends in.
+/// A unit may also stand in brackets behind the name: `time (us)`, `px [mm]`. A name that was mapped brings the unit
+/// that it ends in.
 ///
 /// Errors: bad_data for a column that is missing or there twice; bad_argument for a mapping of an unknown name; those
 /// of `orientation_columns`.
@@ -68,8 +70,5 @@ struct HeaderReading {
 [[nodiscard]] constexpr VectorColumns three_columns_from(std::size_t first) noexcept {
   return {NumberColumn{first}, NumberColumn{first + 1}, NumberColumn{first + 2}};
 }
-
-/// Unit [s] of a column that is named like a time; nothing for other names.
-[[nodiscard]] ORISPLINE_EXPORT std::optional<Decimal> time_unit_of(std::string_view name);
 
 }  // namespace orispline::inline ORISPLINE_ABI::io

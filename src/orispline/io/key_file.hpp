@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <orispline/base/warning.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/recipe.hpp>
 #include <orispline/io/formats/formats.hpp>
@@ -19,6 +20,16 @@ class KeyInput;
 
 /// What becomes of the line in which a file names the curve that its keys are for.
 enum class RecipeUse { honoured, ignored };
+
+/// How far from 1 the norms of hand-typed digits and of sensors may be.
+inline constexpr double loose_norm_limit = 0.02;
+
+/// Which norms of quaternions a file may have. Those farther than `norm_error_limit` from 1 are made 1 and counted.
+enum class Norms {
+  near_one,    ///< within `loose_norm_limit` of 1
+  any,         ///< any but 0
+  as_they_are  ///< left to whoever checks the keys
+};
 
 /// How a file of keyframes is to be read.
 struct ReadOptions {
@@ -33,8 +44,9 @@ struct ReadOptions {
   OrientationReading orientation{};
   /// Seconds per unit of the time column, greater than 0. Absent: by the suffix of its name, else 1; of EuRoC 1e-9.
   std::optional<Decimal> time_scale{};
-  /// The file holds world to body (SPICE, CCSDS): orientations are conjugated. Positions are not touched. The rates of
-  /// such files are often in the base frame, so `wx`, `wx_rad_s`, … are ignored; `wx_body…` are read.
+  /// The file holds world to body (C-kernels of SPICE; CCSDS attitude with the spacecraft as frame A and direction A2B,
+  /// or the reverse of both): orientations are conjugated. Positions are not touched. The rates of such files are often
+  /// in the base frame, so `wx`, `wx_rad_s`, … are ignored; `wx_body…` are read.
   bool conjugate = false;
   /// Rates that are read where they are there, up to this order: 0 none, 1 `wx,wy,wz`, 2 and `ax,ay,az`, 3 and
   /// `jx,jy,jz`. A fault in the columns of others is no fault of the file.
@@ -48,6 +60,7 @@ struct ReadOptions {
   bool keep_as_read = false;  ///< orientations with the norms and signs of the file, for read_track()
   bool keep_table = false;
   RecipeUse recipe = RecipeUse::honoured;
+  Norms norms = Norms::near_one;
   /// Parameters that are read where a column has their name.
   std::vector<std::string> parameters{};
 };
@@ -57,6 +70,8 @@ struct RepairReport {
   std::size_t duplicates_dropped = 0;
   std::size_t invalid_dropped = 0;
   std::size_t rows_moved = 0;
+  std::size_t normalised = 0;       ///< quaternions farther than `norm_error_limit` from norm 1
+  double largest_norm_error = 0.0;  ///< of those
 };
 
 /// What a file of keyframes holds.
@@ -73,11 +88,13 @@ struct KeyFile {
   KeyTable table{};                                   ///< the cells of each key; only if asked for
   std::vector<std::string> ignored_columns{};         ///< that nothing was read from
   std::vector<std::string> rates_of_unknown_frame{};  ///< those of them that are angular velocities in no known frame
+  std::vector<Warning> warnings{};                    ///< `time_unit_by_size`
 };
 
 /// Reads the keyframes of a file of one track, or of standard input for `-`.
 ///
-/// Times are strictly increasing and all numbers finite; norms and signs are left to `Keyframes::make`.
+/// Times are strictly increasing and all numbers finite, norms near 1 unless they are left as they are; signs are left
+/// to `Keyframes::make`.
 /// Errors name the file, the line and the column or the key: bad_access, bad_data, and bad_argument for options that
 /// contradict the file.
 [[nodiscard]] ORISPLINE_EXPORT Expected<KeyFile> read_keys(const std::string& path, const ReadOptions& options = {});

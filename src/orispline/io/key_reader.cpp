@@ -36,7 +36,7 @@ Expected<KeyReader> KeyReader::open(KeyInput input, const ReadOptions& options) 
   return reader;
 }
 
-KeyReader::KeyReader(KeyRowsSource source, const ReadOptions& options) : source_(KeyFile()) {
+KeyReader::KeyReader(KeyRowsSource source, const ReadOptions& options) : source_(KeyFile()), format_(source.format) {
   auto& [format, table, layout] = source;
   KeyRows rows(table.path(), *format, std::move(layout.columns), options);
   source_ = Table{.cells = std::move(table),

@@ -25,6 +25,7 @@ class ORISPLINE_EXPORT KeyReader {
   /// Of the curve that the keys are for.
   [[nodiscard]] const Recipe& recipe() const noexcept { return recipe_; }
 
+  [[nodiscard]] const FormatInfo& format() const noexcept { return *format_; }
   /// Which column holds what; null where the keys are no rows.
   [[nodiscard]] const KeyColumns* columns() const noexcept;
 
@@ -43,12 +44,13 @@ class ORISPLINE_EXPORT KeyReader {
     bool is_at_new_row;              // that was not added yet
   };
 
-  explicit KeyReader(KeyFile file) : source_(std::move(file)) {}
+  explicit KeyReader(KeyFile file) : source_(std::move(file)), format_(std::get<KeyFile>(source_).format) {}
   /// Adds rows until there are that many keys, or no more rows.
   [[nodiscard]] Expected<void> fill(Table& table, std::size_t most);
 
   std::variant<Table, KeyFile> source_;
   Recipe recipe_;
+  const FormatInfo* format_;
   bool is_at_end_ = false;
 };
 

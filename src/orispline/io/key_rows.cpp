@@ -10,6 +10,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 #include <orispline/curve/motion.hpp>
+#include <orispline/io/time_column.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::io {
 namespace {
@@ -141,6 +142,12 @@ std::size_t late_rows(const std::vector<Decimal>& times) {
 
 }  // namespace
 
+Error norm_refused(double norm, Where where) {
+  return mended_by("norms", formatted("the quaternion has norm {:.6g}, wanted 1 within {:g}", norm, loose_norm_limit),
+                   std::move(where))
+      .value();
+}
+
 KeyRows::KeyRows(std::string path, const FormatInfo& format, KeyColumns columns, const ReadOptions& options)
     : columns_(std::move(columns)), options_(options) {
   file_.path = std::move(path);
@@ -163,6 +170,9 @@ Expected<void> KeyRows::add(const TextTable& table) {
     ++file_.repairs.invalid_dropped;
     return {};
   }
+  const auto unit = normalised(key.orientation, table.here());
+  if (!unit) return refused(unit.error());
+  const Eigen::Quaterniond orientation = options_.conjugate ? unit->conjugate() : *unit;
   if (options_.sort) {
     times_.push_back(key.time);
   } else {
@@ -175,7 +185,6 @@ Expected<void> KeyRows::add(const TextTable& table) {
     const auto cells = table.cells().first(columns_.width);
     file_.table.rows.emplace_back(cells.begin(), cells.end());
   }
-  const Eigen::Quaterniond orientation = options_.conjugate ? key.orientation.conjugate() : key.orientation;
   file_.data.orientations.push_back(orientation);
   if (columns_.position) file_.data.positions.push_back(key.position);
   const auto rates = body_rates(key, columns_.rates, orientation);
@@ -184,6 +193,29 @@ Expected<void> KeyRows::add(const TextTable& table) {
   for (std::size_t i = 0; i < key.parameters.size(); ++i)
     file_.parameters[columns_.parameters[i].name].push_back(key.parameters[i]);
   return {};
+}
+
+/// A quaternion that is near enough to norm 1 for keys.
+Expected<Eigen::Quaterniond> KeyRows::normalised(Eigen::Quaterniond q, Where where) {
+  const double norm = q.coeffs().stableNorm(), off = std::abs(norm - 1.0);
+  if (off <= norm_error_limit || options_.norms == Norms::as_they_are) return q;
+  if (norm == 0.0) return failure(ErrorCode::bad_data, "the quaternion is zero, wanted a rotation", std::move(where));
+  if (options_.norms == Norms::near_one && off > loose_norm_limit)
+    return tl::unexpected(norm_refused(norm, std::move(where)));
+  ++file_.repairs.normalised;
+  file_.repairs.largest_norm_error = std::max(file_.repairs.largest_norm_error, off);
+  q.coeffs() /= norm;
+  return q;
+}
+
+void KeyRows::settle_time_unit(const Decimal& first) {
+  if (columns_.states_time_unit) return;
+  columns_.states_time_unit = true;
+  if (auto guess = time_unit_by_size(first)) {
+    columns_.time_unit = guess->seconds;
+    guess->warning.where.file = file_.path;
+    file_.warnings.push_back(std::move(guess->warning));
+  }
 }
 
 /// Appends the time of the next key; false for a duplicate that is dropped. `text`: the time in the file, if at hand.
@@ -195,6 +227,7 @@ Expected<bool> KeyRows::append_time(const Decimal& time, std::string_view text, 
   };
   const auto shown = [&] { return text.empty() ? time.to_string() : std::string(text); };
   if (is_first) {
+    settle_time_unit(time);
     first_ = time;
     file_.epoch = first_ * columns_.time_unit;
   } else if (time < latest_)

@@ -9,6 +9,9 @@
 
 namespace orispline::inline ORISPLINE_ABI::io {
 
+/// Of a quaternion that is too far from a unit one to be read without being asked.
+[[nodiscard]] ORISPLINE_EXPORT Error norm_refused(double norm, Where where);
+
 /// Gathers the keys of a table row by row, checks and repairs them. They may be taken out in pieces.
 class ORISPLINE_EXPORT KeyRows {
  public:
@@ -28,6 +31,8 @@ class ORISPLINE_EXPORT KeyRows {
   [[nodiscard]] const KeyColumns& columns() const noexcept { return columns_; }
 
  private:
+  [[nodiscard]] Expected<Eigen::Quaterniond> normalised(Eigen::Quaterniond q, Where where);
+  void settle_time_unit(const Decimal& first);
   [[nodiscard]] Expected<bool> append_time(const Decimal& time, std::string_view text, std::size_t line);
   [[nodiscard]] Expected<void> sort();
 

@@ -70,7 +70,7 @@ Expected<Representation> representation_in(const ColumnSearch& search, const Ori
 Expected<void> settle_units(ColumnGroup& group, const ColumnSearch& search, std::optional<AngleUnit> unit) {
   for (std::size_t i = 0; i < group.columns.size(); ++i) {
     NumberColumn& column = group.columns[i];
-    if (!unit_of<Unit>(search.name(column.index), angles).suffix.empty()) continue;
+    if (!unit_of<Unit>(search.plain_name(column.index), angles).suffix.empty()) continue;
     const std::string_view name = group.present[i];
     if (!unit)
       return mended_by("angle_unit", formatted("{} has no unit, wanted a name such as {}_deg or {}_rad, or the unit",

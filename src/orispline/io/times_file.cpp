@@ -26,7 +26,7 @@ Expected<std::string_view> only_cell(const TextTable& table) {
 /// Unit [s] of the times below the header.
 Expected<Decimal> unit_of_header(const TextTable& table) {
   return only_cell(table).and_then([&table](std::string_view name) -> Expected<Decimal> {
-    if (const auto unit = time_unit_of(name)) return *unit;
+    if (const auto unit = time_unit_of(name)) return unit->seconds;
     return at_row(table, formatted("found {}, wanted the header t or a number", in_quotes(name)));
   });
 }

@@ -76,6 +76,7 @@ Expected<TableLayout> layout(const TextTable& table, const ReadOptions& options)
   TableLayout layout{
       .columns = {.width = width,
                   .time_unit = Decimal::power_of_ten(-nanoseconds),
+                  .states_time_unit = true,
                   .whole_times = true,
                   .orientation = {{4}, {5}, {6}, {7}},
                   .position = three_columns_from(1)},

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "options/file_places.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <orispline/base/formatted.hpp>
+#include <orispline/io/output_file.hpp>
+
+#include "options/option_text.hpp"
+
+namespace orispline::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Where a file is, or would be; as it stands where that cannot be said.
+fs::path place_of(const std::string& path) {
+  std::error_code unknown;
+  auto place = fs::weakly_canonical(fs::absolute(path, unknown), unknown);
+  return unknown ? fs::path(path) : place;
+}
+
+std::string in_small_letters(std::string text) {
+  std::ranges::transform(text, text.begin(),
+                         [](char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  return text;
+}
+
+}  // namespace
+
+bool is_same_file(const std::string& a, const std::string& b) {
+  if (io::is_stream(a) || io::is_stream(b)) return false;
+  std::error_code unknown;  // such as a file that is not there
+  return place_of(a) == place_of(b) || fs::equivalent(a, b, unknown);
+}
+
+Expected<void> check_output_apart(std::string_view option, const std::string& output,
+                                  const std::vector<OtherFile>& read) {
+  for (const OtherFile& other : read)
+    if (is_same_file(output, other.path))
+      return wanted({option, output}, formatted("another file than {}, which would be lost", other.name));
+  return {};
+}
+
+Expected<void> check_extension(std::string_view option, const std::string& output,
+                               const std::vector<std::string_view>& extensions) {
+  const std::string extension = in_small_letters(fs::path(output).extension().string());
+  if (io::is_stream(output) || extension.empty() || std::ranges::find(extensions, extension) != extensions.end())
+    return {};
+  return wanted({option, output}, formatted("a name that ends in {}", joined(extensions, ", ")));
+}
+
+}  // namespace orispline::cli

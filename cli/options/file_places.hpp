@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <orispline/base/expected.hpp>
+
+namespace orispline::cli {
+
+/// A file that the command reads or writes besides, and its name in a message: `INPUT`.
+struct OtherFile {
+  std::string_view name;
+  std::string path;
+};
+
+/// Whether both paths lead to one file, through links too. Streams are never the same file.
+[[nodiscard]] bool is_same_file(const std::string& a, const std::string& b);
+
+/// Error (bad_argument): the file of this option is one of those that are read, which would be lost.
+[[nodiscard]] Expected<void> check_output_apart(std::string_view option, const std::string& output,
+                                                const std::vector<OtherFile>& read);
+
+/// Error (bad_argument): a file whose name ends as files of other kinds do; `extensions` are those that fit, with their
+/// dots. Names without an extension fit.
+[[nodiscard]] Expected<void> check_extension(std::string_view option, const std::string& output,
+                                             const std::vector<std::string_view>& extensions);
+
+}  // namespace orispline::cli

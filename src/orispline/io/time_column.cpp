@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/io/time_column.hpp>
+
+#include <algorithm>
+#include <array>
+
+#include <orispline/base/formatted.hpp>
+#include <orispline/io/column_search.hpp>
+
+namespace orispline::inline ORISPLINE_ABI::io {
+namespace {
+
+/// Suffix of time columns: value · 10^exponent is in seconds.
+struct TimeSuffix {
+  std::string_view suffix;
+  int exponent = 0;
+};
+
+constexpr std::array<std::string_view, 4> names{time_name, "time", "timestamp", "stamp"};
+constexpr std::array suffixes{TimeSuffix{""},          TimeSuffix{"_s"},         TimeSuffix{"_sec"},
+                              TimeSuffix{"_seconds"},  TimeSuffix{"_ms", -3},    TimeSuffix{"_msec", -3},
+                              TimeSuffix{"_us", -6},   TimeSuffix{"_usec", -6},  TimeSuffix{"_ns", -9},
+                              TimeSuffix{"_nsec", -9}, TimeSuffix{"_nanos", -9}, TimeSuffix{"_nanoseconds", -9}};
+/// Units that are names of columns themselves.
+constexpr std::array bare_units{TimeSuffix{"sec"}, TimeSuffix{"seconds"}, TimeSuffix{"msec", -3},
+                                TimeSuffix{"usec", -6}, TimeSuffix{"nsec", -9}};
+
+/// A time of today in a unit, and what people call that.
+struct SizeOfTime {
+  int from_digits;  // 10^that and more are of this unit
+  int exponent;
+  std::string_view name;
+};
+constexpr std::array sizes{SizeOfTime{17, -9, "nanoseconds"}, SizeOfTime{14, -6, "microseconds"},
+                           SizeOfTime{11, -3, "milliseconds"}};
+
+}  // namespace
+
+TimeUnit time_unit_at_end_of(std::string_view name) {
+  const TimeSuffix unit = unit_of<TimeSuffix>(name, suffixes);
+  return {Decimal::power_of_ten(unit.exponent), true};
+}
+
+std::optional<TimeUnit> time_unit_of(std::string_view name) {
+  for (const TimeSuffix& unit : bare_units)
+    if (name == unit.suffix) return TimeUnit{Decimal::power_of_ten(unit.exponent), true};
+  for (const std::string_view base : names)
+    if (is_with_unit<TimeSuffix>(name, base, suffixes))
+      return TimeUnit{time_unit_at_end_of(name).seconds, name.size() > base.size()};
+  return std::nullopt;
+}
+
+std::optional<TimeUnitGuess> time_unit_by_size(const Decimal& first) {
+  const Decimal size = first < Decimal() ? Decimal() - first : first;
+  for (const auto& [digits, exponent, name] : sizes)
+    if (size >= Decimal::power_of_ten(digits))
+      return TimeUnitGuess{
+          Decimal::power_of_ten(exponent),
+          {.code = "time_unit_by_size",
+           .message =
+               formatted("the times are taken as {}, for the first one is {}; state `time_scale` if they are not", name,
+                         first.to_string())}};
+  return std::nullopt;
+}
+
+}  // namespace orispline::inline ORISPLINE_ABI::io
