@@ -53,7 +53,8 @@ def by_command(command, cell, way, folder):
     options = [] if way in OWN_WAYS else options_of(way, cell.name, cell.noise)
     subprocess.run([command, "smooth", "noisy.csv", *options, "--quiet", "-o", "smooth.csv"], cwd=folder, check=True)
     with open(folder / "smooth.csv", encoding="utf-8") as file:
-        return cell.error([[float(row[c]) for c in ("qw", "qx", "qy", "qz")] for row in csv.DictReader(file)])
+        rows = csv.DictReader(line for line in file if not line.startswith("#"))
+        return cell.error([[float(row[c]) for c in ("qw", "qx", "qy", "qz")] for row in rows])
 
 
 class Reference:
