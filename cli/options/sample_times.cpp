@@ -29,24 +29,69 @@ Expected<Spacing> spacing_in(const TimeOptions& options) {
   return Spacing(Rate{*hertz});
 }
 
+/// `5` or `+5`.
+Expected<TimeBound> bound_in(OptionText option) {
+  const bool since_first_key = option.text.starts_with('+');
+  return decimal_in(option).map([&](const Decimal& time) { return TimeBound{time, since_first_key}; });
+}
+
+constexpr double most_samples = 1e9;
+
+Warning outside(std::string_view side, const TimeBound& bound, std::string_view verb, const Decimal& end,
+                std::string_view held) {
+  return {
+      .code = "outside_curve",
+      .message = formatted("--{} {} lies outside the curve, which {} at {} s: samples there hold the {} orientation; "
+                           "+0 is the time of the first key",
+                           side, bound.time.to_string(), verb, end.to_string(), held)};
+}
+
 }  // namespace
+
+TimeRequest anchored(TimeRequest request, const Decimal& key_epoch) {
+  for (auto* const bound : {&request.from, &request.to})
+    if (*bound && (*bound)->since_first_key) *bound = TimeBound{key_epoch + (*bound)->time};
+  return request;
+}
+
+Expected<void> check_number(const TimeRequest& request, double samples) {
+  if (request.any_number || samples <= most_samples) return {};
+  return usage_failure(
+      formatted("found a request for {:.4g} samples, wanted {:g} at most: check the rate and the unit of "
+                "the times; 'orispline sample --yes' writes any number",
+                samples, most_samples));
+}
+
+std::vector<Warning> range_warnings(const TimeRequest& request, const Decimal& key_epoch, const Domain& domain) {
+  const Decimal start = key_epoch + Decimal::from_double(domain.start),
+                end = key_epoch + Decimal::from_double(domain.end);
+  std::vector<Warning> warnings;
+  if (request.from && request.from->time < start)
+    warnings.push_back(outside("from", *request.from, "begins", start, "first"));
+  if (request.from && request.from->time > end) warnings.push_back(outside("from", *request.from, "ends", end, "last"));
+  if (request.to && request.to->time < start) warnings.push_back(outside("to", *request.to, "begins", start, "first"));
+  if (request.to && request.to->time > end) warnings.push_back(outside("to", *request.to, "ends", end, "last"));
+  return warnings;
+}
 
 Expected<TimeRequest> time_request(const TimeOptions& options) {
   FirstError checked;
   TimeRequest request{.spacing = checked(spacing_in(options)),
-                      .from = checked(if_given("--from", options.from, decimal_in)),
-                      .to = checked(if_given("--to", options.to, decimal_in))};
+                      .from = checked(if_given("--from", options.from, bound_in)),
+                      .to = checked(if_given("--to", options.to, bound_in)),
+                      .any_number = options.yes};
   auto read = std::move(checked).or_else(std::move(request));
   if (read && options.list && (options.from || options.to))
     return usage_failure("--times: the file says which times, wanted neither --from nor --to");
-  if (read && read->from && read->to && *read->from > *read->to)
+  if (read && read->from && read->to && read->from->since_first_key == read->to->since_first_key &&
+      read->from->time > read->to->time)
     return usage_failure(formatted("--from {} is after --to {}", *options.from, *options.to));
   return read;
 }
 
 std::optional<SampleGrid::Request> grid_request(const TimeRequest& request, const Decimal& key_epoch) {
-  const auto since_epoch = [&](const std::optional<Decimal>& time) {
-    return time ? std::optional(*time - key_epoch) : std::nullopt;
+  const auto since_epoch = [&](const std::optional<TimeBound>& bound) {
+    return bound ? std::optional(bound->time - key_epoch) : std::nullopt;
   };
   SampleGrid::Request wanted{.spacing = Rate{}, .start = since_epoch(request.from), .end = since_epoch(request.to)};
   if (std::holds_alternative<TimesFile>(request.spacing)) return std::nullopt;
@@ -57,15 +102,17 @@ std::optional<SampleGrid::Request> grid_request(const TimeRequest& request, cons
 
 Expected<void> check_range(const TimeRequest& request, const Decimal& key_epoch, double curve_start,
                            std::optional<double> curve_end) {
-  const Decimal start = request.from.value_or(key_epoch + Decimal::from_double(curve_start));
-  if (request.to && !request.from && *request.to < start)
-    return usage_failure(formatted("--to {} is before the start at {}, wanted --from as well", request.to->to_string(),
-                                   start.to_string()));
+  const Decimal start = request.from ? request.from->time : key_epoch + Decimal::from_double(curve_start);
+  if (request.to && !request.from && request.to->time < start)
+    return usage_failure(formatted("--to {} is before the start at {}, wanted --from as well",
+                                   request.to->time.to_string(), start.to_string()));
   if (!request.to && !curve_end) return {};
-  const Decimal end = request.to ? *request.to : key_epoch + Decimal::from_double(*curve_end);
+  const Decimal end = request.to ? request.to->time : key_epoch + Decimal::from_double(*curve_end);
+  if (start > end && request.from && request.to)
+    return usage_failure(formatted("--from {} is after --to {}", start.to_string(), end.to_string()));
   if (request.from && start > end)
-    return usage_failure(
-        formatted("--from {} is after the end at {}, wanted --to as well", request.from->to_string(), end.to_string()));
+    return usage_failure(formatted("--from {} is after the end at {}, wanted --to as well",
+                                   request.from->time.to_string(), end.to_string()));
   if (const auto* const count = std::get_if<Count>(&request.spacing); count && count->samples > 1 && start == end)
     return usage_failure(formatted("--count: found {} and a range that is the single time {}, wanted 1", count->samples,
                                    start.to_string()));
@@ -82,6 +129,9 @@ Expected<SampleTimes> SampleTimes::make(const TimeRequest& request, const Decima
   if (const auto wanted = grid_request(request, key_epoch))
     return check_range(request, key_epoch, domain.start, domain.end)
         .and_then([&] { return SampleGrid::make(*wanted, domain.start, domain.end); })
+        .and_then([&](const SampleGrid& grid) {
+          return check_number(request, static_cast<double>(*grid.size())).map([&] { return grid; });
+        })
         .map([&](const SampleGrid& grid) { return SampleTimes(key_epoch, *wanted, domain.start, grid); });
   const std::string& path = std::get<TimesFile>(request.spacing).path;
   return io::read_times(path, key_epoch).map([&](io::TimesList list) {

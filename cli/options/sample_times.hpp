@@ -4,7 +4,9 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
+#include <orispline/base/warning.hpp>
 #include <orispline/batch/sample_grid.hpp>
 #include <orispline/curve/curve.hpp>
 #include <orispline/io/times_file.hpp>
@@ -14,19 +16,39 @@ namespace orispline::cli {
 /// Which times the user wants, as typed.
 struct TimeOptions {
   std::optional<std::string> rate, count, list, from, to;
+  bool yes = false;  ///< to any number of samples
 };
 
 struct TimesFile {
   std::string path;
 };
 
-/// The same, understood. `from` and `to` are in the file's own time.
-struct TimeRequest {
-  std::variant<SampleGrid::Rate, SampleGrid::Count, TimesFile> spacing;
-  std::optional<Decimal> from, to;
+/// Where samples begin or end: in the file's own time, or `+0` since the first key.
+struct TimeBound {
+  Decimal time;
+  bool since_first_key = false;
 };
 
+/// The same, understood.
+struct TimeRequest {
+  std::variant<SampleGrid::Rate, SampleGrid::Count, TimesFile> spacing;
+  std::optional<TimeBound> from, to;
+  bool any_number = false;  ///< of samples: else 1e9 at most
+};
+
+/// The request with both ends in the file's own time, whose first key is at `key_epoch`.
+[[nodiscard]] TimeRequest anchored(TimeRequest request, const Decimal& key_epoch);
+
+/// Error (bad_argument): so many samples can hardly be meant.
+[[nodiscard]] Expected<void> check_number(const TimeRequest& request, double samples);
+
+/// `outside_curve`: what is asked for by --from and --to begins before or ends after the curve.
+[[nodiscard]] std::vector<Warning> range_warnings(const TimeRequest& request, const Decimal& key_epoch,
+                                                  const Domain& domain);
+
 [[nodiscard]] Expected<TimeRequest> time_request(const TimeOptions& options);
+
+// What follows takes an anchored request.
 
 /// The grid that is wanted of keys with that epoch; absent for a file of times.
 [[nodiscard]] std::optional<SampleGrid::Request> grid_request(const TimeRequest& request, const Decimal& key_epoch);

@@ -45,8 +45,10 @@ Expected<Source> open_source(const SampleRequest& request, io::KeyReader keys) {
   warn(file->warnings);
   warn(warnings_of(request.method, track));
   const Domain domain = curve->orientation.domain();
-  auto times = SampleTimes::make(request.times, track.epoch, domain);
+  const TimeRequest wanted = anchored(request.times, track.epoch);
+  auto times = SampleTimes::make(wanted, track.epoch, domain);
   if (!times) return tl::unexpected(std::move(times.error()));
+  if (request.extrapolation == Extrapolation::hold) warn(range_warnings(wanted, track.epoch, domain));
   if (request.extrapolation == Extrapolation::error)
     if (auto stray = times->outside(domain)) return tl::unexpected(std::move(*stray));
   return Source{std::move(*file), std::move(*curve), std::move(*times)};

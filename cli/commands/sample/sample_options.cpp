@@ -39,8 +39,12 @@ void add_time_options(Command& app, TimeOptions& o) {
   app.add_option("--rate", o.rate, "Samples per second, from the start up to the end")->type_name("HZ")->group(group);
   app.add_option("--count", o.count, "Number of samples, both ends included")->type_name("N")->group(group);
   app.add_option("--times", o.list, "File with one time a line, in any order")->type_name(file_type)->group(group);
-  app.add_option("--from", o.from, "Start [s], in the time of INPUT [of the curve]")->type_name("T")->group(group);
-  app.add_option("--to", o.to, "End [s], in the time of INPUT [of the curve]")->type_name("T")->group(group);
+  app.add_option("--from", o.from, "Start [s], in the time of INPUT, or +T since its first key [of the curve]")
+      ->type_name("T")
+      ->group(group);
+  app.add_option("--to", o.to, "End [s], in the time of INPUT, or +T since its first key [of the curve]")
+      ->type_name("T")
+      ->group(group);
 }
 
 }  // namespace
@@ -59,6 +63,7 @@ void add_sample_options(Command& app, SampleOptions& o) {
       ->group("Times (one of --rate, --count, --times)");
   add_output_options(app, o.output);
   const std::string group = "Output";
+  app.add_flag("--yes", o.times.yes, "Write any number of samples, above 1e9 too")->group(group);
   app.add_option("--derivatives", o.derivatives, "Highest order of the rates [2 for CSV and npy, else 0]")
       ->type_name("0|1|2|3")
       ->group(group);

@@ -97,14 +97,15 @@ class PiecewiseSampling {
     const auto taken = sampler_->append(piece->data, piece->parameters);
     if (!taken) return tl::unexpected(placed(taken.error()));
     if (progress_) progress_->advance_to(keys_.bytes_read());
-    return sampler_->start() ? check_range(request_.times, epoch_, *sampler_->start(), std::nullopt) : Expected<void>();
+    return sampler_->start() ? check_range(times_wanted_, epoch_, *sampler_->start(), std::nullopt) : Expected<void>();
   }
 
   [[nodiscard]] Expected<void> begin(const Decimal& epoch) {
     epoch_ = epoch;
+    times_wanted_ = anchored(request_.times, epoch);
     auto sampler =
         TrackSampler::make(with_columns(request_.method, *keys_.columns()),
-                           {.request = grid_request(request_.times, epoch)}, {.signs = *request_.input.signs});
+                           {.request = grid_request(times_wanted_, epoch)}, {.signs = *request_.input.signs});
     if (!sampler) return tl::unexpected(std::move(sampler.error()));
     sampler_ = std::move(*sampler);
     return {};
@@ -114,7 +115,8 @@ class PiecewiseSampling {
   [[nodiscard]] Expected<void> end() {
     if (auto ended = sampler_->finish().and_then([this] { return sampler_->prepare(); }); !ended)
       return tl::unexpected(placed(std::move(ended.error())));
-    if (auto checked = check_range(request_.times, epoch_, domain().start, domain().end); !checked) return checked;
+    if (auto checked = check_range(times_wanted_, epoch_, domain().start, domain().end); !checked) return checked;
+    if (request_.extrapolation == Extrapolation::hold) warn(range_warnings(times_wanted_, epoch_, domain()));
     if (request_.extrapolation == Extrapolation::error)
       if (auto stray = times().outside(domain())) return tl::unexpected(std::move(*stray));
     progress_.emplace(static_cast<std::size_t>(*sampler_->grid()->size()), request_.progress);
@@ -123,6 +125,9 @@ class PiecewiseSampling {
 
   [[nodiscard]] Expected<void> write_ready() {
     if (sampler_->ready() == 0) return {};
+    const auto number =
+        check_number(times_wanted_, static_cast<double>(samples_) + static_cast<double>(sampler_->ready()));
+    if (!number) return number;
     if (!output_) {
       const auto size = sampler_->grid()->size();
       auto output = open_samples(request_.output, columns_, static_cast<std::size_t>(size.value_or(0)));
@@ -165,7 +170,7 @@ class PiecewiseSampling {
     return {*sampler_->start(), sampler_->end().value_or(std::numeric_limits<double>::infinity())};
   }
   [[nodiscard]] SampleTimes times() const {
-    return {epoch_, *grid_request(request_.times, epoch_), *sampler_->start(), *sampler_->grid()};
+    return {epoch_, *grid_request(times_wanted_, epoch_), *sampler_->start(), *sampler_->grid()};
   }
   /// What is wrong with the keys has its place in the file; the rest is the fault of the command line.
   [[nodiscard]] Error placed(Error error) const {
@@ -200,6 +205,7 @@ class PiecewiseSampling {
   SampleBuffer buffer_;
   std::vector<BufferRows> rows_;
   Decimal epoch_;
+  TimeRequest times_wanted_;  // anchored at the first key
   std::optional<TrackSampler> sampler_;
   std::optional<Noted<io::SampleWriter>> output_;
   std::optional<Progress> progress_;  // through the file, then through the samples
