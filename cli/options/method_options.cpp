@@ -69,8 +69,9 @@ Method silent_about(const MethodOptions& options, Method method) {
     stated.parameters.erase(setting);
     stated.choices.erase(setting);
   }
-  if (options.ends || options.start_rate) stated.start = {};
-  if (options.ends || options.end_rate) stated.end = {};
+  if (options.ends) stated.start.rule = stated.end.rule = EndRule::none;  // a rate that the file states stays
+  if (options.start_rate) stated.start = {};
+  if (options.end_rate) stated.end = {};
   if (options.closed || options.period) stated.loop.reset();
   return method;
 }
@@ -97,6 +98,18 @@ Expected<Method> shaped(Method given, const MethodOptions& options, AskedBy aske
       .and_then([&](Method method) { return with_loop_options(std::move(method), options); });
 }
 
+/// What is wrong with a method that nobody but the file of the keys names is the fault of that line.
+Error blamed_on_recipe(const Method& method, const Track& track, Error error) {
+  const auto stated = method_of(track.recipe, track.name);
+  if (error.code != ErrorCode::bad_argument || !stated || !*stated || text_of(**stated) != text_of(method))
+    return error;
+  error.code = ErrorCode::bad_data;
+  error.where = {.file = track.name, .line = track.recipe.line};
+  error.option.clear();
+  error.remedy = "recipe";
+  return error;
+}
+
 }  // namespace
 
 Expected<Method> method_request(std::string_view text, const MethodOptions& options) {
@@ -111,18 +124,21 @@ Expected<std::optional<Method>> named_method(const std::optional<std::string>& t
 }
 
 Expected<ChosenMethod> chosen_method(const std::optional<Method>& named, const MethodOptions& options,
-                                     const io::KeyInput& keys, std::string_view otherwise) {
-  if (named) {
-    ChosenMethod chosen{.method = *named};
-    if (auto warning = recipe_set_aside(keys.recipe(), *named, keys.path()))
+                                     const io::KeyInput& keys, const OtherMethod& otherwise) {
+  const auto instead_of_recipe = [&](Method method) {
+    ChosenMethod chosen{.method = std::move(method)};
+    if (auto warning = recipe_set_aside(keys.recipe(), chosen.method, keys.path()))
       chosen.warnings.push_back(std::move(*warning));
     return chosen;
-  }
-  const auto with_warnings = [](Method method) { return ChosenMethod{.method = std::move(method)}; };
+  };
+  if (named) return instead_of_recipe(*named);
   return method_of(keys.recipe(), keys.path()).and_then([&](std::optional<Method> stated) {
-    if (!stated) return method_request(otherwise, options).map(with_warnings);
+    if (!stated || (otherwise.fits && !otherwise.fits(family_of(*stated))))
+      return method_request(otherwise.name, options).map(instead_of_recipe);
     const AskedBy asked = options.ends ? AskedBy::user : AskedBy::file;
-    return shaped(silent_about(options, std::move(*stated)), options, asked).map(with_warnings);
+    return shaped(silent_about(options, std::move(*stated)), options, asked).map([](Method method) {
+      return ChosenMethod{.method = std::move(method)};
+    });
   });
 }
 
@@ -180,12 +196,12 @@ std::vector<std::string> known_end_rules() {
 Expected<PoseCurve> shaped_curve(const Method& method, const Track& track) {
   // The command line answers for itself first; what fails after that is the fault of the file's columns.
   const auto settled = settle(family_of(method), method.options, track.keys.size());
-  if (!settled) return tl::unexpected(placed(track, settled.error()));
+  if (!settled) return tl::unexpected(blamed_on_recipe(method, track, placed(track, settled.error())));
   const Method shaped = completed(method, track);
   const bool has_columns = shaped.options.parameters.size() > method.options.parameters.size();
   return make_pose_curve(shaped, track.keys).map_error([&](Error error) {
     if (has_columns) error.code = ErrorCode::bad_data;
-    return placed(track, std::move(error));
+    return blamed_on_recipe(method, track, placed(track, std::move(error)));
   });
 }
 

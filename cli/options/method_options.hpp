@@ -34,10 +34,17 @@ struct ChosenMethod {
   std::vector<Warning> warnings{};  ///< that the file names another one
 };
 
+/// The method where neither the user nor the file names one that fits.
+struct OtherMethod {
+  std::string_view name;
+  bool (*fits)(const FamilyInfo&) = nullptr;  ///< what the file may name; null: anything
+};
+
 /// The method that was named, already shaped; else the one that the file of the keys names, shaped by the options where
-/// they say something; else `otherwise`. Errors: those of method_request(), and of a recipe that cannot be read.
+/// they say something; else `otherwise`, with a warning where the one of the file does not fit. Errors: those of
+/// method_request(), and of a recipe that cannot be read.
 [[nodiscard]] Expected<ChosenMethod> chosen_method(const std::optional<Method>& named, const MethodOptions& options,
-                                                   const io::KeyInput& keys, std::string_view otherwise);
+                                                   const io::KeyInput& keys, const OtherMethod& otherwise);
 
 /// Several methods, by names or lists of names with commas between them, all shaped alike.
 [[nodiscard]] Expected<std::vector<Method>> method_requests(const std::vector<std::string>& lists,

@@ -15,8 +15,8 @@ std::string text_of(const io::RepairReport& repairs) {
   if (repairs.invalid_dropped > 0)
     clauses.push_back(formatted("dropped {} without valid numbers", counted(repairs.invalid_dropped, "row")));
   if (repairs.normalised > 0)
-    clauses.push_back(formatted("made {} unit, whose norms were up to {:.3g} off",
-                                counted(repairs.normalised, "quaternion"), repairs.largest_norm_error));
+    clauses.push_back(formatted("made {} unit: norms up to {:.3g} off", counted(repairs.normalised, "quaternion"),
+                                repairs.largest_norm_error));
   if (repairs.rows_moved > 0) clauses.push_back(formatted("sorted {}", counted(repairs.rows_moved, "row")));
   return joined(clauses, "; ");
 }

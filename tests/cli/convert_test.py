@@ -69,7 +69,7 @@ class Content(CommandTest):
     def test_norms_that_are_farther_off_want_an_option(self):
         self.write("keys.csv", "t,qw,qx,qy,qz\n0,0.7,0.7,0,0\n1,0,0.99,0,0\n")
         done = self.run_command("convert keys.csv")
-        self.assertIn("\nmade 2 quaternions unit, whose norms were up to 0.0101 off\n", done.stderr)
+        self.assertIn("\nmade 2 quaternions unit: norms up to 0.0101 off\n", done.stderr)
         self.write("keys.csv", "t,qw,qx,qy,qz\n0,0.7,0.7,0,0.3\n1,0,2,0,0\n")
         self.assert_fails("convert keys.csv", BAD_DATA, "keys.csv:2: key 0: the quaternion has norm 1.03441, wanted 1 "
                                                         "within 0.02 (--normalise takes any norm but 0)")

@@ -91,6 +91,62 @@ class Recipes(CommandTest):
         self.assertIn("for           quintic:ends=natural, says line 1\n", self.output_of("inspect made.csv"))
         self.assertIsNone(json.loads(self.output_of("inspect made.csv --ignore-recipe --json"))["for_method"])
 
+    def test_methods_that_do_not_fit_a_task_are_set_aside_with_a_word(self):
+        self.output_of(f"reduce {TRUTH} --tolerance 1deg --position-tolerance 100m --method auto -o keys.csv --quiet")
+        done = self.run_command("tune keys.csv -o tuned.csv --quiet")
+        self.assertEqual((done.returncode, done.stderr), (
+            0, "orispline: warning: keys.csv:1: the keys are for the curve of auto, not of timed-c2\n"))
+        self.made(f"smooth {FLIGHT} --smoothing-time 1")
+        done = self.run_command("retime made.csv --max-rate 5deg/s -o slow.csv --quiet")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("made.csv:1: the keys are for the curve of hermite-c2, not of auto\n", done.stderr)
+        self.assertEqual(self.recipe_in("slow.csv"), "# orispline: method=auto")
+
+    def test_the_same_method_in_other_words_is_the_same(self):
+        self.write("keys.csv", "# orispline: method=timed-c2:ends=natural:tension=0.30\n" + self.read("keys.csv"))
+        done = self.run_command(f"sample keys.csv --method timed-c2 --tension=.3 --ends natural {QUIET} -o motion.csv")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+    def test_what_only_the_keys_refuse_is_the_fault_of_the_line(self):
+        keys = self.read("keys.csv")
+        for method in ("timed-c2:tension=1,2", "timed-c2:period=1e-9"):
+            self.write("bad.csv", f"# orispline: method={method}\n{keys}")
+            for spacing in ("--count 3", "--rate 2"):
+                done = self.run_command(f"sample bad.csv {spacing}")
+                self.assertEqual((done.returncode, done.stdout), (BAD_DATA, ""), done.stderr)
+                self.assertTrue(done.stderr.startswith("orispline: bad.csv:1: "), done.stderr)
+                self.assertTrue(done.stderr.endswith(" (--ignore-recipe reads the keys without it)\n"), done.stderr)
+
+    def test_signs_are_not_promised_by_forms_that_have_none(self):
+        self.write("turns.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n1,-0.6,0,0.8,0\n2,1,0,0,0\n4,-0.8,0,0.6,0\n")
+        self.made("tune turns.csv --method timed-c2 --signs as-given")
+        for form, stated in (("matrix", False), ("euler", False), ("rotvec", True), ("quaternion", True)):
+            done = self.run_command(f"convert made.csv --output-orientation {form} -o form.csv --quiet")
+            self.assertEqual(done.returncode, 0)
+            self.assertEqual(self.recipe_in("form.csv").startswith("# orispline: "), stated, form)
+            self.assertEqual("has no signs in this form of orientations" in done.stderr, not stated, done.stderr)
+
+    def test_rates_in_the_world_stay_with_keys_whose_curve_takes_them(self):
+        self.write("world.csv", "# orispline: method=hermite-c1\nt,qw,qx,qy,qz,wx_world,wy_world,wz_world\n"
+                                "0,1,0,0,0,0.1,0.2,0.3\n1,0.8,0.6,0,0,0.3,0.1,-0.2\n2,0.6,0.8,0,0,0,0.1,0\n")
+        self.output_of("convert world.csv -o body.csv --quiet")
+        for ours, theirs in zip(*([line.split(",") for line in self.output_of(f"sample {name} {QUIET}").splitlines()[1:]]
+                                  for name in ("world.csv", "body.csv")), strict=True):
+            for a, b in zip(ours, theirs, strict=True):
+                self.assertAlmostEqual(float(a), float(b), delta=1e-14)
+
+    def test_settings_with_a_value_per_key_are_columns_tuned_or_not(self):
+        self.write("keys.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n1,0.8,0.6,0,0\n2,0.6,0.8,0,0\n4,0.6,0,0.8,0\n")
+        recipe = self.made("tune keys.csv --method timed-c2 --tension=0.5,0.6,0.7,0.8 --free tension2")
+        self.assertEqual(recipe, "# orispline: method=timed-c2")
+        self.assertEqual(table_of(self.read("made.csv"))[0], "t,qw,qx,qy,qz,tension,tension2")
+        self.assertEqual([line.split(",")[5] for line in table_of(self.read("made.csv"))[1:]], ["0.5", "0.6", "0.7", "0.8"])
+
+    def test_keys_of_any_norm_are_written_as_unit_ones(self):
+        self.write("big.csv", "t,qw,qx,qy,qz\n0,3,0,0,0\n1,2.4,1.8,0,0\n2,1.8,2.4,0,0\n")
+        self.made("tune big.csv --method timed-c2 --normalise")
+        self.output_of("sample made.csv --rate 1")
+
     def test_standard_input_states_it_too(self):
         self.made(f"tune {FLIGHT} --method timed-c2")
         self.assertEqual(self.output_of(f"sample - {QUIET}", input=self.read("made.csv")),

@@ -9,7 +9,7 @@ import shutil
 import signal
 import subprocess
 
-from command import BAD_ACCESS, BAD_DATA, BAD_USAGE, COMMAND, EXPECTED, KEYS, CommandTest, main, rows_of
+from command import BAD_ACCESS, BAD_DATA, COMMAND, EXPECTED, KEYS, CommandTest, main, rows_of
 
 
 class StoredOutputs(CommandTest):
@@ -122,43 +122,6 @@ class Times(CommandTest):
         self.assertEqual(rows[0][1:], [1, 0, 0, 0, 0, 0, 0])
         self.assertEqual(rows[5][1:5], rows[4][1:5])
         self.assertEqual(rows[5][5:], [0, 0, 0])
-
-    def test_what_is_asked_for_outside_the_curve_is_warned_of(self):
-        late = KEYS.replace("\n1,", "\n1700000001,").replace("\n0,", "\n1700000000,").replace("\n3,", "\n1700000003,")
-        self.write("late.csv", late)
-        begins = ("orispline: warning: --{} {} lies outside the curve, which begins at 1700000000 s: samples there hold the "
-                  "first orientation; +0 is the time of the first key\n")
-        ends = ("orispline: warning: --{} {} lies outside the curve, which ends at 1700000003 s: samples there hold the last "
-                "orientation; +0 is the time of the first key\n")
-        for options, warnings in (("--from 0 --to 3", begins.format("from", 0) + begins.format("to", 3)),
-                                  ("--from 0", begins.format("from", 0)), ("--to 1700000004", ends.format("to", 1700000004)),
-                                  ("--from 1700000004 --to 1700000005",
-                                   ends.format("from", 1700000004) + ends.format("to", 1700000005)),
-                                  ("--from +0 --to +3", ""), ("--from 1700000000 --to 1700000003", "")):
-            for spacing in ("--count 4", "--rate 1e-6"):  # held, and in pieces
-                with self.subTest(options=options, spacing=spacing):
-                    done = self.run_command(f"sample late.csv {spacing} {options} --quiet")
-                    self.assertEqual((done.returncode, done.stderr), (0, warnings))
-
-    def test_times_since_the_first_key_are_those_of_the_file(self):
-        self.write("late.csv", KEYS.replace("\n1,", "\n8,").replace("\n0,", "\n7,").replace("\n3,", "\n10,"))
-        for spacing in ("--count 3", "--rate 4"):
-            since, absolute = (self.output_of(f"sample late.csv {spacing} {ends} --quiet")
-                               for ends in ("--from +0.5 --to +1.5", "--from 7.5 --to 8.5"))
-            self.assertEqual(since, absolute)
-
-    def test_more_samples_than_can_be_meant_want_a_yes(self):
-        for options, number in (("--rate 1e9", "3e+09"), ("--count 1000000001", "1e+09"), ("--rate 1 --from=-2e9", "2e+09"),
-                                ("--rate 1 --to 1e12", "1e+12")):
-            done = self.run_command(f"sample keys.csv {options} -o out.csv")
-            self.assertEqual((done.returncode, done.stderr.splitlines()[-2]), (
-                BAD_USAGE, f"orispline: found a request for {number} samples, wanted 1e+09 at most: check the rate and the "
-                           "unit of the times; 'orispline sample --yes' writes any number"))
-            self.assertFalse((self.folder / "out.csv").exists())
-        with subprocess.Popen([COMMAND, "sample", "keys.csv", "--rate", "1e9", "--yes", "--quiet"], cwd=self.folder,
-                              stdout=subprocess.PIPE) as endless:
-            self.assertTrue(endless.stdout.readline().startswith(b"t,qw"))
-            endless.kill()
 
     def test_times_within_the_keys_pass_with_extrapolate_error(self):
         self.assertEqual(len(self.times_of("--rate 1 --extrapolate error")), 4)

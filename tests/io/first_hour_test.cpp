@@ -50,6 +50,13 @@ TEST(Positions, AreThoseOfTheFirstNamesThatAreAllThere) {
   EXPECT_EQ(some.ignored_columns, (std::vector<std::string>{"x", "y", "tz"}));
 }
 
+TEST(Positions, AreNoColumnsThatWereMapped) {
+  const auto mapped =
+      keys_in("t,x,y,z,w\n0,0,0,0,1\n", {.columns = {{"qx", "x"}, {"qy", "y"}, {"qz", "z"}, {"qw", "w"}}});
+  EXPECT_TRUE(mapped.data.positions.empty());
+  EXPECT_NE(refusal_of("t,x (m),x_m,y,z,qw,qx,qy,qz\n0,1,1,2,3,1,0,0,0\n").find("may both be x"), std::string::npos);
+}
+
 TEST(UnitsInBrackets, AreThoseOfSuffixes) {
   const std::string rows = "\n0,1,0,0,0,180,0,0\n";
   for (const std::string unit : {" (deg/s)", "(°/s)", " [deg/s]", "_deg_s"}) {

@@ -30,6 +30,7 @@ Expected<io::TrackFile> open_source(InputRequest request, const io::OrientationF
   if (*method) {
     request.read.parameters = open_parameters(**method);
     request.read.rate_orders = std::max(request.read.rate_orders, family_of(**method).rate_orders);
+    request.read.world_rates = family_of(**method).rate_orders > 0;
   }
   recipe.signs = request.signs.value_or(recipe.signs);
   return io::read_track(std::move(*input), request.read, request.signs.value_or(Signs::as_given))
@@ -41,8 +42,9 @@ Expected<io::TrackFile> open_source(InputRequest request, const io::OrientationF
 
 /// Without their settings the keys are no longer for the curve of their method.
 void leave_settings(Track& track, const io::SampleColumns& columns, const std::string& path) {
+  if (track.settings.empty()) return;
   if (const auto warning = io::recipe_not_stated(track, columns, path)) warn({*warning});
-  if (!track.settings.empty()) track.recipe = {};
+  track.recipe = {};
   track.settings.clear();
 }
 

@@ -24,6 +24,9 @@ struct Request {
   orispline::RetimeOptions retiming;
 };
 
+/// Rates at the keys would change with the times.
+bool takes_no_rates(const FamilyInfo& family) { return family.rate_orders == 0; }
+
 /// What the files ask of each other.
 Expected<void> agree(const RetimeOptions& options) {
   if (auto apart = check_output_apart("-o", options.output.path, {{"INPUT", options.input.path}}); !apart) return apart;
@@ -65,7 +68,7 @@ Expected<void> retime(const RetimeOptions& options) {
   if (auto writable = io::check_output(options.output.path); !writable) return writable;
   auto input = io::KeyInput::open(request->input.path, request->input.read.recipe);
   if (!input) return tl::unexpected(std::move(input.error()));
-  const auto chosen = chosen_method(request->named, options.shape, *input, default_method);
+  const auto chosen = chosen_method(request->named, options.shape, *input, {default_method, takes_no_rates});
   if (!chosen) return tl::unexpected(chosen.error());
   warn(chosen->warnings);
   request->input.read.parameters = open_parameters(chosen->method);

@@ -42,10 +42,12 @@ Expected<void> agree(const TuneOptions& options) {
   return {};
 }
 
+bool has_tensions(const FamilyInfo& family) { return std::ranges::any_of(family.parameters, &Parameter::tunable); }
+
 /// Whether the columns of INPUT are understood without an option: only then can the output have them.
 bool reads_the_same_again(const InputOptions& o) {
   return !o.format && !o.order && !o.orientation && !o.euler && !o.angle_unit && !o.time_scale && o.columns.empty() &&
-         !o.conjugate;
+         !o.conjugate && !o.normalise;
 }
 
 Expected<Request> request_in(const TuneOptions& options) {
@@ -95,10 +97,11 @@ Expected<orispline::Tuning> tuned(Request request, const Method& method, const T
 }
 
 /// The keys with the values that were found; what their table states itself keeps its text there.
-Track written_track(const orispline::Tuning& tuning) {
+Track written_track(const orispline::Tuning& tuning, const Track& given) {
   Track keys = tuning.track;
   std::erase_if(keys.settings, [&](const auto& column) {
-    return std::ranges::find(tuning.parameters, column.first) == tuning.parameters.end();
+    const auto same = given.settings.find(column.first);
+    return same != given.settings.end() && *same == column && !given.table.rows.empty();
   });
   return keys;
 }
@@ -110,7 +113,7 @@ Expected<void> tune(const TuneOptions& options) {
   if (!request) return tl::unexpected(std::move(request.error()));
   auto input = io::KeyInput::open(request->input.path, request->input.read.recipe);
   if (!input) return tl::unexpected(std::move(input.error()));
-  const auto chosen = chosen_method(request->named, options.shape, *input, default_tuned_method);
+  const auto chosen = chosen_method(request->named, options.shape, *input, {default_tuned_method, has_tensions});
   if (!chosen) return tl::unexpected(chosen.error());
   warn(chosen->warnings);
   request->input.read.parameters = open_parameters(chosen->method);
@@ -127,7 +130,7 @@ Expected<void> tune(const TuneOptions& options) {
                     .times = {file->track.keys.times().begin(), file->track.keys.times().end()},
                     .tuning = std::move(*tuning)};
   for (double& t : report.times) t += file->track.epoch.to_double();
-  return write_keys(options.output, written_track(report.tuning)).and_then([&] {
+  return write_keys(options.output, written_track(report.tuning, file->track)).and_then([&] {
     return summarise(options.summary, report);
   });
 }

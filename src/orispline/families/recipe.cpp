@@ -26,7 +26,8 @@ Expected<std::optional<Method>> method_of(const Recipe& recipe, std::string_view
 }
 
 std::optional<Warning> recipe_set_aside(const Recipe& recipe, const Method& used, std::string_view file) {
-  if (recipe.method.empty() || recipe.method == text_of(used)) return std::nullopt;
+  const auto stated = recipe.method.empty() ? Expected<Method>(used) : method_from_text(recipe.method);
+  if (stated && text_of(*stated) == text_of(used)) return std::nullopt;
   return Warning{.code = "recipe_set_aside",
                  .message = formatted("the keys are for the curve of {}, not of {}", recipe.method, text_of(used)),
                  .where = {.file = std::string(file), .line = recipe.line}};

@@ -31,6 +31,10 @@ ColumnSearch::ColumnSearch(std::span<const std::string_view> header, const Names
   for (const std::string_view name : header) plain_names_.push_back(plain(name));
 }
 
+bool ColumnSearch::is_mapped(std::string_view plain_name) const {
+  return std::ranges::any_of(mapped_, [&](const auto& mapping) { return plain(mapping.second) == plain_name; });
+}
+
 Expected<ColumnGroup> ColumnSearch::group(std::span<const std::string_view> names, std::span<const Unit> accepted,
                                           std::span<const Unit> known) const {
   ColumnGroup group;

@@ -61,6 +61,8 @@ class ORISPLINE_EXPORT ColumnSearch {
   ColumnSearch(std::span<const std::string_view> header, const Names& mapped);
 
   [[nodiscard]] std::string_view name(std::size_t column) const noexcept { return header_[column]; }
+  /// Whether a column of that plain name was mapped to another meaning.
+  [[nodiscard]] bool is_mapped(std::string_view plain_name) const;
   /// The name with a unit in brackets as a suffix: `time (us)` is `time_us`.
   [[nodiscard]] std::string_view plain_name(std::size_t column) const noexcept { return plain_names_[column]; }
 

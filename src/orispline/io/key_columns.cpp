@@ -70,8 +70,9 @@ Expected<std::optional<VectorColumns>> position_columns(const ColumnSearch& sear
   auto columns = search.vector(position_names, lengths, lengths);
   for (const auto& names : other_position_names) {
     if (!columns || *columns) return columns;
+    if (std::ranges::any_of(names, [&](std::string_view name) { return search.is_mapped(name); })) continue;
     const auto others = search.group(names, lengths, lengths);
-    if (others && others->is_complete()) columns = search.vector(names, lengths, lengths);
+    if (!others || others->is_complete()) columns = search.vector(names, lengths, lengths);
   }
   return columns;
 }

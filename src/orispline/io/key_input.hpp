@@ -14,7 +14,8 @@ namespace orispline::inline ORISPLINE_ABI::io {
 /// before it decides how they are read.
 class ORISPLINE_EXPORT KeyInput {
  public:
-  /// Opens a file; `-` is standard input. Errors: bad_access; bad_data for a recipe that cannot be understood.
+  /// Opens a file; `-` is standard input. Comments are looked at in its first MiB. Errors: bad_access; bad_data for a
+  /// recipe that cannot be understood.
   [[nodiscard]] static Expected<KeyInput> open(const std::string& path, RecipeUse use = RecipeUse::honoured);
 
   [[nodiscard]] const std::string& path() const noexcept { return lines_.path(); }

@@ -200,7 +200,8 @@ Expected<Eigen::Quaterniond> KeyRows::normalised(Eigen::Quaterniond q, Where whe
   const double norm = q.coeffs().stableNorm(), off = std::abs(norm - 1.0);
   if (off <= norm_error_limit || options_.norms == Norms::as_they_are) return q;
   if (norm == 0.0) return failure(ErrorCode::bad_data, "the quaternion is zero, wanted a rotation", std::move(where));
-  if (options_.norms == Norms::near_one && off > loose_norm_limit)
+  if (!std::isfinite(norm)) return tl::unexpected(norm_refused(norm, std::move(where)));
+  if (options_.norms == Norms::near_one && off > loose_norm_limit + 1e-12)
     return tl::unexpected(norm_refused(norm, std::move(where)));
   ++file_.repairs.normalised;
   file_.repairs.largest_norm_error = std::max(file_.repairs.largest_norm_error, off);

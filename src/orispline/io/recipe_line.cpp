@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/io/recipe_line.hpp>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 

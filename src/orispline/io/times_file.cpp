@@ -7,6 +7,7 @@
 #include <orispline/base/quoted.hpp>
 #include <orispline/io/key_columns.hpp>
 #include <orispline/io/text_table.hpp>
+#include <orispline/io/time_column.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::io {
 namespace {
@@ -24,20 +25,21 @@ Expected<std::string_view> only_cell(const TextTable& table) {
 }
 
 /// Unit [s] of the times below the header.
-Expected<Decimal> unit_of_header(const TextTable& table) {
-  return only_cell(table).and_then([&table](std::string_view name) -> Expected<Decimal> {
-    if (const auto unit = time_unit_of(name)) return unit->seconds;
+Expected<TimeUnit> unit_of_header(const TextTable& table) {
+  return only_cell(table).and_then([&table](std::string_view name) -> Expected<TimeUnit> {
+    const ColumnSearch search(std::span(&name, 1), {});
+    if (const auto unit = time_unit_of(search.plain_name(0))) return *unit;
     return at_row(table, formatted("found {}, wanted the header t or a number", in_quotes(name)));
   });
 }
 
-/// The time [s] in the row.
-Expected<Decimal> time_of(const TextTable& table, const Decimal& unit) {
+/// The time in the row, in the unit of the file.
+Expected<Decimal> time_of(const TextTable& table) {
   return only_cell(table).and_then([&](std::string_view cell) -> Expected<Decimal> {
     const auto time = decimal_of(cell);
     if (!time) return at_row(table, time.error().message);
     if (!*time) return at_row(table, formatted("found {}, wanted a finite time", in_quotes(cell)));
-    return **time * unit;
+    return **time;
   });
 }
 
@@ -46,7 +48,7 @@ Expected<Decimal> time_of(const TextTable& table, const Decimal& unit) {
 Expected<TimesList> read_times(const std::string& path, const Decimal& epoch) {
   auto table = TextTable::open(path);
   if (!table) return tl::unexpected(std::move(table.error()));
-  Decimal unit = Decimal::power_of_ten(0);
+  TimeUnit unit;
   auto more = table->next();
   if (more && *more && is_header(table->cells())) {
     const auto header_unit = unit_of_header(*table);
@@ -56,9 +58,11 @@ Expected<TimesList> read_times(const std::string& path, const Decimal& epoch) {
   }
   TimesList list;
   for (; more && *more; more = table->next()) {
-    const auto time = time_of(*table, unit);
+    const auto time = time_of(*table);
     if (!time) return tl::unexpected(time.error());
-    list.times.push_back((*time - epoch).to_double());
+    if (!std::exchange(unit.is_stated, true))
+      if (const auto guess = time_unit_by_size(*time)) unit.seconds = guess->seconds;
+    list.times.push_back((*time * unit.seconds - epoch).to_double());
     list.lines.push_back(static_cast<std::uint32_t>(table->line()));
   }
   if (!more) return tl::unexpected(more.error());

@@ -40,8 +40,12 @@ Sample sample_at(const Track& track, const SampleColumns& columns, std::size_t k
 }
 
 /// What a file would need so that its keys give the curve of their recipe; nothing if there is all.
-std::optional<std::string_view> lacking_for_recipe(const Track& track, const FormatInfo& format) {
+std::optional<std::string_view> lacking_for_recipe(const Track& track, const SampleColumns& columns) {
+  const FormatInfo& format = *columns.format;
+  const bool keeps_signs = columns.form.representation == Representation::quaternion ||
+                           columns.form.representation == Representation::rotation_vector;
   if (!format.holds.comments) return "comments";
+  if (track.recipe.signs == Signs::as_given && !keeps_signs) return "signs in this form of orientations";
   if (!format.holds.rates && rate_orders_of(track.keys) > 0) return "columns for rates";
   if (!format.holds.settings && !track.settings.empty()) return "columns for settings";
   return std::nullopt;
@@ -67,12 +71,10 @@ Expected<void> write_rows(OutputFile& file, const Track& track, const SampleColu
 
 }  // namespace
 
-bool states_recipe(const Track& track, const SampleColumns& columns) {
-  return !lacking_for_recipe(track, *columns.format);
-}
+bool states_recipe(const Track& track, const SampleColumns& columns) { return !lacking_for_recipe(track, columns); }
 
 std::optional<Warning> recipe_not_stated(const Track& track, const SampleColumns& columns, std::string_view file) {
-  const auto lacking = lacking_for_recipe(track, *columns.format);
+  const auto lacking = lacking_for_recipe(track, columns);
   if (track.recipe.method.empty() || !lacking) return std::nullopt;
   return Warning{
       .code = "recipe_not_stated",

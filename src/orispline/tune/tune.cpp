@@ -225,8 +225,8 @@ Expected<Tuning> tune(const Track& track, const Method& given, const TuneOptions
       .map([&](Tuning tuning) {
         tuning.parameters = *parameters;
         tuning.track = track;
-        for (const std::string& name : *parameters)
-          tuning.track.settings[name] = tuning.method.options.parameters.find(name)->second;
+        for (auto& [name, values] : settings_per_key(tuning.method, keys.size()))
+          tuning.track.settings[name] = std::move(values);
         tuning.track.recipe = recipe_for(tuning.method, tuning.track);
         if (options.objective == Objective::torque)
           std::ranges::move(warnings_of(goal->inertia), std::back_inserter(tuning.warnings));
