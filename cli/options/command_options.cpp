@@ -48,7 +48,7 @@ void add_reading_options(Command& app, InputOptions& o, std::string_view default
   app.add_option("--angle-unit", o.angle_unit, "Of Euler angles whose column does not end in _deg or _rad")
       ->type_name(one_of(angle_unit_choices))
       ->group(group);
-  app.add_option("--time-scale", o.time_scale, "Seconds per unit of the time column [by its name, else 1]")
+  app.add_option("--time-scale", o.time_scale, "Seconds per unit of the time column [by its name or size, else 1]")
       ->type_name("X")
       ->group(group);
   app.add_flag("--conjugate", o.conjugate, "The file holds world to body, as C-kernels of SPICE do")->group(group);
