@@ -13,10 +13,12 @@
 namespace orispline::cli {
 
 /// INPUT and how it is read, part of several commands.
-void add_input_options(Command& app, InputOptions& options, std::string_view default_signs = "as INPUT says, else shortest");
+void add_input_options(Command& app, InputOptions& options,
+                       std::string_view default_signs = "as INPUT says, else shortest");
 
 /// How it is read, without INPUT itself.
-void add_reading_options(Command& app, InputOptions& options, std::string_view default_signs = "as INPUT says, else shortest");
+void add_reading_options(Command& app, InputOptions& options,
+                         std::string_view default_signs = "as INPUT says, else shortest");
 
 /// Where the output goes and in which form, part of several commands.
 void add_output_file(Command& app, std::string& path);
