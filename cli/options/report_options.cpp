@@ -8,6 +8,7 @@
 #include "options/option_text.hpp"
 
 namespace orispline::cli {
+
 Expected<void> check_report(const ReportOptions& options, const std::vector<OtherFile>& others) {
   if (!options.path) return {};
   if (options.path->empty() || *options.path == io::standard_stream)

@@ -11,17 +11,13 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/io/output_file.hpp>
 
+#include "options/file_places.hpp"
 #include "options/option_text.hpp"
 
 namespace orispline::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool are_one_file(const fs::path& a, const fs::path& b) {
-  std::error_code ignored;  // of files that are not there
-  return fs::equivalent(a, b, ignored);
-}
 
 Expected<void> made(const std::string& folder, const std::error_code& reason) {
   if (!reason) return {};
@@ -58,7 +54,7 @@ Expected<std::vector<std::string>> outputs_in(const std::string& folder, std::sp
     if (const auto same = std::ranges::find(outputs, output); same != outputs.end())
       return usage_failure(formatted("--output-folder: found {} and {}, wanted inputs of different names",
                                      inputs[static_cast<std::size_t>(same - outputs.begin())], input));
-    if (std::ranges::any_of(inputs, [&](const std::string& other) { return are_one_file(other, output); }))
+    if (std::ranges::any_of(inputs, [&](const std::string& other) { return is_same_file(other, output); }))
       return usage_failure(formatted("--output-folder: found {}, wanted a folder without the inputs", folder));
     outputs.push_back(std::move(output));
   }

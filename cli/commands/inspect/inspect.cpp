@@ -7,7 +7,6 @@
 #include <utility>
 
 #include <orispline/families/method_warnings.hpp>
-
 #include <orispline/io/key_rows.hpp>
 
 #include "commands/inspect/inspect_report.hpp"

@@ -58,14 +58,13 @@ std::string title_of(const Track& track) {
 Expected<report::MotionPicture> picture_of(Request request) {
   auto input = io::KeyInput::open(request.input.path, request.input.read.recipe);
   if (!input) return tl::unexpected(std::move(input.error()));
-  if (request.methods.empty()) {
-    auto chosen = chosen_method(std::nullopt, request.shape, *input, {default_method});
+  if (request.methods.size() < 2) {
+    const auto named = request.methods.empty() ? std::nullopt : std::optional(request.methods.front());
+    auto chosen = chosen_method(named, request.shape, *input, {default_method});
     if (!chosen) return tl::unexpected(std::move(chosen.error()));
-    request.methods.push_back(std::move(chosen->method));
+    warn(chosen->warnings);
+    request.methods = {std::move(chosen->method)};
   }
-  if (request.methods.size() == 1)
-    if (const auto warning = recipe_set_aside(input->recipe(), request.methods.front(), input->path()))
-      if (!any_given(request.shape)) warn({*warning});
   request.input.read = read_for(request.methods, std::move(request.input.read));
   const auto file = io::read_track(std::move(*input), request.input.read, request.input.signs);
   if (!file) return tl::unexpected(file.error());

@@ -143,9 +143,8 @@ std::size_t late_rows(const std::vector<Decimal>& times) {
 }  // namespace
 
 Error norm_refused(double norm, Where where) {
-  return mended_by("norms", formatted("the quaternion has norm {:.6g}, wanted 1 within {:g}", norm, loose_norm_limit),
-                   std::move(where))
-      .value();
+  const auto message = formatted("the quaternion has norm {:.6g}, wanted 1 within {:g}", norm, loose_norm_limit);
+  return mended_by("norms", message, std::move(where)).value();
 }
 
 KeyRows::KeyRows(std::string path, const FormatInfo& format, KeyColumns columns, const ReadOptions& options)
@@ -288,12 +287,13 @@ Expected<void> KeyRows::complete() {
 
 KeyFile KeyRows::take() {
   taken_ += size();
-  KeyFile rest{.path = file_.path,
-               .format = file_.format,
-               .epoch = file_.epoch,
-               .repairs = file_.repairs,
-               .ignored_columns = file_.ignored_columns,
-               .rates_of_unknown_frame = file_.rates_of_unknown_frame};
+  KeyFile rest;
+  rest.path = file_.path;
+  rest.format = file_.format;
+  rest.epoch = file_.epoch;
+  rest.repairs = file_.repairs;
+  rest.ignored_columns = file_.ignored_columns;
+  rest.rates_of_unknown_frame = file_.rates_of_unknown_frame;
   return std::exchange(file_, std::move(rest));
 }
 
