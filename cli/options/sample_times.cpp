@@ -133,8 +133,8 @@ Expected<SampleTimes> SampleTimes::make(const TimeRequest& request, const Decima
           return check_number(request, static_cast<double>(*grid.size())).map([&] { return grid; });
         })
         .map([&](const SampleGrid& grid) { return SampleTimes(key_epoch, *wanted, domain.start, grid); });
-  const std::string& path = std::get<TimesFile>(request.spacing).path;
-  return io::read_times(path, key_epoch).map([&](io::TimesList list) {
+  const auto& [path, reading] = std::get<TimesFile>(request.spacing);
+  return io::read_times(path, key_epoch, reading).map([&](io::TimesList list) {
     return SampleTimes(key_epoch, List{path, std::move(list)});
   });
 }
@@ -142,6 +142,11 @@ Expected<SampleTimes> SampleTimes::make(const TimeRequest& request, const Decima
 std::size_t SampleTimes::size() const noexcept {
   const auto* const list = std::get_if<List>(&times_);
   return list ? list->list.times.size() : static_cast<std::size_t>(*std::get<SampleGrid>(times_).size());
+}
+
+std::vector<Warning> SampleTimes::warnings() const {
+  const auto* const list = std::get_if<List>(&times_);
+  return list ? list->list.warnings : std::vector<Warning>();
 }
 
 Instant SampleTimes::operator[](std::size_t k) const {
@@ -158,7 +163,8 @@ std::optional<Error> SampleTimes::outside(const Domain& domain) const {
                  std::move(where)};
   };
   if (const auto* const list = std::get_if<List>(&times_)) {
-    const auto& [times, lines] = list->list;
+    const std::vector<double>& times = list->list.times;
+    const std::vector<std::uint32_t>& lines = list->list.lines;
     const auto stray = std::ranges::find_if_not(times, [&](double t) { return domain.contains(t); });
     if (stray == times.end()) return std::nullopt;
     return error(*stray, ErrorCode::bad_data,

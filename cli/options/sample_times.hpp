@@ -21,6 +21,7 @@ struct TimeOptions {
 
 struct TimesFile {
   std::string path;
+  io::ReadOptions reading{};  ///< that were stated for INPUT
 };
 
 /// Where samples begin or end: in the file's own time, or `+0` since the first key.
@@ -72,6 +73,9 @@ class SampleTimes {
   /// What offsets are relative to, exact.
   [[nodiscard]] const TimeOrigin& origin() const noexcept { return origin_; }
   [[nodiscard]] Instant operator[](std::size_t k) const;
+
+  /// Of reading the times.
+  [[nodiscard]] std::vector<Warning> warnings() const;
 
   /// The error for the first time that the curve does not cover.
   [[nodiscard]] std::optional<Error> outside(const Domain& domain) const;

@@ -41,5 +41,65 @@ class Clocks(CommandTest):
             self.assertEqual(rows_of(done.stdout)[0][5:], [1, 2, 3])
 
 
+YAWS = "t,yaw_deg,pitch_deg,roll_deg\n"
+
+
+class Turns(CommandTest):
+    def test_every_command_warns_of_turns_that_euler_angles_lose(self):
+        self.write("clock.csv", YAWS + "0,0,0,0\n1,350,0,0\n2,300,10,0\n3,290,20,0\n")
+        warning = ("orispline: warning: clock.csv:2: key 0: 1 step of Euler angles, the first with yaw from 0° to 350°, is "
+                   "turned the short way; state --signs as-given to turn as the angles say\n")
+        for command in COMMANDS:
+            with self.subTest(command=command):
+                done = self.run_command(command)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertEqual(done.stderr.count(warning.replace("clock.csv:2: key 0", "clock.csv: key 0")
+                                                   if "--rate" in command and command.startswith("sample") else warning), 1,
+                                 done.stderr)
+        self.assertEqual(self.run_command("sample clock.csv --count 3 --signs as-given --quiet").stderr, "")
+
+    def test_steps_near_180_degrees_are_warned_of(self):
+        self.write("half.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n1,0.6,0,0,0.8\n2,-0.8,0,0,0.6\n3,-1,0,0,0\n")
+        text = ("orispline: warning: half.csv{}: key 1: 1 step to the next key turns by nearly 180°, so the motion may as well "
+                "go the other way round; put a key in between, or state --signs as-given\n")
+        for options, place in (("--count 3", ":3"), ("--rate 2", "")):
+            self.assertEqual(self.run_command(f"sample half.csv {options} --quiet").stderr, text.format(place))
+            self.assertEqual(self.run_command(f"sample half.csv {options} --signs as-given --quiet").stderr, "")
+        self.assertIn(text.format(":3"), self.run_command("retime half.csv --max-rate 100rad/s").stderr)
+
+
+class FilesBesideInput(CommandTest):
+    def test_truth_and_reference_may_be_any_file_of_keys(self):
+        self.write("truth.csv", YAWS + "0,0,0,0\n1,45,0,0\n3,90,0,0\n")
+        self.write("truth.tum", "0 0 0 0 0 0 0 1\n1 0 0 0 0 0 0.3826834323650898 0.9238795325112867\n")
+        for truth in ("truth.csv", "truth.tum"):
+            told = self.run_command(f"sample keys.csv --count 3 -o out.csv --truth {truth}").stderr
+            self.assertRegex(told, r"largest \S+e-1[4-9]°|largest 0°")
+            for command in (f"compare keys.csv --reference {truth} --methods slerp",
+                            f"tune keys.csv --method timed-c2 --objective fit --reference {truth}"):
+                done = self.run_command(command)
+                self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_options_of_input_are_used_where_they_fit(self):
+        self.write("euler.csv", "t,a,b,c\n0,0,0,0\n1,45,0,0\n3,90,0,0\n")
+        options = "--columns e1=a,e2=b,e3=c --euler ZYX --angle-unit deg"
+        for truth in ("euler.csv", "keys.csv"):
+            told = self.run_command(f"sample euler.csv {options} --count 3 -o out.csv --truth {truth}")
+            self.assertEqual(told.returncode, 0, told.stderr)
+            self.assertRegex(told.stderr, r"RMS \S+e-1[4-9]°|RMS 0°")
+
+    def test_conjugated_keys_have_conjugated_truths(self):
+        told = self.run_command("sample keys.csv --conjugate --count 3 -o out.csv --truth keys.csv").stderr
+        self.assertRegex(told, r"RMS \S+e-1[4-9]°|RMS 0°")
+
+    def test_times_are_those_of_any_file(self):
+        wanted = self.output_of("sample keys.csv --times keys.csv --quiet")
+        self.assertEqual([row[0] for row in rows_of(wanted)], [0, 1, 3])
+        self.write("times.tum", "0 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 1\n3 0 0 0 0 0 0 1\n")
+        self.write("times.csv", "frame,time (ms)\n1,0\n2,1000\n3,3000\n")
+        for name in ("times.tum", "times.csv"):
+            self.assertEqual(self.output_of(f"sample keys.csv --times {name} --quiet"), wanted)
+
+
 if __name__ == "__main__":
     main()

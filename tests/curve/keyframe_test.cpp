@@ -3,7 +3,9 @@
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/track.hpp>
 
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <ostream>
 
 #include <gtest/gtest.h>
@@ -206,6 +208,21 @@ TEST(Keyframes, FlipSignsOneAfterTheOtherOnTheShortestWay) {
   EXPECT_EQ(keys.report().sign_flips, 1u);  // the file flips once, from key 0 to key 1
   for (std::size_t i = 1; i < 3; ++i) EXPECT_GT(keys.orientations()[i].dot(keys.orientations()[i - 1]), 0.0);
   EXPECT_TRUE(near(keys.orientations()[0], data.orientations[0], tolerance::exact));
+}
+
+TEST(Keyframes, CountStepsNearAHalfTurn) {
+  const auto about_z = [](double angle) {
+    return Eigen::Quaterniond(std::cos(0.5 * angle), 0.0, 0.0, std::sin(0.5 * angle));
+  };
+  const double margin = half_turn_margin, half = std::numbers::pi;
+  KeyframeData data{.times = {0, 1, 2, 3, 4}, .orientations = {}};
+  double angle = 0.0;
+  for (const double step : {0.0, 1.0, half - 0.999 * margin, half + 0.999 * margin, half - 1.001 * margin})
+    data.orientations.push_back(about_z(angle += step));
+  const KeyframeReport report = Keyframes::make(data, Signs::shortest)->report();
+  EXPECT_EQ(report.near_half_turns, 2u);
+  EXPECT_EQ(report.first_near_half_turn, 1u);
+  EXPECT_EQ(Keyframes::make(data, Signs::as_given)->report().near_half_turns, 0u);
 }
 
 TEST(Keyframes, LeaveSignsAsGivenOnRequest) {

@@ -145,5 +145,104 @@ TEST(NormsOfFiles, FartherOffAreRefusedUnlessAnyIsWanted) {
               "keys.csv:2: key 0: the quaternion is zero, wanted a rotation");
 }
 
+// What Euler angles say of turns.
+
+std::vector<Warning> warnings_of_yaws(const std::vector<double>& yaws, Signs signs = Signs::shortest) {
+  std::string content = "t,yaw_deg,pitch_deg,roll_deg\n";
+  for (std::size_t i = 0; i < yaws.size(); ++i)
+    content += std::to_string(i) + "," + std::to_string(yaws[i]) + ",0,0\n";
+  const auto file = read_track(TextFile(content).path(), {}, signs);
+  EXPECT_TRUE(file) << describe(file.error());
+  return file ? file->warnings : std::vector<Warning>();
+}
+
+double lost_steps(const std::vector<double>& yaws, Signs signs = Signs::shortest) {
+  const auto warnings = warnings_of_yaws(yaws, signs);
+  if (warnings.empty()) return 0.0;
+  EXPECT_EQ(warnings.size(), 1U);
+  EXPECT_EQ(warnings[0].code, "lost_turns");
+  return warnings[0].number("steps");
+}
+
+TEST(EulerTurns, ThatAreLostAreWarnedOf) {
+  EXPECT_EQ(lost_steps({0, 350}), 1);
+  EXPECT_EQ(lost_steps({0, 360}), 1);
+  EXPECT_EQ(lost_steps({0, 720}), 1);
+  EXPECT_EQ(lost_steps({0, 360, 720}), 2);
+  EXPECT_EQ(lost_steps({0, 360, 360}), 1);
+  EXPECT_EQ(lost_steps({0, 90, 360}), 1);
+  EXPECT_EQ(lost_steps({90, 0, -200, -190}), 1);
+}
+
+TEST(EulerTurns, OfHalfATurnAreKept) {
+  EXPECT_EQ(lost_steps({0, 90, 180, 270, 360, 450}), 0);
+  EXPECT_EQ(lost_steps({0, 179, 2, -177}), 0);
+}
+
+TEST(EulerTurns, ThatBeginAnewLoseNothing) {
+  EXPECT_EQ(lost_steps({150, 165, 180, -165, -150}), 0);
+  EXPECT_EQ(lost_steps({10, 355, 340}), 0);
+  EXPECT_EQ(lost_steps({179.9, -179.9, 179.8, -179.95}), 0);
+  EXPECT_EQ(lost_steps({180, -180, 180}), 0);
+  EXPECT_EQ(lost_steps({350, 355, 0, 5, 10}), 0);
+}
+
+TEST(EulerTurns, AreKeptBySignsAsGivenUpToAFullOne) {
+  EXPECT_EQ(lost_steps({0, 350, 180}, Signs::as_given), 0);
+  EXPECT_EQ(lost_steps({0, 350, 710, 730}, Signs::as_given), 1);
+}
+
+TEST(EulerTurns, AreWarnedOfWithTheirPlaceAndTheCure) {
+  const auto warnings = warnings_of_yaws({5, 10, 360, 20, 380});
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_EQ(warnings[0].where.key, 1U);
+  EXPECT_EQ(warnings[0].where.line, 3U);
+  EXPECT_EQ(warnings[0].message,
+            "3 steps of Euler angles, the first with yaw from 10° to 360°, are turned the short way; state `signs` "
+            "as-given to turn as the angles say");
+  EXPECT_EQ(warnings_of_yaws({0, 360})[0].message,
+            "1 step of Euler angles, the first with yaw from 0° to 360°, is turned the short way; put keys in between and "
+            "state `signs` as-given to turn as the angles say: a step must turn by less than 360°");
+}
+
+// A file beside another.
+
+TEST(FileBesideAnother, IsReadByTheSameOptionsAsFarAsTheyFit) {
+  const TextFile keys("t,a,b,c\n0,0,0,0\n1,90,0,0\n", "keys.csv");
+  const ReadOptions options{.columns = {{"e1", "a"}, {"e2", "b"}, {"e3", "c"}},
+                            .orientation = {.euler = EulerOrder{}, .angle_unit = AngleUnit::degrees}};
+  const TrackFile input = read_track(keys.path(), options).value();
+  const auto orientation_in = [&](const std::string& content, const std::string& name) {
+    const TextFile file(content, name);
+    const auto track = read_track_beside(input, file.path(), options);
+    EXPECT_TRUE(track) << describe(track.error());
+    return track ? track->track.keys.orientations().back().coeffs() : Eigen::Vector4d::Zero().eval();
+  };
+  const Eigen::Vector4d quarter = input.track.keys.orientations().back().coeffs();
+  EXPECT_EQ(orientation_in("t,a,b,c\n0,90,0,0\n", "truth.csv"), quarter);
+  EXPECT_EQ(orientation_in("t,qw,qx,qy,qz\n0,0.6,0,0,0.8\n", "truth.csv"), Eigen::Vector4d(0, 0, 0.8, 0.6));
+  EXPECT_EQ(orientation_in("0 1 2 3 0 0 0.8 0.6\n", "truth.tum"), Eigen::Vector4d(0, 0, 0.8, 0.6));
+}
+
+TEST(FileBesideAnother, HasItsOwnTimesWhereItStatesTheirUnit) {
+  const ReadOptions options{.time_scale = Decimal::power_of_ten(-3)};
+  const TextFile keys("t,qw,qx,qy,qz\n0,1,0,0,0\n1000,1,0,0,0\n", "keys.csv");
+  const TrackFile input = read_track(keys.path(), options).value();
+  const auto last_time = [&](const std::string& content, const std::string& name) {
+    const TextFile file(content, name);
+    return read_track_beside(input, file.path(), options).value().track.keys.times().back();
+  };
+  EXPECT_EQ(last_time("t,qw,qx,qy,qz\n0,1,0,0,0\n500,1,0,0,0\n", "truth.csv"), 0.5);
+  EXPECT_EQ(last_time("t_ns,qw,qx,qy,qz\n0,1,0,0,0\n500000000,1,0,0,0\n", "truth.csv"), 0.5);
+  EXPECT_EQ(last_time("0 0 0 0 0 0 0 1\n0.5 0 0 0 0 0 0 1\n", "truth.tum"), 0.5);
+}
+
+TEST(FileBesideAnother, IsRefusedForWhatItsOwnReaderSays) {
+  const TextFile keys("t,qw,qx,qy,qz\n0,1,0,0,0\n", "keys.csv"), truth("t,yaw,pitch,roll\n0,1,2,3\n", "truth.csv");
+  const auto refused = read_track_beside(read_track(keys.path()).value(), truth.path(), {});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().remedy, "angle_unit");
+}
+
 }  // namespace
 }  // namespace orispline::io

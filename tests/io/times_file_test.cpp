@@ -33,6 +33,8 @@ TEST(TimesFile, HoldsOneNumberALineInAnyOrder) {
 }
 
 TEST(TimesFile, MayHaveAHeader) {
+  EXPECT_EQ(read("qw,t,qx\n1,2,0\n1,1,0\n").value(), (Times{2, 1}));
+  EXPECT_EQ(read("frame time\n7 2\n8 2.5\n").value(), (Times{2, 2.5}));
   for (const char* header : {"t", "time", "timestamp", "t_s", "\"t\""})
     EXPECT_EQ(read(std::string(header) + "\n1\n2\n").value(), (Times{1, 2})) << header;
   EXPECT_EQ(read("t_ms\n1500\n").value(), Times{1.5});
@@ -46,14 +48,40 @@ TEST(TimesFile, IsRelativeToTheEpochExactly) {
 
 TEST(TimesFile, NamesTheLineOfWhatItRefuses) {
   EXPECT_EQ(refusal("1\n2\nabc\n"), "times.txt:3: found 'abc', wanted a number such as -1.5e-3");
-  EXPECT_EQ(refusal("x\n1\n"), "times.txt:1: found 'x', wanted the header t or a number");
-  EXPECT_EQ(refusal("t\nt\n"), "times.txt:2: found 't', wanted a number such as -1.5e-3");
-  EXPECT_EQ(refusal("1\nnan\n"), "times.txt:2: found 'nan', wanted a finite time");
-  EXPECT_EQ(refusal("1e999\n"), "times.txt:1: found '1e999', wanted a number between 1e-150 and 1e150 in size");
-  EXPECT_EQ(refusal("1,2\n"), "times.txt:1: found 2 cells, wanted one time a line");
-  EXPECT_EQ(refusal("t qw\n1 2\n"), "times.txt:1: found 2 cells, wanted one time a line");
+  EXPECT_EQ(refusal("x\n1\n"),
+            "times.txt:1: found x, wanted a column of times such as t, or numbers without a header");
+  EXPECT_EQ(refusal("t\nt\n"), "times.txt:2:1: found 't', wanted a number such as -1.5e-3");
+  EXPECT_EQ(refusal("1\nnan\n"), "times.txt:2:1: found 'nan', wanted a finite time");
+  EXPECT_EQ(refusal("1e999\n"), "times.txt:1:1: found '1e999', wanted a number between 1e-150 and 1e150 in size");
+  EXPECT_EQ(refusal("1,2\n"),
+            "times.txt:1: found 2 cells, wanted one time a line, or a header that names the column t");
+  EXPECT_EQ(refusal("x,t\n1,2\n3\n"), "times.txt:3: found 1 cell, wanted the time in cell 2");
+  EXPECT_EQ(refusal("t,time\n1,2\n"), "times.txt:1: 't' and 'time' may both be t, wanted one");
   EXPECT_EQ(refusal(""), "times.txt: empty: no times");
   EXPECT_EQ(refusal("t\n# nothing\n"), "times.txt: empty: no times");
+}
+
+TEST(TimesFile, MayBeAnyFileOfKeys) {
+  const std::string tum = "1 0 0 0 0 0 0 1\n2.5 0 0 0 0 0 0 1\n";
+  EXPECT_EQ(read(tum).value(), (Times{1, 2.5}));
+  EXPECT_EQ(read("#timestamp [ns],p_RS_R_x [m],p_RS_R_y [m],p_RS_R_z [m],q_RS_w [],q_RS_x [],q_RS_y [],q_RS_z []\n"
+                 "1500000000,0,0,0,1,0,0,0\n")
+                .value(),
+            Times{1.5});
+  EXPECT_EQ(read("t_ms,roll_deg,pitch_deg,yaw_deg\n500,1,2,3\n").value(), Times{0.5});
+  const TextFile bare("7,1,0,0,0\n8,1,0,0,0\n", "times.txt");
+  EXPECT_EQ(read_times(bare.path(), Decimal(), {.order = QuaternionOrder::wxyz}).value().times, (Times{7, 8}));
+  const TextFile named("qw,when_ms\n1,250\n", "times.txt");
+  EXPECT_EQ(read_times(named.path(), Decimal(), {.columns = {{"t", "when_ms"}, {"qw", "qw"}}}).value().times,
+            Times{0.25});
+}
+
+TEST(TimesFile, SaysWhichUnitItTakesBySize) {
+  const TextFile file("1700000000000\n", "times.txt");
+  const auto list = read_times(file.path(), Decimal::parse("1700000000").value()).value();
+  EXPECT_EQ(list.times, Times{0});
+  ASSERT_EQ(list.warnings.size(), 1U);
+  EXPECT_EQ(list.warnings[0].code, "time_unit_by_size");
 }
 
 TEST(TimesFile, KnowsTheLineOfEachTime) {

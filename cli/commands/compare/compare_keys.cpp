@@ -15,15 +15,17 @@ Error with_its_options(Error error) {
   return error;
 }
 
-/// A file whose keys are at least two.
-Expected<io::TrackFile> read_two_keys(const std::string& path, const io::ReadOptions& options,
-                                      std::optional<Signs> signs) {
-  auto file = io::read_track(path, options, signs);
+/// A file that was read, if its keys are at least two.
+Expected<io::TrackFile> with_two_keys(Expected<io::TrackFile> file) {
   if (!file) return tl::unexpected(with_its_options(std::move(file.error())));
   warn(file->warnings);
   if (file->track.keys.size() < 2)
-    return failure(ErrorCode::bad_data, "found 1 key, wanted 2 at least to compare curves", {.file = path});
+    return failure(ErrorCode::bad_data, "found 1 key, wanted 2 at least to compare curves", {.file = file->track.name});
   return file;
+}
+
+Expected<io::TrackFile> input_of(const CompareRequest& request) {
+  return with_two_keys(io::read_track(request.input.path, request.input.read, request.input.signs));
 }
 
 Expected<ComparedKeys> decimated(const Track& input, const Decimation& decimation) {
@@ -37,7 +39,7 @@ Expected<ComparedKeys> decimated(const Track& input, const Decimation& decimatio
 }
 
 Expected<ComparedData> decimated_input(const CompareRequest& request) {
-  auto input = read_two_keys(request.input.path, request.input.read, request.input.signs);
+  auto input = input_of(request);
   if (!input) return tl::unexpected(std::move(input.error()));
   const Track& track = input->track;
   ComparedData data{.reference = track.name,
@@ -55,10 +57,9 @@ Expected<ComparedData> decimated_input(const CompareRequest& request) {
 }
 
 Expected<ComparedData> input_and_reference(const CompareRequest& request, const std::string& reference) {
-  auto input = read_two_keys(request.input.path, request.input.read, request.input.signs);
+  auto input = input_of(request);
   if (!input) return tl::unexpected(std::move(input.error()));
-  const auto truth =
-      read_two_keys(reference, {.conjugate = request.input.read.conjugate, .world_rates = true}, Signs::shortest);
+  const auto truth = with_two_keys(io::read_track_beside(*input, reference, request.input.read));
   if (!truth) return tl::unexpected(truth.error());
   const Track& keys = input->track;
   const double shift = (truth->track.epoch - keys.epoch).to_double();

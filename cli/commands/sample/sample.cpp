@@ -33,6 +33,7 @@ Expected<io::TrackFile> track_of(io::KeyReader reader, Signs signs) {
   if (!file) return tl::unexpected(std::move(file.error()));
   auto keys = Keyframes::make(std::exchange(file->data, {}), signs);
   if (!keys) return tl::unexpected(located(*file, std::move(keys.error())));
+  file->recipe.signs = signs;
   return io::track_file(std::move(*file), std::move(*keys));
 }
 
@@ -48,14 +49,15 @@ Expected<Source> open_source(const SampleRequest& request, io::KeyReader keys) {
   const TimeRequest wanted = anchored(request.times, track.epoch);
   auto times = SampleTimes::make(wanted, track.epoch, domain);
   if (!times) return tl::unexpected(std::move(times.error()));
+  warn(times->warnings());
   if (request.extrapolation == Extrapolation::hold) warn(range_warnings(wanted, track.epoch, domain));
   if (request.extrapolation == Extrapolation::error)
     if (auto stray = times->outside(domain)) return tl::unexpected(std::move(*stray));
   return Source{std::move(*file), std::move(*curve), std::move(*times)};
 }
 
-Expected<TruthReport> truth_report(const std::string& path, const Source& source) {
-  const auto file = io::read_track(path);
+Expected<TruthReport> truth_report(const std::string& path, const Source& source, const io::ReadOptions& options) {
+  const auto file = io::read_track_beside(source.file, path, options);
   if (!file) return tl::unexpected(file.error());
   warn(file->warnings);
   const Track& truth = file->track;
@@ -92,7 +94,7 @@ Expected<SampleReport> sample_whole(const SampleRequest& request, io::KeyReader 
   const io::SampleColumns columns = with_positions(request.columns, source->curve.position.has_value());
   SampleReport report = report_on(*source, request, columns);
   if (request.truth) {
-    auto truth = truth_report(*request.truth, *source);
+    auto truth = truth_report(*request.truth, *source, request.input.read);
     if (!truth) return tl::unexpected(std::move(truth.error()));
     report.truth = std::move(*truth);
   }

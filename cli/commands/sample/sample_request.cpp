@@ -70,6 +70,7 @@ Expected<SampleRequest> sample_request(const SampleOptions& options) {
       .progress = progress_for(options)};
   auto read = std::move(checked).or_else(std::move(request));
   if (!read) return read;
+  if (auto* const list = std::get_if<TimesFile>(&read->times.spacing)) list->reading = read->input.read;
   if (auto fits = check_summary(options.summary, options.output.path, "samples"); !fits)
     return tl::unexpected(std::move(fits.error()));
   std::vector<OtherFile> others{{"INPUT", options.input.path}};

@@ -9,6 +9,7 @@
 #include <orispline/base/parallel.hpp>
 #include <orispline/families/handles.hpp>
 #include <orispline/families/method_text.hpp>
+#include <orispline/families/method_warnings.hpp>
 #include <orispline/online/track_sampler.hpp>
 
 #include "commands/sample/sample_buffer.hpp"
@@ -94,10 +95,16 @@ class PiecewiseSampling {
     repairs_ = piece->repairs;
     rates_of_unknown_frame_ = std::move(piece->rates_of_unknown_frame);
     warn(piece->warnings);
+    if (keys_.is_at_end() && piece->turns) warn_of_file(piece->turns->warnings(*request_.input.signs, piece->euler));
     const auto taken = sampler_->append(piece->data, piece->parameters);
     if (!taken) return tl::unexpected(placed(taken.error()));
     if (progress_) progress_->advance_to(keys_.bytes_read());
     return sampler_->start() ? check_range(times_wanted_, epoch_, *sampler_->start(), std::nullopt) : Expected<void>();
+  }
+
+  void warn_of_file(std::vector<Warning> warnings) const {
+    for (Warning& warning : warnings) warning.where.file = request_.input.path;
+    warn(warnings);
   }
 
   [[nodiscard]] Expected<void> begin(const Decimal& epoch) {
@@ -116,6 +123,7 @@ class PiecewiseSampling {
     if (auto ended = sampler_->finish().and_then([this] { return sampler_->prepare(); }); !ended)
       return tl::unexpected(placed(std::move(ended.error())));
     if (auto checked = check_range(times_wanted_, epoch_, domain().start, domain().end); !checked) return checked;
+    warn_of_file(warnings_of(sampler_->report()));
     if (request_.extrapolation == Extrapolation::hold) warn(range_warnings(times_wanted_, epoch_, domain()));
     if (request_.extrapolation == Extrapolation::error)
       if (auto stray = times().outside(domain())) return tl::unexpected(std::move(*stray));

@@ -68,14 +68,12 @@ struct Reference {
   std::vector<Eigen::Quaterniond> orientations;
 };
 
-Expected<Reference> read_reference(const std::string& path, const Track& keys, InputRequest reading) {
-  reading.read.parameters.clear();
-  reading.read.keep_table = false;
-  const auto file = io::read_track(path, reading.read, reading.signs);
+Expected<Reference> read_reference(const std::string& path, const io::TrackFile& keys, const io::ReadOptions& reading) {
+  const auto file = io::read_track_beside(keys, path, reading);
   if (!file) return tl::unexpected(file.error());
   warn(file->warnings);
   const Track& samples = file->track;
-  const double shift = (samples.epoch - keys.epoch).to_double();
+  const double shift = (samples.epoch - keys.track.epoch).to_double();
   Reference reference{{samples.keys.times().begin(), samples.keys.times().end()},
                       {samples.keys.orientations().begin(), samples.keys.orientations().end()}};
   for (double& t : reference.times) t += shift;
@@ -83,16 +81,16 @@ Expected<Reference> read_reference(const std::string& path, const Track& keys, I
 }
 
 Expected<orispline::Tuning> tuned(Request request, const Method& method, const TuneOptions& options,
-                                  const Track& track) {
+                                  const io::TrackFile& keys) {
   Reference reference;
   if (const auto& path = reference_of(options)) {
-    auto read = read_reference(*path, track, request.input);
+    auto read = read_reference(*path, keys, request.input.read);
     if (!read) return tl::unexpected(std::move(read.error()));
     reference = std::move(*read);
     request.tuning.reference = {reference.times, reference.orientations};
   }
-  return orispline::tune(track, method, request.tuning).map_error([&](Error error) {
-    return placed(track, std::move(error));
+  return orispline::tune(keys.track, method, request.tuning).map_error([&](Error error) {
+    return placed(keys.track, std::move(error));
   });
 }
 
@@ -121,7 +119,7 @@ Expected<void> tune(const TuneOptions& options) {
   const auto file = io::read_track(std::move(*input), request->input.read, request->input.signs);
   if (!file) return tl::unexpected(file.error());
   warn(file->warnings);
-  auto tuning = tuned(*request, chosen->method, options, file->track);
+  auto tuning = tuned(*request, chosen->method, options, *file);
   if (!tuning) return tl::unexpected(std::move(tuning.error()));
   warn(tuning->warnings);
   TuneReport report{.input = options.input.path,

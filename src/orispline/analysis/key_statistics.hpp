@@ -18,9 +18,6 @@ struct KeyStatistics {
   std::vector<std::size_t> near_half_turns{};  ///< i where the step from key i to i+1 is ambiguous
 };
 
-/// Steps this near to 180° [rad] may as well go the other way round.
-inline constexpr double half_turn_margin = std::numbers::pi / 180.0;
-
 [[nodiscard]] ORISPLINE_EXPORT KeyStatistics key_statistics(const Keyframes& keys);
 
 }  // namespace orispline::inline ORISPLINE_ABI

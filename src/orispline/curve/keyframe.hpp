@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -32,7 +33,16 @@ struct KeyframeReport {
   std::size_t sign_flips = 0;       ///< steps whose two quaternions, as given, have a negative dot product
   std::size_t non_unit_keys = 0;    ///< keys whose norm was off by more than `unit_norm_tolerance`
   double largest_norm_error = 0.0;  ///< largest |‖q‖ - 1|
+  /// Steps that turn by 180° but for `half_turn_margin`, where the signs are not as given: they may as well go the
+  /// other way round.
+  std::size_t near_half_turns = 0;
+  std::size_t first_near_half_turn = 0;  ///< index of the key before the first of them
+
+  friend bool operator==(const KeyframeReport&, const KeyframeReport&) = default;
 };
+
+/// How far from 180° such steps may be [rad].
+inline constexpr double half_turn_margin = std::numbers::pi / 180.0;
 
 /// Norms this near to 1 pass as unit: the rounding of float32 files.
 inline constexpr double unit_norm_tolerance = 1e-6;

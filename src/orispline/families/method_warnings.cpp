@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/registry.hpp>
 
@@ -43,8 +44,20 @@ std::optional<Warning> overwound(const Method& method, const Keyframes& keys) {
 
 }  // namespace
 
+std::vector<Warning> warnings_of(const KeyframeReport& keys) {
+  if (keys.near_half_turns == 0) return {};
+  return {Warning{.code = "near_half_turn",
+                  .message = formatted("{} to the next key {} nearly 180°, so the motion may as well go the other way "
+                                       "round; put a key in between, or state `signs` as-given",
+                                       counted(keys.near_half_turns, "step"),
+                                       keys.near_half_turns == 1 ? "turns by" : "turn by"),
+                  .where = {.key = keys.first_near_half_turn},
+                  .numbers = {{"steps", static_cast<double>(keys.near_half_turns)}}}};
+}
+
 std::vector<Warning> warnings_of(const Method& method, const Track& track) {
   std::vector<Warning> warnings;
+  for (Warning& warning : warnings_of(track.keys.report())) warnings.push_back(track.located(std::move(warning)));
   const auto family = find_family(method.name);
   if (!family) return warnings;
   const Method shaped = completed(method, **family, track);

@@ -8,11 +8,14 @@
 
 namespace orispline::inline ORISPLINE_ABI {
 
+/// `near_half_turn`: steps between keys that may as well go the other way round (`steps`).
+[[nodiscard]] ORISPLINE_EXPORT std::vector<Warning> warnings_of(const KeyframeReport& keys);
+
 /// What is noteworthy about the curve of a method through the keys of a track, with the track's settings.
 ///
 /// `closing_step`: a loop returns to its first key so soon after the last that its rates are huge (`closing_step_s`,
 /// `shortest_step_s` of the others). `overwound_tangent`: a handle turns a full turn or more away from its key, where a
-/// curve of slerps loses its continuity (`turn_deg`).
+/// curve of slerps loses its continuity (`turn_deg`). And what is of the keys.
 [[nodiscard]] ORISPLINE_EXPORT std::vector<Warning> warnings_of(const Method& method, const Track& track);
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -10,6 +10,7 @@
 #include <orispline/base/warning.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/recipe.hpp>
+#include <orispline/io/euler_turns.hpp>
 #include <orispline/io/formats/formats.hpp>
 #include <orispline/io/key_columns.hpp>
 #include <orispline/io/key_table.hpp>
@@ -84,6 +85,8 @@ struct KeyFile {
   std::vector<std::uint32_t> lines{};                                    ///< 1-based line of each key
   std::map<std::string, std::vector<double>, std::less<>> parameters{};  ///< one value per key
   RepairReport repairs{};
+  std::optional<EulerTurns> turns{};  ///< what is lost of those that Euler angles state, up to these keys
+  EulerOrder euler{};                 ///< of these angles
   std::vector<Decimal> exact_times{};                 ///< [s], of each key; only if asked for
   KeyTable table{};                                   ///< the cells of each key; only if asked for
   std::vector<std::string> ignored_columns{};         ///< that nothing was read from

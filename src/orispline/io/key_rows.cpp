@@ -10,98 +10,11 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 #include <orispline/curve/motion.hpp>
+#include <orispline/io/key_row.hpp>
 #include <orispline/io/time_column.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::io {
 namespace {
-
-/// One key as a row states it.
-struct Key {
-  Decimal time;  // in the unit of the file
-  Eigen::Quaterniond orientation;
-  Eigen::Vector3d position{};
-  std::array<Eigen::Vector3d, 3> rates{};  // in the frames of the columns
-  std::vector<double> parameters{};
-};
-
-/// Reads the cells of one row; remembers the first that is no number and the first that is not finite.
-class RowReader {
- public:
-  explicit RowReader(const TextTable& table) : table_(table) {}
-
-  [[nodiscard]] Key key(const KeyColumns& columns) {
-    Key key{.time = time(columns), .orientation = orientation(columns)};
-    if (columns.position) key.position = vector(*columns.position);
-    for (std::size_t k = 0; k < columns.rates.size(); ++k)
-      if (columns.rates[k]) key.rates[k] = vector(columns.rates[k]->columns);
-    for (const ParameterColumn& column : columns.parameters) key.parameters.push_back(number({column.index}));
-    return key;
-  }
-
-  /// A cell that is no number, or numbers that are no orientation: an error in any case.
-  [[nodiscard]] const std::optional<Error>& refused() const { return refused_; }
-
-  /// A cell that is empty or not finite: an error unless such rows are dropped.
-  [[nodiscard]] std::optional<Error> not_finite() const {
-    if (!not_finite_) return std::nullopt;
-    const std::string_view cell = table_.cells()[*not_finite_];
-    return mended_by("drop_invalid",
-                     formatted("found {}, wanted a finite number", cell.empty() ? "an empty cell" : in_quotes(cell)),
-                     table_.here(not_finite_))
-        .value();
-  }
-
- private:
-  [[nodiscard]] Decimal time(const KeyColumns& columns) {
-    const std::string_view cell = table_.cells()[columns.time];
-    const auto time = decimal_of(cell);
-    if (!time) refuse(columns.time, time.error());
-    else if (!*time) note_not_finite(columns.time);
-    else if (columns.whole_times && !(*time)->is_whole())
-      refuse(columns.time, {ErrorCode::bad_data, formatted("found {}, wanted whole nanoseconds", in_quotes(cell)), {}});
-    return time.value_or(std::nullopt).value_or(Decimal());
-  }
-  [[nodiscard]] double number(const NumberColumn& column) {
-    const auto number = number_of(table_.cells()[column.index]);
-    const double value = number.value_or(0.0) * column.numerator / column.denominator;
-    if (!number) refuse(column.index, number.error());
-    else if (!std::isfinite(value)) note_not_finite(column.index);
-    return value;
-  }
-  [[nodiscard]] Eigen::Vector3d vector(const VectorColumns& columns) {
-    const double x = number(columns[0]), y = number(columns[1]), z = number(columns[2]);
-    return {x, y, z};
-  }
-  [[nodiscard]] Eigen::Quaterniond orientation(const KeyColumns& columns) {
-    OrientationNumbers numbers(static_cast<Eigen::Index>(columns.orientation.size()));
-    std::ranges::transform(columns.orientation, numbers.begin(), [this](const auto& column) { return number(column); });
-    if (!numbers.allFinite()) return Eigen::Quaterniond::Identity();
-    const auto orientation = orientation_from(numbers, columns.form);
-    if (!orientation) refuse(std::nullopt, orientation.error());
-    return orientation.value_or(Eigen::Quaterniond::Identity());
-  }
-  void refuse(std::optional<std::size_t> index, Error error) {
-    error.where = table_.here(index);
-    if (!refused_) refused_ = std::move(error);
-  }
-  void note_not_finite(std::size_t index) {
-    if (!not_finite_) not_finite_ = index;
-  }
-
-  const TextTable& table_;
-  std::optional<Error> refused_;
-  std::optional<std::size_t> not_finite_;
-};
-
-Expected<void> check_width(const TextTable& table, std::size_t width) {
-  const auto cells = table.cells();
-  const auto is_empty = [](std::string_view cell) { return cell.empty(); };
-  if (cells.size() >= width && std::all_of(cells.begin() + static_cast<std::ptrdiff_t>(width), cells.end(), is_empty))
-    return {};
-  return failure(ErrorCode::bad_data,
-                 formatted("found {} cell{}, wanted {}", cells.size(), cells.size() == 1 ? "" : "s", width),
-                 table.here());
-}
 
 /// The values at the places, in their order.
 template <class T>
@@ -118,7 +31,7 @@ constexpr std::array rates_of_keys{&KeyframeData::angular_velocities, &KeyframeD
                                    &KeyframeData::angular_jerks};
 
 /// The rates in the body frame of a key at this orientation, of any norm.
-std::array<Eigen::Vector3d, 3> body_rates(const Key& key, const RateColumns& columns,
+std::array<Eigen::Vector3d, 3> body_rates(const KeyRow& key, const RateColumns& columns,
                                           const Eigen::Quaterniond& orientation) {
   const Eigen::Quaterniond q = orientation.normalized();
   std::array<Eigen::Vector3d, 3> rates = key.rates;
@@ -160,15 +73,13 @@ Expected<void> KeyRows::add(const TextTable& table) {
     if (!options_.sort) error.where.key = taken_ + size();  // before sorting a row has no index yet
     return tl::unexpected(std::move(error));
   };
-  if (auto checked = check_width(table, columns_.width); !checked) return refused(std::move(checked.error()));
-  RowReader row(table);
-  const Key key = row.key(columns_);
-  if (row.refused()) return refused(*row.refused());
-  if (auto error = row.not_finite()) {
-    if (!options_.drop_invalid) return refused(std::move(*error));
+  const auto row = key_row(table, columns_);
+  if (!row && row.error().remedy == "drop_invalid" && options_.drop_invalid) {
     ++file_.repairs.invalid_dropped;
     return {};
   }
+  if (!row) return refused(row.error());
+  const KeyRow& key = *row;
   const auto unit = normalised(key.orientation, table.here());
   if (!unit) return refused(unit.error());
   const Eigen::Quaterniond orientation = options_.conjugate ? unit->conjugate() : *unit;
@@ -184,6 +95,7 @@ Expected<void> KeyRows::add(const TextTable& table) {
     const auto cells = table.cells().first(columns_.width);
     file_.table.rows.emplace_back(cells.begin(), cells.end());
   }
+  if (key.angles) turns_.add(*key.angles, orientation);
   file_.data.orientations.push_back(orientation);
   if (columns_.position) file_.data.positions.push_back(key.position);
   const auto rates = body_rates(key, columns_.rates, orientation);
@@ -282,11 +194,16 @@ Expected<void> KeyRows::complete() {
     const std::string reason = dropped > 0 ? formatted(" (all {} rows were dropped as invalid)", dropped) : "";
     return failure(ErrorCode::bad_data, "empty: no keys" + reason, {.file = file_.path});
   }
+  turns_.finish();
   return options_.sort ? sort() : Expected<void>();
 }
 
 KeyFile KeyRows::take() {
   taken_ += size();
+  if (columns_.form.representation == Representation::euler && file_.repairs.rows_moved == 0) {
+    file_.turns = turns_;
+    file_.euler = columns_.form.order;
+  }
   KeyFile rest;
   rest.path = file_.path;
   rest.format = file_.format;

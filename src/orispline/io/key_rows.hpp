@@ -43,6 +43,7 @@ class ORISPLINE_EXPORT KeyRows {
   Decimal first_, latest_;       // times in the unit of the file
   double latest_seconds_ = 0.0;  // of `latest_` since the first [s]
   std::size_t latest_line_ = 0;  // of `latest_`
+  EulerTurns turns_;             // that the keys so far lose
   std::vector<Decimal> times_;   // of all rows, gathered only to be sorted
 };
 

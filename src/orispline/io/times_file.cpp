@@ -5,6 +5,7 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
+#include <orispline/io/format_choice.hpp>
 #include <orispline/io/key_columns.hpp>
 #include <orispline/io/text_table.hpp>
 #include <orispline/io/time_column.hpp>
@@ -16,52 +17,80 @@ tl::unexpected<Error> at_row(const TextTable& table, std::string message) {
   return failure(ErrorCode::bad_data, std::move(message), table.here());
 }
 
-/// The only cell of the row; empty ones may follow.
-Expected<std::string_view> only_cell(const TextTable& table) {
-  std::size_t count = table.cells().size();
-  while (count > 1 && table.cells()[count - 1].empty()) --count;
-  if (count > 1) return at_row(table, formatted("found {} cells, wanted one time a line", count));
-  return table.cells()[0];
+/// Which cell of a row is the time.
+struct TimeColumn {
+  std::size_t index = 0;
+  TimeUnit unit{};
+};
+
+Expected<TimeColumn> column_of_header(const TextTable& table, const ColumnSearch::Names& names) {
+  const auto header = table.cells().first(width_of(table.cells()));
+  const ColumnSearch::Names none;
+  const auto mapped = names.find(time_name);
+  const bool is_there = mapped != names.end() && std::ranges::find(header, mapped->second) != header.end();
+  const ColumnSearch search(header, is_there ? names : none);
+  const auto found = search.column(time_name, [](std::string_view name) { return time_unit_of(name).has_value(); });
+  if (!found) {
+    Error error = found.error();
+    error.where = table.here();
+    return tl::unexpected(std::move(error));
+  }
+  if (!*found)
+    return at_row(table, formatted("found {}, wanted a column of times such as t, or numbers without a header",
+                                   search.found_names()));
+  const std::string_view name = search.plain_name(**found);
+  return TimeColumn{**found, time_unit_of(name).value_or(time_unit_at_end_of(name))};
 }
 
-/// Unit [s] of the times below the header.
-Expected<TimeUnit> unit_of_header(const TextTable& table) {
-  return only_cell(table).and_then([&table](std::string_view name) -> Expected<TimeUnit> {
-    const ColumnSearch search(std::span(&name, 1), {});
-    if (const auto unit = time_unit_of(search.plain_name(0))) return *unit;
-    return at_row(table, formatted("found {}, wanted the header t or a number", in_quotes(name)));
-  });
+/// Of the table at its first row.
+Expected<TimeColumn> time_column(const TextTable& table, const ReadOptions& options) {
+  const std::size_t width = width_of(table.cells());
+  const auto formats = formats_read();
+  const FormatInfo* const format = width > 1 ? likest(formats, table, options, Likeness::likely) : nullptr;
+  if (format && format->reading.layout && !is_header(table.cells()))
+    return format->reading.layout(table, options).map([](const TableLayout& layout) {
+      return TimeColumn{layout.columns.time, {layout.columns.time_unit, layout.columns.states_time_unit}};
+    });
+  if (is_header(table.cells())) return column_of_header(table, options.columns);
+  if (width > 1 && !options.order)
+    return at_row(table, formatted("found {} cells, wanted one time a line, or a header that names the column t", width));
+  return TimeColumn{};
 }
 
 /// The time in the row, in the unit of the file.
-Expected<Decimal> time_of(const TextTable& table) {
-  return only_cell(table).and_then([&](std::string_view cell) -> Expected<Decimal> {
-    const auto time = decimal_of(cell);
-    if (!time) return at_row(table, time.error().message);
-    if (!*time) return at_row(table, formatted("found {}, wanted a finite time", in_quotes(cell)));
-    return **time;
-  });
+Expected<Decimal> time_of(const TextTable& table, std::size_t index) {
+  if (index >= table.cells().size())
+    return at_row(table, formatted("found {} cells, wanted the time in cell {}", table.cells().size(), index + 1));
+  const std::string_view cell = table.cells()[index];
+  const auto time = decimal_of(cell);
+  const auto here = table.here(index);
+  if (!time) return failure(ErrorCode::bad_data, time.error().message, here);
+  if (!*time) return failure(ErrorCode::bad_data, formatted("found {}, wanted a finite time", in_quotes(cell)), here);
+  return **time;
 }
 
 }  // namespace
 
-Expected<TimesList> read_times(const std::string& path, const Decimal& epoch) {
+Expected<TimesList> read_times(const std::string& path, const Decimal& epoch, const ReadOptions& options) {
   auto table = TextTable::open(path);
   if (!table) return tl::unexpected(std::move(table.error()));
-  TimeUnit unit;
   auto more = table->next();
-  if (more && *more && is_header(table->cells())) {
-    const auto header_unit = unit_of_header(*table);
-    if (!header_unit) return tl::unexpected(header_unit.error());
-    unit = *header_unit;
-    more = table->next();
-  }
+  if (!more) return tl::unexpected(more.error());
+  if (!*more) return failure(ErrorCode::bad_data, "empty: no times", {.file = path});
+  const auto column = time_column(*table, options);
+  if (!column) return tl::unexpected(column.error());
+  if (is_header(table->cells())) more = table->next();
   TimesList list;
+  TimeUnit unit = column->unit;
   for (; more && *more; more = table->next()) {
-    const auto time = time_of(*table);
+    const auto time = time_of(*table, column->index);
     if (!time) return tl::unexpected(time.error());
     if (!std::exchange(unit.is_stated, true))
-      if (const auto guess = time_unit_by_size(*time)) unit.seconds = guess->seconds;
+      if (auto guess = time_unit_by_size(*time)) {
+        unit.seconds = guess->seconds;
+        guess->warning.where.file = path;
+        list.warnings.push_back(std::move(guess->warning));
+      }
     list.times.push_back((*time * unit.seconds - epoch).to_double());
     list.lines.push_back(static_cast<std::uint32_t>(table->line()));
   }

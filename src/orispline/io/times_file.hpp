@@ -6,6 +6,8 @@
 #include <vector>
 
 #include <orispline/base/decimal.hpp>
+#include <orispline/base/warning.hpp>
+#include <orispline/io/key_file.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::io {
 
@@ -13,12 +15,16 @@ namespace orispline::inline ORISPLINE_ABI::io {
 struct TimesList {
   std::vector<double> times{};         ///< relative to the epoch [s]
   std::vector<std::uint32_t> lines{};  ///< 1-based line of each
+  std::vector<Warning> warnings{};     ///< `time_unit_by_size`
 };
 
-/// Reads sample times, one number a line, in any order; from standard input for `-`.
+/// Reads sample times in any order: one number a line, or the times of any table, such as a file of keys; from standard
+/// input for `-`.
 ///
-/// A header `t` is allowed, also with a unit (`t_ns`); without one the numbers are seconds. The result is relative to
-/// `epoch` [s]. Errors: bad_access, bad_data.
-[[nodiscard]] ORISPLINE_EXPORT Expected<TimesList> read_times(const std::string& path, const Decimal& epoch);
+/// A header names the column of times: `t`, `time_ns`, …, or what the options state for `t`. Tables without a header
+/// are those of TUM and EuRoC, and of CSV where the options state an order. Times whose unit is not stated are seconds,
+/// from 1e11 on what a clock counts. The result is relative to `epoch` [s]. Errors: bad_access, bad_data.
+[[nodiscard]] ORISPLINE_EXPORT Expected<TimesList> read_times(const std::string& path, const Decimal& epoch,
+                                                              const ReadOptions& options = {});
 
 }  // namespace orispline::inline ORISPLINE_ABI::io

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/io/track_file.hpp>
 
+#include <filesystem>
 #include <utility>
+
+#include <orispline/io/key_reader.hpp>
+#include <orispline/io/line_reader.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::io {
 namespace {
@@ -15,6 +19,38 @@ Expected<TrackFile> checked(KeyFile file, const ReadOptions& options, std::optio
   return track_file(std::move(file), std::move(*keys));
 }
 
+bool have_the_same_extension(const std::string& one, const std::string& other) {
+  return std::filesystem::path(one).extension() == std::filesystem::path(other).extension();
+}
+
+/// Without what says how the file looks.
+ReadOptions as_it_looks(ReadOptions options) {
+  options.format = nullptr;
+  options.columns.clear();
+  options.order.reset();
+  options.orientation = {};
+  options.time_scale.reset();
+  return options;
+}
+
+/// By the options where they fit, else as the file looks.
+Expected<KeyReader> open_beside(const TrackFile& other, const std::string& path, const ReadOptions& options) {
+  ReadOptions fitting = options;
+  fitting.time_scale.reset();
+  if (!have_the_same_extension(path, other.track.name)) {
+    fitting.format = nullptr;
+    fitting.order.reset();
+  }
+  auto reader = KeyReader::open(path, fitting);
+  if (!reader && reader.error().code != ErrorCode::bad_access)
+    if (auto plain = KeyReader::open(path, as_it_looks(options))) return plain;
+  if (!reader || !options.time_scale || &reader->format() != other.format) return reader;
+  const KeyColumns* const columns = reader->columns();
+  if (columns && columns->states_time_unit) return reader;
+  fitting.time_scale = options.time_scale;
+  return KeyReader::open(path, fitting);
+}
+
 }  // namespace
 
 TrackFile track_file(KeyFile file, Keyframes keys) {
@@ -23,6 +59,12 @@ TrackFile track_file(KeyFile file, Keyframes keys) {
                   .ignored_columns = std::move(file.ignored_columns),
                   .rates_of_unknown_frame = std::move(file.rates_of_unknown_frame),
                   .warnings = std::move(file.warnings)};
+  if (file.turns)
+    for (Warning& warning : file.turns->warnings(file.recipe.signs, file.euler)) {
+      warning.where.file = file.path;
+      if (const auto key = warning.where.key; key && *key < file.lines.size()) warning.where.line = file.lines[*key];
+      found.warnings.push_back(std::move(warning));
+    }
   Track& track = found.track;
   track.keys = std::move(keys);
   track.name = std::move(file.path);
@@ -56,6 +98,16 @@ Expected<TrackFile> read_track(const std::string& path, const ReadOptions& optio
 Expected<TrackFile> read_track(KeyInput input, const ReadOptions& options, std::optional<Signs> signs) {
   return read_keys(std::move(input), options).and_then([&](KeyFile file) {
     return checked(std::move(file), options, signs);
+  });
+}
+
+Expected<TrackFile> read_track_beside(const TrackFile& other, const std::string& path, ReadOptions options) {
+  options.recipe = RecipeUse::ignored;
+  options.parameters.clear();
+  options.keep_table = options.keep_as_read = options.keep_exact_times = false;
+  auto reader = path == standard_stream ? KeyReader::open(path, options) : open_beside(other, path, options);
+  return std::move(reader).and_then([](KeyReader keys) { return keys.next(); }).and_then([&](KeyFile file) {
+    return checked(std::move(file), options, Signs::shortest);
   });
 }
 

@@ -6,7 +6,7 @@
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
-constexpr std::uint64_t mark = 0x324b434152545249u;  // "IRTRACK2", lowest byte first
+constexpr std::uint64_t mark = 0x334b434152545249u;  // "IRTRACK3", lowest byte first
 
 tl::unexpected<Error> no_state(const std::string& why) {
   return failure(ErrorCode::bad_data, "the bytes are no state of a track: " + why);
@@ -70,13 +70,17 @@ void write(StateWriter& out, const KeyAlignment& alignment) {
   out.whole(alignment.report.sign_flips);
   out.whole(alignment.report.non_unit_keys);
   out.real(alignment.report.largest_norm_error);
+  out.whole(alignment.report.near_half_turns);
+  out.whole(alignment.report.first_near_half_turn);
   out.whole(alignment.negated ? 1 : 0);
 }
-KeyAlignment read_alignment(StateReader& in) {
-  KeyAlignment alignment;
+KeyAlignment read_alignment(StateReader& in, std::uint64_t keys) {
+  KeyAlignment alignment{.keys = static_cast<std::size_t>(keys)};
   alignment.report.sign_flips = static_cast<std::size_t>(in.whole());
   alignment.report.non_unit_keys = static_cast<std::size_t>(in.whole());
   alignment.report.largest_norm_error = in.real();
+  alignment.report.near_half_turns = static_cast<std::size_t>(in.whole());
+  alignment.report.first_near_half_turn = static_cast<std::size_t>(in.whole());
   alignment.negated = in.below(2) == 1;
   return alignment;
 }
@@ -201,7 +205,7 @@ Expected<void> TrackState::read_rest(StateReader& in, TrackSampler& sampler) {
   sampler.keys_ = in.whole();
   sampler.next_ = in.below(static_cast<std::uint64_t>(SampleGrid::most_samples) + 1);
   for (auto* time : {&sampler.newest_, &sampler.start_, &sampler.end_}) *time = read_optional(in);
-  sampler.alignment_ = read_alignment(in);
+  sampler.alignment_ = read_alignment(in, sampler.keys_);
   for (bool* part : {&sampler.parts_.position, &sampler.parts_.angular_velocity, &sampler.parts_.angular_acceleration,
                      &sampler.parts_.angular_jerk, &sampler.finished_})
     *part = in.below(2) == 1;
