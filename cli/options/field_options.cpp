@@ -20,7 +20,8 @@ std::string upper(std::string_view text) {
 
 std::string argument_of(const Quantity* quantity) {
   if (!quantity) return "X";
-  return upper(quantity->typed_units.empty() ? quantity->unit : quantity->name);
+  const bool has_unit = !quantity->typed_units.empty() && !quantity->typed_units.back().name.empty();
+  return upper(has_unit ? quantity->name : quantity->unit);
 }
 
 /// What is typed behind the option.
@@ -29,6 +30,7 @@ std::string argument_of(const FieldInfo& field) {
     case FieldType::count:
       return "N";
     case FieldType::number:
+    case FieldType::limit:
       return argument_of(field.quantity);
     case FieldType::word:
       return one_of(field.words);
@@ -105,6 +107,8 @@ Expected<FieldValue> value_in(const FieldInfo& field, OptionText option) {
       return names_value(option);
     case FieldType::interval:
       return interval_value(option);
+    case FieldType::limit:
+      return measured_in(option, field.quantity->typed_units, 3);
     case FieldType::vector:
       return vector_in(option).map([](const Eigen::Vector3d& v) { return std::vector{v.x(), v.y(), v.z()}; });
     default:

@@ -11,12 +11,29 @@
 namespace orispline::cli {
 namespace {
 
+/// One name for each unit, the first.
 std::string names_of(std::span<const Unit> units) {
-  std::string names;
+  std::vector<std::string_view> names;
   for (std::size_t i = 0; i < units.size(); ++i)
-    names += formatted("{}{}", i == 0 ? "" : i + 1 == units.size() ? " or " : ", ", units[i].name);
-  return names;
+    if (!units[i].name.empty() && (i == 0 || units[i].size != units[i - 1].size)) names.push_back(units[i].name);
+  std::string list;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    list += formatted("{}{}", i == 0 ? "" : i + 1 == names.size() ? " or " : ", ", names[i]);
+  return list;
 }
+
+/// Positive numbers with commas between them, and no others.
+std::optional<std::vector<double>> positive_numbers(std::string_view text) {
+  std::vector<double> numbers;
+  for (const std::string_view piece : pieces_of(text, ',')) {
+    const auto number = io::number_of(piece);
+    if (!number || !std::isfinite(*number) || !(*number > 0.0)) return std::nullopt;
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+std::string_view without_blanks_behind(std::string_view text) { return text.substr(0, text.find_last_not_of(' ') + 1); }
 
 /// An error or a warning in the words of the command.
 template <class Note>
@@ -67,14 +84,26 @@ Expected<double> positive_in(OptionText option) {
   return *number;
 }
 
-Expected<double> quantity_in(OptionText option, std::span<const Unit> units) {
+Expected<Measured> measured_in(OptionText option, std::span<const Unit> units, std::size_t most) {
   for (const Unit& unit : units) {
     if (!option.text.ends_with(unit.name)) continue;
-    const auto number = io::number_of(option.text.substr(0, option.text.size() - unit.name.size()));
-    if (number && std::isfinite(*number) && *number > 0.0) return *number * unit.size;
+    auto numbers =
+        positive_numbers(without_blanks_behind(option.text.substr(0, option.text.size() - unit.name.size())));
+    if (!numbers || (numbers->size() != 1 && numbers->size() != most)) continue;
+    for (double& number : *numbers) number *= unit.size;
+    return Measured{std::move(*numbers), unit};
   }
-  return wanted(option,
-                formatted("a number greater than 0 with its unit, {}, such as 1{}", names_of(units), units[0].name));
+  const bool has_bare = std::ranges::find(units, std::string_view(), &Unit::name) != units.end();
+  const std::string_view how = has_bare ? "" : " with its unit";
+  return wanted(
+      option,
+      formatted("a number greater than 0{}, {}{}, such as 1{}{}", how, has_bare ? "in " : "", names_of(units),
+                units[0].name,
+                most == 1 ? "" : formatted(", or three with commas between them, such as 1,2,3{}", units[0].name)));
+}
+
+Expected<double> quantity_in(OptionText option, std::span<const Unit> units) {
+  return measured_in(option, units, 1).map([](const Measured& measured) { return measured.numbers[0]; });
 }
 
 Expected<std::vector<double>> numbers_in(OptionText option) {

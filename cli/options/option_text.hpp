@@ -14,6 +14,7 @@
 #include <orispline/base/decimal.hpp>
 #include <orispline/base/expected.hpp>
 #include <orispline/base/warning.hpp>
+#include <orispline/fields/field_info.hpp>
 #include <orispline/fields/quantity.hpp>
 #include <orispline/math/eigen.hpp>
 
@@ -47,6 +48,8 @@ struct OptionText {
 [[nodiscard]] Expected<double> positive_in(OptionText option);
 /// A finite number above 0 with one of the units behind it, as in `0.1deg`, in the unit that the library takes.
 [[nodiscard]] Expected<double> quantity_in(OptionText option, std::span<const Unit> units);
+/// The same, or `most` of them with commas between them and one unit, as in `90,60,120deg/s`.
+[[nodiscard]] Expected<Measured> measured_in(OptionText option, std::span<const Unit> units, std::size_t most);
 /// Finite numbers between commas.
 [[nodiscard]] Expected<std::vector<double>> numbers_in(OptionText option);
 /// Three finite numbers between commas.

@@ -16,6 +16,9 @@
 namespace orispline::fuzz {
 namespace {
 
+/// Of a length; infinite where there is none.
+double size_of(const std::optional<Limit>& limit) { return limit ? limit->sizes[0] : HUGE_VAL; }
+
 constexpr std::size_t most_samples = 40;
 #if defined(ORISPLINE_FUZZ_SLOWED)
 constexpr double longest_task =
@@ -104,16 +107,17 @@ void try_retime(FuzzInput& input, const Track& track, const FuzzedKeys& fuzzed) 
   if (!retiming) return claim_plain(retiming.error());
   claim(retiming->time_scale >= 1.0, "it is slowed {} times", retiming->time_scale);
   const auto [rate, acceleration] = met(curve_of(retiming->method, retiming->track.keys));
-  const double rate_limit = options.limits.rate.value_or(HUGE_VAL);
-  const double acceleration_limit = options.limits.acceleration.value_or(HUGE_VAL);
+  const double rate_limit = size_of(options.limits.rate);
+  const double acceleration_limit = size_of(options.limits.acceleration);
   claim(rate <= rate_limit * (1.0 + 1e-9), "it turns at {} rad/s, allowed {}", rate, rate_limit);
   claim(acceleration <= acceleration_limit * (1.0 + 1e-9), "it has {} rad/s², allowed {}", acceleration,
         acceleration_limit);
   const double used = std::max(rate / rate_limit, std::sqrt(acceleration / acceleration_limit));
   double bounds = 0.0;  // as shares of the limits; what the motion uses of them is found again but for rounding
+  const auto quantities = quantities_of(options.limits);
   for (const SegmentPeaks& peaks : retiming->peaks)
-    bounds =
-        std::max({bounds, peaks.rate.bound / rate_limit, std::sqrt(peaks.acceleration.bound / acceleration_limit)});
+    for (std::size_t k = 0; k < quantities.size(); ++k)
+      bounds = std::max(bounds, std::pow(peaks[k].bound / quantities[k].limit, 1.0 / quantities[k].order()));
   const bool is_warned_of =
       std::ranges::any_of(retiming->warnings, [](const Warning& warning) { return warning.code == "loose_bounds"; });
   if (retiming->time_scale > 1.0) {

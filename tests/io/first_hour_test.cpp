@@ -149,8 +149,7 @@ TEST(NormsOfFiles, FartherOffAreRefusedUnlessAnyIsWanted) {
 
 std::vector<Warning> warnings_of_yaws(const std::vector<double>& yaws, Signs signs = Signs::shortest) {
   std::string content = "t,yaw_deg,pitch_deg,roll_deg\n";
-  for (std::size_t i = 0; i < yaws.size(); ++i)
-    content += std::to_string(i) + "," + std::to_string(yaws[i]) + ",0,0\n";
+  for (std::size_t i = 0; i < yaws.size(); ++i) content += std::to_string(i) + "," + std::to_string(yaws[i]) + ",0,0\n";
   const auto file = read_track(TextFile(content).path(), {}, signs);
   EXPECT_TRUE(file) << describe(file.error());
   return file ? file->warnings : std::vector<Warning>();
@@ -200,9 +199,10 @@ TEST(EulerTurns, AreWarnedOfWithTheirPlaceAndTheCure) {
   EXPECT_EQ(warnings[0].message,
             "3 steps of Euler angles, the first with yaw from 10° to 360°, are turned the short way; state `signs` "
             "as-given to turn as the angles say");
-  EXPECT_EQ(warnings_of_yaws({0, 360})[0].message,
-            "1 step of Euler angles, the first with yaw from 0° to 360°, is turned the short way; put keys in between and "
-            "state `signs` as-given to turn as the angles say: a step must turn by less than 360°");
+  EXPECT_EQ(
+      warnings_of_yaws({0, 360})[0].message,
+      "1 step of Euler angles, the first with yaw from 0° to 360°, is turned the short way; put keys in between and "
+      "state `signs` as-given to turn as the angles say: a step must turn by less than 360°");
 }
 
 // A file beside another.

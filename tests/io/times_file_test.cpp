@@ -48,8 +48,7 @@ TEST(TimesFile, IsRelativeToTheEpochExactly) {
 
 TEST(TimesFile, NamesTheLineOfWhatItRefuses) {
   EXPECT_EQ(refusal("1\n2\nabc\n"), "times.txt:3: found 'abc', wanted a number such as -1.5e-3");
-  EXPECT_EQ(refusal("x\n1\n"),
-            "times.txt:1: found x, wanted a column of times such as t, or numbers without a header");
+  EXPECT_EQ(refusal("x\n1\n"), "times.txt:1: found x, wanted a column of times such as t, or numbers without a header");
   EXPECT_EQ(refusal("t\nt\n"), "times.txt:2:1: found 't', wanted a number such as -1.5e-3");
   EXPECT_EQ(refusal("1\nnan\n"), "times.txt:2:1: found 'nan', wanted a finite time");
   EXPECT_EQ(refusal("1e999\n"), "times.txt:1:1: found '1e999', wanted a number between 1e-150 and 1e150 in size");

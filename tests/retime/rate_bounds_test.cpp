@@ -3,11 +3,13 @@
 
 #include <limits>
 #include <numbers>
+#include <random>
 
 #include <gtest/gtest.h>
 
 #include <orispline/families/registry.hpp>
 
+#include "retime/retimed_motion.hpp"
 #include "support/random_motion.hpp"
 
 namespace orispline {
@@ -15,8 +17,7 @@ namespace {
 
 constexpr double degrees = std::numbers::pi / 180.0;
 const Eigen::Vector3d moments(1.0, 2.0, 2.5);
-const std::optional<Eigen::Matrix3d> inertia = Eigen::Matrix3d(moments.asDiagonal());
-constexpr MotionSizes low_floors{1e-3, 1e-3, 1e-3};
+constexpr MotionSizes low_floors{1e-3, 1e-3, 1e-3, 1e-3};
 
 /// Euler's equations, component by component.
 double torque_by_components(const Motion& m) {
@@ -36,6 +37,7 @@ MotionSizes densely_sampled(const AnyCurve& curve, std::size_t segment, int step
     largest.rate = std::max(largest.rate, m.angular_velocity.norm());
     largest.acceleration = std::max(largest.acceleration, m.angular_acceleration.norm());
     largest.torque = std::max(largest.torque, torque_by_components(m));
+    largest.jerk = std::max(largest.jerk, m.angular_jerk.norm());
   }
   return largest;
 }
@@ -47,13 +49,14 @@ void expect_tight(const CertifiedPeak& peak, double sampled, const std::string& 
 }
 
 void expect_bounds(const AnyCurve& curve, const std::string& what) {
-  const auto peaks = certified_peaks(curve, inertia, low_floors).value();
+  const auto peaks = certified(curve, inertia, low_floors).value();
   ASSERT_EQ(peaks.size(), curve.knots().segments());
   for (std::size_t s = 0; s < peaks.size(); ++s) {
     const MotionSizes sampled = densely_sampled(curve, s);
     expect_tight(peaks[s].rate, sampled.rate, what + ", rate");
     expect_tight(peaks[s].acceleration, sampled.acceleration, what + ", acceleration");
     expect_tight(peaks[s].torque, sampled.torque, what + ", torque");
+    expect_tight(peaks[s].jerk, sampled.jerk, what + ", jerk");
   }
 }
 
@@ -65,7 +68,7 @@ TEST(RateBounds, HoldEverywhereAndAreNearForEveryMethodOfPolynomialsWithRatesOfI
     for (const RandomKeys how :
          {RandomKeys{4, 60.0 * degrees}, RandomKeys{4, 170.0 * degrees, 100.0}, RandomKeys{2, 170.0 * degrees}}) {
       const auto curve = make_curve(info.name, random_keys(++seed, how));
-      if (info.rate_orders > 0 || !curve || !certified_peaks(*curve, {}, low_floors)) continue;
+      if (info.rate_orders > 0 || !curve || !certified(*curve, {}, low_floors)) continue;
       expect_bounds(*curve, name + " of " + std::to_string(how.count));
       ++methods;
     }
@@ -78,12 +81,13 @@ TEST(RateBounds, HoldOnIntervalsThatAreNotHalved) {
   for (unsigned seed = 0; seed < 40; ++seed)
     for (const std::string_view method : {"auto", "timed-c2", "timed-c1", "bspline"}) {
       const AnyCurve curve = make_curve(method, random_keys(seed, {5, 3.0, seed % 2 == 0 ? 1.0 : 10.0})).value();
-      const auto peaks = certified_peaks(curve, inertia, {any, any, any}).value();
+      const auto peaks = certified(curve, inertia, {any, any, any, any}).value();
       for (std::size_t s = 0; s < peaks.size(); ++s) {
         const MotionSizes sampled = densely_sampled(curve, s, 200);
         EXPECT_GE(peaks[s].rate.bound, sampled.rate) << method << seed;
         EXPECT_GE(peaks[s].acceleration.bound, sampled.acceleration) << method << seed;
         EXPECT_GE(peaks[s].torque.bound, sampled.torque) << method << seed;
+        EXPECT_GE(peaks[s].jerk.bound, sampled.jerk) << method << seed;
       }
     }
 }
@@ -122,8 +126,8 @@ TEST(RateBounds, OfTheSnapIsThatOfASmallTurn) {
 TEST(RateBounds, AreZeroAtRest) {
   const auto rest = Keyframes::make({.times = {0, 1, 3}, .orientations = std::vector(3, exp<double>({1.0, 2.0, 0.5}))});
   for (const std::string_view method : {"auto", "timed-c2"}) {
-    const auto found = certified_peaks(make_curve(method, rest.value()).value(), inertia, low_floors).value();
-    for (const SegmentPeaks& peaks : found) {
+    const auto found = certified(make_curve(method, rest.value()).value(), inertia, low_floors).value();
+    for (const TurningPeaks& peaks : found) {
       EXPECT_LE(peaks.rate.bound, 1e-12);
       EXPECT_LE(peaks.acceleration.bound, 1e-12);
       EXPECT_LE(peaks.torque.bound, 1e-11);
@@ -141,8 +145,8 @@ TEST(RateBounds, HoldWhereTimesAreRoundedMuch) {
 
 TEST(RateBounds, ThatAreBelowTheFloorsAreNearEnough) {
   const AnyCurve curve = make_curve("auto", random_keys(5, {6, 1.0})).value();
-  const auto found = certified_peaks(curve, {}, {100.0, 1000.0, 1.0}).value();
-  for (const SegmentPeaks& peaks : found) {
+  const auto found = certified(curve, {}, {100.0, 1000.0, 1.0, 1e5}).value();
+  for (const TurningPeaks& peaks : found) {
     EXPECT_LE(peaks.rate.bound, 100.0);
     EXPECT_LE(peaks.acceleration.bound, 1000.0);
     EXPECT_EQ(peaks.torque.bound, 0.0);
@@ -151,20 +155,84 @@ TEST(RateBounds, ThatAreBelowTheFloorsAreNearEnough) {
 
 TEST(RateBounds, SamplesAreThoseOfTheCurve) {
   const AnyCurve curve = make_curve("auto", random_keys(5, {6, 2.0, 10.0})).value();
-  const auto sampled = sampled_peaks(curve, inertia);
+  const auto all = lengths();
+  const auto sampled = sampled_peaks({curve}, {all, inertia});
   ASSERT_EQ(sampled.size(), 5u);
   for (std::size_t s = 0; s < sampled.size(); ++s) {
     const MotionSizes dense = densely_sampled(curve, s);
-    EXPECT_NEAR(sampled[s].rate / dense.rate, 1.0, 0.02);
-    EXPECT_NEAR(sampled[s].acceleration / dense.acceleration, 1.0, 0.05);
-    EXPECT_NEAR(sampled[s].torque / dense.torque, 1.0, 0.05);
-    EXPECT_LE(sampled[s].rate, dense.rate * (1.0 + 1e-9));
+    EXPECT_NEAR(sampled[s][0] / dense.rate, 1.0, 0.02);
+    EXPECT_NEAR(sampled[s][1] / dense.acceleration, 1.0, 0.05);
+    EXPECT_NEAR(sampled[s][2] / dense.jerk, 1.0, 0.05);
+    EXPECT_NEAR(sampled[s][3] / dense.torque, 1.0, 0.05);
+    EXPECT_LE(sampled[s][0], dense.rate * (1.0 + 1e-9));
   }
+}
+
+TEST(RateBounds, OfComponentsHoldAndAreNear) {
+  const auto all = quantities_of(
+      {.rate = Eigen::Vector3d(1, 1, 1), .acceleration = Eigen::Vector3d(1, 1, 1), .jerk = Eigen::Vector3d(1, 1, 1)});
+  ASSERT_EQ(all.size(), 9u);
+  QuantitySizes floors;
+  floors.fill(1e-3);
+  for (const std::string_view method : {"auto", "timed-c2"}) {
+    const AnyCurve curve = make_curve(method, random_keys(17, {6, 2.5, 10.0})).value();
+    const auto peaks = certified_peaks({curve}, {all, {}}, floors).value();
+    for (std::size_t s = 0; s < peaks.size(); ++s) {
+      QuantitySizes sampled{};
+      const KnotSpan span = curve.knots().span(s);
+      for (int i = 0; i <= 10000; ++i) {
+        const Motion m = curve.motion_on(s, span.start() + i * span.step() / 10000);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          const auto k = static_cast<Eigen::Index>(axis);
+          sampled[axis] = std::max(sampled[axis], std::abs(m.angular_velocity[k]));
+          sampled[3 + axis] = std::max(sampled[3 + axis], std::abs(m.angular_acceleration[k]));
+          sampled[6 + axis] = std::max(sampled[6 + axis], std::abs(m.angular_jerk[k]));
+        }
+      }
+      for (std::size_t k = 0; k < 9; ++k)
+        expect_tight(peaks[s][k], sampled[k], std::string(method) + " " + std::to_string(k));
+    }
+  }
+}
+
+TEST(RateBounds, OfPositionsHoldAndAreNearForEveryMethodOfPolynomials) {
+  const auto all = quantities_of({.speed = 1.0, .linear_acceleration = Eigen::Vector3d(1, 1, 1)});
+  QuantitySizes floors;
+  floors.fill(1e-3);
+  const Keyframes turning = random_keys(18, {13, 1.0, 10.0});
+  std::mt19937 random(18);
+  std::uniform_real_distribution<double> place(-2.0, 2.0);
+  KeyframeData data{.times = {turning.times().begin(), turning.times().end()},
+                    .orientations = {turning.orientations().begin(), turning.orientations().end()}};
+  for (std::size_t i = 0; i < turning.size(); ++i)
+    data.positions.emplace_back(place(random), place(random), place(random));
+  const Keyframes keys = Keyframes::make(data).value();
+  std::size_t methods = 0;
+  for (const FamilyInfo& info : families_info()) {
+    const auto curve = make_pose_curve(Method(info.name), keys);
+    if (info.rate_orders > 0 || !curve) continue;
+    const auto peaks = certified_peaks(*curve, {all, {}}, floors);
+    if (!peaks) continue;
+    ++methods;
+    for (std::size_t s = 0; s < peaks->size(); ++s) {
+      QuantitySizes sampled{};
+      const KnotSpan span = curve->position->knots().span(s);
+      for (int i = 0; i <= 2000; ++i) {
+        const LinearMotion m = curve->position->linear_motion_on(s, span.start() + i * span.step() / 2000);
+        sampled[0] = std::max(sampled[0], m.velocity.norm());
+        for (std::size_t axis = 0; axis < 3; ++axis)
+          sampled[1 + axis] = std::max(sampled[1 + axis], std::abs(m.acceleration[static_cast<Eigen::Index>(axis)]));
+      }
+      for (std::size_t k = 0; k < 4; ++k)
+        expect_tight((*peaks)[s][k], sampled[k], std::string(info.name) + " " + std::to_string(k));
+    }
+  }
+  EXPECT_GE(methods, 15u);
 }
 
 TEST(RateBounds, AreUnknownWithoutPolynomials) {
   for (const std::size_t keys : {2u, 5u})
-    EXPECT_FALSE(certified_peaks(make_curve("squad", random_keys(1, {keys, 1.0})).value(), {}, low_floors)) << keys;
+    EXPECT_FALSE(certified(make_curve("squad", random_keys(1, {keys, 1.0})).value(), {}, low_floors)) << keys;
 }
 
 }  // namespace

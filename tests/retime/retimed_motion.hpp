@@ -17,6 +17,32 @@ namespace orispline {
 
 inline const std::optional<Eigen::Matrix3d> inertia = Eigen::Matrix3d(Eigen::Vector3d(1.0, 2.0, 2.5).asDiagonal());
 
+/// One value of each.
+struct MotionSizes {
+  double rate, acceleration, torque, jerk;  ///< [rad/s], [rad/s²], [N m], [rad/s³]
+};
+
+struct TurningPeaks {
+  CertifiedPeak rate, acceleration, torque, jerk;
+};
+
+/// The lengths of these four.
+inline std::vector<LimitedQuantity> lengths() {
+  return quantities_of({.rate = 1.0, .acceleration = 1.0, .jerk = 1.0, .torque = 1.0});
+}
+
+inline std::optional<std::vector<TurningPeaks>> certified(const AnyCurve& curve,
+                                                          const std::optional<Eigen::Matrix3d>& tensor,
+                                                          const MotionSizes& floors) {
+  const auto all = lengths();
+  const auto peaks =
+      certified_peaks({curve}, {all, tensor}, {floors.rate, floors.acceleration, floors.jerk, floors.torque});
+  if (!peaks) return std::nullopt;
+  std::vector<TurningPeaks> named;
+  for (const SegmentPeaks& p : *peaks) named.push_back({p[0], p[1], p[3], p[2]});
+  return named;
+}
+
 inline Keyframes at_times(const Keyframes& keys, std::vector<double> times) {
   return Keyframes::make(
              {.times = std::move(times), .orientations = {keys.orientations().begin(), keys.orientations().end()}},
@@ -44,7 +70,7 @@ inline MotionSizes sampled(const AnyCurve& curve) {
       const Motion m = curve.motion_on(s, span.start() + 5e-4 * i * span.step());
       largest = {std::max(largest.rate, m.angular_velocity.norm()),
                  std::max(largest.acceleration, m.angular_acceleration.norm()),
-                 std::max(largest.torque, torque(m, *inertia).norm())};
+                 std::max(largest.torque, torque(m, *inertia).norm()), std::max(largest.jerk, m.angular_jerk.norm())};
     }
   return largest;
 }

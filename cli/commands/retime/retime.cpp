@@ -79,7 +79,9 @@ Expected<void> retime(const RetimeOptions& options) {
   request->columns = columns_like(*file->format, request->columns, options.output);
   if (!file->ignored_columns.empty()) warn(formatted("not carried over: {}", joined(file->ignored_columns, ", ")));
   const orispline::MotionLimits& limits = request->retiming.limits;
-  auto retiming = orispline::retime(track, chosen->method, request->retiming);
+  const bool is_named = request->named || !track.recipe.is_empty();
+  const Method method = is_named ? chosen->method : holding_rests(chosen->method, track.keys);
+  auto retiming = orispline::retime(track, method, request->retiming);
   if (!retiming) return tl::unexpected(placed(track, std::move(retiming.error())));
   warn(retiming->warnings);
   if (auto held = check_settings(retiming->track, request->columns); !held) return held;

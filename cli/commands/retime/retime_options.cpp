@@ -10,13 +10,14 @@ namespace {
 constexpr auto retime_footer = R"(Examples:
   orispline retime keys.csv --max-rate 90deg/s -o slow.csv
   orispline retime keys.csv --max-rate 90deg/s --max-acceleration 200deg/s2 --per-interval -o slow.csv
+  orispline retime keys.csv --max-rate 90,60,120deg/s --max-jerk 2000deg/s^3 --max-speed 0.5m/s -o slow.csv
+  orispline retime keys.csv --duration 30s -o slow.csv
   orispline retime tuned.csv --method timed-c2 --ends rest --max-rate 90deg/s -o slow.csv
   orispline retime keys.csv --max-torque 0.5Nm --inertia=1,2,2.5 --method timed-c2 -o slow.csv --json
 
-The limits hold everywhere on the curve of --method, with its settings, through the keys that are written, by bounds and
-not by samples. A motion that is within them stays as it is. Settings with a value per key are columns of INPUT and of
-the output. Positions go along with their keys, their speed is not limited. docs/retime.md
-says more.)";
+The limits hold everywhere on the curve of --method, with its settings, through the keys that are written. They are
+certified by bounds, not by samples. A motion that is within them stays as it is. Equal keys are rests and keep their
+duration; where no method is named, the body stands still in them. docs/retime.md says more.)";
 
 }  // namespace
 

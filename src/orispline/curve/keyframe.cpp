@@ -70,6 +70,14 @@ Expected<Keyframes> Keyframes::make(KeyframeData data, Signs signs) {
   return keys;
 }
 
+bool Keyframes::rests_after(std::size_t i) const {
+  ORISPLINE_EXPECT(i + 1 < size());
+  const auto q = orientations();
+  const auto p = positions();
+  const double chord = (q[i + 1].coeffs() - q[i].coeffs()).norm();  // half the angle, where that is small
+  return 2.0 * chord <= rest_angle && (p.empty() || (p[i + 1] - p[i]).norm() <= rest_length);
+}
+
 Keyframes Keyframes::first(std::size_t count) const {
   ORISPLINE_EXPECT(1 <= count && count <= size());
   KeyframeData kept_data = *data_;

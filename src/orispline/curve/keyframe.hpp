@@ -60,6 +60,9 @@ inline constexpr double widest_step_ratio = 1e14;
 /// Components of positions [m], of rates of keys [rad/s], [rad/s²], [rad/s³], and of the rates of clamped ends.
 inline constexpr double largest_component = 1e18;
 
+/// Successive keys are at rest where they are no farther apart than this: rounding of files and of encoders [rad], [m].
+inline constexpr double rest_angle = 1e-5, rest_length = 1e-6;
+
 /// Orientations at times, validated at the door: every curve is built from these.
 ///
 /// Times are finite and strictly increasing, orientations are unit quaternions with the signs that the curve will
@@ -81,6 +84,10 @@ class ORISPLINE_EXPORT Keyframes {
 
   /// The first `count` of these keys, 1 ≤ count ≤ size().
   [[nodiscard]] Keyframes first(std::size_t count) const;
+
+  /// Whether the body stands still from key i to the next, position and all: they are no farther apart than
+  /// `rest_angle` and `rest_length`. Precondition: i + 1 < size().
+  [[nodiscard]] bool rests_after(std::size_t i) const;
 
   /// The keys at these rising indices, at least one, with their signs aligned anew for the shortest way.
   [[nodiscard]] Keyframes at(std::span<const std::size_t> indices) const;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <numbers>
 
 #include <orispline/curve/key_knots.hpp>
@@ -112,7 +113,9 @@ class RatesAlong {
   [[nodiscard]] std::size_t size() const { return times_.size(); }
   [[nodiscard]] double step(std::size_t i) const { return times_[i + 1] - times_[i]; }
   [[nodiscard]] Eigen::Vector3d secant(std::size_t i) const { return known(i).to[0] / step(i); }
-  [[nodiscard]] bool rests_after(std::size_t i) const { return known(i).to[0].isZero(0.0); }
+  [[nodiscard]] bool rests_after(std::size_t i) const {
+    return known(i).to[0].norm() <= (std::same_as<P, Eigen::Quaterniond> ? rest_angle : rest_length);
+  }
   [[nodiscard]] const Key& known(std::size_t i) const { return keys_[i % places]; }
 
   void find(std::size_t i) {

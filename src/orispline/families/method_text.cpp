@@ -81,6 +81,33 @@ std::string rate_text(std::string_view name, const End& end) {
   return end.rule == EndRule::clamped ? formatted(":{}={},{},{}", name, w.x(), w.y(), w.z()) : std::string();
 }
 
+bool has_ends(const FamilyInfo& family, std::string_view rule) {
+  return std::ranges::find(family.ends, rule, name_of) != family.ends.end();
+}
+
+/// A method that has the end rule: one that depends on a few keys and is C2 on any, where there is such a one.
+const FamilyInfo* with_end_rule(std::string_view rule) {
+  const FamilyInfo* found = nullptr;
+  for (const FamilyInfo& family : families_info()) {
+    if (!has_ends(family, rule)) continue;
+    if (!family.is_global() && family.continuity_uneven >= 2) return &family;
+    if (!found) found = &family;
+  }
+  return found;
+}
+
+/// The rule, or which method has it where this one does not.
+Expected<EndRule> end_rule_in(const FamilyInfo& family, std::string_view name) {
+  return end_rule_by_name(family, name).or_else([&](const Error& error) -> Expected<EndRule> {
+    const FamilyInfo* const other = with_end_rule(name);
+    if (!other) return tl::unexpected(error);
+    if (family.ends.empty())
+      return bad_option(ends, formatted("{} has no end rules; for ends '{}' take another method, such as {}",
+                                        family.name, name, other->name));
+    return bad_option(ends, formatted("{}; {} has it", error.message, other->name));
+  });
+}
+
 }  // namespace
 
 Expected<Method> with_setting(Method method, std::string_view setting, std::string_view value) {
@@ -107,7 +134,7 @@ Expected<Method> with_ends(Method method, std::string_view rules) {
   if (names.size() > 2) return bad_option(ends, formatted("found '{}', wanted RULE or START,END", rules));
   const auto rule_of = [&](std::string_view name) {
     return name == name_of(EndRule::none) && names.size() == 2 ? Expected<EndRule>(EndRule::none)
-                                                               : end_rule_by_name(**family, name);
+                                                               : end_rule_in(**family, name);
   };
   const auto start = rule_of(names.front()), end = rule_of(names.back());
   for (const auto& rule : {start, end})
@@ -124,7 +151,7 @@ Expected<Method> with_end_rate(Method method, CurveEnd end, const Eigen::Vector3
   End& changed = end == CurveEnd::start ? method.options.start : method.options.end;
   if (changed.rule != EndRule::none && changed.rule != EndRule::clamped)
     return bad_option(option, formatted("a rate needs the end rule clamped, found {}", name_of(changed.rule)));
-  if (const auto known = end_rule_by_name(**family, name_of(EndRule::clamped)); !known)
+  if (const auto known = end_rule_in(**family, name_of(EndRule::clamped)); !known)
     return bad_option(option, known.error().message);
   changed = {EndRule::clamped, rate};
   return method;

@@ -46,13 +46,13 @@ std::optional<Warning> overwound(const Method& method, const Keyframes& keys) {
 
 std::vector<Warning> warnings_of(const KeyframeReport& keys) {
   if (keys.near_half_turns == 0) return {};
-  return {Warning{.code = "near_half_turn",
-                  .message = formatted("{} to the next key {} nearly 180°, so the motion may as well go the other way "
-                                       "round; put a key in between, or state `signs` as-given",
-                                       counted(keys.near_half_turns, "step"),
-                                       keys.near_half_turns == 1 ? "turns by" : "turn by"),
-                  .where = {.key = keys.first_near_half_turn},
-                  .numbers = {{"steps", static_cast<double>(keys.near_half_turns)}}}};
+  return {Warning{
+      .code = "near_half_turn",
+      .message = formatted("{} to the next key {} nearly 180°, so the motion may as well go the other way "
+                           "round; put a key in between, or state `signs` as-given",
+                           counted(keys.near_half_turns, "step"), keys.near_half_turns == 1 ? "turns by" : "turn by"),
+      .where = {.key = keys.first_near_half_turn},
+      .numbers = {{"steps", static_cast<double>(keys.near_half_turns)}}}};
 }
 
 std::vector<Warning> warnings_of(const Method& method, const Track& track) {

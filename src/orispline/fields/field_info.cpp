@@ -19,12 +19,21 @@ struct Shown {
   std::string operator()(bool flag) const { return flag ? "true" : ""; }
   std::string operator()(const std::string& text) const { return text; }
   std::string operator()(const std::vector<SampleRun>& runs) const { return formatted("{}", runs.size()); }
+  std::string operator()(const Measured& measured) const { return joined(measured.numbers, ","); }
   std::string operator()(auto number) const { return formatted("{}", number); }
   template <class T>
   std::string operator()(const std::vector<T>& list) const {
     return joined(list, ",");
   }
 };
+
+/// What a range is for.
+std::vector<double> numbers_of(const FieldValue& value) {
+  if (const double* number = std::get_if<double>(&value)) return {*number};
+  if (const std::size_t* count = std::get_if<std::size_t>(&value)) return {static_cast<double>(*count)};
+  if (const Measured* measured = std::get_if<Measured>(&value)) return measured->numbers;
+  return {};
+}
 
 }  // namespace
 
@@ -39,9 +48,9 @@ std::string name_with_unit(const FieldInfo& field) {
 }
 
 std::string_view name_of(FieldType type) {
-  static constexpr std::array names{"flag",      "count",    "number",  "word",
-                                    "names",     "interval", "vector",  "symmetric_matrix",
-                                    "recording", "sample",   "samples", "runs"};
+  static constexpr std::array names{"flag",   "count", "number",           "word",      "names",  "interval",
+                                    "vector", "limit", "symmetric_matrix", "recording", "sample", "samples",
+                                    "runs"};
   return names[static_cast<std::size_t>(type)];
 }
 
@@ -64,14 +73,11 @@ std::string text_of(Interval range, const Quantity* quantity) {
 Expected<void> check_ranges(std::span<const FieldInfo> fields, const void* options) {
   for (const FieldInfo& field : fields) {
     const FieldValue value = field.get(options);
-    const double* number = std::get_if<double>(&value);
-    const std::size_t* count = std::get_if<std::size_t>(&value);
-    if (!number && !count) continue;
-    const double x = number ? *number : static_cast<double>(*count);
-    if (!field.range.contains(x))
-      return bad_option(field.name,
-                        formatted("found {:.6g}{}, wanted {}{}", x, unit_after(field.quantity),
-                                  text_of(field.range, field.quantity), std::isinf(x) ? " and finite" : ""));
+    for (const double x : numbers_of(value))
+      if (!field.range.contains(x))
+        return bad_option(field.name,
+                          formatted("found {:.6g}{}, wanted {}{}", x, unit_after(field.quantity),
+                                    text_of(field.range, field.quantity), std::isinf(x) ? " and finite" : ""));
   }
   return {};
 }

@@ -26,6 +26,7 @@ enum class FieldType {
   names,             ///< std::vector<std::string>
   interval,          ///< the lowest and the highest number, std::vector<double>
   vector,            ///< x, y, z, std::vector<double>
+  limit,             ///< of a length, double or one number, or of x, y, z, std::vector<double>; or Measured
   symmetric_matrix,  ///< its diagonal and xy, xz, yz, or its diagonal alone, std::vector<double>
   recording,         ///< orientations at times: faces pass them in their own way
   sample,            ///< the index of a sample of the recording, std::size_t
@@ -36,9 +37,17 @@ enum class FieldType {
 /// Successive samples: the index of the first one, and their number.
 using SampleRun = std::pair<std::size_t, std::size_t>;
 
+/// Numbers in the unit of the library, and the unit that they were stated in; without a name where none was.
+struct Measured {
+  std::vector<double> numbers{};
+  Unit stated_in{"", 1.0};
+
+  [[nodiscard]] friend bool operator==(const Measured&, const Measured&) = default;
+};
+
 /// The value of any field; std::monostate where it is absent.
 using FieldValue = std::variant<std::monostate, bool, std::size_t, double, std::string, std::vector<std::size_t>,
-                                std::vector<double>, std::vector<std::string>, std::vector<SampleRun>>;
+                                std::vector<double>, std::vector<std::string>, std::vector<SampleRun>, Measured>;
 
 /// Finite numbers above 0.
 inline constexpr Interval positive{std::numeric_limits<double>::denorm_min(), std::numeric_limits<double>::max()};

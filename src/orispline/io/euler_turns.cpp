@@ -13,9 +13,9 @@ namespace orispline::inline ORISPLINE_ABI::io {
 namespace {
 
 constexpr double full = 2.0 * std::numbers::pi;
-constexpr double rounding = 1e-9;                           // of angles in a file [rad]
+constexpr double rounding = 1e-9;                            // of angles in a file [rad]
 constexpr double small_step = 5.0 * std::numbers::pi / 180;  // below, noise may turn the sign
-constexpr double likeness = 4.0;                            // steps of a recording beside each other
+constexpr double likeness = 4.0;                             // steps of a recording beside each other
 
 /// What is left of a step of an angle that began anew.
 double rest_of(double step) { return std::remainder(step, full); }
@@ -82,8 +82,8 @@ std::vector<Warning> EulerTurns::warnings(Signs signs, const EulerOrder& order) 
   const std::string_view name = names_by_axis(order)[static_cast<std::size_t>(angle)];
   const std::string cure = whole_.steps == 0 ? "state `signs` as-given to turn as the angles say"
                            : keeps_halves    ? "put keys in between: a step must turn by less than 360°"
-                                             : "put keys in between and state `signs` as-given to turn as the angles say: "
-                                               "a step must turn by less than 360°";
+                                          : "put keys in between and state `signs` as-given to turn as the angles say: "
+                                            "a step must turn by less than 360°";
   return {Warning{
       .code = "lost_turns",
       .message = formatted("{} of Euler angles, the first with {} from {:.6g}° to {:.6g}°, {} turned the short way; {}",

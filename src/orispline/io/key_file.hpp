@@ -85,11 +85,11 @@ struct KeyFile {
   std::vector<std::uint32_t> lines{};                                    ///< 1-based line of each key
   std::map<std::string, std::vector<double>, std::less<>> parameters{};  ///< one value per key
   RepairReport repairs{};
-  std::optional<EulerTurns> turns{};  ///< what is lost of those that Euler angles state, up to these keys
-  EulerOrder euler{};                 ///< of these angles
-  std::vector<Decimal> exact_times{};                 ///< [s], of each key; only if asked for
-  KeyTable table{};                                   ///< the cells of each key; only if asked for
-  std::vector<std::string> ignored_columns{};         ///< that nothing was read from
+  std::optional<EulerTurns> turns{};           ///< what is lost of those that Euler angles state, up to these keys
+  EulerOrder euler{};                          ///< of these angles
+  std::vector<Decimal> exact_times{};          ///< [s], of each key; only if asked for
+  KeyTable table{};                            ///< the cells of each key; only if asked for
+  std::vector<std::string> ignored_columns{};  ///< that nothing was read from
   std::vector<std::string> rates_of_unknown_frame{};  ///< those of them that are angular velocities in no known frame
   std::vector<Warning> warnings{};                    ///< `time_unit_by_size`
 };

@@ -53,7 +53,8 @@ Expected<TimeColumn> time_column(const TextTable& table, const ReadOptions& opti
     });
   if (is_header(table.cells())) return column_of_header(table, options.columns);
   if (width > 1 && !options.order)
-    return at_row(table, formatted("found {} cells, wanted one time a line, or a header that names the column t", width));
+    return at_row(table,
+                  formatted("found {} cells, wanted one time a line, or a header that names the column t", width));
   return TimeColumn{};
 }
 

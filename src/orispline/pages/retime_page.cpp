@@ -14,24 +14,21 @@ namespace orispline::inline ORISPLINE_ABI::pages {
 namespace {
 
 /// Of the motion before it was slowed; nothing where it has none.
-std::vector<SegmentPeaks> peaks_of(const AnyCurve& curve, const MotionLimits& limits) {
-  const auto floor = [](const std::optional<double>& limit) {
-    return limit ? 0.0 : std::numeric_limits<double>::infinity();
-  };
-  return certified_peaks(curve, limits.inertia, {floor(limits.rate), floor(limits.acceleration), floor(limits.torque)})
-      .value_or(std::vector<SegmentPeaks>());
+std::vector<SegmentPeaks> peaks_of(const PoseCurve& curve, const MotionLimits& limits) {
+  const auto quantities = quantities_of(limits);
+  return certified_peaks(curve, {quantities, limits.inertia}, {}).value_or(std::vector<SegmentPeaks>());
 }
 
 std::vector<report::PageColumn> columns_of(const CurvePage& curves, const std::vector<Certificate>& certificates) {
   std::vector<report::PageColumn> columns{
       {"duration_s", "duration", "s", "From the first to the last key", Better::neither}};
   for (const Certificate& c : certificates) {
-    const std::string name(c.name), unit(c.unit);
+    const std::string unit(c.shown.name);
     columns.push_back(
-        {c.id_of("bound"), name + " at most", unit,
-         formatted("Certified: nowhere on the curve is the {} larger; the limit is {:.6g}", name, c.limit),
+        {c.id_of("bound"), c.name + " at most", unit,
+         formatted("Certified: nowhere on the curve is the {} larger; the limit is {}", c.name, c.text_of(c.limit)),
          Better::less});
-    columns.push_back({c.id_of("max"), name + " found", unit, "A value that the curve takes", Better::less});
+    columns.push_back({c.id_of("max"), c.name + " found", unit, "A value that the curve takes", Better::less});
   }
   std::ranges::move(measure_columns(curves.measures), std::back_inserter(columns));
   return columns;
@@ -39,16 +36,19 @@ std::vector<report::PageColumn> columns_of(const CurvePage& curves, const std::v
 
 std::string title_of(const Track& before, const Retiming& retiming, const std::vector<Certificate>& certificates) {
   std::vector<std::string> limits;
-  for (const Certificate& c : certificates) limits.push_back(formatted("{:.6g} {}", c.limit, c.unit));
+  for (const Certificate& c : certificates) limits.push_back(c.text_of(c.limit));
   return formatted("{} within {}, {}: slowed {} by {:.6g}", before.name, joined(limits, " and "), retiming.method.name,
                    retiming.slowing == Slowing::uniform ? "uniformly" : "per interval", retiming.time_scale);
 }
 
 std::map<std::string, double, std::less<>> limits_of(const MotionLimits& limits) {
   std::map<std::string, double, std::less<>> lines;
-  if (limits.rate) lines["w"] = *limits.rate;
-  if (limits.acceleration) lines["a"] = *limits.acceleration;
-  if (limits.torque) lines["torque"] = *limits.torque;
+  const auto add = [&lines](std::string_view line, const std::optional<Limit>& limit) {
+    if (limit && !limit->is_per_axis()) lines.emplace(line, limit->sizes[0]);
+  };
+  add("w", limits.rate);
+  add("a", limits.acceleration);
+  add("torque", limits.torque);
   return lines;
 }
 
@@ -67,12 +67,12 @@ report::PageMethod method_of(const RetimedKeys& retimed, std::string name, const
                           {.inertia = retimed.curves.inertia.value_or(Eigen::Matrix3d::Identity())});
   if (!curve || !measures)
     return {.name = std::move(name), .failure = describe(curve ? measures.error() : curve.error())};
-  if (peaks.empty()) peaks = peaks_of(curve->orientation, retimed.limits);
+  if (peaks.empty()) peaks = peaks_of(*curve, retimed.limits);
   report::PageMethod method = method_of(retimed.curves, {std::move(name), keys, *curve, *measures});
   method.measures["duration_s"] = keys.times().back() - keys.times().front();
   for (const Certificate& c : certificates_of(retimed.limits, peaks)) {
-    method.measures[c.id_of("bound")] = c.bound;
-    method.measures[c.id_of("max")] = c.found;
+    method.measures[c.id_of("bound")] = c.bound / c.shown.size;
+    method.measures[c.id_of("max")] = c.found / c.shown.size;
   }
   return method;
 }

@@ -37,7 +37,7 @@ Expected<std::vector<double>> stretched(const LimitedMotion& motion, std::vector
       double factor = std::max(1.0, (*factors)[s]);
       if (s > 0) factor = std::max(factor, std::sqrt((*factors)[s - 1]));
       if (s + 1 < factors->size()) factor = std::max(factor, std::sqrt((*factors)[s + 1]));
-      next.push_back(next.back() + factor * (times[s + 1] - times[s]));
+      next.push_back(next.back() + (motion.is_rest(s) ? 1.0 : factor) * (times[s + 1] - times[s]));
     }
     times = std::move(next);
   }
@@ -50,11 +50,11 @@ class IntervalDescent {
   IntervalDescent(const LimitedMotion& motion, std::span<const double> times, std::vector<double> factors,
                   std::size_t reach)
       : motion_(motion), first_(times.front()), reach_(reach), factors_(std::move(factors)) {
-    const auto given = motion.given_times();
+    const std::vector<double>& given = motion.given_times();
     const double time_scale = std::max(1.0, std::ranges::max(factors_)) * (1.0 + near_limit);
     for (std::size_t s = 0; s + 1 < times.size(); ++s) {
       least_.push_back(given[s + 1] - given[s]);
-      intervals_.push_back((times[s + 1] - times[s]) * time_scale);
+      intervals_.push_back((times[s + 1] - times[s]) * (motion.is_rest(s) ? 1.0 : time_scale));
     }
     for (double& factor : factors_) factor /= time_scale;
     steps_.assign(intervals_.size(), -0.1);
@@ -75,7 +75,8 @@ class IntervalDescent {
   /// What the barrier left free of the limits, as one factor.
   void use_the_rest() {
     const double factor = std::ranges::max(factors_);
-    for (std::size_t i = 0; i < intervals_.size(); ++i) intervals_[i] = std::max(least_[i], factor * intervals_[i]);
+    for (std::size_t i = 0; i < intervals_.size(); ++i)
+      if (!motion_.is_rest(i)) intervals_[i] = std::max(least_[i], factor * intervals_[i]);
   }
 
   /// Moves the intervals `first`, `first` + 2 reach + 1, …, no two of which reach the same segment.
@@ -83,7 +84,7 @@ class IntervalDescent {
     std::vector<double> moved = intervals_;
     const std::size_t stride = 2 * reach_ + 1;
     for (std::size_t i = first; i < moved.size(); i += stride)
-      moved[i] = std::max(least_[i], intervals_[i] * (1.0 + steps_[i]));
+      if (!motion_.is_rest(i)) moved[i] = std::max(least_[i], intervals_[i] * (1.0 + steps_[i]));
     const auto factors = motion_.sampled_factors(times_of(first_, moved));
     for (std::size_t i = first; i < moved.size(); i += stride) {
       const bool lower =
@@ -120,6 +121,23 @@ class IntervalDescent {
 /// How far the influence of an interval goes, in segments.
 std::size_t reach_of(int support_keys) { return static_cast<std::size_t>(support_keys - 2); }
 
+struct Start {
+  std::vector<double> times, factors;
+};
+
+/// Where a descent begins: at times that keep the limits, but for what one factor mends. Rests do not scale, so that
+/// one factor for all else may have to be found in several rounds.
+Expected<Start> within_limits(const LimitedMotion& motion, std::vector<double> times) {
+  for (std::size_t round = 0;; ++round) {
+    auto factors = motion.sampled_factors(times);
+    if (!factors) return tl::unexpected(std::move(factors.error()));
+    const double factor = std::ranges::max(*factors);
+    if (!motion.has_rests() || !(factor > 1.0) || round == most_descents)
+      return Start{std::move(times), std::move(*factors)};
+    times = motion.lengthened(std::move(times), factor * (1.0 + near_limit));
+  }
+}
+
 }  // namespace
 
 double curves_for_interval_times(int support_keys) noexcept {
@@ -128,13 +146,12 @@ double curves_for_interval_times(int support_keys) noexcept {
 }
 
 Expected<std::vector<double>> least_interval_times(const LimitedMotion& motion, int support_keys) {
-  const auto given = motion.given_times();
-  auto times = stretched(motion, {given.begin(), given.end()}, &LimitedMotion::sampled_factors);
+  auto times = stretched(motion, motion.given_times(), &LimitedMotion::sampled_factors);
   if (!times) return times;
   if (support_keys != all_keys) {
-    auto factors = motion.sampled_factors(*times);
-    if (!factors) return tl::unexpected(std::move(factors.error()));
-    times = IntervalDescent(motion, *times, std::move(*factors), reach_of(support_keys)).run();
+    auto start = within_limits(motion, std::move(*times));
+    if (!start) return tl::unexpected(std::move(start.error()));
+    times = IntervalDescent(motion, start->times, std::move(start->factors), reach_of(support_keys)).run();
   }
   return stretched(motion, std::move(*times), &LimitedMotion::certified_factors);
 }

@@ -11,48 +11,93 @@
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
-MotionSizes bounds_of(const SegmentPeaks& peaks) {
-  return {peaks.rate.bound, peaks.acceleration.bound, peaks.torque.bound};
-}
-
-MotionSizes found_of(const SegmentPeaks& peaks) {
-  return {peaks.rate.found, peaks.acceleration.found, peaks.torque.found};
-}
-
 /// A segment that is slowed by itself is so near to its limits, where nothing else holds it.
 constexpr double at_the_limit = 1.0 - 1e-3;
 /// Bounds above this share of the limits are near enough to tell.
 constexpr double near_the_limit = 1.0 - 1e-2;
 
-MotionSizes operator*(double share, const MotionSizes& sizes) {
-  return {share * sizes.rate, share * sizes.acceleration, share * sizes.torque};
+/// The root that undoes a power of slowing.
+double root(double x, int order) {
+  if (order == 1) return x;
+  if (order == 2) return std::sqrt(x);
+  if (!(x > 0.0) || std::isinf(x)) return x;
+  // The same bits on every machine: Newton's steps from a power of two, at most a factor of 2 away.
+  int exponent = 0;
+  const double scaled = std::frexp(x, &exponent);
+  const int whole = exponent >= 0 ? exponent / 3 : (exponent - 2) / 3;
+  const double y = std::ldexp(scaled, exponent - 3 * whole);  // in [1/2, 4)
+  double z = 1.0;
+  for (int step = 0; step < 8; ++step) z -= (z * z * z - y) / (3.0 * z * z);
+  return std::ldexp(z, whole);
 }
 
-MotionSizes sizes_of(const MotionLimits& limits) {
-  constexpr double unlimited = std::numeric_limits<double>::infinity();
-  return {limits.rate.value_or(unlimited), limits.acceleration.value_or(unlimited), limits.torque.value_or(unlimited)};
+QuantitySizes values_of(const SegmentPeaks& peaks, double CertifiedPeak::*member) {
+  QuantitySizes sizes{};
+  std::ranges::transform(peaks, sizes.begin(), [member](const CertifiedPeak& peak) { return peak.*member; });
+  return sizes;
 }
 
 }  // namespace
 
-double needed_factor(const MotionSizes& peaks, const MotionLimits& limits) {
+double needed_factor(const QuantitySizes& peaks, std::span<const LimitedQuantity> quantities) {
   double factor = 0.0;
-  if (limits.rate) factor = std::max(factor, peaks.rate / *limits.rate);
-  if (limits.acceleration) factor = std::max(factor, std::sqrt(peaks.acceleration / *limits.acceleration));
-  if (limits.torque) factor = std::max(factor, std::sqrt(peaks.torque / *limits.torque));
+  for (std::size_t k = 0; k < quantities.size(); ++k)
+    factor = std::max(factor, root(peaks[k] / quantities[k].limit, quantities[k].order()));
   return factor;
 }
 
-Expected<AnyCurve> LimitedMotion::curve(std::vector<double> times) const {
+LimitedMotion::LimitedMotion(const Method& method, const Keyframes& keys, const MotionLimits& limits,
+                             std::optional<double> longest_rest, OpenEndedWork& work)
+    : method_(method), keys_(keys), limits_(limits), given_(keys.times().begin(), keys.times().end()), work_(work) {
+  for (std::size_t i = 0; i + 1 < keys.size(); ++i) is_rest_.push_back(keys.rests_after(i));
+  double cut = 0.0;
+  for (std::size_t s = 0; s < is_rest_.size(); ++s) {
+    const double rest = keys.times()[s + 1] - keys.times()[s];
+    if (longest_rest && is_rest_[s] && rest > *longest_rest) cut += rest - *longest_rest;
+    given_[s + 1] -= cut;
+  }
+}
+
+bool LimitedMotion::has_rests() const noexcept { return std::ranges::find(is_rest_, true) != is_rest_.end(); }
+
+std::vector<double> LimitedMotion::lengthened(std::vector<double> times, double factor) const {
+  const double first = times.front();
+  double rested = 0.0, before = first;
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    const double at = times[i];
+    if (is_rest_[i - 1]) rested += at - before;
+    before = at;
+    times[i] = first + factor * ((at - first) - rested) + rested;
+  }
+  return times;
+}
+
+Expected<PoseCurve> LimitedMotion::curve(std::vector<double> times) const {
   if (work_.stopped()) return cancellation();
   work_.add(1.0);
-  return keys_.with_times(std::move(times)).and_then([this](const Keyframes& keys) {
-    return make_curve(method_, keys);
+  const bool moves = std::ranges::any_of(quantities_, &LimitedQuantity::is_of_position);
+  return keys_.with_times(std::move(times)).and_then([&](const Keyframes& keys) {
+    if (moves) return make_pose_curve(method_, keys);
+    return make_curve(method_, keys).map([](AnyCurve curve) { return PoseCurve{std::move(curve)}; });
   });
 }
 
-Expected<std::vector<SegmentPeaks>> LimitedMotion::certified(const AnyCurve& curve, const MotionSizes& floors) const {
-  if (auto peaks = certified_peaks(curve, limits_.inertia, floors)) return std::move(*peaks);
+QuantitySizes LimitedMotion::limits_times(double share) const {
+  QuantitySizes sizes{};
+  std::ranges::transform(quantities_, sizes.begin(), [share](const LimitedQuantity& q) { return share * q.limit; });
+  return sizes;
+}
+
+double LimitedMotion::factor_of_bounds(const SegmentPeaks& peaks) const {
+  return needed_factor(values_of(peaks, &CertifiedPeak::bound), quantities_);
+}
+double LimitedMotion::factor_of_found(const SegmentPeaks& peaks) const {
+  return needed_factor(values_of(peaks, &CertifiedPeak::found), quantities_);
+}
+
+Expected<std::vector<SegmentPeaks>> LimitedMotion::certified(const PoseCurve& curve,
+                                                             const QuantitySizes& floors) const {
+  if (auto peaks = certified_peaks(curve, wanted(), floors)) return std::move(*peaks);
   return failure(ErrorCode::bad_argument,
                  formatted("{}: no bounds are known for the segments of this method, wanted one of polynomials, "
                            "such as auto or timed-c2",
@@ -60,56 +105,53 @@ Expected<std::vector<SegmentPeaks>> LimitedMotion::certified(const AnyCurve& cur
 }
 
 Expected<std::vector<double>> LimitedMotion::sampled_factors(std::vector<double> times) const {
-  return curve(std::move(times)).transform([this](const AnyCurve& made) {
+  return curve(std::move(times)).transform([this](const PoseCurve& made) {
     std::vector<double> factors;
-    for (const MotionSizes& peaks : sampled_peaks(made, limits_.inertia))
-      factors.push_back(needed_factor(peaks, limits_));
+    for (const QuantitySizes& peaks : sampled_peaks(made, wanted()))
+      factors.push_back(needed_factor(peaks, quantities_));
     return factors;
   });
 }
 
 Expected<std::vector<double>> LimitedMotion::certified_factors(std::vector<double> times) const {
   return curve(std::move(times))
-      .and_then([this](const AnyCurve& made) { return certified(made, sizes_of(limits_)); })
+      .and_then([this](const PoseCurve& made) { return certified(made, limits_times(1.0)); })
       .transform([this](const std::vector<SegmentPeaks>& peaks) {
         std::vector<double> factors;
-        for (const SegmentPeaks& segment : peaks)
-          factors.push_back(std::max(1.0, needed_factor(bounds_of(segment), limits_)));
+        for (const SegmentPeaks& segment : peaks) factors.push_back(std::max(1.0, factor_of_bounds(segment)));
         return factors;
       });
 }
 
 Expected<std::vector<SegmentPeaks>> LimitedMotion::largest_peaks(std::vector<double> times) const {
-  return curve(std::move(times)).and_then([this](const AnyCurve& made) {
-    const MotionSizes limits = sizes_of(limits_);
-    MotionSizes floors = 1e-3 * limits;  // less matters to nobody
-    for (const MotionSizes& peaks : sampled_peaks(made, limits_.inertia))
-      floors = {std::max(floors.rate, peaks.rate), std::max(floors.acceleration, peaks.acceleration),
-                std::max(floors.torque, peaks.torque)};
+  return curve(std::move(times)).and_then([this](const PoseCurve& made) {
+    QuantitySizes floors = limits_times(1e-3);  // less matters to nobody
+    for (const QuantitySizes& peaks : sampled_peaks(made, wanted()))
+      std::ranges::transform(floors, peaks, floors.begin(), [](double a, double b) { return std::max(a, b); });
     return certified(made, floors);
   });
 }
 
 double LimitedMotion::largest_factor(std::span<const SegmentPeaks> peaks) const {
   double factor = 0.0;
-  for (const SegmentPeaks& segment : peaks) factor = std::max(factor, needed_factor(bounds_of(segment), limits_));
+  for (const SegmentPeaks& segment : peaks) factor = std::max(factor, factor_of_bounds(segment));
   return factor;
 }
 
 double LimitedMotion::slack(std::span<const SegmentPeaks> peaks) const {
   double found = 0.0;
-  for (const SegmentPeaks& segment : peaks) found = std::max(found, needed_factor(found_of(segment), limits_));
+  for (const SegmentPeaks& segment : peaks) found = std::max(found, factor_of_found(segment));
   return 1.0 - found;
 }
 
 Expected<double> LimitedMotion::largest_slack(std::vector<double> times) const {
   return curve(std::move(times))
-      .and_then([this](const AnyCurve& made) { return certified(made, near_the_limit * sizes_of(limits_)); })
+      .and_then([this](const PoseCurve& made) { return certified(made, limits_times(near_the_limit)); })
       .map([this](const std::vector<SegmentPeaks>& peaks) {
         std::optional<double> largest;
         for (const SegmentPeaks& segment : peaks)
-          if (const double bound = needed_factor(bounds_of(segment), limits_); bound >= at_the_limit)
-            largest = std::max(largest.value_or(0.0), 1.0 - needed_factor(found_of(segment), limits_) / bound);
+          if (const double bound = factor_of_bounds(segment); bound >= at_the_limit)
+            largest = std::max(largest.value_or(0.0), 1.0 - factor_of_found(segment) / bound);
         return largest.value_or(slack(peaks));
       });
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -14,18 +15,26 @@
 
 namespace orispline::inline ORISPLINE_ABI {
 
-/// By which factor a segment must be slowed at least, below 1 where it could be faster: ω goes with 1/s, α and torque
-/// with 1/s².
-[[nodiscard]] double needed_factor(const MotionSizes& peaks, const MotionLimits& limits);
+/// By which factor a segment must be slowed at least, below 1 where it could be faster: each quantity goes with 1/s to
+/// the power of its order.
+[[nodiscard]] double needed_factor(const QuantitySizes& peaks, std::span<const LimitedQuantity> quantities);
 
 /// A method's curve through keys whose times are free, beside the limits that it shall keep. Refers to its arguments.
 class LimitedMotion {
  public:
-  LimitedMotion(const Method& method, const Keyframes& keys, const MotionLimits& limits, OpenEndedWork& work)
-      : method_(method), keys_(keys), limits_(limits), work_(work) {}
-  LimitedMotion(Method&&, const Keyframes&, const MotionLimits&, OpenEndedWork&) = delete;
+  /// `longest_rest`: what longer rests are cut to [s].
+  LimitedMotion(const Method& method, const Keyframes& keys, const MotionLimits& limits,
+                std::optional<double> longest_rest, OpenEndedWork& work);
+  LimitedMotion(Method&&, const Keyframes&, const MotionLimits&, std::optional<double>, OpenEndedWork&) = delete;
 
-  [[nodiscard]] std::span<const double> given_times() const noexcept { return keys_.times(); }
+  /// Those of the keys, but for rests that are cut.
+  [[nodiscard]] const std::vector<double>& given_times() const noexcept { return given_; }
+  /// Whether the body rests on a segment, which has its duration already.
+  [[nodiscard]] bool is_rest(std::size_t segment) const noexcept { return is_rest_[segment]; }
+  [[nodiscard]] bool has_rests() const noexcept;
+  [[nodiscard]] bool is_limited() const noexcept { return !quantities_.empty(); }
+  /// The times with all segments but the rests longer by that factor.
+  [[nodiscard]] std::vector<double> lengthened(std::vector<double> times, double factor) const;
 
   /// The factor that every segment needs at these times [s], by samples.
   [[nodiscard]] Expected<std::vector<double>> sampled_factors(std::vector<double> times) const;
@@ -42,12 +51,20 @@ class LimitedMotion {
   [[nodiscard]] Expected<double> largest_slack(std::vector<double> times) const;
 
  private:
-  [[nodiscard]] Expected<AnyCurve> curve(std::vector<double> times) const;
-  [[nodiscard]] Expected<std::vector<SegmentPeaks>> certified(const AnyCurve& curve, const MotionSizes& floors) const;
+  [[nodiscard]] Expected<PoseCurve> curve(std::vector<double> times) const;
+  [[nodiscard]] Expected<std::vector<SegmentPeaks>> certified(const PoseCurve& curve,
+                                                              const QuantitySizes& floors) const;
+  [[nodiscard]] MotionQuantities wanted() const noexcept { return {quantities_, limits_.inertia}; }
+  [[nodiscard]] QuantitySizes limits_times(double share) const;
+  [[nodiscard]] double factor_of_bounds(const SegmentPeaks& peaks) const;
+  [[nodiscard]] double factor_of_found(const SegmentPeaks& peaks) const;
 
   const Method& method_;
   const Keyframes& keys_;
   const MotionLimits& limits_;
+  std::vector<LimitedQuantity> quantities_{};
+  std::vector<bool> is_rest_{};
+  std::vector<double> given_{};
   OpenEndedWork& work_;  ///< every curve is a piece of it; when it is stopped, none is made any more
 };
 

@@ -8,10 +8,13 @@
 #include <orispline/analysis/torque.hpp>
 #include <orispline/base/parallel.hpp>
 #include <orispline/batch/sample.hpp>
+#include <orispline/retime/path_hull.hpp>
 #include <orispline/retime/segment_hull.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
+
+using Vector = LimitedQuantity::Vector;
 
 constexpr double gap = 1e-4;  // of a bound above the largest value found, relative
 /// Of an increment so much is rounding [rad]: that of two keys, also when they are written, read and normalised again.
@@ -21,86 +24,200 @@ constexpr std::size_t first_cuts = 4;  // of a segment
 /// Parts that the segments of a curve are cut into, all together, and those of each that it has in any case.
 constexpr std::size_t most_parts = std::size_t{1} << 20, fewest_parts = std::size_t{1} << 10;
 
-/// The longer end of the line a ± b r.
-double longest(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double r) {
-  return std::max((a + b * r).norm(), (a - b * r).norm());
+/// The larger size at the ends of the line a ± b r.
+double largest(const LimitedQuantity& quantity, const Eigen::Vector3d& a, const Eigen::Vector3d& b, double r) {
+  return std::max(quantity.size_of(a + b * r), quantity.size_of(a - b * r));
 }
 
-MotionSizes smaller(const MotionSizes& a, const MotionSizes& b) {
-  return {std::min(a.rate, b.rate), std::min(a.acceleration, b.acceleration), std::min(a.torque, b.torque)};
-}
+/// A part of a segment in its two units.
+struct Stretch {
+  double middle, radius;  ///< [s]
+  double start, end;      ///< of u in [0, 1]
+};
+
+/// Turning on one segment: quantities at a time, and bounds of them around it.
+class Turning {
+ public:
+  Turning(const AnyCurve& curve, std::size_t segment, const SegmentHull& hull, const MotionQuantities& quantities)
+      : curve_(curve),
+        segment_(segment),
+        hull_(hull),
+        rounding_(hull.rounding()),
+        quantities_(quantities.all),
+        inertia_(quantities.inertia.value_or(Eigen::Matrix3d::Zero())),
+        weight_(inertia_.norm()) {}
+
+  void go_to(double t) { m_ = curve_.motion_on(segment_, t); }
+
+  [[nodiscard]] double size(std::size_t k) const {
+    const LimitedQuantity& quantity = quantities_[k];
+    switch (quantity.vector) {
+      case Vector::rate:
+        return quantity.size_of(m_.angular_velocity);
+      case Vector::acceleration:
+        return quantity.size_of(m_.angular_acceleration);
+      case Vector::jerk:
+        return quantity.size_of(m_.angular_jerk);
+      case Vector::torque:
+        return quantity.size_of(torque(m_, inertia_));
+      default:
+        return 0.0;
+    }
+  }
+
+  /// Of all times in the part, in whose middle the motion is.
+  [[nodiscard]] QuantitySizes bounds(const Stretch& part) const {
+    const HullBounds hull = hull_.on(part.start, part.end);
+    const double r = part.radius, jerk = m_.angular_jerk.norm();
+    const double bend_of_rate = (0.5 * jerk + hull.snap * r / 6.0) * r * r,
+                 bend_of_acceleration = 0.5 * hull.snap * r * r;
+    QuantitySizes sizes{};
+    for (std::size_t k = 0; k < quantities_.size(); ++k) {
+      const LimitedQuantity& quantity = quantities_[k];
+      if (quantity.vector == Vector::rate)
+        sizes[k] =
+            std::min(hull.rate, largest(quantity, m_.angular_velocity, m_.angular_acceleration, r) + bend_of_rate) +
+            rounding_.rate;
+      if (quantity.vector == Vector::acceleration)
+        sizes[k] = std::min(hull.acceleration,
+                            largest(quantity, m_.angular_acceleration, m_.angular_jerk, r) + bend_of_acceleration) +
+                   rounding_.acceleration;
+      if (quantity.vector == Vector::jerk)
+        sizes[k] = std::min(hull.jerk, quantity.size_of(m_.angular_jerk) + hull.snap * r) + rounding_.jerk;
+      if (quantity.vector == Vector::torque) sizes[k] = torque_bound(quantity, r, hull);
+    }
+    return sizes;
+  }
+
+  /// With what the rounding of the keys makes of the shortest step near the segment.
+  void round(SegmentPeaks& peaks, double shortest) const {
+    const double rate = rounding_of_keys / shortest, acceleration = rate / shortest;
+    double fastest = 0.0;
+    for (std::size_t k = 0; k < quantities_.size(); ++k) {
+      const Vector vector = quantities_[k].vector;
+      if (vector == Vector::rate) peaks[k].bound += rate;
+      if (vector == Vector::acceleration) peaks[k].bound += acceleration;
+      if (vector == Vector::jerk) peaks[k].bound += acceleration / shortest;
+      if (vector == Vector::rate) fastest = std::max(fastest, peaks[k].bound);
+    }
+    for (std::size_t k = 0; k < quantities_.size(); ++k)
+      if (quantities_[k].vector == Vector::torque)
+        peaks[k].bound += weight_ * (acceleration + 2.0 * std::max(fastest, hull_.on(0.0, 1.0).rate) * rate);
+  }
+
+ private:
+  [[nodiscard]] double torque_bound(const LimitedQuantity& quantity, double r, const HullBounds& hull) const {
+    const double jerk = m_.angular_jerk.norm();
+    const auto longest = [r](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+      return std::max((a + b * r).norm(), (a - b * r).norm());
+    };
+    const double rate = std::min(hull.rate, longest(m_.angular_velocity, m_.angular_acceleration) +
+                                                (0.5 * jerk + hull.snap * r / 6.0) * r * r) +
+                        rounding_.rate;
+    const double acceleration =
+        std::min(hull.acceleration, longest(m_.angular_acceleration, m_.angular_jerk) + 0.5 * hull.snap * r * r) +
+        rounding_.acceleration;
+    const double bend = weight_ * (hull.snap + 2.0 * ((jerk + hull.snap * r) * rate + acceleration * acceleration));
+    const double along = largest(quantity, torque(m_, inertia_), torque_rate(m_, inertia_), r) + 0.5 * bend * r * r +
+                         weight_ * (rounding_.acceleration + 2.0 * rate * rounding_.rate);
+    return std::min(along, weight_ * (acceleration + rate * rate));
+  }
+
+  const AnyCurve& curve_;
+  std::size_t segment_;
+  const SegmentHull& hull_;
+  HullBounds rounding_;
+  std::span<const LimitedQuantity> quantities_;
+  Eigen::Matrix3d inertia_;
+  double weight_;
+  Motion m_{};
+};
+
+/// The position on one segment, likewise.
+class Moving {
+ public:
+  Moving(const AnyPath& path, std::size_t segment, const PathHull& hull, const MotionQuantities& quantities)
+      : path_(path), segment_(segment), hull_(hull), quantities_(quantities.all) {}
+
+  void go_to(double t) { m_ = path_.linear_motion_on(segment_, t); }
+
+  [[nodiscard]] double size(std::size_t k) const {
+    const LimitedQuantity& quantity = quantities_[k];
+    if (quantity.vector == Vector::speed) return quantity.size_of(m_.velocity);
+    return quantity.vector == Vector::linear_acceleration ? quantity.size_of(m_.acceleration) : 0.0;
+  }
+
+  [[nodiscard]] QuantitySizes bounds(const Stretch& part) const {
+    QuantitySizes sizes{};
+    for (std::size_t k = 0; k < quantities_.size(); ++k)
+      if (quantities_[k].is_of_position()) sizes[k] = hull_.bound(quantities_[k], part.start, part.end);
+    return sizes;
+  }
+
+  void round(SegmentPeaks&, double) const {}
+
+ private:
+  const AnyPath& path_;
+  std::size_t segment_;
+  const PathHull& hull_;
+  std::span<const LimitedQuantity> quantities_;
+  LinearMotion m_{};
+};
 
 /// A part of a segment, and what the motion is nowhere above on it.
 struct Part {
   double middle, radius;  ///< [s]
-  MotionSizes bounds;
+  QuantitySizes bounds;
   double excess;  ///< by which factor a bound is above what is near enough, when it was found
 };
 
 /// One segment, cut where its bounds are the farthest from what was found.
+template <class Source>
 class PeakSearch {
  public:
-  PeakSearch(const AnyCurve& curve, std::size_t segment, const SegmentHull& hull,
-             const std::optional<Eigen::Matrix3d>& inertia, const MotionSizes& floors)
-      : curve_(curve),
+  PeakSearch(Source source, const Knots& knots, std::size_t segment, std::size_t quantities,
+             const QuantitySizes& floors)
+      : source_(std::move(source)),
+        knots_(knots),
         segment_(segment),
-        span_(curve.knots().span(segment)),
-        hull_(hull),
-        rounding_(hull.rounding()),
-        inertia_(inertia ? *inertia : Eigen::Matrix3d::Zero()),
-        weight_(inertia_.norm()),
-        floors_(floors) {}
+        span_(knots.span(segment)),
+        floors_(floors),
+        peaks_(quantities) {}
 
   /// `parts`: at most.
   SegmentPeaks run(std::size_t parts) {
-    constexpr double any = std::numeric_limits<double>::infinity();
+    QuantitySizes any;
+    any.fill(std::numeric_limits<double>::infinity());
     const double step = span_.step() / static_cast<double>(first_cuts);
     for (std::size_t i = 0; i < first_cuts; ++i) note(span_.start() + static_cast<double>(i) * step);
     note(span_.end());
     for (std::size_t i = 0; i < first_cuts; ++i)
-      add(span_.start() + (static_cast<double>(i) + 0.5) * step, 0.5 * step, {any, any, any});
+      add(span_.start() + (static_cast<double>(i) + 0.5) * step, 0.5 * step, any);
     for (std::size_t made = first_cuts; !open_.empty() && made < parts; made += 2) halve_worst();
     for (const Part& part : open_) take(part.bounds);
-    return rounded();
+    source_.round(peaks_, shortest_step_near());
+    return std::move(peaks_);
   }
 
  private:
-  Motion note(double t) {
-    const Motion m = curve_.motion_on(segment_, t);
-    const auto see = [t](CertifiedPeak& peak, double value) {
-      if (value > peak.found) peak.found = value, peak.time = t;
-      peak.bound = std::max(peak.bound, value);
-    };
-    see(peaks_.rate, m.angular_velocity.norm());
-    see(peaks_.acceleration, m.angular_acceleration.norm());
-    see(peaks_.torque, orispline::torque(m, inertia_).norm());
-    return m;
-  }
-
-  /// Of all times within `r` of the motion's.
-  [[nodiscard]] MotionSizes bounds(const Motion& m, double r, const HullBounds& hull) const {
-    const double jerk = m.angular_jerk.norm();
-    const double rate = std::min(hull.rate, longest(m.angular_velocity, m.angular_acceleration, r) +
-                                                (0.5 * jerk + hull.snap * r / 6.0) * r * r) +
-                        rounding_.rate;
-    const double acceleration =
-        std::min(hull.acceleration, longest(m.angular_acceleration, m.angular_jerk, r) + 0.5 * hull.snap * r * r) +
-        rounding_.acceleration;
-    const double bend =
-        weight_ * (hull.snap + 2.0 * ((jerk + hull.snap * r) * rate + acceleration * acceleration));  // of the torque
-    const double torque = longest(orispline::torque(m, inertia_), torque_rate(m, inertia_), r) + 0.5 * bend * r * r +
-                          weight_ * (rounding_.acceleration + 2.0 * rate * rounding_.rate);
-    return {rate, acceleration, std::min(torque, weight_ * (acceleration + rate * rate))};
+  void note(double t) {
+    source_.go_to(t);
+    for (std::size_t k = 0; k < peaks_.size(); ++k) {
+      const double size = source_.size(k);
+      CertifiedPeak& peak = peaks_[k];
+      if (size > peak.found) peak.found = size, peak.time = t;
+      peak.bound = std::max(peak.bound, size);
+    }
   }
 
   /// `within`: bounds of a part that holds this one.
-  void add(double middle, double radius, const MotionSizes& within) {
+  void add(double middle, double radius, const QuantitySizes& within) {
     const double of_time = 2.0 * std::numeric_limits<double>::epsilon() * std::abs(middle);
     const double r = radius + of_time;
-    const Motion m = note(middle);
+    note(middle);
     const auto place = [&](double t) { return std::clamp(span_.normalised(t), 0.0, 1.0); };
-    const HullBounds hull = hull_.on(place(middle - r), place(middle + r));
-    const MotionSizes found = smaller(within, bounds(m, r, hull));
+    QuantitySizes found = source_.bounds({middle, r, place(middle - r), place(middle + r)});
+    for (std::size_t k = 0; k < peaks_.size(); ++k) found[k] = std::min(found[k], within[k]);
     const double excess = excess_of(found);
     if (excess > 1.0 && radius > of_time) {
       open_.push_back({middle, radius, found, excess});
@@ -119,72 +236,126 @@ class PeakSearch {
     add(part.middle + 0.5 * part.radius, 0.5 * part.radius, part.bounds);
   }
 
-  void take(const MotionSizes& bounds) {
-    peaks_.rate.bound = std::max(peaks_.rate.bound, bounds.rate);
-    peaks_.acceleration.bound = std::max(peaks_.acceleration.bound, bounds.acceleration);
-    peaks_.torque.bound = std::max(peaks_.torque.bound, bounds.torque);
+  void take(const QuantitySizes& bounds) {
+    for (std::size_t k = 0; k < peaks_.size(); ++k) peaks_[k].bound = std::max(peaks_[k].bound, bounds[k]);
   }
 
-  [[nodiscard]] double excess_of(const MotionSizes& bounds) const {
-    const auto of = [](double bound, const CertifiedPeak& peak, double floor) {
-      return bound > 0.0 ? bound / std::max(peak.found * (1.0 + gap), floor) : 0.0;
-    };
-    return std::max({of(bounds.rate, peaks_.rate, floors_.rate),
-                     of(bounds.acceleration, peaks_.acceleration, floors_.acceleration),
-                     of(bounds.torque, peaks_.torque, floors_.torque)});
+  [[nodiscard]] double excess_of(const QuantitySizes& bounds) const {
+    double excess = 0.0;
+    for (std::size_t k = 0; k < peaks_.size(); ++k)
+      if (bounds[k] > 0.0) excess = std::max(excess, bounds[k] / std::max(peaks_[k].found * (1.0 + gap), floors_[k]));
+    return excess;
   }
 
-  /// With what the rounding of the keys makes of the shortest step near the segment.
-  [[nodiscard]] SegmentPeaks rounded() const {
-    const auto t = curve_.knots().times();
+  [[nodiscard]] double shortest_step_near() const {
+    const auto t = knots_.times();
     double shortest = span_.step();
     for (std::size_t i = segment_ - std::min(segment_, keys_near); i <= segment_ + keys_near && i + 1 < t.size(); ++i)
       shortest = std::min(shortest, t[i + 1] - t[i]);
-    const double rate = rounding_of_keys / shortest, acceleration = rate / shortest;
-    SegmentPeaks peaks = peaks_;
-    peaks.rate.bound += rate;
-    peaks.acceleration.bound += acceleration;
-    peaks.torque.bound += weight_ * (acceleration + 2.0 * peaks.rate.bound * rate);
-    return peaks;
+    return shortest;
   }
 
-  const AnyCurve& curve_;
+  Source source_;
+  const Knots& knots_;
   std::size_t segment_;
   KnotSpan span_;
-  const SegmentHull& hull_;
-  HullBounds rounding_;
-  Eigen::Matrix3d inertia_;
-  double weight_;
-  MotionSizes floors_;
-  SegmentPeaks peaks_{};
+  QuantitySizes floors_;
+  SegmentPeaks peaks_;
   std::vector<Part> open_{};  ///< a heap, the worst first
 };
 
+/// The peaks of one segment, of turning and of the position; `parts`: at most, of each.
+class SegmentSearch {
+ public:
+  SegmentSearch(const PoseCurve& curve, const MotionQuantities& quantities, const QuantitySizes& floors,
+                std::size_t parts)
+      : curve_(curve), quantities_(quantities), floors_(floors), parts_(parts) {}
+
+  [[nodiscard]] SegmentPeaks peaks(std::size_t segment) const {
+    const std::size_t count = quantities_.all.size();
+    SegmentPeaks peaks(count);
+    const AnyCurve& turning = curve_.orientation;
+    const bool turns = std::ranges::any_of(quantities_.all, [](const auto& q) { return !q.is_of_position(); });
+    const bool moves = std::ranges::any_of(quantities_.all, &LimitedQuantity::is_of_position);
+    if (const auto hull = SegmentHull::of(turning.form(segment), turning.knots().span(segment).step()); hull && turns)
+      peaks = PeakSearch(Turning(turning, segment, *hull, quantities_), turning.knots(), segment, count, floors_)
+                  .run(parts_);
+    if (!moves || !curve_.position) return peaks;
+    const AnyPath& path = *curve_.position;
+    if (const auto hull = PathHull::of(path, segment)) {
+      const auto moving =
+          PeakSearch(Moving(path, segment, *hull, quantities_), path.knots(), segment, count, floors_).run(parts_);
+      for (std::size_t k = 0; k < count; ++k)
+        if (quantities_.all[k].is_of_position()) peaks[k] = moving[k];
+    }
+    return peaks;
+  }
+
+ private:
+  const PoseCurve& curve_;
+  const MotionQuantities& quantities_;
+  const QuantitySizes& floors_;
+  std::size_t parts_;
+};
+
+/// Whether the segments of the curve, as far as they are asked for, are stated as polynomials.
+bool is_of_polynomials(const PoseCurve& curve, std::span<const LimitedQuantity> quantities) {
+  const bool moves = std::ranges::any_of(quantities, &LimitedQuantity::is_of_position);
+  if (curve.orientation.knots().segments() > 0 && std::holds_alternative<std::monostate>(curve.orientation.form(0)))
+    return false;
+  return !moves || (curve.position && curve.position->degree() > 0 &&
+                    curve.position->knots().segments() == curve.orientation.knots().segments());
+}
+
+Eigen::Vector3d vector_at(const std::vector<double>& numbers, std::size_t k) {
+  return numbers.empty() ? Eigen::Vector3d::Zero().eval() : Eigen::Vector3d(&numbers[3 * k]);
+}
+
 }  // namespace
 
-std::vector<MotionSizes> sampled_peaks(const AnyCurve& curve, const std::optional<Eigen::Matrix3d>& inertia) {
+std::vector<QuantitySizes> sampled_peaks(const PoseCurve& curve, const MotionQuantities& quantities) {
   constexpr std::size_t cuts = 16, places = cuts + 1;
-  std::vector<MotionSizes> peaks(curve.knots().segments(), MotionSizes{});
+  const Knots& knots = curve.orientation.knots();
+  std::vector<QuantitySizes> peaks(knots.segments(), QuantitySizes{});
   std::vector<double> times;
   for (std::size_t s = 0; s < peaks.size(); ++s) {
-    const KnotSpan span = curve.knots().span(s);
+    const KnotSpan span = knots.span(s);
     const double step = span.step() / static_cast<double>(cuts);
     const double last = std::nextafter(span.end(), span.start());  // the end itself belongs to the next segment
     for (std::size_t i = 0; i < places; ++i)
       times.push_back(std::min(span.start() + static_cast<double>(i) * step, last));
   }
-  std::vector<double> orientations(4 * times.size()), rates(3 * times.size()), accelerations(3 * times.size());
-  static_cast<void>(sample<double>(  // no times that decrease, no sizes that differ: no error
-      curve, times, {.orientations = orientations, .angular_velocities = rates, .angular_accelerations = accelerations},
-      {.threads = 0}));
-  for (std::size_t k = 0; k < times.size(); ++k) {
-    const Motion m{.angular_velocity = Eigen::Map<const Eigen::Vector3d>(&rates[3 * k]),
-                   .angular_acceleration = Eigen::Map<const Eigen::Vector3d>(&accelerations[3 * k])};
-    MotionSizes& largest = peaks[k / places];
-    largest.rate = std::max(largest.rate, m.angular_velocity.norm());
-    largest.acceleration = std::max(largest.acceleration, m.angular_acceleration.norm());
-    if (inertia) largest.torque = std::max(largest.torque, torque(m, *inertia).norm());
-  }
+  std::array<std::vector<double>, 6> found;  // by what is limited; the torque needs the first two
+  const auto wants = [&](Vector vector) {
+    return std::ranges::count(quantities.all, vector, &LimitedQuantity::vector) > 0;
+  };
+  const auto room = [&](Vector vector, bool wanted) {
+    auto& numbers = found[static_cast<std::size_t>(vector)];
+    if (wanted) numbers.resize(3 * times.size());
+    return std::span<double>(numbers);
+  };
+  std::vector<double> orientations(4 * times.size());
+  const Samples<double> out{.orientations = orientations,
+                            .angular_velocities = room(Vector::rate, true),
+                            .angular_accelerations = room(Vector::acceleration, true),
+                            .angular_jerks = room(Vector::jerk, wants(Vector::jerk)),
+                            .velocities = room(Vector::speed, wants(Vector::speed)),
+                            .accelerations = room(Vector::linear_acceleration, wants(Vector::linear_acceleration))};
+  // No times that decrease, no sizes that differ: no error.
+  static_cast<void>(wants_positions(out) ? sample<double>(curve, times, out, {.threads = 0})
+                                         : sample<double>(curve.orientation, times, out, {.threads = 0}));
+  const auto& rates = found[static_cast<std::size_t>(Vector::rate)];
+  const auto& accelerations = found[static_cast<std::size_t>(Vector::acceleration)];
+  for (std::size_t k = 0; k < times.size(); ++k)
+    for (std::size_t i = 0; i < quantities.all.size(); ++i) {
+      const LimitedQuantity& quantity = quantities.all[i];
+      Eigen::Vector3d v = vector_at(found[static_cast<std::size_t>(quantity.vector)], k);
+      if (quantity.vector == Vector::torque && quantities.inertia)
+        v = torque(Motion{.angular_velocity = vector_at(rates, k), .angular_acceleration = vector_at(accelerations, k)},
+                   *quantities.inertia);
+      double& largest_found = peaks[k / places][i];
+      largest_found = std::max(largest_found, quantity.size_of(v));
+    }
   return peaks;
 }
 
@@ -193,18 +364,17 @@ std::optional<double> snap_bound(const SegmentForm& form, double duration) {
   return hull ? std::optional(hull->on(0.0, 1.0).snap) : std::nullopt;
 }
 
-std::optional<std::vector<SegmentPeaks>> certified_peaks(const AnyCurve& curve,
-                                                         const std::optional<Eigen::Matrix3d>& inertia,
-                                                         const MotionSizes& floors) {
+std::optional<std::vector<SegmentPeaks>> certified_peaks(const PoseCurve& curve, const MotionQuantities& quantities,
+                                                         const QuantitySizes& floors) {
   constexpr std::size_t together = 64;  // segments
-  const std::size_t segments = curve.knots().segments();
-  if (segments > 0 && std::holds_alternative<std::monostate>(curve.form(0))) return std::nullopt;
-  const std::size_t parts = std::max(fewest_parts, most_parts / std::max<std::size_t>(segments, 1));
+  if (!is_of_polynomials(curve, quantities.all)) return std::nullopt;
+  const std::size_t segments = curve.orientation.knots().segments();
+  const SegmentSearch search(curve, quantities, floors,
+                             std::max(fewest_parts, most_parts / std::max<std::size_t>(segments, 1)));
   std::vector<SegmentPeaks> peaks(segments);
   parallel_for((segments + together - 1) / together, 0, [&](std::size_t part) {
     for (std::size_t s = part * together; s < std::min(segments, (part + 1) * together); ++s)
-      if (const auto hull = SegmentHull::of(curve.form(s), curve.knots().span(s).step()))
-        peaks[s] = PeakSearch(curve, s, *hull, inertia, floors).run(parts);
+      peaks[s] = search.peaks(s);
   });
   return peaks;
 }

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
-#include <orispline/curve/curve.hpp>
+#include <orispline/curve/pose_curve.hpp>
+#include <orispline/retime/motion_limits.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
 
@@ -14,21 +16,18 @@ struct CertifiedPeak {
   double time = 0.0;  ///< of `found` [s]
 };
 
-/// The peaks of one segment.
-struct SegmentPeaks {
-  CertifiedPeak rate{};          ///< |ω| [rad/s]
-  CertifiedPeak acceleration{};  ///< |α| [rad/s²]
-  CertifiedPeak torque{};        ///< |I α + ω × I ω| [N m]; 0 without an inertia
+/// The peaks of one segment, one for each quantity.
+using SegmentPeaks = std::vector<CertifiedPeak>;
+
+/// What is measured of a motion. Refers to both.
+struct MotionQuantities {
+  std::span<const LimitedQuantity> all;
+  const std::optional<Eigen::Matrix3d>& inertia;  ///< for torques
 };
 
-/// One value of each of these.
-struct MotionSizes {
-  double rate, acceleration, torque;  ///< [rad/s], [rad/s²], [N m]
-};
-
-/// The largest of every segment at 17 even places of its closed interval; of the torque 0 without an inertia.
-[[nodiscard]] ORISPLINE_EXPORT std::vector<MotionSizes> sampled_peaks(const AnyCurve& curve,
-                                                                      const std::optional<Eigen::Matrix3d>& inertia);
+/// The largest of every segment at 17 even places of its closed interval.
+[[nodiscard]] ORISPLINE_EXPORT std::vector<QuantitySizes> sampled_peaks(const PoseCurve& curve,
+                                                                        const MotionQuantities& quantities);
 
 /// What the snap, the derivative of the jerk, is nowhere above on a segment [rad/s⁴]; absent for one that is not of
 /// polynomials. `duration` [s].
@@ -44,12 +43,13 @@ struct MotionSizes {
 ///
 /// `floors`: bounds below these are near enough, whatever the largest value; infinite for what nobody asks for.
 /// The bound S of the snap turns the motion at the middle of an interval of half length r into bounds on all of it,
-/// with the jerk j: |ω| ≤ max |ω_m ± α_m r| + |j_m| r²/2 + S r³/6 and |α| ≤ max |α_m ± j_m r| + S r²/2, for a straight
-/// line is longest at an end; likewise the torque. Bounds of SegmentHull count where they are nearer. The interval of
-/// the worst bound is halved until no bound is more than 1e-4 of the largest value above it, or all are below the
-/// floors, or there are very many. The rounding of the keys, also when they are written and read again, is in the
-/// bounds. Source: our own derivation, docs/retime.md.
+/// with the jerk j: |ω| ≤ max |ω_m ± α_m r| + |j_m| r²/2 + S r³/6, |α| ≤ max |α_m ± j_m r| + S r²/2 and |j| ≤ |j_m| + S
+/// r, for a straight line is longest at an end; likewise components and the torque. Bounds of SegmentHull count where
+/// they are nearer; those of positions are of PathHull alone. The interval of the worst bound is halved until no bound
+/// is more than 1e-4 of the largest value above it, or all are below the floors, or there are very many. The rounding
+/// of the keys, also when they are written and read again, is in the bounds. Source: our own derivation,
+/// docs/retime.md.
 [[nodiscard]] ORISPLINE_EXPORT std::optional<std::vector<SegmentPeaks>> certified_peaks(
-    const AnyCurve& curve, const std::optional<Eigen::Matrix3d>& inertia, const MotionSizes& floors);
+    const PoseCurve& curve, const MotionQuantities& quantities, const QuantitySizes& floors);
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -2,11 +2,13 @@
 #include <orispline/retime/retime.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 
 #include <orispline/analysis/continuity.hpp>
 #include <orispline/analysis/torque.hpp>
+#include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/method_warnings.hpp>
 #include <orispline/families/recipe.hpp>
@@ -41,30 +43,45 @@ Expected<void> check_motion(const FamilyInfo& family, const Method& method, cons
   return {};
 }
 
-/// Whether slowing can bring accelerations within limits at all.
-Expected<void> check_continuity(const FamilyInfo& family, const Method& method, const Keyframes& keys,
+/// Whether slowing can bring what is limited within limits at all: where a derivative jumps, the next one is infinite.
+/// `order`: of the highest derivative that must not jump, 1 for ω, 2 for α.
+Expected<void> check_continuity(const FamilyInfo& family, const Method& method, const Keyframes& keys, int order,
                                 Slowing slowing) {
-  const auto refused = [&](std::string_view why, std::string_view wanted) {
+  const std::string_view jumping = order == 1 ? "angular velocity" : "angular acceleration",
+                         limited = order == 1 ? "acceleration or torque" : "jerk";
+  const auto refused = [&](std::string_view why, const std::string& wanted) {
     return failure(ErrorCode::bad_argument,
-                   formatted("{}: its angular velocity jumps at keys{}, which no slowing brings within a limit of "
-                             "acceleration or torque, wanted {}",
-                             family.name, why, wanted));
+                   formatted("{}: its {} jumps at keys{}, which no slowing brings within a limit of {}, wanted {}",
+                             family.name, jumping, why, limited, wanted));
   };
-  const auto is_smooth_here = [&](std::string_view why, std::string_view wanted) {
+  const auto is_smooth_here = [&](std::string_view why, const std::string& wanted) {
     return make_curve(method, keys).and_then([&](const AnyCurve& curve) -> Expected<void> {
-      if (continuity_at_keys(curve).order() >= 1) return {};
+      if (continuity_at_keys(curve).order() >= order) return {};
       return refused(why, wanted);
     });
   };
   const bool as_promised = method.options.parameters.empty() && method.options.choices.empty();
-  if (family.continuity_uneven >= 1 && as_promised) return {};
-  if (family.continuity_uneven >= 1) return is_smooth_here(" with these settings", "others, with which it is C1");
-  if (family.continuity_uniform < 1) return refused("", "a method that is C1, such as auto");
+  if (family.continuity_uneven >= order && as_promised) return {};
+  if (family.continuity_uneven >= order)
+    return is_smooth_here(" with these settings", formatted("others, with which it is C{}", order));
+  if (family.continuity_uniform < order) return refused("", formatted("a method that is C{}, such as auto", order));
   if (slowing == Slowing::per_interval)
     return refused(" whose times are uneven",
-                   "all intervals slowed alike, or a method that is C1 on any, such as auto");
+                   formatted("all intervals slowed alike, or a method that is C{} on any, such as auto", order));
   return is_smooth_here(" whose times are uneven, as these are",
-                        "even ones, or a method that is C1 on any, such as auto");
+                        formatted("even ones, or a method that is C{} on any, such as auto", order));
+}
+
+/// The same for all limits; and whether there is a position where one is limited.
+Expected<void> check_limits(const FamilyInfo& family, const Method& method, const Keyframes& keys,
+                            const RetimeOptions& options) {
+  const MotionLimits& limits = options.limits;
+  if (keys.positions().empty() && limits.speed)
+    return bad_option("max_speed", "the keys have no positions, wanted px,py,pz as well");
+  if (keys.positions().empty() && limits.linear_acceleration)
+    return bad_option("max_linear_acceleration", "the keys have no positions, wanted px,py,pz as well");
+  const int order = limits.jerk ? 2 : limits.acceleration || limits.torque || limits.linear_acceleration ? 1 : 0;
+  return order == 0 ? Expected<void>() : check_continuity(family, method, keys, order, options.slowing);
 }
 
 /// Times at which the motion keeps its limits, as in Retiming.
@@ -75,7 +92,7 @@ struct Slowed {
   std::vector<SegmentPeaks> peaks;
 };
 
-/// All intervals made longer by one factor, and the peaks of the motion at these times.
+/// All intervals but rests made longer by one factor, and the peaks of the motion at these times.
 struct Scaled {
   double factor;
   std::vector<double> times;
@@ -83,7 +100,7 @@ struct Scaled {
 };
 
 Expected<Scaled> scaled(const LimitedMotion& motion, std::vector<double> times, double factor) {
-  for (double& t : times) t = times.front() + factor * (t - times.front());
+  times = motion.lengthened(std::move(times), factor);
   return motion.largest_peaks(times).map([&](std::vector<SegmentPeaks> peaks) {
     return Scaled{factor, std::move(times), std::move(peaks)};
   });
@@ -107,7 +124,7 @@ Expected<Scaled> no_slower_than_needed(const LimitedMotion& motion, const std::v
 /// All intervals made longer by the factor that is needed still; `found`: the peaks at these times.
 Expected<Slowed> slowed(const LimitedMotion& motion, const std::vector<double>& times, std::vector<SegmentPeaks> found,
                         Slowing slowing) {
-  const auto time_scale = [before = motion.given_times()](const std::vector<double>& t) {
+  const auto time_scale = [&before = motion.given_times()](const std::vector<double>& t) {
     return (t.back() - t.front()) / (before.back() - before.front());
   };
   Expected<Scaled> slow = Scaled{1.0, times, std::move(found)};
@@ -137,7 +154,7 @@ Expected<Slowed> slowed(const LimitedMotion& motion, const std::vector<double>& 
 
 /// The least slowing of the two, where both are asked for.
 Expected<Slowed> least_slowed(const LimitedMotion& motion, int support_keys, Slowing slowing) {
-  const std::vector<double> given(motion.given_times().begin(), motion.given_times().end());
+  const std::vector<double>& given = motion.given_times();
   auto peaks = motion.largest_peaks(given);
   if (!peaks) return tl::unexpected(std::move(peaks.error()));
   const bool is_slow = !(motion.largest_factor(*peaks) > 1.0);
@@ -152,6 +169,36 @@ Expected<Slowed> least_slowed(const LimitedMotion& motion, int support_keys, Slo
   return separate && (!uniform || separate->time_scale < (1.0 - least_gain) * uniform->time_scale) ? separate : uniform;
 }
 
+/// At its own times, of which nothing is asked.
+Slowed as_given(const LimitedMotion& motion) { return {motion.given_times(), 1.0, 0.0, Slowing::uniform, {}}; }
+
+/// Exactly that long, all intervals but rests scaled alike. Error (bad_argument): the rests alone are longer; a limit
+/// is exceeded then.
+Expected<Slowed> lasting(const LimitedMotion& motion, double duration) {
+  const std::vector<double>& given = motion.given_times();
+  const double before = given.back() - given.front();
+  double rested = 0.0;
+  for (std::size_t s = 0; s + 1 < given.size(); ++s)
+    if (motion.is_rest(s)) rested += given[s + 1] - given[s];
+  const double factor = (duration - rested) / (before - rested);
+  if (!(factor > 0.0) || !std::isfinite(factor))
+    return bad_option("duration",
+                      formatted("found {:.6g} s, and the rests alone take {:.6g} s of {:.6g} s; wanted more, "
+                                "or `shorten_rests` as well",
+                                duration, rested, before));
+  std::vector<double> times = motion.lengthened(given, factor);
+  times.back() = times.front() + duration;
+  if (!motion.is_limited()) return Slowed{std::move(times), duration / before, 0.0, Slowing::uniform, {}};
+  return motion.largest_peaks(times).and_then([&](std::vector<SegmentPeaks> peaks) -> Expected<Slowed> {
+    const double more = motion.largest_factor(peaks);
+    if (more > 1.0)
+      return bad_option("duration",
+                        formatted("in {:.6g} s the motion exceeds its limits, wanted some {:.6g} s at least", duration,
+                                  rested + more * (duration - rested)));
+    return Slowed{std::move(times), duration / before, 0.0, Slowing::uniform, std::move(peaks)};
+  });
+}
+
 Warning loose_bounds(std::string_view method, double slack) {
   return {.code = "loose_bounds",
           .message = formatted("{}: the largest values that were found lie below the limits, and {:.2g} less slowing "
@@ -160,13 +207,62 @@ Warning loose_bounds(std::string_view method, double slack) {
           .numbers = {{"slack", slack}}};
 }
 
+/// Turning so far during a rest is motion [rad].
+constexpr double moving_angle = 10.0 * rest_angle;
+
+std::optional<Warning> moving_rests(const Method& method, const Keyframes& keys,
+                                    const std::vector<std::size_t>& rests) {
+  if (rests.empty()) return std::nullopt;
+  const auto curve = make_curve(method, keys);
+  const auto moves = [&](std::size_t s) {
+    if (!curve) return false;
+    const KnotSpan span = curve->knots().span(s);
+    return std::ranges::any_of(std::array{0.2, 0.4, 0.6, 0.8}, [&](double u) {
+      return curve->motion_on(s, span.start() + u * span.step()).angular_velocity.norm() * span.step() > moving_angle;
+    });
+  };
+  const auto moving = std::ranges::count_if(rests, moves);
+  if (moving == 0) return std::nullopt;
+  return Warning{.code = "moving_rests",
+                 .message = formatted("{} moves in {} between equal keys; auto with hold=1 stays still there",
+                                      method.name, counted(static_cast<std::size_t>(moving), "rest")),
+                 .where = {.key = *std::ranges::find_if(rests, moves)},
+                 .numbers = {{"rests", static_cast<double>(moving)}}};
+}
+
+std::vector<Warning> warnings_of(const Retiming& retiming, const MotionLimits& limits) {
+  const Track& track = retiming.track;
+  const Method& method = retiming.method;
+  std::vector<Warning> warnings = limits.inertia ? orispline::warnings_of(*limits.inertia) : std::vector<Warning>();
+  if (retiming.slack > promised_slack) warnings.push_back(loose_bounds(method.name, retiming.slack));
+  if (const auto moving = moving_rests(method, track.keys, retiming.rests)) warnings.push_back(track.located(*moving));
+  std::ranges::move(orispline::warnings_of(method, track), std::back_inserter(warnings));
+  return warnings;
+}
+
 }  // namespace
+
+Method holding_rests(Method method, const Keyframes& keys) {
+  const auto family = find_family(method.name);
+  if (!family || std::ranges::find((*family)->parameters, "hold", &Parameter::name) == (*family)->parameters.end())
+    return method;
+  for (std::size_t i = 0; i + 1 < keys.size(); ++i)
+    if (keys.rests_after(i)) {
+      method.options.parameters.insert({"hold", {1.0}});
+      break;
+    }
+  return method;
+}
 
 Expected<void> check(const RetimeOptions& options) {
   if (auto checked = check_ranges(options); !checked) return checked;
   const MotionLimits& limits = options.limits;
-  if (!limits.rate && !limits.acceleration && !limits.torque)
-    return failure(ErrorCode::bad_argument, "found no limit, wanted `max_rate`, `max_acceleration` or `max_torque`");
+  if (quantities_of(limits).empty() && !options.duration && !options.shorten_rests)
+    return failure(ErrorCode::bad_argument,
+                   "found no limit, wanted `max_rate`, `max_acceleration`, `max_jerk`, `max_torque`, `max_speed`, "
+                   "`max_linear_acceleration` or `duration`");
+  if (options.duration && options.slowing == Slowing::per_interval)
+    return bad_option("duration", "all intervals are scaled alike for it, wanted no slowing of each by itself");
   if (limits.torque && !limits.inertia) return bad_option("max_torque", "wanted `inertia` as well");
   if (limits.inertia && !limits.torque) return bad_option("inertia", "wanted `max_torque` as well");
   if (!limits.inertia) return {};
@@ -179,30 +275,37 @@ Expected<Retiming> retime(const Track& track, const Method& given, const RetimeO
   if (!family) return tl::unexpected(family.error());
   const Method method = completed(given, **family, track);
   const MotionLimits& limits = options.limits;
-  const auto checked = check(options).and_then([&] { return check_motion(**family, method, track.keys); });
+  const auto checked =
+      check(options).and_then([&] { return check_motion(**family, method, track.keys); }).and_then([&] {
+        return check_limits(**family, method, track.keys, options);
+      });
   if (!checked) return tl::unexpected(checked.error());
-  if (limits.acceleration || limits.torque)
-    if (auto smooth = check_continuity(**family, method, track.keys, options.slowing); !smooth)
-      return tl::unexpected(std::move(smooth.error()));
   const bool per_interval = options.slowing == Slowing::per_interval;
   OpenEndedWork work(progress,
                      usual_rounds + (per_interval ? curves_for_interval_times((*family)->support_keys) : 0.0));
-  const LimitedMotion motion(method, track.keys, limits, work);
-  return least_slowed(motion, (*family)->support_keys, options.slowing).and_then([&](Slowed slowed) {
+  const LimitedMotion motion(method, track.keys, limits, options.shorten_rests, work);
+  auto retimed = options.duration                ? lasting(motion, *options.duration)
+                 : quantities_of(limits).empty() ? Expected<Slowed>(as_given(motion))
+                                                 : least_slowed(motion, (*family)->support_keys, options.slowing);
+  return std::move(retimed).and_then([&](Slowed slowed) {
     return track.with_times(std::move(slowed.times)).map([&](Track later) {
       later.settings = settings_per_key(method, later.keys.size());
       later.recipe = recipe_for(method, later);
       work.finish();
-      std::vector<Warning> warnings = limits.inertia ? warnings_of(*limits.inertia) : std::vector<Warning>();
-      if (slowed.slack > promised_slack) warnings.push_back(loose_bounds(method.name, slowed.slack));
-      std::ranges::move(warnings_of(method, later), std::back_inserter(warnings));
-      return Retiming{.track = std::move(later),
-                      .method = method,
-                      .time_scale = slowed.time_scale,
-                      .slack = slowed.slack,
-                      .slowing = slowed.slowing,
-                      .peaks = std::move(slowed.peaks),
-                      .warnings = std::move(warnings)};
+      Retiming retiming{.track = std::move(later),
+                        .method = method,
+                        .time_scale = slowed.time_scale,
+                        .slack = slowed.slack,
+                        .slowing = slowed.slowing,
+                        .peaks = std::move(slowed.peaks)};
+      const auto& keys = retiming.track.keys;
+      if (options.shorten_rests || options.duration)
+        retiming.time_scale =
+            (keys.times().back() - keys.times().front()) / (track.keys.times().back() - track.keys.times().front());
+      for (std::size_t i = 0; i + 1 < keys.size(); ++i)
+        if (motion.is_rest(i)) retiming.rests.push_back(i);
+      retiming.warnings = warnings_of(retiming, limits);
+      return retiming;
     });
   });
 }

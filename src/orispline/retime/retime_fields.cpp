@@ -6,7 +6,32 @@
 #include <orispline/fields/field_codec.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
+
+template <>
+struct FieldCodec<Limit> {
+  static constexpr FieldType type = FieldType::limit;
+  static FieldValue value(const Limit& limit) { return Measured{limit.sizes, limit.stated_in}; }
+  static bool assign(Limit& member, const FieldValue& value) {
+    Measured measured;
+    if (const double* number = std::get_if<double>(&value)) measured.numbers = {*number};
+    else if (const auto* numbers = std::get_if<std::vector<double>>(&value)) measured.numbers = *numbers;
+    else if (const Measured* whole = std::get_if<Measured>(&value)) measured = *whole;
+    if (measured.numbers.size() != 1 && measured.numbers.size() != 3) return false;
+    member.sizes = std::move(measured.numbers);
+    member.stated_in = measured.stated_in;
+    return true;
+  }
+};
+
 namespace {
+
+/// A limit of RetimeOptions.
+template <auto Member>
+constexpr FieldInfo limit(std::string_view name, std::string_view sentence, const Quantity& quantity,
+                          std::string_view example) {
+  return field<&RetimeOptions::limits, Member>(
+      {.name = name, .sentence = sentence, .quantity = &quantity, .range = positive, .example = example});
+}
 
 double duration_of(const Track& track) {
   return track.keys.size() == 0 ? 0.0 : track.keys.times().back() - track.keys.times().front();
@@ -17,22 +42,30 @@ double duration_of(const Track& track) {
 template <>
 std::span<const FieldInfo> fields_of<RetimeOptions>() noexcept {
   static constexpr std::array fields{
-      field<&RetimeOptions::limits, &MotionLimits::rate>({.name = "max_rate",
-                                                          .sentence = "Largest angular velocity",
-                                                          .quantity = &quantities::rate,
-                                                          .range = positive}),
-      field<&RetimeOptions::limits, &MotionLimits::acceleration>({.name = "max_acceleration",
-                                                                  .sentence = "Largest angular acceleration",
-                                                                  .quantity = &quantities::acceleration,
-                                                                  .range = positive}),
-      field<&RetimeOptions::limits, &MotionLimits::torque>(
-          {.name = "max_torque",
-           .sentence = "Largest torque, of a body with the given inertia",
-           .quantity = &quantities::torque,
-           .range = positive}),
+      limit<&MotionLimits::rate>("max_rate", "Largest angular velocity", quantities::rate,
+                                 "90deg/s, or 90,60,120deg/s about x, y and z of the body"),
+      limit<&MotionLimits::acceleration>("max_acceleration", "Largest angular acceleration", quantities::acceleration,
+                                         "200deg/s2, or three about the axes"),
+      limit<&MotionLimits::jerk>("max_jerk", "Largest angular jerk, the derivative of that", quantities::jerk,
+                                 "2000deg/s3, or three"),
+      limit<&MotionLimits::torque>("max_torque", "Largest torque, of a body with the given inertia", quantities::torque,
+                                   "0.5Nm, or three"),
       field<&RetimeOptions::limits, &MotionLimits::inertia>(
           {.name = "inertia", .sentence = "Inertia of the body, for the torque", .quantity = &quantities::inertia}),
+      limit<&MotionLimits::speed>("max_speed", "Largest speed of the position", quantities::speed,
+                                  "0.5m/s, or three along the axes of the world"),
+      limit<&MotionLimits::linear_acceleration>("max_linear_acceleration", "Largest acceleration of the position",
+                                                quantities::linear_acceleration, "2m/s2, or three"),
+      field<&RetimeOptions::duration>({.name = "duration",
+                                       .sentence = "Duration from the first key to the last, which is met exactly",
+                                       .quantity = &quantities::duration,
+                                       .range = positive}),
       field<&RetimeOptions::slowing>({.name = "slowing", .sentence = "Which intervals between keys are slowed"}),
+      field<&RetimeOptions::shorten_rests>({.name = "shorten_rests",
+                                            .sentence = "Rests between equal keys that are longer are cut to this",
+                                            .quantity = &quantities::duration,
+                                            .range = positive,
+                                            .absent = "rests keep their duration"}),
   };
   return fields;
 }
@@ -45,7 +78,8 @@ std::span<const FieldInfo> fields_of<Retiming>() noexcept {
       field<&Retiming::track, &Track::keys, &Keyframes::size>({.name = "keys", .sentence = "Number of keys"}),
       field<&Retiming::track, &duration_of>(
           {.name = "duration_after", .sentence = "From the first key to the last", .quantity = &quantities::time}),
-      field<&Retiming::time_scale>({.name = "time_scale", .sentence = "That duration over the one before, at least 1"}),
+      field<&Retiming::time_scale>({.name = "time_scale", .sentence = "That duration over the one before"}),
+      field<&Retiming::rests>({.name = "rests", .sentence = "After which keys the body rests until the next"}),
       field<&Retiming::slack>(
           {.name = "slack",
            .sentence = "By which share less slowing might do, for the largest values found lie below the limits"}),

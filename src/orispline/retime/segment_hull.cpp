@@ -9,37 +9,7 @@ namespace {
 
 using Orders = std::array<double, 5>;  // of order 0 to 4
 
-HullDerivatives derivatives_of(const BernsteinForm& form, std::size_t degree, double duration) {
-  HullDerivatives all{HullPolynomial{form, degree}};
-  for (std::size_t order = 1; order < all.size(); ++order) {
-    const HullPolynomial& before = all[order - 1];
-    HullPolynomial& next = all[order];
-    next.degree = before.degree > 0 ? before.degree - 1 : 0;
-    const double factor = static_cast<double>(before.degree) / duration;
-    for (std::size_t i = 0; i < before.degree; ++i)
-      next.form.coefficients[i] = factor * (before.form.coefficients[i + 1] - before.form.coefficients[i]);
-  }
-  return all;
-}
-
-/// The same polynomial over a part of [0, 1], by de Casteljau's algorithm.
-HullPolynomial restricted(HullPolynomial p, double start, double end) {
-  auto& c = p.form.coefficients;
-  for (std::size_t r = 1; r <= p.degree; ++r)
-    for (std::size_t i = p.degree; i >= r; --i) c[i] = (1.0 - end) * c[i - 1] + end * c[i];
-  const double place = end > 0.0 ? start / end : 0.0;
-  for (std::size_t r = 1; r <= p.degree; ++r)
-    for (std::size_t i = 0; i + r <= p.degree; ++i) c[i] = (1.0 - place) * c[i] + place * c[i + 1];
-  return p;
-}
-
-double largest(const HullPolynomial& p) {
-  double value = 0.0;
-  for (std::size_t i = 0; i <= p.degree; ++i) value = std::max(value, std::abs(p.form.coefficients[i]));
-  return value;
-}
-
-using Three = std::array<HullPolynomial, 3>;
+using Three = HullVector;
 
 /// Σ weight polynomial, the three of one degree.
 HullPolynomial sum_of(const Three& p, const std::array<double, 3>& weights) {
@@ -54,22 +24,15 @@ Three restricted(const std::array<HullDerivatives, 3>& parts, std::size_t order,
           restricted(parts[2][order], start, end)};
 }
 
-Eigen::Vector3d coefficient(const Three& components, std::size_t i) {
-  return {components[0].form.coefficients[i], components[1].form.coefficients[i], components[2].form.coefficients[i]};
-}
-
-/// The longest vector of these components.
-double longest(const Three& components) {
-  double length = 0.0;
-  for (std::size_t i = 0; i <= components[0].degree; ++i) length = std::max(length, coefficient(components, i).norm());
-  return length;
-}
+struct JerkAndSnap {
+  double jerk, snap;
+};
 
 /// Of a product of exponentials whose exponents, halved, have derivatives below these.
-double snap_of(const Orders& a) {
+JerkAndSnap jerk_and_snap_of(const Orders& a) {
   const double q1 = a[1], q2 = a[2] + a[1] * a[1], q3 = a[3] + 3.0 * a[1] * a[2] + a[1] * a[1] * a[1];
   const double q4 = a[4] + 4.0 * a[1] * a[3] + 3.0 * a[2] * a[2] + 6.0 * a[1] * a[1] * a[2] + q1 * q1 * q1 * q1;
-  return 2.0 * (q4 + 4.0 * q1 * q3 + 3.0 * q2 * q2);
+  return {2.0 * (q3 + 3.0 * q1 * q2), 2.0 * (q4 + 4.0 * q1 * q3 + 3.0 * q2 * q2)};
 }
 
 constexpr double rounded_up = 1.0 + 1e-12;
@@ -101,7 +64,7 @@ std::optional<SegmentHull> SegmentHull::of(const SegmentForm& form, double durat
 
 HullBounds SegmentHull::on(double start, double end) const {
   const HullBounds b = is_chart_ ? chart_on(start, end) : product_on(start, end);
-  return {b.rate * rounded_up, b.acceleration * rounded_up, b.snap * rounded_up};
+  return {b.rate * rounded_up, b.acceleration * rounded_up, b.jerk * rounded_up, b.snap * rounded_up};
 }
 
 HullBounds SegmentHull::rounding() const {
@@ -110,7 +73,8 @@ HullBounds SegmentHull::rounding() const {
   const double per_time = 2.0 * static_cast<double>(parts_[0][0].degree) / duration_;
   const HullBounds whole = on(0.0, 1.0);
   return {rounding_share * (size * per_time + whole.rate),
-          rounding_share * (size * per_time * per_time + whole.acceleration), 0.0};
+          rounding_share * (size * per_time * per_time + whole.acceleration),
+          rounding_share * (size * per_time * per_time * per_time + whole.jerk), 0.0};
 }
 
 HullBounds SegmentHull::product_on(double start, double end) const {
@@ -126,9 +90,10 @@ HullBounds SegmentHull::product_on(double start, double end) const {
   const auto size_of = [this](const Three& p) {
     return 0.5 * (lengths_[0] * largest(p[0]) + lengths_[1] * largest(p[1]) + lengths_[2] * largest(p[2]));
   };
-  return {rate, acceleration,
-          snap_of({0.0, size_of(first), size_of(second), size_of(restricted(parts_, 3, start, end)),
-                   size_of(restricted(parts_, 4, start, end))})};
+  const auto [jerk, snap] =
+      jerk_and_snap_of({0.0, size_of(first), size_of(second), size_of(restricted(parts_, 3, start, end)),
+                        size_of(restricted(parts_, 4, start, end))});
+  return {rate, acceleration, jerk, snap};
 }
 
 HullBounds SegmentHull::chart_on(double start, double end) const {
@@ -144,9 +109,10 @@ HullBounds SegmentHull::chart_on(double start, double end) const {
     const double area = p.cross(velocity).norm() + radius * longest(restricted(parts_, 0, start, end)) * change;
     turning = std::min(turning, area * std::min(1.0, 5.2 / shortest) / shortest);
   }
-  return {speed, change + speed * turning,
-          snap_of({0.0, 0.5 * speed, 0.5 * change, 0.5 * longest(restricted(parts_, 3, start, end)),
-                   0.5 * longest(restricted(parts_, 4, start, end))})};
+  const auto [jerk, snap] =
+      jerk_and_snap_of({0.0, 0.5 * speed, 0.5 * change, 0.5 * longest(restricted(parts_, 3, start, end)),
+                        0.5 * longest(restricted(parts_, 4, start, end))});
+  return {speed, change + speed * turning, jerk, snap};
 }
 
 }  // namespace orispline::inline ORISPLINE_ABI

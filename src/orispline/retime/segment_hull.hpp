@@ -4,21 +4,15 @@
 #include <array>
 #include <optional>
 
-#include <orispline/curve/segment_form.hpp>
+#include <orispline/retime/hull_polynomial.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
 
-/// What the motion is nowhere above: |ω| [rad/s], |α| [rad/s²] and the snap, the derivative of the jerk [rad/s⁴].
+/// What the motion is nowhere above: |ω| [rad/s], |α| [rad/s²], the jerk [rad/s³] and the snap, its derivative
+/// [rad/s⁴].
 struct HullBounds {
-  double rate, acceleration, snap;
+  double rate, acceleration, jerk, snap;
 };
-
-/// A polynomial of u in [0, 1], in Bernstein form.
-struct HullPolynomial {
-  BernsteinForm form;
-  std::size_t degree;
-};
-using HullDerivatives = std::array<HullPolynomial, 5>;  ///< in time, of orders 0 to 4
 
 /// The segment's polynomials, whose values lie in the hulls of their coefficients. Source: our own derivation,
 /// docs/retime.md.
@@ -29,7 +23,7 @@ class SegmentHull {
 
   /// Bounds for u from `start` to `end` in [0, 1].
   [[nodiscard]] HullBounds on(double start, double end) const;
-  /// By so much evaluated ω and α may be off; none of the snap.
+  /// By so much evaluated ω, α and jerk may be off; none of the snap.
   [[nodiscard]] HullBounds rounding() const;
 
  private:
