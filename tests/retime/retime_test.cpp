@@ -16,18 +16,6 @@ namespace {
 
 double angle_between(const Eigen::Quaterniond& p, const Eigen::Quaterniond& q) { return increment(p, q).norm(); }
 
-/// Turns about one axis by angles at even times up to 1 s.
-template <class Angle>
-Keyframes turning(Angle angle, std::size_t segments) {
-  KeyframeData data;
-  for (std::size_t i = 0; i <= segments; ++i) {
-    const double u = static_cast<double>(i) / static_cast<double>(segments);
-    data.times.push_back(u);
-    data.orientations.push_back(exp<double>(angle(u) * Eigen::Vector3d(0.6, 0.0, 0.8)));
-  }
-  return Keyframes::make(std::move(data)).value();
-}
-
 TEST(Retime, UniformSlowingKeepsThePathAndScalesTheRates) {
   const Keyframes keys = random_keys(11, {8, 2.0, 20.0});
   for (const std::string_view method : {"auto", "timed-c2", "timed-sextic", "rotation-spline"}) {
@@ -128,11 +116,6 @@ TEST(Retime, IntervalsOfGeodesicsTakeWhatTheyMust) {
   EXPECT_LE(slow.track.keys.times().back(), least * 1.002);
 }
 
-std::string error(std::string_view method, const Keyframes& keys, const MotionLimits& limits) {
-  const auto retiming = retime(keys, method, {.limits = limits});
-  return retiming ? std::string("none") : describe(retiming.error());
-}
-
 TEST(Retime, SaysHowItSlowed) {
   const Keyframes keys = random_keys(4, {40, 2.5, 30.0}), steady = turning([](double u) { return u; }, 4);
   EXPECT_EQ(retimed("slerp", keys, {.rate = 1.0}, Slowing::uniform).slowing, Slowing::uniform);
@@ -193,170 +176,6 @@ TEST(Retime, RefusesMethodsThatNoSlowingHelps) {
   const auto one = Keyframes::make({.times = {0}, .orientations = {Eigen::Quaterniond::Identity()}}).value();
   EXPECT_EQ(error("auto", one, {.rate = 1.0}), "found 1 key, wanted 2 at least: one key does not move");
   EXPECT_TRUE(error("nothing", keys, {.rate = 1.0}).starts_with("no method 'nothing', wanted one of auto"));
-}
-
-/// From rest to rest and on, by 2 rad about one axis each: equal keys for 1 s, then eight segments of 1/8 s.
-Keyframes stop_and_go(std::size_t slews) {
-  KeyframeData data;
-  double t = 0.0, angle = 0.0;
-  const auto add = [&](double to) {
-    data.times.push_back(t);
-    data.orientations.push_back(exp<double>(to * Eigen::Vector3d(0.6, 0.0, 0.8)));
-  };
-  add(angle);
-  for (std::size_t slew = 0; slew < slews; ++slew) {
-    t += 1.0;
-    add(angle);
-    for (int i = 1; i <= 8; ++i) {
-      const double u = i / 8.0;
-      t += 0.125;
-      add(angle + 2.0 * u * u * u * (10.0 + u * (-15.0 + 6.0 * u)));
-    }
-    angle += 2.0;
-  }
-  t += 1.0;
-  add(angle);
-  return Keyframes::make(data).value();
-}
-
-TEST(Retime, KeepsTheDurationOfRests) {
-  const Keyframes keys = stop_and_go(3);
-  const Method holding = holding_rests("auto", keys);
-  EXPECT_EQ(holding.options.parameters.at("hold"), std::vector<double>{1.0});
-  for (const Slowing slowing : {Slowing::uniform, Slowing::per_interval}) {
-    const Retiming slow =
-        retime(keys, holding, {.limits = {.rate = 1.0, .acceleration = 4.0}, .slowing = slowing}).value();
-    EXPECT_EQ(slow.rests, (std::vector<std::size_t>{0, 9, 18, 27}));
-    const auto t = slow.track.keys.times();
-    for (const std::size_t i : slow.rests) EXPECT_NEAR(t[i + 1] - t[i], 1.0, 1e-12);
-    EXPECT_TRUE(slow.warnings.empty()) << describe(slow.warnings.front());
-    const AnyCurve curve = make_curve(slow.method, slow.track.keys).value();
-    const MotionSizes peaks = sampled(curve);
-    EXPECT_LE(peaks.rate, 1.0);
-    EXPECT_LE(peaks.acceleration, 4.0);
-    EXPECT_GE(std::max(peaks.rate, peaks.acceleration / 4.0), 1.0 - 3e-4);
-    for (const std::size_t i : slow.rests)
-      EXPECT_LE(curve.motion(0.5 * (t[i] + t[i + 1])).angular_velocity.norm(), 1e-12);
-  }
-}
-
-TEST(Retime, ShortensRestsOnRequest) {
-  const Keyframes keys = stop_and_go(2);
-  const Retiming shorter = retime(keys, holding_rests("auto", keys), {.shorten_rests = 0.25}).value();
-  EXPECT_NEAR(shorter.time_scale, (2.0 + 3.0 * 0.25) / 5.0, 1e-12);
-  const auto t = shorter.track.keys.times();
-  for (const std::size_t i : shorter.rests) EXPECT_NEAR(t[i + 1] - t[i], 0.25, 1e-12);
-  const Retiming same = retime(keys, holding_rests("auto", keys), {.shorten_rests = 2.0}).value();
-  EXPECT_EQ(same.time_scale, 1.0);
-  EXPECT_TRUE(std::ranges::equal(same.track.keys.times(), keys.times()));
-}
-
-TEST(Retime, WarnsOfMotionInRests) {
-  const Keyframes keys = stop_and_go(2);
-  const Retiming moving = retimed("timed-c2", keys, {.rate = 1.0});
-  ASSERT_EQ(moving.warnings.size(), 1u);
-  EXPECT_EQ(moving.warnings[0].code, "moving_rests");
-  EXPECT_EQ(moving.warnings[0].number("rests"), 3);
-  const auto t = moving.track.keys.times();
-  for (const std::size_t i : moving.rests) EXPECT_NEAR(t[i + 1] - t[i], 1.0, 1e-12);
-  EXPECT_LE(sampled(curve_of("timed-c2", moving)).rate, 1.0);
-}
-
-TEST(Retime, TakesKeysForARestThatAreEqualButForRounding) {
-  const auto turned = [](double angle) { return exp<double>(angle * Eigen::Vector3d::UnitX()); };
-  const auto rest_of = [&](double angle, double length) {
-    return Keyframes::make({.times = {0, 1, 2, 3},
-                            .orientations = {turned(0), turned(1), turned(1 + angle), turned(2)},
-                            .positions = {{0, 0, 0}, {1, 0, 0}, {1 + length, 0, 0}, {2, 0, 0}}})
-        .value()
-        .rests_after(1);
-  };
-  EXPECT_TRUE(rest_of(0.0, 0.0));
-  EXPECT_TRUE(rest_of(2e-6, 0.0));
-  EXPECT_TRUE(rest_of(0.999e-5, 0.999e-6));
-  EXPECT_FALSE(rest_of(1.001e-5, 0.0));
-  EXPECT_FALSE(rest_of(0.0, 1.001e-6));
-  EXPECT_FALSE(rest_of(0.0, 1.0));
-}
-
-TEST(Retime, LimitsTheJerk) {
-  const Keyframes slew = turning([](double u) { return 2.0 * u * u * u * (10.0 + u * (-15.0 + 6.0 * u)); }, 24);
-  const double jerk = sampled(make_curve("auto", slew).value()).jerk;
-  EXPECT_NEAR(retimed("auto", slew, {.jerk = jerk / 125.0}).time_scale, 5.0, 1e-3);
-  const Keyframes keys = random_keys(31, {12, 2.0, 20.0});
-  for (const Slowing slowing : {Slowing::uniform, Slowing::per_interval}) {
-    const Retiming slow = retimed("timed-c2", keys, {.rate = 1.0, .jerk = 8.0}, slowing);
-    const MotionSizes peaks = sampled(curve_of("timed-c2", slow));
-    EXPECT_LE(peaks.rate, 1.0);
-    EXPECT_LE(peaks.jerk, 8.0);
-  }
-  EXPECT_EQ(
-      error("timed-c1", keys, {.jerk = 1.0}),
-      "timed-c1: its angular acceleration jumps at keys, which no slowing brings within a limit of jerk, wanted a "
-      "method that is C2, such as auto");
-}
-
-TEST(Retime, LimitsComponentsAboutTheAxes) {
-  const Keyframes keys = random_keys(32, {12, 2.0, 20.0});
-  const Eigen::Vector3d most(0.5, 0.8, 1.1);
-  for (const Slowing slowing : {Slowing::uniform, Slowing::per_interval}) {
-    const Retiming slow = retimed("auto", keys, {.rate = most}, slowing);
-    const AnyCurve curve = curve_of("auto", slow);
-    double used = 0.0;
-    for (int i = 0; i <= 20000; ++i) {
-      const auto [start, end] = curve.domain();
-      used = std::max(
-          used,
-          curve.motion(start + i * (end - start) / 20000).angular_velocity.cwiseQuotient(most).cwiseAbs().maxCoeff());
-    }
-    EXPECT_LE(used, 1.0);
-    EXPECT_GE(used, 1.0 - 3e-3);
-  }
-}
-
-TEST(Retime, LimitsThePosition) {
-  const Keyframes turning_keys = random_keys(33, {10, 1.0, 10.0});
-  KeyframeData data{.times = {turning_keys.times().begin(), turning_keys.times().end()},
-                    .orientations = {turning_keys.orientations().begin(), turning_keys.orientations().end()}};
-  std::mt19937 random(33);
-  std::uniform_real_distribution<double> place(-1.0, 1.0);
-  for (std::size_t i = 0; i < data.times.size(); ++i)
-    data.positions.emplace_back(place(random), place(random), place(random));
-  const Keyframes keys = Keyframes::make(data).value();
-  const Retiming slow = retimed("auto", keys, {.speed = 0.2, .linear_acceleration = 0.1});
-  const PoseCurve curve = make_pose_curve("auto", slow.track.keys).value();
-  double speed = 0.0, acceleration = 0.0;
-  for (int i = 0; i <= 40000; ++i) {
-    const LinearMotion m =
-        curve.position->linear_motion(slow.track.keys.times().back() * static_cast<double>(i) / 40000.0);
-    speed = std::max(speed, m.velocity.norm());
-    acceleration = std::max(acceleration, m.acceleration.norm());
-  }
-  EXPECT_LE(speed, 0.2);
-  EXPECT_LE(acceleration, 0.1);
-  EXPECT_GE(std::max(speed / 0.2, acceleration / 0.1), 1.0 - 1e-3);
-  EXPECT_EQ(error("auto", turning_keys, {.speed = 1.0}),
-            "max_speed: the keys have no positions, wanted px,py,pz as well");
-}
-
-TEST(Retime, MeetsADuration) {
-  const Keyframes keys = stop_and_go(2);
-  const Method holding = holding_rests("auto", keys);
-  for (const double duration : {4.0, 5.0, 20.0}) {
-    const Retiming lasting = retime(keys, holding, {.duration = duration}).value();
-    EXPECT_EQ(lasting.track.keys.times().back(), duration);
-    EXPECT_NEAR(lasting.time_scale, duration / 5.0, 1e-15);
-    for (const std::size_t i : lasting.rests)
-      EXPECT_NEAR(lasting.track.keys.times()[i + 1] - lasting.track.keys.times()[i], 1.0, 1e-12);
-  }
-  const auto refused = [&](const RetimeOptions& options) { return describe(retime(keys, holding, options).error()); };
-  EXPECT_EQ(refused({.duration = 2.5}),
-            "duration: found 2.5 s, and the rests alone take 3 s of 5 s; wanted more, or `shorten_rests` as well");
-  EXPECT_TRUE(refused({.limits = {.rate = 1.0}, .duration = 5.0})
-                  .starts_with("duration: in 5 s the motion exceeds its limits, wanted some 10.5"));
-  EXPECT_TRUE(retime(keys, holding, {.limits = {.rate = 1.0}, .duration = 12.0}));
-  EXPECT_EQ(refused({.slowing = Slowing::per_interval, .duration = 5.0}),
-            "duration: all intervals are scaled alike for it, wanted no slowing of each by itself");
 }
 
 TEST(Retime, IsFollowedAndStopped) {

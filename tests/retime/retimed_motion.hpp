@@ -75,4 +75,21 @@ inline MotionSizes sampled(const AnyCurve& curve) {
   return largest;
 }
 
+/// Turns about one axis by angles at even times up to 1 s.
+template <class Angle>
+[[nodiscard]] Keyframes turning(Angle angle, std::size_t segments) {
+  KeyframeData data;
+  for (std::size_t i = 0; i <= segments; ++i) {
+    const double u = static_cast<double>(i) / static_cast<double>(segments);
+    data.times.push_back(u);
+    data.orientations.push_back(exp<double>(angle(u) * Eigen::Vector3d(0.6, 0.0, 0.8)));
+  }
+  return Keyframes::make(std::move(data)).value();
+}
+
+[[nodiscard]] inline std::string error(std::string_view method, const Keyframes& keys, const MotionLimits& limits) {
+  const auto retiming = retime(keys, method, {.limits = limits});
+  return retiming ? std::string("none") : describe(retiming.error());
+}
+
 }  // namespace orispline

@@ -2,167 +2,19 @@
 #include <orispline/retime/rate_bounds.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
-#include <orispline/analysis/torque.hpp>
 #include <orispline/base/parallel.hpp>
-#include <orispline/batch/sample.hpp>
-#include <orispline/retime/path_hull.hpp>
-#include <orispline/retime/segment_hull.hpp>
+#include <orispline/retime/bounded_motion.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
-using Vector = LimitedQuantity::Vector;
-
-constexpr double gap = 1e-4;  // of a bound above the largest value found, relative
-/// Of an increment so much is rounding [rad]: that of two keys, also when they are written, read and normalised again.
-constexpr double rounding_of_keys = 16.0 * std::numeric_limits<double>::epsilon();
+constexpr double gap = 1e-4;           // of a bound above the largest value found, relative
 constexpr std::size_t keys_near = 3;   // so many segments away a short step still shapes the curve
 constexpr std::size_t first_cuts = 4;  // of a segment
 /// Parts that the segments of a curve are cut into, all together, and those of each that it has in any case.
 constexpr std::size_t most_parts = std::size_t{1} << 20, fewest_parts = std::size_t{1} << 10;
-
-/// The larger size at the ends of the line a ± b r.
-double largest(const LimitedQuantity& quantity, const Eigen::Vector3d& a, const Eigen::Vector3d& b, double r) {
-  return std::max(quantity.size_of(a + b * r), quantity.size_of(a - b * r));
-}
-
-/// A part of a segment in its two units.
-struct Stretch {
-  double middle, radius;  ///< [s]
-  double start, end;      ///< of u in [0, 1]
-};
-
-/// Turning on one segment: quantities at a time, and bounds of them around it.
-class Turning {
- public:
-  Turning(const AnyCurve& curve, std::size_t segment, const SegmentHull& hull, const MotionQuantities& quantities)
-      : curve_(curve),
-        segment_(segment),
-        hull_(hull),
-        rounding_(hull.rounding()),
-        quantities_(quantities.all),
-        inertia_(quantities.inertia.value_or(Eigen::Matrix3d::Zero())),
-        weight_(inertia_.norm()) {}
-
-  void go_to(double t) { m_ = curve_.motion_on(segment_, t); }
-
-  [[nodiscard]] double size(std::size_t k) const {
-    const LimitedQuantity& quantity = quantities_[k];
-    switch (quantity.vector) {
-      case Vector::rate:
-        return quantity.size_of(m_.angular_velocity);
-      case Vector::acceleration:
-        return quantity.size_of(m_.angular_acceleration);
-      case Vector::jerk:
-        return quantity.size_of(m_.angular_jerk);
-      case Vector::torque:
-        return quantity.size_of(torque(m_, inertia_));
-      default:
-        return 0.0;
-    }
-  }
-
-  /// Of all times in the part, in whose middle the motion is.
-  [[nodiscard]] QuantitySizes bounds(const Stretch& part) const {
-    const HullBounds hull = hull_.on(part.start, part.end);
-    const double r = part.radius, jerk = m_.angular_jerk.norm();
-    const double bend_of_rate = (0.5 * jerk + hull.snap * r / 6.0) * r * r,
-                 bend_of_acceleration = 0.5 * hull.snap * r * r;
-    QuantitySizes sizes{};
-    for (std::size_t k = 0; k < quantities_.size(); ++k) {
-      const LimitedQuantity& quantity = quantities_[k];
-      if (quantity.vector == Vector::rate)
-        sizes[k] =
-            std::min(hull.rate, largest(quantity, m_.angular_velocity, m_.angular_acceleration, r) + bend_of_rate) +
-            rounding_.rate;
-      if (quantity.vector == Vector::acceleration)
-        sizes[k] = std::min(hull.acceleration,
-                            largest(quantity, m_.angular_acceleration, m_.angular_jerk, r) + bend_of_acceleration) +
-                   rounding_.acceleration;
-      if (quantity.vector == Vector::jerk)
-        sizes[k] = std::min(hull.jerk, quantity.size_of(m_.angular_jerk) + hull.snap * r) + rounding_.jerk;
-      if (quantity.vector == Vector::torque) sizes[k] = torque_bound(quantity, r, hull);
-    }
-    return sizes;
-  }
-
-  /// With what the rounding of the keys makes of the shortest step near the segment.
-  void round(SegmentPeaks& peaks, double shortest) const {
-    const double rate = rounding_of_keys / shortest, acceleration = rate / shortest;
-    double fastest = 0.0;
-    for (std::size_t k = 0; k < quantities_.size(); ++k) {
-      const Vector vector = quantities_[k].vector;
-      if (vector == Vector::rate) peaks[k].bound += rate;
-      if (vector == Vector::acceleration) peaks[k].bound += acceleration;
-      if (vector == Vector::jerk) peaks[k].bound += acceleration / shortest;
-      if (vector == Vector::rate) fastest = std::max(fastest, peaks[k].bound);
-    }
-    for (std::size_t k = 0; k < quantities_.size(); ++k)
-      if (quantities_[k].vector == Vector::torque)
-        peaks[k].bound += weight_ * (acceleration + 2.0 * std::max(fastest, hull_.on(0.0, 1.0).rate) * rate);
-  }
-
- private:
-  [[nodiscard]] double torque_bound(const LimitedQuantity& quantity, double r, const HullBounds& hull) const {
-    const double jerk = m_.angular_jerk.norm();
-    const auto longest = [r](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-      return std::max((a + b * r).norm(), (a - b * r).norm());
-    };
-    const double rate = std::min(hull.rate, longest(m_.angular_velocity, m_.angular_acceleration) +
-                                                (0.5 * jerk + hull.snap * r / 6.0) * r * r) +
-                        rounding_.rate;
-    const double acceleration =
-        std::min(hull.acceleration, longest(m_.angular_acceleration, m_.angular_jerk) + 0.5 * hull.snap * r * r) +
-        rounding_.acceleration;
-    const double bend = weight_ * (hull.snap + 2.0 * ((jerk + hull.snap * r) * rate + acceleration * acceleration));
-    const double along = largest(quantity, torque(m_, inertia_), torque_rate(m_, inertia_), r) + 0.5 * bend * r * r +
-                         weight_ * (rounding_.acceleration + 2.0 * rate * rounding_.rate);
-    return std::min(along, weight_ * (acceleration + rate * rate));
-  }
-
-  const AnyCurve& curve_;
-  std::size_t segment_;
-  const SegmentHull& hull_;
-  HullBounds rounding_;
-  std::span<const LimitedQuantity> quantities_;
-  Eigen::Matrix3d inertia_;
-  double weight_;
-  Motion m_{};
-};
-
-/// The position on one segment, likewise.
-class Moving {
- public:
-  Moving(const AnyPath& path, std::size_t segment, const PathHull& hull, const MotionQuantities& quantities)
-      : path_(path), segment_(segment), hull_(hull), quantities_(quantities.all) {}
-
-  void go_to(double t) { m_ = path_.linear_motion_on(segment_, t); }
-
-  [[nodiscard]] double size(std::size_t k) const {
-    const LimitedQuantity& quantity = quantities_[k];
-    if (quantity.vector == Vector::speed) return quantity.size_of(m_.velocity);
-    return quantity.vector == Vector::linear_acceleration ? quantity.size_of(m_.acceleration) : 0.0;
-  }
-
-  [[nodiscard]] QuantitySizes bounds(const Stretch& part) const {
-    QuantitySizes sizes{};
-    for (std::size_t k = 0; k < quantities_.size(); ++k)
-      if (quantities_[k].is_of_position()) sizes[k] = hull_.bound(quantities_[k], part.start, part.end);
-    return sizes;
-  }
-
-  void round(SegmentPeaks&, double) const {}
-
- private:
-  const AnyPath& path_;
-  std::size_t segment_;
-  const PathHull& hull_;
-  std::span<const LimitedQuantity> quantities_;
-  LinearMotion m_{};
-};
 
 /// A part of a segment, and what the motion is nowhere above on it.
 struct Part {
@@ -307,57 +159,7 @@ bool is_of_polynomials(const PoseCurve& curve, std::span<const LimitedQuantity> 
                     curve.position->knots().segments() == curve.orientation.knots().segments());
 }
 
-Eigen::Vector3d vector_at(const std::vector<double>& numbers, std::size_t k) {
-  return numbers.empty() ? Eigen::Vector3d::Zero().eval() : Eigen::Vector3d(&numbers[3 * k]);
-}
-
 }  // namespace
-
-std::vector<QuantitySizes> sampled_peaks(const PoseCurve& curve, const MotionQuantities& quantities) {
-  constexpr std::size_t cuts = 16, places = cuts + 1;
-  const Knots& knots = curve.orientation.knots();
-  std::vector<QuantitySizes> peaks(knots.segments(), QuantitySizes{});
-  std::vector<double> times;
-  for (std::size_t s = 0; s < peaks.size(); ++s) {
-    const KnotSpan span = knots.span(s);
-    const double step = span.step() / static_cast<double>(cuts);
-    const double last = std::nextafter(span.end(), span.start());  // the end itself belongs to the next segment
-    for (std::size_t i = 0; i < places; ++i)
-      times.push_back(std::min(span.start() + static_cast<double>(i) * step, last));
-  }
-  std::array<std::vector<double>, 6> found;  // by what is limited; the torque needs the first two
-  const auto wants = [&](Vector vector) {
-    return std::ranges::count(quantities.all, vector, &LimitedQuantity::vector) > 0;
-  };
-  const auto room = [&](Vector vector, bool wanted) {
-    auto& numbers = found[static_cast<std::size_t>(vector)];
-    if (wanted) numbers.resize(3 * times.size());
-    return std::span<double>(numbers);
-  };
-  std::vector<double> orientations(4 * times.size());
-  const Samples<double> out{.orientations = orientations,
-                            .angular_velocities = room(Vector::rate, true),
-                            .angular_accelerations = room(Vector::acceleration, true),
-                            .angular_jerks = room(Vector::jerk, wants(Vector::jerk)),
-                            .velocities = room(Vector::speed, wants(Vector::speed)),
-                            .accelerations = room(Vector::linear_acceleration, wants(Vector::linear_acceleration))};
-  // No times that decrease, no sizes that differ: no error.
-  static_cast<void>(wants_positions(out) ? sample<double>(curve, times, out, {.threads = 0})
-                                         : sample<double>(curve.orientation, times, out, {.threads = 0}));
-  const auto& rates = found[static_cast<std::size_t>(Vector::rate)];
-  const auto& accelerations = found[static_cast<std::size_t>(Vector::acceleration)];
-  for (std::size_t k = 0; k < times.size(); ++k)
-    for (std::size_t i = 0; i < quantities.all.size(); ++i) {
-      const LimitedQuantity& quantity = quantities.all[i];
-      Eigen::Vector3d v = vector_at(found[static_cast<std::size_t>(quantity.vector)], k);
-      if (quantity.vector == Vector::torque && quantities.inertia)
-        v = torque(Motion{.angular_velocity = vector_at(rates, k), .angular_acceleration = vector_at(accelerations, k)},
-                   *quantities.inertia);
-      double& largest_found = peaks[k / places][i];
-      largest_found = std::max(largest_found, quantity.size_of(v));
-    }
-  return peaks;
-}
 
 std::optional<double> snap_bound(const SegmentForm& form, double duration) {
   const auto hull = SegmentHull::of(form, duration);
