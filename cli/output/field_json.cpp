@@ -26,6 +26,9 @@ struct ValueJson {
       list.push_back({{"key", first}, {"line", places.lines[first]}, {"samples", count}});
     return list;
   }
+  Json operator()(const Measured& measured) const {
+    return measured.numbers.size() == 1 ? Json(measured.numbers[0]) : Json(measured.numbers);
+  }
   Json operator()(const auto& value) const { return value; }
 };
 

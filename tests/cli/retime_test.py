@@ -25,8 +25,10 @@ class Retime(CommandTest):
     def retimed(self, arguments):
         return json.loads(self.output_of(f"retime {arguments} -o slow.csv --json"))
 
-    def sampled(self, method="auto"):
-        return rows_of(self.output_of(f"sample slow.csv --method {method} --count 40001 --derivatives 2"))
+    def sampled(self):
+        """Evenly, and at the keys, where accelerations have their edges."""
+        return [row for times in ("--count 40001", "--times slow.csv")
+                for row in rows_of(self.output_of(f"sample slow.csv {times} --derivatives 2"))]
 
     def test_a_geodesic_is_slowed_by_its_rate(self):
         self.write("keys.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n1,0.7071067811865476,0,0,0.7071067811865476\n")
@@ -45,7 +47,8 @@ class Retime(CommandTest):
         self.assertGreater(report["slack"], 2e-4)
         self.assertEqual(done.stderr, "orispline: warning: auto: the largest values that were found lie below the limits, and "
                          f"{report['slack']:.2g} less slowing might do; keys that are very close together in time make that "
-                         "happen\n")
+                         "happen\norispline: warning: auto: the limits are met only where rests are slowed as well, so they are "
+                         "longer than they were; equal keys that differ in their last digits make that happen\n")
 
     def test_steps_that_differ_by_a_million_are_slowed_as_little_as_others(self):
         angles = [0, 60, 100, 30, 80]
@@ -65,15 +68,70 @@ class Retime(CommandTest):
             self.assertLessEqual(acceleration, report["acceleration_bound_deg_s2"])
             self.assertLessEqual(report["rate_bound_deg_s"], 90)
             self.assertLessEqual(report["acceleration_bound_deg_s2"], 200)
-            self.assertGreater(max(rate / 90, acceleration / 200), 1 - 1e-3)
+            self.assertGreater(max(rate / 90, acceleration / 200), 1 - (5e-3 if extra else 1e-3))
 
     def test_intervals_by_themselves_need_less_time(self):
         limits = "robot.csv --max-rate 90deg/s --max-acceleration 200deg/s2"
-        self.assertLess(self.retimed(limits + " --per-interval")["time_scale"], 0.8 * self.retimed(limits)["time_scale"])
+        self.assertLess(self.retimed(limits + " --per-interval")["time_scale"],
+                        0.85 * self.retimed(limits)["time_scale"])
 
-    def test_intervals_by_themselves_are_near_the_optimum(self):
-        report = self.retimed("robot.csv --max-rate 90deg/s --max-acceleration 200deg/s2 --per-interval")
-        self.assertLess(report["duration_after_s"], 22.34 * 1.01)  # docs/retime.md
+    def test_a_robot_stays_in_its_rests_for_as_long_as_before(self):
+        limits = "--max-rate 90deg/s --max-acceleration 200deg/s2"
+        given = rows_of(ROBOT.read_text("utf-8"))
+        rests = [i for i in range(len(given) - 1) if given[i][1:] == given[i + 1][1:]]
+        self.assertEqual(len(rests), 8)
+        for extra in ("", "--per-interval"):
+            report = json.loads(self.output_of(f"retime {ROBOT} {limits} {extra} -o slow.csv --json"))
+            self.assertEqual(report["rests"], 8)
+            slow = rows_of(self.read("slow.csv"))
+            for i in rests:
+                self.assertAlmostEqual(slow[i + 1][0] - slow[i][0], given[i + 1][0] - given[i][0], places=9)
+                start, end = slow[i][0], slow[i + 1][0]
+                samples = rows_of(self.output_of(f"sample slow.csv --count 51 --from {start} --to {end} --derivatives 1"))
+                for row in samples[1:-1]:
+                    self.assertLess(max(map(abs, row[8:11])), 1e-12)  # the rate
+                    for a, b in zip(row[1:8], slow[i][1:8]):
+                        self.assertAlmostEqual(a, b, places=9)
+
+    def test_units_are_shown_as_they_were_typed(self):
+        for limit, shown in (("--max-rate 1.5rad/s", "rate: nowhere above 1.5 rad/s (limit 1.5)"),
+                             ("--max-rate 90°/s", "rate: nowhere above 90 °/s (limit 90)"),
+                             ("--max-acceleration 200deg/s^2", "deg/s^2 (limit 200)"),
+                             ("--max-acceleration 3rad/s²", "rad/s² (limit 3)")):
+            told = self.run_command(f"retime robot.csv {limit} -o slow.csv").stderr
+            self.assertIn(shown, told)
+        told = self.run_command(["retime", "robot.csv", "--max-rate", "90,60,120 deg/s", "-o", "slow.csv"]).stderr
+        self.assertRegex(told, r"rate about y: nowhere above \S+ deg/s \(limit 60\)")
+        self.assertEqual(told.count("rate about"), 3)
+        for text in ("90,60deg/s", "90", "0deg/s", "90,-1,3deg/s", "90deg"):
+            self.assert_fails(f"retime robot.csv --max-rate {text}", BAD_USAGE,
+                              f"--max-rate: found '{text}', wanted a number greater than 0 with its unit, deg/s or rad/s, such "
+                              "as 1deg/s, or three with commas between them, such as 1,2,3deg/s")
+
+    def test_positions_are_limited_too(self):
+        report = json.loads(self.output_of(f"retime {ROBOT} --max-speed 300mm/s --max-linear-acceleration 0.6m/s2 "
+                                           "-o slow.csv --json"))
+        rows = self.sampled()
+        header = table_of(self.output_of("sample slow.csv --count 2 --derivatives 2"))[0].split(",")
+        speed, acceleration = (max(math.hypot(*row[header.index(first):header.index(first) + 3]) for row in rows)
+                               for first in ("vx", "apx"))
+        self.assertLessEqual(speed, report["speed_bound_m_s"])
+        self.assertLessEqual(report["speed_bound_m_s"], 0.3)
+        self.assertLessEqual(acceleration, report["linear_acceleration_bound_m_s2"])
+        self.assertLessEqual(report["linear_acceleration_bound_m_s2"], 0.6)
+        self.assertGreater(max(speed / 0.3, acceleration / 0.6), 1 - 1e-3)
+
+    def test_a_duration_is_met(self):
+        for text, seconds in (("30s", 30), ("30", 30), ("0.5min", 30), ("20000ms", 20)):
+            self.assertEqual(self.retimed(f"robot.csv --duration {text}")["duration_after_s"], seconds)
+        done = self.run_command("retime robot.csv --duration 15s --max-rate 60deg/s -o other.csv")
+        self.assertEqual(done.returncode, BAD_USAGE)
+        self.assertRegex(done.stderr, r"^orispline: --duration: in 15 s the motion exceeds its limits, wanted some \S+ s at "
+                                      "least\n")
+        self.assertFalse((self.folder / "other.csv").exists())
+        told = self.run_command("retime robot.csv --duration 15s --shorten-rests 0.2s -o slow.csv").stderr
+        self.assertIn("faster by", told)
+        self.assertIn("8 rests between equal keys, 1.6 s in all\n", told)
 
     def test_the_written_keys_keep_the_limits_whatever_the_epoch(self):
         robot = [line.split(",") for line in self.read("robot.csv").splitlines()]
@@ -162,9 +220,9 @@ class Retime(CommandTest):
         self.even_keys([0, 30, 90, 60, 100])
         for method in ("quintic", "sextic", "xing-quartic", "xing-quintic"):
             report = self.retimed(f"even.csv --max-acceleration 5deg/s2 --method {method}")
-            self.assertLessEqual(peaks(self.sampled(method))[1], report["acceleration_bound_deg_s2"])
+            self.assertLessEqual(peaks(self.sampled())[1], report["acceleration_bound_deg_s2"])
             self.assertLessEqual(report["acceleration_bound_deg_s2"], 5)
-            self.assertGreater(peaks(self.sampled(method))[1], 5 * (1 - 1e-3))
+            self.assertGreater(peaks(self.sampled())[1], 5 * (1 - 1e-3))
         jumps = "quintic: its angular velocity jumps at keys whose times are uneven"
         remedy = ", which no slowing brings within a limit of acceleration or torque, wanted "
         self.assert_fails("retime even.csv --max-acceleration 5deg/s2 --method quintic --per-interval", BAD_USAGE,
@@ -198,11 +256,12 @@ class Retime(CommandTest):
     def test_columns_that_shape_the_curve_are_kept_and_others_told(self):
         self.write("shaped.csv", "t,qw,qx,qy,qz,tension,wx,wy,wz\n0,1,0,0,0,0.9,1,2,3\n1,0,1,0,0,0.9,1,2,3\n")
         done = self.run_command("retime shaped.csv --max-rate 1deg/s --method timed-c2 --quiet")
-        self.assertEqual((done.returncode, done.stderr), (0, "orispline: warning: not carried over: wx, wy, wz\n"))
+        self.assertEqual((done.returncode, done.stderr.splitlines()[0]),
+                         (0, "orispline: warning: not carried over: wx, wy, wz"))
         self.assertRegex(done.stdout, r"^# orispline: method=timed-c2\nt,qw,qx,qy,qz,tension\n0,1,0,0,0,0\.9\n[\d.]+,0,1,0,0,0\.9\n$")
         done = self.run_command("retime shaped.csv --max-rate 1deg/s -o slow.csv --quiet")
-        self.assertEqual((done.returncode, done.stderr),
-                         (0, "orispline: warning: not carried over: tension, wx, wy, wz\n"))
+        self.assertEqual((done.returncode, done.stderr.splitlines()[0]),
+                         (0, "orispline: warning: not carried over: tension, wx, wy, wz"))
 
     def test_errors_of_the_keys_name_the_file(self):
         wild = random.Random(0)
@@ -228,10 +287,11 @@ class Retime(CommandTest):
 
     def test_refused(self):
         self.assert_fails("retime keys.csv", BAD_USAGE,
-                          "found no limit, wanted --max-rate, --max-acceleration or --max-torque")
+                          "found no limit, wanted --max-rate, --max-acceleration, --max-jerk, --max-torque, --max-speed, "
+                          "--max-linear-acceleration or --duration")
         self.assert_fails("retime keys.csv --max-rate=-1deg/s", BAD_USAGE,
                           "--max-rate: found '-1deg/s', wanted a number greater than 0 with its unit, deg/s or rad/s, such as "
-                          "1deg/s")
+                          "1deg/s, or three with commas between them, such as 1,2,3deg/s")
         self.assert_fails("retime keys.csv --max-rate 1deg/s --inertia=1,2,3", BAD_USAGE,
                           "--inertia: wanted --max-torque as well")
         self.assert_fails("retime keys.csv --max-torque 1Nm --inertia=1,-2,3", BAD_USAGE,

@@ -192,7 +192,7 @@ TEST(EulerTurns, AreKeptBySignsAsGivenUpToAFullOne) {
 }
 
 TEST(EulerTurns, AreWarnedOfWithTheirPlaceAndTheCure) {
-  const auto warnings = warnings_of_yaws({5, 10, 360, 20, 380});
+  const auto warnings = warnings_of_yaws({5, 10, 360, 20, 370});
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_EQ(warnings[0].where.key, 1U);
   EXPECT_EQ(warnings[0].where.line, 3U);

@@ -47,15 +47,16 @@ TEST(TimesFile, IsRelativeToTheEpochExactly) {
 }
 
 TEST(TimesFile, NamesTheLineOfWhatItRefuses) {
-  EXPECT_EQ(refusal("1\n2\nabc\n"), "times.txt:3: found 'abc', wanted a number such as -1.5e-3");
-  EXPECT_EQ(refusal("x\n1\n"), "times.txt:1: found x, wanted a column of times such as t, or numbers without a header");
+  EXPECT_EQ(refusal("1\n2\nabc\n"), "times.txt:3:1: found 'abc', wanted a number such as -1.5e-3");
+  EXPECT_EQ(refusal("x\n1\n"),
+            "times.txt:1: found 'x', wanted a column of times such as t, or numbers without a header");
   EXPECT_EQ(refusal("t\nt\n"), "times.txt:2:1: found 't', wanted a number such as -1.5e-3");
   EXPECT_EQ(refusal("1\nnan\n"), "times.txt:2:1: found 'nan', wanted a finite time");
   EXPECT_EQ(refusal("1e999\n"), "times.txt:1:1: found '1e999', wanted a number between 1e-150 and 1e150 in size");
   EXPECT_EQ(refusal("1,2\n"),
             "times.txt:1: found 2 cells, wanted one time a line, or a header that names the column t");
   EXPECT_EQ(refusal("x,t\n1,2\n3\n"), "times.txt:3: found 1 cell, wanted the time in cell 2");
-  EXPECT_EQ(refusal("t,time\n1,2\n"), "times.txt:1: 't' and 'time' may both be t, wanted one");
+  EXPECT_EQ(refusal("t,time\n1,2\n"), "times.txt:1: 't' and 'time' may both be t, wanted one (option columns)");
   EXPECT_EQ(refusal(""), "times.txt: empty: no times");
   EXPECT_EQ(refusal("t\n# nothing\n"), "times.txt: empty: no times");
 }

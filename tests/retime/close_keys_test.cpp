@@ -80,7 +80,8 @@ TEST(Retime, KeepsLimitsWhateverTheRoundingOfKeysMakesOfShortSteps) {
 
 TEST(Retime, StatesTheSlackThatItsBoundsLeave) {
   const Retiming loose = retimed("auto", nearly_equal_keys(1, {0.0, 1e-9, 2e-9, 3e-9}, 1e-16), {.acceleration = 0.54});
-  ASSERT_EQ(loose.warnings.size(), 1u);
+  ASSERT_EQ(loose.warnings.size(), 2u);
+  EXPECT_EQ(loose.warnings[1].code, "longer_rests");
   EXPECT_EQ(loose.warnings.front().code, "loose_bounds");
   EXPECT_EQ(loose.warnings.front().number("slack"), loose.slack);
   double found = 0.0;

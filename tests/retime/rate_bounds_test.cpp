@@ -42,13 +42,13 @@ MotionSizes densely_sampled(const AnyCurve& curve, std::size_t segment, int step
   return largest;
 }
 
-void expect_tight(const CertifiedPeak& peak, double sampled, const std::string& what) {
+void expect_tight(const CertifiedPeak& peak, double sampled, const std::string& what, double gap = 1.001e-4) {
   EXPECT_GE(peak.bound, sampled) << what;
-  EXPECT_LE(peak.bound, std::max(1e-3, peak.found * (1.0 + 1.001e-4))) << what;
+  EXPECT_LE(peak.bound, std::max(1e-3, peak.found * (1.0 + gap))) << what;
   EXPECT_LE(peak.found, sampled * (1.0 + 1e-4) + 1e-9) << what;
 }
 
-void expect_bounds(const AnyCurve& curve, const std::string& what) {
+void expect_bounds(const AnyCurve& curve, const std::string& what, double gap_of_jerk = 1.001e-4) {
   const auto peaks = certified(curve, inertia, low_floors).value();
   ASSERT_EQ(peaks.size(), curve.knots().segments());
   for (std::size_t s = 0; s < peaks.size(); ++s) {
@@ -56,7 +56,7 @@ void expect_bounds(const AnyCurve& curve, const std::string& what) {
     expect_tight(peaks[s].rate, sampled.rate, what + ", rate");
     expect_tight(peaks[s].acceleration, sampled.acceleration, what + ", acceleration");
     expect_tight(peaks[s].torque, sampled.torque, what + ", torque");
-    expect_tight(peaks[s].jerk, sampled.jerk, what + ", jerk");
+    expect_tight(peaks[s].jerk, sampled.jerk, what + ", jerk", gap_of_jerk);
   }
 }
 
@@ -140,7 +140,8 @@ TEST(RateBounds, HoldWhereTimesAreRoundedMuch) {
   const Keyframes keys = random_keys(3, {5, 1.0});
   KeyframeData late{.orientations = {keys.orientations().begin(), keys.orientations().end()}};
   for (const double t : keys.times()) late.times.push_back(1.7e9 + 0.01 * t);  // [s]; a double there is exact to 2e-7 s
-  expect_bounds(make_curve("timed-c2", Keyframes::make(late).value()).value(), "late");
+  expect_bounds(make_curve("timed-c2", Keyframes::make(late).value()).value(), "late",
+                5e-4);  // within the rounding of the times the jerk changes by nearly that share
 }
 
 TEST(RateBounds, ThatAreBelowTheFloorsAreNearEnough) {

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 #include <orispline/io/format_choice.hpp>
@@ -23,12 +24,12 @@ struct TimeColumn {
   TimeUnit unit{};
 };
 
-Expected<TimeColumn> column_of_header(const TextTable& table, const ColumnSearch::Names& names) {
+Expected<TimeColumn> column_of_header(const TextTable& table, const ColumnSearch::Names& mapping) {
   const auto header = table.cells().first(width_of(table.cells()));
   const ColumnSearch::Names none;
-  const auto mapped = names.find(time_name);
-  const bool is_there = mapped != names.end() && std::ranges::find(header, mapped->second) != header.end();
-  const ColumnSearch search(header, is_there ? names : none);
+  const auto mapped = mapping.find(time_name);
+  const bool is_there = mapped != mapping.end() && std::ranges::find(header, mapped->second) != header.end();
+  const ColumnSearch search(header, is_there ? mapping : none);
   const auto found = search.column(time_name, [](std::string_view name) { return time_unit_of(name).has_value(); });
   if (!found) {
     Error error = found.error();
@@ -61,7 +62,8 @@ Expected<TimeColumn> time_column(const TextTable& table, const ReadOptions& opti
 /// The time in the row, in the unit of the file.
 Expected<Decimal> time_of(const TextTable& table, std::size_t index) {
   if (index >= table.cells().size())
-    return at_row(table, formatted("found {} cells, wanted the time in cell {}", table.cells().size(), index + 1));
+    return at_row(table,
+                  formatted("found {}, wanted the time in cell {}", counted(table.cells().size(), "cell"), index + 1));
   const std::string_view cell = table.cells()[index];
   const auto time = decimal_of(cell);
   const auto here = table.here(index);

@@ -9,7 +9,7 @@
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
-using Vector = LimitedQuantity::Vector;
+using Limited = LimitedQuantity::Vector;
 
 /// Of an increment so much is rounding [rad]: that of two keys, also when they are written, read and normalised again.
 constexpr double rounding_of_keys = 16.0 * std::numeric_limits<double>::epsilon();
@@ -34,13 +34,13 @@ Turning::Turning(const AnyCurve& curve, std::size_t segment, const SegmentHull& 
 double Turning::size(std::size_t k) const {
   const LimitedQuantity& quantity = quantities_[k];
   switch (quantity.vector) {
-    case Vector::rate:
+    case Limited::rate:
       return quantity.size_of(m_.angular_velocity);
-    case Vector::acceleration:
+    case Limited::acceleration:
       return quantity.size_of(m_.angular_acceleration);
-    case Vector::jerk:
+    case Limited::jerk:
       return quantity.size_of(m_.angular_jerk);
-    case Vector::torque:
+    case Limited::torque:
       return quantity.size_of(torque(m_, inertia_));
     default:
       return 0.0;
@@ -55,17 +55,17 @@ QuantitySizes Turning::bounds(const Stretch& part) const {
   QuantitySizes sizes{};
   for (std::size_t k = 0; k < quantities_.size(); ++k) {
     const LimitedQuantity& quantity = quantities_[k];
-    if (quantity.vector == Vector::rate)
+    if (quantity.vector == Limited::rate)
       sizes[k] =
           std::min(hull.rate, largest(quantity, m_.angular_velocity, m_.angular_acceleration, r) + bend_of_rate) +
           rounding_.rate;
-    if (quantity.vector == Vector::acceleration)
+    if (quantity.vector == Limited::acceleration)
       sizes[k] = std::min(hull.acceleration,
                           largest(quantity, m_.angular_acceleration, m_.angular_jerk, r) + bend_of_acceleration) +
                  rounding_.acceleration;
-    if (quantity.vector == Vector::jerk)
-      sizes[k] = std::min(hull.jerk, quantity.size_of(m_.angular_jerk) + hull.snap * r) + rounding_.jerk;
-    if (quantity.vector == Vector::torque) sizes[k] = torque_bound(quantity, r, hull);
+    if (quantity.vector == Limited::jerk)
+      sizes[k] = std::min(hull.jerk, jerk_bound(quantity, part, hull)) + rounding_.jerk;
+    if (quantity.vector == Limited::torque) sizes[k] = torque_bound(quantity, r, hull);
   }
   return sizes;
 }
@@ -74,15 +74,22 @@ void Turning::round(SegmentPeaks& peaks, double shortest) const {
   const double rate = rounding_of_keys / shortest, acceleration = rate / shortest;
   double fastest = 0.0;
   for (std::size_t k = 0; k < quantities_.size(); ++k) {
-    const Vector vector = quantities_[k].vector;
-    if (vector == Vector::rate) peaks[k].bound += rate;
-    if (vector == Vector::acceleration) peaks[k].bound += acceleration;
-    if (vector == Vector::jerk) peaks[k].bound += acceleration / shortest;
-    if (vector == Vector::rate) fastest = std::max(fastest, peaks[k].bound);
+    const Limited vector = quantities_[k].vector;
+    if (vector == Limited::rate) peaks[k].bound += rate;
+    if (vector == Limited::acceleration) peaks[k].bound += acceleration;
+    if (vector == Limited::jerk) peaks[k].bound += acceleration / shortest;
+    if (vector == Limited::rate) fastest = std::max(fastest, peaks[k].bound);
   }
   for (std::size_t k = 0; k < quantities_.size(); ++k)
-    if (quantities_[k].vector == Vector::torque)
+    if (quantities_[k].vector == Limited::torque)
       peaks[k].bound += weight_ * (acceleration + 2.0 * std::max(fastest, hull_.on(0.0, 1.0).rate) * rate);
+}
+
+double Turning::jerk_bound(const LimitedQuantity& quantity, const Stretch& part, const HullBounds& hull) const {
+  const double r = part.radius;
+  const auto at = [&](double t) { return quantity.size_of(curve_.motion_on(segment_, t).angular_jerk); };
+  const double chord = std::max(at(part.middle - r), at(part.middle + r)) + 0.5 * hull.crackle * r * r;
+  return std::min(quantity.size_of(m_.angular_jerk) + hull.snap * r, chord);
 }
 
 double Turning::torque_bound(const LimitedQuantity& quantity, double r, const HullBounds& hull) const {
@@ -104,8 +111,8 @@ double Turning::torque_bound(const LimitedQuantity& quantity, double r, const Hu
 
 double Moving::size(std::size_t k) const {
   const LimitedQuantity& quantity = quantities_[k];
-  if (quantity.vector == Vector::speed) return quantity.size_of(m_.velocity);
-  return quantity.vector == Vector::linear_acceleration ? quantity.size_of(m_.acceleration) : 0.0;
+  if (quantity.vector == Limited::speed) return quantity.size_of(m_.velocity);
+  return quantity.vector == Limited::linear_acceleration ? quantity.size_of(m_.acceleration) : 0.0;
 }
 
 QuantitySizes Moving::bounds(const Stretch& part) const {

@@ -32,6 +32,7 @@ class Turning {
   void round(SegmentPeaks& peaks, double shortest) const;
 
  private:
+  [[nodiscard]] double jerk_bound(const LimitedQuantity& quantity, const Stretch& part, const HullBounds& hull) const;
   [[nodiscard]] double torque_bound(const LimitedQuantity& quantity, double r, const HullBounds& hull) const;
 
   const AnyCurve& curve_;

@@ -13,7 +13,7 @@ struct HullPolynomial {
   BernsteinForm form;
   std::size_t degree;
 };
-using HullDerivatives = std::array<HullPolynomial, 5>;  ///< in time, of orders 0 to 4
+using HullDerivatives = std::array<HullPolynomial, 6>;  ///< in time, of orders 0 to 5
 using HullVector = std::array<HullPolynomial, 3>;       ///< components, of one degree
 
 /// `duration` [s], of u from 0 to 1.

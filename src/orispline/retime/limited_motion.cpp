@@ -47,8 +47,13 @@ double needed_factor(const QuantitySizes& peaks, std::span<const LimitedQuantity
 }
 
 LimitedMotion::LimitedMotion(const Method& method, const Keyframes& keys, const MotionLimits& limits,
-                             std::optional<double> longest_rest, OpenEndedWork& work)
-    : method_(method), keys_(keys), limits_(limits), given_(keys.times().begin(), keys.times().end()), work_(work) {
+                             std::optional<double> longest_rest, Rests rests, OpenEndedWork& work)
+    : method_(method),
+      keys_(keys),
+      limits_(limits),
+      quantities_(quantities_of(limits)),
+      given_(keys.times().begin(), keys.times().end()),
+      work_(work) {
   for (std::size_t i = 0; i + 1 < keys.size(); ++i) is_rest_.push_back(keys.rests_after(i));
   double cut = 0.0;
   for (std::size_t s = 0; s < is_rest_.size(); ++s) {
@@ -56,6 +61,7 @@ LimitedMotion::LimitedMotion(const Method& method, const Keyframes& keys, const 
     if (longest_rest && is_rest_[s] && rest > *longest_rest) cut += rest - *longest_rest;
     given_[s + 1] -= cut;
   }
+  if (rests == Rests::slowed) is_rest_.assign(is_rest_.size(), false);
 }
 
 bool LimitedMotion::has_rests() const noexcept { return std::ranges::find(is_rest_, true) != is_rest_.end(); }

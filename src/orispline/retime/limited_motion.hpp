@@ -19,13 +19,16 @@ namespace orispline::inline ORISPLINE_ABI {
 /// the power of its order.
 [[nodiscard]] double needed_factor(const QuantitySizes& peaks, std::span<const LimitedQuantity> quantities);
 
+/// What becomes of rests between equal keys.
+enum class Rests { kept, slowed };
+
 /// A method's curve through keys whose times are free, beside the limits that it shall keep. Refers to its arguments.
 class LimitedMotion {
  public:
   /// `longest_rest`: what longer rests are cut to [s].
   LimitedMotion(const Method& method, const Keyframes& keys, const MotionLimits& limits,
-                std::optional<double> longest_rest, OpenEndedWork& work);
-  LimitedMotion(Method&&, const Keyframes&, const MotionLimits&, std::optional<double>, OpenEndedWork&) = delete;
+                std::optional<double> longest_rest, Rests rests, OpenEndedWork& work);
+  LimitedMotion(Method&&, const Keyframes&, const MotionLimits&, std::optional<double>, Rests, OpenEndedWork&) = delete;
 
   /// Those of the keys, but for rests that are cut.
   [[nodiscard]] const std::vector<double>& given_times() const noexcept { return given_; }

@@ -7,7 +7,7 @@ namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 /// Of evaluation and of the coefficients, of the size of what they are made of.
-constexpr double rounding_share = 1e-13;
+constexpr double path_rounding_share = 1e-13;
 
 /// The coefficients of a velocity of this degree in u from what it is at both ends: value and two derivatives each;
 /// that in the middle of degree 6 from the distance, which is their mean. Farin, Curves and Surfaces for CAGD, 5.2.
@@ -48,9 +48,9 @@ std::optional<PathHull> PathHull::of(const AnyPath& path, std::size_t segment) {
     hull.acceleration_[axis] = derivatives[1];
   }
   const double size = std::max(start.position.norm(), end.position.norm()) / span.step();
-  hull.rounding_[0] = rounding_share * (size + longest(hull.velocity_));
+  hull.rounding_[0] = path_rounding_share * (size + longest(hull.velocity_));
   hull.rounding_[1] =
-      rounding_share * static_cast<double>(path.degree()) * (size + longest(hull.velocity_)) / span.step();
+      path_rounding_share * static_cast<double>(path.degree()) * (size + longest(hull.velocity_)) / span.step();
   return hull;
 }
 

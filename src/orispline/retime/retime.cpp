@@ -23,7 +23,8 @@ constexpr double margin = 1e-9;  // of a factor, for the rounding of the new tim
 constexpr std::size_t most_slowings = 30;
 constexpr double least_gain = 1e-4;  // of the duration, to which the slowing is the least one, for another path
 constexpr double too_slow = 1e-5;    // so far below their limits, bounds ask for less slowing
-constexpr int most_quickenings = 4;
+constexpr int most_quickenings = 8;
+constexpr double least = 1.0;             // of factors: nothing gets faster
 constexpr double promised_slack = 2e-4;   // more is worth a warning
 constexpr double usual_rounds = 3.0;      // of slowing all alike
 constexpr double most_time_scale = 1e15;  // thirty million years a second
@@ -55,12 +56,13 @@ Expected<Scaled> scaled(const LimitedMotion& motion, std::vector<double> times, 
 Expected<Scaled> no_slower_than_needed(const LimitedMotion& motion, const std::vector<double>& given, Scaled slow) {
   double factor = slow.factor * motion.largest_factor(slow.peaks) * (1.0 + margin);
   for (int round = 0; round < most_quickenings && factor < (1.0 - too_slow) * slow.factor; ++round) {
-    auto faster = scaled(motion, given, std::max(1.0, factor));
+    auto faster = scaled(motion, given, std::max(least, factor));
     if (!faster && faster.error().code == ErrorCode::cancelled) return faster;
     if (!faster) break;
     const double more = motion.largest_factor(faster->peaks);
-    if (!(more > 1.0)) return faster;
-    factor *= more * (1.0 + margin);
+    factor = faster->factor * more * (1.0 + margin);
+    if (!(more > 1.0)) slow = std::move(*faster);
+    if (slow.factor == least) break;
   }
   return slow;
 }
@@ -174,6 +176,14 @@ std::optional<Warning> moving_rests(const Method& method, const Keyframes& keys,
                  .numbers = {{"rests", static_cast<double>(moving)}}};
 }
 
+Warning longer_rests(std::string_view method) {
+  return {
+      .code = "longer_rests",
+      .message = formatted("{}: the limits are met only where rests are slowed as well, so they are longer than they "
+                           "were; equal keys that differ in their last digits make that happen",
+                           method)};
+}
+
 std::vector<Warning> warnings_of(const Retiming& retiming, const MotionLimits& limits) {
   const Track& track = retiming.track;
   const Method& method = retiming.method;
@@ -184,17 +194,21 @@ std::vector<Warning> warnings_of(const Retiming& retiming, const MotionLimits& l
   return warnings;
 }
 
+/// The keys after which the body rests.
+std::vector<std::size_t> rests_of(const Keyframes& keys) {
+  std::vector<std::size_t> rests;
+  for (std::size_t i = 0; i + 1 < keys.size(); ++i)
+    if (keys.rests_after(i)) rests.push_back(i);
+  return rests;
+}
+
 }  // namespace
 
 Method holding_rests(Method method, const Keyframes& keys) {
   const auto family = find_family(method.name);
   if (!family || std::ranges::find((*family)->parameters, "hold", &Parameter::name) == (*family)->parameters.end())
     return method;
-  for (std::size_t i = 0; i + 1 < keys.size(); ++i)
-    if (keys.rests_after(i)) {
-      method.options.parameters.insert({"hold", {1.0}});
-      break;
-    }
+  if (!rests_of(keys).empty()) method.options.parameters.insert({"hold", {1.0}});
   return method;
 }
 
@@ -227,10 +241,16 @@ Expected<Retiming> retime(const Track& track, const Method& given, const RetimeO
   const bool per_interval = options.slowing == Slowing::per_interval;
   OpenEndedWork work(progress,
                      usual_rounds + (per_interval ? curves_for_interval_times((*family)->support_keys) : 0.0));
-  const LimitedMotion motion(method, track.keys, limits, options.shorten_rests, work);
-  auto retimed = options.duration                ? lasting(motion, *options.duration)
-                 : quantities_of(limits).empty() ? Expected<Slowed>(as_given(motion))
-                                                 : least_slowed(motion, (*family)->support_keys, options.slowing);
+  const auto retimed_with = [&](Rests rests) {
+    const LimitedMotion motion(method, track.keys, limits, options.shorten_rests, rests, work);
+    if (options.duration) return lasting(motion, *options.duration);
+    if (!motion.is_limited()) return Expected<Slowed>(as_given(motion));
+    return least_slowed(motion, (*family)->support_keys, options.slowing);
+  };
+  auto retimed = retimed_with(Rests::kept);
+  const std::vector<std::size_t> rests = rests_of(track.keys);
+  const bool slows_rests = !rests.empty() && !retimed && retimed.error().code == ErrorCode::not_converged;
+  if (slows_rests) retimed = retimed_with(Rests::slowed);
   return std::move(retimed).and_then([&](Slowed slowed) {
     return track.with_times(std::move(slowed.times)).map([&](Track later) {
       later.settings = settings_per_key(method, later.keys.size());
@@ -246,9 +266,9 @@ Expected<Retiming> retime(const Track& track, const Method& given, const RetimeO
       if (options.shorten_rests || options.duration)
         retiming.time_scale =
             (keys.times().back() - keys.times().front()) / (track.keys.times().back() - track.keys.times().front());
-      for (std::size_t i = 0; i + 1 < keys.size(); ++i)
-        if (motion.is_rest(i)) retiming.rests.push_back(i);
+      retiming.rests = rests;
       retiming.warnings = warnings_of(retiming, limits);
+      if (slows_rests) retiming.warnings.push_back(longer_rests(method.name));
       return retiming;
     });
   });

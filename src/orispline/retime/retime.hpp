@@ -36,7 +36,8 @@ struct Retiming {
   Slowing slowing{};                  ///< how they were slowed: uniformly where intervals by themselves take longer
   std::vector<SegmentPeaks> peaks{};  ///< of the slowed curve, segment by segment: no bound above its limit
   std::vector<std::size_t> rests{};   ///< i where the body rests from key i to the next
-  std::vector<Warning> warnings{};    ///< `loose_bounds`, `moving_rests`; of the inertia, and of the method's curve
+  std::vector<Warning>
+      warnings{};  ///< `loose_bounds`, `moving_rests`, `longer_rests`; of the inertia, and of the method's curve
 };
 
 /// The method for keys of which nobody said which curve they are for: the one given, with `hold` where it has that
@@ -52,7 +53,8 @@ struct Retiming {
 ///
 /// Certified by certified_peaks() on the method's curve, with its settings and those of the track, through the keys at
 /// the times that are returned. A motion within the limits stays as it is. Rests keep their duration, or the one that
-/// `shorten_rests` states; a method that moves during them is warned of: `moving_rests` (`rests`). `per_interval`
+/// `shorten_rests` states; a method that moves during them is warned of: `moving_rests` (`rests`). Where the limits
+/// cannot be met that way, rests are slowed as well: `longer_rests`. `per_interval`
 /// shortens the whole duration as far as least_interval_times() finds a way, for methods that are not local less far;
 /// it is the uniform slowing where that is the shorter, or longer by less than 1e-4. The curve is as smooth as the
 /// method makes it. Positions, where there are any, play no part. Errors: those of check(); bad_argument for limits

@@ -37,6 +37,8 @@ double duration_of(const Track& track) {
   return track.keys.size() == 0 ? 0.0 : track.keys.times().back() - track.keys.times().front();
 }
 
+std::size_t number_of_rests(const Retiming& retiming) { return retiming.rests.size(); }
+
 }  // namespace
 
 template <>
@@ -79,7 +81,7 @@ std::span<const FieldInfo> fields_of<Retiming>() noexcept {
       field<&Retiming::track, &duration_of>(
           {.name = "duration_after", .sentence = "From the first key to the last", .quantity = &quantities::time}),
       field<&Retiming::time_scale>({.name = "time_scale", .sentence = "That duration over the one before"}),
-      field<&Retiming::rests>({.name = "rests", .sentence = "After which keys the body rests until the next"}),
+      field<&number_of_rests>({.name = "rests", .sentence = "Number of rests between equal keys"}),
       field<&Retiming::slack>(
           {.name = "slack",
            .sentence = "By which share less slowing might do, for the largest values found lie below the limits"}),

@@ -7,7 +7,7 @@
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
-using Orders = std::array<double, 5>;  // of order 0 to 4
+using Orders = std::array<double, 6>;  // of order 0 to 5
 
 using Three = HullVector;
 
@@ -24,15 +24,19 @@ Three restricted(const std::array<HullDerivatives, 3>& parts, std::size_t order,
           restricted(parts[2][order], start, end)};
 }
 
-struct JerkAndSnap {
-  double jerk, snap;
-};
-
-/// Of a product of exponentials whose exponents, halved, have derivatives below these.
-JerkAndSnap jerk_and_snap_of(const Orders& a) {
-  const double q1 = a[1], q2 = a[2] + a[1] * a[1], q3 = a[3] + 3.0 * a[1] * a[2] + a[1] * a[1] * a[1];
-  const double q4 = a[4] + 4.0 * a[1] * a[3] + 3.0 * a[2] * a[2] + 6.0 * a[1] * a[1] * a[2] + q1 * q1 * q1 * q1;
-  return {2.0 * (q3 + 3.0 * q1 * q2), 2.0 * (q4 + 4.0 * q1 * q3 + 3.0 * q2 * q2)};
+/// Of a product of exponentials whose exponents, halved, have derivatives below these: |q^(n)| ≤ Q_n, complete Bell
+/// polynomials of them, and by the rule of Leibniz the derivatives of ω = 2 q̄ q'.
+HullBounds bounds_of(double rate, double acceleration, const Orders& a) {
+  const double a1 = a[1], square = a1 * a1;
+  const double q1 = a1, q2 = a[2] + square, q3 = a[3] + 3.0 * a1 * a[2] + square * a1;
+  const double q4 = a[4] + 4.0 * a1 * a[3] + 3.0 * a[2] * a[2] + 6.0 * square * a[2] + square * square;
+  const double q5 = a[5] + 5.0 * a1 * a[4] + 10.0 * a[2] * a[3] + 10.0 * square * a[3] + 15.0 * a1 * a[2] * a[2] +
+                    10.0 * square * a1 * a[2] + square * square * a1;
+  return {.rate = rate,
+          .acceleration = acceleration,
+          .jerk = 2.0 * (q3 + 3.0 * q1 * q2),
+          .snap = 2.0 * (q4 + 4.0 * q1 * q3 + 3.0 * q2 * q2),
+          .crackle = 2.0 * (q5 + 5.0 * q1 * q4 + 10.0 * q2 * q3)};
 }
 
 constexpr double rounded_up = 1.0 + 1e-12;
@@ -64,7 +68,8 @@ std::optional<SegmentHull> SegmentHull::of(const SegmentForm& form, double durat
 
 HullBounds SegmentHull::on(double start, double end) const {
   const HullBounds b = is_chart_ ? chart_on(start, end) : product_on(start, end);
-  return {b.rate * rounded_up, b.acceleration * rounded_up, b.jerk * rounded_up, b.snap * rounded_up};
+  return {b.rate * rounded_up, b.acceleration * rounded_up, b.jerk * rounded_up, b.snap * rounded_up,
+          b.crackle * rounded_up};
 }
 
 HullBounds SegmentHull::rounding() const {
@@ -74,7 +79,7 @@ HullBounds SegmentHull::rounding() const {
   const HullBounds whole = on(0.0, 1.0);
   return {rounding_share * (size * per_time + whole.rate),
           rounding_share * (size * per_time * per_time + whole.acceleration),
-          rounding_share * (size * per_time * per_time * per_time + whole.jerk), 0.0};
+          rounding_share * (size * per_time * per_time * per_time + whole.jerk), 0.0, 0.0};
 }
 
 HullBounds SegmentHull::product_on(double start, double end) const {
@@ -90,10 +95,9 @@ HullBounds SegmentHull::product_on(double start, double end) const {
   const auto size_of = [this](const Three& p) {
     return 0.5 * (lengths_[0] * largest(p[0]) + lengths_[1] * largest(p[1]) + lengths_[2] * largest(p[2]));
   };
-  const auto [jerk, snap] =
-      jerk_and_snap_of({0.0, size_of(first), size_of(second), size_of(restricted(parts_, 3, start, end)),
-                        size_of(restricted(parts_, 4, start, end))});
-  return {rate, acceleration, jerk, snap};
+  return bounds_of(rate, acceleration,
+                   {0.0, size_of(first), size_of(second), size_of(restricted(parts_, 3, start, end)),
+                    size_of(restricted(parts_, 4, start, end)), size_of(restricted(parts_, 5, start, end))});
 }
 
 HullBounds SegmentHull::chart_on(double start, double end) const {
@@ -109,10 +113,8 @@ HullBounds SegmentHull::chart_on(double start, double end) const {
     const double area = p.cross(velocity).norm() + radius * longest(restricted(parts_, 0, start, end)) * change;
     turning = std::min(turning, area * std::min(1.0, 5.2 / shortest) / shortest);
   }
-  const auto [jerk, snap] =
-      jerk_and_snap_of({0.0, 0.5 * speed, 0.5 * change, 0.5 * longest(restricted(parts_, 3, start, end)),
-                        0.5 * longest(restricted(parts_, 4, start, end))});
-  return {speed, change + speed * turning, jerk, snap};
+  const auto half = [&](std::size_t order) { return 0.5 * longest(restricted(parts_, order, start, end)); };
+  return bounds_of(speed, change + speed * turning, {0.0, 0.5 * speed, 0.5 * change, half(3), half(4), half(5)});
 }
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -11,7 +11,7 @@ namespace orispline::inline ORISPLINE_ABI {
 /// What the motion is nowhere above: |ω| [rad/s], |α| [rad/s²], the jerk [rad/s³] and the snap, its derivative
 /// [rad/s⁴].
 struct HullBounds {
-  double rate, acceleration, jerk, snap;
+  double rate, acceleration, jerk, snap, crackle;
 };
 
 /// The segment's polynomials, whose values lie in the hulls of their coefficients. Source: our own derivation,
@@ -23,7 +23,7 @@ class SegmentHull {
 
   /// Bounds for u from `start` to `end` in [0, 1].
   [[nodiscard]] HullBounds on(double start, double end) const;
-  /// By so much evaluated ω, α and jerk may be off; none of the snap.
+  /// By so much evaluated ω, α and jerk may be off; none of the others.
   [[nodiscard]] HullBounds rounding() const;
 
  private:
