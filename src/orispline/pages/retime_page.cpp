@@ -5,6 +5,7 @@
 #include <iterator>
 #include <limits>
 
+#include <orispline/base/file_name.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/pages/curve_page.hpp>
@@ -40,16 +41,21 @@ std::vector<report::PageColumn> columns_of(const CurvePage& curves, const std::v
 std::string title_of(const Track& before, const Retiming& retiming, const std::vector<Certificate>& certificates) {
   std::vector<std::string> limits;
   for (const Certificate& c : certificates) limits.push_back(formatted("{:.6g} {}", c.limit, c.unit));
-  return formatted("{} within {}, {}: slowed {} by {:.6g}", before.name, joined(limits, " and "), retiming.method.name,
+  return formatted("{} within {}, {}: slowed {} by {:.6g}", file_name_of(before.name), joined(limits, " and "), retiming.method.name,
                    retiming.slowing == Slowing::uniform ? "uniformly" : "per interval", retiming.time_scale);
 }
 
-std::map<std::string, double, std::less<>> limits_of(const MotionLimits& limits) {
-  std::map<std::string, double, std::less<>> lines;
-  if (limits.rate) lines["w"] = *limits.rate;
-  if (limits.acceleration) lines["a"] = *limits.acceleration;
-  if (limits.torque) lines["torque"] = *limits.torque;
-  return lines;
+/// The limits as lines in the plots of their quantities, which are shown in the units of the certificates.
+void add_limits(report::Page& page, const MotionLimits& limits, const std::vector<Certificate>& certificates) {
+  const auto add = [&](std::string_view quantity, std::string_view name, const std::optional<double>& limit) {
+    const auto certificate = std::ranges::find(certificates, name, &Certificate::name);
+    if (!limit || certificate == certificates.end()) return;
+    page.limits.emplace(quantity, *limit);
+    page.units.emplace(quantity, report::PageUnit{std::string(certificate->unit), *limit / certificate->limit});
+  };
+  add("w", "rate", limits.rate);
+  add("a", "acceleration", limits.acceleration);
+  add("torque", "torque", limits.torque);
 }
 
 /// What both curves have alike.
@@ -82,8 +88,7 @@ report::PageMethod method_of(const RetimedKeys& retimed, std::string name, const
 report::Page retime_page(const Track& before, const Retiming& retiming, const MotionLimits& limits,
                          const PageHead& head) {
   const RetimedKeys retimed{
-      .curves = {.epoch = before.epoch,
-                 .recording = before.keys,
+      .curves = {.recording = before.keys,
                  .measures = limits.inertia ? measures_of({MeasureGroup::shape, MeasureGroup::torque})
                                             : measures_of({MeasureGroup::shape}),
                  .inertia = limits.inertia},
@@ -91,7 +96,7 @@ report::Page retime_page(const Track& before, const Retiming& retiming, const Mo
       .limits = limits};
   const auto certificates = certificates_of(limits, retiming.peaks);
   report::Page page = begun_page(title_of(before, retiming, certificates), head, before.epoch, before.keys);
-  page.limits = limits_of(limits);
+  add_limits(page, limits, certificates);
   page.columns = columns_of(retimed.curves, certificates);
   page.methods.push_back(method_of(retimed, "after", retiming.track.keys, retiming.peaks));
   page.methods.push_back(method_of(retimed, "before", before.keys, {}));

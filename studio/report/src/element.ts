@@ -21,6 +21,6 @@ export const place = (id: string) => document.getElementById(id)!;
 
 /** A menu with a label; tells what was chosen. */
 export function menu(label: string, options: [value: string, text: string][], chosen: (value: string) => void): [HTMLElement, HTMLSelectElement] {
-  const select = element('select', { onchange: () => chosen(select.value) }, ...options.map(([value, text]) => element('option', { value }, text)));
+  const select = element('select', { onchange: () => chosen(select.value), attributes: { 'aria-label': label } }, ...options.map(([value, text]) => element('option', { value }, text)));
   return [element('label', { className: 'choice' }, element('span', {}, label), select), select];
 }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The scenes side by side, and how they are to be seen.
 import { element, menu, place } from '../element';
-import type { BodyShape } from '../report';
+import { report, type BodyShape } from '../report';
 import { canFollowPath, choose, current, subscribe, type State } from '../state';
 import type { Axis } from '../motion';
 import { MotionScene } from './motionScene';
 import { SphereScene } from './sphereScene';
+
+const manyMethods = 6; // a table so long stands beside the scenes, where there is room
 
 const shapes: [BodyShape, string][] = [
   ['aircraft', 'aircraft'],
@@ -45,6 +47,7 @@ export function showScenes(): void {
     place('scenes').append(element('p', { className: 'facts' }, 'The scenes in space are not shown: this browser has no WebGL.'), controls());
     return;
   }
+  place('scenes').parentElement!.classList.toggle('beside', report.methods.length >= manyMethods);
   const [first, second] = [new MotionScene('first'), new MotionScene('second')];
   first.linkCamera(second);
   place('scenes').append(controls(), element('div', { className: 'stages' }, first.figure, second.figure, new SphereScene().figure));
