@@ -76,16 +76,16 @@ std::string line_of(const std::vector<Strip>& strips, std::size_t row) {
 }
 
 std::size_t width_of(const std::vector<Strip>& strips) {
-  std::size_t width = 0;
-  for (const Strip& strip : strips) width += 2 + strip.width;
-  return width;
+  std::size_t sum = 0;
+  for (const Strip& strip : strips) sum += 2 + strip.width;
+  return sum;
 }
 
 /// Words in lines of so many characters, which begin with these blanks; a longer word has a line of its own.
-std::string wrapped(std::string_view text, std::size_t width, std::string_view blanks) {
+std::string wrapped(std::string_view text, std::size_t longest, std::string_view blanks) {
   std::string lines, line;
   for (const std::string_view word : pieces_of(text, ' ')) {
-    if (!line.empty() && blanks.size() + characters(line) + 1 + characters(word) > width) {
+    if (!line.empty() && blanks.size() + characters(line) + 1 + characters(word) > longest) {
       lines.append(blanks).append(line).append("\n");
       line.clear();
     }
@@ -108,9 +108,9 @@ std::vector<std::string> taken_remarks(Table& table) {
 }
 
 /// Leaves columns out until the rest fits, or may not be left out; says which.
-std::vector<std::string> narrowed(Table& table, std::size_t width) {
+std::vector<std::string> narrowed(Table& table, std::size_t longest) {
   std::vector<std::string> left_out;
-  while (width_of(strips_of(table, in_two_lines)) > width) {
+  while (width_of(strips_of(table, in_two_lines)) > longest) {
     const auto column = std::ranges::max_element(table.columns, {}, &Column::rank);
     if (column == table.columns.end() || column->rank == 0) break;
     const auto index = column - table.columns.begin();
@@ -132,21 +132,21 @@ std::string text_of(const Table& table) {
   return text;
 }
 
-std::string text_of(Table table, std::size_t width, std::string_view left_out) {
-  const bool fits = width_of(strips_of(table, in_one_line)) <= width;
+std::string text_of(Table table, std::size_t longest, std::string_view left_out) {
+  const bool fits = width_of(strips_of(table, in_one_line)) <= longest;
   const auto remarks = fits ? std::vector<std::string>(table.rows.size()) : taken_remarks(table);
-  const Heads heads = fits || width_of(strips_of(table, in_one_line)) <= width ? in_one_line : in_two_lines;
-  if (const auto names = heads == in_two_lines ? narrowed(table, width) : std::vector<std::string>(); !names.empty())
+  const Heads heads = fits || width_of(strips_of(table, in_one_line)) <= longest ? in_one_line : in_two_lines;
+  if (const auto names = heads == in_two_lines ? narrowed(table, longest) : std::vector<std::string>(); !names.empty())
     table.notes.push_back(formatted("{} {}.", left_out, joined(names, ", ")));
   const auto strips = strips_of(table, heads);
   const std::size_t head_lines = heads == in_two_lines ? 2 : 1;
-  std::string text = wrapped(table.title, width, "");
+  std::string text = wrapped(table.title, longest, "");
   for (std::size_t line = 0; line < head_lines + table.rows.size(); ++line) {
     text += line_of(strips, line);
     if (line >= head_lines && !remarks[line - head_lines].empty())
-      text += wrapped(remarks[line - head_lines], width, "      ");
+      text += wrapped(remarks[line - head_lines], longest, "      ");
   }
-  for (const std::string& note : table.notes) text += wrapped(note, width, "  ");
+  for (const std::string& note : table.notes) text += wrapped(note, longest, "  ");
   return text;
 }
 

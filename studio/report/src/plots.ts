@@ -191,7 +191,15 @@ class Plot {
   }
 }
 
+/** Whether the components of the first method are drawn too. */
+function componentsChoice(): HTMLElement {
+  const box = element('input', { type: 'checkbox', onchange: () => choose({ components: box.checked }) });
+  subscribe(['components'], ({ components }) => (box.checked = components));
+  return element('div', { className: 'controls' }, element('label', { className: 'choice' }, box, element('span', {}, 'Components x, y, z of the first method')));
+}
+
 export function showPlots(): void {
+  place('plots').append(componentsChoice());
   const plots = quantities.map((quantity) => new Plot(quantity));
   const every = (update: (plot: Plot, state: State) => void) => (state: State) => plots.forEach((plot) => update(plot, state));
   subscribe(['first', 'second', 'theme', 'components'], every((plot, state) => plot.rebuild(state)));

@@ -86,12 +86,12 @@ for (const { samples } of report.methods) {
 export const hasSamples = (method: Method) => method.samples.t.length > 1;
 export const shownMethods = report.methods.filter(hasSamples);
 
-/** What is shown until the user chooses: what the report says, else the first two. */
-const nameOr = (name: string, others: Method[]) => shownMethods.find((method) => method.name === name)?.name ?? others[0]?.name ?? null;
-export const firstShown = nameOr(report.first, shownMethods);
-export const secondShown = nameOr(
-  report.second,
+/** What is shown until the user chooses: what the report says, else the first of the methods. */
+const nameIn = (methods: Method[], name: string) => (methods.find((method) => method.name === name) ?? methods[0])?.name ?? null;
+export const firstShown = nameIn(shownMethods, report.first);
+export const secondShown = nameIn(
   shownMethods.filter(({ name }) => name !== firstShown),
+  report.second,
 );
 export const methodNamed = (name: string | null) => shownMethods.find((method) => method.name === name);
 
