@@ -50,6 +50,14 @@ def missing_pages(root, folder):
                 yield f"{name}: {picture} is not in the HTML"
 
 
+def spoilt_texts(folder):
+    """Where a command of Doxygen or the marks of the text are shown instead of what they mean."""
+    for page in [folder / "index.html", *sorted(folder.glob("md_*.html"))]:
+        text = re.sub(r'<div class="fragment">.*?</div><!-- fragment -->', "", page.read_text("utf-8"), flags=re.S)
+        for spoilt in re.findall(r"^@(?:image|code|endcode|ref)\b.*|<a [^>]*>`.*?</a>", text, re.M):
+            yield f"{page.name}: shows '{spoilt[:80]}'"
+
+
 def broken_links(folder):
     for page in sorted(folder.glob("*.html")):
         for link in set(REFERENCE.findall(page.read_text("utf-8", errors="replace"))):
@@ -59,7 +67,7 @@ def broken_links(folder):
 
 
 def main(root, folder):
-    faults = [*missing_pages(root, folder), *broken_links(folder)]
+    faults = [*missing_pages(root, folder), *broken_links(folder), *spoilt_texts(folder)]
     for fault in faults:
         print(f"check_html: {fault}", file=sys.stderr)
     return 1 if faults else 0

@@ -137,7 +137,8 @@ report::Page compared(const std::vector<std::string>& labels, const std::vector<
   std::vector<ComparedMethod> methods;
   for (const std::string& label : labels) {
     methods.push_back({.label = label, .candidate = {label, recording.keys.at(kept)}});
-    methods.back().measures = measure(methods.back().candidate, {recording.keys.times(), recording.keys.orientations()});
+    methods.back().measures =
+        measure(methods.back().candidate, {recording.keys.times(), recording.keys.orientations()});
   }
   return pages::compare_page({.methods = methods,
                               .recording = {recording.keys.times(), recording.keys.orientations()},

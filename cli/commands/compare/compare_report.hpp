@@ -34,7 +34,8 @@ struct CompareReport {
 /// Puts the best method first in each set of keys, what failed last. Error (bad_argument): rates are not logged.
 [[nodiscard]] Expected<void> sort(CompareReport& report);
 
-/// `flight.csv: every 8th sample kept`, `keys.csv against truth.csv`, with the names of the files and not their folders.
+/// `flight.csv: every 8th sample kept`, `keys.csv against truth.csv`, with the names of the files and not their
+/// folders.
 [[nodiscard]] std::string title_of(const CompareReport& report, const ComparedKeys& keys);
 
 /// A table for each set of keys, for people.

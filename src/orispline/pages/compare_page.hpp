@@ -27,8 +27,8 @@ struct ComparedCurves {
 /// The page to look at: the curves through the first set of keys, the measures on all sets. On up to `threads` threads;
 /// 0: one per core.
 ///
-/// At first it shows the default method beside the first one that was named, else beside that of the widely used splines
-/// which stands last. Without the default method the best one takes its place.
+/// At first it shows the default method beside the first one that was named, else beside that of the widely used
+/// splines which stands last. Without the default method the best one takes its place.
 [[nodiscard]] ORISPLINE_EXPORT report::Page compare_page(const ComparedCurves& compared, const PageHead& head,
                                                          unsigned threads = 0);
 

@@ -16,8 +16,8 @@ namespace {
 std::string title_of(const Track& recording, const Reduction& chosen, const Tolerance& allowed) {
   std::string tolerance = formatted("{:.6g}°", allowed.angle * degrees);
   if (allowed.bounds_positions()) tolerance += formatted(" and {:.6g} m", allowed.position);
-  return formatted("{} within {}: {} keys of {} for {} samples", file_name_of(recording.name), tolerance, chosen.samples.size(),
-                   chosen.method.name, recording.keys.size());
+  return formatted("{} within {}: {} keys of {} for {} samples", file_name_of(recording.name), tolerance,
+                   chosen.samples.size(), chosen.method.name, recording.keys.size());
 }
 
 std::vector<report::PageColumn> columns_of(const CurvePage& page) {

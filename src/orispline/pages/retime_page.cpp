@@ -41,8 +41,9 @@ std::vector<report::PageColumn> columns_of(const CurvePage& curves, const std::v
 std::string title_of(const Track& before, const Retiming& retiming, const std::vector<Certificate>& certificates) {
   std::vector<std::string> limits;
   for (const Certificate& c : certificates) limits.push_back(formatted("{:.6g} {}", c.limit, c.unit));
-  return formatted("{} within {}, {}: slowed {} by {:.6g}", file_name_of(before.name), joined(limits, " and "), retiming.method.name,
-                   retiming.slowing == Slowing::uniform ? "uniformly" : "per interval", retiming.time_scale);
+  return formatted("{} within {}, {}: slowed {} by {:.6g}", file_name_of(before.name), joined(limits, " and "),
+                   retiming.method.name, retiming.slowing == Slowing::uniform ? "uniformly" : "per interval",
+                   retiming.time_scale);
 }
 
 /// The limits as lines in the plots of their quantities, which are shown in the units of the certificates.

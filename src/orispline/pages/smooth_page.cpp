@@ -143,9 +143,9 @@ std::vector<std::string> notes_of(const Smoothing& smoothing) {
 }
 
 std::string title_of(const Track& recording, const Smoothing& smoothing) {
-  return formatted("{} smoothed: {}, {} rejected, smoothing time {:.4g} s (cut-off {:.4g} Hz)", file_name_of(recording.name),
-                   counted(recording.keys.size(), "sample"), smoothing.rejected.size(), smoothing.smoothing_time,
-                   smoothing.cutoff());
+  return formatted("{} smoothed: {}, {} rejected, smoothing time {:.4g} s (cut-off {:.4g} Hz)",
+                   file_name_of(recording.name), counted(recording.keys.size(), "sample"), smoothing.rejected.size(),
+                   smoothing.smoothing_time, smoothing.cutoff());
 }
 
 /// Measures of all samples, and of the accepted ones where some are not.
