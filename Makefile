@@ -87,6 +87,7 @@ docs:
 	rm -rf build/docs
 	cmake --install build/release --component headers --prefix build/docs
 	doxygen docs/Doxyfile
+	tools/check_html.py . build/docs/html
 
 # Builds the page of the reports anew, which is part of the library.
 page:

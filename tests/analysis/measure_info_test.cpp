@@ -38,6 +38,15 @@ TEST(MeasureInfo, IsWholeEverywhere) {
   }
 }
 
+TEST(MeasureInfo, KnowsItsMomentsAndThatAnglesOfEqualOrientationsAreRoundingErrors) {
+  for (const MeasureInfo& measure : measures_info()) {
+    EXPECT_EQ(measure.is_time, measure.id.ends_with("_at_s")) << measure.id;
+    EXPECT_EQ(measure.rounding > 0.0, !measure.unit.empty() && measure.unit != "s") << measure.id;
+  }
+  EXPECT_GT(measure_of("max_deg").rounding, 1.38e-33);
+  EXPECT_LT(measure_of("max_deg").rounding, 1e-9);
+}
+
 TEST(MeasureInfo, GroupsKeepTheOrderOfTheListWhateverTheirs) {
   const auto some = measures_of({MeasureGroup::cost, MeasureGroup::distance});
   EXPECT_EQ(some.front().id, "rms_deg");

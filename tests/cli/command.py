@@ -1,13 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """The command under test, run in a folder of its own with the input files that the tests name."""
+import fcntl
 import json
 import math
 import os
 import pathlib
+import pty
 import re
 import signal
+import struct
 import subprocess
 import tempfile
+import termios
 import unittest
 
 COMMAND = pathlib.Path(os.environ["ORISPLINE_COMMAND"]).resolve()
@@ -19,6 +23,14 @@ HALF = math.sqrt(0.5)
 with_pages = unittest.skipIf(os.environ.get("ORISPLINE_PAGE") == "OFF", "the command was built without pages")
 without_pages = unittest.skipUnless(os.environ.get("ORISPLINE_PAGE") == "OFF", "the command was built with pages")
 KEYS = f"t,qw,qx,qy,qz\n0,1,0,0,0\n1,{math.cos(math.pi / 8)},0,0,{math.sin(math.pi / 8)}\n3,{HALF},0,0,{HALF}\n"
+
+
+def read_or_nothing(terminal):
+    """Linux fails where the other side of a terminal is closed."""
+    try:
+        return os.read(terminal, 65536)
+    except OSError:
+        return b""
 
 
 class CommandTest(unittest.TestCase):
@@ -56,6 +68,19 @@ class CommandTest(unittest.TestCase):
         expected = f"orispline: {message}\n" + (HINT if code == BAD_USAGE else "")
         self.assertEqual((done.returncode, done.stdout, done.stderr), (code, "", expected))
         self.assertLessEqual(done.stderr.count("\n"), 4)
+
+    def on_terminal(self, columns, arguments):
+        """The lines that a run writes to a terminal of so many columns."""
+        ours, theirs = pty.openpty()
+        fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", 25, columns, 0, 0))
+        with subprocess.Popen([COMMAND, *arguments], cwd=self.folder, stdout=theirs, stderr=subprocess.DEVNULL) as run:
+            os.close(theirs)
+            text = b""
+            while piece := read_or_nothing(ours):
+                text += piece
+        os.close(ours)
+        self.assertEqual(run.returncode, SUCCESS)
+        return text.decode("utf-8").replace("\r\n", "\n").splitlines()
 
     def page(self, name):
         """The data of a report, which has to be whole and to need no network."""

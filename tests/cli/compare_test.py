@@ -5,6 +5,7 @@ import csv
 import io
 import json
 import math
+import pathlib
 
 from command import BAD_ACCESS, BAD_DATA, BAD_USAGE, SUCCESS, CommandTest, main, with_pages, without_pages
 
@@ -160,6 +161,41 @@ class Compare(CommandTest):
         self.assertEqual([method["name"] for method in page["methods"]], ["auto", "slerp"])
         self.assertEqual(len({"rms_deg", "rms_deg_1", "energy"} & {column["id"] for column in page["columns"]}), 3)
         self.assertEqual((page["methods"][0]["samples"]["torque"], page["limits"], page["marks"]), ([], {}, None))
+
+    @with_pages
+    def test_the_report_shows_auto_beside_what_was_named_and_names_files_without_folders(self):
+        (self.folder / "far").mkdir()
+        (self.folder / "far/cubic.csv").write_text(self.read("cubic.csv"), "utf-8")
+        for methods, second in (("slerp,timed-c2,auto", "slerp"), ("all,tcb:tension=0.3", "tcb:tension=0.3")):
+            self.output_of(f"compare {self.folder}/far/cubic.csv --keep-every 10 --methods {methods} --report out.html")
+            page = self.page("out.html")
+            self.assertEqual((page["first"], page["second"]), ("auto", second))
+            self.assertEqual(page["title"], "cubic.csv: every 10th sample kept, 5 keys, 41 samples compared")
+        self.output_of("compare cubic.csv --keep-every 10 --report out.html")
+        self.assertIn(self.page("out.html")["second"], ("rotation-spline", "squad", "tcb"))
+
+    def test_the_table_fits_a_terminal_of_80_columns(self):
+        source = pathlib.Path(__file__).resolve().parents[2] / "examples/data"
+        arguments = ["compare", f"{source}/flight_keys.csv", "--reference", f"{source}/flight_truth.csv", "--methods",
+                     "auto,squad:ends=phantom,hermite-cumulative,tcb:tension=0.25:bias=0.125"]
+        lines = self.on_terminal(80, arguments)
+        self.assertLessEqual(max(map(len, lines)), 80, "\n".join(lines))
+        self.assertIn("RMS", lines[1])
+        self.assertIn("[°]", lines[2])
+        self.assertTrue(any("which --csv and --json have too:" in line for line in lines))
+        wide = self.on_terminal(200, arguments)
+        self.assertIn("RMS [°]  mean [°]  95 % [°]", wide[1])
+        self.assertGreater(max(map(len, wide)), 80)
+
+    def test_the_table_keeps_the_measure_that_sorts_it_and_wraps_failures(self):
+        lines = self.on_terminal(80, ["compare", "cubic.csv", "--methods", "auto,bezier", "--sort", "seconds"])
+        self.assertIn("time", lines[1])
+        self.assertLessEqual(max(map(len, lines)), 80, "\n".join(lines))
+        self.assertTrue(any(line.startswith("      cubic.csv: ") for line in lines), "\n".join(lines))
+
+    def test_rounding_errors_are_0_in_the_table(self):
+        text = self.output_of("compare keys.csv --reference keys.csv --methods slerp")
+        self.assertRegex(text.splitlines()[2], r"^  slerp +C0 +0 +0 +0 +0 ")
 
     @with_pages
     def test_the_report_has_torques_where_the_inertia_is_known(self):

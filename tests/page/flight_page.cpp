@@ -57,7 +57,7 @@ Expected<report::Page> flight_page(const char* keys_path, const char* truth_path
   page.columns = {{"rms_deg", "RMS", "deg", "Root mean square of the angle to the reference"},
                   {"mean_deg", "Mean", "deg", "Mean angle to the reference"},
                   {"max_deg", "Max", "deg", "Largest angle to the reference"},
-                  {"max_at_s", "at", "s", "Time of the largest angle", report::Better::neither},
+                  {"max_at_s", "at", "s", "Time of the largest angle", report::Better::neither, true},
                   {"peak_rate", "Peak |ω|", "rad/s", "Largest angular velocity"},
                   {"peak_acceleration", "Peak |α|", "rad/s²", "Largest angular acceleration"}};
   page.sorted_by = "rms_deg";

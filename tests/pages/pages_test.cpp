@@ -29,7 +29,7 @@ Track noisy(std::size_t count) {
                                 exp<double>(Eigen::Vector3d(0.5 / degrees * dice.vector())));
   }
   Track track = Keyframes::make(std::move(data)).value();
-  track.name = "noisy";
+  track.name = "folder/noisy";
   return track;
 }
 
@@ -94,6 +94,8 @@ TEST(RetimePage, ShowsBothMotionsWithTheirCertificates) {
   EXPECT_LE(page.methods[0].measures.at("rate_bound_deg_s"), 0.1 * degrees);
   EXPECT_GT(page.methods[1].measures.at("rate_max_deg_s"), 0.1 * degrees);
   EXPECT_EQ(page.limits.at("w"), 0.1);
+  EXPECT_EQ(page.units.at("w").name, "°/s");  // as the certificates
+  EXPECT_DOUBLE_EQ(page.units.at("w").size * degrees, 1.0);
 }
 
 TEST(ComparePage, HasTheCurvesOfTheFirstKeysAndTheMeasuresOfAll) {
@@ -124,6 +126,52 @@ TEST(ComparePage, HasTheCurvesOfTheFirstKeysAndTheMeasuresOfAll) {
   const auto column = std::ranges::find(page.columns, "max_deg_1", &report::PageColumn::id);
   ASSERT_NE(column, page.columns.end());
   EXPECT_EQ(column->label, "max, every 20th");
+}
+
+/// On every 10th sample, in this order; that of no such name has failed.
+report::Page compared(const std::vector<std::string>& labels, const std::vector<std::string>& named,
+                      const Decimal& epoch = {}) {
+  const Track recording = noisy(101);
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < recording.keys.size(); i += 10) kept.push_back(i);
+  std::vector<ComparedMethod> methods;
+  for (const std::string& label : labels) {
+    methods.push_back({.label = label, .candidate = {label, recording.keys.at(kept)}});
+    methods.back().measures =
+        measure(methods.back().candidate, {recording.keys.times(), recording.keys.orientations()});
+  }
+  return pages::compare_page({.methods = methods,
+                              .recording = {recording.keys.times(), recording.keys.orientations()},
+                              .epoch = epoch,
+                              .key_sets = {""},
+                              .named = named,
+                              .measures = measures_of({MeasureGroup::distance, MeasureGroup::shape})},
+                             head);
+}
+
+TEST(ComparePage, ShowsTheDefaultBesideTheWorstOfTheWidelyUsedSplines) {
+  const report::Page page = compared({"rotation-spline", "auto", "squad", "slerp", "impossible"}, {"all"});
+  EXPECT_EQ(page.first, "auto");
+  EXPECT_EQ(page.second, "squad");
+  for (const std::string_view name : {"rotation-spline", "squad", "tcb"}) EXPECT_TRUE(find_family(name)) << name;
+}
+
+TEST(ComparePage, ShowsTheDefaultBesideWhatTheUserNamed) {
+  EXPECT_EQ(compared({"auto", "squad", "slerp"}, {"auto", "slerp", "squad"}).second, "slerp");
+  const report::Page failed = compared({"auto", "squad", "slerp", "impossible"}, {"impossible", "slerp"});
+  EXPECT_EQ(failed.first + " " + failed.second, "auto slerp");
+  const report::Page without = compared({"timed-c2", "slerp"}, {"slerp", "timed-c2"});
+  EXPECT_EQ(without.first + " " + without.second, "timed-c2 slerp");
+  EXPECT_EQ(compared({"auto"}, {"auto"}).second, "");
+}
+
+TEST(ComparePage, TellsMomentsFromTheStartOfItsPlots) {
+  const report::Page page = compared({"auto"}, {}, Decimal::from_double(1.7e9));
+  EXPECT_EQ(page.time_start, "1700000000");
+  EXPECT_LE(page.methods[0].measures.at("max_at_s"), 1.0);
+  const auto column = std::ranges::find(page.columns, "max_at_s", &report::PageColumn::id);
+  ASSERT_NE(column, page.columns.end());
+  EXPECT_TRUE(column->is_time);
 }
 
 TEST(Page, OfVeryManyKeysShowsSomeAndSaysSo) {

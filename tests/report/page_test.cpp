@@ -61,7 +61,7 @@ TEST(Page, HasNotesLimitsMarksAndKeysOfAMethod) {
   const Eigen::Quaterniond one(1.0, 0.0, 0.0, 0.0);
   const std::string empty = json_of({.methods = {{.name = "m"}}});
   EXPECT_EQ(count_of(R"("notes":[],)", empty), 1U);
-  EXPECT_EQ(count_of(R"("marks":null,"limits":{})", empty), 1U);
+  EXPECT_EQ(count_of(R"("marks":null,"limits":{},"units":{},)", empty), 1U);
   EXPECT_EQ(count_of(R"("torque":[],"p":[],"error_t":[],"error_deg":[]},"keys":null})", empty), 1U);
   PageMethod method{.name = "m", .keys = PageKeys{.path = {{2.0}, {one}}}};
   method.samples.torques = {{1.0, 2.0, 3.0}};
@@ -70,24 +70,29 @@ TEST(Page, HasNotesLimitsMarksAndKeysOfAMethod) {
   const std::string json = json_of({.notes = {"a", "b"},
                                     .marks = PageMarks{"odd ones", {{1.0}, {one}}, {30.0}},
                                     .limits = {{"w", 1.5}, {"error", 0.1}},
+                                    .units = {{"w", {"°/s", 0.0174532925}}},
                                     .methods = {method}});
   EXPECT_EQ(count_of("\"notes\":[\"a\",\n\"b\"]", json), 1U);
   EXPECT_EQ(count_of(R"("marks":{"label":"odd ones","t":[1],"q":[1,0,0,0],"error_deg":[30]})", json), 1U);
-  EXPECT_EQ(count_of(R"("limits":{"error":0.1,"w":1.5})", json), 1U);
+  EXPECT_EQ(count_of(R"("limits":{"error":0.1,"w":1.5},"units":{"w":{"unit":"°/s","size":0.01745329}})", json), 1U);
   EXPECT_EQ(count_of(R"("torque":[1,2,3],"p":[],"error_t":[0.5],"error_deg":[4]})", json), 1U);
   EXPECT_EQ(count_of(R"("keys":{"t":[2],"q":[1,0,0,0],"p":[]}})", json), 1U);
 }
 
 TEST(Page, NamesColumnsBodiesAndFailures) {
-  Page page{.body = PageBody::axes, .sorted_by = "rms"};
-  page.columns = {{"rms", "RMS", "deg", "why", Better::less}, {"n", "N", "", "", Better::neither}};
+  Page page{.body = PageBody::axes, .sorted_by = "rms", .first = "b", .second = "c"};
+  page.columns = {{"rms", "RMS", "deg", "why", Better::less, false, 1e-12}, {"n", "N", "", "", Better::neither, true}};
   page.methods = {{.name = "a", .failure = "no"}, {.name = "b"}};
   const std::string json = json_of(page);
   EXPECT_EQ(count_of(R"("body":"axes")", json), 1U);
-  EXPECT_EQ(count_of(R"({"id":"rms","label":"RMS","unit":"deg","explanation":"why","better":"less"})", json), 1U);
-  EXPECT_EQ(
-      count_of(R"("better":"neither"}],"sorted_by":"rms","methods":[{"name":"a","continuity":"","failure":"no")", json),
-      1U);
+  EXPECT_EQ(count_of(R"({"id":"rms","label":"RMS","unit":"deg","explanation":"why","better":"less",)"
+                     R"("is_time":false,"rounding":1e-12})",
+                     json),
+            1U);
+  EXPECT_EQ(count_of(R"("better":"neither","is_time":true,"rounding":0}],"sorted_by":"rms","first":"b","second":"c",)"
+                     R"("methods":[{"name":"a","continuity":"","failure":"no")",
+                     json),
+            1U);
 }
 
 }  // namespace

@@ -37,6 +37,45 @@ TEST(Table, PrintsShortestNumbersWithTheDigitsAskedFor) {
   EXPECT_EQ(text_of(table), "t\n         a\n      1.28\n      0.25\n  1.23e+05\n");
 }
 
+Table speeds() {
+  return {.title = "Speeds of some curves on a file",
+          .columns =
+              {{"curve"}, {"RMS [°]"}, {.name = "time [s]", .rank = 2}, {.name = "∫|α|² [rad²/s³]", .rank = 1}, {""}},
+          .rows = {{"slerp", 1.25, 0.5, 17.0}, {"odd", "–", "–", "–", "key 3: found 1 key, wanted 2 of them"}},
+          .notes = {"A note of a few words."}};
+}
+
+TEST(Table, ThatFitsIsLeftAsItIs) { EXPECT_EQ(text_of(speeds(), 200, "Left out:"), text_of(speeds())); }
+
+TEST(Table, PutsUnitsAndRemarksBelowWhereThereIsLittleRoom) {
+  EXPECT_EQ(text_of(speeds(), 36, "Left out:"),
+            "Speeds of some curves on a file\n"
+            "  curve   RMS  time      ∫|α|²\n"
+            "          [°]   [s]  [rad²/s³]\n"
+            "  slerp  1.25   0.5         17\n"
+            "  odd       –     –          –\n"
+            "      key 3: found 1 key, wanted 2\n"
+            "      of them\n"
+            "  A note of a few words.\n");
+}
+
+TEST(Table, LeavesOutTheHighestRankFirstAndSaysSo) {
+  EXPECT_EQ(text_of(speeds(), 28, "Left out:"),
+            "Speeds of some curves on a\n"
+            "file\n"
+            "  curve   RMS      ∫|α|²\n"
+            "          [°]  [rad²/s³]\n"
+            "  slerp  1.25         17\n"
+            "  odd       –          –\n"
+            "      key 3: found 1 key,\n"
+            "      wanted 2 of them\n"
+            "  A note of a few words.\n"
+            "  Left out: time.\n");
+  const std::string least = text_of(speeds(), 8, "Left out:");
+  EXPECT_NE(least.find("  slerp  1.25\n"), std::string::npos) << least;  // of no rank
+  EXPECT_NE(least.find("time,\n  ∫|α|².\n"), std::string::npos) << least;
+}
+
 TEST(Characters, AreCountedAsTheyAreSeen) {
   EXPECT_EQ(characters(""), 0U);
   EXPECT_EQ(characters("abc"), 3U);

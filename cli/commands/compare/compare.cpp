@@ -9,6 +9,7 @@
 #include "commands/compare/compare_report.hpp"
 #include "output/progress.hpp"
 #include "output/standard_output.hpp"
+#include "output/terminal_width.hpp"
 
 namespace orispline::cli {
 namespace {
@@ -83,10 +84,11 @@ Expected<CompareReport> compared(const CompareOptions& options, const CompareReq
 }
 
 /// As the page takes it.
-pages::ComparedCurves shown(const CompareReport& report) {
+pages::ComparedCurves shown(const CompareReport& report, const std::vector<std::string>& named) {
   pages::ComparedCurves curves{.methods = report.methods,
                                .recording = report.data.recording(),
                                .epoch = report.data.epoch,
+                               .named = named,
                                .measures = measures_of(report),
                                .sorted_by = report.sort,
                                .inertia = report.inertia};
@@ -98,7 +100,7 @@ pages::ComparedCurves shown(const CompareReport& report) {
 Expected<void> print(const CompareReport& report, const CompareOptions& options) {
   return print_document(options.json  ? json_of(report)
                         : options.csv ? csv_of(report)
-                                      : text_of(report))
+                                      : text_of(report, terminal_width()))
       .and_then([&] { return any_worked(report); });
 }
 
@@ -112,7 +114,7 @@ Expected<void> compare(const CompareOptions& options) {
   return compared(options, *request).and_then([&](const CompareReport& report) {
     const auto make_page = [&](auto head) {
       head.title = title_of(report, report.data.key_sets.front());
-      return pages::compare_page(shown(report), head, static_cast<unsigned>(request->threads));
+      return pages::compare_page(shown(report, request->named), head, static_cast<unsigned>(request->threads));
     };
     return file->write(make_page).and_then([&] { return file->finish(); }).and_then([&] {
       return print(report, options);

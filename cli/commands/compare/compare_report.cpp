@@ -2,8 +2,10 @@
 #include "commands/compare/compare_report.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <orispline/base/counted.hpp>
+#include <orispline/base/file_name.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 #include <orispline/report/table.hpp>
@@ -14,14 +16,16 @@ namespace orispline::cli {
 namespace {
 
 constexpr std::string_view none = "–";
+constexpr std::string_view not_shown = "The terminal is too narrow for these, which --csv and --json have too:";
 
 std::string continuity_of(const ComparedMethod& method) {
   return method.measures ? formatted("C{}", method.measures->continuity.order()) : std::string(none);
 }
 
 report::Cell cell_of(const ComparedMethod& method, const MeasureInfo& measure, const ComparedData& data) {
-  if (const auto value = value_of(measure, method, data)) return *value;
-  return std::string(none);
+  const auto value = value_of(measure, method, data);
+  if (!value) return std::string(none);
+  return std::abs(*value) <= measure.rounding ? 0.0 : *value;
 }
 
 /// Methods that are told the rates at the keys.
@@ -65,7 +69,9 @@ report::Table table_of(const CompareReport& report, std::size_t key_set) {
   std::vector<MeasureInfo> measures = measures_of(report);
   std::erase_if(measures, [](const MeasureInfo& measure) { return measure.heading.empty(); });
   for (const MeasureInfo& measure : measures)
-    table.columns.push_back({.name = std::string(measure.heading), .digits = measure.digits});
+    table.columns.push_back({.name = std::string(measure.heading),
+                             .digits = measure.digits,
+                             .rank = measure.word == report.sort ? 0 : measure.rank});
   table.columns.push_back({""});  // why a method failed
   for (const ComparedMethod& method : report.methods) {
     if (method.key_set != key_set) continue;
@@ -101,18 +107,20 @@ std::optional<double> value_of(const MeasureInfo& measure, const ComparedMethod&
 }
 
 std::string title_of(const CompareReport& report, const ComparedKeys& keys) {
-  const std::string what =
-      keys.decimation ? formatted("{}: {} sample kept", printable(report.data.reference), name_of(*keys.decimation))
-                      : formatted("{} against {}", printable(keys.track.name), printable(report.data.reference));
+  const std::string reference = printable(file_name_of(report.data.reference));
+  const std::string what = keys.decimation
+                               ? formatted("{}: {} sample kept", reference, name_of(*keys.decimation))
+                               : formatted("{} against {}", printable(file_name_of(keys.track.name)), reference);
   return formatted("{}, {}, {} compared", what, counted(keys.track.keys.size(), "key"),
                    counted(keys.compared, "sample"));
 }
 
-std::string text_of(const CompareReport& report) {
+std::string text_of(const CompareReport& report, std::optional<std::size_t> width) {
   std::string text;
   if (const std::string repairs = text_of(report.data.repairs); !repairs.empty()) text += repairs + "\n";
   for (std::size_t i = 0; i < report.data.key_sets.size(); ++i)
-    text += (text.empty() ? "" : "\n") + text_of(table_of(report, i));
+    text.append(text.empty() ? "" : "\n")
+        .append(width ? text_of(table_of(report, i), *width, not_shown) : text_of(table_of(report, i)));
   return text;
 }
 

@@ -34,11 +34,14 @@ struct CompareReport {
 /// Puts the best method first in each set of keys, what failed last. Error (bad_argument): rates are not logged.
 [[nodiscard]] Expected<void> sort(CompareReport& report);
 
-/// `every 8th sample of flight.csv`, `keys.csv against truth.csv`
+/// `flight.csv: every 8th sample kept`, `keys.csv against truth.csv`, with the names of the files and not their
+/// folders.
 [[nodiscard]] std::string title_of(const CompareReport& report, const ComparedKeys& keys);
 
 /// A table for each set of keys, for people.
-[[nodiscard]] std::string text_of(const CompareReport& report);
+///
+/// In lines of so many characters: what has no room is left out, and named.
+[[nodiscard]] std::string text_of(const CompareReport& report, std::optional<std::size_t> width);
 /// One table with a header.
 [[nodiscard]] std::string csv_of(const CompareReport& report);
 

@@ -33,13 +33,20 @@ std::vector<std::string> with_all_methods(std::vector<std::string> names) {
   return names;
 }
 
-Expected<std::vector<NamedMethod>> methods_in(const CompareOptions& options) {
+/// The names that were typed, each for itself; `all` among them.
+std::vector<std::string> typed_names(const CompareOptions& options) {
   std::vector<std::string> names;
   for (const std::string& list : options.methods)
-    for (const std::string_view name : pieces_of(list, ',')) {
-      if (name == all_methods) names = with_all_methods(std::move(names));
-      else names.emplace_back(name);
-    }
+    for (const std::string_view name : pieces_of(list, ',')) names.emplace_back(name);
+  return names;
+}
+
+Expected<std::vector<NamedMethod>> methods_in(const CompareOptions& options) {
+  std::vector<std::string> names;
+  for (std::string& name : typed_names(options)) {
+    if (name == all_methods) names = with_all_methods(std::move(names));
+    else names.push_back(std::move(name));
+  }
   if (names.empty()) names = with_all_methods({});
   std::vector<NamedMethod> methods;
   for (const std::string& name : names) {
@@ -109,6 +116,7 @@ Expected<CompareRequest> compare_request(const CompareOptions& options) {
   CompareRequest request{.input = checked(input_request(options.input)),
                          .decimations = checked(decimations_in(options)),
                          .methods = checked(methods_in(options)),
+                         .named = typed_names(options),
                          .measured = checked(measures_in(options)),
                          .tune = options.tune,
                          .sort = checked(sort_word_in({"--sort", options.sort.value_or(std::string(default_sort))})),

@@ -20,6 +20,7 @@ struct CompareRequest {
   InputRequest input;
   std::vector<Decimation> decimations{};  ///< none: the keys are INPUT itself
   std::vector<NamedMethod> methods{};
+  std::vector<std::string> named{};  ///< labels of those that were typed one by one
   MeasureOptions measured{};
   bool tune = false;  ///< methods with tensions once more, tuned
   std::string sort;   ///< the word of a measure

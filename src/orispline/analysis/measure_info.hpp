@@ -35,11 +35,14 @@ struct MeasureInfo {
   std::string_view word{};     ///< that methods are sorted by; empty: not for sorting
   std::string_view heading{};  ///< with the unit, in a table for people; empty: not there
   int digits = 4;              ///< significant ones, there
+  int rank = 0;                ///< there: where there is no room for all, those of the highest rank are left out first
   std::string_view label{}, unit{};
   std::string_view explanation{};  ///< one sentence
   Better better = Better::less;
   int finite_from = 0;    ///< the order of continuity that it wants: ∫|α|² of a curve whose ω jumps is infinite
   bool is_order = false;  ///< a whole number, shown as C0, C1, …
+  bool is_time = false;   ///< a moment, told by MeasureTimes
+  double rounding = 0.0;  ///< in the unit: values that are not larger are rounding errors, 0 for people
   std::optional<double> (*value)(const Measures&, const MeasureTimes&) = nullptr;  ///< in the unit; absent: not taken
 
   /// Whether the value is that of the whole curve.

@@ -2,6 +2,7 @@
 #include <orispline/pages/compare_page.hpp>
 
 #include <algorithm>
+#include <array>
 
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
@@ -13,6 +14,9 @@ namespace orispline::inline ORISPLINE_ABI::pages {
 namespace {
 
 constexpr std::size_t samples_per_method = 600;
+
+/// The smooth curves of most programs: what a first look compares the default with.
+constexpr std::array<std::string_view, 3> widely_used{"rotation-spline", "squad", "tcb"};
 
 /// The id of a measure on another set of keys than the first.
 std::string id_on(std::string_view id, std::size_t key_set) {
@@ -31,8 +35,13 @@ std::vector<report::PageColumn> columns_of(const ComparedCurves& compared) {
     std::erase_if(measures, [&](const MeasureInfo& measure) { return !is_in_page(measure, i); });
     const std::string keys = i == 0 ? "" : ", " + compared.key_sets[i];
     for (const report::PageColumn& column : measure_columns(std::move(measures)))
-      columns.push_back(
-          {id_on(column.id, i), column.label + keys, column.unit, column.explanation + keys, column.better});
+      columns.push_back({.id = id_on(column.id, i),
+                         .label = column.label + keys,
+                         .unit = column.unit,
+                         .explanation = column.explanation + keys,
+                         .better = column.better,
+                         .is_time = column.is_time,
+                         .rounding = column.rounding});
   }
   return columns;
 }
@@ -53,7 +62,7 @@ report::PageMethod method_of(const ComparedMethod& method, const ComparedCurves&
 }
 
 void add_measures(report::PageMethod& method, const ComparedCurves& compared) {
-  const MeasureTimes times{compared.epoch, compared.recording.times};
+  const MeasureTimes times = on_page(compared.recording.times);
   for (const ComparedMethod& other : compared.methods) {
     if (other.label != method.name || !other.measures) continue;
     for (const MeasureInfo& measure : compared.measures)
@@ -68,6 +77,29 @@ std::string id_of_word(const std::vector<MeasureInfo>& measures, std::string_vie
   return word.empty() || found == measures.end() || found->is_order ? "" : std::string(found->id);
 }
 
+/// Names of the methods that the page shows at first, the second one beside the first; empty where there is none.
+struct Pair {
+  std::string first{}, second{};
+};
+
+/// One curve says little: a reader is to see what the choice of a method changes.
+Pair pair_that_teaches(const ComparedCurves& compared, std::size_t in_page) {
+  std::vector<const ComparedMethod*> working;
+  for (const ComparedMethod& method : compared.methods.first(in_page))
+    if (method.measures) working.push_back(&method);
+  if (working.empty()) return {};
+  const auto named = [&](std::string_view label) { return std::ranges::find(working, label, &ComparedMethod::label); };
+  const auto usual = named(default_method);
+  Pair pair{.first = usual != working.end() ? (*usual)->label : working.front()->label};
+  for (const std::string& label : compared.named)
+    if (pair.second.empty() && label != pair.first && named(label) != working.end()) pair.second = label;
+  if (!pair.second.empty()) return pair;
+  for (const ComparedMethod* method : working)
+    if (method->label != pair.first && std::ranges::find(widely_used, method->label) != widely_used.end())
+      pair.second = method->label;
+  return pair;
+}
+
 }  // namespace
 
 report::Page compare_page(const ComparedCurves& compared, const PageHead& head, unsigned threads) {
@@ -80,6 +112,9 @@ report::Page compare_page(const ComparedCurves& compared, const PageHead& head, 
   page.reference = report::thinned(truth, samples_per_method);
   page.columns = columns_of(compared);
   page.sorted_by = id_of_word(compared.measures, compared.sorted_by);
+  auto [first, second] = pair_that_teaches(compared, in_page);
+  page.first = std::move(first);
+  page.second = std::move(second);
   page.methods.resize(in_page);
   parallel_for(in_page, threads, [&](std::size_t i) {
     page.methods[i] = method_of(compared.methods[i], compared, truth);

@@ -53,8 +53,13 @@ std::vector<report::PageColumn> measure_columns(std::vector<MeasureInfo> measure
   std::stable_partition(measures.begin(), measures.end(), [](const MeasureInfo& m) { return !m.heading.empty(); });
   for (const MeasureInfo& measure : measures)
     if (!measure.is_order)  // which has a column of its own
-      columns.push_back({std::string(measure.id), std::string(measure.label), std::string(measure.unit),
-                         std::string(measure.explanation), measure.better});
+      columns.push_back({.id = std::string(measure.id),
+                         .label = std::string(measure.label),
+                         .unit = std::string(measure.unit),
+                         .explanation = std::string(measure.explanation),
+                         .better = measure.better,
+                         .is_time = measure.is_time,
+                         .rounding = measure.rounding});
   return columns;
 }
 
@@ -73,7 +78,7 @@ report::PageMethod method_of(const CurvePage& page, const ShownCurve& curve) {
                             .samples = samples_of(curve.curve, page.inertia, samples_of_few),
                             .keys = keys_in_page(curve.keys)};
   for (const MeasureInfo& measure : page.measures)
-    if (const auto value = measure.value(curve.measures, {page.epoch, page.recording.times()});
+    if (const auto value = measure.value(curve.measures, on_page(page.recording.times()));
         value && measure.is_finite(curve.measures))
       method.measures.emplace(measure.id, *value);
   return method;

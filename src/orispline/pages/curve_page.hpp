@@ -26,6 +26,9 @@ namespace orispline::inline ORISPLINE_ABI::pages {
 /// The columns of measures, the ones first that people look at first.
 [[nodiscard]] ORISPLINE_EXPORT std::vector<report::PageColumn> measure_columns(std::vector<MeasureInfo> measures);
 
+/// Moments are told as all times of a page are: from the epoch on.
+[[nodiscard]] constexpr MeasureTimes on_page(std::span<const double> recording) noexcept { return {{}, recording}; }
+
 /// A curve as a page shows it, its torques too where the inertia [kg m²] is known.
 [[nodiscard]] ORISPLINE_EXPORT report::PageSamples samples_of(const PoseCurve& curve,
                                                               const std::optional<Eigen::Matrix3d>& inertia,
@@ -44,7 +47,6 @@ struct ShownCurve {
 
 /// What all curves of a page have alike.
 struct CurvePage {
-  Decimal epoch{};        ///< of all times [s]
   Keyframes recording{};  ///< or keys, that the curves are measured against
   std::vector<MeasureInfo> measures{};
   std::optional<Eigen::Matrix3d> inertia{};  ///< [kg m²]: torques are shown too

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include <orispline/base/file_name.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/math/degrees.hpp>
@@ -15,8 +16,8 @@ namespace {
 std::string title_of(const Track& recording, const Reduction& chosen, const Tolerance& allowed) {
   std::string tolerance = formatted("{:.6g}°", allowed.angle * degrees);
   if (allowed.bounds_positions()) tolerance += formatted(" and {:.6g} m", allowed.position);
-  return formatted("{} within {}: {} keys of {} for {} samples", recording.name, tolerance, chosen.samples.size(),
-                   chosen.method.name, recording.keys.size());
+  return formatted("{} within {}: {} keys of {} for {} samples", file_name_of(recording.name), tolerance,
+                   chosen.samples.size(), chosen.method.name, recording.keys.size());
 }
 
 std::vector<report::PageColumn> columns_of(const CurvePage& page) {
@@ -51,8 +52,7 @@ report::Page reduce_page(const Track& recording, std::span<const Reduction> redu
                          const PageHead& head, std::optional<double> smoothing_time) {
   const std::size_t smallest = orispline::smallest(reductions);
   const Reduction& chosen = reductions[smallest];
-  const CurvePage curves{.epoch = recording.epoch,
-                         .recording = recording.keys,
+  const CurvePage curves{.recording = recording.keys,
                          .measures = measures_of({MeasureGroup::distance, MeasureGroup::shape})};
   report::Page page =
       begun_page(title_of(recording, chosen, options.tolerance), head, recording.epoch, chosen.track.keys);

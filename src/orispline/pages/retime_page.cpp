@@ -5,6 +5,7 @@
 #include <iterator>
 #include <limits>
 
+#include <orispline/base/file_name.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/pages/curve_page.hpp>
@@ -37,19 +38,24 @@ std::vector<report::PageColumn> columns_of(const CurvePage& curves, const std::v
 std::string title_of(const Track& before, const Retiming& retiming, const std::vector<Certificate>& certificates) {
   std::vector<std::string> limits;
   for (const Certificate& c : certificates) limits.push_back(c.text_of(c.limit));
-  return formatted("{} within {}, {}: slowed {} by {:.6g}", before.name, joined(limits, " and "), retiming.method.name,
+  const std::string within = limits.empty() ? "" : formatted(" within {}", joined(limits, " and "));
+  return formatted("{}{}, {}: slowed {} by {:.6g}", file_name_of(before.name), within, retiming.method.name,
                    retiming.slowing == Slowing::uniform ? "uniformly" : "per interval", retiming.time_scale);
 }
 
-std::map<std::string, double, std::less<>> limits_of(const MotionLimits& limits) {
-  std::map<std::string, double, std::less<>> lines;
-  const auto add = [&lines](std::string_view line, const std::optional<Limit>& limit) {
-    if (limit && !limit->is_per_axis()) lines.emplace(line, limit->sizes[0]);
+/// The limits of lengths as lines in the plots of their quantities, which are shown in the units of the certificates.
+void add_limits(report::Page& page, const MotionLimits& limits, const std::vector<Certificate>& certificates) {
+  const auto add = [&](std::string_view quantity, std::string_view id, const std::optional<Limit>& limit) {
+    const auto certificate =
+        std::ranges::find_if(certificates, [&](const Certificate& c) { return c.id.starts_with(id); });
+    if (!limit || certificate == certificates.end()) return;
+    if (!limit->is_per_axis()) page.limits.emplace(quantity, limit->sizes[0]);
+    page.units.emplace(quantity, report::PageUnit{std::string(certificate->shown.name), certificate->shown.size});
   };
-  add("w", limits.rate);
-  add("a", limits.acceleration);
-  add("torque", limits.torque);
-  return lines;
+  add("w", "rate", limits.rate);
+  add("a", "acceleration", limits.acceleration);
+  add("j", "jerk", limits.jerk);
+  add("torque", "torque", limits.torque);
 }
 
 /// What both curves have alike.
@@ -82,8 +88,7 @@ report::PageMethod method_of(const RetimedKeys& retimed, std::string name, const
 report::Page retime_page(const Track& before, const Retiming& retiming, const MotionLimits& limits,
                          const PageHead& head) {
   const RetimedKeys retimed{
-      .curves = {.epoch = before.epoch,
-                 .recording = before.keys,
+      .curves = {.recording = before.keys,
                  .measures = limits.inertia ? measures_of({MeasureGroup::shape, MeasureGroup::torque})
                                             : measures_of({MeasureGroup::shape}),
                  .inertia = limits.inertia},
@@ -91,7 +96,7 @@ report::Page retime_page(const Track& before, const Retiming& retiming, const Mo
       .limits = limits};
   const auto certificates = certificates_of(limits, retiming.peaks);
   report::Page page = begun_page(title_of(before, retiming, certificates), head, before.epoch, before.keys);
-  page.limits = limits_of(limits);
+  add_limits(page, limits, certificates);
   page.columns = columns_of(retimed.curves, certificates);
   page.methods.push_back(method_of(retimed, "after", retiming.track.keys, retiming.peaks));
   page.methods.push_back(method_of(retimed, "before", before.keys, {}));

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <orispline/base/counted.hpp>
+#include <orispline/base/file_name.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/parallel.hpp>
 #include <orispline/families/registry.hpp>
@@ -106,10 +107,10 @@ report::PageMethod smoothed_one(const Source& source, const PoseCurve& curve) {
 
 /// It passes all samples: distances say nothing.
 report::PageMethod as_read(const Source& source) {
-  const auto& [epoch, samples, measures, inertia] = source.curves;
+  const Keyframes& samples = source.curves.recording;
   const auto curve = make_pose_curve(default_method, samples);
   if (!curve) return {.name = "as read", .failure = describe(curve.error())};
-  const CurvePage shape{epoch, samples, without_angle_travelled(measures_of({MeasureGroup::shape}))};
+  const CurvePage shape{samples, without_angle_travelled(measures_of({MeasureGroup::shape}))};
   return method_of(source, shape, {"as read", samples, *curve, {}}, default_method);
 }
 
@@ -142,9 +143,9 @@ std::vector<std::string> notes_of(const Smoothing& smoothing) {
 }
 
 std::string title_of(const Track& recording, const Smoothing& smoothing) {
-  return formatted("{} smoothed: {}, {} rejected, smoothing time {:.4g} s (cut-off {:.4g} Hz)", recording.name,
-                   counted(recording.keys.size(), "sample"), smoothing.rejected.size(), smoothing.smoothing_time,
-                   smoothing.cutoff());
+  return formatted("{} smoothed: {}, {} rejected, smoothing time {:.4g} s (cut-off {:.4g} Hz)",
+                   file_name_of(recording.name), counted(recording.keys.size(), "sample"), smoothing.rejected.size(),
+                   smoothing.smoothing_time, smoothing.cutoff());
 }
 
 /// Measures of all samples, and of the accepted ones where some are not.
@@ -160,7 +161,7 @@ std::vector<report::PageColumn> columns_of(const CurvePage& curves, const Smooth
 }  // namespace
 
 report::Page smooth_page(const Track& recording, const Smoothing& smoothing, const PageHead& head) {
-  const CurvePage curves{recording.epoch, recording.keys.at(smoothing.keys),
+  const CurvePage curves{recording.keys.at(smoothing.keys),
                          without_angle_travelled(measures_of({MeasureGroup::distance, MeasureGroup::shape}))};
   const Source source{smoothing, curves};
   report::Page page = begun_page(title_of(recording, smoothing), head, recording.epoch, source.smoothed());

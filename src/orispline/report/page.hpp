@@ -23,6 +23,14 @@ struct PageColumn {
   std::string unit{};         ///< such as `deg` or `rad²/s³`; empty: a pure number
   std::string explanation{};  ///< one sentence, shown where the cursor rests on the head
   Better better = Better::less;
+  bool is_time = false;   ///< a moment of the motion [s], as its times are: shown as a clock, and a way to that moment
+  double rounding = 0.0;  ///< values that are not larger are rounding errors: shown as 0
+};
+
+/// A unit in which a quantity of the plots is shown instead of the page's own.
+struct PageUnit {
+  std::string name;   ///< `°/s`
+  double size = 1.0;  ///< in the page's own unit
 };
 
 /// Orientations over time; as many of each. One of NaN stands for a gap: there is nothing between its neighbours.
@@ -80,9 +88,12 @@ struct Page {
   std::optional<PageMarks> marks{};
   /// Lines in the plots: by `error` [deg], `w` [rad/s], `a` [rad/s²], `j` [rad/s³] or `torque` [N m].
   std::map<std::string, double, std::less<>> limits{};
+  /// Of plots and their limits, by the same words; absent: the unit above.
+  std::map<std::string, PageUnit, std::less<>> units{};
   std::vector<PageColumn> columns{};
   std::string sorted_by{};  ///< id of the column by which the table is sorted at first; empty: as the methods stand
-  std::vector<PageMethod> methods{};  ///< the first one with samples is shown at first, the second one beside it
+  std::string first{}, second{};  ///< names of the methods that are shown at first; empty: the first two with samples
+  std::vector<PageMethod> methods{};
 };
 
 /// The page as one HTML file that needs nothing else, no network either.

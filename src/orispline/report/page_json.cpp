@@ -32,6 +32,12 @@ void append(std::string& json, double value) {
   else json += "null";
 }
 
+std::string json_of(double value) {
+  std::string json;
+  append(json, value);
+  return json;
+}
+
 /// One flat array of what `numbers_of` gives for each value.
 template <class Value, class NumbersOf>
 std::string list_of(std::span<const Value> values, NumbersOf numbers_of) {
@@ -103,12 +109,18 @@ std::string_view name_of(PageBody body) {
   return names[static_cast<std::size_t>(body)];
 }
 
+std::string json_of(const PageUnit& unit) {
+  return object_of({{"unit", text_of(unit.name)}, {"size", json_of(unit.size)}});
+}
+
 std::string json_of(const PageColumn& column) {
   return object_of({{"id", text_of(column.id)},
                     {"label", text_of(column.label)},
                     {"unit", text_of(column.unit)},
                     {"explanation", text_of(column.explanation)},
-                    {"better", text_of(name_of(column.better))}});
+                    {"better", text_of(name_of(column.better))},
+                    {"is_time", column.is_time ? "true" : "false"},
+                    {"rounding", json_of(column.rounding)}});
 }
 
 std::string json_of(const PageMarks& marks) {
@@ -123,13 +135,12 @@ std::string json_or_null(const std::optional<Value>& value) {
   return value ? json_of(*value) : "null";
 }
 
-/// An object of numbers.
-std::string json_of(const std::map<std::string, double, std::less<>>& numbers) {
+template <class Value>
+std::string json_of(const std::map<std::string, Value, std::less<>>& values) {
   std::string json = "{";
-  for (const auto& [id, value] : numbers) {
+  for (const auto& [id, value] : values) {
     if (json.size() > 1) json += ',';
-    json.append(text_of(id)) += ':';
-    append(json, value);
+    json.append(text_of(id)).append(":").append(json_of(value));
   }
   return json + '}';
 }
@@ -157,8 +168,11 @@ std::string json_of(const Page& page) {
                     {"reference", json_or_null(page.reference)},
                     {"marks", json_or_null(page.marks)},
                     {"limits", json_of(page.limits)},
+                    {"units", json_of(page.units)},
                     {"columns", array_of(page.columns, [](const PageColumn& c) { return json_of(c); })},
                     {"sorted_by", text_of(page.sorted_by)},
+                    {"first", text_of(page.first)},
+                    {"second", text_of(page.second)},
                     {"methods", array_of(page.methods, [](const PageMethod& m) { return json_of(m); })}});
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/base/pieces.hpp>
 #include <orispline/report/characters.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::report {
@@ -32,8 +33,19 @@ struct Strip {
   bool words = false;
 };
 
-Strip strip_of(const Table& table, std::size_t i) {
-  Strip strip{.texts = {table.columns[i].name}};
+using Heads = std::vector<std::string> (*)(const Column& column);
+
+std::vector<std::string> in_one_line(const Column& column) { return {column.name}; }
+
+/// The name, and the unit below it.
+std::vector<std::string> in_two_lines(const Column& column) {
+  const std::size_t unit = column.name.find(" [");
+  if (unit == std::string::npos) return {column.name, ""};
+  return {column.name.substr(0, unit), column.name.substr(unit + 1)};
+}
+
+Strip strip_of(const Table& table, std::size_t i, Heads heads) {
+  Strip strip{.texts = heads(table.columns[i])};
   std::size_t words = 0;
   for (const auto& row : table.rows) {
     strip.texts.push_back(i < row.size() ? text_of(row[i], table.columns[i]) : "");
@@ -44,24 +56,97 @@ Strip strip_of(const Table& table, std::size_t i) {
   return strip;
 }
 
+std::vector<Strip> strips_of(const Table& table, Heads heads) {
+  std::vector<Strip> strips;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) strips.push_back(strip_of(table, i, heads));
+  return strips;
+}
+
 std::string padded(const Strip& strip, std::size_t row) {
   const std::string& text = strip.texts[row];
   const std::string space(strip.width - characters(text), ' ');
   return strip.words ? text + space : space + text;
 }
 
+/// A line of the table, heads included.
+std::string line_of(const std::vector<Strip>& strips, std::size_t row) {
+  std::string line;
+  for (const Strip& strip : strips) line += "  " + padded(strip, row);
+  return line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+}
+
+std::size_t width_of(const std::vector<Strip>& strips) {
+  std::size_t sum = 0;
+  for (const Strip& strip : strips) sum += 2 + strip.width;
+  return sum;
+}
+
+/// Words in lines of so many characters, which begin with these blanks; a longer word has a line of its own.
+std::string wrapped(std::string_view text, std::size_t longest, std::string_view blanks) {
+  std::string lines, line;
+  for (const std::string_view word : pieces_of(text, ' ')) {
+    if (!line.empty() && blanks.size() + characters(line) + 1 + characters(word) > longest) {
+      lines.append(blanks).append(line).append("\n");
+      line.clear();
+    }
+    line.append(line.empty() ? "" : " ").append(word);
+  }
+  return lines.append(blanks).append(line).append("\n");
+}
+
+/// Takes the remarks on the rows out of the table.
+std::vector<std::string> taken_remarks(Table& table) {
+  std::vector<std::string> remarks(table.rows.size());
+  if (table.columns.empty() || !table.columns.back().name.empty()) return remarks;
+  table.columns.pop_back();
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    if (table.rows[i].size() <= table.columns.size()) continue;
+    if (is_word(table.rows[i].back())) remarks[i] = std::get<std::string>(table.rows[i].back());
+    table.rows[i].pop_back();
+  }
+  return remarks;
+}
+
+/// Leaves columns out until the rest fits, or may not be left out; says which.
+std::vector<std::string> narrowed(Table& table, std::size_t longest) {
+  std::vector<std::string> left_out;
+  while (width_of(strips_of(table, in_two_lines)) > longest) {
+    const auto column = std::ranges::max_element(table.columns, {}, &Column::rank);
+    if (column == table.columns.end() || column->rank == 0) break;
+    const auto index = column - table.columns.begin();
+    left_out.push_back(in_two_lines(*column).front());
+    table.columns.erase(column);
+    for (auto& row : table.rows)
+      if (row.size() > static_cast<std::size_t>(index)) row.erase(row.begin() + index);
+  }
+  return left_out;
+}
+
 }  // namespace
 
 std::string text_of(const Table& table) {
-  std::vector<Strip> strips;
-  for (std::size_t i = 0; i < table.columns.size(); ++i) strips.push_back(strip_of(table, i));
+  const auto strips = strips_of(table, in_one_line);
   std::string text = table.title + "\n";
-  for (std::size_t row = 0; row <= table.rows.size(); ++row) {
-    std::string line;
-    for (const Strip& strip : strips) line += "  " + padded(strip, row);
-    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
-  }
+  for (std::size_t row = 0; row <= table.rows.size(); ++row) text += line_of(strips, row);
   for (const std::string& note : table.notes) text += "  " + note + "\n";
+  return text;
+}
+
+std::string text_of(Table table, std::size_t longest, std::string_view left_out) {
+  const bool fits = width_of(strips_of(table, in_one_line)) <= longest;
+  const auto remarks = fits ? std::vector<std::string>(table.rows.size()) : taken_remarks(table);
+  const Heads heads = fits || width_of(strips_of(table, in_one_line)) <= longest ? in_one_line : in_two_lines;
+  if (const auto names = heads == in_two_lines ? narrowed(table, longest) : std::vector<std::string>(); !names.empty())
+    table.notes.push_back(formatted("{} {}.", left_out, joined(names, ", ")));
+  const auto strips = strips_of(table, heads);
+  const std::size_t head_lines = heads == in_two_lines ? 2 : 1;
+  std::string text = wrapped(table.title, longest, "");
+  for (std::size_t line = 0; line < head_lines + table.rows.size(); ++line) {
+    text += line_of(strips, line);
+    if (line >= head_lines && !remarks[line - head_lines].empty())
+      text += wrapped(remarks[line - head_lines], longest, "      ");
+  }
+  for (const std::string& note : table.notes) text += wrapped(note, longest, "  ");
   return text;
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -16,9 +18,10 @@ using Cell = std::variant<std::string, double>;
 enum class Notation { shortest, fixed, scientific };
 
 struct Column {
-  std::string name;  ///< with the unit, if there is one
+  std::string name;  ///< with the unit, if there is one; empty: remarks on the rows
   Notation notation = Notation::shortest;
   int digits = 6;  ///< of shortest numbers all, else those after the point
+  int rank = 0;    ///< where there is no room for all, those of the highest rank are left out first; 0: never
 };
 
 struct Table {
@@ -30,5 +33,9 @@ struct Table {
 
 /// The table for people: words to the left, numbers to the right, notes below.
 [[nodiscard]] ORISPLINE_EXPORT std::string text_of(const Table& table);
+
+/// The same in lines of so many characters at most: units below the names, remarks below their rows, and no column for
+/// which there is no room. A note begins with `left_out` and names those. What fits as it is stays so.
+[[nodiscard]] ORISPLINE_EXPORT std::string text_of(Table table, std::size_t longest, std::string_view left_out);
 
 }  // namespace orispline::inline ORISPLINE_ABI::report

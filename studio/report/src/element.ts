@@ -17,10 +17,14 @@ export function element<Tag extends keyof HTMLElementTagNameMap>(
   return made;
 }
 
+/** A text whose long names, such as those of files, break behind their parts and not in the middle of a word. */
+export const breakable = (text: string) =>
+  text.split(/(?<=[/\\_.,:-])(?=\S)/).flatMap((part, i) => (i === 0 ? [part] : [document.createElement('wbr'), part]));
+
 export const place = (id: string) => document.getElementById(id)!;
 
 /** A menu with a label; tells what was chosen. */
 export function menu(label: string, options: [value: string, text: string][], chosen: (value: string) => void): [HTMLElement, HTMLSelectElement] {
-  const select = element('select', { onchange: () => chosen(select.value) }, ...options.map(([value, text]) => element('option', { value }, text)));
+  const select = element('select', { onchange: () => chosen(select.value), attributes: { 'aria-label': label } }, ...options.map(([value, text]) => element('option', { value }, text)));
   return [element('label', { className: 'choice' }, element('span', {}, label), select), select];
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The bar at the foot: which methods are shown, and the time.
+import { moment } from './clock';
 import { element, menu, place } from './element';
-import { seconds } from './number';
 import { shownMethods, timeEnd, timeStart } from './report';
 import { choose, current, moveTo, subscribe } from './state';
 
@@ -56,7 +56,8 @@ function timeControls(): HTMLElement[] {
   });
   subscribe(['time'], ({ time }) => {
     scrub.value = String(time);
-    clock.textContent = seconds(time);
+    clock.textContent = moment(time);
+    scrub.setAttribute('aria-valuetext', moment(time));
   });
   subscribe(['speed'], (state) => (speedSelect.value = String(state.speed)));
   return [play, scrub, clock, speed];

@@ -2,9 +2,10 @@
 // Plots over time with one cursor: it follows the time of the page, and moves it.
 import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
+import { momentTicks } from './clock';
 import { element, place } from './element';
 import { spanAt } from './motion';
-import { shown, tick } from './number';
+import { chosen, shown, tick } from './number';
 import { quantities, type Line, type Points, type Quantity } from './quantities';
 import { keysOf, methodNamed, report, timeEnd, timeStart } from './report';
 import { choose, current, moveTo, subscribe, type State } from './state';
@@ -13,6 +14,7 @@ import { coloursOf, type Colours } from './theme';
 const height = 190;
 const closestKeys = 5; // [px] keys nearer to each other than this are not marked
 const font = '12px system-ui, sans-serif';
+const rounding = 1e-12; // of 1, or of the largest value: what is smaller is 0
 
 function markKeys(plot: uPlot, colours: Colours): void {
   const { ctx, bbox } = plot;
@@ -85,6 +87,9 @@ function aligned(lines: Line[]): uPlot.AlignedData {
   );
 }
 
+/** With 0, and a range where all is 0 too. */
+const rangeOf = (low: number, high: number) => uPlot.rangeNum(low < -rounding ? low : 0, high > rounding || low < -rounding ? Math.max(high, 0) : 1, 0.06, true);
+
 function optionsOf(lines: Line[], { limit, marks }: { limit?: number; marks?: Points }, width: number, colours: Colours): uPlot.Options {
   const axis = { stroke: colours.faint, font, ticks: { stroke: colours.grid, size: 4 } };
   return {
@@ -92,9 +97,9 @@ function optionsOf(lines: Line[], { limit, marks }: { limit?: number; marks?: Po
     height,
     padding: [10, 12, 0, 0],
     legend: { show: false },
-    scales: { x: { time: false }, y: { range: (_, low, high) => uPlot.rangeNum(Math.min(low ?? 0, 0), Math.max(high ?? 1, limit ?? 0, 1e-12), 0.06, true) } },
+    scales: { x: { time: false }, y: { range: (_, low, high) => rangeOf(low ?? 0, Math.max(high ?? 0, limit ?? 0)) } },
     axes: [
-      { ...axis, grid: { show: false }, size: 28, values: (_, ticks) => ticks.map((t) => `${t} s`) },
+      { ...axis, grid: { show: false }, size: 28, values: (_, ticks) => momentTicks(ticks) },
       { ...axis, grid: { stroke: colours.grid, width: 1 }, size: 52, values: (_, ticks) => ticks.map(tick) },
     ],
     series: [{}, ...lines.map(({ label, colour, width, dashes }) => ({ label, stroke: colour, width, dash: dashes, spanGaps: false, points: { show: false } }))],
@@ -107,6 +112,9 @@ function optionsOf(lines: Line[], { limit, marks }: { limit?: number; marks?: Po
     },
   };
 }
+
+/** 1 at least. */
+const largestOf = (lines: Line[]) => lines.reduce((largest, { values }) => values.reduce<number>((most, value) => Math.max(most, Math.abs(value ?? 0)), largest), 1);
 
 function chooseWindow({ scales: { x } }: uPlot): void {
   const [from, to] = current().window;
@@ -130,10 +138,9 @@ class Plot {
   private readonly figure: HTMLElement;
   private plot?: uPlot;
   private lines: Line[] = [];
-  private readonly limit?: number;
+  private rounding = 0;
 
   constructor(private readonly quantity: Quantity) {
-    this.limit = report.limits[quantity.id];
     this.figure = element('figure', { attributes: { 'data-quantity': quantity.id } }, this.caption, this.frame);
     place('plots').append(this.figure);
     new ResizeObserver(() => this.plot?.setSize({ width: this.frame.clientWidth, height })).observe(this.frame);
@@ -144,7 +151,8 @@ class Plot {
     const colours = coloursOf(state);
     this.lines = this.quantity.lines(state, colours);
     this.figure.hidden = this.lines.length === 0;
-    this.plot = new uPlot(optionsOf(this.lines, { limit: this.limit, marks: this.quantity.marks }, this.frame.clientWidth, colours), aligned(this.lines), this.frame);
+    this.rounding = rounding * largestOf(this.lines);
+    this.plot = new uPlot(optionsOf(this.lines, { limit: this.quantity.limit, marks: this.quantity.marks }, this.frame.clientWidth, colours), aligned(this.lines), this.frame);
     followFinger(this.plot);
     this.showWindow(state);
     this.showTime(state);
@@ -163,7 +171,7 @@ class Plot {
       const nearest = t[i + 1] - time < time - t[i] ? i + 1 : i;
       const swatch = element('i');
       swatch.style.background = colour;
-      return element('span', {}, swatch, `${label} `, element('b', {}, shown(values[nearest])));
+      return element('span', {}, swatch, `${label} `, element('b', {}, shown(values[nearest], this.rounding)));
     });
     this.caption.replaceChildren(element('strong', {}, this.quantity.title), element('small', {}, ` [${this.quantity.unit}] `), ...values, ...this.legend(coloursOf(current())));
   }
@@ -175,15 +183,23 @@ class Plot {
       made.style.color = colour;
       return made;
     };
-    const { limit } = this;
+    const { limit } = this.quantity;
     return [
-      ...(limit !== undefined ? [element('span', {}, sign('╌╌', colours.limit), ' limit ', element('b', {}, shown(limit)))] : []),
+      ...(limit !== undefined ? [element('span', {}, sign('╌╌', colours.limit), ' limit ', element('b', {}, chosen(limit)))] : []),
       ...(this.quantity.marks ? [element('span', {}, sign('×', colours.mark), ` ${report.marks!.label}`)] : []),
     ];
   }
 }
 
+/** Whether the components of the first method are drawn too. */
+function componentsChoice(): HTMLElement {
+  const box = element('input', { type: 'checkbox', onchange: () => choose({ components: box.checked }) });
+  subscribe(['components'], ({ components }) => (box.checked = components));
+  return element('div', { className: 'controls' }, element('label', { className: 'choice' }, box, element('span', {}, 'Components x, y, z of the first method')));
+}
+
 export function showPlots(): void {
+  place('plots').append(componentsChoice());
   const plots = quantities.map((quantity) => new Plot(quantity));
   const every = (update: (plot: Plot, state: State) => void) => (state: State) => plots.forEach((plot) => update(plot, state));
   subscribe(['first', 'second', 'theme', 'components'], every((plot, state) => plot.rebuild(state)));

@@ -24,6 +24,7 @@ export interface Quantity {
   id: string;
   title: string;
   unit: string;
+  limit?: number; // in that unit
   lines: (state: State, colours: Colours) => Line[];
   marks?: Points;
 }
@@ -31,6 +32,17 @@ export interface Quantity {
 type Rate = 'w' | 'a' | 'j' | 'torque';
 
 type ValuesOf = (samples: Samples) => (number | null)[];
+
+/** The unit that the report wants a quantity in; its size is that in the page's own unit. */
+const unitOf = (id: string, own: string) => report.units[id] ?? { unit: own, size: 1 };
+
+/** Values of the page's own unit in the one that is shown. */
+const inUnitOf = (id: string, values: (number | null)[]) => {
+  const { size } = unitOf(id, '');
+  return size === 1 ? values : values.map((value) => (value === null ? null : value / size));
+};
+
+const limitOf = (id: string) => (id in report.limits ? report.limits[id] / unitOf(id, '').size : undefined);
 
 const remembered = new WeakMap<object, Map<string, (number | null)[]>>();
 
@@ -62,16 +74,16 @@ function components(state: State, colours: Colours, id: Rate): Line[] {
     colour: colours[axis],
     width: 1,
     t: method.samples.t,
-    values: valuesOnce(method.samples, id + axis, (samples) => component(samples[id], k)),
+    values: valuesOnce(method.samples, id + axis, (samples) => inUnitOf(id, component(samples[id], k))),
   }));
 }
 
-function rate(id: Rate, title: string, unit: string): Quantity {
+function rate(id: Rate, title: string, ownUnit: string): Quantity {
   const lines = (state: State, colours: Colours) => [
     ...components(state, colours, id),
-    ...ofBoth(state, colours, id, (samples) => magnitudes(samples[id])),
+    ...ofBoth(state, colours, id, (samples) => inUnitOf(id, magnitudes(samples[id]))),
   ];
-  return { id, title, unit, lines };
+  return { id, title, unit: unitOf(id, ownUnit).unit, limit: limitOf(id), lines };
 }
 
 function referenceAngle(reference: Path | null, colours: Colours): Line[] {
@@ -92,12 +104,13 @@ const angle: Quantity = {
 const error: Quantity = {
   id: 'error',
   title: 'Error to the reference',
-  unit: 'deg',
+  unit: unitOf('error', 'deg').unit,
+  limit: limitOf('error'),
   lines: (state, colours) =>
-    ofBoth(state, colours, 'error', (samples) => samples.error_deg, (samples) => (samples.error_t.length > 0 ? samples.error_t : samples.t)).filter(
+    ofBoth(state, colours, 'error', (samples) => inUnitOf('error', samples.error_deg), (samples) => (samples.error_t.length > 0 ? samples.error_t : samples.t)).filter(
       ({ values }) => values.length > 0,
     ),
-  marks: marks ? { t: marks.t, values: marks.error_deg } : undefined,
+  marks: marks ? { t: marks.t, values: inUnitOf('error', marks.error_deg) } : undefined,
 };
 
 const apart: Quantity = {

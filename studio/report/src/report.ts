@@ -12,6 +12,14 @@ export interface Column {
   unit: string;
   explanation: string;
   better: 'less' | 'more' | 'neither';
+  is_time: boolean; // a moment of the motion [s]
+  rounding: number; // smaller values are 0
+}
+
+/** Another unit than the page's own. */
+export interface Unit {
+  unit: string;
+  size: number; // in the page's own
 }
 
 type Vectors = (number | null)[]; // null in a gap
@@ -57,8 +65,11 @@ export interface Report {
   reference: Path | null;
   marks: Marks | null;
   limits: Record<string, number>; // by the id of the quantity
+  units: Record<string, Unit>; // likewise
   columns: Column[];
   sorted_by: string;
+  first: string; // names of the methods that are shown at first
+  second: string;
   methods: Method[];
 }
 
@@ -74,6 +85,14 @@ for (const { samples } of report.methods) {
 
 export const hasSamples = (method: Method) => method.samples.t.length > 1;
 export const shownMethods = report.methods.filter(hasSamples);
+
+/** What is shown until the user chooses: what the report says, else the first of the methods. */
+const nameIn = (methods: Method[], name: string) => (methods.find((method) => method.name === name) ?? methods[0])?.name ?? null;
+export const firstShown = nameIn(shownMethods, report.first);
+export const secondShown = nameIn(
+  shownMethods.filter(({ name }) => name !== firstShown),
+  report.second,
+);
 export const methodNamed = (name: string | null) => shownMethods.find((method) => method.name === name);
 
 /** The keys that the curve of a method goes through. */

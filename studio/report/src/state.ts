@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the user has chosen. Views subscribe to it; nothing else holds choices.
 import type { Axis } from './motion';
-import { keysOf, report, shownMethods, timeEnd, timeStart, type BodyShape } from './report';
+import { firstShown, keysOf, report, secondShown, shownMethods, timeEnd, timeStart, type BodyShape } from './report';
 
 export interface State {
   first: string | null; // names of methods
@@ -21,8 +21,8 @@ const hasPositions = shownMethods.some((method) => keysOf(method).p.length > 0 &
 const darkDisplay = matchMedia('(prefers-color-scheme: dark)');
 
 let state: State = {
-  first: shownMethods[0]?.name ?? null,
-  second: shownMethods[1]?.name ?? null,
+  first: firstShown,
+  second: secondShown,
   time: timeStart,
   window: [timeStart, timeEnd],
   playing: false,

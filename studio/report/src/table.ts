@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The table of measures: a click on a head sorts it, a click on a row shows the method.
+import { moment } from './clock';
 import { element, place } from './element';
 import { shown } from './number';
 import { hasSamples, report, type Column, type Method } from './report';
-import { choose, current, subscribe } from './state';
+import { choose, current, moveTo, subscribe } from './state';
 
 type Order = { id: string; descending: boolean };
 
@@ -21,16 +22,22 @@ function compared(a: Method, b: Method, { id, descending }: Order): number {
   return descending ? -ascending : ascending;
 }
 
-function bestOf({ id, better }: Column): number | null {
+/** Who is so near to the best is as good. */
+const asGood = 0.01;
+
+/** Whether a value is as good as the best one of its column. */
+function bestIn({ id, better, rounding }: Column): (value: number | null | undefined) => boolean {
   const values = report.methods.filter((method) => !method.failure).map((method) => method.measures[id]);
   const numbers = values.filter((value): value is number => typeof value === 'number' && Number.isFinite(value));
-  if (better === 'neither' || numbers.length < 2) return null;
-  return better === 'less' ? Math.min(...numbers) : Math.max(...numbers);
+  if (better === 'neither' || numbers.length < 2) return () => false;
+  const best = better === 'less' ? Math.min(...numbers) : Math.max(...numbers);
+  const room = Math.max(asGood * Math.abs(best), rounding);
+  return (value) => typeof value === 'number' && Math.abs(value - best) <= room;
 }
 
 function headOf(column: Pick<Column, 'id' | 'label'> & Partial<Column>, sort: (id: string) => void): HTMLTableCellElement {
   const label = element('button', { type: 'button', title: column.explanation ?? '', onclick: () => sort(column.id) }, column.label);
-  if (column.unit) label.append(element('small', {}, ` [${column.unit}]`));
+  if (column.unit && !column.is_time) label.append(element('small', {}, ` [${column.unit}]`));
   return element('th', { scope: 'col', className: column.better ? 'number' : '', attributes: { 'data-id': column.id } }, label);
 }
 
@@ -52,28 +59,52 @@ function showButton(method: Method, which: 'first' | 'second'): HTMLButtonElemen
 /** Counts are whole for every method. */
 const isCount = ({ id, unit }: Column) => unit === '' && report.methods.every(({ measures }) => Number.isInteger(measures[id] ?? 0));
 
-function rowOf(method: Method, best: Map<string, number | null>): HTMLTableRowElement {
+/** A moment in the motion of a method, which a click leads to. */
+function momentButton(method: Method, time: number): HTMLButtonElement {
+  return element(
+    'button',
+    {
+      type: 'button',
+      className: 'moment',
+      title: `Go there: ${method.name}`,
+      onclick: (event) => {
+        event.stopPropagation();
+        if (current().second !== method.name) choose({ first: method.name });
+        moveTo(time);
+      },
+    },
+    moment(time),
+  );
+}
+
+function textOf(column: Column, value: number | null | undefined): string {
+  if (column.is_time && typeof value === 'number') return moment(value);
+  return isCount(column) && value !== undefined ? String(value ?? '–') : shown(value, column.rounding);
+}
+
+function cellOf(method: Method, column: Column, isBest: ReturnType<typeof bestIn>): HTMLTableCellElement {
+  const value = method.measures[column.id];
+  const leads = column.is_time && typeof value === 'number' && hasSamples(method);
+  return element('td', { className: isBest(value) ? 'number best' : 'number' }, leads ? momentButton(method, value) : textOf(column, value));
+}
+
+function rowOf(method: Method, best: Map<string, ReturnType<typeof bestIn>>): HTMLTableRowElement {
   const row = element('tr', { attributes: { 'data-method': method.name } });
   const picks = hasSamples(method) ? [showButton(method, 'first'), showButton(method, 'second')] : [];
-  row.append(element('td', { className: 'picks' }, ...picks), element('th', { scope: 'row' }, method.name));
+  row.append(element('td', { className: 'picks' }, ...picks), element('th', { scope: 'row', title: method.name }, method.name));
   if (method.failure) {
     row.classList.add('failed');
     row.append(element('td', { colSpan: report.columns.length + 1 }, method.failure));
     return row;
   }
   row.append(element('td', {}, method.continuity.replace(/C(\d)/, (_, order) => `C${'⁰¹²³⁴⁵⁶⁷⁸⁹'[order]}`)));
-  for (const column of report.columns) {
-    const { id } = column;
-    const value = method.measures[id];
-    const isBest = typeof value === 'number' && value === best.get(id);
-    row.append(element('td', { className: isBest ? 'number best' : 'number' }, isCount(column) && value !== undefined ? String(value ?? '–') : shown(value)));
-  }
+  row.append(...report.columns.map((column) => cellOf(method, column, best.get(column.id)!)));
   if (hasSamples(method)) row.onclick = () => choose({ first: method.name });
   return row;
 }
 
 export function showTable(): void {
-  const best = new Map(report.columns.map((column) => [column.id, bestOf(column)]));
+  const best = new Map(report.columns.map((column) => [column.id, bestIn(column)]));
   const rows = new Map(report.methods.map((method) => [method, rowOf(method, best)]));
   const body = element('tbody', {}, ...rows.values());
   const heads: HTMLTableCellElement[] = [];
@@ -90,13 +121,15 @@ export function showTable(): void {
   }
 
   heads.push(...[{ id: 'name', label: 'Method' }, { id: 'continuity', label: 'In time' }, ...report.columns].map((column) => headOf(column, sort)));
-  const head = element('tr', {}, element('th', { className: 'picks' }), ...heads);
+  const head = element('tr', {}, element('th', { className: 'picks', scope: 'col' }, element('span', { className: 'unseen' }, 'Shown')), ...heads);
   place('measures').append(element('table', {}, element('thead', {}, head), body));
   if (report.sorted_by) sort(report.sorted_by);
   subscribe(['first', 'second'], ({ first, second }) => {
     for (const [method, row] of rows) {
       row.classList.toggle('is-first', method.name === first);
       row.classList.toggle('is-second', method.name === second);
+      for (const which of ['first', 'second'] as const)
+        row.querySelector(`.pick.${which}`)?.setAttribute('aria-pressed', String(current()[which] === method.name));
     }
   });
 }

@@ -19,7 +19,7 @@ export interface Colours {
 
 const light: Colours = {
   first: '#0072b2',
-  second: '#d55e00',
+  second: '#b84a00',
   reference: '#7a7f87',
   limit: '#b3261e',
   mark: '#b3261e',

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A real browser without a screen, and pages in it that must not complain.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 import { chromium } from 'playwright-core';
 
@@ -10,6 +11,24 @@ const quiet = ['--disable-background-networking', '--disable-component-update', 
 const software = ['--disable-gpu', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 
 export const launch = (...more) => chromium.launch({ executablePath: executable, args: ['--no-sandbox', ...quiet, ...software, ...more] });
+
+const checker = readFileSync(new URL('../node_modules/axe-core/axe.min.js', import.meta.url), 'utf8');
+const rules = ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice'];
+
+/** What the checker of accessibility finds, one line each. */
+export async function faultsOf(page) {
+  await page.evaluate(checker);
+  const { violations } = await page.evaluate((values) => axe.run(document, { runOnly: { type: 'tag', values } }), rules);
+  return violations.map(({ impact, id, nodes }) => `${impact}: ${id}: ${nodes.length} such as ${nodes[0].html.slice(0, 120)}`);
+}
+
+/** Elements that stand out at the right; in a box that is scrolled by itself they may. */
+export const tooWide = (page) =>
+  page.locator('body *:visible').evaluateAll((all) =>
+    all.filter((one) => !one.closest('#measures table, pre code') && one.getBoundingClientRect().right > innerWidth + 1).map((one) => one.outerHTML.slice(0, 80)),
+  );
+
+export const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 
 /** Opens a file; the page's complaints and what it asks of the network are collected in it. */
 export async function open(browser, file, options = {}) {

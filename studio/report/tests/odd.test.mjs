@@ -5,7 +5,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { launch, open } from './browser.mjs';
+import { faultsOf, launch, open, phone, tooWide } from './browser.mjs';
 
 const template = readFileSync(new URL('../dist/index.html', import.meta.url), 'utf8');
 const folder = mkdtempSync(join(tmpdir(), 'orispline-page-'));
@@ -24,8 +24,11 @@ const empty = {
   reference: null,
   marks: null,
   limits: {},
-  columns: [{ id: 'cost', label: 'Cost', unit: '', explanation: '', better: 'less' }],
+  units: {},
+  columns: [{ id: 'cost', label: 'Cost', unit: '', explanation: '', better: 'less', is_time: false, rounding: 0 }],
   sorted_by: '',
+  first: '',
+  second: '',
   methods: [],
 };
 const method = (name, more) => ({ name, continuity: 'C0', failure: '', measures: { cost: 1 }, samples, keys: null, ...more });
@@ -37,11 +40,11 @@ after(async () => {
   rmSync(folder, { recursive: true });
 });
 
-const reportWith = (name, changes, steps) =>
+const reportWith = (name, changes, steps, options = {}) =>
   test(name, async () => {
     const file = join(folder, 'report.html');
     writeFileSync(file, template.replace('__ORISPLINE_REPORT_DATA__', () => JSON.stringify({ ...empty, ...changes })));
-    const page = await open(browser, file);
+    const page = await open(browser, file, options);
     await page.waitForTimeout(200);
     await steps(page);
     await page.finish();
@@ -82,8 +85,8 @@ reportWith('sorts missing values to the end both ways', { methods: scattered, so
 const count = 20000;
 const times = Array.from({ length: count }, (_, k) => k / 100);
 const crowd = { t: times, q: times.flatMap((t) => [Math.cos(t), 0, Math.sin(t), 0]), p: [] };
-const long = { ...samples, t: [0, times.at(-1)] };
-reportWith('of very many keys opens and plays', { keys: crowd, methods: [method('a', { samples: long })] }, async (page) => {
+const lasting = { ...samples, t: [0, times.at(-1)] };
+reportWith('of very many keys opens and plays', { keys: crowd, methods: [method('a', { samples: lasting })] }, async (page) => {
   await page.getByRole('button', { name: 'Play' }).click();
   await page.waitForFunction(() => Number.parseFloat(document.querySelector('output').textContent) > 0.5, null, { timeout: 5000 });
 });
@@ -110,8 +113,8 @@ const grey = [0x7a, 0x7f, 0x87];
 
 const heavy = { ...samples, torque: [0, 0, 2, 0, 0, 1] };
 reportWith('with limits draws them where they belong', { methods: [method('a', { samples: heavy })], limits: { w: 1.5, torque: 3 } }, async (page) => {
-  assert.match(await page.locator('[data-quantity=w] figcaption').textContent(), /limit 1\.500/);
-  assert.match(await page.locator('[data-quantity=torque] figcaption').textContent(), /a 2\.000.*limit 3\.000/);
+  assert.match(await page.locator('[data-quantity=w] figcaption').textContent(), /limit 1\.5$/);
+  assert.match(await page.locator('[data-quantity=torque] figcaption').textContent(), /a 2\.000.*limit 3$/);
   assert.ok((await pixels(page, 'w', red)) > 100);
   assert.ok((await pixels(page, 'torque', red)) > 100); // above all values, and still in the picture
   assert.doesNotMatch(await page.locator('[data-quantity=a] figcaption').textContent(), /limit/);
@@ -168,3 +171,73 @@ reportWith('with a gap shows nothing in it', { methods: [method('a', { samples: 
   assert.match(await said('w'), /b 1\.000/);
   assert.notDeepEqual(await scene.screenshot(), before);
 });
+
+const measured = (id, changes) => ({ id, label: id, unit: 'deg', explanation: '', better: 'less', is_time: false, rounding: 0, ...changes });
+const cell = (page, name, column) => page.locator(`tr[data-method="${name}"] td`).nth(column + 2);
+
+reportWith('shows at first what it names', { methods: ['a', 'b', 'c'].map((name) => method(name)), first: 'c', second: 'b' }, async (page) => {
+  assert.deepEqual((await page.locator('.stages figure figcaption').allTextContents()).slice(0, 2), ['c', 'b']);
+  assert.equal(await page.locator('tr[data-method=c] .pick.first').getAttribute('aria-pressed'), 'true');
+});
+
+reportWith('shows the first two where what it names has no samples', { methods: ['a', 'b'].map((name) => method(name)), first: 'gone', second: 'a' }, async (page) => {
+  assert.deepEqual((await page.locator('.stages figure figcaption').allTextContents()).slice(0, 2), ['a', 'b']);
+});
+
+const near = ['x', 'y', 'z'].map((name, i) => method(name, { measures: { cost: [2, 2.019, 2.021][i], gain: [100, 99.1, 98.9][i] } }));
+reportWith('marks all that are within one per cent of the best', { methods: near, columns: [measured('cost'), measured('gain', { better: 'more' })] }, async (page) => {
+  for (const column of [0, 1]) {
+    const marked = await Promise.all(['x', 'y', 'z'].map((name) => cell(page, name, column).evaluate((one) => one.className)));
+    assert.deepEqual(marked, ['number best', 'number best', 'number']);
+  }
+});
+
+const exact = method('exact', { measures: { cost: 1.38e-33 } });
+const noise = { ...samples, w: [0, 0, 1, 0, 1e-17, 1], a: [0, 0, 1e-16, 0, 0, 3e-15] };
+reportWith('shows rounding errors as 0', { methods: [exact, method('far', { measures: { cost: 2.5e-10 }, samples: noise })], columns: [measured('cost', { rounding: 1e-12 })], first: 'far', second: 'exact' }, async (page) => {
+  assert.equal(await cell(page, 'exact', 0).textContent(), '0');
+  assert.equal(await cell(page, 'far', 0).textContent(), '2.50e−10');
+  await page.locator('input[type=range]').fill('1');
+  assert.match(await page.locator('[data-quantity=w] figcaption').textContent(), /x 0.*y 0.*z 1\.000/);
+  assert.match(await page.locator('[data-quantity=a] figcaption').textContent(), /far 0$/);
+});
+
+const hours = { ...samples, t: [0, 7384.25] };
+const peaks = { columns: [measured('max_at_s', { unit: 's', is_time: true, better: 'neither' })], keys: { ...two, t: hours.t, p: [] } };
+const late = ['a', 'b'].map((name, i) => method(name, { samples: hours, measures: { max_at_s: [3723.4, 59.6][i] } }));
+reportWith('tells moments as a clock, and leads to them', { ...peaks, methods: late }, async (page) => {
+  assert.equal(await cell(page, 'a', 0).textContent(), '1:02:03');
+  assert.equal(await cell(page, 'b', 0).textContent(), '1:00');
+  assert.doesNotMatch(await page.locator('th[data-id=max_at_s]').textContent(), /\[s\]/);
+  await cell(page, 'b', 0).getByRole('button').click();
+  assert.equal(await page.locator('output').textContent(), '1:00');
+  assert.equal(await page.locator('select.second').inputValue(), 'b');
+});
+
+const brief = { ...samples, t: [0, 0.02] };
+reportWith('tells moments of a short motion with the decimals that they need', { ...peaks, keys: { ...two, t: brief.t, p: [] }, methods: [method('a', { samples: brief, measures: { max_at_s: 0.01234 } })] }, async (page) => {
+  assert.equal(await cell(page, 'a', 0).textContent(), '0.01234 s');
+});
+
+const inDegrees = { units: { w: { unit: '°/s', size: Math.PI / 180 }, error: { unit: 'mrad', size: 0.18 / Math.PI } }, limits: { w: Math.PI / 2, error: 1.8 / Math.PI } };
+reportWith('shows quantities and limits in the unit that was given', { ...inDegrees, methods: [method('a', { samples: withErrors })] }, async (page) => {
+  await page.locator('input[type=range]').fill('0.3');
+  assert.match(await page.locator('[data-quantity=w] figcaption').textContent(), /\[°\/s\].*a 57\.30.*limit 90$/);
+  assert.match(await page.locator('[data-quantity=error] figcaption').textContent(), /\[mrad\].*a 122\.2.*limit 10$/);
+  assert.match(await page.locator('[data-quantity=a] figcaption').textContent(), /\[rad\/s²\]/);
+});
+
+const long = (what) => `/home/somebody/${'averylong'.repeat(30)}${what}.csv`;
+const endless = {
+  title: `${long('keys')} against ${long('truth')}`,
+  command: `orispline compare ${long('keys')}`,
+  notes: [`Of ${long('keys')} all is shown.`],
+  marks: { ...marks, label: long('mark') },
+  columns: [measured(long('column'))],
+  methods: [method(long('a'), { samples: withErrors }), method(long('b')), method('c', { failure: long('failure'), samples: nothing })],
+};
+reportWith('with very long names fits on a phone', endless, async (page) => {
+  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
+  assert.deepEqual(await tooWide(page), []);
+  assert.deepEqual(await faultsOf(page), []);
+}, phone);

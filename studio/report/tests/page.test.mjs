@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { launch, open } from './browser.mjs';
+import { faultsOf, launch, open, phone, tooWide } from './browser.mjs';
 
 const file = process.env.FLIGHT_PAGE;
 const data = JSON.parse(/id="report-data">(.*?)<\/script>/s.exec(readFileSync(file, 'utf8'))[1]);
@@ -197,17 +197,39 @@ onPage('is light or dark as the system says, and as the user says', { colorSchem
   await page.waitForFunction(() => getComputedStyle(document.body).backgroundColor === 'rgb(243, 245, 247)');
 });
 
-onPage('fits on a phone, and follows a finger', { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true }, async (page) => {
+onPage('fits on a phone, and follows a finger', phone, async (page) => {
   const widths = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
   assert.deepEqual(widths, [390, 390]);
-  const wide = await page.locator('body *:visible').evaluateAll((all) =>
-    all.filter((one) => !one.closest('#measures, pre') && one.getBoundingClientRect().right > innerWidth + 1).map((one) => one.outerHTML.slice(0, 80)),
-  );
-  assert.deepEqual(wide, []);
+  assert.deepEqual(await tooWide(page), []);
   const { x, y } = await placeIn(page, 'angle', 0.6);
   await page.touchscreen.tap(x, y);
   await page.waitForTimeout(100);
   assert.ok(Math.abs((await clock(page)) - (timeStart + 0.6 * (timeEnd - timeStart))) < 0.3);
+});
+
+for (const [name, options] of Object.entries({ 'on a wide screen': {}, 'in the dark': { colorScheme: 'dark' }, 'on a phone': phone }))
+  onPage(`is accessible ${name}`, options, async (page) => assert.deepEqual(await faultsOf(page), []));
+
+/** Whether all of an element is seen without scrolling, above the bar at the foot. */
+const isOnFirstScreen = (locator) =>
+  locator.evaluate((one) => {
+    const { top, bottom, left, right } = one.getBoundingClientRect();
+    return top >= 0 && left >= 0 && right <= innerWidth && bottom <= document.getElementById('playback').getBoundingClientRect().top;
+  });
+
+onPage('has the table and the motion side by side on the first screen of a laptop', { viewport: { width: 1440, height: 900 } }, async (page) => {
+  const [table, ...figures] = [page.locator('#measures'), ...(await page.locator('.stages figure').all())];
+  assert.equal(figures.length, 3);
+  for (const one of [table, ...figures]) assert.ok(await isOnFirstScreen(one));
+  const box = await table.boundingBox();
+  for (const figure of figures) assert.ok((await figure.boundingBox()).x >= box.x + box.width);
+  assert.ok(box.height > 500);
+});
+
+onPage('keeps the names in view while the table is scrolled sideways', {}, async (page) => {
+  await page.locator('#measures').evaluate((one) => (one.scrollLeft = 400));
+  const [table, name] = [await page.locator('#measures').boundingBox(), await page.locator('tbody th').first().boundingBox()];
+  assert.ok(Math.abs(name.x - table.x) < 2);
 });
 
 test('shows the rest where there is no WebGL', async () => {

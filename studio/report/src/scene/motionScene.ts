@@ -60,6 +60,7 @@ export class MotionScene {
     const method = methodNamed(state[this.which]);
     this.figure.hidden = !method;
     this.name.textContent = method?.name ?? '';
+    this.stage.describe(`The body in space, moved by ${method?.name ?? 'no method'}`);
     const content = new Group();
     this.moving = undefined;
     this.path = undefined;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The scenes side by side, and how they are to be seen.
 import { element, menu, place } from '../element';
-import type { BodyShape } from '../report';
-import { canFollowPath, choose, current, subscribe, type State } from '../state';
+import { report, type BodyShape } from '../report';
+import { canFollowPath, choose, subscribe, type State } from '../state';
 import type { Axis } from '../motion';
 import { MotionScene } from './motionScene';
 import { SphereScene } from './sphereScene';
+
+const manyMethods = 6; // a table so long stands beside the scenes, where there is room
 
 const shapes: [BodyShape, string][] = [
   ['aircraft', 'aircraft'],
@@ -27,24 +29,22 @@ function controls(): HTMLElement {
   const [bodyChoice, bodySelect] = menu('Body', shapes, (shape) => choose({ body: shape as BodyShape }));
   const [placeChoice, placeSelect] = menu('Seen', places, (where) => choose({ place: where as State['place'] }));
   const [axisChoice, axisSelect] = menu('Axis on the sphere', axes, (axis) => choose({ axis: axis as Axis }));
-  const components = element('input', { type: 'checkbox', onchange: () => choose({ components: !current().components }) });
-  subscribe(['body', 'place', 'axis', 'components'], (state) => {
+  subscribe(['body', 'place', 'axis'], (state) => {
     bodySelect.value = state.body;
     placeSelect.value = state.place;
     axisSelect.value = state.axis;
-    components.checked = state.components;
   });
-  const componentsChoice = element('label', { className: 'choice' }, components, element('span', {}, 'Components x, y, z'));
-  return element('div', { className: 'controls' }, bodyChoice, ...(canFollowPath ? [placeChoice] : []), axisChoice, componentsChoice);
+  return element('div', { className: 'controls' }, bodyChoice, ...(canFollowPath ? [placeChoice] : []), axisChoice);
 }
 
 const canDraw = () => document.createElement('canvas').getContext('webgl2') !== null;
 
 export function showScenes(): void {
   if (!canDraw()) {
-    place('scenes').append(element('p', { className: 'facts' }, 'The scenes in space are not shown: this browser has no WebGL.'), controls());
+    place('scenes').append(element('p', { className: 'facts' }, 'The scenes in space are not shown: this browser has no WebGL.'));
     return;
   }
+  place('scenes').parentElement!.classList.toggle('beside', report.methods.length >= manyMethods);
   const [first, second] = [new MotionScene('first'), new MotionScene('second')];
   first.linkCamera(second);
   place('scenes').append(controls(), element('div', { className: 'stages' }, first.figure, second.figure, new SphereScene().figure));

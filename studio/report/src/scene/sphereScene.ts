@@ -136,6 +136,7 @@ export class SphereScene {
       this.pointers.push({ pointer, path: method.samples });
     }
     this.caption.textContent = `Body axis ${state.axis} on the unit sphere`;
+    this.stage.describe(this.caption.textContent);
     this.stage.replace(this.content, content);
     this.content = content;
     this.showTime(state);

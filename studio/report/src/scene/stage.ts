@@ -14,6 +14,7 @@ export class Stage {
 
   constructor(frame: HTMLElement) {
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.renderer.domElement.setAttribute('role', 'img');
     frame.append(this.renderer.domElement);
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, this.renderer.domElement);
@@ -24,6 +25,11 @@ export class Stage {
     sun.position.set(-1, -2, 4);
     this.scene.add(new AmbientLight(0xffffff, 1.6), sun);
     new ResizeObserver(() => this.fit(frame)).observe(frame);
+  }
+
+  /** What is seen, for those who do not see it. */
+  describe(text: string): void {
+    this.renderer.domElement.setAttribute('aria-label', text);
   }
 
   /** In the next frame, once, however often it is asked for. */
