@@ -63,7 +63,9 @@ std::string help_of(const FieldInfo& field) {
 
 Expected<FieldValue> number_value(const FieldInfo& field, OptionText option) {
   if (field.quantity && !field.quantity->typed_units.empty()) return quantity_in(option, field.quantity->typed_units);
-  return field.range.lowest > 0.0 ? positive_in(option) : number_in(option);
+  const auto number = field.quantity ? quotient_in(option) : number_in(option);
+  if (field.range.lowest > 0.0 && !(number && *number > 0.0)) return wanted(option, "a number greater than 0");
+  return number;
 }
 
 Expected<FieldValue> word_value(const FieldInfo& field, OptionText option) {

@@ -61,17 +61,11 @@ Expected<double> number_in(OptionText option) {
   return *number;
 }
 
-Expected<double> positive_in(OptionText option) {
-  const auto number = number_in(option);
-  if (!number || !(*number > 0.0)) return wanted(option, "a number greater than 0");
-  return *number;
-}
-
 Expected<double> quantity_in(OptionText option, std::span<const Unit> units) {
   for (const Unit& unit : units) {
     if (!option.text.ends_with(unit.name)) continue;
-    const auto number = io::number_of(option.text.substr(0, option.text.size() - unit.name.size()));
-    if (number && std::isfinite(*number) && *number > 0.0) return *number * unit.size;
+    const auto number = quotient_in({option.option, option.text.substr(0, option.text.size() - unit.name.size())});
+    if (number && *number > 0.0) return *number * unit.size;
   }
   return wanted(option,
                 formatted("a number greater than 0 with its unit, {}, such as 1{}", names_of(units), units[0].name));
@@ -102,10 +96,17 @@ Expected<std::size_t> count_in(OptionText option, std::size_t lowest) {
   return count;
 }
 
-Expected<Decimal> decimal_in(OptionText option) {
-  auto number = Decimal::parse(option.text);
-  if (!number) return wanted(option, "a number");
-  return number;
+Expected<Fraction> fraction_in(OptionText option, std::string_view what) {
+  const auto fraction = Fraction::parse(option.text);
+  if (fraction && fraction->is_positive()) return *fraction;
+  return wanted(option, what.empty() ? "a number greater than 0, or a fraction such as 30000/1001" : what);
+}
+
+Expected<double> quotient_in(OptionText option) {
+  if (option.text.find('/') == std::string_view::npos) return number_in(option);
+  const auto fraction = Fraction::parse(option.text);
+  if (!fraction) return wanted(option, "a number, or a fraction such as 1/24");
+  return fraction->to_double();
 }
 
 Expected<std::pair<std::string_view, std::string_view>> assignment_in(OptionText option) {

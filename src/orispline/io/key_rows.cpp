@@ -10,88 +10,12 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 #include <orispline/curve/motion.hpp>
+#include <orispline/io/iso_time.hpp>
+#include <orispline/io/row_reader.hpp>
 #include <orispline/io/time_column.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::io {
 namespace {
-
-/// One key as a row states it.
-struct Key {
-  Decimal time;  // in the unit of the file
-  Eigen::Quaterniond orientation;
-  Eigen::Vector3d position{};
-  std::array<Eigen::Vector3d, 3> rates{};  // in the frames of the columns
-  std::vector<double> parameters{};
-};
-
-/// Reads the cells of one row; remembers the first that is no number and the first that is not finite.
-class RowReader {
- public:
-  explicit RowReader(const TextTable& table) : table_(table) {}
-
-  [[nodiscard]] Key key(const KeyColumns& columns) {
-    Key key{.time = time(columns), .orientation = orientation(columns)};
-    if (columns.position) key.position = vector(*columns.position);
-    for (std::size_t k = 0; k < columns.rates.size(); ++k)
-      if (columns.rates[k]) key.rates[k] = vector(columns.rates[k]->columns);
-    for (const ParameterColumn& column : columns.parameters) key.parameters.push_back(number({column.index}));
-    return key;
-  }
-
-  /// A cell that is no number, or numbers that are no orientation: an error in any case.
-  [[nodiscard]] const std::optional<Error>& refused() const { return refused_; }
-
-  /// A cell that is empty or not finite: an error unless such rows are dropped.
-  [[nodiscard]] std::optional<Error> not_finite() const {
-    if (!not_finite_) return std::nullopt;
-    const std::string_view cell = table_.cells()[*not_finite_];
-    return mended_by("drop_invalid",
-                     formatted("found {}, wanted a finite number", cell.empty() ? "an empty cell" : in_quotes(cell)),
-                     table_.here(not_finite_))
-        .value();
-  }
-
- private:
-  [[nodiscard]] Decimal time(const KeyColumns& columns) {
-    const std::string_view cell = table_.cells()[columns.time];
-    const auto time = decimal_of(cell);
-    if (!time) refuse(columns.time, time.error());
-    else if (!*time) note_not_finite(columns.time);
-    else if (columns.whole_times && !(*time)->is_whole())
-      refuse(columns.time, {ErrorCode::bad_data, formatted("found {}, wanted whole nanoseconds", in_quotes(cell)), {}});
-    return time.value_or(std::nullopt).value_or(Decimal());
-  }
-  [[nodiscard]] double number(const NumberColumn& column) {
-    const auto number = number_of(table_.cells()[column.index]);
-    const double value = number.value_or(0.0) * column.numerator / column.denominator;
-    if (!number) refuse(column.index, number.error());
-    else if (!std::isfinite(value)) note_not_finite(column.index);
-    return value;
-  }
-  [[nodiscard]] Eigen::Vector3d vector(const VectorColumns& columns) {
-    const double x = number(columns[0]), y = number(columns[1]), z = number(columns[2]);
-    return {x, y, z};
-  }
-  [[nodiscard]] Eigen::Quaterniond orientation(const KeyColumns& columns) {
-    OrientationNumbers numbers(static_cast<Eigen::Index>(columns.orientation.size()));
-    std::ranges::transform(columns.orientation, numbers.begin(), [this](const auto& column) { return number(column); });
-    if (!numbers.allFinite()) return Eigen::Quaterniond::Identity();
-    const auto orientation = orientation_from(numbers, columns.form);
-    if (!orientation) refuse(std::nullopt, orientation.error());
-    return orientation.value_or(Eigen::Quaterniond::Identity());
-  }
-  void refuse(std::optional<std::size_t> index, Error error) {
-    error.where = table_.here(index);
-    if (!refused_) refused_ = std::move(error);
-  }
-  void note_not_finite(std::size_t index) {
-    if (!not_finite_) not_finite_ = index;
-  }
-
-  const TextTable& table_;
-  std::optional<Error> refused_;
-  std::optional<std::size_t> not_finite_;
-};
 
 Expected<void> check_width(const TextTable& table, std::size_t width) {
   const auto cells = table.cells();
@@ -118,7 +42,7 @@ constexpr std::array rates_of_keys{&KeyframeData::angular_velocities, &KeyframeD
                                    &KeyframeData::angular_jerks};
 
 /// The rates in the body frame of a key at this orientation, of any norm.
-std::array<Eigen::Vector3d, 3> body_rates(const Key& key, const RateColumns& columns,
+std::array<Eigen::Vector3d, 3> body_rates(const KeyRow& key, const RateColumns& columns,
                                           const Eigen::Quaterniond& orientation) {
   const Eigen::Quaterniond q = orientation.normalized();
   std::array<Eigen::Vector3d, 3> rates = key.rates;
@@ -161,14 +85,15 @@ Expected<void> KeyRows::add(const TextTable& table) {
     return tl::unexpected(std::move(error));
   };
   if (auto checked = check_width(table, columns_.width); !checked) return refused(std::move(checked.error()));
-  RowReader row(table);
-  const Key key = row.key(columns_);
+  RowReader row(table, options_.clock);
+  const KeyRow key = row.key(columns_);
   if (row.refused()) return refused(*row.refused());
   if (auto error = row.not_finite()) {
     if (!options_.drop_invalid) return refused(std::move(*error));
     ++file_.repairs.invalid_dropped;
     return {};
   }
+  if (auto settled = settle_clock(table); !settled) return refused(std::move(settled.error()));
   const auto unit = normalised(key.orientation, table.here());
   if (!unit) return refused(unit.error());
   const Eigen::Quaterniond orientation = options_.conjugate ? unit->conjugate() : *unit;
@@ -208,6 +133,25 @@ Expected<Eigen::Quaterniond> KeyRows::normalised(Eigen::Quaterniond q, Where whe
   return q;
 }
 
+/// Times of ISO 8601 are seconds, and a file has them in all rows or in none.
+Expected<void> KeyRows::settle_clock(const TextTable& table) {
+  const std::string_view cell = table.cells()[columns_.time];
+  const bool is_iso = looks_like_iso_time(cell);
+  if (has_iso_times_ && *has_iso_times_ != is_iso)
+    return failure(ErrorCode::bad_data,
+                   formatted("found {}, wanted {} as in the rows before", in_quotes(cell),
+                             is_iso ? "a number" : "a time of ISO 8601"),
+                   table.here(columns_.time));
+  if (is_iso && options_.time_scale)
+    return bad_option("time_scale", formatted("found {}, which needs no scale, wanted numbers", in_quotes(cell)));
+  if (is_iso && !has_iso_times_) {
+    columns_.time_unit = Fraction();
+    columns_.states_time_unit = true;
+  }
+  has_iso_times_ = is_iso;
+  return {};
+}
+
 void KeyRows::settle_time_unit(const Decimal& first) {
   if (columns_.states_time_unit) return;
   columns_.states_time_unit = true;
@@ -229,7 +173,7 @@ Expected<bool> KeyRows::append_time(const Decimal& time, std::string_view text, 
   if (is_first) {
     settle_time_unit(time);
     first_ = time;
-    file_.epoch = first_ * columns_.time_unit;
+    file_.epoch = columns_.time_unit.time_of(first_);
   } else if (time < latest_)
     return refused(formatted("time {} comes after {}, wanted increasing times", shown(), latest_.to_string()), "sort");
   else if (time == latest_) {
@@ -240,12 +184,12 @@ Expected<bool> KeyRows::append_time(const Decimal& time, std::string_view text, 
     return false;
   }
 
-  const double seconds = ((time - first_) * columns_.time_unit).to_double();
+  const double seconds = columns_.time_unit.of(time - first_).to_double();
   if (!is_first && seconds <= latest_seconds_)
     return refused(
         formatted("time {} is too near to {} to be told apart in double precision", shown(), latest_.to_string()));
   times.push_back(seconds);
-  if (options_.keep_exact_times) file_.exact_times.push_back(time * columns_.time_unit);
+  if (options_.keep_exact_times) file_.exact_times.push_back(columns_.time_unit.time_of(time));
   latest_ = time;
   latest_seconds_ = seconds;
   latest_line_ = line;

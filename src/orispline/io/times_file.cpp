@@ -5,6 +5,7 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
+#include <orispline/io/iso_time.hpp>
 #include <orispline/io/key_columns.hpp>
 #include <orispline/io/text_table.hpp>
 #include <orispline/io/time_column.hpp>
@@ -24,45 +25,61 @@ Expected<std::string_view> only_cell(const TextTable& table) {
   return table.cells()[0];
 }
 
-/// Unit [s] of the times below the header.
-Expected<TimeUnit> unit_of_header(const TextTable& table) {
-  return only_cell(table).and_then([&table](std::string_view name) -> Expected<TimeUnit> {
+/// How the times of a file are counted.
+struct RowUnit {
+  Fraction seconds{};
+  bool is_stated = false;
+};
+
+/// That of the times below the header.
+Expected<RowUnit> unit_of_header(const TextTable& table, const Clock& clock) {
+  return only_cell(table).and_then([&](std::string_view name) -> Expected<RowUnit> {
     const ColumnSearch search(std::span(&name, 1), {});
-    if (const auto unit = time_unit_of(search.plain_name(0))) return *unit;
+    if (const auto unit = time_unit_of(search.plain_name(0))) return RowUnit{unit->seconds, unit->is_stated};
+    if (counts_frames(search.plain_name(0)))
+      return seconds_per_frame(name, clock)
+          .map([](const Fraction& seconds) {
+            return RowUnit{seconds, true};
+          })
+          .map_error([&](Error error) { return error.where = table.here(), error; });
     return at_row(table, formatted("found {}, wanted the header t or a number", in_quotes(name)));
   });
 }
 
-/// The time in the row, in the unit of the file.
-Expected<Decimal> time_of(const TextTable& table) {
+/// The time in the row [s].
+Expected<Decimal> time_of(const TextTable& table, RowUnit& unit, const Clock& clock) {
   return only_cell(table).and_then([&](std::string_view cell) -> Expected<Decimal> {
+    if (looks_like_iso_time(cell))
+      return parse_iso_time(cell)
+          .map([&](const Decimal& time) { return time - clock.zero; })
+          .map_error([&](Error error) { return error.where = table.here(), error; });
     const auto time = decimal_of(cell);
     if (!time) return at_row(table, time.error().message);
     if (!*time) return at_row(table, formatted("found {}, wanted a finite time", in_quotes(cell)));
-    return **time;
+    if (!std::exchange(unit.is_stated, true))
+      if (const auto guess = time_unit_by_size(**time)) unit.seconds = guess->seconds;
+    return unit.seconds.time_of(**time);
   });
 }
 
 }  // namespace
 
-Expected<TimesList> read_times(const std::string& path, const Decimal& epoch) {
+Expected<TimesList> read_times(const std::string& path, const Decimal& epoch, const Clock& clock) {
   auto table = TextTable::open(path);
   if (!table) return tl::unexpected(std::move(table.error()));
-  TimeUnit unit;
+  RowUnit unit;
   auto more = table->next();
   if (more && *more && is_header(table->cells())) {
-    const auto header_unit = unit_of_header(*table);
+    const auto header_unit = unit_of_header(*table, clock);
     if (!header_unit) return tl::unexpected(header_unit.error());
     unit = *header_unit;
     more = table->next();
   }
   TimesList list;
   for (; more && *more; more = table->next()) {
-    const auto time = time_of(*table);
+    const auto time = time_of(*table, unit, clock);
     if (!time) return tl::unexpected(time.error());
-    if (!std::exchange(unit.is_stated, true))
-      if (const auto guess = time_unit_by_size(*time)) unit.seconds = guess->seconds;
-    list.times.push_back((*time * unit.seconds - epoch).to_double());
+    list.times.push_back((*time - epoch).to_double());
     list.lines.push_back(static_cast<std::uint32_t>(table->line()));
   }
   if (!more) return tl::unexpected(more.error());

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <orispline/base/decimal.hpp>
+#include <orispline/io/clock.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::io {
 
@@ -17,8 +17,9 @@ struct TimesList {
 
 /// Reads sample times, one number a line, in any order; from standard input for `-`.
 ///
-/// A header `t` is allowed, also with a unit (`t_ns`); without one the numbers are seconds. The result is relative to
-/// `epoch` [s]. Errors: bad_access, bad_data.
-[[nodiscard]] ORISPLINE_EXPORT Expected<TimesList> read_times(const std::string& path, const Decimal& epoch);
+/// A header `t` is allowed, also with a unit (`t_ns`), and `frame`; without one the numbers are seconds. Lines may be
+/// times of ISO 8601. The result is relative to `epoch` [s]. Errors: bad_access, bad_data.
+[[nodiscard]] ORISPLINE_EXPORT Expected<TimesList> read_times(const std::string& path, const Decimal& epoch,
+                                                              const Clock& clock = {});
 
 }  // namespace orispline::inline ORISPLINE_ABI::io
