@@ -24,16 +24,17 @@ namespace fs = std::filesystem;
 /// The experiment of that name, or all of the paper of that number or author.
 Expected<std::vector<Experiment>> chosen(std::string_view name) {
   std::vector<Experiment> found;
-  std::vector<std::string_view> names;
+  std::vector<std::string> words;
   for (const Experiment& experiment : experiments()) {
     const std::string_view paper = experiment.paper(), author = author_of(experiment);
     const bool is_named = experiment.name == name || name_by_author(experiment) == name;
     if (is_named || paper == name || author == name) found.push_back(experiment);
-    if (names.empty() || names.back() != author) names.insert(names.end(), {paper, author});
+    if (words.empty() || words.back() != author) words.insert(words.end(), {std::string(paper), std::string(author)});
   }
-  for (const Experiment& experiment : experiments()) names.push_back(experiment.name);
-  if (found.empty()) return usage_failure(unknown_word("experiment", name, names));
-  return found;
+  if (!found.empty()) return found;
+  for (const Experiment& experiment : experiments())
+    words.insert(words.end(), {std::string(experiment.name), name_by_author(experiment)});
+  return usage_failure(unknown_word("experiment", name, std::vector<std::string_view>(words.begin(), words.end())));
 }
 
 /// Writes a picture into the folder; its path.

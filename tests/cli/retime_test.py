@@ -230,7 +230,7 @@ class Retime(CommandTest):
         self.assert_fails("retime keys.csv", BAD_USAGE,
                           "found no limit, wanted --max-rate, --max-acceleration or --max-torque")
         self.assert_fails("retime keys.csv --max-rate=-1deg/s", BAD_USAGE,
-                          "--max-rate: found '-1deg/s', wanted a number greater than 0 with its unit, deg/s or rad/s, such as "
+                          "--max-rate: found '-1deg/s', wanted a number greater than 0 with its unit, deg/s, rad/s, mrad/s or arcsec/s, such as "
                           "1deg/s")
         self.assert_fails("retime keys.csv --max-rate 1deg/s --inertia=1,2,3", BAD_USAGE,
                           "--inertia: wanted --max-torque as well")
