@@ -52,7 +52,7 @@ TEST(Fraction, IsReadAsItIsWritten) {
                                    std::pair("30000/1001", "30000/1001"), std::pair("1/8", "0.125"),
                                    std::pair("1/-3", "-1/3"), std::pair("2/3", "2/3")})
     EXPECT_EQ(fraction(text).to_string(), same);
-  for (const char* text : {"", "/", "1/", "/2", "1/0", "1/2/3", "a/b", "1 / 2"})
+  for (const char* text : {"", "/", "1/", "/2", "1/0", "1/2/3", "a/b", "1 / 2", "1e100/1e-100", "1e-100/1e100"})
     EXPECT_EQ(Fraction::parse(text).error().message,
               "found '" + std::string(text) + "', wanted a number such as 25, or a fraction such as 30000/1001");
 }

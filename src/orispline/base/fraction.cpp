@@ -6,6 +6,17 @@
 #include <orispline/base/quoted.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
+namespace {
+
+/// Whether its products with parsed numbers are finite doubles, as those of two such numbers are.
+bool is_in_reach(const Fraction& fraction) {
+  const Decimal quotient = fraction.of(Decimal::power_of_ten(0));
+  const Decimal size = quotient < Decimal() ? -quotient : quotient;
+  return size == Decimal() || (size > Decimal::power_of_ten(-Decimal::parsed_exponent_limit) &&
+                               size < Decimal::power_of_ten(Decimal::parsed_exponent_limit));
+}
+
+}  // namespace
 
 Fraction::Fraction(const Decimal& numerator, const Decimal& denominator)
     : numerator_(numerator), denominator_(denominator) {
@@ -25,7 +36,8 @@ Expected<Fraction> Fraction::parse(std::string_view text) {
   const auto numerator = Decimal::parse(text.substr(0, stroke));
   if (stroke == std::string_view::npos && numerator) return Fraction(*numerator);
   const auto denominator = stroke == std::string_view::npos ? numerator : Decimal::parse(text.substr(stroke + 1));
-  if (numerator && denominator && *denominator != Decimal()) return Fraction(*numerator, *denominator);
+  if (numerator && denominator && *denominator != Decimal())
+    if (const Fraction fraction(*numerator, *denominator); is_in_reach(fraction)) return fraction;
   return failure(ErrorCode::bad_data,
                  formatted("found {}, wanted a number such as 25, or a fraction such as 30000/1001", in_quotes(text)));
 }

@@ -14,7 +14,7 @@ constexpr int seconds_of_minute = 60, minutes_of_hour = 60, hours_of_day = 24;
 
 bool is_digit(char c) noexcept { return '0' <= c && c <= '9'; }
 
-Decimal decimal_of(std::int64_t whole) { return Decimal::from_double(static_cast<double>(whole)); }
+Decimal whole_decimal(std::int64_t whole) { return Decimal::from_double(static_cast<double>(whole)); }
 
 /// Reads the parts of a time from the front of a text; whatever is not as it should be makes the whole wrong.
 class TimeScanner {
@@ -95,7 +95,7 @@ std::optional<Decimal> seconds_of(std::string_view text) {
   TimeScanner scanner(text);
   const std::int64_t day = days(scanner);
   if (scanner.done())
-    return scanner.is_right() ? std::optional(decimal_of(day * hours_of_day * minutes_of_hour * seconds_of_minute))
+    return scanner.is_right() ? std::optional(whole_decimal(day * hours_of_day * minutes_of_hour * seconds_of_minute))
                               : std::nullopt;
   scanner.require(scanner.take("Tt "));
   const int hour = scanner.number(2);
@@ -104,11 +104,11 @@ std::optional<Decimal> seconds_of(std::string_view text) {
   const Decimal second = scanner.take(":") ? scanner.seconds() : Decimal();
   const int ahead = offset(scanner);
   const bool may_leap = minute == minutes_of_hour - 1;
-  scanner.require(minute < minutes_of_hour && second < decimal_of(seconds_of_minute + (may_leap ? 1 : 0)));
+  scanner.require(minute < minutes_of_hour && second < whole_decimal(seconds_of_minute + (may_leap ? 1 : 0)));
   scanner.require(hour < hours_of_day || (hour == hours_of_day && minute == 0 && second == Decimal()));
   if (!scanner.is_right()) return std::nullopt;
   const std::int64_t minutes = (day * hours_of_day + hour) * minutes_of_hour + minute - ahead;
-  return decimal_of(minutes * seconds_of_minute) + second;
+  return whole_decimal(minutes * seconds_of_minute) + second;
 }
 
 }  // namespace
