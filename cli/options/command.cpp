@@ -92,7 +92,9 @@ std::string said_of(const CLI::ParseError& error, const CLI::App& app, const std
   const std::string_view message = error.what();
   if (command != commands.end()) {
     const std::vector<std::string> extras = app.remaining(true);
-    if (dynamic_cast<const CLI::ExtrasError*>(&error) && !extras.empty()) return unexpected(*command, extras.front());
+    const auto option = std::ranges::find_if(extras, [](const std::string& word) { return word.starts_with('-'); });
+    if (dynamic_cast<const CLI::ExtrasError*>(&error) && !extras.empty())
+      return unexpected(*command, option == extras.end() ? extras.front() : *option);
     if (dynamic_cast<const CLI::ArgumentMismatch*>(&error)) return unmatched(*command, message);
     if (dynamic_cast<const CLI::RequiredError*>(&error)) return missing(*command, message);
   }

@@ -37,7 +37,7 @@ TEST(Decimal, DividesExactlyWhereItCan) {
   EXPECT_EQ(quotient("2", "3").value.to_string(), "0." + std::string(36, '6') + "7");
   EXPECT_FALSE(quotient("2", "3").is_exact);
   EXPECT_EQ(quotient("1", "1234567890123456789012345678901234567").value.rounded(39).to_string(),
-            "0.000000000000000000000000000000000001");
+            "0.00000000000000000000000000000000000081");
 }
 
 TEST(Decimal, RoundsToSoManyDecimals) {
@@ -127,7 +127,7 @@ TEST(Clock, OfAFileOfKeys) {
   EXPECT_EQ(read(dates), "1704067200.000000001 1704067201.5 ");
   EXPECT_EQ(read(dates, {.clock = {.zero = decimal("1704067200")}}), "0.000000001 1.5 ");
   EXPECT_EQ(read("t_ns,qw,qx,qy,qz\n2024-01-01" + rows), "1704067200 ");
-  EXPECT_EQ(read("2024-01-01T00:00:00Z 0 0 0 0 0 0 1\n"), "1704067200 ");
+  EXPECT_EQ(read("2024-01-01T00:00:00Z 0 0 0 0 0 0 1\n", {.format = &tum_format}), "1704067200 ");
   const std::string frames = "frame,qw,qx,qy,qz\n0" + rows + "1" + rows + "24" + rows;
   EXPECT_EQ(read(frames, {.clock = {.frames_per_second = fraction("24")}}), "0 0.041666666666666667 1 ");
   EXPECT_EQ(read(frames, {.time_scale = fraction("1/24")}), "0 0.041666666666666667 1 ");
@@ -137,7 +137,7 @@ TEST(Clock, OfAFileOfKeys) {
 TEST(Clock, OfAFileOfKeysThatIsRefused) {
   const std::string rows = ",1,0,0,0\n";
   EXPECT_EQ(read("frame,qw,qx,qy,qz\n0" + rows),
-            "keys.csv:1: the column 'frame' counts frames, wanted how many there are in a second (fps)");
+            "keys.csv:1: the column 'frame' counts frames, wanted how many there are in a second (option fps)");
   EXPECT_EQ(read("t,qw,qx,qy,qz\n2024-01-01" + rows + "5" + rows),
             "keys.csv:3:1: key 1: found '5', wanted a time of ISO 8601 as in the rows before");
   EXPECT_EQ(read("t,qw,qx,qy,qz\n5" + rows + "2024-01-01" + rows),

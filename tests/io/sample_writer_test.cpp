@@ -226,36 +226,6 @@ TEST(OutputFile, PassesByThePartsOfOthers) {
   ::close(other);
 }
 
-TEST(OutputFile, RemovesThePartsOfRunsThatWereKilled) {
-  const ScratchDirectory directory;
-  const std::string path = directory.file("out.csv");
-  for (const char* name : {".part", ".part1", ".part3"}) std::ofstream(path + name) << "torn";
-  std::filesystem::create_directory(path + ".part2");  // no part at all
-  auto file = OutputFile::open(path);
-  ASSERT_TRUE(file && file->write("whole") && file->finish());
-  EXPECT_EQ(content_of(path), "whole");
-  EXPECT_TRUE(std::filesystem::is_directory(path + ".part2"));
-  EXPECT_EQ(directory.entries(), 2u);
-}
-
-TEST(OutputFile, HoldsItsPartUntilItIsInItsPlace) {
-  const ScratchDirectory directory;
-  const std::string path = directory.file("out.csv");
-  auto closed = OutputFile::open(path);
-  ASSERT_TRUE(closed && closed->write("1") && closed->close());  // waits for others
-  auto moved = std::move(*closed);
-  {
-    const auto other = OutputFile::open(path);
-    ASSERT_TRUE(other);
-    EXPECT_NE(other->part(), moved.part());
-    EXPECT_EQ(directory.entries(), 2u);
-  }
-  EXPECT_EQ(directory.entries(), 1u);
-  ASSERT_TRUE(moved.finish());
-  EXPECT_EQ(content_of(path), "1");
-  EXPECT_EQ(directory.entries(), 1u);
-}
-
 TEST(OutputFile, SaysWhyItCannotBeWritten) {
   const ScratchDirectory directory;
   const auto refusal = [](const std::string& path) {
