@@ -109,6 +109,12 @@ Expected<double> quotient_in(OptionText option) {
   return fraction->to_double();
 }
 
+Expected<double> positive_in(OptionText option, std::string_view what) {
+  const auto number = quotient_in(option);
+  if (!number || !(*number > 0.0)) return wanted(option, what);
+  return *number;
+}
+
 Expected<std::pair<std::string_view, std::string_view>> assignment_in(OptionText option) {
   const std::size_t equals = option.text.find('=');
   if (equals == 0 || equals == std::string_view::npos || equals + 1 == option.text.size())

@@ -45,6 +45,8 @@ struct OptionText {
 [[nodiscard]] Expected<double> number_in(OptionText option);
 /// A finite number, or a fraction.
 [[nodiscard]] Expected<double> quotient_in(OptionText option);
+/// The same above 0.
+[[nodiscard]] Expected<double> positive_in(OptionText option, std::string_view what = "a number greater than 0");
 /// A finite number above 0, or a fraction, with one of the units behind it, as in `0.1deg`, in the unit that the
 /// library takes.
 [[nodiscard]] Expected<double> quantity_in(OptionText option, std::span<const Unit> units);

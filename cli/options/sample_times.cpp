@@ -28,8 +28,11 @@ Expected<Spacing> spacing_in(const TimeOptions& options, const io::Clock& clock)
   if (options.list) return Spacing(TimesFile{*options.list, clock});
   if (options.count)
     return count_in({"--count", *options.count}, 1).map([](std::size_t n) { return Spacing(Count{n}); });
-  return fraction_in({"--rate", *options.rate}, "a number of samples per second greater than 0")
-      .map([](const Fraction& per_second) { return Spacing(rate_of(per_second)); });
+  constexpr std::string_view what = "a number of samples per second greater than 0";
+  const OptionText rate{"--rate", *options.rate};
+  if (rate.text.find('/') == std::string_view::npos)
+    return positive_in(rate, what).map([](double hertz) { return Spacing(Rate{hertz}); });
+  return fraction_in(rate, what).map([](const Fraction& per_second) { return Spacing(rate_of(per_second)); });
 }
 
 /// `5`, or `+5` since the first key.

@@ -32,7 +32,7 @@ CASES = (
     ("sample keys.csv --rate -5", "--rate: found '-5', wanted a number of samples per second greater than 0"),
     ("sample keys.csv --rate nan", "--rate: found 'nan', wanted a number of samples per second greater than 0"),
     ("sample keys.csv --rate 1e999", "--rate: found '1e999', wanted a number of samples per second greater than 0"),
-    ("sample keys.csv --rate 1e100", "--rate: 1e+100 makes 3e+100 samples over 3 s, wanted fewer than 9e+15"),
+    ("sample keys.csv --rate 1e300", "--rate: 1e+300 makes 3e+300 samples over 3 s, wanted fewer than 9e+15"),
     ("sample keys.csv --count 0", "--count: found '0', wanted a whole number from 1 on"),
     ("sample keys.csv --count 2.5", "--count: found '2.5', wanted a whole number from 1 on"),
     ("sample keys.csv --count 2 --from now", "--from: found 'now', wanted a number of seconds, a fraction such as 1/24, a "
