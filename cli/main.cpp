@@ -22,6 +22,7 @@
 #include "commands/smooth/smooth_options.hpp"
 #include "commands/tasks/tasks.hpp"
 #include "commands/tune/tune_options.hpp"
+#include "options/first_word.hpp"
 #include "options/method_options.hpp"
 #include "output/exit_code.hpp"
 #include "output/standard_output.hpp"
@@ -42,6 +43,7 @@ Exit codes: 0 success, 1 bad data, 2 bad usage, 3 file missing, unreadable or no
 
 constexpr auto methods_footer = R"(Examples:
   orispline methods
+  orispline methods timed-c2
   orispline methods --json)";
 
 constexpr auto tasks_footer = R"(Examples:
@@ -51,14 +53,20 @@ constexpr auto tasks_footer = R"(Examples:
 constexpr auto reproduce_footer = R"(Examples:
   orispline reproduce
   orispline reproduce 000-table1
+  orispline reproduce tan-table1 --keys keys.csv
   orispline reproduce 003 --pictures pictures
 
-The numbers stand for papers: 000 Tan et al. 2018, 001 He et al. 2022, 002 Eberly, 003 the 6th degree.)";
+Papers go by number or author: 000 or tan is Tan et al. 2018, 001 or he is He et al. 2022, 002 or eberly is Eberly, and
+003 or sextic is the 6th degree, whose authors our copy does not name.)";
 
 constexpr auto completion_footer = R"(Examples:
   source <(orispline completion bash)
   orispline completion zsh > "${fpath[1]}/_orispline"
   orispline completion fish > ~/.config/fish/completions/orispline.fish)";
+
+constexpr auto help_footer = R"(Examples:
+  orispline help
+  orispline help sample)";
 
 Program program() {
   return {.name = "orispline",
@@ -67,24 +75,27 @@ Program program() {
           .version = formatted("orispline {}", version)};
 }
 
-/// The words that the registry has for an argument of that type.
-std::vector<std::string> registered_words(std::string_view type) {
+/// The words that the registry has for an argument of that type, or the names of the commands.
+std::vector<std::string> registered_words(std::string_view type, const std::deque<Command>& commands) {
   if (type == setting_type) return known_settings();
   if (type == ends_type) return known_end_rules();
-  if (type != method_type && type != methods_type) return {};
+  if (type != method_type && type != methods_type && type != command_type) return {};
   std::vector<std::string> names;
-  for (const FamilyInfo& family : families_info()) names.emplace_back(family.name);
+  if (type == command_type)
+    for (const Command& command : commands) names.push_back(command.name);
+  else
+    for (const FamilyInfo& family : families_info()) names.emplace_back(family.name);
   return names;
 }
 
 /// What a shell is told about an option; choices stand in the type name.
-OptionOutline outline(const Option& option) {
+OptionOutline outline(const Option& option, const std::deque<Command>& commands) {
   OptionOutline result{.names = {}, .description = option.sentence};
   for (const std::string_view name : pieces_of(option.names, ',')) result.names.emplace_back(name);
   const std::string& type = option.argument;
   if (option.is_flag()) return result;
   result.argument = type == file_type || type == folder_type ? Argument::file : Argument::word;
-  result.choices = registered_words(type);
+  result.choices = registered_words(type, commands);
   if (!result.choices.empty()) result.argument = type == setting_type ? Argument::setting : Argument::choice;
   if (type.find('|') == std::string::npos || type.find(',') != std::string::npos) return result;
   result.argument = Argument::choice;
@@ -97,7 +108,7 @@ std::vector<CommandOutline> outlines(const std::deque<Command>& commands) {
   for (const Command& command : commands) {
     CommandOutline& result = outlines.emplace_back(CommandOutline{command.name, command.description, {}});
     result.options.push_back({.names = {"-h", "--help"}, .description = "Print this help message and exit"});
-    for (const Option& option : command.options) result.options.push_back(outline(option));
+    for (const Option& option : command.options) result.options.push_back(outline(option, commands));
   }
   return outlines;
 }
@@ -109,26 +120,8 @@ constexpr auto first_steps = R"(orispline makes smooth motions from orientation 
   orispline compare flight.csv --keep-every 8          which method follows a recording best
   orispline convert keys.csv -o keys.tum               the same keys in another format
   orispline methods                                    all methods, what they promise and take
-keys.csv has the columns t,qw,qx,qy,qz. 'orispline --help' and 'orispline sample --help' say more.
+keys.csv has the columns t,qw,qx,qy,qz. 'orispline help' and 'orispline help sample' say more.
 )";
-
-/// CLI11 would only say that a subcommand is required.
-std::optional<Error> unknown_command(const std::deque<Command>& commands, std::span<char*> arguments) {
-  const std::string_view first = arguments[1];
-  if (first.starts_with('-')) return std::nullopt;
-  std::vector<std::string> names;
-  for (const Command& command : commands) names.push_back(command.name);
-  if (std::ranges::find(names, first) != names.end()) return std::nullopt;
-  return Error{ErrorCode::bad_argument, formatted("no command '{}', wanted one of {}", first, joined(names, ", ")), {}};
-}
-
-/// CLI11 would take the next word for the value of `--option=`.
-std::optional<Error> empty_value(std::span<char*> arguments) {
-  for (const std::string_view argument : arguments)
-    if (argument.starts_with("--") && argument.size() > 3 && argument.find('=') == argument.size() - 1)
-      return Error{ErrorCode::bad_argument, formatted("{} wanted a value after it", argument), {}};
-  return std::nullopt;
-}
 
 /// `orispline compare keys.csv …`, as a shell takes it.
 std::string command_line(std::span<char*> arguments) {
@@ -168,27 +161,32 @@ class CommandLine {
     add_retime_options(command("retime", "Slow a motion until it is within limits of rate, acceleration or torque",
                                [this] { return retime(retime_); }),
                        retime_);
-    add_methods_options(command("methods", "List the methods", [this] { return methods(methods_); }));
+    add_methods_options(
+        command("methods", "List the methods, or say everything of one", [this] { return methods(methods_); }));
     add_tasks_options(
         command("tasks", "List the tasks with their options and results", [this] { return tasks(tasks_); }));
     add_reproduce_options(
         command("reproduce", "Run the experiments of the papers anew", [this] { return reproduce(reproduce_); }));
     add_completion_options(command("completion", "Print a completion script for a shell",
                                    [this] { return completion(shell_, outlines(commands_)); }));
+    add_help_options(
+        command(std::string(help_command), "Print the help of a command", [] { return Expected<void>(); }));
   }
 
   [[nodiscard]] ExitCode run(int argc, char** argv) {
     try {
       const std::span arguments(argv, static_cast<std::size_t>(argc));
       if (arguments.size() < 2) return tell(first_steps), ExitCode::bad_usage;
-      if (const auto error = unknown_command(commands_, arguments)) return report(*error);
-      if (const auto error = empty_value(arguments)) return report(*error);
       for (ReportOptions* report : {&compare_.report, &smooth_.report, &reduce_.report, &retime_.report})
         report->command_line = command_line(arguments.subspan(1));
-      const auto done = parsed(commands_, program(), argc, argv).and_then([](const Command* command) -> Expected<void> {
-        if (!command) return {};
-        return batch::forced_kernels().and_then([&](const batch::Kernels*) { return command->run(); });
-      });
+      const auto words = arguments.subspan(1);
+      const auto done =
+          understood_words(commands_, {words.begin(), words.end()})
+              .and_then([&](std::vector<std::string> understood) { return parsed(commands_, program(), understood); })
+              .and_then([](const Command* command) -> Expected<void> {
+                if (!command) return {};
+                return batch::forced_kernels().and_then([&](const batch::Kernels*) { return command->run(); });
+              });
       return done ? ExitCode::success : report(done.error());
     } catch (const std::bad_alloc&) {
       return report({ErrorCode::bad_access, "out of memory", {}});
@@ -203,6 +201,7 @@ class CommandLine {
 
   void add_methods_options(Command& app) {
     app.footer = methods_footer;
+    app.add_option("METHOD", methods_.name, "A method of the list [all]")->type_name(method_type);
     app.add_flag("--json", methods_.json, "Print one JSON array");
   }
 
@@ -213,8 +212,10 @@ class CommandLine {
 
   void add_reproduce_options(Command& app) {
     app.footer = reproduce_footer;
-    app.add_option("EXPERIMENT", reproduce_.experiment, "A name of the list, or the number of a paper")
+    app.add_option("EXPERIMENT", reproduce_.experiment, "A name of the list, or the number or the author of a paper")
         ->type_name("NAME");
+    app.add_option("--keys", reproduce_.keys, "Keys of your own in the place of ours, for experiments that take them")
+        ->type_name(file_type);
     app.add_option("--pictures", reproduce_.pictures, "Write its pictures into this folder, as SVG")
         ->type_name(folder_type);
     app.add_flag("--json", reproduce_.json, "Print one JSON array");
@@ -223,6 +224,11 @@ class CommandLine {
   void add_completion_options(Command& app) {
     app.footer = completion_footer;
     app.add_option("SHELL", shell_, "The shell")->required()->type_name(one_of(shell_choices));
+  }
+
+  void add_help_options(Command& app) {
+    app.footer = help_footer;
+    app.add_option(command_type, helped_, "A command [all of them in short]")->type_name(command_type);
   }
 
   std::deque<Command> commands_;
@@ -239,6 +245,7 @@ class CommandLine {
   TasksOptions tasks_;
   ReproduceOptions reproduce_;
   std::string shell_;
+  std::optional<std::string> helped_;
 };
 
 }  // namespace
@@ -246,5 +253,8 @@ class CommandLine {
 
 int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_DFL);  // a reader that has seen enough ends the command without a word
+#ifdef SIGXFSZ
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of writing, as a full disk is
+#endif
   return static_cast<int>(orispline::cli::CommandLine().run(argc, argv));
 }

@@ -3,6 +3,11 @@
 
 #include <CLI/CLI.hpp>
 
+#include <orispline/base/formatted.hpp>
+#include <orispline/base/pieces.hpp>
+#include <orispline/base/quoted.hpp>
+#include <orispline/base/suggestion.hpp>
+
 namespace orispline::cli {
 namespace {
 
@@ -35,9 +40,71 @@ void define(CLI::App& app, const Command& command, const Command*& chosen) {
   }
 }
 
+// What CLI11 finds wrong, in the words of the other messages.
+
+/// The names of the options that begin with dashes.
+std::vector<std::string_view> flags_of(const Command& command) {
+  std::vector<std::string_view> flags{"--help"};
+  for (const Option& option : command.options)
+    for (const std::string_view name : pieces_of(option.names, ','))
+      if (name.starts_with("--")) flags.push_back(name);
+  return flags;
+}
+
+/// What is typed behind an option, by its name.
+std::string argument_of(const Command& command, std::string_view name) {
+  for (const Option& option : command.options)
+    for (const std::string_view other : pieces_of(option.names, ','))
+      if (other == name) return option.argument;
+  return {};
+}
+
+std::string unexpected(const Command& command, std::string_view word) {
+  if (!word.starts_with('-'))
+    return formatted("{}: found {}, wanted no more words here; 'orispline help {}' lists the options", command.name,
+                     in_quotes(word), command.name);
+  const std::string_view flag = word.substr(0, word.find('='));
+  const auto flags = flags_of(command);
+  if (const auto nearest = nearest_word(flag, flags))
+    return formatted("{}: unknown option {}; did you mean '{}'?", command.name, in_quotes(flag), *nearest);
+  return formatted("{}: unknown option {}; 'orispline help {}' lists them", command.name, in_quotes(flag),
+                   command.name);
+}
+
+std::string unmatched(const Command& command, std::string_view message) {
+  const std::string_view name = message.substr(0, message.find(':'));
+  const std::string argument = argument_of(command, name);
+  if (message.find("At Most") != message.npos) return formatted("{}: found it more than once, wanted it once", name);
+  if (!argument.empty()) return formatted("{}: found nothing after it, wanted {}", name, argument);
+  return std::string(message);
+}
+
+std::string missing(const Command& command, std::string_view message) {
+  return formatted("{}: {} is missing; 'orispline help {}' shows what to type", command.name,
+                   message.substr(0, message.find(' ')), command.name);
+}
+
+/// In one line.
+std::string said_of(const CLI::ParseError& error, const CLI::App& app, const std::deque<Command>& commands) {
+  const auto named = app.get_subcommands();
+  const auto command = std::ranges::find_if(
+      commands, [&](const Command& known) { return !named.empty() && known.name == named.front()->get_name(); });
+  const std::string_view message = error.what();
+  if (command != commands.end()) {
+    const std::vector<std::string> extras = app.remaining(true);
+    const auto option = std::ranges::find_if(extras, [](const std::string& word) { return word.starts_with('-'); });
+    if (dynamic_cast<const CLI::ExtrasError*>(&error) && !extras.empty())
+      return unexpected(*command, option == extras.end() ? extras.front() : *option);
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error)) return unmatched(*command, message);
+    if (dynamic_cast<const CLI::RequiredError*>(&error)) return missing(*command, message);
+  }
+  return printable(message);
+}
+
 }  // namespace
 
-Expected<const Command*> parsed(const std::deque<Command>& commands, const Program& program, int argc, char** argv) {
+Expected<const Command*> parsed(const std::deque<Command>& commands, const Program& program,
+                                std::vector<std::string> words) {
   CLI::App app(program.description);
   app.name(program.name);
   app.footer(program.footer);
@@ -47,9 +114,10 @@ Expected<const Command*> parsed(const std::deque<Command>& commands, const Progr
   for (const Command& command : commands)
     define(*app.add_subcommand(command.name, command.description), command, chosen);
   try {
-    app.parse(argc, argv);
+    std::ranges::reverse(words);  // as CLI11 takes them
+    app.parse(std::move(words));
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() != 0) return failure(ErrorCode::bad_argument, error.what());
+    if (error.get_exit_code() != 0) return failure(ErrorCode::bad_argument, said_of(error, app, commands));
     app.exit(error);  // the help or the version that was asked for
     return nullptr;
   }

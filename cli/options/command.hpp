@@ -19,7 +19,10 @@ namespace orispline::cli {
 inline constexpr auto file_type = "FILE", folder_type = "FOLDER";
 /// Of arguments whose words the registry knows.
 inline constexpr auto method_type = "METHOD", methods_type = "METHOD,...", ends_type = "RULE|START,END",
-                      setting_type = "NAME=VALUE";
+                      setting_type = "NAME=VALUE", command_type = "COMMAND";
+
+/// The command that prints the help of another one: `help sample` is `sample --help`.
+inline constexpr std::string_view help_command = "help";
 
 /// Where the text goes that the user types behind an option; of a flag, that it was given.
 using Typed = std::variant<bool*, std::string*, std::optional<std::string>*, std::vector<std::string>*>;
@@ -65,9 +68,9 @@ struct Program {
   std::string name, description, footer, version;
 };
 
-/// Takes the command line into the options of the command that it names, and says which that is; none where the help
-/// or the version was asked for, which is printed. Error: bad_argument.
-[[nodiscard]] Expected<const Command*> parsed(const std::deque<Command>& commands, const Program& program, int argc,
-                                              char** argv);
+/// Takes the words behind the name of the program into the options of the command that it names, and says which that
+/// is; none where the help or the version was asked for, which is printed. Error: bad_argument.
+[[nodiscard]] Expected<const Command*> parsed(const std::deque<Command>& commands, const Program& program,
+                                              std::vector<std::string> words);
 
 }  // namespace orispline::cli

@@ -45,11 +45,18 @@ void add_reading_options(Command& app, InputOptions& o, std::string_view default
   app.add_option("--euler", o.euler, "Order of Euler angles: ZYX, XYZ, ZXZ, ... body axes; zyx, ... world axes [ZYX]")
       ->type_name("ORDER")
       ->group(group);
-  app.add_option("--angle-unit", o.angle_unit, "Of Euler angles whose column does not end in _deg or _rad")
+  app.add_option("--angle-unit", o.angle_unit, "Of Euler angles whose column does not end in a unit such as _deg")
       ->type_name(one_of(angle_unit_choices))
       ->group(group);
-  app.add_option("--time-scale", o.time_scale, "Seconds per unit of the time column [by its name or size, else 1]")
+  app.add_option("--time-scale", o.time_scale,
+                 "Seconds per unit of the time column, also 1/24 [by its name or size, else 1]")
       ->type_name("X")
+      ->group(group);
+  app.add_option("--fps", o.fps, "Frames per second where a time column 'frame' counts them, such as 24 or 30000/1001")
+      ->type_name("N")
+      ->group(group);
+  app.add_option("--epoch", o.epoch, "The instant that counts as 0 s where times are ISO 8601 [1970-01-01T00:00:00Z]")
+      ->type_name("TIME")
       ->group(group);
   app.add_flag("--conjugate", o.conjugate, "The file holds world to body, as C-kernels of SPICE do")->group(group);
   app.add_option("--signs", o.signs, formatted("Negate quaternions for the shortest way, or not [{}]", default_signs))
@@ -124,6 +131,8 @@ void add_output_options(Command& app, OutputOptions& o) {
       ->group(group);
   app.add_option("--output-angle-unit", o.angle_unit, "Unit of Euler angles that are written [deg]")
       ->type_name(one_of(angle_unit_choices))
+      ->group(group);
+  app.add_flag("--output-conjugate", o.conjugate, "Write world to body, as C-kernels of SPICE have it [body to world]")
       ->group(group);
 }
 

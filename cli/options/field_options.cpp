@@ -65,7 +65,8 @@ std::string help_of(const FieldInfo& field) {
 
 Expected<FieldValue> number_value(const FieldInfo& field, OptionText option) {
   if (field.quantity && !field.quantity->typed_units.empty()) return quantity_in(option, field.quantity->typed_units);
-  return field.range.lowest > 0.0 ? positive_in(option) : number_in(option);
+  if (!field.quantity && option.text.find('/') != std::string_view::npos) return wanted(option, "a number");
+  return field.range.lowest > 0.0 ? positive_in(option) : quotient_in(option);
 }
 
 Expected<FieldValue> word_value(const FieldInfo& field, OptionText option) {

@@ -43,12 +43,19 @@ Expected<void> check_output_apart(std::string_view option, const std::string& ou
   return {};
 }
 
+bool has_extension(const std::string& path, std::string_view extension) {
+  return in_small_letters(fs::path(path).extension().string()) == extension;
+}
+
 Expected<void> check_extension(std::string_view option, const std::string& output,
-                               const std::vector<std::string_view>& extensions) {
+                               std::vector<std::string_view> extensions, std::string_view cure) {
   const std::string extension = in_small_letters(fs::path(output).extension().string());
   if (io::is_stream(output) || extension.empty() || std::ranges::find(extensions, extension) != extensions.end())
     return {};
-  return wanted({option, output}, formatted("a name that ends in {}", joined(extensions, ", ")));
+  const std::string_view last = extensions.back();
+  extensions.pop_back();
+  return wanted({option, output}, formatted("a name that ends in {}{}{}{}{}", joined(extensions, ", "),
+                                            extensions.empty() ? "" : " or ", last, cure.empty() ? "" : "; ", cure));
 }
 
 }  // namespace orispline::cli

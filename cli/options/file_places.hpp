@@ -23,8 +23,11 @@ struct OtherFile {
                                                 const std::vector<OtherFile>& read);
 
 /// Error (bad_argument): a file whose name ends as files of other kinds do; `extensions` are those that fit, with their
-/// dots. Names without an extension fit.
+/// dots, in any case of letters. Names without an extension fit. `cure`: what else would help.
 [[nodiscard]] Expected<void> check_extension(std::string_view option, const std::string& output,
-                                             const std::vector<std::string_view>& extensions);
+                                             std::vector<std::string_view> extensions, std::string_view cure = {});
+
+/// Whether a name ends in that extension, which has its dot, in any case of letters.
+[[nodiscard]] bool has_extension(const std::string& path, std::string_view extension);
 
 }  // namespace orispline::cli

@@ -2,6 +2,7 @@
 #include "options/input_options.hpp"
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/io/iso_time.hpp>
 
 namespace orispline::cli {
 namespace {
@@ -33,10 +34,12 @@ Expected<std::optional<const io::FormatInfo*>> input_format(const InputOptions& 
   return if_given("--input-format", options.format, [](OptionText o) { return format_in(o, io::formats_read()); });
 }
 
-Expected<Decimal> positive_decimal_in(OptionText option) {
-  const auto number = decimal_in(option);
-  if (!number || *number <= Decimal()) return wanted(option, "a number greater than 0");
-  return *number;
+Expected<Fraction> time_scale_in(OptionText option) { return fraction_in(option); }
+
+Expected<Decimal> instant_in(OptionText option) {
+  const auto instant = io::parse_iso_time(option.text);
+  if (!instant) return wanted(option, "a time of ISO 8601 such as 2024-02-29T12:30:00Z");
+  return *instant;
 }
 
 }  // namespace
@@ -58,6 +61,14 @@ std::string one_of(std::span<const io::FormatInfo* const> formats) {
   return joined(ids, "|");
 }
 
+Expected<io::Clock> clock_in(const InputOptions& options) {
+  FirstError checked;
+  io::Clock clock{
+      .zero = checked(if_given("--epoch", options.epoch, instant_in)).value_or(Decimal()),
+      .frames_per_second = checked(if_given("--fps", options.fps, [](OptionText o) { return fraction_in(o); }))};
+  return std::move(checked).or_else(std::move(clock));
+}
+
 Expected<InputRequest> input_request(const InputOptions& options) {
   if (options.path.empty()) return usage_failure("INPUT: found an empty name, wanted FILE or -");
   FirstError checked;
@@ -65,7 +76,8 @@ Expected<InputRequest> input_request(const InputOptions& options) {
                        .columns = checked(column_names(options.columns)),
                        .order = checked(if_given("--order", options.order, choice_of(order_choices))),
                        .orientation = checked(orientation_reading(options)),
-                       .time_scale = checked(if_given("--time-scale", options.time_scale, positive_decimal_in)),
+                       .time_scale = checked(if_given("--time-scale", options.time_scale, time_scale_in)),
+                       .clock = checked(clock_in(options)),
                        .conjugate = options.conjugate,
                        .drop_duplicates = options.drop_duplicates,
                        .drop_invalid = options.drop_invalid,

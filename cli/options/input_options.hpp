@@ -17,8 +17,13 @@ inline constexpr std::array orientation_choices{
     Choice<io::Representation>{"euler", io::Representation::euler},
     Choice<io::Representation>{"matrix", io::Representation::matrix},
     Choice<io::Representation>{"rotvec", io::Representation::rotation_vector}};
-inline constexpr std::array angle_unit_choices{Choice<io::AngleUnit>{"deg", io::AngleUnit::degrees},
-                                               Choice<io::AngleUnit>{"rad", io::AngleUnit::radians}};
+inline constexpr auto angle_unit_choices = [] {
+  std::array<Choice<io::AngleUnit>, io::angle_units.size()> choices;
+  std::ranges::transform(io::angle_units, choices.begin(), [](const auto& unit) {
+    return Choice<io::AngleUnit>{unit.word, unit.unit};
+  });
+  return choices;
+}();
 inline constexpr std::array order_choices{Choice<io::QuaternionOrder>{"wxyz", io::QuaternionOrder::wxyz},
                                           Choice<io::QuaternionOrder>{"xyzw", io::QuaternionOrder::xyzw}};
 inline constexpr std::array sign_choices{Choice<Signs>{"shortest", Signs::shortest},
@@ -27,7 +32,7 @@ inline constexpr std::array sign_choices{Choice<Signs>{"shortest", Signs::shorte
 /// How the user wants a file of keyframes to be read, as typed.
 struct InputOptions {
   std::string path;
-  std::optional<std::string> format, order, orientation, euler, angle_unit, time_scale, signs;
+  std::optional<std::string> format, order, orientation, euler, angle_unit, time_scale, fps, epoch, signs;
   std::vector<std::string> columns;
   bool conjugate = false, drop_duplicates = false, drop_invalid = false, sort = false, ignore_recipe = false,
        normalise = false;
@@ -39,6 +44,9 @@ struct InputRequest {
   io::ReadOptions read;
   std::optional<Signs> signs{};  ///< absent: as the file says, else for the shortest way
 };
+
+/// What frames and times of ISO 8601 are counted by.
+[[nodiscard]] Expected<io::Clock> clock_in(const InputOptions& options);
 
 [[nodiscard]] Expected<InputRequest> input_request(const InputOptions& options);
 

@@ -81,8 +81,8 @@ Expected<Method> with_loop_options(Method method, const MethodOptions& options) 
   auto loop = with_loop(method, {});  // whether the method has loops comes before the period
   if (!loop || !options.period) return loop;
   const OptionText period{"--period", *options.period};
-  const auto seconds = number_in(period);
-  if (!seconds || *seconds <= 0.0) return wanted(period, "a number of seconds greater than 0");
+  const auto seconds = positive_in(period, "a number of seconds greater than 0");
+  if (!seconds) return tl::unexpected(seconds.error());
   return with_loop(std::move(method), {.period = *seconds});
 }
 

@@ -22,17 +22,6 @@ std::string names_of(std::span<const Unit> units) {
   return list;
 }
 
-/// Positive numbers with commas between them, and no others.
-std::optional<std::vector<double>> positive_numbers(std::string_view text) {
-  std::vector<double> numbers;
-  for (const std::string_view piece : pieces_of(text, ',')) {
-    const auto number = io::number_of(piece);
-    if (!number || !std::isfinite(*number) || !(*number > 0.0)) return std::nullopt;
-    numbers.push_back(*number);
-  }
-  return numbers;
-}
-
 std::string_view without_blanks_behind(std::string_view text) { return text.substr(0, text.find_last_not_of(' ') + 1); }
 
 /// An error or a warning in the words of the command.
@@ -78,17 +67,26 @@ Expected<double> number_in(OptionText option) {
   return *number;
 }
 
-Expected<double> positive_in(OptionText option) {
-  const auto number = number_in(option);
-  if (!number || !(*number > 0.0)) return wanted(option, "a number greater than 0");
-  return *number;
+namespace {
+
+/// Positive numbers or fractions with commas between them, and no others.
+std::optional<std::vector<double>> positive_numbers(OptionText option) {
+  std::vector<double> numbers;
+  for (const std::string_view piece : pieces_of(option.text, ',')) {
+    const auto number = quotient_in({option.option, piece});
+    if (!number || !(*number > 0.0)) return std::nullopt;
+    numbers.push_back(*number);
+  }
+  return numbers;
 }
+
+}  // namespace
 
 Expected<Measured> measured_in(OptionText option, std::span<const Unit> units, std::size_t most) {
   for (const Unit& unit : units) {
     if (!option.text.ends_with(unit.name)) continue;
-    auto numbers =
-        positive_numbers(without_blanks_behind(option.text.substr(0, option.text.size() - unit.name.size())));
+    auto numbers = positive_numbers(
+        {option.option, without_blanks_behind(option.text.substr(0, option.text.size() - unit.name.size()))});
     if (!numbers || (numbers->size() != 1 && numbers->size() != most)) continue;
     for (double& number : *numbers) number *= unit.size;
     return Measured{std::move(*numbers), unit};
@@ -131,10 +129,23 @@ Expected<std::size_t> count_in(OptionText option, std::size_t lowest) {
   return count;
 }
 
-Expected<Decimal> decimal_in(OptionText option) {
-  auto number = Decimal::parse(option.text);
-  if (!number) return wanted(option, "a number");
-  return number;
+Expected<Fraction> fraction_in(OptionText option, std::string_view what) {
+  const auto fraction = Fraction::parse(option.text);
+  if (fraction && fraction->is_positive()) return *fraction;
+  return wanted(option, what.empty() ? "a number greater than 0, or a fraction such as 30000/1001" : what);
+}
+
+Expected<double> quotient_in(OptionText option) {
+  if (option.text.find('/') == std::string_view::npos) return number_in(option);
+  const auto fraction = Fraction::parse(option.text);
+  if (!fraction) return wanted(option, "a number, or a fraction such as 1/24");
+  return fraction->to_double();
+}
+
+Expected<double> positive_in(OptionText option, std::string_view what) {
+  const auto number = quotient_in(option);
+  if (!number || !(*number > 0.0)) return wanted(option, what);
+  return *number;
 }
 
 Expected<std::pair<std::string_view, std::string_view>> assignment_in(OptionText option) {

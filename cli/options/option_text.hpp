@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include <orispline/base/decimal.hpp>
 #include <orispline/base/expected.hpp>
+#include <orispline/base/fraction.hpp>
 #include <orispline/base/warning.hpp>
 #include <orispline/fields/field_info.hpp>
 #include <orispline/fields/quantity.hpp>
@@ -44,9 +44,12 @@ struct OptionText {
 
 /// A finite number.
 [[nodiscard]] Expected<double> number_in(OptionText option);
-/// A finite number above 0.
-[[nodiscard]] Expected<double> positive_in(OptionText option);
-/// A finite number above 0 with one of the units behind it, as in `0.1deg`, in the unit that the library takes.
+/// A finite number, or a fraction.
+[[nodiscard]] Expected<double> quotient_in(OptionText option);
+/// The same above 0.
+[[nodiscard]] Expected<double> positive_in(OptionText option, std::string_view what = "a number greater than 0");
+/// A finite number above 0, or a fraction, with one of the units behind it, as in `0.1deg`, in the unit that the
+/// library takes.
 [[nodiscard]] Expected<double> quantity_in(OptionText option, std::span<const Unit> units);
 /// The same, or `most` of them with commas between them and one unit, as in `90,60,120deg/s`.
 [[nodiscard]] Expected<Measured> measured_in(OptionText option, std::span<const Unit> units, std::size_t most);
@@ -56,8 +59,8 @@ struct OptionText {
 [[nodiscard]] Expected<Eigen::Vector3d> vector_in(OptionText option);
 /// A whole number from `lowest` on.
 [[nodiscard]] Expected<std::size_t> count_in(OptionText option, std::size_t lowest);
-/// An exact number.
-[[nodiscard]] Expected<Decimal> decimal_in(OptionText option);
+/// A number or a fraction greater than 0: `24`, `30000/1001`. `what` is asked for where it is none, by default that.
+[[nodiscard]] Expected<Fraction> fraction_in(OptionText option, std::string_view what = {});
 /// The two sides of `NAME=VALUE`, neither empty.
 [[nodiscard]] Expected<std::pair<std::string_view, std::string_view>> assignment_in(OptionText option);
 

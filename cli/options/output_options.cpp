@@ -38,9 +38,8 @@ Expected<bool> check_name(const std::string& path) {
     if (std::ranges::find(extensions, format->extensions.front()) == extensions.end())
       extensions.push_back(format->extensions.front());
   extensions.push_back(any_text);
-  return check_extension("-o", path, extensions).map([] { return true; }).map_error([](Error error) {
-    error.message += " or --output-format as well";
-    return error;
+  return check_extension("-o", path, std::move(extensions), "--output-format FORMAT writes any name").map([] {
+    return true;
   });
 }
 
@@ -67,7 +66,7 @@ Expected<std::optional<const io::FormatInfo*>> output_format(const OutputOptions
 }
 
 io::SampleColumns columns_like(const io::FormatInfo& input, io::SampleColumns columns, const OutputOptions& options) {
-  const bool says_nothing = !options.format && options.path.ends_with(any_text);
+  const bool says_nothing = !options.format && has_extension(options.path, any_text);
   const bool holds_form = input.holds.forms || columns.form.representation == io::Representation::quaternion;
   const bool holds_rates = input.holds.rates || columns.derivatives == 0;
   if (says_nothing && input.keeps_times() && holds_form && holds_rates) columns.format = &input;
@@ -81,7 +80,8 @@ Expected<io::SampleColumns> output_columns(const OutputOptions& options) {
   if (!options.format) static_cast<void>(checked(check_name(options.path)));
   const auto format = checked(output_format(options)).value_or(by_name ? by_name : &io::csv_format);
   const auto form = checked(form_in(options));
-  auto columns = std::move(checked).or_else(io::SampleColumns{.format = format, .form = form});
+  const auto turning = options.conjugate ? io::Turning::world_to_body : io::Turning::body_to_world;
+  auto columns = std::move(checked).or_else(io::SampleColumns{.format = format, .form = form, .turning = turning});
   if (columns && !format->holds.forms && form.representation != io::Representation::quaternion)
     return usage_failure(formatted("{}: {} holds orientations as quaternions only, wanted {}",
                                    options.orientation ? "--output-orientation"

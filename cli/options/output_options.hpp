@@ -15,6 +15,7 @@ namespace orispline::cli {
 struct OutputOptions {
   std::string path{io::standard_stream};
   std::optional<std::string> format, orientation, euler, angle_unit;
+  bool conjugate = false;
 };
 
 /// The format of the output and the form of its orientations; the rest of the columns is left to the command.

@@ -25,6 +25,7 @@ constexpr std::array reading_flags{
     ReadingFlag{"euler", "--euler", " ORDER"},
     ReadingFlag{"angle_unit", "--angle-unit", " deg|rad"},
     ReadingFlag{"time_scale", "--time-scale", " X"},
+    ReadingFlag{"fps", "--fps", " N"},
     ReadingFlag{"drop_duplicates", "--drop-duplicates", " keeps the first"},
     ReadingFlag{"drop_invalid", "--drop-invalid", " drops such rows"},
     ReadingFlag{"norms", "--normalise", " takes any norm but 0"},

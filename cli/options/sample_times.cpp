@@ -15,24 +15,36 @@ using Rate = SampleGrid::Rate;
 using Count = SampleGrid::Count;
 using Spacing = std::variant<Rate, Count, TimesFile>;
 
-Expected<Spacing> spacing_in(const TimeOptions& options) {
+Rate rate_of(const Fraction& per_second) {
+  return {per_second.numerator().to_double(), per_second.denominator().to_double()};
+}
+
+Expected<Spacing> spacing_in(const TimeOptions& options, const io::Clock& clock) {
   const int given = options.rate.has_value() + options.count.has_value() + options.list.has_value();
+  if (given == 0 && clock.frames_per_second) return Spacing(rate_of(*clock.frames_per_second));
   if (given != 1)
     return usage_failure(formatted("found {} of --rate, --count and --times, wanted one of them",
                                    given == 0 ? "none" : std::to_string(given)));
-  if (options.list) return Spacing(TimesFile{*options.list});
+  if (options.list) return Spacing(TimesFile{.path = *options.list, .reading = {.clock = clock}});
   if (options.count)
     return count_in({"--count", *options.count}, 1).map([](std::size_t n) { return Spacing(Count{n}); });
+  constexpr std::string_view what = "a number of samples per second greater than 0";
   const OptionText rate{"--rate", *options.rate};
-  const auto hertz = number_in(rate);
-  if (!hertz || *hertz <= 0.0) return wanted(rate, "a number of samples per second greater than 0");
-  return Spacing(Rate{*hertz});
+  if (rate.text.find('/') == std::string_view::npos)
+    return positive_in(rate, what).map([](double hertz) { return Spacing(Rate{hertz}); });
+  return fraction_in(rate, what).map([](const Fraction& per_second) { return Spacing(rate_of(per_second)); });
 }
 
-/// `5` or `+5`.
-Expected<TimeBound> bound_in(OptionText option) {
-  const bool since_first_key = option.text.starts_with('+');
-  return decimal_in(option).map([&](const Decimal& time) { return TimeBound{time, since_first_key}; });
+/// `5`, or `+5` since the first key.
+auto bound_in(const io::Clock& clock) {
+  return [&clock](OptionText option) -> Expected<TimeBound> {
+    const bool since_first_key = option.text.starts_with('+');
+    auto time = io::time_in(option.text.substr(since_first_key ? 1 : 0), clock);
+    if (time) return TimeBound{*time, since_first_key};
+    time.error().code = ErrorCode::bad_argument;
+    time.error().message = formatted("{}: {}", option.option, time.error().message);
+    return tl::unexpected(std::move(time.error()));
+  };
 }
 
 constexpr double most_samples = 1e9;
@@ -74,13 +86,18 @@ std::vector<Warning> range_warnings(const TimeRequest& request, const Decimal& k
   return warnings;
 }
 
-Expected<TimeRequest> time_request(const TimeOptions& options) {
+Expected<TimeRequest> time_request(const TimeOptions& options, const io::Clock& clock) {
+  using Last = SampleGrid::LastSample;
   FirstError checked;
-  TimeRequest request{.spacing = checked(spacing_in(options)),
-                      .from = checked(if_given("--from", options.from, bound_in)),
-                      .to = checked(if_given("--to", options.to, bound_in)),
+  TimeRequest request{.spacing = checked(spacing_in(options, clock)),
+                      .from = checked(if_given("--from", options.from, bound_in(clock))),
+                      .to = checked(if_given("--to", options.to, bound_in(clock))),
+                      .last = options.include_end ? Last::at_end : Last::before_end,
                       .any_number = options.yes};
   auto read = std::move(checked).or_else(std::move(request));
+  if (read && options.include_end && !std::holds_alternative<Rate>(read->spacing))
+    return usage_failure(options.list ? "--include-end: the file of --times says which times, wanted --rate"
+                                      : "--include-end: --count includes both ends already, wanted --rate");
   if (read && options.list && (options.from || options.to))
     return usage_failure("--times: the file says which times, wanted neither --from nor --to");
   if (read && read->from && read->to && read->from->since_first_key == read->to->since_first_key &&
@@ -93,7 +110,8 @@ std::optional<SampleGrid::Request> grid_request(const TimeRequest& request, cons
   const auto since_epoch = [&](const std::optional<TimeBound>& bound) {
     return bound ? std::optional(bound->time - key_epoch) : std::nullopt;
   };
-  SampleGrid::Request wanted{.spacing = Rate{}, .start = since_epoch(request.from), .end = since_epoch(request.to)};
+  SampleGrid::Request wanted{
+      .spacing = Rate{}, .start = since_epoch(request.from), .end = since_epoch(request.to), .last = request.last};
   if (std::holds_alternative<TimesFile>(request.spacing)) return std::nullopt;
   if (const auto* const rate = std::get_if<Rate>(&request.spacing)) wanted.spacing = *rate;
   else wanted.spacing = std::get<Count>(request.spacing);
@@ -134,7 +152,7 @@ Expected<SampleTimes> SampleTimes::make(const TimeRequest& request, const Decima
         })
         .map([&](const SampleGrid& grid) { return SampleTimes(key_epoch, *wanted, domain.start, grid); });
   const auto& [path, reading] = std::get<TimesFile>(request.spacing);
-  return io::read_times(path, key_epoch, reading).map([&](io::TimesList list) {
+  return io::read_times(path, key_epoch, reading).map([&, path = path](io::TimesList list) {
     return SampleTimes(key_epoch, List{path, std::move(list)});
   });
 }

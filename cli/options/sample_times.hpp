@@ -16,6 +16,7 @@ namespace orispline::cli {
 /// Which times the user wants, as typed.
 struct TimeOptions {
   std::optional<std::string> rate, count, list, from, to;
+  bool include_end = false;
   bool yes = false;  ///< to any number of samples
 };
 
@@ -34,6 +35,7 @@ struct TimeBound {
 struct TimeRequest {
   std::variant<SampleGrid::Rate, SampleGrid::Count, TimesFile> spacing;
   std::optional<TimeBound> from, to;
+  SampleGrid::LastSample last = SampleGrid::LastSample::before_end;
   bool any_number = false;  ///< of samples: else 1e9 at most
 };
 
@@ -47,7 +49,8 @@ struct TimeRequest {
 [[nodiscard]] std::vector<Warning> range_warnings(const TimeRequest& request, const Decimal& key_epoch,
                                                   const Domain& domain);
 
-[[nodiscard]] Expected<TimeRequest> time_request(const TimeOptions& options);
+/// `clock`: for frames and times of ISO 8601; its frames are the rate where no other times are asked for.
+[[nodiscard]] Expected<TimeRequest> time_request(const TimeOptions& options, const io::Clock& clock = {});
 
 // What follows takes an anchored request.
 

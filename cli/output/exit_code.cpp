@@ -11,7 +11,6 @@ ExitCode report(const Error& error) {
   tell("orispline: " + describe(with_flags(with_reading_flags(error))) + "\n");
   switch (error.code) {
     case ErrorCode::bad_argument:
-      tell("Run 'orispline --help', or '--help' after a command, for what is accepted.\n");
       return ExitCode::bad_usage;
     case ErrorCode::bad_access:
       return ExitCode::bad_access;

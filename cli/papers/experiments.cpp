@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "papers/experiment.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace orispline::cli {
@@ -11,8 +12,9 @@ constexpr std::array list{
                experiment::blending_functions},
     Experiment{"000-figure2", "Tan et al. 2018, figure 2: the effect of one tension", experiment::one_tension},
     Experiment{"000-figure3", "Tan et al. 2018, figure 3: rigid motions by four schemes and six tension vectors",
-               experiment::rigid_motions},
-    Experiment{"000-table1", "Tan et al. 2018, table 1: four schemes compared", experiment::schemes_compared},
+               experiment::rigid_motions, experiment::rigid_motions_of},
+    Experiment{"000-table1", "Tan et al. 2018, table 1: four schemes compared", experiment::schemes_compared,
+               experiment::schemes_compared_on},
     Experiment{"001-example1", "He et al. 2022, example 1: control points of a Beta curve, its G1 and G2 residuals",
                experiment::beta_example1},
     Experiment{"001-example2", "He et al. 2022, example 2 and figure 4: the effect of the shape parameter beta2",
@@ -22,10 +24,25 @@ constexpr std::array list{
     Experiment{"002-example", "Eberly, section 6: the angular cubic of squad", experiment::angular_cubic},
     Experiment{"003-table1", "The 6th degree, table 1 and figures 2 to 6: a flight interpolated",
                experiment::flight_compared},
-    Experiment{"003-figure7", "The 6th degree, figure 7: a sudden turn on uneven knots", experiment::sudden_turn}};
+    Experiment{"003-figure7", "The 6th degree, figure 7: a sudden turn on uneven knots", experiment::sudden_turn,
+               experiment::turns_of}};
+
+struct Author {
+  std::string_view paper, word;
+};
+constexpr std::array authors{Author{"000", "tan"}, Author{"001", "he"}, Author{"002", "eberly"},
+                             Author{"003", "sextic"}};
 
 }  // namespace
 
 std::span<const Experiment> experiments() noexcept { return list; }
+
+std::string_view author_of(const Experiment& experiment) noexcept {
+  return std::ranges::find(authors, experiment.paper(), &Author::paper)->word;
+}
+
+std::string name_by_author(const Experiment& experiment) {
+  return std::string(author_of(experiment)).append(experiment.name.substr(experiment.paper().size()));
+}
 
 }  // namespace orispline::cli

@@ -5,7 +5,10 @@
 #include <iterator>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/base/quoted.hpp>
+#include <orispline/base/suggestion.hpp>
 #include <orispline/io/output_file.hpp>
+#include <orispline/io/track_file.hpp>
 
 #include "options/option_text.hpp"
 #include "output/noted_output.hpp"
@@ -18,18 +21,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The experiment of that name, or all of the paper of that number.
+/// The experiment of that name, or all of the paper of that number or author.
 Expected<std::vector<Experiment>> chosen(std::string_view name) {
   std::vector<Experiment> found;
-  std::vector<std::string_view> names;
+  std::vector<std::string> words;
   for (const Experiment& experiment : experiments()) {
-    const std::string_view paper = experiment.name.substr(0, experiment.name.find('-'));
-    if (experiment.name == name || paper == name) found.push_back(experiment);
-    if (names.empty() || names.back() != paper) names.push_back(paper);
+    const std::string_view paper = experiment.paper(), author = author_of(experiment);
+    const bool is_named = experiment.name == name || name_by_author(experiment) == name;
+    if (is_named || paper == name || author == name) found.push_back(experiment);
+    if (words.empty() || words.back() != author) words.insert(words.end(), {std::string(paper), std::string(author)});
   }
-  for (const Experiment& experiment : experiments()) names.push_back(experiment.name);
-  if (found.empty()) return usage_failure(formatted("no experiment '{}', wanted one of {}", name, joined(names, ", ")));
-  return found;
+  if (!found.empty()) return found;
+  for (const Experiment& experiment : experiments())
+    words.insert(words.end(), {std::string(experiment.name), name_by_author(experiment)});
+  return usage_failure(unknown_word("experiment", name, std::vector<std::string_view>(words.begin(), words.end())));
 }
 
 /// Writes a picture into the folder; its path.
@@ -42,14 +47,49 @@ Expected<std::string> write_picture(const std::string& folder, const Picture& pi
       .map([&] { return std::move(path); });
 }
 
-Expected<std::vector<ExperimentReport>> run_all(const std::vector<Experiment>& selected) {
+/// Those of them that take other keys. Error (bad_argument): none does.
+Expected<std::vector<Experiment>> taking_keys(std::vector<Experiment> selected, std::string_view file) {
+  const auto takes_none = [](const Experiment& experiment) { return !experiment.run_with; };
+  std::erase_if(selected, takes_none);
+  if (!selected.empty()) return selected;
+  std::vector<std::string_view> names;
+  for (const Experiment& experiment : experiments())
+    if (experiment.run_with) names.push_back(experiment.name);
+  return wanted({"--keys", file},
+                formatted("it with one of {}: the others have keys of their own", joined(names, ", ")));
+}
+
+/// The keys of a file in the place of the paper's.
+Expected<KeysInstead> keys_of(const std::string& file) {
+  constexpr std::size_t least = 4;  // that every scheme takes
+  auto track = io::read_track(file);
+  if (!track) return tl::unexpected(std::move(track.error()));
+  warn(track->warnings);
+  Keyframes& keys = track->track.keys;
+  if (keys.size() < least)
+    return failure(ErrorCode::bad_data, formatted("found {} keys, wanted {} at least", keys.size(), least),
+                   {.file = file});
+  return KeysInstead{std::move(keys), formatted("The keys are those of {}.", printable(file))};
+}
+
+Expected<std::vector<ExperimentReport>> run_all(const std::vector<Experiment>& selected,
+                                                const std::optional<KeysInstead>& keys) {
   std::vector<ExperimentReport> reports;
   for (const Experiment& experiment : selected) {
-    auto findings = experiment.run();
+    auto findings = keys ? experiment.run_with(*keys) : experiment.run();
     if (!findings) return tl::unexpected(std::move(findings.error()));
     reports.push_back({std::string(experiment.name), std::string(experiment.title), std::move(*findings), {}});
   }
   return reports;
+}
+
+/// With the keys of that file, where one is given.
+Expected<std::vector<ExperimentReport>> run_on(std::vector<Experiment> selected,
+                                               const std::optional<std::string>& file) {
+  if (!file) return run_all(selected, std::nullopt);
+  return taking_keys(std::move(selected), *file).and_then([&](const std::vector<Experiment>& taking) {
+    return keys_of(*file).and_then([&](const KeysInstead& keys) { return run_all(taking, keys); });
+  });
 }
 
 Expected<void> write_pictures(std::vector<ExperimentReport>& reports, const std::string& folder) {
@@ -68,10 +108,13 @@ Expected<void> write_pictures(std::vector<ExperimentReport>& reports, const std:
 Expected<void> reproduce(const ReproduceOptions& options) {
   if (!options.experiment) {
     if (options.pictures) return wanted({"--pictures", *options.pictures}, "an EXPERIMENT as well");
+    if (options.keys) return wanted({"--keys", *options.keys}, "an EXPERIMENT as well");
     return print_document(options.json ? json_of(experiments()) : text_of(experiments()));
   }
   if (options.pictures && options.pictures->empty()) return wanted({"--pictures", ""}, "a folder");
-  auto reports = chosen(*options.experiment).and_then(run_all);
+  auto reports = chosen(*options.experiment).and_then([&](std::vector<Experiment> selected) {
+    return run_on(std::move(selected), options.keys);
+  });
   if (!reports) return tl::unexpected(std::move(reports.error()));
   if (options.pictures)
     if (auto written = write_pictures(*reports, *options.pictures); !written) return written;

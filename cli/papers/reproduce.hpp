@@ -10,7 +10,7 @@ namespace orispline::cli {
 
 /// `orispline reproduce`, as typed.
 struct ReproduceOptions {
-  std::optional<std::string> experiment, pictures;
+  std::optional<std::string> experiment, keys, pictures;
   bool json = false;
 };
 

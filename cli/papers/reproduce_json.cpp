@@ -22,7 +22,10 @@ Json table(const report::Table& table) {
 std::string json_of(std::span<const Experiment> experiments) {
   Json list = Json::array();
   for (const Experiment& experiment : experiments)
-    list.push_back(Json{{"experiment", experiment.name}, {"title", experiment.title}});
+    list.push_back(Json{{"experiment", experiment.name},
+                        {"name", name_by_author(experiment)},
+                        {"title", experiment.title},
+                        {"takes_keys", experiment.run_with != nullptr}});
   return document(list);
 }
 

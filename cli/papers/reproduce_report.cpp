@@ -6,8 +6,11 @@
 namespace orispline::cli {
 
 std::string text_of(std::span<const Experiment> experiments) {
-  std::string text = "Experiments of the papers; the number alone runs all of that paper.\n\n";
-  for (const Experiment& experiment : experiments) text += formatted("{:16}{}\n", experiment.name, experiment.title);
+  std::string text =
+      "Experiments of the papers, by number or author; the number or the author alone runs all of that paper.\n\n";
+  for (const Experiment& experiment : experiments)
+    text += formatted("{:16}{:19}{}{}\n", experiment.name, name_by_author(experiment), experiment.title,
+                      experiment.run_with ? "; takes --keys" : "");
   return text;
 }
 

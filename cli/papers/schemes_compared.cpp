@@ -50,9 +50,15 @@ double seconds_for(const Recipe& recipe, const Keyframes& keys, std::size_t coun
 }  // namespace
 
 Expected<Findings> experiment::schemes_compared() {
-  const auto keys = five_keys_at({0.0, 1.0, 2.0, 3.0, 4.0});
-  if (!keys) return tl::unexpected(keys.error());
-  report::Table table{.title = "Five keys to 401 and 17 frames; on the right what the paper prints",
+  return five_keys_at({0.0, 1.0, 2.0, 3.0, 4.0}).and_then([](const Keyframes& keys) {
+    return schemes_compared_on({keys, five_keys_note});
+  });
+}
+
+Expected<Findings> experiment::schemes_compared_on(const KeysInstead& given) {
+  const Keyframes& keys = given.keys;
+  const std::string count = keys.size() == 5 ? "Five" : std::to_string(keys.size());
+  report::Table table{.title = count + " keys to 401 and 17 frames; on the right what the paper prints",
                       .columns = {{"scheme"},
                                   {"method"},
                                   {"continuity"},
@@ -64,19 +70,18 @@ Expected<Findings> experiment::schemes_compared() {
                                   {"iterations"},
                                   {"error"}}};
   for (const Printed& row : printed_table()) {
-    const auto curve = curve_of(row.recipe, *keys);
+    const auto curve = curve_of(row.recipe, keys);
     if (!curve) return tl::unexpected(curve.error());
     table.rows.push_back({row.recipe.label, row.recipe.method, measured_continuity(*curve),
-                          static_cast<double>(row.frames), 1e3 * seconds_for(row.recipe, *keys, row.frames),
-                          error_at_keys(*curve, *keys), row.construction, row.seconds, row.iterations, row.error});
+                          static_cast<double>(row.frames), 1e3 * seconds_for(row.recipe, keys, row.frames),
+                          error_at_keys(*curve, keys), row.construction, row.seconds, row.iterations, row.error});
   }
   table.notes = {
       "Times are of this machine: building the curve and computing the orientations of all frames, median of nine.",
       "The error is the largest angle between the curve and a key at the key's time.",
       "The library does not count iterations: where a scheme solves equations, it does so to 1e-12 rad or says why "
       "not.",
-      "The text of the ATBI paper could not be had: this is a curve of its type (docs/families/atbi.md).",
-      "The paper's keys are not published: ours are those of examples/data/five_keys.csv, at t = 0, 1, 2, 3, 4 s."};
+      "The text of the ATBI paper could not be had: this is a curve of its type (docs/families/atbi.md).", given.note};
   return Findings{{std::move(table)}};
 }
 

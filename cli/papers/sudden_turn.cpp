@@ -14,7 +14,9 @@ namespace {
 using report::Notation;
 namespace color = report::color;
 
-const std::vector<double> knots{0.0, 0.5, 1.5, 2.25, 4.0};
+const std::vector<double> paper_knots{0.0, 0.5, 1.5, 2.25, 4.0};
+constexpr auto paper_note =
+    "The paper's keys are not published: ours are the five of examples/data/five_keys.csv, at the paper's times.";
 
 std::vector<Recipe> methods() {
   return {{"6th degree, β = 1/12", "sextic", {1.0 / 12.0}, {color::red, 1.8}},
@@ -23,8 +25,9 @@ std::vector<Recipe> methods() {
           {"timed-sextic", "timed-sextic", {}, {color::green, 1.8}}};
 }
 
-report::Table jumps(const std::vector<Served>& curves) {
-  report::Table table{.title = "|ω| [rad/s] before and after each inner knot of 0, 0.5, 1.5, 2.25, 4 s",
+report::Table jumps(const std::vector<Served>& curves, std::span<const double> knots, const std::string& title,
+                    const std::string& note) {
+  report::Table table{.title = title,
                       .columns = {{"curve"},
                                   {"continuity"},
                                   {"knot [s]"},
@@ -42,12 +45,11 @@ report::Table jumps(const std::vector<Served>& curves) {
     }
   table.notes = {
       "The curves of the paper are G3 here: ω jumps at every knot, by exactly the ratio of the steps beside it.",
-      "The timed methods are C3 in time on any knots; nothing jumps.",
-      "The paper's keys are not published: ours are the five of examples/data/five_keys.csv, at the paper's times."};
+      "The timed methods are C3 in time on any knots; nothing jumps.", note};
   return table;
 }
 
-Picture picture(const std::vector<Served>& curves) {
+Picture picture(const std::vector<Served>& curves, std::span<const double> knots) {
   report::Drawing drawing(860, 560);
   report::Chart velocity{.title = "angular velocity |ω| [rad/s]", .series = {}, .marks = marks_at(knots)};
   report::Chart acceleration_chart{
@@ -69,11 +71,19 @@ Picture picture(const std::vector<Served>& curves) {
 }  // namespace
 
 Expected<Findings> experiment::sudden_turn() {
-  return five_keys_at(knots)
+  return five_keys_at(paper_knots)
       .and_then([](const Keyframes& keys) { return curves_through(keys, methods()); })
       .map([](const std::vector<Served>& curves) {
-        return Findings{{jumps(curves)}, {picture(curves)}};
+        const auto title = "|ω| [rad/s] before and after each inner knot of 0, 0.5, 1.5, 2.25, 4 s";
+        return Findings{{jumps(curves, paper_knots, title, paper_note)}, {picture(curves, paper_knots)}};
       });
+}
+
+Expected<Findings> experiment::turns_of(const KeysInstead& keys) {
+  return curves_through(keys.keys, methods()).map([&](const std::vector<Served>& curves) {
+    const auto title = "|ω| [rad/s] before and after each inner key";
+    return Findings{{jumps(curves, keys.keys.times(), title, keys.note)}, {picture(curves, keys.keys.times())}};
+  });
 }
 
 }  // namespace orispline::cli

@@ -2,6 +2,7 @@
 // Tan et al. 2018, figures 2 and 3.
 #include "papers/experiment.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include <orispline/base/formatted.hpp>
@@ -22,8 +23,6 @@ namespace color = report::color;
 
 const std::vector<double> even{0.0, 1.0, 2.0, 3.0, 4.0};
 constexpr std::array colors{color::grey, color::blue, color::red, color::green, color::purple, color::gold};
-constexpr auto our_keys =
-    "The paper's keys are not published: ours are the five of examples/data/five_keys.csv, at t = 0, 1, 2, 3, 4 s.";
 
 report::SpherePicture paths_of(const std::vector<Served>& curves, const Keyframes& keys) {
   report::SpherePicture picture;
@@ -61,25 +60,29 @@ report::Table one_tension_table(const std::vector<Served>& curves, const AnyCurv
   }
   table.notes = {"One tension reaches the two segments beside its key and no others.",
                  "At the key ω = α (a + b)/h: a tension of 0 is a stop, a negative one a kink, as the paper says.",
-                 our_keys};
+                 five_keys_note};
   return table;
 }
 
-/// Figure 3: the three schemes it compares with, then the quintic with the tension vectors of (e) to (j).
-std::vector<Recipe> schemes_of_figure3() {
-  const auto all = [](double value) { return std::vector<double>(5, value); };
-  return {{"B-spline", "bspline-through", {}, {"#b4b4b4", 4.5}},
-          {"ν = 0", "nu", {}, {color::sky}},
-          {"ATBI type", "atbi", {}, {color::ink}},
-          {"α = 0.35", "quintic", all(0.35), {color::blue}},
-          {"α = 0.6", "quintic", all(0.6), {color::red}},
-          {"α = 0.1, 0.6, 0, 0.6, 0.1", "quintic", {0.1, 0.6, 0.0, 0.6, 0.1}, {color::green}},
-          {"α = 1", "quintic", all(1.0), {color::purple}},
-          {"α = 2", "quintic", all(2.0), {color::gold}},
-          {"α = 0", "quintic", all(0.0), {color::frame}}};
+/// Figure 3: the three schemes it compares with, then the quintic with the tension vectors of (e) to (j), one of which
+/// is for five keys.
+std::vector<Recipe> schemes_of_figure3(std::size_t keys) {
+  const std::vector<double> five{0.1, 0.6, 0.0, 0.6, 0.1};
+  const auto all = [keys](double value) { return std::vector<double>(keys, value); };
+  std::vector<Recipe> schemes{{"B-spline", "bspline-through", {}, {"#b4b4b4", 4.5}},
+                              {"ν = 0", "nu", {}, {color::sky}},
+                              {"ATBI type", "atbi", {}, {color::ink}},
+                              {"α = 0.35", "quintic", all(0.35), {color::blue}},
+                              {"α = 0.6", "quintic", all(0.6), {color::red}},
+                              {"α = 0.1, 0.6, 0, 0.6, 0.1", "quintic", five, {color::green}},
+                              {"α = 1", "quintic", all(1.0), {color::purple}},
+                              {"α = 2", "quintic", all(2.0), {color::gold}},
+                              {"α = 0", "quintic", all(0.0), {color::frame}}};
+  if (keys != five.size()) std::erase_if(schemes, [&](const Recipe& scheme) { return scheme.tension == five; });
+  return schemes;
 }
 
-report::Table motions_table(const std::vector<Served>& curves) {
+report::Table motions_table(const std::vector<Served>& curves, const KeysInstead& keys) {
   report::Table table{.title = "The rotations of figure 3 (b) to (j)",
                       .columns = {{"curve"},
                                   {"method"},
@@ -90,25 +93,26 @@ report::Table motions_table(const std::vector<Served>& curves) {
   for (const Served& served : curves)
     table.rows.push_back({served.recipe.label, served.recipe.method, measured_continuity(served.curve),
                           largest_over_time(served.curve, speed), largest_over_time(served.curve, acceleration),
-                          speed(served.curve.motion(even[2]))});
+                          speed(served.curve.motion(keys.keys.times()[2]))});
   table.notes = {"Continuity in time, measured at the keys. With α = 0 every key is a stop.",
                  "The text of the ATBI paper could not be had: this is a curve of its type (docs/families/atbi.md).",
-                 our_keys};
+                 keys.note};
   return table;
 }
 
 /// Figure 3: 17 bodies on a straight line per curve, the keys green and the new ones red.
-Picture frames(const std::vector<Served>& curves) {
+Picture frames(const std::vector<Served>& curves, const Keyframes& keys) {
   constexpr double row_height = 66.0, left = 205.0, spacing = 39.5;
   report::Drawing drawing(860, 20.0 + row_height * static_cast<double>(curves.size()));
   const report::View view({1.0, -0.9, 0.8});
+  const auto is_key = [&](double t) { return std::ranges::find(keys.times(), t) != keys.times().end(); };
   double y = 44.0;
   for (const Served& served : curves) {
     drawing.text({14.0, y + 4.0}, served.recipe.label, {report::Anchor::start});
     const auto times = even_times(served.curve.domain(), 17);
     for (std::size_t k = 0; k < times.size(); ++k)
       report::draw_body(drawing, view, {left + spacing * static_cast<double>(k), y}, 23.0, served.curve(times[k]),
-                        k % 4 == 0 ? color::green : color::red);
+                        is_key(times[k]) ? color::green : color::red);
     y += row_height;
   }
   return {"000-figure3", std::move(drawing)};
@@ -116,8 +120,9 @@ Picture frames(const std::vector<Served>& curves) {
 
 using Figure = std::function<double(const Motion&)>;
 
-report::Chart chart_of(const std::string& title, std::span<const Served> curves, const Figure& figure) {
-  report::Chart chart{.title = title, .series = {}, .marks = marks_at(even)};
+report::Chart chart_of(const std::string& title, std::span<const Served> curves, const Figure& figure,
+                       std::span<const double> knots) {
+  report::Chart chart{.title = title, .series = {}, .marks = marks_at(knots)};
   for (const auto& [recipe, curve] : curves) {
     chart.series.push_back(over_time(curve, figure));
     chart.series.back().label = recipe.label;
@@ -127,15 +132,15 @@ report::Chart chart_of(const std::string& title, std::span<const Served> curves,
 }
 
 /// Over time: the four schemes of (b), (c), (d) and (f), then the tensions of (e) to (j).
-Picture rates(const std::vector<Served>& curves) {
+Picture rates(const std::vector<Served>& curves, std::span<const double> knots) {
   const std::vector<Served> schemes{curves[0], curves[1], curves[2], curves[4]};
   const auto tensions = std::span(curves).subspan(3);
   report::Drawing drawing(860, 740);
   double top = 58.0;
   for (const report::Chart& chart :
-       {chart_of("angular velocity |ω| [rad/s] of the schemes", schemes, speed),
-        chart_of("angular acceleration |α| [rad/s²]", schemes, acceleration),
-        chart_of("angular velocity |ω| [rad/s] for six tension vectors", tensions, speed)}) {
+       {chart_of("angular velocity |ω| [rad/s] of the schemes", schemes, speed, knots),
+        chart_of("angular acceleration |α| [rad/s²]", schemes, acceleration, knots),
+        chart_of("angular velocity |ω| [rad/s] for six tension vectors", tensions, speed, knots)}) {
     report::draw_legend(drawing, {50.0, top - 34.0}, chart.series);
     report::draw(drawing, {50.0, top, 780.0, 160.0}, chart);
     top += 250.0;
@@ -170,11 +175,13 @@ Expected<Findings> experiment::one_tension() {
 }
 
 Expected<Findings> experiment::rigid_motions() {
-  return five_keys_at(even)
-      .and_then([](const Keyframes& keys) { return curves_through(keys, schemes_of_figure3()); })
-      .map([](const std::vector<Served>& curves) {
-        return Findings{{motions_table(curves)}, {frames(curves), rates(curves)}};
-      });
+  return five_keys_at(even).and_then([](const Keyframes& keys) { return rigid_motions_of({keys, five_keys_note}); });
+}
+
+Expected<Findings> experiment::rigid_motions_of(const KeysInstead& keys) {
+  return curves_through(keys.keys, schemes_of_figure3(keys.keys.size())).map([&](const std::vector<Served>& curves) {
+    return Findings{{motions_table(curves, keys)}, {frames(curves, keys.keys), rates(curves, keys.keys.times())}};
+  });
 }
 
 }  // namespace orispline::cli

@@ -45,6 +45,31 @@ TEST(SampleGrid, MeetsAnEndThatRoundingHides) {
   EXPECT_EQ(grid[21].t, 7.0 - 1e-10);
 }
 
+TEST(SampleGrid, HasTheTimesOfAFractionWithoutRoundingIt) {
+  const SampleGrid grid = SampleGrid::make({.spacing = Rate{30000.0, 1001.0}}, 0.0, 2002.0).value();
+  ASSERT_EQ(*grid.size(), 60001u);
+  EXPECT_EQ(grid[30000].t, 1001.0);
+  EXPECT_EQ(grid[60000].t, 2002.0);
+  for (std::uint64_t k = 0; k < 60000; k += 7) EXPECT_EQ(grid[k].t, static_cast<double>(k) * 1001.0 / 30000.0);
+  for (std::uint64_t k = 0; k < 60000; k += 97) EXPECT_EQ(grid.first_from(grid.time(k)), k);
+}
+
+TEST(SampleGrid, EndsAtTheEndOnRequest) {
+  const auto grid = [](double end, SampleGrid::LastSample last) {
+    return SampleGrid::make({.spacing = Rate{4.0}, .last = last}, 0.0, end).value();
+  };
+  const SampleGrid with = grid(1.1, SampleGrid::LastSample::at_end),
+                   without = grid(1.1, SampleGrid::LastSample::before_end);
+  ASSERT_EQ(*with.size(), 6u);
+  ASSERT_EQ(*without.size(), 5u);
+  for (std::uint64_t k = 0; k < 5; ++k) EXPECT_EQ(with[k].t, without[k].t);
+  EXPECT_EQ(with[5].t, 1.1);
+  EXPECT_EQ(with.first_from(1.05), 5u);
+  EXPECT_EQ(with.first_after(1.1), 6u);
+  EXPECT_EQ(*grid(1.0, SampleGrid::LastSample::at_end).size(), 5u);  // which is one of its times
+  EXPECT_EQ(*grid(0.0, SampleGrid::LastSample::at_end).size(), 1u);
+}
+
 TEST(SampleGrid, HasBothEndsOfACount) {
   const SampleGrid grid = SampleGrid::make({.spacing = Count{8}, .start = decimal("0.1")}, 0.0, 3.3).value();
   ASSERT_EQ(grid.size(), 8u);

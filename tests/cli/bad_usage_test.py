@@ -1,22 +1,28 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Command lines that are refused: exit code 2, one line that says what is wrong, one that says where to read on."""
+"""Command lines that are refused: exit code 2 and one line that says what is wrong."""
 import json
 import os
 
-from command import BAD_USAGE, HINT, CommandTest, main
+from command import BAD_USAGE, CommandTest, main
 
 ENDS = "natural, repeat, quadratic, cubic, clamped, rest"
-COMMANDS = "sample, convert, inspect, compare, plot, smooth, tune, reduce, retime, methods, tasks, reproduce, completion"
+COMMANDS = "sample, convert, inspect, compare, plot, smooth, tune, reduce, retime, methods, tasks, reproduce, completion, help"
 
 CASES = (
-    ("resample keys.csv", f"no command 'resample', wanted one of {COMMANDS}"),
-    ("--bogus", "A subcommand is required"),
-    ("sample", "INPUT is required"),
-    ("sample keys.csv --rate 1 --bogus", "The following argument was not expected: --bogus"),
-    ("sample keys.csv more.csv --rate 1", "The following argument was not expected: more.csv"),
-    ("sample keys.csv --rate", "--rate: 1 required HZ missing"),
-    ("sample keys.csv --rate 1 --rate 2", "--rate: At Most 1 required but received 2"),
+    ("interpolate keys.csv", f"no command 'interpolate', wanted one of {COMMANDS}"),
+    ("resample keys.csv", "unknown command 'resample'; did you mean 'sample'?"),
+    ("--bogus", "found the option '--bogus' first, wanted a command before it, such as sample; 'orispline help' lists them"),
+    ("--hepl", "unknown option '--hepl'; did you mean '--help'?"),
+    ("sample", "sample: INPUT is missing; 'orispline help sample' shows what to type"),
+    ("reduce keys.csv", "reduce: --tolerance is missing; 'orispline help reduce' shows what to type"),
+    ("sample keys.csv --rate 1 --xyzzy", "sample: unknown option '--xyzzy'; 'orispline help sample' lists them"),
+    ("sample keys.csv --rate 1 --quite", "sample: unknown option '--quite'; did you mean '--quiet'?"),
+    ("sample keys.csv --ratte=1", "sample: unknown option '--ratte'; did you mean '--rate'?"),
+    ("sample keys.csv more.csv --rate 1",
+     "sample: found 'more.csv', wanted no more words here; 'orispline help sample' lists the options"),
+    ("sample keys.csv --rate", "--rate: found nothing after it, wanted HZ"),
+    ("sample keys.csv --rate 1 --rate 2", "--rate: found it more than once, wanted it once"),
     ("sample keys.csv --rate= --quiet", "--rate= wanted a value after it"),
     # times
     ("sample keys.csv", "found none of --rate, --count and --times, wanted one of them"),
@@ -29,7 +35,8 @@ CASES = (
     ("sample keys.csv --rate 1e300", "--rate: 1e+300 makes 3e+300 samples over 3 s, wanted fewer than 9e+15"),
     ("sample keys.csv --count 0", "--count: found '0', wanted a whole number from 1 on"),
     ("sample keys.csv --count 2.5", "--count: found '2.5', wanted a whole number from 1 on"),
-    ("sample keys.csv --count 2 --from now", "--from: found 'now', wanted a number"),
+    ("sample keys.csv --count 2 --from now", "--from: found 'now', wanted a number of seconds, a fraction such as 1/24, a "
+     "frame such as 12f, or a time such as 2024-02-29T12:30:00Z"),
     ("sample keys.csv --count 2 --from 2 --to 1", "--from 2 is after --to 1"),
     ("sample keys.csv --count 2 --from 4", "--from 4 is after the end at 3, wanted --to as well"),
     ("sample keys.csv --count 2 --to=-1", "--to -1 is before the start at 0, wanted --from as well"),
@@ -81,14 +88,15 @@ CASES = (
     ("sample keys.csv --rate 1 --signs long", "--signs: found 'long', wanted shortest|as-given"),
     ("sample keys.csv --rate 1 --input-format json", "--input-format: found 'json', wanted csv|tum|euroc"),
     ("sample keys.csv --rate 1 --order zyxw", "--order: found 'zyxw', wanted wxyz|xyzw"),
-    ("sample keys.csv --rate 1 --time-scale 0", "--time-scale: found '0', wanted a number greater than 0"),
+    ("sample keys.csv --rate 1 --time-scale 0", "--time-scale: found '0', wanted a number greater than 0, or a "
+     "fraction such as 30000/1001"),
     ("sample keys.csv --rate 1 --columns t", "--columns: found 't', wanted NAME=VALUE"),
     ("sample keys.csv --rate 1 --columns t=a,t=b", "--columns: 't' stands twice"),
     ("sample keys.csv --rate 1 --input-orientation axis",
      "--input-orientation: found 'axis', wanted quaternion|euler|matrix|rotvec"),
     ("sample keys.csv --rate 1 --euler ZZY", "--euler: found 'ZZY', wanted three axes such as ZYX (those of the body) or "
                                              "zyx (of the world), none twice in a row"),
-    ("sample keys.csv --rate 1 --angle-unit grad", "--angle-unit: found 'grad', wanted deg|rad"),
+    ("sample keys.csv --rate 1 --angle-unit grad", "--angle-unit: found 'grad', wanted deg|rad|mrad|arcsec"),
     ("sample keys.csv --rate 1 --angle-unit deg",
      "keys.csv:1: --angle-unit: found an orientation in qw, qx, qy, qz, wanted Euler angles"),
     ("convert keys.csv --input-format tum --euler ZYX",
@@ -125,12 +133,27 @@ CASES = (
      "--json: the summary goes to standard output, wanted -o FILE for the samples"),
     ("convert keys.csv --json", "--json: the summary goes to standard output, wanted -o FILE for the keys"),
     # the other commands
-    ("convert", "INPUT is required"),
-    ("convert keys.csv --rate 1", "The following arguments were not expected: 1 --rate"),
-    ("inspect", "INPUT is required"),
+    ("convert", "convert: INPUT is missing; 'orispline help convert' shows what to type"),
+    ("convert keys.csv --rate 1", "convert: unknown option '--rate'; 'orispline help convert' lists them"),
+    ("inspect", "inspect: INPUT is missing; 'orispline help inspect' shows what to type"),
+    ("compare keys.csv --sort rsm", "--sort: unknown measure 'rsm'; did you mean 'rms'?"),
+    ("sample keys.csv --rate 1 --method timed-c2 --ends restt",
+     "--ends: timed-c2: unknown end rule 'restt'; did you mean 'rest'?"),
+    ("sample keys.csv --rate 1 --method timed-c2 --set tensoin=1",
+     "timed-c2: unknown parameter 'tensoin'; did you mean 'tension'?"),
+    ("reproduce tan-tabel1", "unknown experiment 'tan-tabel1'; did you mean 'tan-table1'?"),
+    # clocks
+    ("sample keys.csv --fps 0", "--fps: found '0', wanted a number greater than 0, or a fraction such as 30000/1001"),
+    ("sample keys.csv --rate 1 --epoch now",
+     "--epoch: found 'now', wanted a time of ISO 8601 such as 2024-02-29T12:30:00Z"),
+    ("sample keys.csv --rate 1 --from 2024-02-30", "--from: found '2024-02-30', wanted a time of ISO 8601 such as "
+                                                   "2024-02-29T12:30:00.25Z"),
+    ("sample keys.csv --rate 1 --from 12f", "--from: found the frame '12f', wanted the frames per second as well (--fps N)"),
+    ("sample keys.csv --count 3 --include-end", "--include-end: --count includes both ends already, wanted --rate"),
+    ("sample keys.csv --times t.csv --include-end",
+     "--include-end: the file of --times says which times, wanted --rate"),
     ("inspect keys.csv --method slerp --tension 1",
      "slerp: no parameter 'tension', wanted none: this method has no parameters"),
-    ("methods all", "The following argument was not expected: all"),
     ("completion tcsh", "completion: found 'tcsh', wanted bash|zsh|fish"),
 )
 
@@ -143,9 +166,9 @@ class BadUsage(CommandTest):
 
     def test_a_method_that_is_not_there_is_refused_with_those_that_are(self):
         known = ", ".join(method["name"] for method in json.loads(self.output_of("methods --json")))
-        for arguments in ("sample keys.csv --rate 1 --method spline", "inspect keys.csv --method slerp,spline"):
+        for arguments in ("sample keys.csv --rate 1 --method bogus", "inspect keys.csv --method slerp,bogus"):
             with self.subTest(arguments):
-                self.assert_fails(arguments, BAD_USAGE, f"no method 'spline', wanted one of {known}")
+                self.assert_fails(arguments, BAD_USAGE, f"no method 'bogus', wanted one of {known}")
 
     def test_a_loop_by_a_method_without_loops_is_refused_with_those_that_have_them(self):
         closing = ", ".join(m["name"] for m in json.loads(self.output_of("methods --json")) if m["closes"])
@@ -158,7 +181,7 @@ class BadUsage(CommandTest):
         done = self.run_command("")
         self.assertEqual((done.returncode, done.stdout), (BAD_USAGE, ""))
         self.assertIn("  orispline sample keys.csv --rate 100 -o motion.csv ", done.stderr)
-        self.assertIn("'orispline --help'", done.stderr)
+        self.assertIn("'orispline help'", done.stderr)
         self.assertLess(done.stderr.count("\n"), 10)
         self.assertLessEqual(max(map(len, done.stderr.splitlines())), 100)
 
@@ -167,7 +190,7 @@ class Environment(CommandTest):
     def test_an_instruction_set_that_is_not_there_is_refused(self):
         done = self.run_command("sample keys.csv --rate 1", env=os.environ | {"ORISPLINE_ISA": "v9"})
         self.assertEqual((done.returncode, done.stdout), (BAD_USAGE, ""))
-        self.assertRegex(done.stderr, r"\Aorispline: ORISPLINE_ISA: found 'v9', wanted one of [a-z0-9, ]+\n" + HINT)
+        self.assertRegex(done.stderr, r"\Aorispline: ORISPLINE_ISA: found 'v9', wanted one of [a-z0-9, ]+\n\Z")
 
     def test_without_a_value_it_says_nothing(self):
         self.output_of("sample keys.csv --rate 1", env=os.environ | {"ORISPLINE_ISA": ""})

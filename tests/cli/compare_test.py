@@ -255,7 +255,7 @@ class Refused(CommandTest):
                 self.assert_fails(f"compare keys.csv {arguments}", BAD_USAGE, message)
 
     def test_unknown_names_are_answered_with_the_known_ones(self):
-        for arguments, known in (("--methods nope", "slerp"), ("--sort nope", "rms|mean")):
+        for arguments, known in (("--methods nope", "slerp"), ("--sort nope", "rms, mean")):
             done = self.run_command(f"compare keys.csv {arguments}")
             self.assertEqual((done.returncode, done.stdout), (BAD_USAGE, ""))
             self.assertIn(known, done.stderr)

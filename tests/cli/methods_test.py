@@ -5,7 +5,7 @@ import json
 import math
 import re
 
-from command import HINT, SUCCESS, CommandTest, main
+from command import BAD_USAGE, EXPECTED, SUCCESS, CommandTest, main
 
 FIELDS = ["name", "title", "source", "interpolates", "continuity_uniform", "continuity_uneven",
           "keeps_constant_rate_uniform", "keeps_constant_rate_uneven", "support_keys", "min_keys", "closes",
@@ -49,6 +49,29 @@ class Methods(CommandTest):
         """The lines of the page about one method, as one line with single blanks."""
         page = self.output_of("methods")
         return " ".join(re.search(rf"(?m)^{name} (?:.|\n(?!\n))*", page)[0].split())
+
+    def test_one_method_is_described_whole(self):
+        for name, method in self.methods.items():
+            page = " ".join(self.output_of(f"methods {name}").split())
+            for word in (f"{name}: {method['title']} ", f" source {method['source']} ", f" docs/families/{name}.md ",
+                         f" C{method['continuity_uneven']} ", f" It needs {method['min_keys']} keys at least"):
+                self.assertIn(word, page)
+            for parameter in method["parameters"]:
+                self.assertRegex(page, rf" {parameter['name']}=\S+, from \S+ to \S+, one for all keys")
+            for choice in method["choices"]:
+                self.assertIn(f" {choice['name']}={'|'.join(choice['words'])}, ", page)
+            self.assertIn(" --closed" if method["closes"] else " It has no closed curves", page)
+            self.assertIn(f" {', '.join(method['ends'])}; " if method["ends"] else " no choice of end rules", page)
+            self.assertLessEqual(max(map(len, self.output_of(f"methods {name}").splitlines())), 100)
+            self.assertEqual(json.loads(self.output_of(f"methods {name} --json")), [method])
+
+    def test_the_page_of_a_method_by_heart(self):
+        self.assertEqual(self.output_of("methods timed-c2"), (EXPECTED / "method.txt").read_text("utf-8"))
+
+    def test_a_method_that_is_none_gets_one_line(self):
+        self.assert_fails("methods squadd", BAD_USAGE, "unknown method 'squadd'; did you mean 'squad'?")
+        self.assert_fails("methods auto slerp", BAD_USAGE,
+                          "methods: found 'slerp', wanted no more words here; 'orispline help methods' lists the options")
 
     def test_choices_are_listed_with_their_words_the_default_first(self):
         self.assertEqual(self.methods["squad-timed"]["choices"],
@@ -97,9 +120,18 @@ class Help(CommandTest):
                 self.assertIn("Usage: orispline", done.stdout)
                 self.assertRegex(done.stdout, rf"Examples:\n.*orispline {command}")
 
-    def test_the_hint_after_a_bad_usage_is_true(self):
-        for words in re.findall("'(.*?)'", HINT):
-            self.assertIn("Usage:", self.output_of(words.replace("orispline ", "")))
+    def test_what_a_bad_usage_says_to_type_prints_help(self):
+        for arguments in ("", "--bogus", "sample", "sample keys.csv --xyzzy", "sample keys.csv more.csv"):
+            said = re.findall("'(orispline help.*?)'", self.run_command(arguments).stderr)
+            self.assertTrue(said, arguments)
+            for words in said:
+                self.assertIn("Usage:", self.output_of(words.replace("orispline ", "")))
+
+    def test_help_of_a_command_is_its_help(self):
+        for words, same in (("help", "--help"), ("help sample", "sample --help"), ("help help", "help --help")):
+            self.assertEqual(self.output_of(words), self.output_of(same))
+        self.assert_fails("help sampel", BAD_USAGE, "unknown command 'sampel'; did you mean 'sample'?")
+        self.assert_fails("help sample convert", BAD_USAGE, "help: found 2 words, wanted one command")
 
     def test_the_version_is_three_numbers(self):
         self.assertRegex(self.output_of("--version"), r"^orispline \d+\.\d+\.\d+\n$")

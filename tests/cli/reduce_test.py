@@ -251,7 +251,7 @@ class Reduce(CommandTest):
                               f"{what} file rounds times, with which the tolerance need not hold, wanted CSV or TUM")
 
     def test_refused(self):
-        unit = "wanted a number greater than 0 with its unit, deg or rad, such as 1deg"
+        unit = "wanted a number greater than 0 with its unit, deg, rad, mrad or arcsec, such as 1deg"
         for text in ("0deg", "-1deg", "1", "nandeg", "1m"):
             self.assert_fails(f"reduce keys.csv --tolerance={text}", BAD_USAGE, f"--tolerance: found '{text}', {unit}")
         self.assert_fails("reduce keys.csv --tolerance 1deg --noise 1deg --cutoff 3", BAD_USAGE,

@@ -2,17 +2,20 @@
 # SPDX-License-Identifier: Apache-2.0
 """The papers' experiments: the numbers that the papers print come out, and the pictures are whole."""
 import json
+import math
 import os
 import pathlib
 import re
 import unittest
 import xml.etree.ElementTree as xml
 
-from command import BAD_ACCESS, BAD_USAGE, CommandTest, main
+from command import BAD_ACCESS, BAD_DATA, BAD_USAGE, CommandTest, main
 
 DOCS = pathlib.Path(__file__).resolve().parents[2] / "docs"
 PARTS = ["000-figure1", "000-figure2", "000-figure3", "000-table1", "001-example1", "001-example2", "002-identities",
          "002-example", "003-table1", "003-figure7"]
+TAKING_KEYS = ["000-figure3", "000-table1", "003-figure7"]
+AUTHORS = {"000": "tan", "001": "he", "002": "eberly", "003": "sextic"}
 
 
 class Reproduced(CommandTest):
@@ -162,11 +165,73 @@ class Sextic(Reproduced):
                 self.assertEqual(row["continuity"], "C3")
 
 
+class OwnKeys(Reproduced):
+    """Keys of the user's in the place of ours."""
+
+    def setUp(self):
+        super().setUp()
+        rows = [(t, math.cos(angle), math.sin(angle)) for t, angle in ((5, 0), (6, 0.2), (8, 0.5), (8.5, 0.9), (11, 1), (12, 1.3))]
+        self.write("six.csv", "t,qw,qx,qy,qz\n" + "".join(f"{t},{w},0,{z},0\n" for t, w, z in rows))
+
+    def test_the_five_keys_of_ours_give_what_stands_in_the_documents(self):
+        rows = (DOCS.parent / "examples/data/five_keys.csv").read_text("utf-8").splitlines()
+        keys = [row.partition(",")[2] for row in rows if row[:1].isdigit()]
+        self.write("five.csv", "t,qw,qx,qy,qz\n" + "".join(f"{t},{row}\n" for t, row in enumerate(keys)))
+        for experiment in ("000-figure3", "000-table1"):
+            ours = json.loads(self.output_of(f"reproduce {experiment} --json"))
+            again = json.loads(self.output_of(f"reproduce {experiment} --json --keys five.csv"))
+            for table, other in zip(ours[0]["tables"], again[0]["tables"]):
+                self.assertEqual(other["notes"], table["notes"][:-1] + ["The keys are those of five.csv."])
+                timed = [i for i, name in enumerate(table["columns"]) if "time [ms]" in name]
+                for row, same in zip(table["rows"], other["rows"]):
+                    for cell, other_cell in ((c, d) for i, (c, d) in enumerate(zip(row, same)) if i not in timed):
+                        if isinstance(cell, float):
+                            self.assertAlmostEqual(other_cell, cell, delta=1e-6 * max(1, abs(cell)))
+                        else:
+                            self.assertEqual(other_cell, cell)
+
+    def test_every_experiment_that_takes_keys_takes_six_uneven_ones(self):
+        rows = self.rows_of("000-figure3 --keys six.csv")
+        self.assertEqual(len(rows), 8)  # without the tensions that are for five keys
+        rows = self.rows_of("tan-table1 --keys six.csv")
+        self.assertLess(max(row["error [rad]"] for row in rows), 1e-11)
+        rows = self.rows_of("003-figure7 --keys six.csv")
+        self.assertEqual({row["knot [s]"] for row in rows}, {1, 3, 3.5, 6})
+        ratios = [row for row in rows if row["curve"].startswith("6th")]
+        for row in ratios:
+            self.assertAlmostEqual(row["before/after"], row["steps after/before"], delta=1e-9)
+        self.output_of("reproduce sextic-figure7 --keys six.csv --pictures drawn")
+        self.assertNotRegex(self.read("drawn/003-figure7.svg"), r"\b(nan|inf)\b")
+
+    def test_a_paper_runs_those_that_take_keys(self):
+        reports = json.loads(self.output_of("reproduce 000 --keys six.csv --json"))
+        self.assertEqual([report["experiment"] for report in reports], ["000-figure3", "000-table1"])
+
+    def test_what_cannot_be_is_refused(self):
+        self.assert_fails("reproduce 001 --keys six.csv", BAD_USAGE,
+                          "--keys: found 'six.csv', wanted it with one of " + ", ".join(TAKING_KEYS) +
+                          ": the others have keys of their own")
+        self.assert_fails("reproduce --keys six.csv", BAD_USAGE, "--keys: found 'six.csv', wanted an EXPERIMENT as well")
+        self.assert_fails("reproduce tan-table1 --keys keys.csv", BAD_DATA, "keys.csv: found 3 keys, wanted 4 at least")
+        self.assert_fails("reproduce tan-table1 --keys none.csv", BAD_ACCESS,
+                          "none.csv: cannot open: No such file or directory")
+
+
 class Command(CommandTest):
     def test_the_list_names_every_experiment(self):
         page = self.output_of("reproduce")
         self.assertEqual([line.split()[0] for line in page.splitlines() if line[:1].isdigit()], PARTS)
-        self.assertEqual([entry["experiment"] for entry in json.loads(self.output_of("reproduce --json"))], PARTS)
+        entries = json.loads(self.output_of("reproduce --json"))
+        self.assertEqual([entry["experiment"] for entry in entries], PARTS)
+        self.assertEqual([entry["experiment"] for entry in entries if entry["takes_keys"]], TAKING_KEYS)
+        for entry in entries:
+            self.assertRegex(page, rf"(?m)^{entry['experiment']} +{entry['name']} ")
+
+    def test_the_author_of_a_paper_is_as_good_as_its_number(self):
+        for number, author in AUTHORS.items():
+            by_number, by_author = (json.loads(self.output_of(f"reproduce {word} --json")) for word in (number, author))
+            self.assertEqual([report["experiment"] for report in by_author], [report["experiment"] for report in by_number])
+        self.assertEqual(self.output_of("reproduce he-example2"), self.output_of("reproduce 001-example2"))
 
     def test_the_number_of_a_paper_runs_all_its_parts(self):
         page = self.output_of("reproduce 001")
@@ -176,7 +241,10 @@ class Command(CommandTest):
 
     def test_an_unknown_experiment_gets_one_clear_line(self):
         self.assert_fails("reproduce 004", BAD_USAGE,
-                          "no experiment '004', wanted one of " + ", ".join(["000", "001", "002", "003", *PARTS]))
+                          "unknown experiment '004'; did you mean '000'?")
+        papers = [word for paper in AUTHORS.items() for word in paper]
+        parts = [word for part in PARTS for word in (part, AUTHORS[part[:3]] + part[3:])]
+        self.assert_fails("reproduce mine", BAD_USAGE, "no experiment 'mine', wanted one of " + ", ".join(papers + parts))
 
     def test_pictures_want_an_experiment_and_a_folder(self):
         self.assert_fails("reproduce --pictures here", BAD_USAGE, "--pictures: found 'here', wanted an EXPERIMENT as well")

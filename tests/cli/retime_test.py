@@ -105,8 +105,8 @@ class Retime(CommandTest):
         self.assertEqual(told.count("rate about"), 3)
         for text in ("90,60deg/s", "90", "0deg/s", "90,-1,3deg/s", "90deg"):
             self.assert_fails(f"retime robot.csv --max-rate {text}", BAD_USAGE,
-                              f"--max-rate: found '{text}', wanted a number greater than 0 with its unit, deg/s or rad/s, such "
-                              "as 1deg/s, or three with commas between them, such as 1,2,3deg/s")
+                              f"--max-rate: found '{text}', wanted a number greater than 0 with its unit, deg/s, rad/s, mrad/s or "
+                              "arcsec/s, such as 1deg/s, or three with commas between them, such as 1,2,3deg/s")
 
     def test_positions_are_limited_too(self):
         report = json.loads(self.output_of(f"retime {ROBOT} --max-speed 300mm/s --max-linear-acceleration 0.6m/s2 "
@@ -290,7 +290,7 @@ class Retime(CommandTest):
                           "found no limit, wanted --max-rate, --max-acceleration, --max-jerk, --max-torque, --max-speed, "
                           "--max-linear-acceleration or --duration")
         self.assert_fails("retime keys.csv --max-rate=-1deg/s", BAD_USAGE,
-                          "--max-rate: found '-1deg/s', wanted a number greater than 0 with its unit, deg/s or rad/s, such as "
+                          "--max-rate: found '-1deg/s', wanted a number greater than 0 with its unit, deg/s, rad/s, mrad/s or arcsec/s, such as "
                           "1deg/s, or three with commas between them, such as 1,2,3deg/s")
         self.assert_fails("retime keys.csv --max-rate 1deg/s --inertia=1,2,3", BAD_USAGE,
                           "--inertia: wanted --max-torque as well")

@@ -138,13 +138,13 @@ class Smooth(CommandTest):
 
     def test_refusals(self):
         self.assert_fails("smooth noisy.csv --noise 0deg", BAD_USAGE,
-                          "--noise: found '0deg', wanted a number greater than 0 with its unit, deg or rad, such as 1deg")
+                          "--noise: found '0deg', wanted a number greater than 0 with its unit, deg, rad, mrad or arcsec, such as 1deg")
         self.assert_fails("smooth noisy.csv --noise 1deg --smoothing-time 1", BAD_USAGE,
                           "found several of --noise, --smoothing-time and --cutoff, wanted one: each says how smooth")
         self.assert_fails("smooth noisy.csv --gap 0.01", BAD_USAGE,
                           "--gap: found 0.01 s, wanted more than the median interval of 0.02 s")
         self.assert_fails("smooth noisy.csv --gyro --gyro-noise 0.1deg", BAD_USAGE,
-                          "--gyro-noise: found '0.1deg', wanted a number greater than 0 with its unit, deg/s or rad/s, "
+                          "--gyro-noise: found '0.1deg', wanted a number greater than 0 with its unit, deg/s, rad/s, mrad/s or arcsec/s, "
                           "such as 1deg/s")
         self.assert_fails("smooth noisy.csv --gyro-noise 0.1deg/s", BAD_USAGE, "--gyro-noise: wanted --gyro as well")
         self.assert_fails("smooth noisy.csv --gyro --gap 1", BAD_USAGE, "--gap: wanted no --gyro, which bridges gaps")

@@ -35,7 +35,7 @@ class Times(CommandTest):
         for options, number in (("--rate 1e9", "3e+09"), ("--count 1000000001", "1e+09"), ("--rate 1 --from=-2e9", "2e+09"),
                                 ("--rate 1 --to 1e12", "1e+12")):
             done = self.run_command(f"sample keys.csv {options} -o out.csv")
-            self.assertEqual((done.returncode, done.stderr.splitlines()[-2]), (
+            self.assertEqual((done.returncode, done.stderr.splitlines()[-1]), (
                 BAD_USAGE, f"orispline: found a request for {number} samples, wanted 1e+09 at most: check the rate and the "
                            "unit of the times; 'orispline sample --yes' writes any number"))
             self.assertFalse((self.folder / "out.csv").exists())

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """However a run ends, an output is the old file whole or the new file whole."""
 import concurrent.futures
+import fcntl
+import itertools
 import os
 import pathlib
 import random
@@ -12,7 +14,7 @@ import tempfile
 import time
 import unittest
 
-from command import BAD_ACCESS, COMMAND, SUCCESS, CommandTest, main
+from command import BAD_ACCESS, COMMAND, SUCCESS, CommandTest, main, with_pages
 
 RUNS = 100
 SEED = 20
@@ -64,18 +66,58 @@ class TornOutput(CommandTest):
                     self.assertFalse(output.with_name(output.name + ".part").exists(), output.name)
 
     def test_a_file_that_may_not_grow_leaves_the_old_one(self):
-        def limited():
-            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+        def limited(handler):
+            signal.signal(signal.SIGXFSZ, handler)
             resource.setrlimit(resource.RLIMIT_FSIZE, (10000, 10000))
 
         self.write("out.csv", OLD)
-        for command in COMMANDS:
-            with self.subTest(command):
-                done = self.run_command(command.split() + ["-o", "out.csv"], preexec_fn=limited)
+        for command, handler in itertools.product(COMMANDS, (signal.SIG_IGN, signal.SIG_DFL)):
+            with self.subTest(command, handler=handler):
+                done = self.run_command(command.split() + ["-o", "out.csv"], preexec_fn=lambda: limited(handler))
                 self.assertEqual((done.returncode, done.stderr),
                                  (BAD_ACCESS, "orispline: out.csv: cannot write: File too large\n"))
                 self.assertEqual(self.read("out.csv"), OLD)
                 self.assertFalse((self.folder / "out.csv.part").exists())
+
+    def test_what_a_killed_run_leaves_the_next_one_removes(self):
+        for i, command in enumerate(COMMANDS):
+            with self.subTest(command):
+                output = self.folder / f"next{i}.csv"
+                part = output.with_name(output.name + ".part")
+                process = self.started(command, output.name)
+                deadline = time.monotonic() + 60
+                while not part.exists() and process.poll() is None and time.monotonic() < deadline:
+                    time.sleep(1e-4)
+                process.kill()
+                process.wait(60)
+                if not part.exists():
+                    part.write_text("torn", "utf-8")  # it was done before it could be killed
+                done = self.run_command(command.split() + ["-o", output.name])
+                self.assertEqual(done.returncode, SUCCESS)
+                self.assertFalse(part.exists())
+
+    def test_a_run_leaves_the_part_of_another_that_lives(self):
+        self.output_of("convert keys.csv -o out.csv --quiet")
+        with open(self.folder / "out.csv.part", "w", encoding="utf-8") as part:
+            fcntl.flock(part, fcntl.LOCK_EX)
+            self.output_of("convert keys.csv -o out.csv --quiet")
+            self.assertTrue((self.folder / "out.csv.part").exists())
+        self.output_of("convert keys.csv -o out.csv --quiet")
+        self.assertFalse((self.folder / "out.csv.part").exists())
+
+    @with_pages
+    def test_a_report_that_cannot_be_written_leaves_the_table(self):
+        table = self.output_of("compare some.csv --keep-every 10 --methods slerp,auto --csv")
+
+        def limited():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (10000, 10000))
+
+        done = self.run_command("compare some.csv --keep-every 10 --methods slerp,auto --csv --report out.html",
+                                preexec_fn=limited)
+        self.assertEqual((done.returncode, done.stderr), (BAD_ACCESS, "orispline: out.html: cannot write: File too large\n"))
+        self.assertEqual([row.split(",")[0] for row in done.stdout.splitlines()],
+                         [row.split(",")[0] for row in table.splitlines()])
+        self.assertEqual(list(self.folder.glob("out.html*")), [])
 
     def test_a_full_file_system_leaves_the_old_file(self):
         with tempfile.TemporaryDirectory() as place:

@@ -53,11 +53,13 @@ INSTANTIATE_TEST_SUITE_P(
     Bad, OptionsRefuse,
     testing::Values(
         BadOptions{"UnknownFamily",
-                   "quintik",
+                   "nothing",
                    {},
                    4,
                    bad_argument,
-                   "no method 'quintik', wanted one of " + names_of_families()},
+                   "no method 'nothing', wanted one of " + names_of_families()},
+        BadOptions{
+            "MisspeltFamily", "quintik", {}, 4, bad_argument, "unknown method 'quintik'; did you mean 'quintic'?"},
         BadOptions{"UnknownParameter",
                    "timed-c2",
                    {.parameters = {{"bias", {1.0}}}},

@@ -3,6 +3,7 @@
 
 #include <cerrno>
 #include <filesystem>
+#include <fstream>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -71,6 +72,36 @@ TEST_F(Synced, IsWrittenWhereTheFileSystemCannotBeAsked) {
   auto file = OutputFile::open(old_.path());
   ASSERT_TRUE(file && file->write("new") && file->finish());
   EXPECT_EQ(test::content_of(old_.path()), "new");
+}
+
+TEST(Parts, RemovesThePartsOfRunsThatWereKilled) {
+  const test::ScratchDirectory directory;
+  const std::string path = directory.file("out.csv");
+  for (const char* name : {".part", ".part1", ".part3"}) std::ofstream(path + name) << "torn";
+  std::filesystem::create_directory(path + ".part2");  // no part at all
+  auto file = OutputFile::open(path);
+  ASSERT_TRUE(file && file->write("whole") && file->finish());
+  EXPECT_EQ(test::content_of(path), "whole");
+  EXPECT_TRUE(std::filesystem::is_directory(path + ".part2"));
+  EXPECT_EQ(directory.entries(), 2u);
+}
+
+TEST(Parts, HoldsItsPartUntilItIsInItsPlace) {
+  const test::ScratchDirectory directory;
+  const std::string path = directory.file("out.csv");
+  auto closed = OutputFile::open(path);
+  ASSERT_TRUE(closed && closed->write("1") && closed->close());  // waits for others
+  auto moved = std::move(*closed);
+  {
+    const auto other = OutputFile::open(path);
+    ASSERT_TRUE(other);
+    EXPECT_NE(other->part(), moved.part());
+    EXPECT_EQ(directory.entries(), 2u);
+  }
+  EXPECT_EQ(directory.entries(), 1u);
+  ASSERT_TRUE(moved.finish());
+  EXPECT_EQ(test::content_of(path), "1");
+  EXPECT_EQ(directory.entries(), 1u);
 }
 
 }  // namespace

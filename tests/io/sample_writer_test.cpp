@@ -7,7 +7,10 @@
 #include <string>
 #include <utility>
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include "io/text_file.hpp"
 
@@ -213,11 +216,14 @@ TEST(OutputFile, PassesByThePartsOfOthers) {
   const ScratchDirectory directory;
   const std::string path = directory.file("out.csv");
   std::ofstream(path + ".part") << "another's";
+  const int other = ::open((path + ".part").c_str(), O_RDWR);  // a run that writes it
+  ASSERT_EQ(flock(other, LOCK_EX | LOCK_NB), 0);
   auto first = OutputFile::open(path), second = OutputFile::open(path);
   ASSERT_TRUE(first && second && first->write("1") && second->write("2") && second->finish() && first->finish());
   EXPECT_EQ(content_of(path), "1");
   EXPECT_EQ(content_of(path + ".part"), "another's");
   EXPECT_EQ(directory.entries(), 2u);
+  ::close(other);
 }
 
 TEST(OutputFile, SaysWhyItCannotBeWritten) {

@@ -116,9 +116,10 @@ Expected<void> compare(const CompareOptions& options) {
       head.title = title_of(report, report.data.key_sets.front());
       return pages::compare_page(shown(report, request->named), head, static_cast<unsigned>(request->threads));
     };
-    return file->write(make_page).and_then([&] { return file->finish(); }).and_then([&] {
-      return print(report, options);
-    });
+    // What was measured is shown even where the report cannot be written.
+    const auto written = file->write(make_page).and_then([&] { return file->finish(); });
+    const auto printed = print(report, options);
+    return written ? printed : written;
   });
 }
 

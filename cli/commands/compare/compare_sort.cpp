@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/base/suggestion.hpp>
 
 namespace orispline::cli {
 
@@ -17,7 +18,8 @@ std::string sort_words() {
 Expected<std::string> sort_word_in(OptionText option) {
   const std::string words = sort_words();
   const auto known = pieces_of(words, '|');
-  if (std::ranges::find(known, option.text) == known.end()) return wanted(option, words);
+  if (std::ranges::find(known, option.text) == known.end())
+    return usage_failure(formatted("{}: {}", option.option, unknown_word("measure", option.text, known)));
   return std::string(option.text);
 }
 

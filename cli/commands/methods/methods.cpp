@@ -1,50 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/methods/methods.hpp"
 
-#include <algorithm>
 #include <vector>
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/registry.hpp>
 
 #include "commands/methods/methods_json.hpp"
+#include "commands/methods/page_lines.hpp"
 #include "options/option_text.hpp"
 #include "output/standard_output.hpp"
 
 namespace orispline::cli {
 namespace {
 
-constexpr std::size_t page_width = 100;
 constexpr std::size_t name_width = 20, label_width = 10;  // of the two columns beside the text
 
 constexpr std::string_view introduction =
     "Continuity is in time. Settings are given with --set, numbers also one per key unless it says\n"
     "otherwise. Of the words of a setting and of the end rules the first is the default. Rates are read\n"
-    "from the columns named. Which method when: docs/choosing.md.\n";
-
-/// Characters on the screen: of UTF-8 every byte that begins one.
-std::size_t width_of(std::string_view text) {
-  return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
-/// `head` and the words behind it, broken before they leave the page and continued below themselves.
-std::string wrapped(const std::string& head, std::string_view words) {
-  std::string text = head;
-  std::size_t column = width_of(head);
-  const std::size_t indent = column;
-  for (const std::string_view word : pieces_of(words, ' ')) {
-    if (column > indent && column + 1 + width_of(word) > page_width) {
-      text += "\n" + std::string(indent, ' ');
-      column = indent;
-    } else if (column > indent) {
-      text += " ";
-      ++column;
-    }
-    text += word;
-    column += width_of(word);
-  }
-  return text + "\n";
-}
+    "from the columns named. 'orispline methods NAME' says everything of one method.\n"
+    "Which method when: docs/choosing.md.\n";
 
 /// A line of its own for what a method has; nothing for what it has not.
 std::string labelled(std::string_view label, std::string_view words) {
@@ -77,16 +53,10 @@ std::string ends_text(const FamilyInfo& family) {
   return joined(names, ", ");
 }
 
-std::string_view rates_of(const FamilyInfo& family) {
-  constexpr std::array<std::string_view, 4> columns{"", "wx,wy,wz", "wx,wy,wz[,ax,ay,az]",
-                                                    "wx,wy,wz[,ax,ay,az[,jx,jy,jz]]"};
-  return columns[static_cast<std::size_t>(family.rate_orders)];
-}
-
 std::string entry(const FamilyInfo& family) {
   return "\n" + wrapped(formatted("{:{}}", family.name, name_width), family.title) +
          wrapped(std::string(name_width, ' '), promises_of(family)) + labelled("settings", settings_of(family)) +
-         labelled("ends", ends_text(family)) + labelled("columns", rates_of(family)) +
+         labelled("ends", ends_text(family)) + labelled("columns", rate_columns_of(family)) +
          labelled("source", family.source);
 }
 
@@ -112,7 +82,10 @@ std::string page() {
 }  // namespace
 
 Expected<void> methods(const MethodsOptions& options) {
-  return print_document(options.json ? json_of(families_info()) : page());
+  if (!options.name) return print_document(options.json ? json_of(families_info()) : page());
+  return find_family(*options.name).and_then([&](const FamilyInfo* family) {
+    return print_document(options.json ? json_of({family, 1}) : page_of(*family));
+  });
 }
 
 }  // namespace orispline::cli

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include <orispline/base/expected.hpp>
 
 namespace orispline::cli {
 
 /// `orispline methods`, as typed.
 struct MethodsOptions {
+  std::optional<std::string> name;
   bool json = false;
 };
 
-/// Lists the methods with what they promise and accept.
+/// Lists the methods with what they promise and accept, or says everything of one.
 [[nodiscard]] Expected<void> methods(const MethodsOptions& options);
 
 }  // namespace orispline::cli

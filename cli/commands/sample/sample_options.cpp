@@ -36,15 +36,20 @@ Without -o the samples go to standard output as CSV; summaries and warnings go t
 
 void add_time_options(Command& app, TimeOptions& o) {
   const std::string group = "Times (one of --rate, --count, --times)";
-  app.add_option("--rate", o.rate, "Samples per second, from the start up to the end")->type_name("HZ")->group(group);
+  app.add_option("--rate", o.rate,
+                 "Samples per second, such as 100 or 30000/1001, from the start up to the end; or --fps")
+      ->type_name("HZ")
+      ->group(group);
+  app.add_flag("--include-end", o.include_end, "The end is a sample too where it is no multiple of the interval")
+      ->group(group);
   app.add_option("--count", o.count, "Number of samples, both ends included")->type_name("N")->group(group);
   app.add_option("--times", o.list, "File with one time a line, in any order")->type_name(file_type)->group(group);
-  app.add_option("--from", o.from, "Start [s], in the time of INPUT, or +T since its first key [of the curve]")
+  app.add_option(
+         "--from", o.from,
+         "Start in the time of INPUT: seconds, 12f with --fps, ISO 8601; or +T since its first key [of the curve]")
       ->type_name("T")
       ->group(group);
-  app.add_option("--to", o.to, "End [s], in the time of INPUT, or +T since its first key [of the curve]")
-      ->type_name("T")
-      ->group(group);
+  app.add_option("--to", o.to, "End, stated like --from [of the curve]")->type_name("T")->group(group);
 }
 
 }  // namespace

@@ -60,7 +60,8 @@ Expected<SampleRequest> sample_request(const SampleOptions& options) {
       .input = checked(input_request(options.input)),
       .named = checked(named_method(options.method, options.shape)),
       .shape = options.shape,
-      .times = checked(time_request(options.times)),
+      .times = checked(
+          clock_in(options.input).and_then([&](const io::Clock& clock) { return time_request(options.times, clock); })),
       .columns = checked(columns_in(options)),
       .extrapolation = checked(if_given("--extrapolate", options.extrapolate, choice_of(extrapolation_choices)))
                            .value_or(Extrapolation::hold),

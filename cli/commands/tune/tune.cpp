@@ -46,8 +46,8 @@ bool has_tensions(const FamilyInfo& family) { return std::ranges::any_of(family.
 
 /// Whether the columns of INPUT are understood without an option: only then can the output have them.
 bool reads_the_same_again(const InputOptions& o) {
-  return !o.format && !o.order && !o.orientation && !o.euler && !o.angle_unit && !o.time_scale && o.columns.empty() &&
-         !o.conjugate && !o.normalise;
+  return !o.format && !o.order && !o.orientation && !o.euler && !o.angle_unit && !o.time_scale && !o.fps && !o.epoch &&
+         o.columns.empty() && !o.conjugate && !o.normalise;
 }
 
 Expected<Request> request_in(const TuneOptions& options) {

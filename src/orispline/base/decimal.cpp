@@ -193,10 +193,10 @@ double Decimal::to_double() const {
   return coefficient_ < 0 ? -value : value;
 }
 
-Decimal Decimal::rounded() const noexcept {
-  if (is_whole()) return *this;
-  const Integer tenths = cut(coefficient_, -exponent_ - 1);
-  return Decimal((tenths + (tenths < 0 ? -5 : 5)) / 10, 0);
+Decimal Decimal::rounded(int decimals) const noexcept {
+  if (-exponent_ <= decimals) return *this;
+  const Integer tenths = cut(coefficient_, -exponent_ - decimals - 1);
+  return Decimal((tenths + (tenths < 0 ? -5 : 5)) / 10, -decimals);
 }
 
 std::string Decimal::to_string() const {
@@ -252,6 +252,22 @@ Decimal Decimal::operator*(const Decimal& other) const noexcept {
     else b /= 10, --b_digits;
   }
   return Decimal(a * b, exponent);
+}
+
+Decimal::Quotient Decimal::divided_by(const Decimal& divisor) const noexcept {
+  ORISPLINE_EXPECT(divisor.coefficient_ != 0);
+  // Long division, digit by digit: ten times a rest below 10^37 fits an integer.
+  const Integer by = magnitude(divisor.coefficient_);
+  Integer quotient = magnitude(coefficient_) / by, rest = magnitude(coefficient_) % by;
+  int exponent = exponent_ - divisor.exponent_;
+  for (; rest != 0 && digits_of(quotient) < max_digits; --exponent) {
+    rest *= 10;
+    quotient = quotient * 10 + rest / by;
+    rest %= by;
+  }
+  const bool is_exact = rest == 0;
+  if (rest >= by - rest) ++quotient;
+  return {Decimal((coefficient_ < 0) == (divisor.coefficient_ < 0) ? quotient : -quotient, exponent), is_exact};
 }
 
 std::strong_ordering Decimal::operator<=>(const Decimal& other) const noexcept {

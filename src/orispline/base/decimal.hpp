@@ -34,8 +34,8 @@ class ORISPLINE_EXPORT Decimal {
   /// The nearest double.
   [[nodiscard]] double to_double() const;
   [[nodiscard]] bool is_whole() const noexcept { return exponent_ >= 0; }
-  /// The nearest whole number; halves go away from zero.
-  [[nodiscard]] Decimal rounded() const noexcept;
+  /// The nearest number of so many decimals, a whole one by default; halves go away from zero.
+  [[nodiscard]] Decimal rounded(int decimals = 0) const noexcept;
 
   /// All digits, without an exponent: `1311868163.8697`.
   [[nodiscard]] std::string to_string() const;
@@ -46,6 +46,9 @@ class ORISPLINE_EXPORT Decimal {
   [[nodiscard]] Decimal operator+(const Decimal& other) const noexcept;
   [[nodiscard]] Decimal operator-(const Decimal& other) const noexcept { return *this + -other; }
   [[nodiscard]] Decimal operator*(const Decimal& other) const noexcept;
+  struct Quotient;
+  /// The exact quotient where `max_digits` are enough, else the nearest that has so many. `divisor` is not zero.
+  [[nodiscard]] Quotient divided_by(const Decimal& divisor) const noexcept;
   [[nodiscard]] bool operator==(const Decimal& other) const noexcept = default;
   [[nodiscard]] std::strong_ordering operator<=>(const Decimal& other) const noexcept;
 
@@ -60,6 +63,11 @@ class ORISPLINE_EXPORT Decimal {
   // coefficient · 10^exponent; the coefficient does not end in a zero digit, zero is 0 · 10^0.
   Integer coefficient_ = 0;
   int exponent_ = 0;
+};
+
+struct Decimal::Quotient {
+  Decimal value;
+  bool is_exact;
 };
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -45,15 +45,16 @@ Expected<SampleGrid::End> SampleGrid::end_of(const Request& request, const Decim
     found.index = found.samples - 1;
     return found;
   }
-  const double hertz = std::get<Rate>(request.spacing).hertz;
-  const double exact = found.span * hertz, nearest = std::round(exact);
+  const Rate rate = std::get<Rate>(request.spacing);
+  const double exact = found.span * rate.hertz / rate.seconds, nearest = std::round(exact);
   const bool meets_end = std::abs(exact - nearest) <= end_tolerance(exact);
   const double intervals = meets_end ? nearest : std::floor(exact);
   if (!(intervals < most_samples))
-    return bad_option("rate", formatted("{} makes {:.3g} samples over {} s, wanted fewer than {:.0e}", hertz, intervals,
-                                        found.span, most_samples));
-  found.samples = static_cast<std::uint64_t>(intervals) + 1;
-  if (meets_end) found.index = found.samples - 1;
+    return bad_option("rate", formatted("{} makes {:.3g} samples over {} s, wanted fewer than {:.0e}",
+                                        rate.per_second(), intervals, found.span, most_samples));
+  const bool adds_end = !meets_end && request.last == LastSample::at_end;
+  found.samples = static_cast<std::uint64_t>(intervals) + (adds_end ? 2 : 1);
+  if (meets_end || adds_end) found.index = found.samples - 1;
   return found;
 }
 
@@ -65,7 +66,7 @@ double SampleGrid::offset(std::uint64_t k) const noexcept {
   if (k == 0) return 0.0;
   if (end_ && k == end_->index) return end_->span;
   const auto steps = static_cast<double>(k);
-  if (const auto* const rate = std::get_if<Rate>(&spacing_)) return steps / rate->hertz;
+  if (const auto* const rate = std::get_if<Rate>(&spacing_)) return steps * rate->seconds / rate->hertz;
   if (const auto* const step = std::get_if<Step>(&spacing_)) return steps * step->seconds;
   const auto samples = static_cast<double>(std::get<Count>(spacing_).samples - 1);
   return end_ ? end_->span * steps / samples : infinity;
@@ -84,7 +85,7 @@ double SampleGrid::time(std::uint64_t k) const { return end_ && k >= end_->sampl
 std::uint64_t SampleGrid::guess(double t, std::uint64_t limit) const noexcept {
   const double behind = t - start_seconds_;
   double k = 0.0;
-  if (const auto* const rate = std::get_if<Rate>(&spacing_)) k = behind * rate->hertz;
+  if (const auto* const rate = std::get_if<Rate>(&spacing_)) k = behind * rate->per_second();
   else if (const auto* const step = std::get_if<Step>(&spacing_)) k = behind / step->seconds;
   else if (end_) k = behind / end_->span * static_cast<double>(limit - 1);
   return k > 0.0 ? static_cast<std::uint64_t>(std::min(std::floor(k), static_cast<double>(limit - 1))) : 0;
@@ -120,8 +121,8 @@ std::uint64_t SampleGrid::settled_until(double t) const noexcept {
   const auto* const rate = std::get_if<Rate>(&spacing_);
   if (!rate) return std::holds_alternative<Step>(spacing_) ? most : 0;
   // Twice the tolerance of samples at the end, for the intervals are rounded here too.
-  const double intervals = (t - start_seconds_) * rate->hertz;
-  const double size = (std::abs(t) + std::abs(start_seconds_)) * rate->hertz;
+  const double intervals = (t - start_seconds_) * rate->per_second();
+  const double size = (std::abs(t) + std::abs(start_seconds_)) * rate->per_second();
   const double sure = std::ceil(intervals - 2.0 * end_tolerance(size));
   return sure > 0.0 ? static_cast<std::uint64_t>(std::min(sure, most_samples)) : 0;
 }

@@ -15,6 +15,14 @@ struct Instant {
   double offset;  ///< since the start of the grid [s]
 };
 
+/// So many samples in a time, of 1 s by default: 30000 in 1001 s are 29.97 a second, without rounding.
+struct SampleRate {
+  double hertz = 0.0;
+  double seconds = 1.0;
+
+  [[nodiscard]] double per_second() const noexcept { return hertz / seconds; }
+};
+
 /// The even times of samples, computed one by one: a grid takes no memory.
 ///
 /// The grid of a rate or a count begins at an exact decimal: sample k is at the double nearest to the sum of that and
@@ -26,17 +34,18 @@ class ORISPLINE_EXPORT SampleGrid {
     double seconds;
   };
   /// From the start on as long as the end is not passed; a sample within 1e-9 of an interval of it is the end.
-  struct Rate {
-    double hertz;
-  };
+  using Rate = SampleRate;
   /// So many from the start to the end, both included.
   struct Count {
     std::size_t samples;
   };
+  /// Where the end is none of the times of a rate: whether it is a sample all the same.
+  enum class LastSample { before_end, at_end };
   /// Which grid is wanted of a curve: where start or end are absent they are the curve's own. [s], of the keys' epoch.
   struct Request {
     std::variant<Rate, Count> spacing;
     std::optional<Decimal> start{}, end{};
+    LastSample last = LastSample::before_end;
   };
   /// More samples than that cannot be told apart by a double.
   static constexpr double most_samples = 9e15;

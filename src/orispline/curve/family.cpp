@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/base/suggestion.hpp>
 #include <orispline/curve/key_check.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
@@ -18,10 +19,18 @@ Error argument_error(std::string message, std::optional<std::size_t> key = {}) {
   return {ErrorCode::bad_argument, std::move(message), {.key = key}};
 }
 
-std::string list_of_ends(const FamilyInfo& family) {
+/// What is said of a word that the family lacks; `known`: those that it has.
+Error unknown_in(const FamilyInfo& family, std::string_view kind, std::string_view word,
+                 const std::vector<std::string_view>& known) {
+  const std::string said = known.empty() ? formatted("no {0} '{1}', wanted none: this method has no {0}s", kind, word)
+                                         : unknown_word(kind, word, known);
+  return argument_error(formatted("{}: {}", family.name, said));
+}
+
+Error unknown_end_rule(const FamilyInfo& family, std::string_view name) {
   std::vector<std::string_view> names;
   for (EndRule rule : family.ends) names.push_back(name_of(rule));
-  return names.empty() ? "none: this method has no end rules" : formatted("one of {}", joined(names, ", "));
+  return unknown_in(family, "end rule", name, names);
 }
 
 std::string wanted_values(const Parameter& parameter, std::size_t keys, std::size_t with_ghosts) {
@@ -51,9 +60,7 @@ Error unknown_parameter(const FamilyInfo& family, std::string_view name) {
   std::vector<std::string_view> names;
   for (const Parameter& p : family.parameters) names.push_back(p.name);
   for (const Choice& c : family.choices) names.push_back(c.name);
-  return argument_error(
-      formatted("{}: no parameter '{}', wanted {}", family.name, name,
-                names.empty() ? "none: this method has no parameters" : formatted("one of {}", joined(names, ", "))));
+  return unknown_in(family, "parameter", name, names);
 }
 
 /// The chosen word as the family spells it.
@@ -69,8 +76,7 @@ Expected<std::string_view> settle_word(const FamilyInfo& family, const Choice& c
 Expected<End> settle_end(const FamilyInfo& family, End end, std::size_t keys) {
   if (end.rule == EndRule::none && !family.ends.empty()) end.rule = family.ends.front();
   if (end.rule != EndRule::none && std::ranges::find(family.ends, end.rule) == family.ends.end())
-    return tl::unexpected(argument_error(
-        formatted("{}: no end rule '{}', wanted {}", family.name, name_of(end.rule), list_of_ends(family))));
+    return tl::unexpected(unknown_end_rule(family, name_of(end.rule)));
   if (keys < keys_needed(end.rule))
     return failure(ErrorCode::bad_data, formatted("{}: ends '{}' need {} keys, found {}", family.name,
                                                   name_of(end.rule), keys_needed(end.rule), keys));
@@ -116,8 +122,7 @@ std::size_t keys_needed(EndRule rule) noexcept {
 Expected<EndRule> end_rule_by_name(const FamilyInfo& family, std::string_view name) {
   for (EndRule rule : family.ends)
     if (name_of(rule) == name) return rule;
-  return tl::unexpected(
-      argument_error(formatted("{}: no end rule '{}', wanted {}", family.name, name, list_of_ends(family))));
+  return tl::unexpected(unknown_end_rule(family, name));
 }
 
 std::optional<std::size_t> keys_beside(const FamilyInfo& family, const FamilySettings& settings) {

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include <orispline/base/formatted.hpp>
+#include <orispline/base/suggestion.hpp>
 #include <orispline/curve/key_check.hpp>
 #include <orispline/families/build.hpp>
 #include <orispline/families/families.hpp>
@@ -45,7 +45,7 @@ Expected<std::size_t> index_of(std::string_view name) {
     if (name == infos[i].name || (!name.empty() && name == infos[i].alias)) return i;
     names.push_back(infos[i].name);
   }
-  return failure(ErrorCode::bad_argument, formatted("no method '{}', wanted one of {}", name, joined(names, ", ")));
+  return failure(ErrorCode::bad_argument, unknown_word("method", name, names));
 }
 
 /// A family's place in the list with the options settled for the keys that its curve goes through.

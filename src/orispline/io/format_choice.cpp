@@ -2,6 +2,7 @@
 #include <orispline/io/format_choice.hpp>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/io/time_column.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -20,7 +21,10 @@ Candidates candidates_for(const std::string& path, const ReadOptions& options) {
 }
 
 Expected<void> check_time_scale(const ReadOptions& options) {
-  if (!options.time_scale || *options.time_scale > Decimal()) return {};
+  if (options.clock.frames_per_second && !options.clock.frames_per_second->is_positive())
+    return bad_option("fps", formatted("found {} frames per second, wanted a number greater than 0",
+                                       options.clock.frames_per_second->to_string()));
+  if (!options.time_scale || options.time_scale->is_positive()) return {};
   return bad_option("time_scale",
                     formatted("the time scale is {}, wanted a number greater than 0", options.time_scale->to_string()));
 }
@@ -48,6 +52,11 @@ Expected<Source> source_in(const FormatInfo& format, TextTable table, const Read
     layout->columns.time_unit = *options.time_scale;
     layout->columns.states_time_unit = true;
     layout->columns.whole_times = false;
+  } else if (layout->columns.counts_frames) {
+    const auto unit = seconds_per_frame(layout->names[layout->columns.time], options.clock);
+    if (!unit) return mended_by(unit.error().remedy, unit.error().message, table.here());
+    layout->columns.time_unit = *unit;
+    layout->columns.states_time_unit = true;
   }
   return KeyRowsSource{&format, std::move(table), std::move(*layout)};
 }

@@ -8,4 +8,7 @@ namespace orispline::inline ORISPLINE_ABI::io {
 /// The frame in which angular rates are stated. Positions and their rates are always in the world frame.
 enum class Frame { body, world };
 
+/// What the orientations of a file turn into what.
+enum class Turning { body_to_world, world_to_body };
+
 }  // namespace orispline::inline ORISPLINE_ABI::io

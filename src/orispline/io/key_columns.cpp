@@ -45,7 +45,8 @@ struct RequiredColumns {
 };
 
 Expected<RequiredColumns> required_columns(const ColumnSearch& search, const OrientationReading& reading) {
-  const auto time = search.column(time_name, [](std::string_view name) { return time_unit_of(name).has_value(); });
+  auto time = search.column(time_name, [](std::string_view name) { return time_unit_of(name).has_value(); });
+  if (time && !*time) time = search.column(time_name, counts_frames);
   if (!time) return tl::unexpected(time.error());
   auto orientation = orientation_columns(search, reading);
   if (!orientation) return tl::unexpected(std::move(orientation.error()));
@@ -125,6 +126,7 @@ Expected<KeyColumns> columns_of_header(std::span<const std::string_view> header,
                      .time = required->time,
                      .time_unit = unit.seconds,
                      .states_time_unit = unit.is_stated,
+                     .counts_frames = counts_frames(time),
                      .form = required->orientation.form,
                      .orientation = std::move(required->orientation.group.columns),
                      .position = *position,

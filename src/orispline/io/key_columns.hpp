@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <orispline/base/fraction.hpp>
 #include <orispline/io/orientation_columns.hpp>
 #include <orispline/io/rate_columns.hpp>
 #include <orispline/io/text_table.hpp>
@@ -24,11 +25,12 @@ struct ParameterColumn {
 
 /// Which column of a table holds what.
 struct KeyColumns {
-  std::size_t width = 0;                         ///< cells in a row; empty ones may follow
-  std::size_t time = 0;                          ///< 0-based
-  Decimal time_unit = Decimal::power_of_ten(0);  ///< [s]
-  bool states_time_unit = false;                 ///< else the size of the first time decides
-  bool whole_times = false;                      ///< times that are not whole numbers are errors
+  std::size_t width = 0;          ///< cells in a row; empty ones may follow
+  std::size_t time = 0;           ///< 0-based
+  Fraction time_unit{};           ///< [s]
+  bool states_time_unit = false;  ///< else the size of the first time decides
+  bool counts_frames = false;     ///< the times are numbers of frames, whose length the caller knows
+  bool whole_times = false;       ///< times that are not whole numbers are errors
   OrientationForm form{};
   std::vector<NumberColumn> orientation{};  ///< in the order that `orientation_from` takes
   std::optional<VectorColumns> position{};

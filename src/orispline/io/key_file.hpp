@@ -10,6 +10,7 @@
 #include <orispline/base/warning.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/recipe.hpp>
+#include <orispline/io/clock.hpp>
 #include <orispline/io/euler_turns.hpp>
 #include <orispline/io/formats/formats.hpp>
 #include <orispline/io/key_columns.hpp>
@@ -44,7 +45,9 @@ struct ReadOptions {
   /// For CSV with a header: which columns state the orientation, and how.
   OrientationReading orientation{};
   /// Seconds per unit of the time column, greater than 0. Absent: by the suffix of its name, else 1; of EuRoC 1e-9.
-  std::optional<Decimal> time_scale{};
+  std::optional<Fraction> time_scale{};
+  /// For columns that count frames, and for times of ISO 8601, which are seconds whatever the unit of the column.
+  Clock clock{};
   /// The file holds world to body (C-kernels of SPICE; CCSDS attitude with the spacecraft as frame A and direction A2B,
   /// or the reverse of both): orientations are conjugated. Positions are not touched. The rates of such files are often
   /// in the base frame, so `wx`, `wx_rad_s`, … are ignored; `wx_body…` are read.

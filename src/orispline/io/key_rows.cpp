@@ -10,11 +10,22 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 #include <orispline/curve/motion.hpp>
-#include <orispline/io/key_row.hpp>
+#include <orispline/io/iso_time.hpp>
+#include <orispline/io/row_reader.hpp>
 #include <orispline/io/time_column.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::io {
 namespace {
+
+Expected<void> check_width(const TextTable& table, std::size_t width) {
+  const auto cells = table.cells();
+  const auto is_empty = [](std::string_view cell) { return cell.empty(); };
+  if (cells.size() >= width && std::all_of(cells.begin() + static_cast<std::ptrdiff_t>(width), cells.end(), is_empty))
+    return {};
+  return failure(ErrorCode::bad_data,
+                 formatted("found {} cell{}, wanted {}", cells.size(), cells.size() == 1 ? "" : "s", width),
+                 table.here());
+}
 
 /// The values at the places, in their order.
 template <class T>
@@ -73,13 +84,16 @@ Expected<void> KeyRows::add(const TextTable& table) {
     if (!options_.sort) error.where.key = taken_ + size();  // before sorting a row has no index yet
     return tl::unexpected(std::move(error));
   };
-  const auto row = key_row(table, columns_);
-  if (!row && row.error().remedy == "drop_invalid" && options_.drop_invalid) {
+  if (auto checked = check_width(table, columns_.width); !checked) return refused(std::move(checked.error()));
+  RowReader row(table, options_.clock);
+  const KeyRow key = row.key(columns_);
+  if (row.refused()) return refused(*row.refused());
+  if (auto error = row.not_finite()) {
+    if (!options_.drop_invalid) return refused(std::move(*error));
     ++file_.repairs.invalid_dropped;
     return {};
   }
-  if (!row) return refused(row.error());
-  const KeyRow& key = *row;
+  if (auto settled = settle_clock(table); !settled) return refused(std::move(settled.error()));
   const auto unit = normalised(key.orientation, table.here());
   if (!unit) return refused(unit.error());
   const Eigen::Quaterniond orientation = options_.conjugate ? unit->conjugate() : *unit;
@@ -120,6 +134,25 @@ Expected<Eigen::Quaterniond> KeyRows::normalised(Eigen::Quaterniond q, Where whe
   return q;
 }
 
+/// Times of ISO 8601 are seconds, and a file has them in all rows or in none.
+Expected<void> KeyRows::settle_clock(const TextTable& table) {
+  const std::string_view cell = table.cells()[columns_.time];
+  const bool is_iso = looks_like_iso_time(cell);
+  if (has_iso_times_ && *has_iso_times_ != is_iso)
+    return failure(ErrorCode::bad_data,
+                   formatted("found {}, wanted {} as in the rows before", in_quotes(cell),
+                             is_iso ? "a number" : "a time of ISO 8601"),
+                   table.here(columns_.time));
+  if (is_iso && options_.time_scale)
+    return bad_option("time_scale", formatted("found {}, which needs no scale, wanted numbers", in_quotes(cell)));
+  if (is_iso && !has_iso_times_) {
+    columns_.time_unit = Fraction();
+    columns_.states_time_unit = true;
+  }
+  has_iso_times_ = is_iso;
+  return {};
+}
+
 void KeyRows::settle_time_unit(const Decimal& first) {
   if (columns_.states_time_unit) return;
   columns_.states_time_unit = true;
@@ -141,7 +174,7 @@ Expected<bool> KeyRows::append_time(const Decimal& time, std::string_view text, 
   if (is_first) {
     settle_time_unit(time);
     first_ = time;
-    file_.epoch = first_ * columns_.time_unit;
+    file_.epoch = columns_.time_unit.time_of(first_);
   } else if (time < latest_)
     return refused(formatted("time {} comes after {}, wanted increasing times", shown(), latest_.to_string()), "sort");
   else if (time == latest_) {
@@ -152,12 +185,12 @@ Expected<bool> KeyRows::append_time(const Decimal& time, std::string_view text, 
     return false;
   }
 
-  const double seconds = ((time - first_) * columns_.time_unit).to_double();
+  const double seconds = columns_.time_unit.of(time - first_).to_double();
   if (!is_first && seconds <= latest_seconds_)
     return refused(
         formatted("time {} is too near to {} to be told apart in double precision", shown(), latest_.to_string()));
   times.push_back(seconds);
-  if (options_.keep_exact_times) file_.exact_times.push_back(time * columns_.time_unit);
+  if (options_.keep_exact_times) file_.exact_times.push_back(columns_.time_unit.time_of(time));
   latest_ = time;
   latest_seconds_ = seconds;
   latest_line_ = line;

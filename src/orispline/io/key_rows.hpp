@@ -32,6 +32,7 @@ class ORISPLINE_EXPORT KeyRows {
 
  private:
   [[nodiscard]] Expected<Eigen::Quaterniond> normalised(Eigen::Quaterniond q, Where where);
+  [[nodiscard]] Expected<void> settle_clock(const TextTable& table);
   void settle_time_unit(const Decimal& first);
   [[nodiscard]] Expected<bool> append_time(const Decimal& time, std::string_view text, std::size_t line);
   [[nodiscard]] Expected<void> sort();
@@ -39,12 +40,13 @@ class ORISPLINE_EXPORT KeyRows {
   KeyColumns columns_;
   ReadOptions options_;
   KeyFile file_;
-  std::size_t taken_ = 0;        // keys that are no longer in the file
-  Decimal first_, latest_;       // times in the unit of the file
-  double latest_seconds_ = 0.0;  // of `latest_` since the first [s]
-  std::size_t latest_line_ = 0;  // of `latest_`
-  EulerTurns turns_;             // that the keys so far lose
-  std::vector<Decimal> times_;   // of all rows, gathered only to be sorted
+  std::optional<bool> has_iso_times_{};  // unknown before the first row
+  std::size_t taken_ = 0;                // keys that are no longer in the file
+  Decimal first_, latest_;               // times in the unit of the file
+  double latest_seconds_ = 0.0;          // of `latest_` since the first [s]
+  std::size_t latest_line_ = 0;          // of `latest_`
+  EulerTurns turns_;                     // that the keys so far lose
+  std::vector<Decimal> times_;           // of all rows, gathered only to be sorted
 };
 
 }  // namespace orispline::inline ORISPLINE_ABI::io

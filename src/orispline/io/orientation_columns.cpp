@@ -2,7 +2,6 @@
 #include <orispline/io/orientation_columns.hpp>
 
 #include <algorithm>
-#include <numbers>
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
@@ -11,7 +10,13 @@ namespace orispline::inline ORISPLINE_ABI::io {
 namespace {
 
 constexpr std::array plain_numbers{Unit{""}};
-constexpr std::array angles{Unit{""}, Unit{"_rad"}, Unit{"_deg", std::numbers::pi, 180.0}};
+constexpr auto angles = [] {
+  std::array<Unit, 1 + angle_units.size()> units{Unit{""}};
+  std::ranges::transform(angle_units, units.begin() + 1, [](const AngleUnitInfo& unit) {
+    return Unit{unit.suffix, unit.numerator, unit.denominator};
+  });
+  return units;
+}();
 
 std::span<const Unit> units_of(Representation representation) {
   const bool is_angular = representation == Representation::euler || representation == Representation::rotation_vector;
@@ -75,7 +80,7 @@ Expected<void> settle_units(ColumnGroup& group, const ColumnSearch& search, std:
     if (!unit)
       return mended_by("angle_unit", formatted("{} has no unit, wanted a name such as {}_deg or {}_rad, or the unit",
                                                in_quotes(search.name(column.index)), name, name));
-    if (unit == AngleUnit::degrees) column = {column.index, std::numbers::pi, 180.0};
+    column = {column.index, info_of(*unit).numerator, info_of(*unit).denominator};
   }
   return {};
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/io/orientation_form.hpp>
 
-#include <numbers>
-
 #include <orispline/base/formatted.hpp>
 #include <orispline/math/rotation_matrix.hpp>
 
@@ -57,7 +55,7 @@ std::vector<std::string> written_names(const OrientationForm& form) {
   if (form.representation == Representation::euler && is_named_by_axis(form.order)) names = axis_names;
   std::vector<std::string> written(names.begin(), names.end());
   if (form.representation == Representation::euler)
-    for (std::string& name : written) name += form.unit == AngleUnit::degrees ? "_deg" : "_rad";
+    for (std::string& name : written) name += info_of(form.unit).suffix;
   return written;
 }
 
@@ -65,8 +63,8 @@ OrientationNumbers numbers_of(const Eigen::Quaterniond& q, const OrientationForm
   switch (form.representation) {
     case Representation::euler: {
       const Eigen::Vector3d angles = euler_angles(form.order, q);
-      const OrientationNumbers turns =
-          form.unit == AngleUnit::degrees ? Eigen::Vector3d(angles * 180.0 / std::numbers::pi) : angles;
+      const AngleUnitInfo& unit = info_of(form.unit);
+      const OrientationNumbers turns = Eigen::Vector3d(angles * unit.denominator / unit.numerator);
       return is_named_by_axis(form.order) ? OrientationNumbers(turns.reverse()) : turns;
     }
     case Representation::matrix:

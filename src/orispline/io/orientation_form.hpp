@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <numbers>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,7 +21,24 @@ enum class Representation {
   rotation_vector,  ///< `rx,ry,rz` [rad]: the axis times the angle
 };
 
-enum class AngleUnit { degrees, radians };
+enum class AngleUnit { degrees, radians, milliradians, arcseconds };
+
+/// How a unit of angles is called, and what it is: an angle · numerator / denominator is in radians.
+struct AngleUnitInfo {
+  AngleUnit unit;
+  std::string_view word;    ///< `deg`
+  std::string_view suffix;  ///< of names of columns: `_deg`
+  double numerator = 1.0, denominator = 1.0;
+};
+inline constexpr std::array angle_units{
+    AngleUnitInfo{AngleUnit::degrees, "deg", "_deg", std::numbers::pi, 180.0},
+    AngleUnitInfo{AngleUnit::radians, "rad", "_rad"},
+    AngleUnitInfo{AngleUnit::milliradians, "mrad", "_mrad", 1.0, 1000.0},
+    AngleUnitInfo{AngleUnit::arcseconds, "arcsec", "_arcsec", std::numbers::pi, 648000.0}};
+
+[[nodiscard]] constexpr const AngleUnitInfo& info_of(AngleUnit unit) noexcept {
+  return angle_units[static_cast<std::size_t>(unit)];
+}
 
 /// A representation with what it leaves open.
 struct OrientationForm {

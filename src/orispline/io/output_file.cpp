@@ -20,7 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int part_names = 100;  // tried one after the other: a part may be another process's, or be left from a crash
+constexpr int part_names = 100;   // tried one after the other: a part may be another process's
+constexpr int cleared_names = 4;  // of them are looked at for parts that were left, and all those in use
 
 tl::unexpected<Error> no_access(const std::string& path, const std::error_code& reason) {
   return failure(ErrorCode::bad_access, "cannot write: " + reason.message(), {.file = path});
@@ -84,11 +85,15 @@ Expected<OutputFile> OutputFile::open(const std::string& path) {
 }
 
 void OutputFile::open_part() {
+  const auto name = [this](int i) { return target_ + ".part" + (i == 0 ? "" : std::to_string(i)); };
+  for (int i = 0; i < cleared_names; ++i) remove_if_left(name(i));
   for (int i = 0; i < part_names && !file_; ++i) {
-    part_ = target_ + ".part" + (i == 0 ? "" : std::to_string(i));
+    part_ = name(i);
+    if (i >= cleared_names) remove_if_left(part_);
     errno = 0;
     file_.reset(std::fopen(part_.c_str(), "wbx"));
     if (!file_ && errno != EEXIST) break;
+    if (file_ && !lock_part(file_.get(), part_)) file_.reset();
   }
   if (!file_) part_.clear();
 }
@@ -103,9 +108,11 @@ OutputFile& OutputFile::operator=(OutputFile&& other) noexcept {
 
 OutputFile::~OutputFile() {
   if (part_.empty()) return;
-  file_.reset();
+#ifdef _WIN32
+  file_.reset();  // open files cannot be removed there
+#endif
   std::error_code ignored;
-  fs::remove(part_, ignored);
+  fs::remove(part_, ignored);  // while it is locked
 }
 
 void OutputFile::swap(OutputFile& other) noexcept {
@@ -113,6 +120,7 @@ void OutputFile::swap(OutputFile& other) noexcept {
   target_.swap(other.target_);
   part_.swap(other.part_);
   file_.swap(other.file_);
+  std::swap(lock_, other.lock_);
 }
 
 Expected<void> OutputFile::write(std::string_view text) {
@@ -136,6 +144,7 @@ Expected<void> OutputFile::close() {
   errno = 0;
   if (std::fflush(file_.get()) != 0) return no_access(path_, last_error());
   if (!part_.empty() && !reached_disk(file_.get())) return no_access(path_, last_error());
+  if (!part_.empty()) lock_ = PartLock(file_.get());
   std::FILE* file = file_.release();
   if (file != stdout && std::fclose(file) != 0) return no_access(path_, last_error());
   return {};
@@ -151,6 +160,7 @@ Expected<void> OutputFile::finish() {
   fs::rename(part_, target_, reason);
   if (reason) return no_access(path_, reason);
   part_.clear();
+  lock_ = {};
   return {};
 }
 

@@ -7,13 +7,16 @@
 #include <string_view>
 
 #include <orispline/base/expected.hpp>
+#include <orispline/io/part_lock.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::io {
 
 /// A file that appears complete or not at all, after a power cut too.
 ///
 /// Text goes to `<path>.part` beside the target, which `finish` renames. Destroyed before that, the part is removed and
-/// the target untouched. Standard output (`-`), devices and pipes are written directly.
+/// the target untouched. A part that was left by a process that was killed is removed by the next one that writes the
+/// same target; a lock tells it from one that is being written. Standard output (`-`), devices and pipes are written
+/// directly.
 class ORISPLINE_EXPORT OutputFile {
  public:
   /// Error: bad_access.
@@ -49,6 +52,7 @@ class ORISPLINE_EXPORT OutputFile {
   std::string target_;  // behind symbolic links
   std::string part_;    // empty when written directly
   std::unique_ptr<std::FILE, Close> file_;
+  PartLock lock_;  // of the part once the file is closed
 };
 
 /// Whether that is standard output (`-`), a device or a pipe.

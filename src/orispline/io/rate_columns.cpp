@@ -1,45 +1,57 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/io/rate_columns.hpp>
 
-#include <numbers>
-
 #include <orispline/base/formatted.hpp>
+#include <orispline/io/orientation_form.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::io {
 namespace {
 
 using Names = std::array<std::string_view, 3>;
 
+constexpr std::size_t units_of_a_rate = 5;
+
 /// The rates of one order as headers name them; units of the body frame begin with those whose name says so.
 struct RateOrder {
   std::string_view plural;
   Names in_body, in_world;
-  std::array<Unit, 6> body_units;
-  std::array<Unit, 3> world_units;
+  std::array<Unit, 2 * units_of_a_rate> body_units;
+  std::array<Unit, units_of_a_rate> world_units;
 
-  [[nodiscard]] std::span<const Unit> units_that_name_the_body() const { return std::span(body_units).first(3); }
+  [[nodiscard]] std::span<const Unit> units_that_name_the_body() const {
+    return std::span(body_units).first(units_of_a_rate);
+  }
 };
 
-constexpr Unit degrees(std::string_view suffix) { return {suffix, std::numbers::pi, 180.0}; }
+constexpr Unit in(AngleUnit unit, std::string_view suffix) {
+  return {suffix, info_of(unit).numerator, info_of(unit).denominator};
+}
+constexpr Unit degrees(std::string_view suffix) { return in(AngleUnit::degrees, suffix); }
+constexpr Unit milliradians(std::string_view suffix) { return in(AngleUnit::milliradians, suffix); }
+constexpr Unit arcseconds(std::string_view suffix) { return in(AngleUnit::arcseconds, suffix); }
 
 constexpr std::array<RateOrder, 3> orders{
     RateOrder{"angular velocities",
               {"wx", "wy", "wz"},
               {"wx_world", "wy_world", "wz_world"},
-              {Unit{"_body"}, Unit{"_body_rad_s"}, degrees("_body_deg_s"), Unit{""}, Unit{"_rad_s"}, degrees("_deg_s")},
-              {Unit{""}, Unit{"_rad_s"}, degrees("_deg_s")}},
-    RateOrder{
-        "angular accelerations",
-        {"ax", "ay", "az"},
-        {"ax_world", "ay_world", "az_world"},
-        {Unit{"_body"}, Unit{"_body_rad_s2"}, degrees("_body_deg_s2"), Unit{""}, Unit{"_rad_s2"}, degrees("_deg_s2")},
-        {Unit{""}, Unit{"_rad_s2"}, degrees("_deg_s2")}},
-    RateOrder{
-        "angular jerks",
-        {"jx", "jy", "jz"},
-        {"jx_world", "jy_world", "jz_world"},
-        {Unit{"_body"}, Unit{"_body_rad_s3"}, degrees("_body_deg_s3"), Unit{""}, Unit{"_rad_s3"}, degrees("_deg_s3")},
-        {Unit{""}, Unit{"_rad_s3"}, degrees("_deg_s3")}}};
+              {Unit{"_body"}, Unit{"_body_rad_s"}, degrees("_body_deg_s"), milliradians("_body_mrad_s"),
+               arcseconds("_body_arcsec_s"), Unit{""}, Unit{"_rad_s"}, degrees("_deg_s"), milliradians("_mrad_s"),
+               arcseconds("_arcsec_s")},
+              {Unit{""}, Unit{"_rad_s"}, degrees("_deg_s"), milliradians("_mrad_s"), arcseconds("_arcsec_s")}},
+    RateOrder{"angular accelerations",
+              {"ax", "ay", "az"},
+              {"ax_world", "ay_world", "az_world"},
+              {Unit{"_body"}, Unit{"_body_rad_s2"}, degrees("_body_deg_s2"), milliradians("_body_mrad_s2"),
+               arcseconds("_body_arcsec_s2"), Unit{""}, Unit{"_rad_s2"}, degrees("_deg_s2"), milliradians("_mrad_s2"),
+               arcseconds("_arcsec_s2")},
+              {Unit{""}, Unit{"_rad_s2"}, degrees("_deg_s2"), milliradians("_mrad_s2"), arcseconds("_arcsec_s2")}},
+    RateOrder{"angular jerks",
+              {"jx", "jy", "jz"},
+              {"jx_world", "jy_world", "jz_world"},
+              {Unit{"_body"}, Unit{"_body_rad_s3"}, degrees("_body_deg_s3"), milliradians("_body_mrad_s3"),
+               arcseconds("_body_arcsec_s3"), Unit{""}, Unit{"_rad_s3"}, degrees("_deg_s3"), milliradians("_mrad_s3"),
+               arcseconds("_arcsec_s3")},
+              {Unit{""}, Unit{"_rad_s3"}, degrees("_deg_s3"), milliradians("_mrad_s3"), arcseconds("_arcsec_s3")}}};
 
 Expected<std::optional<RateVector>> rate_vector(const ColumnSearch& search, const RateReading& reading,
                                                 const RateOrder& order) {

@@ -22,6 +22,13 @@ Eigen::Vector3d rate_of(const Motion& motion, int order, Frame frame) {
   return in_body ? motion.angular_jerk : angular_jerk_world(motion);
 }
 
+/// Beside orientations that turn world to body, a rate without a frame in its name is read as one of nobody knows
+/// which.
+std::string_view rate_suffix(const SampleColumns& columns) {
+  if (columns.frame == Frame::world) return "_world";
+  return columns.turning == Turning::world_to_body ? "_body" : "";
+}
+
 }  // namespace
 
 Expected<void> check_columns(const SampleColumns& columns) {
@@ -61,7 +68,7 @@ std::vector<std::string> column_names(const SampleColumns& columns) {
   };
   if (columns.positions) append("p", "");
   for (std::size_t order = 0; order < static_cast<std::size_t>(columns.derivatives); ++order)
-    append(rate_letters[order], columns.frame == Frame::world ? "_world" : "");
+    append(rate_letters[order], rate_suffix(columns));
   for (std::size_t order = 0; order < static_cast<std::size_t>(columns.position_derivatives); ++order)
     append(position_rate_letters[order], "");
   std::ranges::copy(columns.settings, std::back_inserter(names));
@@ -71,7 +78,7 @@ std::vector<std::string> column_names(const SampleColumns& columns) {
 RowNumbers named_numbers(const Sample& sample, const SampleColumns& columns) {
   const auto& [motion, linear_motion, settings] = sample;
   RowNumbers row;
-  for (const double number : numbers_of(motion.orientation, columns.form)) row.add(number);
+  for (const double number : numbers_of(written_orientation(sample, columns), columns.form)) row.add(number);
   if (columns.positions) row.add(linear_motion.position);
   for (int order = 1; order <= columns.derivatives; ++order) row.add(rate_of(motion, order, columns.frame));
   if (columns.position_derivatives > 0) row.add(linear_motion.velocity);

@@ -23,7 +23,8 @@ struct SampleColumns {
   int derivatives = 0;           ///< highest order of the angular rates: 0 none, 1 ω, 2 and α, 3 and jerk
   int position_derivatives = 0;  ///< highest order of the rates of position: 0 none, 1 velocity, 2 and acceleration
   Frame frame = Frame::body;
-  std::vector<std::string> settings{};  ///< columns of a method's parameters, behind all others
+  Turning turning = Turning::body_to_world;  ///< of the orientations; the names of body rates say so where it is not
+  std::vector<std::string> settings{};       ///< columns of a method's parameters, behind all others
 };
 
 /// A moving body.
@@ -37,6 +38,11 @@ inline constexpr std::size_t most_settings = 8;  ///< columns of settings in a f
 
 /// Error (bad_argument): what the format cannot hold.
 [[nodiscard]] ORISPLINE_EXPORT Expected<void> check_columns(const SampleColumns& columns);
+
+/// The orientation of a sample as a file of these columns has it.
+[[nodiscard]] inline Eigen::Quaterniond written_orientation(const Sample& sample, const SampleColumns& columns) {
+  return columns.turning == Turning::body_to_world ? sample.motion.orientation : sample.motion.orientation.conjugate();
+}
 
 /// What stands before that many rows of a file of these columns.
 [[nodiscard]] ORISPLINE_EXPORT std::string header_of(const SampleColumns& columns, std::size_t rows);

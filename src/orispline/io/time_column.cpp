@@ -5,6 +5,7 @@
 #include <array>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/base/quoted.hpp>
 #include <orispline/io/column_search.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::io {
@@ -24,6 +25,8 @@ constexpr std::array suffixes{TimeSuffix{""},          TimeSuffix{"_s"},        
 /// Units that are names of columns themselves.
 constexpr std::array bare_units{TimeSuffix{"sec"}, TimeSuffix{"seconds"}, TimeSuffix{"msec", -3},
                                 TimeSuffix{"usec", -6}, TimeSuffix{"nsec", -9}};
+
+constexpr std::array<std::string_view, 2> frame_names{"frame", "frames"};
 
 /// A time of today in a unit, and what people call that.
 struct SizeOfTime {
@@ -48,6 +51,14 @@ std::optional<TimeUnit> time_unit_of(std::string_view name) {
     if (is_with_unit<TimeSuffix>(name, base, suffixes))
       return TimeUnit{time_unit_at_end_of(name).seconds, name.size() > base.size()};
   return std::nullopt;
+}
+
+bool counts_frames(std::string_view name) noexcept { return std::ranges::find(frame_names, name) != frame_names.end(); }
+
+Expected<Fraction> seconds_per_frame(std::string_view column, const Clock& clock) {
+  if (clock.frames_per_second) return clock.frames_per_second->inverse();
+  return mended_by("fps",
+                   formatted("the column {} counts frames, wanted how many there are in a second", in_quotes(column)));
 }
 
 std::optional<TimeUnitGuess> time_unit_by_size(const Decimal& first) {

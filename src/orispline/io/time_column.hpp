@@ -6,6 +6,7 @@
 
 #include <orispline/base/decimal.hpp>
 #include <orispline/base/warning.hpp>
+#include <orispline/io/clock.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::io {
 
@@ -20,6 +21,12 @@ struct TimeUnit {
 
 /// Unit of a column that is named like a time; nothing for other names.
 [[nodiscard]] ORISPLINE_EXPORT std::optional<TimeUnit> time_unit_of(std::string_view name);
+
+/// Whether a column is named like a number of frames: read as times where no other column is one.
+[[nodiscard]] ORISPLINE_EXPORT bool counts_frames(std::string_view name) noexcept;
+
+/// Seconds per frame. Error (bad_data): nobody says how many there are in a second.
+[[nodiscard]] ORISPLINE_EXPORT Expected<Fraction> seconds_per_frame(std::string_view column, const Clock& clock);
 
 /// The unit that the end of any name states, such as one that was mapped: that is always believed.
 [[nodiscard]] ORISPLINE_EXPORT TimeUnit time_unit_at_end_of(std::string_view name);

@@ -7,6 +7,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 #include <orispline/io/format_choice.hpp>
+#include <orispline/io/iso_time.hpp>
 #include <orispline/io/key_columns.hpp>
 #include <orispline/io/text_table.hpp>
 #include <orispline/io/time_column.hpp>
@@ -18,29 +19,38 @@ tl::unexpected<Error> at_row(const TextTable& table, std::string message) {
   return failure(ErrorCode::bad_data, std::move(message), table.here());
 }
 
-/// Which cell of a row is the time.
+/// Which cell of a row is the time, and how it counts.
 struct TimeColumn {
   std::size_t index = 0;
-  TimeUnit unit{};
+  Fraction unit{};  // [s]
+  bool states_unit = false;
 };
 
-Expected<TimeColumn> column_of_header(const TextTable& table, const ColumnSearch::Names& mapping) {
+Error located(const TextTable& table, Error error) {
+  error.where = table.here();
+  return error;
+}
+
+Expected<TimeColumn> column_of_header(const TextTable& table, const ReadOptions& options) {
   const auto header = table.cells().first(width_of(table.cells()));
   const ColumnSearch::Names none;
-  const auto mapped = mapping.find(time_name);
-  const bool is_there = mapped != mapping.end() && std::ranges::find(header, mapped->second) != header.end();
-  const ColumnSearch search(header, is_there ? mapping : none);
-  const auto found = search.column(time_name, [](std::string_view name) { return time_unit_of(name).has_value(); });
-  if (!found) {
-    Error error = found.error();
-    error.where = table.here();
-    return tl::unexpected(std::move(error));
-  }
+  const auto mapped = options.columns.find(time_name);
+  const bool is_there = mapped != options.columns.end() && std::ranges::find(header, mapped->second) != header.end();
+  const ColumnSearch search(header, is_there ? options.columns : none);
+  auto found = search.column(time_name, [](std::string_view name) { return time_unit_of(name).has_value(); });
+  if (found && !*found) found = search.column(time_name, counts_frames);
+  if (!found) return tl::unexpected(located(table, found.error()));
   if (!*found)
     return at_row(table, formatted("found {}, wanted a column of times such as t, or numbers without a header",
                                    search.found_names()));
   const std::string_view name = search.plain_name(**found);
-  return TimeColumn{**found, time_unit_of(name).value_or(time_unit_at_end_of(name))};
+  if (counts_frames(name)) {
+    const auto seconds = seconds_per_frame(search.name(**found), options.clock);
+    if (!seconds) return tl::unexpected(located(table, seconds.error()));
+    return TimeColumn{**found, *seconds, true};
+  }
+  const TimeUnit unit = time_unit_of(name).value_or(time_unit_at_end_of(name));
+  return TimeColumn{**found, unit.seconds, unit.is_stated};
 }
 
 /// Of the table at its first row.
@@ -50,26 +60,37 @@ Expected<TimeColumn> time_column(const TextTable& table, const ReadOptions& opti
   const FormatInfo* const format = width > 1 ? likest(formats, table, options, Likeness::likely) : nullptr;
   if (format && format->reading.layout && !is_header(table.cells()))
     return format->reading.layout(table, options).map([](const TableLayout& layout) {
-      return TimeColumn{layout.columns.time, {layout.columns.time_unit, layout.columns.states_time_unit}};
+      return TimeColumn{layout.columns.time, layout.columns.time_unit, layout.columns.states_time_unit};
     });
-  if (is_header(table.cells())) return column_of_header(table, options.columns);
+  if (is_header(table.cells())) return column_of_header(table, options);
   if (width > 1 && !options.order)
     return at_row(table,
                   formatted("found {} cells, wanted one time a line, or a header that names the column t", width));
   return TimeColumn{};
 }
 
-/// The time in the row, in the unit of the file.
-Expected<Decimal> time_of(const TextTable& table, std::size_t index) {
-  if (index >= table.cells().size())
-    return at_row(table,
-                  formatted("found {}, wanted the time in cell {}", counted(table.cells().size(), "cell"), index + 1));
-  const std::string_view cell = table.cells()[index];
+/// The time in the row [s]; what is found out of the unit goes into the column, and is warned of.
+Expected<Decimal> time_of(const TextTable& table, TimeColumn& column, const Clock& clock,
+                          std::vector<Warning>& warnings) {
+  if (column.index >= table.cells().size())
+    return at_row(table, formatted("found {}, wanted the time in cell {}", counted(table.cells().size(), "cell"),
+                                   column.index + 1));
+  const std::string_view cell = table.cells()[column.index];
+  const auto here = table.here(column.index);
+  if (looks_like_iso_time(cell)) {
+    const auto time = parse_iso_time(cell);
+    return time ? Expected<Decimal>(*time - clock.zero) : failure(ErrorCode::bad_data, time.error().message, here);
+  }
   const auto time = decimal_of(cell);
-  const auto here = table.here(index);
   if (!time) return failure(ErrorCode::bad_data, time.error().message, here);
   if (!*time) return failure(ErrorCode::bad_data, formatted("found {}, wanted a finite time", in_quotes(cell)), here);
-  return **time;
+  if (!std::exchange(column.states_unit, true))
+    if (auto guess = time_unit_by_size(**time)) {
+      column.unit = guess->seconds;
+      guess->warning.where.file = table.path();
+      warnings.push_back(std::move(guess->warning));
+    }
+  return column.unit.time_of(**time);
 }
 
 }  // namespace
@@ -80,21 +101,14 @@ Expected<TimesList> read_times(const std::string& path, const Decimal& epoch, co
   auto more = table->next();
   if (!more) return tl::unexpected(more.error());
   if (!*more) return failure(ErrorCode::bad_data, "empty: no times", {.file = path});
-  const auto column = time_column(*table, options);
+  auto column = time_column(*table, options);
   if (!column) return tl::unexpected(column.error());
   if (is_header(table->cells())) more = table->next();
   TimesList list;
-  TimeUnit unit = column->unit;
   for (; more && *more; more = table->next()) {
-    const auto time = time_of(*table, column->index);
+    const auto time = time_of(*table, *column, options.clock, list.warnings);
     if (!time) return tl::unexpected(time.error());
-    if (!std::exchange(unit.is_stated, true))
-      if (auto guess = time_unit_by_size(*time)) {
-        unit.seconds = guess->seconds;
-        guess->warning.where.file = path;
-        list.warnings.push_back(std::move(guess->warning));
-      }
-    list.times.push_back((*time * unit.seconds - epoch).to_double());
+    list.times.push_back((*time - epoch).to_double());
     list.lines.push_back(static_cast<std::uint32_t>(table->line()));
   }
   if (!more) return tl::unexpected(more.error());

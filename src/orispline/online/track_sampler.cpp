@@ -77,8 +77,9 @@ Expected<TrackSampler> TrackSampler::make(const Method& method, const TrackGrid&
                                                       "numbers and a step greater than 0",
                                                       grid.start.value_or(0.0), grid.step));
   const auto* const rate = grid.request ? std::get_if<SampleGrid::Rate>(&grid.request->spacing) : nullptr;
-  if (rate && !(rate->hertz > 0.0 && std::isfinite(rate->hertz)))
-    return failure(ErrorCode::bad_argument, formatted("the rate is {} Hz, wanted more than 0", rate->hertz));
+  if (rate && !(rate->hertz > 0.0 && rate->seconds > 0.0 && rate->per_second() > 0.0 &&
+                std::isfinite(rate->per_second()) && std::isfinite(rate->seconds)))
+    return failure(ErrorCode::bad_argument, formatted("the rate is {} Hz, wanted more than 0", rate->per_second()));
   if (options.gap && !(*options.gap > 0.0))
     return failure(ErrorCode::bad_argument, formatted("the gap is {} s, wanted more than 0", *options.gap));
   return StreamMethod::make(method.name, method.options).map([&](StreamMethod made) {

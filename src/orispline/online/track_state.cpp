@@ -42,21 +42,30 @@ void write(StateWriter& out, const TrackGrid& grid) {
   out.real(grid.step);
   write(out, grid.start);
   const auto* const rate = grid.request ? std::get_if<SampleGrid::Rate>(&grid.request->spacing) : nullptr;
-  out.whole(!grid.request ? 0 : rate ? 1 : 2);
+  const bool is_plain = !rate || (rate->seconds == 1.0 && grid.request->last == SampleGrid::LastSample::before_end);
+  out.whole(!grid.request ? 0 : !rate ? 2 : is_plain ? 1 : 3);  // 3 is younger than the others
   if (!grid.request) return;
   if (rate) out.real(rate->hertz);
   else out.whole(std::get<SampleGrid::Count>(grid.request->spacing).samples);
+  if (!is_plain) {
+    out.real(rate->seconds);
+    out.whole(static_cast<std::uint64_t>(grid.request->last));
+  }
   write(out, grid.request->start);
   write(out, grid.request->end);
 }
 Expected<TrackGrid> read_grid(StateReader& in) {
   TrackGrid grid{.step = in.real()};
   grid.start = read_optional(in);
-  const std::uint64_t kind = in.below(3);
+  const std::uint64_t kind = in.below(4);
   if (kind == 0) return grid;
   SampleGrid::Request request{.spacing = SampleGrid::Rate{0.0}};
-  if (kind == 1) request.spacing = SampleGrid::Rate{in.real()};
-  else request.spacing = SampleGrid::Count{static_cast<std::size_t>(in.whole())};
+  if (kind == 1 || kind == 3) {
+    SampleGrid::Rate rate{in.real()};
+    if (kind == 3) rate.seconds = in.real();
+    if (kind == 3) request.last = static_cast<SampleGrid::LastSample>(in.below(2));
+    request.spacing = rate;
+  } else request.spacing = SampleGrid::Count{static_cast<std::size_t>(in.whole())};
   for (auto* time : {&request.start, &request.end}) {
     auto read = read_decimal(in);
     if (!read) return tl::unexpected(std::move(read.error()));

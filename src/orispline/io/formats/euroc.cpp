@@ -91,11 +91,12 @@ std::string header(const SampleColumns&, std::size_t) {
   return "#timestamp [ns],p_RS_R_x [m],p_RS_R_y [m],p_RS_R_z [m],q_RS_w [],q_RS_x [],q_RS_y [],q_RS_z []\n";
 }
 
-RowNumbers numbers(const Sample& sample, const SampleColumns&) {
+RowNumbers numbers(const Sample& sample, const SampleColumns& columns) {
+  const Eigen::Quaterniond orientation = written_orientation(sample, columns);
   RowNumbers numbers;
   numbers.add(sample.linear_motion.position);
-  numbers.add(sample.motion.orientation.w());
-  numbers.add(Eigen::Vector3d(sample.motion.orientation.vec()));
+  numbers.add(orientation.w());
+  numbers.add(Eigen::Vector3d(orientation.vec()));
   return numbers;
 }
 

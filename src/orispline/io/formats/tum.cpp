@@ -29,11 +29,12 @@ Expected<TableLayout> layout(const TextTable& table, const ReadOptions& options)
   return TableLayout{columns, {names.begin(), names.end()}, TableLayout::FirstRow::key};
 }
 
-RowNumbers numbers(const Sample& sample, const SampleColumns&) {
+RowNumbers numbers(const Sample& sample, const SampleColumns& columns) {
+  const Eigen::Quaterniond orientation = written_orientation(sample, columns);
   RowNumbers numbers;
   numbers.add(sample.linear_motion.position);
-  numbers.add(Eigen::Vector3d(sample.motion.orientation.vec()));
-  numbers.add(sample.motion.orientation.w());
+  numbers.add(Eigen::Vector3d(orientation.vec()));
+  numbers.add(orientation.w());
   return numbers;
 }
 

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <vector>
+
+#include <orispline/base/formatted.hpp>
+
+#include "commands/methods/page_lines.hpp"
+
+namespace orispline::cli {
+namespace {
+
+std::string line(std::string_view label, std::string_view words) {
+  constexpr std::size_t label_width = 14;
+  return wrapped(formatted("  {:{}}", label, label_width), words);
+}
+
+std::string continuity_of(const FamilyInfo& family) {
+  const int even = family.continuity_uniform, uneven = family.continuity_uneven;
+  if (even == uneven) return formatted("C{} in time, on any key times.", even);
+  return formatted("C{} in time on evenly spaced keys, C{} on uneven ones.", even, uneven);
+}
+
+std::string keys_of(const FamilyInfo& family) {
+  std::string text = family.interpolates         ? "The curve passes through every key."
+                     : family.key_use.stride > 1 ? "The curve passes through some keys only."
+                                                 : "The keys are control points, which the curve passes by.";
+  text += family.is_global() ? " Every segment depends on all keys."
+                             : formatted(" A segment depends on {} keys.", family.support_keys);
+  const auto least = static_cast<std::size_t>(family.min_keys);
+  text += formatted(" It needs {} keys at least", least);
+  if (const std::size_t stride = family.key_use.stride; stride > 1)
+    text += formatted(", and takes {}, {}, {}, ... of them", least, least + stride, least + 2 * stride);
+  return text + ".";
+}
+
+std::string steadiness_of(const FamilyInfo& family) {
+  if (family.keeps_constant_rate_uneven) return "A motion of constant rate stays one, on any key times.";
+  if (family.keeps_constant_rate_uniform) return "A motion of constant rate stays one on evenly spaced keys only.";
+  return "A motion of constant rate does not stay one.";
+}
+
+std::string parameter_text(const Parameter& p) {
+  std::string text = formatted("{}={:.6g}, from {:g} to {:g}, ", p.name, p.initial, p.lowest, p.highest);
+  text += !p.per_key ? "one for all keys"
+          : p.ghosts > 0
+              ? formatted("one for all keys, or one per key, or those of {} ghost keys at either end as well", p.ghosts)
+              : "one for all keys or one per key";
+  if (p.tunable) text += "; 'orispline tune' finds it";
+  return text;
+}
+
+/// One line for each, the label on the first.
+std::string settings_lines(const FamilyInfo& family) {
+  std::vector<std::string> settings;
+  for (const Parameter& p : family.parameters) settings.push_back(parameter_text(p));
+  for (const auto& [name, words] : family.choices)
+    settings.push_back(formatted("{}={}, the first by default", name, joined(words, "|")));
+  if (settings.empty()) return line("settings", "There are none.");
+  std::string text;
+  for (const std::string& setting : settings) text += line(text.empty() ? "settings" : "", setting);
+  return text;
+}
+
+std::string ends_of(const FamilyInfo& family) {
+  if (family.ends.empty()) return "There is no choice of end rules.";
+  std::vector<std::string_view> names;
+  for (const EndRule rule : family.ends) names.push_back(name_of(rule));
+  return formatted("{}; the first by default.", joined(names, ", "));
+}
+
+std::string rates_of(const FamilyInfo& family) {
+  if (family.rate_orders == 0) return "It reads no rates of the keys.";
+  return formatted("It reads {} where the keys have them, and estimates what is missing.", rate_columns_of(family));
+}
+
+}  // namespace
+
+std::string page_of(const FamilyInfo& family) {
+  std::string text = formatted("{}: {}\n\n", family.name, family.title);
+  text += line("source", family.source);
+  text += line("continuity", continuity_of(family));
+  text += line("keys", keys_of(family));
+  text += line("constant rate", steadiness_of(family));
+  text += settings_lines(family);
+  text += line("ends", ends_of(family));
+  text += line("loops", family.closes ? "It can be a loop: --closed, or --period T." : "It has no closed curves.");
+  text += line("rates", rates_of(family));
+  if (!family.alias.empty()) text += line("former name", family.alias);
+  text += line("page", formatted("docs/families/{}.md", family.name));
+  text += line("try", formatted("orispline sample keys.csv --method {} --rate 100 -o motion.csv", family.name));
+  return text;
+}
+
+}  // namespace orispline::cli

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/io/row_reader.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <orispline/base/formatted.hpp>
+#include <orispline/base/quoted.hpp>
+#include <orispline/io/iso_time.hpp>
+
+namespace orispline::inline ORISPLINE_ABI::io {
+
+KeyRow RowReader::key(const KeyColumns& columns) {
+  KeyRow key{.time = time(columns)};
+  set_orientation(key, columns);
+  if (columns.position) key.position = vector(*columns.position);
+  for (std::size_t k = 0; k < columns.rates.size(); ++k)
+    if (columns.rates[k]) key.rates[k] = vector(columns.rates[k]->columns);
+  for (const ParameterColumn& column : columns.parameters) key.parameters.push_back(number({column.index}));
+  return key;
+}
+
+std::optional<Error> RowReader::not_finite() const {
+  if (!not_finite_) return std::nullopt;
+  const std::string_view cell = table_.cells()[*not_finite_];
+  return mended_by("drop_invalid",
+                   formatted("found {}, wanted a finite number", cell.empty() ? "an empty cell" : in_quotes(cell)),
+                   table_.here(not_finite_))
+      .value();
+}
+
+Decimal RowReader::time(const KeyColumns& columns) {
+  const std::string_view cell = table_.cells()[columns.time];
+  if (looks_like_iso_time(cell) && !columns.whole_times) return iso_time(columns);
+  const auto time = decimal_of(cell);
+  if (!time) refuse(columns.time, time.error());
+  else if (!*time) note_not_finite(columns.time);
+  else if (columns.whole_times && !(*time)->is_whole())
+    refuse(columns.time, {ErrorCode::bad_data, formatted("found {}, wanted whole nanoseconds", in_quotes(cell)), {}});
+  return time.value_or(std::nullopt).value_or(Decimal());
+}
+
+Decimal RowReader::iso_time(const KeyColumns& columns) {
+  const auto time = parse_iso_time(table_.cells()[columns.time]);
+  if (!time) refuse(columns.time, time.error());
+  return time.value_or(Decimal()) - clock_.zero;
+}
+
+double RowReader::number(const NumberColumn& column) {
+  const auto number = number_of(table_.cells()[column.index]);
+  const double value = number.value_or(0.0) * column.numerator / column.denominator;
+  if (!number) refuse(column.index, number.error());
+  else if (!std::isfinite(value)) note_not_finite(column.index);
+  return value;
+}
+
+Eigen::Vector3d RowReader::vector(const VectorColumns& columns) {
+  const double x = number(columns[0]), y = number(columns[1]), z = number(columns[2]);
+  return {x, y, z};
+}
+
+void RowReader::set_orientation(KeyRow& key, const KeyColumns& columns) {
+  OrientationNumbers numbers(static_cast<Eigen::Index>(columns.orientation.size()));
+  std::ranges::transform(columns.orientation, numbers.begin(), [this](const auto& column) { return number(column); });
+  if (!numbers.allFinite()) return;
+  const auto orientation = orientation_from(numbers, columns.form);
+  if (!orientation) return refuse(std::nullopt, orientation.error());
+  key.orientation = *orientation;
+  if (columns.form.representation == Representation::euler) key.angles = Eigen::Vector3d(numbers);
+}
+
+void RowReader::refuse(std::optional<std::size_t> index, Error error) {
+  error.where = table_.here(index);
+  if (!refused_) refused_ = std::move(error);
+}
+
+void RowReader::note_not_finite(std::size_t index) {
+  if (!not_finite_) not_finite_ = index;
+}
+
+}  // namespace orispline::inline ORISPLINE_ABI::io

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include <orispline/io/clock.hpp>
+#include <orispline/io/key_columns.hpp>
+#include <orispline/math/eigen.hpp>
+
+namespace orispline::inline ORISPLINE_ABI::io {
+
+/// One key as a row states it.
+struct KeyRow {
+  Decimal time;  ///< in the unit of the column; of ISO 8601 since the clock's zero [s]
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
+  std::optional<Eigen::Vector3d> angles{};  ///< of Euler [rad], in the order of the turns
+  Eigen::Vector3d position{};
+  std::array<Eigen::Vector3d, 3> rates{};  ///< in the frames of the columns
+  std::vector<double> parameters{};
+};
+
+/// Reads the cells of one row; remembers the first that is no number and the first that is not finite.
+class RowReader {
+ public:
+  RowReader(const TextTable& table, const Clock& clock) : table_(table), clock_(clock) {}
+
+  [[nodiscard]] KeyRow key(const KeyColumns& columns);
+
+  /// A cell that is no number, or numbers that are no orientation: an error in any case.
+  [[nodiscard]] const std::optional<Error>& refused() const { return refused_; }
+  /// A cell that is empty or not finite: an error unless such rows are dropped.
+  [[nodiscard]] std::optional<Error> not_finite() const;
+
+ private:
+  [[nodiscard]] Decimal time(const KeyColumns& columns);
+  [[nodiscard]] Decimal iso_time(const KeyColumns& columns);
+  [[nodiscard]] double number(const NumberColumn& column);
+  [[nodiscard]] Eigen::Vector3d vector(const VectorColumns& columns);
+  void set_orientation(KeyRow& key, const KeyColumns& columns);
+  void refuse(std::optional<std::size_t> index, Error error);
+  void note_not_finite(std::size_t index);
+
+  const TextTable& table_;
+  const Clock& clock_;
+  std::optional<Error> refused_;
+  std::optional<std::size_t> not_finite_;
+};
+
+}  // namespace orispline::inline ORISPLINE_ABI::io
