@@ -47,15 +47,32 @@ TEST(PageSamples, CoverTheCurveEvenlyWithAllThatItHas) {
   for (std::size_t i = 0; i < t.size(); ++i) EXPECT_NEAR(samples.positions[i].x(), t[i], 1e-12);
 }
 
-TEST(PageSamples, OfManySegmentsAreAsManyAsWanted) {
+TEST(PageSamples, OfManySegmentsMissNoPeak) {
   KeyframeData data;
   for (int k = 0; k < 1000; ++k) {
     data.times.push_back(k);
-    data.orientations.push_back(about_z(k));
+    data.orientations.push_back(about_z(k + (k == 617 ? 60.0 : 0.0)));  // one spike among steady turning
   }
-  const PageSamples samples = sampled(*make_pose_curve("slerp", *Keyframes::make(data)), 100);
-  EXPECT_EQ(samples.path.times.size(), 100U);
+  const PoseCurve curve = *make_pose_curve("auto", *Keyframes::make(data));
+  const PageSamples samples = sampled(curve, 100);
+  const auto largest_in = [](const std::vector<Eigen::Vector3d>& vectors) {
+    double largest = 0.0;
+    for (const Eigen::Vector3d& v : vectors) largest = std::max(largest, v.norm());
+    return largest;
+  };
+  double rate = 0.0, acceleration = 0.0;
+  for (int i = 0; i <= 1'000'000; ++i) {
+    const Motion m = curve.orientation.motion(999e-6 * i);
+    rate = std::max(rate, m.angular_velocity.norm());
+    acceleration = std::max(acceleration, m.angular_acceleration.norm());
+  }
+  EXPECT_GE(largest_in(samples.angular_velocities), 0.97 * rate);
+  EXPECT_GE(largest_in(samples.angular_accelerations), 0.97 * acceleration);
+  EXPECT_LE(samples.path.times.size(), 9U * 25U + 1U);
+  EXPECT_EQ(samples.path.times.front(), 0.0);
   EXPECT_EQ(samples.path.times.back(), 999.0);
+  EXPECT_TRUE(std::ranges::is_sorted(samples.path.times));
+  EXPECT_EQ(samples.angular_jerks.size(), samples.path.times.size());
 }
 
 TEST(PageSamples, OfOneKeyAreOne) {

@@ -79,7 +79,7 @@ Expected<report::MotionPicture> picture_of(Request request) {
     const auto curve = shaped_curve(method, track);
     if (!curve) return tl::unexpected(curve.error());
     std::ranges::move(warnings_of(method, track), std::back_inserter(warnings));
-    picture.methods.push_back({.name = method.name, .samples = report::sampled(*curve)});
+    picture.methods.push_back({.name = method.name, .samples = report::sampled(*curve, report::samples_to_draw)});
   }
   warn(warnings);
   return picture;

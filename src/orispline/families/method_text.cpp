@@ -85,14 +85,15 @@ bool has_ends(const FamilyInfo& family, std::string_view rule) {
   return std::ranges::find(family.ends, rule, name_of) != family.ends.end();
 }
 
-/// A method that has the end rule: one that depends on a few keys and is C2 on any, where there is such a one.
+/// A method that has the end rule: of those that depend on a few keys and are C2 on any, else of all, the one with the
+/// most rules.
 const FamilyInfo* with_end_rule(std::string_view rule) {
   const FamilyInfo* found = nullptr;
-  for (const FamilyInfo& family : families_info()) {
-    if (!has_ends(family, rule)) continue;
-    if (!family.is_global() && family.continuity_uneven >= 2) return &family;
-    if (!found) found = &family;
-  }
+  const auto rank = [](const FamilyInfo& family) {
+    return std::pair(!family.is_global() && family.continuity_uneven >= 2, family.ends.size());
+  };
+  for (const FamilyInfo& family : families_info())
+    if (has_ends(family, rule) && (!found || rank(family) > rank(*found))) found = &family;
   return found;
 }
 

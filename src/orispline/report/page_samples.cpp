@@ -2,9 +2,11 @@
 #include <orispline/report/page_samples.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -15,6 +17,7 @@ namespace orispline::inline ORISPLINE_ABI::report {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t most_seen = 2'000'000;  // of a curve, for its extremes
 const Eigen::Quaterniond no_orientation(nan, nan, nan, nan);
 
 void append(PageSamples& samples, const PoseCurve& curve, double t, Side side) {
@@ -30,6 +33,82 @@ void append(PageSamples& samples, const PoseCurve& curve, double t, Side side) {
 /// The k-th of `steps` equal steps from a to b; exactly b at the last one.
 double between(double a, double b, std::size_t k, std::size_t steps) {
   return std::lerp(a, b, static_cast<double>(k) / static_cast<double>(steps));
+}
+
+/// The samples of one column of a picture among which the extremes of its charts are: the first one, and those of the
+/// least and the largest rates and angles.
+class Column {
+ public:
+  Column(const PoseCurve& curve, const Eigen::Quaterniond& start) : curve_(curve), start_(start) {}
+
+  void see(double t, Side side) {
+    const Motion m = curve_.orientation.motion(t, side);
+    const std::array values{m.angular_velocity.norm(), m.angular_acceleration.norm(), m.angular_jerk.norm(),
+                            angular_distance(start_, m.orientation)};
+    const Place place{t, side == Side::right};
+    if (!first_) first_ = place;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (values[i] < least_[i].first) least_[i] = {values[i], place};
+      if (values[i] > most_[i].first) most_[i] = {values[i], place};
+    }
+  }
+
+  void flush(PageSamples& samples) {
+    if (!first_) return;
+    std::vector<Place> places{*first_};
+    for (const auto& extremes : {least_, most_})
+      for (const auto& [value, place] : extremes)
+        if (std::isfinite(value)) places.push_back(place);
+    std::ranges::sort(places);
+    const auto [repeated, end] = std::ranges::unique(places);
+    places.erase(repeated, end);
+    for (const auto& [t, is_right] : places) append(samples, curve_, t, is_right ? Side::right : Side::left);
+    first_.reset();
+    least_ = none(std::numeric_limits<double>::infinity());
+    most_ = none(-std::numeric_limits<double>::infinity());
+  }
+
+ private:
+  using Place = std::pair<double, bool>;  // a time, and whether its right side: that comes after the left one
+  using Extremes = std::array<std::pair<double, Place>, 4>;
+
+  static Extremes none(double value) {
+    Extremes extremes;
+    extremes.fill({value, Place{}});
+    return extremes;
+  }
+
+  const PoseCurve& curve_;
+  Eigen::Quaterniond start_;
+  std::optional<Place> first_{};
+  Extremes least_ = none(std::numeric_limits<double>::infinity()),
+           most_ = none(-std::numeric_limits<double>::infinity());
+};
+
+/// Of more segments than can be shown each: what is extreme in even columns.
+PageSamples envelope(const PoseCurve& curve, std::size_t columns) {
+  PageSamples samples;
+  const Knots& knots = curve.orientation.knots();
+  const Domain domain = curve.orientation.domain();
+  const std::size_t segments = knots.segments(), places = std::clamp<std::size_t>(most_seen / segments, 2, 8);
+  const auto column_of = [&](double t) {
+    const double share = (t - domain.start) / (domain.end - domain.start);
+    return std::min(columns - 1, static_cast<std::size_t>(share * static_cast<double>(columns)));
+  };
+  Column column(curve, curve.orientation(domain.start));
+  std::size_t current = 0;
+  for (std::size_t i = 0; i < segments; ++i)
+    for (std::size_t k = 0; k <= places; ++k) {
+      const double t = between(knots.times()[i], knots.times()[i + 1], k, places);
+      if (const std::size_t next = column_of(t); next != current) {
+        column.flush(samples);
+        current = next;
+      }
+      column.see(t, k == places ? Side::left : Side::right);
+    }
+  column.flush(samples);
+  if (samples.path.times.back() != domain.end) append(samples, curve, domain.end, Side::left);
+  return samples;
 }
 
 /// The time in the reference's interval that ends at `after`, by the shortest way.
@@ -81,11 +160,7 @@ PageSamples sampled(const PoseCurve& curve, std::size_t count) {
   const Domain domain = curve.orientation.domain();
   const std::size_t segments = knots.segments();
   if (segments == 0) append(samples, curve, domain.start, Side::right);
-  if (4 * segments > count) {
-    for (std::size_t k = 0; k < count; ++k)
-      append(samples, curve, between(domain.start, domain.end, k, count - 1), Side::right);
-    return samples;
-  }
+  if (4 * segments > count) return envelope(curve, std::max<std::size_t>(1, count / 4));
   for (std::size_t i = 0; i < segments; ++i) {
     const double from = knots.times()[i], to = knots.times()[i + 1];
     const double share = (to - from) / (domain.end - domain.start);
