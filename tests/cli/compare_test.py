@@ -124,7 +124,7 @@ class Compare(CommandTest):
         self.assertEqual([row["method"] for row in continuity][-1], "slerp")
 
     def test_every_energy_that_is_infinite_for_some_method_has_a_note(self):
-        note = "{} is that inside the segments: with C0 the true one is infinite.\n"
+        note = "{} is integrated inside segments only; for C0 methods the true value is infinite.\n"
         for method, inertia, noted in (("slerp", "--inertia=1,2,3", 2), ("slerp", "", 1), ("timed-c2", "--inertia=1,2,3", 0)):
             table = self.output_of(f"compare cubic.csv --keep-every 10 --methods auto,{method} {inertia}")
             for energy, some in (("∫|α|²", noted > 0), ("∫|torque|²", noted > 1)):

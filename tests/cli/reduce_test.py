@@ -199,7 +199,7 @@ class Reduce(CommandTest):
         done = self.run_command(["reduce", *names, *common, "tum", "--output-format", "tum"])
         self.assertEqual(sorted(os.listdir(self.folder / "tum")), ["a.tum", "b.tum", "c.tum"])
         warning, *lines = done.stderr.splitlines()
-        self.assertIn("positions are carried along without a bound", warning)
+        self.assertIn("positions are kept but not checked", warning)
         self.assertEqual([line.split(":")[0] for line in lines], ["tum/a.tum", "tum/b.tum", "tum/c.tum"])
 
     def test_one_bad_recording_is_named_and_nothing_is_written(self):

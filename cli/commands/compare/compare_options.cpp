@@ -46,9 +46,7 @@ void add_compare_options(Command& app, CompareOptions& o) {
   app.add_flag("--tune", o.tune, "Each method that has tensions also with those of the least angular acceleration")
       ->group(measures);
   add_fields(app, o.measured, fields_of<MeasureOptions>(), measures);
-  app.add_option("--sort", o.sort, "Measure that the best of stands first [rms]")
-      ->type_name(sort_words())
-      ->group(measures);
+  app.add_option("--sort", o.sort, "Measure to sort by, best first [rms]")->type_name(sort_words())->group(measures);
   app.add_option("--threads", o.threads, "Threads that work on the methods; 1 for undisturbed times [all cores]")
       ->type_name("N")
       ->group(measures);

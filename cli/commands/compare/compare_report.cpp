@@ -49,7 +49,8 @@ bool is_infinite_for_some(const MeasureInfo& measure, const CompareReport& repor
 std::string note_on_infinite(const MeasureInfo& measure) {
   std::string orders = "C0";
   for (int order = 1; order < measure.finite_from; ++order) orders += formatted(" or C{}", order);
-  return formatted("{} is that inside the segments: with {} the true one is infinite.", measure.label, orders);
+  return formatted("{} is integrated inside segments only; for {} methods the true value is infinite.", measure.label,
+                   orders);
 }
 
 std::vector<std::string> notes_of(const CompareReport& report, std::size_t key_set,

@@ -148,7 +148,7 @@ Expected<std::vector<ReducedTrack>> open_tracks(const Request& request) {
 void warn_of(const std::vector<ReducedTrack>& tracks, const Request& request) {
   const auto has_positions = [](const ReducedTrack& track) { return !track.samples().positions().empty(); };
   if (!request.reduction.tolerance.bounds_positions() && std::ranges::any_of(tracks, has_positions))
-    warn("positions are carried along without a bound, wanted --position-tolerance LENGTH for one");
+    warn("positions are kept but not checked; add --position-tolerance LENGTH to bound them");
   for (const ReducedTrack& track : tracks) {
     warn(track.recording.warnings);
     if (!track.smoothing) continue;

@@ -38,7 +38,7 @@ void add_reduce_options(Command& app, ReduceOptions& o) {
   add_method_options(app, o.shape);
   add_word_flag(app, o.reduction, field_named(fields, "values"), "refit", group);
   app.add_flag("--smooth", o.smooth,
-               "Smooth the recording first, as 'orispline smooth' does; also said by what follows")
+               "Smooth the recording first, as 'orispline smooth' does; implied by the options below")
       ->group("Smoothing");
   add_smoothness_options(app, o.smoothness);
   add_output_options(app, o.output);

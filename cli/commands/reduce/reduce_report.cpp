@@ -83,8 +83,8 @@ std::string text_of(const ReduceReport& report) {
   text += "  method        keys    ratio  largest error, at every sample\n";
   for (const orispline::Reduction& reduction : report.reductions) text += line_of(report, reduction);
   if (report.smoothed) text += smoothed_lines(report);
-  return text + formatted("{} of {} written to {}\n", counted(chosen.samples.size(), "key"), chosen.method.name,
-                          destination(report.output));
+  return text + formatted("{} written to {}; they are for --method {}\n", counted(chosen.samples.size(), "key"),
+                          destination(report.output), chosen.method.name);
 }
 
 std::string text_of(std::span<const ReduceReport> reports) {
