@@ -5,7 +5,7 @@ import json
 import math
 import pathlib
 
-from command import BAD_USAGE, CommandTest, main, rows_of, table_of
+from command import BAD_USAGE, CommandTest, main, rows_of, table_of, with_pages
 
 ROBOT = pathlib.Path(__file__).resolve().parents[2] / "examples/data/robot_keys.csv"
 
@@ -62,6 +62,13 @@ class RestsAndLimits(CommandTest):
         self.assertLessEqual(acceleration, report["linear_acceleration_bound_m_s2"])
         self.assertLessEqual(report["linear_acceleration_bound_m_s2"], 0.6)
         self.assertGreater(max(speed / 0.3, acceleration / 0.6), 1 - 1e-3)
+
+    @with_pages
+    def test_the_report_names_limits_as_they_were_typed(self):
+        self.output_of("retime robot.csv --max-rate 90,60,120deg/s --max-jerk 2000°/s^3 --report out.html -o slow.csv")
+        page = self.page("out.html")
+        self.assertRegex(page["title"], r"^robot\.csv within 90, 60, 120 deg/s and 2000 °/s\^3, auto: slowed uniformly by ")
+        self.assertEqual([column["unit"] for column in page["columns"][:9]], ["s"] + 6 * ["deg/s"] + 2 * ["°/s^3"])
 
     def test_a_duration_is_met(self):
         for text, seconds in (("30s", 30), ("30", 30), ("0.5min", 30), ("20000ms", 20)):

@@ -37,7 +37,14 @@ std::vector<report::PageColumn> columns_of(const CurvePage& curves, const std::v
 
 std::string title_of(const Track& before, const Retiming& retiming, const std::vector<Certificate>& certificates) {
   std::vector<std::string> limits;
-  for (const Certificate& c : certificates) limits.push_back(c.text_of(c.limit));
+  for (std::size_t i = 0; i < certificates.size();) {
+    const Certificate& first = certificates[i];
+    const std::size_t axes = first.id.ends_with("_x") ? 3 : 1;
+    std::vector<std::string> numbers;
+    for (std::size_t axis = 0; axis < axes; ++axis, ++i)
+      numbers.push_back(formatted("{:.6g}", certificates[i].limit / first.shown.size));
+    limits.push_back(formatted("{} {}", joined(numbers, ", "), first.shown.name));
+  }
   const std::string within = limits.empty() ? "" : formatted(" within {}", joined(limits, " and "));
   return formatted("{}{}, {}: slowed {} by {:.6g}", file_name_of(before.name), within, retiming.method.name,
                    retiming.slowing == Slowing::uniform ? "uniformly" : "per interval", retiming.time_scale);
