@@ -1,6 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Files as people have them, and what every command says of them."""
+import json
+import pathlib
+
 from command import CommandTest, main, rows_of
 
 MICROSECONDS = ("timestamp,x,y,z,qx,qy,qz,qw\n1700000000000000,1,2,3,0,0,0,1\n1700000000500000,1,2,3,0,0,0.6,0.8\n"
@@ -79,6 +82,16 @@ class FilesBesideInput(CommandTest):
                             f"tune keys.csv --method timed-c2 --objective fit --reference {truth}"):
                 done = self.run_command(command)
                 self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_truth_and_compare_have_the_same_distance(self):
+        flight = pathlib.Path(__file__).resolve().parents[2] / "examples/data"
+        for method in ("auto", "beta", "bspline", "squad"):
+            sampled = json.loads(self.output_of(f"sample {flight}/flight_keys.csv --method {method} --rate 10 --json "
+                                                f"--truth {flight}/flight_truth.csv -o out.csv"))["truth"]
+            compared = json.loads(self.output_of(f"compare {flight}/flight_keys.csv --reference {flight}/flight_truth.csv "
+                                                 f"--methods {method} --json"))[0]
+            for name in ("rms", "mean", "max"):
+                self.assertEqual(sampled[f"distance_{name}_deg"], compared[f"{name}_deg"], method)
 
     def test_options_of_input_are_used_where_they_fit(self):
         self.write("euler.csv", "t,a,b,c\n0,0,0,0\n1,45,0,0\n3,90,0,0\n")

@@ -64,7 +64,9 @@ Expected<TruthReport> truth_report(const std::string& path, const Source& source
   const double shift = (truth.epoch - source.file.track.epoch).to_double();
   std::vector<double> times(truth.keys.times().begin(), truth.keys.times().end());
   for (double& t : times) t += shift;
-  const auto distance = distance_to_reference(source.curve.orientation, {times, truth.keys.orientations()});
+  const auto keys = source.file.track.keys.times();
+  const auto distance = distance_to_reference(source.curve.orientation, {times, truth.keys.orientations()},
+                                              {keys.front(), keys.back()});
   return TruthReport{path, distance, truth.time_of(distance.largest_at)};
 }
 

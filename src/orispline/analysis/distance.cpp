@@ -41,8 +41,12 @@ DistanceStatistics distance_statistics(std::vector<double> distances, std::size_
 }
 
 DistanceStatistics distance_to_reference(const AnyCurve& curve, OrientationSeries reference) {
+  return distance_to_reference(curve, reference, curve.domain());
+}
+
+DistanceStatistics distance_to_reference(const AnyCurve& curve, OrientationSeries reference, Domain stretch) {
   ORISPLINE_EXPECT(reference.times.size() == reference.orientations.size());
-  const auto [first, count] = times_within(reference.times, curve.domain());
+  const auto [first, count] = times_within(reference.times, stretch);
   const auto samples = sampled(curve, reference.times.subspan(first, count), Sampled::orientations);
   std::vector<double> distances(count);
   for (std::size_t i = 0; i < count; ++i)
