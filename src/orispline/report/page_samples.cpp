@@ -37,9 +37,9 @@ double between(double a, double b, std::size_t k, std::size_t steps) {
 
 /// The samples of one column of a picture among which the extremes of its charts are: the first one, and those of the
 /// least and the largest rates and angles.
-class Column {
+class PictureColumn {
  public:
-  Column(const PoseCurve& curve, const Eigen::Quaterniond& start) : curve_(curve), start_(start) {}
+  PictureColumn(const PoseCurve& curve, const Eigen::Quaterniond& start) : curve_(curve), start_(start) {}
 
   void see(double t, Side side) {
     const Motion m = curve_.orientation.motion(t, side);
@@ -95,7 +95,7 @@ PageSamples envelope(const PoseCurve& curve, std::size_t columns) {
     const double share = (t - domain.start) / (domain.end - domain.start);
     return std::min(columns - 1, static_cast<std::size_t>(share * static_cast<double>(columns)));
   };
-  Column column(curve, curve.orientation(domain.start));
+  PictureColumn column(curve, curve.orientation(domain.start));
   std::size_t current = 0;
   for (std::size_t i = 0; i < segments; ++i)
     for (std::size_t k = 0; k <= places; ++k) {

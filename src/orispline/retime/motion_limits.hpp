@@ -24,6 +24,8 @@ struct Limit {
       : sizes{components.x(), components.y(), components.z()} {}  // NOLINT: three numbers are one for each axis
 
   [[nodiscard]] bool is_per_axis() const noexcept { return sizes.size() == 3; }
+
+  [[nodiscard]] friend bool operator==(const Limit&, const Limit&) = default;
 };
 
 /// What the body that follows the motion can do, everywhere and always; absent: not limited. Components are along the
