@@ -36,15 +36,6 @@ Smoothing smoothed(const KeyframeData& data, const SmoothOptions& options = {}) 
   return smooth(Keyframes::make(data).value(), options).value();
 }
 
-StretchFits fits_with(const std::vector<std::vector<double>>& lengths) {
-  StretchFits fits;
-  for (const auto& stretch : lengths) {
-    SmoothingFit& fit = fits.fits.emplace_back();
-    for (const double length : stretch) fit.residuals.emplace_back(0.0, length, 0.0);
-  }
-  return fits;
-}
-
 TEST(SmoothingOutliers, AreThoseBeyondFiveTimesTheNoise) {
   auto data = turning(600, 0.05 * degree);
   turn(data, 150, 4.6 * degree);
@@ -71,10 +62,10 @@ TEST(SmoothingOutliers, OfTukeyHaveNoWeight) {
 
 TEST(SmoothingOutliers, RunsEndWithTheirStretch) {
   const std::vector<Stretch> stretches{{0, 5}, {7, 4}};
-  const auto far = far_samples(fits_with({{0, 2, 0, 2, 2}, {2, 0, 2, 0}}), stretches, 1.0);
+  const auto far = far_samples({{0, 2, 0, 2, 2}, {2, 0, 2, 0}}, stretches, 1.0);
   EXPECT_EQ(far.single, (Indices{1, 3, 4, 7, 9}));
   EXPECT_TRUE(far.in_runs.empty());
-  EXPECT_EQ(far_samples(fits_with({{2, 2, 2, 0, 0}, {0, 2, 2, 2}}), stretches, 1.0).in_runs,
+  EXPECT_EQ(far_samples({{2, 2, 2, 0, 0}, {0, 2, 2, 2}}, stretches, 1.0).in_runs,
             (Indices{0, 1, 2, 8, 9, 10}));
 }
 

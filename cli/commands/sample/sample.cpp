@@ -79,7 +79,6 @@ SampleReport report_on(const Source& source, const SampleRequest& request, const
           .columns = columns,
           .samples = source.times.size(),
           .rate_orders = rate_orders_of(track.keys),
-          .rates_of_unknown_frame = source.file.rates_of_unknown_frame,
           .start = track.epoch + Decimal::from_double(domain.start),
           .end = track.epoch + Decimal::from_double(domain.end),
           .keys_held = true};

@@ -35,7 +35,6 @@ struct KeyColumns {
   RateColumns rates{};
   std::vector<ParameterColumn> parameters{};
   std::vector<std::string> ignored{};                 ///< names of the others
-  std::vector<std::string> rates_of_unknown_frame{};  ///< those of them that are angular velocities in no known frame
 };
 
 /// What the names in a header may mean beside the canonical ones.

@@ -17,7 +17,6 @@ struct TrackFile {
   const FormatInfo* format = &csv_format;
   RepairReport repairs{};
   std::vector<std::string> ignored_columns{};         ///< that nothing was read from
-  std::vector<std::string> rates_of_unknown_frame{};  ///< those of them that are angular velocities in no known frame
   std::vector<Warning> warnings{};                    ///< of reading
 };
 
