@@ -13,8 +13,8 @@
 namespace orispline::known_truth {
 namespace {
 
-constexpr double allowed = 1.02;     // of the distance of the samples to the truth
-constexpr double own_share = 3.0;    // the noise is at least so many times that of the recording itself
+constexpr double allowed = 1.02;   // of the distance of the samples to the truth
+constexpr double own_share = 3.0;  // the noise is at least so many times that of the recording itself
 constexpr const char* data = ORISPLINE_SHARED_DATA;
 
 bool sweeps() {
@@ -78,14 +78,14 @@ TEST(Strikes, DoNotHideOutliers) {
   }
 }
 
-TEST(Smoothing, MakesNoGaitWorse) {
+TEST(NeverWorse, OfGaits) {
   for (const Strike kind : {Strike::pulse, Strike::step, Strike::ring})
     for (const double noise_deg : {0.03, 0.1, 0.3, 1.0, 3.0})
       for (std::uint64_t seed = 10; seed < (sweeps() ? 15 : 11); ++seed)
         expect_no_worse(gait(seed, kind), noise_deg, seed);
 }
 
-TEST(Smoothing, MakesNoJointWorse) {
+TEST(NeverWorse, OfJoints) {
   const std::string path = std::string(data) + "/mocap/cmu_01_01_fairmotion.bvh";
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "no " << path;
   const auto joints = bvh_joints(path);
@@ -95,7 +95,7 @@ TEST(Smoothing, MakesNoJointWorse) {
       for (std::uint64_t seed = 0; seed < (sweeps() ? 5 : 1); ++seed) expect_no_worse(joints[joint], noise_deg, seed);
 }
 
-TEST(Smoothing, MakesNoRecordingWorse) {
+TEST(NeverWorse, OfRecordings) {
   if (!std::filesystem::exists(data)) GTEST_SKIP() << "no " << data;
   const auto all = recordings(data);
   ASSERT_EQ(all.size(), 4u);

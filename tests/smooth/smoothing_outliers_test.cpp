@@ -47,6 +47,14 @@ TEST(PredictionErrors, HaveTheSizeOfNormalOnes) {
   }
 }
 
+TEST(FarCandidates, AreThoseThatStandOutOfARunToo) {
+  const std::vector<Stretch> stretches{{0, 9}};
+  const auto far = far_candidates({{1, 6, 7, 90, 8, 1, 9, 9, 1}}, stretches);
+  EXPECT_EQ(far.single, (Indices{3, 6, 7}));
+  EXPECT_EQ(far.in_runs, (Indices{1, 2, 4}));
+  EXPECT_EQ(far_candidates({{1, 90, 91, 92, 1, 1, 1, 1, 1}}, stretches).in_runs, (Indices{1, 2, 3}));
+}
+
 TEST(SmoothingVerdict, AsksTheNeighboursThatCount) {
   const std::vector<Stretch> stretches{{10, 8}};
   const auto verdict = [&](std::vector<double> errors, const Indices& left_out) {

@@ -12,7 +12,7 @@ namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 constexpr double contradiction = 0.5;   // from this misfit on another meaning is looked for
-constexpr double agreeing_share = 0.5;  // of the misfit as body rates, and of 1: below both another one agrees
+constexpr double agreeing_share = 0.4;  // of the misfit as body rates, and of 1: below both another one agrees
 
 struct Candidate {
   std::string_view code, in_degrees, cure;

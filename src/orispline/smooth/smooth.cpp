@@ -47,7 +47,7 @@ class Smoother {
       if (auto done = fit_without_outliers(); !done) return tl::unexpected(std::move(done.error()));
     if (auto checked = check_fit(); !checked) return tl::unexpected(std::move(checked.error()));
     measure_noise_and_freedom();
-    if (const double noise = result_.noise; noise > largest_noise)
+    if (const double noise = noise_to_judge(); noise > largest_noise)
       return failure(ErrorCode::bad_data,
                      formatted("no smooth motion is near to the samples: they are {:.3g}° per axis off the best one",
                                noise * degrees));
@@ -119,7 +119,7 @@ class Smoother {
   [[nodiscard]] Expected<void> find_outliers() {
     const double noise = std::max(noise_, noise_by_median());
     const auto errors = [&] { return prediction_errors(problems_, fits_, objective_, noise); };
-    const FarSamples candidates = far_samples(errors(), stretches_, far_threshold);
+    const FarSamples candidates = far_candidates(errors(), stretches_);
     readmit(problems_, noise_);
     auto far = reject(problems_, stretches_, candidates, options_.penalty);
     if (!far) return tl::unexpected(std::move(far.error()));
@@ -182,6 +182,12 @@ class Smoother {
     const Freedom of = freedom();
     result_.noise = of.rest > 0.0 ? noise_ * std::sqrt(fits_.data() / (3.0 * of.rest)) : 0.0;
     result_.degrees_of_freedom = 3.0 * of.trace;
+  }
+
+  /// Where the samples are followed as they are the residuals tell little.
+  [[nodiscard]] double noise_to_judge() const {
+    const bool followed = result_.edge == LambdaChoice::Edge::shortest;
+    return followed ? std::max(result_.noise, scale_.noise) : result_.noise;
   }
 
   [[nodiscard]] Expected<void> fit_with_gyro() {

@@ -15,6 +15,7 @@ constexpr double least_share_left = 1e-6;  // 1 - h, below which rounding decide
 constexpr double agreement = 3.5;          // of neighbours; of normal ones 7 in a thousand are farther
 constexpr double prominence = 5.0;         // of an outlier over neighbours that do not agree
 constexpr std::size_t neighbours = 2;      // on either side
+constexpr int levels = 4;                  // of prominence over each other
 
 std::vector<double> errors_of(const SmoothingProblem& problem, const SmoothingFit& fit,
                               const SmoothingObjective& objective, double noise) {
@@ -74,6 +75,22 @@ std::vector<std::vector<double>> prediction_errors(const StretchProblems& proble
   for (std::size_t k = 0; k < problems.size(); ++k)
     errors.push_back(errors_of(problems[k], fits.fits[k], objective, noise));
   return errors;
+}
+
+FarSamples far_candidates(const std::vector<std::vector<double>>& errors, const std::vector<Stretch>& stretches) {
+  FarSamples far = far_samples(errors, stretches, far_threshold);
+  double threshold = far_threshold;
+  for (int level = 0; level < levels && !far.in_runs.empty(); ++level) {
+    threshold *= prominence;
+    for (const std::size_t sample : far_samples(errors, stretches, threshold).single)
+      if (const auto found = std::ranges::lower_bound(far.in_runs, sample);
+          found != far.in_runs.end() && *found == sample) {
+        far.in_runs.erase(found);
+        far.single.push_back(sample);
+      }
+  }
+  std::ranges::sort(far.single);
+  return far;
 }
 
 FarSamples judged(const FarSamples& far, const std::vector<std::vector<double>>& errors,

@@ -15,6 +15,11 @@ namespace orispline::inline ORISPLINE_ABI {
                                                                  const StretchFits& fits,
                                                                  const SmoothingObjective& objective, double noise);
 
+/// The samples that are far, by their errors. Of those in runs some are far beyond the others: outliers beside quick
+/// motion, which are single at a higher threshold, are so here too.
+[[nodiscard]] FarSamples far_candidates(const std::vector<std::vector<double>>& errors,
+                                        const std::vector<Stretch>& stretches);
+
 /// What the neighbours say of samples that are far from what all others predict.
 ///
 /// Those in `far.single` were left out of the fits of which the errors are. Such a sample is an outlier if it is far from
