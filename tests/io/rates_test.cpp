@@ -138,8 +138,8 @@ TEST(Rates, OfTheBodyComeBeforeThoseOfTheWorld) {
 
 TEST(Rates, OfTheBodyStayWhatTheyAreWhenTheFileHoldsWorldToBody) {
   for (const char* names : {"wx,wy,wz", "wx_rad_s,wy,wz", "wx_body,wy_body,wz_body"}) {
-    const KeyframeData data =
-        read("t,qw,qx,qy,qz," + std::string(names) + "\n0,0.6,0.8,0,0,1,2,3\n", {.conjugate = true, .world_rates = true});
+    const KeyframeData data = read("t,qw,qx,qy,qz," + std::string(names) + "\n0,0.6,0.8,0,0,1,2,3\n",
+                                   {.conjugate = true, .world_rates = true});
     EXPECT_EQ(data.orientations[0], quaternion_wxyz(0.6, -0.8, 0.0, 0.0));
     ASSERT_EQ(data.angular_velocities.size(), 1u) << names;
     EXPECT_EQ(data.angular_velocities[0], Eigen::Vector3d(1, 2, 3));

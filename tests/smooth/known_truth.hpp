@@ -75,7 +75,8 @@ inline Truth gait(std::uint64_t seed, Strike kind, std::size_t samples = 1200) {
   std::vector<Event> events;
   const double end = static_cast<double>(samples) / 120.0;
   for (double t = 0.5; t < end; t += 1.0) {
-    const double jitter = dice.between(-0.1, 0.1), width = dice.between(kind == Strike::ring ? 0.045 : 0.02, 0.06), change = dice.between(2.0, 10.0);
+    const double jitter = dice.between(-0.1, 0.1), width = dice.between(kind == Strike::ring ? 0.045 : 0.02, 0.06),
+                 change = dice.between(2.0, 10.0);
     events.push_back({t + jitter, width, events.size() % 2 == 0 ? change : -change});
   }
   Truth truth{.name = "gait" + std::to_string(static_cast<int>(kind)) + "/" + std::to_string(seed)};

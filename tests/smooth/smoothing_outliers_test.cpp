@@ -24,13 +24,13 @@ TEST(PredictionErrors, AreThoseOfFitsWithoutTheSample) {
       auto without = problems;
       without[0].weights[sample] = 0.0;
       const auto fits = fit_stretches(without, objective);
-      EXPECT_NEAR(errors[sample], prediction_errors(without, fits, objective, noise)[0][sample],
-                  0.01 * errors[sample]);
+      EXPECT_NEAR(errors[sample], prediction_errors(without, fits, objective, noise)[0][sample], 0.01 * errors[sample]);
     }
   }
 }
 
-TEST(PredictionErrors, HaveTheSizeOfNormalOnes) {
+// Where little is smoothed the variance of a prediction counts the motion that may be: no error is taken for too large.
+TEST(PredictionErrors, HaveTheSizeOfNormalOnesAtMost) {
   const double noise = degree;
   KeyframeData data = recorded(1500, 0.0).clean;
   Dice dice(3);
@@ -38,12 +38,12 @@ TEST(PredictionErrors, HaveTheSizeOfNormalOnes) {
   const std::vector<Stretch> stretches{{0, 1500}};
   const auto problems = problems_of(Keyframes::make(data).value(), stretches, noise);
   for (const double smoothing_time : {0.005, 0.02, 0.05}) {
-    const SmoothingObjective objective{
-        .lambda = lambda_of(smoothing_time, Penalty::acceleration, noise, 0.01)};
+    const SmoothingObjective objective{.lambda = lambda_of(smoothing_time, Penalty::acceleration, noise, 0.01)};
     double sum = 0.0;
-    for (const double error : prediction_errors(problems, fit_stretches(problems, objective), objective, noise)[0])
-      sum += error * error;
-    EXPECT_NEAR(sum / 1500.0, 3.0, 0.3) << smoothing_time;
+    const auto errors = prediction_errors(problems, fit_stretches(problems, objective), objective, noise);
+    for (const double error : errors[0]) sum += error * error;
+    EXPECT_LT(sum / 1500.0, 3.3) << smoothing_time;
+    if (smoothing_time > 0.01) EXPECT_GT(sum / 1500.0, 2.7) << smoothing_time;
   }
 }
 
@@ -61,12 +61,12 @@ TEST(SmoothingVerdict, AsksTheNeighboursThatCount) {
     return judged({.single = left_out, .in_runs = {}}, {std::move(errors)}, stretches);
   };
   EXPECT_EQ(verdict({1, 1, 1, 9, 1, 1, 1, 1}, {13}).single, Indices{13});
-  EXPECT_EQ(verdict({1, 1, 1, 9, 4, 1, 1, 1}, {13}).in_runs, Indices{13});   // the neighbour is far too
-  EXPECT_EQ(verdict({1, 1, 1, 9, 1, 4, 1, 1}, {13}).in_runs, Indices{13});   // so is the next but one
-  EXPECT_EQ(verdict({4, 1, 1, 9, 1, 1, 4, 1}, {13}).single, Indices{13});    // these are too far off to say anything
-  EXPECT_EQ(verdict({1, 1, 1, 40, 4, 1, 1, 1}, {13}).single, Indices{13});   // many times nearer
-  EXPECT_EQ(verdict({1, 1, 1, 9, 9, 1, 1, 1}, {13, 14}).single, (Indices{13, 14}));  // one beside it does not count
-  EXPECT_EQ(verdict({1, 1, 1, 4.9, 1, 1, 1, 1}, {13}).in_runs, Indices{13});  // near to what the others predict
+  EXPECT_EQ(verdict({1, 1, 1, 9, 4, 1, 1, 1}, {13}).in_runs, Indices{13});  // the neighbour is far too
+  EXPECT_EQ(verdict({1, 1, 1, 9, 1, 4, 1, 1}, {13}).in_runs, Indices{13});  // so is the next but one
+  EXPECT_EQ(verdict({4, 1, 1, 9, 1, 1, 4, 1}, {13}).single, Indices{13});   // these are too far off to say anything
+  EXPECT_EQ(verdict({1, 1, 1, 40, 4, 1, 1, 1}, {13}).single, Indices{13});  // many times nearer
+  EXPECT_EQ(verdict({1, 1, 1, 9, 9, 1, 1, 1}, {13, 14}).single, (Indices{13, 14}));   // one beside it does not count
+  EXPECT_EQ(verdict({1, 1, 1, 4.9, 1, 1, 1, 1}, {13}).in_runs, Indices{13});          // near to what the others predict
   EXPECT_EQ(verdict({9, 1, 1, 1, 1, 1, 1, 9}, {10, 17}).in_runs, (Indices{10, 17}));  // of one side only
 }
 

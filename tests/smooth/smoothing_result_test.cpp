@@ -86,7 +86,8 @@ TEST(SmoothingResult, BringsItsWarnings) {
   for (const std::size_t i : {300u, 301u, 302u, 303u})
     recording.noisy.orientations[i] = recording.noisy.orientations[i] * exp<double>(Eigen::Vector3d(0.5, 0.0, 0.0));
   const auto smoothing = smooth(Keyframes::make(recording.noisy).value(), {.loss = Loss::tukey}).value();
-  ASSERT_EQ(smoothing.warnings.size(), 1u);
+  ASSERT_EQ(smoothing.warnings.size(), 2u);
+  EXPECT_EQ(smoothing.warnings[1].code, "many_rejected");
   const Warning& warning = smoothing.warnings[0];
   const auto count = static_cast<std::size_t>(warning.number("samples"));
   EXPECT_EQ(warning.code, "rejected_run");

@@ -53,8 +53,9 @@ std::string outlier_lines(const SmoothReport& report) {
     text += formatted("gyro rejected   {}{}\n", gyro.size(),
                       places_text(gyro, report.recording.lines, report.recording.exact_times));
   if (!kept.empty())
-    text += formatted("far, but kept   {}{}; the samples beside them are far too, which is rather motion than outliers\n", kept.size(),
-                      places_text(kept, report.recording.lines, report.recording.exact_times));
+    text +=
+        formatted("far, but kept   {}{}; the samples beside them are far too, which is rather motion than outliers\n",
+                  kept.size(), places_text(kept, report.recording.lines, report.recording.exact_times));
   return text;
 }
 

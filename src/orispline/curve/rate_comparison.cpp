@@ -56,8 +56,8 @@ double misfit_of(const RateComparison& rates, const Candidate& candidate, double
     wanted.emplace_back(candidate.sign * unit * there);
     differences.emplace_back(given[i] - wanted.back());
   }
-  const double size = std::max(root_mean_square(std::move(given), rates.bias),
-                               root_mean_square(std::move(wanted), rates.bias));
+  const double size =
+      std::max(root_mean_square(std::move(given), rates.bias), root_mean_square(std::move(wanted), rates.bias));
   return size > 0.0 ? root_mean_square(std::move(differences), rates.bias) / size : 0.0;
 }
 

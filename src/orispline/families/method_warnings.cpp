@@ -55,12 +55,12 @@ std::optional<Warning> contradicting_rates(const FamilyInfo& family, const Keyfr
   const double misfit = comparison.misfit();
   const auto meaning = comparison.better_meaning();
   if (!meaning && misfit <= misfit_of_opposed_rates) return std::nullopt;
-  return Warning{
-      .code = "contradicting_rates",
-      .message = formatted("the rates of the keys contradict their orientations, from which they differ by {:.3g} times "
-                           "their size; {}",
-                           misfit, meaning ? meaning->cure : "wanted rates of the body in its own frame in rad/s"),
-      .numbers = {{"misfit", misfit}}};
+  return Warning{.code = "contradicting_rates",
+                 .message = formatted(
+                     "the rates of the keys contradict their orientations, from which they differ by {:.3g} times "
+                     "their size; {}",
+                     misfit, meaning ? meaning->cure : "wanted rates of the body in its own frame in rad/s"),
+                 .numbers = {{"misfit", misfit}}};
 }
 
 }  // namespace
@@ -70,8 +70,8 @@ std::vector<Warning> warnings_of(const Method& method, const Track& track) {
   const auto family = find_family(method.name);
   if (!family) return warnings;
   const Method shaped = completed(method, **family, track);
-  for (const auto& warning : {contradicting_rates(**family, track.keys), closing_step(shaped, track.keys),
-                              overwound(shaped, track.keys)})
+  for (const auto& warning :
+       {contradicting_rates(**family, track.keys), closing_step(shaped, track.keys), overwound(shaped, track.keys)})
     if (warning) warnings.push_back(track.located(*warning));
   return warnings;
 }

@@ -34,7 +34,7 @@ struct KeyColumns {
   std::optional<VectorColumns> position{};
   RateColumns rates{};
   std::vector<ParameterColumn> parameters{};
-  std::vector<std::string> ignored{};                 ///< names of the others
+  std::vector<std::string> ignored{};  ///< names of the others
 };
 
 /// What the names in a header may mean beside the canonical ones.

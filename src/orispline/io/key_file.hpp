@@ -84,10 +84,10 @@ struct KeyFile {
   std::vector<std::uint32_t> lines{};                                    ///< 1-based line of each key
   std::map<std::string, std::vector<double>, std::less<>> parameters{};  ///< one value per key
   RepairReport repairs{};
-  std::vector<Decimal> exact_times{};                 ///< [s], of each key; only if asked for
-  KeyTable table{};                                   ///< the cells of each key; only if asked for
-  std::vector<std::string> ignored_columns{};         ///< that nothing was read from
-  std::vector<Warning> warnings{};                    ///< `time_unit_by_size`
+  std::vector<Decimal> exact_times{};          ///< [s], of each key; only if asked for
+  KeyTable table{};                            ///< the cells of each key; only if asked for
+  std::vector<std::string> ignored_columns{};  ///< that nothing was read from
+  std::vector<Warning> warnings{};             ///< `time_unit_by_size`
 };
 
 /// Reads the keyframes of a file of one track, or of standard input for `-`.

@@ -97,9 +97,8 @@ std::span<const FieldInfo> fields_of<Smoothing>() noexcept {
       field<&rms_distance>({.name = "rms_distance",
                             .sentence = "Root mean square of the angles to the samples",
                             .quantity = &quantities::angle}),
-      field<&largest_distance>({.name = "largest_distance",
-                                .sentence = "The largest angle to a sample",
-                                .quantity = &quantities::angle}),
+      field<&largest_distance>(
+          {.name = "largest_distance", .sentence = "The largest angle to a sample", .quantity = &quantities::angle}),
       field<&accepted_rms_distance>({.name = "accepted_rms_distance",
                                      .sentence = "Root mean square of the angles to the samples that are not rejected",
                                      .quantity = &quantities::angle}),

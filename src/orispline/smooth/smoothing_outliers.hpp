@@ -22,10 +22,11 @@ namespace orispline::inline ORISPLINE_ABI {
 
 /// What the neighbours say of samples that are far from what all others predict.
 ///
-/// Those in `far.single` were left out of the fits of which the errors are. Such a sample is an outlier if it is far from
-/// what the others predict, and they agree: the two nearest that count on either side are as near to what they predict
-/// of each other as noise is, or many times nearer than the sample. Where they do not the motion is too quick for the
-/// fit, and the sample goes to `in_runs`; so do the first and the last one of a stretch, which only one side predicts.
+/// Those in `far.single` were left out of the fits of which the errors are. Such a sample is an outlier if it is far
+/// from what the others predict, and they agree: the two nearest that count on either side are as near to what they
+/// predict of each other as noise is, or many times nearer than the sample. Where they do not the motion is too quick
+/// for the fit, and the sample goes to `in_runs`; so do the first and the last one of a stretch, which only one side
+/// predicts.
 [[nodiscard]] FarSamples judged(const FarSamples& far, const std::vector<std::vector<double>>& errors,
                                 const std::vector<Stretch>& stretches);
 

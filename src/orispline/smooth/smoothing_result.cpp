@@ -13,7 +13,7 @@ namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 constexpr std::size_t motion_run = 3;  // of rejected samples; the loss tukey may have it
-constexpr double many = 0.01;           // as a share of the samples
+constexpr double many = 0.01;          // as a share of the samples
 constexpr double wanted_step = 1e-6;   // [rad] of the last step of the iteration
 
 /// The longest run of rejected samples in one stretch, of equals the first; none of length 0.
@@ -42,9 +42,10 @@ Warning rejected_run(const SampleRun& run) {
 Warning many_rejected(std::size_t rejected, std::size_t all) {
   const double share = 100.0 * static_cast<double>(rejected) / static_cast<double>(all);
   return {.code = "many_rejected",
-          .message = formatted("{} of {} samples ({:.2g} %) are rejected as outliers; if they are motion, set `loss` to l2, "
-                               "which keeps every sample",
-                               rejected, all, share),
+          .message =
+              formatted("{} of {} samples ({:.2g} %) are rejected as outliers; if they are motion, set `loss` to l2, "
+                        "which keeps every sample",
+                        rejected, all, share),
           .numbers = {{"samples", static_cast<double>(rejected)}}};
 }
 

@@ -34,13 +34,13 @@ struct ORISPLINE_EXPORT Smoothing {
   double lambda = 0.0;                                    ///< weight of the penalty against |r|²/σ²
   double noise = 0.0;        ///< σ of the orientations per axis [rad], estimated from the residuals, or as stated
   double local_noise = 0.0;  ///< estimated from neighbouring samples [rad]
-  std::optional<double> degrees_of_freedom{};  ///< effective ones of the curve, 3 tr; absent with a gyro
-  std::optional<double> gyro_noise{};          ///< σ per axis [rad/s], with a gyro
-  std::vector<std::size_t> rejected{};         ///< samples that do not count
-  std::vector<std::size_t> rejected_gyro{};    ///< samples whose rates do not count
-  std::vector<std::size_t> retained_outlier_runs{};  ///< samples as far away whose neighbours are far too: motion
+  std::optional<double> degrees_of_freedom{};         ///< effective ones of the curve, 3 tr; absent with a gyro
+  std::optional<double> gyro_noise{};                 ///< σ per axis [rad/s], with a gyro
+  std::vector<std::size_t> rejected{};                ///< samples that do not count
+  std::vector<std::size_t> rejected_gyro{};           ///< samples whose rates do not count
+  std::vector<std::size_t> retained_outlier_runs{};   ///< samples as far away whose neighbours are far too: motion
   SampleDistances distances{}, accepted_distances{};  ///< to all samples, and to those that are not rejected
-  std::optional<SmoothingCriterion> criterion{};  ///< by which τ was chosen; absent: as stated
+  std::optional<SmoothingCriterion> criterion{};      ///< by which τ was chosen; absent: as stated
   LambdaChoice::Edge edge = LambdaChoice::Edge::none;
   std::size_t chosen_on = 0;        ///< times that the choice of τ saw
   double interval = 0.0;            ///< median one between samples [s]
