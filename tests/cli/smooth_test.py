@@ -130,6 +130,20 @@ class Smooth(CommandTest):
         self.write("two.csv", recording(2, 0.0))
         self.assert_writes_reports_as_compare("smooth noisy.csv --quiet", "smooth two.csv")
 
+    def test_the_summary_says_how_free_and_how_near_the_curve_is_and_every_warning(self):
+        self.write("run.csv", recording(400, 0.02, range(100, 105)))
+        done = self.run_command("smooth run.csv --smoothing-time 0.1 --loss tukey -o out.csv --json")
+        summary = json.loads(done.stdout)
+        self.assertIn("samples in a row do not count", done.stderr)
+        self.assertRegex(done.stderr, r"\n.*\d+ of 400 samples \(\d.* %\) are rejected as outliers; if they are motion, set --loss "
+                                      r"to l2, which keeps every sample")
+        self.assertLess(summary["accepted_rms_distance_rad"], summary["rms_distance_rad"])
+        self.assertLess(summary["accepted_largest_distance_rad"], summary["largest_distance_rad"])
+        done = self.run_command("smooth noisy.csv -o out.csv")
+        self.assertRegex(done.stdout + done.stderr, r"\nfreedom         \S+ effective parameters of 1200\n")
+        self.assertRegex(done.stdout + done.stderr, r"\ndistance        RMS \S+°, largest \S+° from the samples; "
+                                                    r"\S+° and \S+° without the rejected ones\n")
+
     def test_tukey_that_gives_up_motion_is_told(self):
         self.write("run.csv", recording(400, 0.02, range(100, 105)))
         for loss, warned in (("tukey", True), ("robust", False)):

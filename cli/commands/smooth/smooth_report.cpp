@@ -83,7 +83,7 @@ std::string text_of(const SmoothReport& report) {
   text += "\n" + choice_line(smoothing);
   text += noise_line(report) + distance_lines(smoothing);
   if (smoothing.degrees_of_freedom)
-    text += formatted("freedom         {:.4g} effective degrees of {}\n", *smoothing.degrees_of_freedom,
+    text += formatted("freedom         {:.4g} effective parameters of {}\n", *smoothing.degrees_of_freedom,
                       3 * smoothing.nodes.orientations.size());
   text += gyro_lines(smoothing) + outlier_lines(report) + stretch_lines(report);
   if (report.positions) text += "positions are as they were: only orientations are smoothed\n";
