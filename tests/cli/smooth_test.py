@@ -21,6 +21,27 @@ def recording(count, noise, outliers=()):
     return "\n".join(lines) + "\n"
 
 
+def with_gyro(count, rates, conjugate=1):
+    """Turns about z, then about x at 50 Hz, with rates of them: rates(a, b, a', b')."""
+    lines = ["t,qw,qx,qy,qz,wx,wy,wz"]
+    for i in range(count):
+        t = i / 50
+        a, b = 3 * math.sin(t), math.sin(1.3 * t)
+        (c, s), (d, e) = ((math.cos(x / 2), math.sin(x / 2)) for x in (a, b))
+        q = (c * d, *(conjugate * x for x in (c * e, s * e, s * d)))
+        w = rates(a, b, 3 * math.cos(t), 1.3 * math.cos(1.3 * t))
+        lines.append(",".join(repr(x) for x in (t, *q, *w)))
+    return "\n".join(lines) + "\n"
+
+
+def of_the_body(a, b, da, db):
+    return db, da * math.sin(b), da * math.cos(b)
+
+
+def of_the_world(a, b, da, db):
+    return db * math.cos(a), db * math.sin(a), da
+
+
 class Smooth(CommandTest):
     def setUp(self):
         super().setUp()
@@ -149,6 +170,19 @@ class Smooth(CommandTest):
         for loss, warned in (("tukey", True), ("robust", False)):
             done = self.run_command(f"smooth run.csv --smoothing-time 0.1 --loss {loss} -o out.csv --quiet")
             self.assertEqual("samples in a row do not count, which is rather motion than outliers" in done.stderr, warned)
+
+    def test_a_gyro_in_another_frame_is_refused_with_the_option_that_mends_it(self):
+        smoothed = "smooth gyro.csv --gyro --noise 0.1deg -o out.csv --quiet "
+        world = "--columns wx_world=wx,wy_world=wy,wz_world=wz"
+        for rates, conjugate, said, cure in (
+                (of_the_world, 1, "they agree as rates in the frame of the world: --columns wx_world=…", world),
+                (of_the_body, -1, "they agree if the orientations turn the other way round: give --conjugate", "--conjugate"),
+                (of_the_world, -1, "they agree with all signs reversed", "--conjugate " + world)):
+            self.write("gyro.csv", with_gyro(300, rates, conjugate))
+            done = self.run_command(smoothed)
+            self.assertEqual(done.returncode, BAD_DATA)
+            self.assertIn(said, done.stderr)
+            self.output_of(smoothed + cure)
 
     def test_refusals(self):
         self.assert_fails("smooth noisy.csv --noise 0deg", BAD_USAGE,
