@@ -2,7 +2,7 @@
 # Every target does the set-up that it needs.
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 
-.PHONY: run build test check clang asan ubsan tsan coverage fuzz nightly mutants random bench bench-quick docs page format tidy clean
+.PHONY: run build test check clang asan ubsan tsan coverage fuzz nightly mutants random sweep bench bench-quick docs page format tidy clean
 .NOTPARALLEL:
 
 define build_and_test
@@ -46,7 +46,7 @@ fuzz:
 	tests/fuzz/run.py build/fuzz/tests/fuzz $(SECONDS) --jobs $(JOBS)
 
 # What is too long for every change; docs/testing.md tells what each part finds. Ten minutes a target are an hour of fuzzing.
-nightly: check random
+nightly: check random sweep
 	$(MAKE) fuzz SECONDS=600
 	$(MAKE) mutants
 
@@ -59,6 +59,13 @@ random:
 	cmake --build --preset dev -j $(JOBS)
 	RC_PARAMS="seed=$(SEED) max_success=$(CASES) max_size=60" \
 	  ctest --test-dir build/dev -R '^(contract|batch)_tests\.' -j $(JOBS) --output-on-failure
+
+# Every orientation track of the recordings beside the project, with noise, is smoothed: it may not become worse.
+sweep:
+	tools/setup.sh build test
+	cmake --preset dev
+	cmake --build --preset dev -j $(JOBS) --target smooth_tests
+	ORISPLINE_SWEEP=all ctest --test-dir build/dev -R '^smooth_tests\.(NeverWorse|Strikes)\.' -j $(JOBS) --output-on-failure
 
 # Small faults in the library, and whether the tests find them: hours.
 mutants:

@@ -39,8 +39,9 @@ std::string choice_line(const Smoothing& smoothing) {
 }
 
 std::vector<Warning> remark_on(const Smoothing& smoothing, const Track& recording) {
-  if (smoothing.warnings.empty()) return {};
-  return {recording.located(smoothing.warnings.front())};
+  std::vector<Warning> remarks;
+  for (const Warning& warning : smoothing.warnings) remarks.push_back(recording.located(warning));
+  return remarks;
 }
 
 }  // namespace orispline::cli

@@ -16,7 +16,7 @@ namespace orispline::cli {
 /// `smoothing time  0.1 s (cut-off 1.59 Hz), by …`
 [[nodiscard]] std::string choice_line(const orispline::Smoothing& smoothing);
 
-/// The first of its warnings, which is the likely cause of the others, with its place in the recording; else none.
+/// Its warnings, the likely cause of the others first, with their places in the recording.
 [[nodiscard]] std::vector<Warning> remark_on(const orispline::Smoothing& smoothing, const Track& recording);
 
 }  // namespace orispline::cli

@@ -91,7 +91,7 @@ class FilesBesideInput(CommandTest):
             compared = json.loads(self.output_of(f"compare {flight}/flight_keys.csv --reference {flight}/flight_truth.csv "
                                                  f"--methods {method} --json"))[0]
             for name in ("rms", "mean", "max"):
-                self.assertEqual(sampled[f"distance_{name}_deg"], compared[f"{name}_deg"], method)
+                self.assertAlmostEqual(sampled[f"distance_{name}_deg"], compared[f"{name}_deg"], places=9, msg=method)
 
     def test_options_of_input_are_used_where_they_fit(self):
         self.write("euler.csv", "t,a,b,c\n0,0,0,0\n1,45,0,0\n3,90,0,0\n")

@@ -21,6 +21,27 @@ def recording(count, noise, outliers=()):
     return "\n".join(lines) + "\n"
 
 
+def with_gyro(count, rates, conjugate=1):
+    """Turns about z, then about x at 50 Hz, with rates of them: rates(a, b, a', b')."""
+    lines = ["t,qw,qx,qy,qz,wx,wy,wz"]
+    for i in range(count):
+        t = i / 50
+        a, b = 3 * math.sin(t), math.sin(1.3 * t)
+        (c, s), (d, e) = ((math.cos(x / 2), math.sin(x / 2)) for x in (a, b))
+        q = (c * d, *(conjugate * x for x in (c * e, s * e, s * d)))
+        w = rates(a, b, 3 * math.cos(t), 1.3 * math.cos(1.3 * t))
+        lines.append(",".join(repr(x) for x in (t, *q, *w)))
+    return "\n".join(lines) + "\n"
+
+
+def of_the_body(a, b, da, db):
+    return db, da * math.sin(b), da * math.cos(b)
+
+
+def of_the_world(a, b, da, db):
+    return db * math.cos(a), db * math.sin(a), da
+
+
 class Smooth(CommandTest):
     def setUp(self):
         super().setUp()
@@ -130,11 +151,38 @@ class Smooth(CommandTest):
         self.write("two.csv", recording(2, 0.0))
         self.assert_writes_reports_as_compare("smooth noisy.csv --quiet", "smooth two.csv")
 
+    def test_the_summary_says_how_free_and_how_near_the_curve_is_and_every_warning(self):
+        self.write("run.csv", recording(400, 0.02, range(100, 105)))
+        done = self.run_command("smooth run.csv --smoothing-time 0.1 --loss tukey -o out.csv --json")
+        summary = json.loads(done.stdout)
+        self.assertIn("samples in a row do not count", done.stderr)
+        self.assertRegex(done.stderr, r"\n.*\d+ of 400 samples \(\d.* %\) are rejected as outliers; if they are motion, set --loss "
+                                      r"to l2, which keeps every sample")
+        self.assertLess(summary["accepted_rms_distance_rad"], summary["rms_distance_rad"])
+        self.assertLess(summary["accepted_largest_distance_rad"], summary["largest_distance_rad"])
+        done = self.run_command("smooth noisy.csv -o out.csv")
+        self.assertRegex(done.stdout + done.stderr, r"\nfreedom         \S+ effective parameters of 1200\n")
+        self.assertRegex(done.stdout + done.stderr, r"\ndistance        RMS \S+°, largest \S+° from the samples; "
+                                                    r"\S+° and \S+° without the rejected ones\n")
+
     def test_tukey_that_gives_up_motion_is_told(self):
         self.write("run.csv", recording(400, 0.02, range(100, 105)))
         for loss, warned in (("tukey", True), ("robust", False)):
             done = self.run_command(f"smooth run.csv --smoothing-time 0.1 --loss {loss} -o out.csv --quiet")
             self.assertEqual("samples in a row do not count, which is rather motion than outliers" in done.stderr, warned)
+
+    def test_a_gyro_in_another_frame_is_refused_with_the_option_that_mends_it(self):
+        smoothed = "smooth gyro.csv --gyro --noise 0.1deg -o out.csv --quiet "
+        world = "--columns wx_world=wx,wy_world=wy,wz_world=wz"
+        for rates, conjugate, said, cure in (
+                (of_the_world, 1, "they agree as rates in the frame of the world: --columns wx_world=…", world),
+                (of_the_body, -1, "they agree if the orientations turn the other way round: give --conjugate", "--conjugate"),
+                (of_the_world, -1, "they agree with all signs reversed", "--conjugate " + world)):
+            self.write("gyro.csv", with_gyro(300, rates, conjugate))
+            done = self.run_command(smoothed)
+            self.assertEqual(done.returncode, BAD_DATA)
+            self.assertIn(said, done.stderr)
+            self.output_of(smoothed + cure)
 
     def test_refusals(self):
         self.assert_fails("smooth noisy.csv --noise 0deg", BAD_USAGE,

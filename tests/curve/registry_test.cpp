@@ -68,7 +68,7 @@ TEST(Registry, HasTheDefaultsOfTheSpecification) {
 }
 
 TEST(Registry, ListsWhatItKnowsWhenAskedForSomethingElse) {
-  const auto unknown = find_family("nlerp");
+  const auto unknown = find_family("kinematics");
   ASSERT_FALSE(unknown);
   EXPECT_EQ(unknown.error().code, ErrorCode::bad_argument);
   for (const FamilyInfo& family : families_info())

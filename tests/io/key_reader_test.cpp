@@ -43,7 +43,6 @@ Expected<KeyFile> in_pieces(const std::string& path, const ReadOptions& options,
     all.repairs = piece->repairs;
     all.table.names = piece->table.names;
     all.ignored_columns = piece->ignored_columns;
-    all.rates_of_unknown_frame = piece->rates_of_unknown_frame;
   }
   return all;
 }
@@ -65,7 +64,6 @@ void expect_same(const KeyFile& file, const KeyFile& whole) {
   EXPECT_EQ(file.repairs.invalid_dropped, whole.repairs.invalid_dropped);
   EXPECT_EQ(file.repairs.rows_moved, whole.repairs.rows_moved);
   EXPECT_EQ(file.ignored_columns, whole.ignored_columns);
-  EXPECT_EQ(file.rates_of_unknown_frame, whole.rates_of_unknown_frame);
 }
 
 /// Rows with duplicates, invalid ones and comments among them.

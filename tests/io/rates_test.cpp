@@ -136,19 +136,22 @@ TEST(Rates, OfTheBodyComeBeforeThoseOfTheWorld) {
   EXPECT_EQ(data.angular_velocities[0], Eigen::Vector3d(1, 2, 3));
 }
 
-TEST(Rates, InNoKnownFrameAreNamed) {
-  const auto unknown = [](std::string_view names, ReadOptions options) {
-    options.conjugate = options.world_rates = true;
-    const std::string content = "t,qw,qx,qy,qz," + std::string(names) + "\n0,1,0,0,0,1,2,3,4,5,6\n";
-    return read_keys(test::TextFile(content).path(), options).value().rates_of_unknown_frame;
-  };
-  using Names = std::vector<std::string>;
-  EXPECT_EQ(unknown("wx,wy,wz,a,b,c", {}), (Names{"wx", "wy", "wz"}));
-  EXPECT_EQ(unknown("wx_rad_s,wy,wz,a,b,c", {}), (Names{"wx_rad_s", "wy", "wz"}));
-  EXPECT_EQ(unknown("wx,wy,wz,wx_body,wy_body,wz_body", {}), Names{});
-  EXPECT_EQ(unknown("wx,wy,wz,wx_world,wy_world,wz_world", {}), Names{});
-  EXPECT_EQ(unknown("wx,wy,wz,a,b,c", {.rate_orders = 0}), Names{});
-  EXPECT_EQ(unknown("wx,wy,wz,a,b,c", {.columns = {{"wx", "wx"}, {"wy", "wy"}, {"wz", "wz"}}}), Names{});
+TEST(Rates, OfTheBodyStayWhatTheyAreWhenTheFileHoldsWorldToBody) {
+  for (const char* names : {"wx,wy,wz", "wx_rad_s,wy,wz", "wx_body,wy_body,wz_body"}) {
+    const KeyframeData data = read("t,qw,qx,qy,qz," + std::string(names) + "\n0,0.6,0.8,0,0,1,2,3\n",
+                                   {.conjugate = true, .world_rates = true});
+    EXPECT_EQ(data.orientations[0], quaternion_wxyz(0.6, -0.8, 0.0, 0.0));
+    ASSERT_EQ(data.angular_velocities.size(), 1u) << names;
+    EXPECT_EQ(data.angular_velocities[0], Eigen::Vector3d(1, 2, 3));
+  }
+}
+
+TEST(Rates, OfAnyNameAreThoseOfTheWorldWhereTheyAreMapped) {
+  const KeyframeData data =
+      read("t,qw,qx,qy,qz,wx,wy,wz\n0,0,1,0,0,1,2,3\n",
+           {.columns = {{"wx_world", "wx"}, {"wy_world", "wy"}, {"wz_world", "wz"}}, .world_rates = true});
+  ASSERT_EQ(data.angular_velocities.size(), 1u);
+  EXPECT_TRUE(near(data.angular_velocities[0], Eigen::Vector3d(1, -2, -3), tolerance::algebra));
 }
 
 }  // namespace

@@ -179,14 +179,25 @@ TEST(Smooth, TellsAGyroThatDoesNotMeasureTheMotion) {
   const auto fused = smooth(Keyframes::make(data).value(), {.gyro = true}).value();
   EXPECT_EQ(fused.rejected_gyro, std::vector<std::size_t>{300});
   EXPECT_LT(rms(fused, recording.clean), 0.5 * degree);
-  const auto expect_refused = [&](double factor, const char* beginning) {
-    for (std::size_t i = 0; i < rates.size(); ++i) data.angular_velocities[i] = factor * rates[i];
+  const auto expect_refused = [&](const auto& made, const char* beginning, const char* cure) {
+    for (std::size_t i = 0; i < rates.size(); ++i)
+      data.angular_velocities[i] = made(recording.clean.orientations[i], rates[i]);
     const auto refused = smooth(Keyframes::make(data).value(), {.gyro = true});
-    ASSERT_FALSE(refused) << factor;
+    ASSERT_FALSE(refused) << beginning;
     EXPECT_TRUE(refused.error().message.starts_with(beginning)) << refused.error().message;
+    EXPECT_NE(refused.error().message.find(cure), std::string::npos) << refused.error().message;
   };
-  expect_refused(1.0 / degree, "the gyro's rates vary by");
-  expect_refused(-1.0, "the gyro turns against the orientations");
+  using Vector = Eigen::Vector3d;
+  using Turn = Eigen::Quaterniond;
+  const char* const contradicts = "the gyro's rates contradict the orientations: they vary by";
+  const char* const world = "`columns` wx_world=…,wy_world=…,wz_world=…";
+  const char* const conjugate = "the orientations turn the other way round: give `conjugate`";
+  expect_refused([](const Turn&, const Vector& w) { return Vector(w / degree); }, contradicts, "end in _deg_s");
+  expect_refused([](const Turn&, const Vector& w) { return Vector(-w); }, contradicts, "all signs reversed");
+  expect_refused([](const Turn& q, const Vector& w) { return Vector(q * w); }, contradicts, world);
+  expect_refused([](const Turn& q, const Vector& w) { return Vector(-(q * w)); }, contradicts, conjugate);
+  expect_refused([](const Turn&, const Vector& w) { return Vector(100.0 * w); }, "the gyro's rates vary by",
+                 "wanted a gyro in rad/s");
 }
 
 TEST(Smooth, SaysWhatItCannotDo) {

@@ -31,7 +31,9 @@ TEST(SmoothingResult, CutsOffAtTheReciprocalOfItsTime) {
 }
 
 TEST(SmoothingResult, WarnsOfTheLongestRunOfRejectedSamplesWithItsPlace) {
-  Smoothing smoothing{.stretches = {{0, 20}, {20, 20}}, .rejected = {1, 2, 5, 6, 7, 18, 19, 20, 21}};
+  Smoothing smoothing{.keys = std::vector<std::size_t>(900),
+                      .stretches = {{0, 20}, {20, 20}},
+                      .rejected = {1, 2, 5, 6, 7, 18, 19, 20, 21}};
   const auto warnings = warnings_of(smoothing);
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_EQ(warnings[0].code, "rejected_run");
@@ -39,6 +41,35 @@ TEST(SmoothingResult, WarnsOfTheLongestRunOfRejectedSamplesWithItsPlace) {
   EXPECT_EQ(warnings[0].number("samples"), 3u);
   smoothing.rejected = {1, 2, 5, 6};
   EXPECT_TRUE(warnings_of(smoothing).empty());
+}
+
+TEST(SmoothingResult, WarnsOfMoreThanOneRejectedSampleInAHundred) {
+  Smoothing smoothing{.keys = std::vector<std::size_t>(200), .stretches = {{0, 200}}, .rejected = {1, 50, 100}};
+  const auto warnings = warnings_of(smoothing);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].code, "many_rejected");
+  EXPECT_EQ(warnings[0].number("samples"), 3.0);
+  EXPECT_TRUE(warnings[0].message.starts_with("3 of 200 samples (1.5 %) are rejected as outliers"));
+  smoothing.rejected = {1, 50};
+  EXPECT_TRUE(warnings_of(smoothing).empty());
+}
+
+TEST(SmoothingResult, SaysHowFarTheSamplesAre) {
+  auto recording = recorded(400, degree);
+  recording.noisy.orientations[200] = recording.noisy.orientations[200] * exp<double>(Eigen::Vector3d(0.0, 0.5, 0.0));
+  const auto smoothing = smooth(Keyframes::make(recording.noisy).value()).value();
+  ASSERT_EQ(smoothing.rejected, std::vector<std::size_t>{200});
+  double sum = 0.0, largest = 0.0, largest_accepted = 0.0;
+  for (std::size_t i = 0; i < 400; ++i) {
+    const double distance = angular_distance(smoothing.nodes.orientations[i], recording.noisy.orientations[i]);
+    sum += distance * distance;
+    largest = std::max(largest, distance);
+    if (i != 200) largest_accepted = std::max(largest_accepted, distance);
+  }
+  EXPECT_NEAR(smoothing.distances.rms, std::sqrt(sum / 400.0), 1e-12);
+  EXPECT_NEAR(smoothing.distances.largest, largest, 1e-12);
+  EXPECT_NEAR(smoothing.accepted_distances.largest, largest_accepted, 1e-12);
+  EXPECT_NEAR(smoothing.accepted_distances.rms, std::sqrt((sum - largest * largest) / 399.0), 1e-12);
 }
 
 TEST(SmoothingResult, WarnsOfTheChoiceBeforeWhatFollowsFromIt) {
@@ -55,7 +86,8 @@ TEST(SmoothingResult, BringsItsWarnings) {
   for (const std::size_t i : {300u, 301u, 302u, 303u})
     recording.noisy.orientations[i] = recording.noisy.orientations[i] * exp<double>(Eigen::Vector3d(0.5, 0.0, 0.0));
   const auto smoothing = smooth(Keyframes::make(recording.noisy).value(), {.loss = Loss::tukey}).value();
-  ASSERT_EQ(smoothing.warnings.size(), 1u);
+  ASSERT_EQ(smoothing.warnings.size(), 2u);
+  EXPECT_EQ(smoothing.warnings[1].code, "many_rejected");
   const Warning& warning = smoothing.warnings[0];
   const auto count = static_cast<std::size_t>(warning.number("samples"));
   EXPECT_EQ(warning.code, "rejected_run");

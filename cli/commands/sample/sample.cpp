@@ -65,8 +65,8 @@ Expected<TruthReport> truth_report(const std::string& path, const Source& source
   std::vector<double> times(truth.keys.times().begin(), truth.keys.times().end());
   for (double& t : times) t += shift;
   const auto keys = source.file.track.keys.times();
-  const auto distance = distance_to_reference(source.curve.orientation, {times, truth.keys.orientations()},
-                                              {keys.front(), keys.back()});
+  const auto distance =
+      distance_to_reference(source.curve.orientation, {times, truth.keys.orientations()}, {keys.front(), keys.back()});
   return TruthReport{path, distance, truth.time_of(distance.largest_at)};
 }
 
@@ -83,7 +83,6 @@ SampleReport report_on(const Source& source, const SampleRequest& request, const
           .columns = columns,
           .samples = source.times.size(),
           .rate_orders = rate_orders_of(track.keys),
-          .rates_of_unknown_frame = source.file.rates_of_unknown_frame,
           .start = track.epoch + Decimal::from_double(domain.start),
           .end = track.epoch + Decimal::from_double(domain.end),
           .keys_held = true};

@@ -32,11 +32,6 @@ std::string rates_lines(const SampleReport& report) {
   std::string lines;
   if (report.rate_orders > 0)
     lines += formatted("rates taken from the keys: {}\n", joined(std::span(names).first(report.rate_orders), ", "));
-  if (!report.rates_of_unknown_frame.empty())
-    lines += formatted(
-        "angular velocities in the file are not used: with --conjugate the frame of {} is not known, wanted names such "
-        "as wx_body or wx_world, or --columns wx={},... for the body's\n",
-        joined(report.rates_of_unknown_frame, ", "), report.rates_of_unknown_frame.front());
   return lines;
 }
 

@@ -26,9 +26,8 @@ struct SampleReport {
   KeyframeReport keyframes{};
   io::SampleColumns columns{};
   std::size_t samples = 0, held_samples = 0;
-  std::size_t rate_orders = 0;                        ///< of the keys' own rates that the curve has
-  std::vector<std::string> rates_of_unknown_frame{};  ///< columns that could not be used
-  Decimal start{}, end{};                             ///< of the curve, in the file's own time [s]
+  std::size_t rate_orders = 0;  ///< of the keys' own rates that the curve has
+  Decimal start{}, end{};       ///< of the curve, in the file's own time [s]
   std::optional<TruthReport> truth{};
   bool keys_held = false;  ///< all at once, in memory
 };

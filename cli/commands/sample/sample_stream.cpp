@@ -93,7 +93,6 @@ class PiecewiseSampling {
       if (auto begun = begin(piece->epoch); !begun) return begun;
     lines_.add(piece->lines, sampler_->keys() - sampler_->kept());
     repairs_ = piece->repairs;
-    rates_of_unknown_frame_ = std::move(piece->rates_of_unknown_frame);
     warn(piece->warnings);
     if (keys_.is_at_end() && piece->turns) warn_of_file(piece->turns->warnings(*request_.input.signs, piece->euler));
     const auto taken = sampler_->append(piece->data, piece->parameters);
@@ -201,7 +200,6 @@ class PiecewiseSampling {
             .samples = samples_,
             .held_samples = held_,
             .rate_orders = static_cast<std::size_t>(std::ranges::count_if(keys_.columns()->rates, has)),
-            .rates_of_unknown_frame = rates_of_unknown_frame_,
             .start = epoch_ + Decimal::from_double(domain().start),
             .end = epoch_ + Decimal::from_double(domain().end)};
   }
@@ -218,7 +216,6 @@ class PiecewiseSampling {
   std::optional<Noted<io::SampleWriter>> output_;
   std::optional<Progress> progress_;  // through the file, then through the samples
   io::RepairReport repairs_;
-  std::vector<std::string> rates_of_unknown_frame_;
   std::size_t samples_ = 0, held_ = 0;
 };
 

@@ -26,6 +26,16 @@ std::string noise_line(const SmoothReport& report) {
                    smoothing.noise * degrees, smoothing.local_noise * degrees);
 }
 
+std::string distance_lines(const Smoothing& smoothing) {
+  const auto& [all, accepted] = std::tie(smoothing.distances, smoothing.accepted_distances);
+  std::string text = formatted("distance        RMS {:.4g}°, largest {:.4g}° from the samples", all.rms * degrees,
+                               all.largest * degrees);
+  if (!smoothing.rejected.empty())
+    text += formatted("; {:.4g}° and {:.4g}° without the rejected ones", accepted.rms * degrees,
+                      accepted.largest * degrees);
+  return text + "\n";
+}
+
 std::string gyro_lines(const Smoothing& smoothing) {
   if (!smoothing.gyro_noise) return "";
   const Eigen::Vector3d bias = smoothing.nodes.gyro_correction * degrees;
@@ -43,8 +53,9 @@ std::string outlier_lines(const SmoothReport& report) {
     text += formatted("gyro rejected   {}{}\n", gyro.size(),
                       places_text(gyro, report.recording.lines, report.recording.exact_times));
   if (!kept.empty())
-    text += formatted("far, but kept   {}{}; three or more in a row are rather motion than outliers\n", kept.size(),
-                      places_text(kept, report.recording.lines, report.recording.exact_times));
+    text +=
+        formatted("far, but kept   {}{}; the samples beside them are far too, which is rather motion than outliers\n",
+                  kept.size(), places_text(kept, report.recording.lines, report.recording.exact_times));
   return text;
 }
 
@@ -70,9 +81,9 @@ std::string text_of(const SmoothReport& report) {
       formatted("{} from {}", counted(report.recording.lines.size(), "sample"), printable(report.recording.name));
   if (const std::string repairs = text_of(report.repairs); !repairs.empty()) text += "; " + repairs;
   text += "\n" + choice_line(smoothing);
-  text += noise_line(report);
+  text += noise_line(report) + distance_lines(smoothing);
   if (smoothing.degrees_of_freedom)
-    text += formatted("freedom         {:.4g} effective degrees of {}\n", *smoothing.degrees_of_freedom,
+    text += formatted("freedom         {:.4g} effective parameters of {}\n", *smoothing.degrees_of_freedom,
                       3 * smoothing.nodes.orientations.size());
   text += gyro_lines(smoothing) + outlier_lines(report) + stretch_lines(report);
   if (report.positions) text += "positions are as they were: only orientations are smoothed\n";

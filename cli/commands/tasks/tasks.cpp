@@ -11,7 +11,7 @@
 namespace orispline::cli {
 namespace {
 
-constexpr std::size_t name_width = 28, type_width = 18;
+constexpr std::size_t name_width = 31, type_width = 18;
 
 /// ` [acceleration]`, what holds where nothing is stated.
 std::string standing(const FieldInfo& field) {

@@ -6,6 +6,9 @@
 
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
+#include <orispline/curve/increments.hpp>
+#include <orispline/curve/rate_comparison.hpp>
+#include <orispline/curve/three_key_rates.hpp>
 #include <orispline/families/registry.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
@@ -42,6 +45,25 @@ std::optional<Warning> overwound(const Method& method, const Keyframes& keys) {
                  .numbers = {{"turn_deg", turn}}};
 }
 
+constexpr std::size_t fewest_keys = 4;           // that tell how the orientations turn
+constexpr double misfit_of_opposed_rates = 1.2;  // beyond that of rests, 1; independent ones have √2
+
+/// Rates that turn otherwise than the keys do.
+std::optional<Warning> contradicting_rates(const FamilyInfo& family, const Keyframes& keys) {
+  if (family.rate_orders == 0 || keys.angular_velocities().empty() || keys.size() < fewest_keys) return std::nullopt;
+  const auto turned = three_key_rates(keys.times(), increments_between(keys.orientations()));
+  const RateComparison comparison{keys.orientations(), keys.angular_velocities(), turned};
+  const double misfit = comparison.misfit();
+  const auto meaning = comparison.better_meaning();
+  if (!meaning && misfit <= misfit_of_opposed_rates) return std::nullopt;
+  return Warning{.code = "contradicting_rates",
+                 .message = formatted(
+                     "the rates of the keys contradict their orientations, from which they differ by {:.3g} times "
+                     "their size; {}",
+                     misfit, meaning ? meaning->cure : "wanted rates of the body in its own frame in rad/s"),
+                 .numbers = {{"misfit", misfit}}};
+}
+
 }  // namespace
 
 std::vector<Warning> warnings_of(const KeyframeReport& keys) {
@@ -61,7 +83,8 @@ std::vector<Warning> warnings_of(const Method& method, const Track& track) {
   const auto family = find_family(method.name);
   if (!family) return warnings;
   const Method shaped = completed(method, **family, track);
-  for (const auto& warning : {closing_step(shaped, track.keys), overwound(shaped, track.keys)})
+  for (const auto& warning :
+       {contradicting_rates(**family, track.keys), closing_step(shaped, track.keys), overwound(shaped, track.keys)})
     if (warning) warnings.push_back(track.located(*warning));
   return warnings;
 }

@@ -66,12 +66,14 @@ class ORISPLINE_EXPORT ColumnSearch {
   /// The name with a unit in brackets as a suffix: `time (us)` is `time_us`.
   [[nodiscard]] std::string_view plain_name(std::size_t column) const noexcept { return plain_names_[column]; }
 
-  /// The column of a canonical name: the one that was mapped, else the only one whose name is accepted. Errors
-  /// (bad_data): a mapped name is not there; there are several.
+  /// The column of a canonical name: the one that was mapped, else the only one whose name is accepted and that was
+  /// mapped to nothing else. Errors (bad_data): a mapped name is not there; there are several.
   template <class Accepts>
   [[nodiscard]] Expected<std::optional<std::size_t>> column(std::string_view canonical, Accepts accepts) const {
     const auto mapping = mapped_.find(canonical);
-    if (mapping == mapped_.end()) return only_column(canonical, plain_names_, accepts);
+    if (mapping == mapped_.end())
+      return only_column(canonical, plain_names_,
+                         [&](std::string_view name) { return accepts(name) && !is_mapped(name); });
     const std::string& name = mapping->second;
     auto found = only_column(canonical, header_, [&name](std::string_view column) { return column == name; });
     if (found && !*found) return not_there(canonical, name);

@@ -133,7 +133,6 @@ Expected<KeyColumns> columns_of_header(std::span<const std::string_view> header,
                      .rates = *rates,
                      .parameters = std::move(*parameters)};
   columns.ignored = ignored_names(header, columns);
-  columns.rates_of_unknown_frame = rates_of_unknown_frame(search, reading.rates, columns.rates);
   return columns;
 }
 

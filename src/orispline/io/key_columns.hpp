@@ -36,8 +36,7 @@ struct KeyColumns {
   std::optional<VectorColumns> position{};
   RateColumns rates{};
   std::vector<ParameterColumn> parameters{};
-  std::vector<std::string> ignored{};                 ///< names of the others
-  std::vector<std::string> rates_of_unknown_frame{};  ///< those of them that are angular velocities in no known frame
+  std::vector<std::string> ignored{};  ///< names of the others
 };
 
 /// What the names in a header may mean beside the canonical ones.

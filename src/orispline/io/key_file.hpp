@@ -49,8 +49,8 @@ struct ReadOptions {
   /// For columns that count frames, and for times of ISO 8601, which are seconds whatever the unit of the column.
   Clock clock{};
   /// The file holds world to body (C-kernels of SPICE; CCSDS attitude with the spacecraft as frame A and direction A2B,
-  /// or the reverse of both): orientations are conjugated. Positions are not touched. The rates of such files are often
-  /// in the base frame, so `wx`, `wx_rad_s`, … are ignored; `wx_body…` are read.
+  /// or the reverse of both): orientations are conjugated. Positions and rates are not touched: whichever way
+  /// the orientation is written, the body turns as it does, and `wx` is its rate in its own frame.
   bool conjugate = false;
   /// Rates that are read where they are there, up to this order: 0 none, 1 `wx,wy,wz`, 2 and `ax,ay,az`, 3 and
   /// `jx,jy,jz`. A fault in the columns of others is no fault of the file.
@@ -93,8 +93,7 @@ struct KeyFile {
   std::vector<Decimal> exact_times{};          ///< [s], of each key; only if asked for
   KeyTable table{};                            ///< the cells of each key; only if asked for
   std::vector<std::string> ignored_columns{};  ///< that nothing was read from
-  std::vector<std::string> rates_of_unknown_frame{};  ///< those of them that are angular velocities in no known frame
-  std::vector<Warning> warnings{};                    ///< `time_unit_by_size`
+  std::vector<Warning> warnings{};             ///< `time_unit_by_size`
 };
 
 /// Reads the keyframes of a file of one track, or of standard input for `-`.

@@ -76,7 +76,6 @@ KeyRows::KeyRows(std::string path, const FormatInfo& format, KeyColumns columns,
   file_.path = std::move(path);
   file_.format = &format;
   file_.ignored_columns = columns_.ignored;
-  file_.rates_of_unknown_frame = columns_.rates_of_unknown_frame;
 }
 
 Expected<void> KeyRows::add(const TextTable& table) {
@@ -243,7 +242,6 @@ KeyFile KeyRows::take() {
   rest.epoch = file_.epoch;
   rest.repairs = file_.repairs;
   rest.ignored_columns = file_.ignored_columns;
-  rest.rates_of_unknown_frame = file_.rates_of_unknown_frame;
   return std::exchange(file_, std::move(rest));
 }
 

@@ -11,16 +11,12 @@ using Names = std::array<std::string_view, 3>;
 
 constexpr std::size_t units_of_a_rate = 5;
 
-/// The rates of one order as headers name them; units of the body frame begin with those whose name says so.
+/// The rates of one order as headers name them.
 struct RateOrder {
   std::string_view plural;
   Names in_body, in_world;
   std::array<Unit, 2 * units_of_a_rate> body_units;
   std::array<Unit, units_of_a_rate> world_units;
-
-  [[nodiscard]] std::span<const Unit> units_that_name_the_body() const {
-    return std::span(body_units).first(units_of_a_rate);
-  }
 };
 
 constexpr Unit in(AngleUnit unit, std::string_view suffix) {
@@ -61,9 +57,7 @@ Expected<std::optional<RateVector>> rate_vector(const ColumnSearch& search, cons
       return RateVector{*columns, frame};
     };
   };
-  const auto accepted = reading.unnamed == UnnamedRates::body ? std::span<const Unit>(order.body_units)
-                                                              : order.units_that_name_the_body();
-  const auto body = search.vector(order.in_body, accepted, order.body_units);
+  const auto body = search.vector(order.in_body, order.body_units, order.body_units);
   if (!body || *body || !reading.world) return body.map(in_frame(Frame::body));
   return search.vector(order.in_world, order.world_units, order.world_units).map(in_frame(Frame::world));
 }
@@ -94,16 +88,6 @@ Expected<RateColumns> rate_columns(const ColumnSearch& search, const RateReading
                                joined(orders[k - 1].in_body, ", "), orders[k].plural, orders[k - 1].plural));
   }
   return columns;
-}
-
-std::vector<std::string> rates_of_unknown_frame(const ColumnSearch& search, const RateReading& reading,
-                                                const RateColumns& read) {
-  std::vector<std::string> names;
-  if (reading.orders == 0 || reading.unnamed == UnnamedRates::body || read[0]) return names;
-  const auto group = search.group(orders[0].in_body, orders[0].body_units, orders[0].body_units);
-  if (!group) return names;
-  for (const NumberColumn& column : group->columns) names.emplace_back(search.name(column.index));
-  return names;
 }
 
 }  // namespace orispline::inline ORISPLINE_ABI::io

@@ -11,17 +11,10 @@
 
 namespace orispline::inline ORISPLINE_ABI::io {
 
-/// What the columns `wx`, `ax`, `jx` without a frame in their names are.
-enum class UnnamedRates {
-  body,     ///< rates in the body frame
-  unknown,  ///< not to be read, unless they were asked for by name
-};
-
 /// Which angular rates are read.
 struct RateReading {
   int orders = 1;      ///< highest order: 0 none, 1 angular velocities, 2 and accelerations, 3 and jerks
   bool world = false;  ///< those in the world frame too, for orders without any in the body frame
-  UnnamedRates unnamed = UnnamedRates::body;
 };
 
 /// The columns of the rates of one order.
@@ -42,10 +35,5 @@ using RateColumns = std::array<std::optional<RateVector>, 3>;
 /// accelerations.
 [[nodiscard]] ORISPLINE_EXPORT Expected<RateColumns> rate_columns(const ColumnSearch& search,
                                                                   const RateReading& reading);
-
-/// The names of angular velocities that are there but whose frame nobody knows, so that no rates are read; else none.
-[[nodiscard]] ORISPLINE_EXPORT std::vector<std::string> rates_of_unknown_frame(const ColumnSearch& search,
-                                                                               const RateReading& reading,
-                                                                               const RateColumns& read);
 
 }  // namespace orispline::inline ORISPLINE_ABI::io

@@ -57,7 +57,6 @@ TrackFile track_file(KeyFile file, Keyframes keys) {
   TrackFile found{.format = file.format,
                   .repairs = file.repairs,
                   .ignored_columns = std::move(file.ignored_columns),
-                  .rates_of_unknown_frame = std::move(file.rates_of_unknown_frame),
                   .warnings = std::move(file.warnings)};
   if (file.turns)
     for (Warning& warning : file.turns->warnings(file.recipe.signs, file.euler)) {

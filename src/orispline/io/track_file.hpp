@@ -16,9 +16,8 @@ struct TrackFile {
   Track track{};
   const FormatInfo* format = &csv_format;
   RepairReport repairs{};
-  std::vector<std::string> ignored_columns{};         ///< that nothing was read from
-  std::vector<std::string> rates_of_unknown_frame{};  ///< those of them that are angular velocities in no known frame
-  std::vector<Warning> warnings{};                    ///< of reading
+  std::vector<std::string> ignored_columns{};  ///< that nothing was read from
+  std::vector<Warning> warnings{};             ///< of reading
 };
 
 /// Reads the tracks of a file, or of standard input for `-`, one at least, and checks their keys. Signs that are not

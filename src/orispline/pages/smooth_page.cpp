@@ -132,7 +132,7 @@ std::vector<std::string> notes_of(const Smoothing& smoothing) {
                               counted(rejected, "sample") + (rejected == 1 ? " is rejected" : " are rejected"),
                               rejected > samples_of_few ? formatted(", {} of them", samples_of_few) : ""));
   if (const std::size_t kept = smoothing.retained_outlier_runs.size(); kept > 0)
-    notes.push_back(formatted("{} far from the curve, but three or more in a row: kept as motion.",
+    notes.push_back(formatted("{} far from what the others predict, but so are those beside: kept as motion.",
                               counted(kept, "sample") + (kept == 1 ? " is" : " are")));
   if (smoothing.stretches.size() > 1)
     notes.push_back(formatted("{} stretches between gaps: in a gap there is no curve, nothing is measured in it.",

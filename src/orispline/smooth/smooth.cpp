@@ -3,42 +3,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/recipe.hpp>
 #include <orispline/math/degrees.hpp>
-#include <orispline/smooth/smooth_fields.hpp>
+#include <orispline/smooth/smoothing_check.hpp>
 #include <orispline/smooth/smoothing_gyro.hpp>
+#include <orispline/smooth/smoothing_outliers.hpp>
 #include <orispline/smooth/smoothing_stretches.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 constexpr double huber_threshold = 2.5, tukey_threshold = 6.0;  // in units of σ
-constexpr double rejection_threshold = 5.0;                     // likewise
 constexpr double tolerance_to_find_outliers = 1e-2;             // of the iteration, likewise
-
-/// Below them the samples are joined as they are; above, a steady rotation is left or rounding decides.
-Interval smoothing_times(const Keyframes& recording, Penalty penalty) {
-  const double interval = median_interval(recording.times()),
-               span = recording.times().back() - recording.times().front();
-  const double longest = penalty == Penalty::jerk ? 5e3 : 1e6;  // in intervals: condition numbers of 1e12
-  return {1e-3 * interval, std::min(10.0 * span, longest * interval)};
-}
-
-Expected<void> check(const Keyframes& recording, const SmoothOptions& options) {
-  if (auto checked = check(options); !checked) return checked;
-  if (options.smoothing_time && recording.size() > 1) {
-    const Interval range = smoothing_times(recording, options.penalty);
-    if (!range.contains(*options.smoothing_time))
-      return bad_option("smoothing_time", formatted("found {:.6g} s, wanted {}", *options.smoothing_time,
-                                                    text_of(range, &quantities::time)));
-  }
-  if (options.gyro && recording.angular_velocities().empty())
-    return failure(ErrorCode::bad_data, "found no angular velocities of the body, wanted wx,wy,wz of the gyro");
-  return {};
-}
 
 SmoothingObjective objective_of(const SmoothOptions& options, OpenEndedWork& work) {
   return {.penalty = options.penalty,
@@ -62,15 +40,14 @@ class Smoother {
         objective_(objective_of(options, work_)) {}
 
   [[nodiscard]] Expected<Smoothing> run() {
-    fit(options_.loss == Loss::robust ? SmoothingIteration{.tolerance = tolerance_to_find_outliers * noise_}
-                                      : SmoothingIteration{});
+    fit(options_.loss == Loss::robust ? roughly() : SmoothingIteration{});
     if (options_.loss == Loss::tukey) fit_with_tukey();
     if (work_.stopped()) return cancellation();
     if (options_.loss == Loss::robust)
       if (auto done = fit_without_outliers(); !done) return tl::unexpected(std::move(done.error()));
     if (auto checked = check_fit(); !checked) return tl::unexpected(std::move(checked.error()));
     measure_noise_and_freedom();
-    if (const double noise = result_.noise; noise > largest_noise)
+    if (const double noise = noise_to_judge(); noise > largest_noise)
       return failure(ErrorCode::bad_data,
                      formatted("no smooth motion is near to the samples: they are {:.3g}° per axis off the best one",
                                noise * degrees));
@@ -80,6 +57,9 @@ class Smoother {
   }
 
  private:
+  /// As well as finding outliers takes.
+  [[nodiscard]] SmoothingIteration roughly() const { return {.tolerance = tolerance_to_find_outliers * noise_}; }
+
   /// With λ as stated or chosen anew, from the present fit if there is one.
   void fit(const SmoothingIteration& iteration = {}) {
     set_lambda(options_.noise ? SmoothingCriterion::ubre : SmoothingCriterion::gcv);
@@ -121,14 +101,37 @@ class Smoother {
         if (fits_.fits[k].loss_weights[i] == 0.0) result_.rejected.push_back(stretches_[k].first + i);
   }
 
+  /// The first search is beside Huber's fit, which outliers pull little but which lags behind strikes; the second one
+  /// beside a fit whose τ was chosen without outliers and with the strikes.
   [[nodiscard]] Expected<void> fit_without_outliers() {
-    const double limit = rejection_threshold * std::max(noise_, noise_by_median());
-    auto far = reject(problems_, stretches_, far_samples(fits_, stretches_, limit), options_.penalty);
+    objective_.loss = LossFunction::l2;
+    for (int search = 0; search < 2; ++search) {
+      const auto before = result_.rejected;
+      if (auto found = find_outliers(); !found) return found;
+      if (search > 0 && result_.rejected == before) refit();
+      else fit(search > 0 ? SmoothingIteration{} : roughly());
+      if (work_.stopped()) return cancellation();
+    }
+    return {};
+  }
+
+  /// Leaves out what is far, and takes back what the neighbours do not call an outlier.
+  [[nodiscard]] Expected<void> find_outliers() {
+    const double noise = std::max(noise_, noise_by_median());
+    const auto errors = [&] { return prediction_errors(problems_, fits_, objective_, noise); };
+    const FarSamples candidates = far_candidates(errors(), stretches_);
+    readmit(problems_, noise_);
+    auto far = reject(problems_, stretches_, candidates, options_.penalty);
     if (!far) return tl::unexpected(std::move(far.error()));
+    if (!far->single.empty()) {
+      refit(roughly());
+      far = judged(*far, errors(), stretches_);
+      readmit(problems_, noise_);
+      if (far = reject(problems_, stretches_, *far, options_.penalty); !far)
+        return tl::unexpected(std::move(far.error()));
+    }
     result_.rejected = std::move(far->single);
     result_.retained_outlier_runs = std::move(far->in_runs);
-    if (result_.rejected.empty()) refit();
-    else fit();
     return {};
   }
 
@@ -140,12 +143,12 @@ class Smoother {
           ErrorCode::not_converged,
           "no smooth motion was found: the iteration did not come to an end, wanted another smoothing time or "
           "another noise");
-    std::size_t far = 0, all = 0;
+    std::size_t faults = options_.loss == Loss::robust ? result_.rejected.size() : 0, all = 0;
     for (const SmoothingFit& fit : fits_.fits) {
-      all += fit.loss_weights.size();
-      far += static_cast<std::size_t>(std::ranges::count_if(fit.loss_weights, [](double w) { return w < 0.5; }));
+      all += fit.residuals.size();
+      faults += static_cast<std::size_t>(std::ranges::count_if(
+          fit.residuals, [this](const Eigen::Vector3d& r) { return r.norm() > far_threshold * noise_; }));
     }
-    const std::size_t faults = far + (options_.loss == Loss::robust ? result_.rejected.size() : 0);
     if (2 * faults <= all || options_.loss == Loss::l2) return {};
     return failure(
         ErrorCode::bad_data,
@@ -179,6 +182,12 @@ class Smoother {
     const Freedom of = freedom();
     result_.noise = of.rest > 0.0 ? noise_ * std::sqrt(fits_.data() / (3.0 * of.rest)) : 0.0;
     result_.degrees_of_freedom = 3.0 * of.trace;
+  }
+
+  /// Where the samples are followed as they are the residuals tell little.
+  [[nodiscard]] double noise_to_judge() const {
+    const bool followed = result_.edge == LambdaChoice::Edge::shortest;
+    return followed ? std::max(result_.noise, scale_.noise) : result_.noise;
   }
 
   [[nodiscard]] Expected<void> fit_with_gyro() {
@@ -262,18 +271,9 @@ Expected<Keyframes> smoothed_keyframes(const Keyframes& recording, const Smoothi
 
 }  // namespace
 
-Expected<void> check(const SmoothOptions& options) {
-  if (auto checked = check_ranges(options); !checked) return checked;
-  if (options.noise && options.smoothing_time)
-    return bad_option("noise", "wanted no `smoothing_time` as well: each determines how smooth");
-  if (options.gyro_noise && !options.gyro) return bad_option("gyro_noise", "wanted `gyro` as well");
-  if (options.gyro && options.gap) return bad_option("gap", "wanted no `gyro`, which bridges gaps");
-  return {};
-}
-
 Expected<Smoothing> smooth(const Track& recording, const SmoothOptions& options, const Progress& progress) {
   const Keyframes& keys = recording.keys;
-  return check(keys, options)
+  return check_recording(keys, options)
       .and_then([&] { return stretches_of(keys, options.penalty, options.gap); })
       .and_then([&](std::vector<Stretch> stretches) -> Expected<Smoothing> {
         return Smoother(keys, options, std::move(stretches), progress).run();
@@ -283,6 +283,8 @@ Expected<Smoothing> smooth(const Track& recording, const SmoothOptions& options,
         if (!smoothed) return tl::unexpected(std::move(smoothed.error()));
         smoothing.track = recording.at(smoothing.keys).with_keys(std::move(*smoothed));
         smoothing.track.recipe = recipe_for(smoothing.method, recording);
+        smoothing.distances = distances_of(smoothing, keys, Samples::all);
+        smoothing.accepted_distances = distances_of(smoothing, keys, Samples::accepted);
         smoothing.warnings = warnings_of(smoothing);
         progress.at(1.0);
         return smoothing;

@@ -11,7 +11,7 @@ namespace orispline::inline ORISPLINE_ABI {
 
 /// How samples that fit badly are treated.
 enum class Loss {
-  robust,  ///< Huber's loss; samples farther than 5 σ are left out and the rest is fitted anew
+  robust,  ///< every sample counts, but one or two farther than 5 σ from what those beside them predict are left out
   l2,      ///< squares: every sample counts in full
   huber,   ///< Huber's loss: far samples count less
   tukey,   ///< Tukey's loss, from Huber's fit: very far samples do not count

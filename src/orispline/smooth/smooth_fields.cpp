@@ -14,6 +14,11 @@ std::optional<Eigen::Vector3d> gyro_correction(const Smoothing& smoothing) {
   return smoothing.gyro_noise ? std::optional(smoothing.nodes.gyro_correction) : std::nullopt;
 }
 
+double rms_distance(const Smoothing& smoothing) { return smoothing.distances.rms; }
+double largest_distance(const Smoothing& smoothing) { return smoothing.distances.largest; }
+double accepted_rms_distance(const Smoothing& smoothing) { return smoothing.accepted_distances.rms; }
+double accepted_largest_distance(const Smoothing& smoothing) { return smoothing.accepted_distances.largest; }
+
 }  // namespace
 
 template <>
@@ -89,11 +94,22 @@ std::span<const FieldInfo> fields_of<Smoothing>() noexcept {
                                .sentence = "What is added to the rates of the gyro",
                                .quantity = &quantities::rate,
                                .absent = "without a gyro"}),
+      field<&rms_distance>({.name = "rms_distance",
+                            .sentence = "Root mean square of the angles to the samples",
+                            .quantity = &quantities::angle}),
+      field<&largest_distance>(
+          {.name = "largest_distance", .sentence = "The largest angle to a sample", .quantity = &quantities::angle}),
+      field<&accepted_rms_distance>({.name = "accepted_rms_distance",
+                                     .sentence = "Root mean square of the angles to the samples that are not rejected",
+                                     .quantity = &quantities::angle}),
+      field<&accepted_largest_distance>({.name = "accepted_largest_distance",
+                                         .sentence = "The largest angle to a sample that is not rejected",
+                                         .quantity = &quantities::angle}),
       field<&Smoothing::rejected>({.name = "rejected", .sentence = "The samples that do not count"}),
       field<&Smoothing::rejected_gyro>({.name = "rejected_gyro", .sentence = "The samples whose rates do not count"}),
       field<&Smoothing::retained_outlier_runs>(
           {.name = "retained_outlier_runs",
-           .sentence = "Samples as far away that stay, for they are three or more in a row"}),
+           .sentence = "Samples as far away that stay, for their neighbours are far away too"}),
       field<&Smoothing::samples_in_short_stretches>(
           {.name = "samples_in_short_stretches", .sentence = "Samples between gaps that are too few"}),
       field<&Smoothing::stretches>({.name = "stretches", .sentence = "What lies between gaps"}),

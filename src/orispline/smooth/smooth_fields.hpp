@@ -11,7 +11,8 @@ inline constexpr std::array words<Penalty>{word("acceleration", Penalty::acceler
                                            word("jerk", Penalty::jerk, "∫|dα/dt|² dt")};
 template <>
 inline constexpr std::array words<Loss>{
-    word("robust", Loss::robust, "Huber's loss; samples farther than 5 σ are left out and the rest is fitted anew"),
+    word("robust", Loss::robust,
+         "every sample counts, but one or two farther than 5 σ from what those beside them predict are left out"),
     word("l2", Loss::l2, "squares: every sample counts in full"),
     word("huber", Loss::huber, "Huber's loss: far samples count less"),
     word("tukey", Loss::tukey, "Tukey's loss: very far samples do not count")};

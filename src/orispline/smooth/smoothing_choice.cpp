@@ -15,7 +15,8 @@ namespace {
 
 using elementary::natural_logarithm;
 
-constexpr double shortest_relative_time = 0.5;   // τ over the interval, where the scan begins
+constexpr double first_relative_time = 0.5;      // τ over the interval, where the scan begins
+constexpr double shortest_relative_time = 0.1;   // which leaves 0.99 of what changes from sample to sample
 constexpr double longest_relative_time = 500.0;  // beyond it the conditioning spoils the last digits
 constexpr double scan_ratio = 1.3;
 constexpr int coarse_step = 2, rises_until_sure = 2;  // in steps of the ratio; in coarse steps
@@ -192,7 +193,7 @@ double hat_trace(const StretchProblems& stretches, const StretchFits& fits, Pena
 
 LambdaChoice chosen_lambda(const StretchProblems& stretches, const SmoothingObjective& objective,
                            SmoothingCriterion criterion, double noise, double interval, std::optional<double> near) {
-  Scan scan(stretches, objective, criterion, noise, interval, near.value_or(shortest_relative_time * interval));
+  Scan scan(stretches, objective, criterion, noise, interval, near.value_or(first_relative_time * interval));
   return near ? scan.around(0) : scan.from_below();
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/curve/rate_comparison.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
@@ -38,6 +39,7 @@ double spread(const Vectors& vectors) {
 /// Rates of the fit, of the gyro, and their differences, at the samples of all stretches.
 struct Rates {
   std::vector<std::size_t> samples;
+  std::vector<Eigen::Quaterniond> orientations;
   Vectors fitted, measured, differences;
 };
 
@@ -46,6 +48,7 @@ Rates rates_of(const StretchFits& fits, const Keyframes& recording, const std::v
   for (std::size_t k = 0; k < stretches.size(); ++k)
     for (std::size_t i = 0; i < stretches[k].count; ++i) {
       rates.samples.push_back(stretches[k].first + i);
+      rates.orientations.push_back(fits.fits[k].nodes.orientations[i]);
       rates.fitted.push_back(fits.fits[k].nodes.angular_velocities[i]);
       rates.measured.push_back(recording.angular_velocities()[rates.samples.back()]);
       rates.differences.push_back(rates.measured.back() - rates.fitted.back());
@@ -71,6 +74,7 @@ Rates without(const Rates& rates, const std::vector<std::size_t>& faults) {
   Rates kept;
   for (std::size_t i = 0; i < rates.samples.size(); ++i) {
     if (std::ranges::binary_search(faults, rates.samples[i])) continue;
+    kept.orientations.push_back(rates.orientations[i]);
     kept.fitted.push_back(rates.fitted[i]);
     kept.measured.push_back(rates.measured[i]);
     kept.differences.push_back(rates.differences[i]);
@@ -86,6 +90,12 @@ Expected<std::vector<std::size_t>> gyro_faults(const StretchFits& fits, const Ke
   std::vector<std::size_t> faults = faults_in(rates, stretches);
   const Rates kept = without(rates, faults);
   const double fitted = spread(kept.fitted), measured = spread(kept.measured), difference = spread(kept.differences);
+  const RateComparison comparison{kept.orientations, kept.measured, kept.fitted, RateComparison::Bias::constant};
+  if (const auto meaning = comparison.better_meaning())
+    return failure(ErrorCode::bad_data, formatted("the gyro's rates contradict the orientations: they vary by {:.3g} "
+                                                  "rad/s, those of the orientations by {:.3g} rad/s, the difference by "
+                                                  "{:.3g} rad/s; {}",
+                                                  measured, fitted, difference, meaning->cure));
   const double noise = local_noise(recording.times(), recording.angular_velocities());
   if (measured > unit_threshold * fitted && measured > noise_threshold * noise)
     return failure(ErrorCode::bad_data, formatted("the gyro's rates vary by {:.3g} rad/s, those of the orientations by "

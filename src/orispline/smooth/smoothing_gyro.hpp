@@ -8,7 +8,8 @@ namespace orispline::inline ORISPLINE_ABI {
 /// Whether a gyro measures the motion of the orientations: samples of it that do not count, faults of one or two in a
 /// row, far from the rates of a fit without it.
 ///
-/// Error (bad_data): the gyro turns many times as fast as the orientations, as degrees do, or against them.
+/// Error (bad_data): the gyro turns many times as fast as the orientations, or against them; where the rates agree
+/// under another meaning it says which.
 [[nodiscard]] Expected<std::vector<std::size_t>> gyro_faults(const StretchFits& fits, const Keyframes& recording,
                                                              const std::vector<Stretch>& stretches);
 

@@ -17,6 +17,11 @@ struct Stretch {
 /// The method whose curve through smoothed keys is the smooth motion: C2, through their orientations and rates.
 inline constexpr std::string_view smoothed_method = "hermite-c2";
 
+/// How far the smooth motion is from samples [rad].
+struct SampleDistances {
+  double rms = 0.0, largest = 0.0;
+};
+
 /// A smoothed recording.
 struct ORISPLINE_EXPORT Smoothing {
   Track track{};  ///< the keys, with body rates ω and α; positions as they were
@@ -29,13 +34,13 @@ struct ORISPLINE_EXPORT Smoothing {
   double lambda = 0.0;                                    ///< weight of the penalty against |r|²/σ²
   double noise = 0.0;        ///< σ of the orientations per axis [rad], estimated from the residuals, or as stated
   double local_noise = 0.0;  ///< estimated from neighbouring samples [rad]
-  std::optional<double> degrees_of_freedom{};  ///< effective ones of the curve, 3 tr; absent with a gyro
-  std::optional<double> gyro_noise{};          ///< σ per axis [rad/s], with a gyro
-  std::vector<std::size_t> rejected{};         ///< samples that do not count
-  std::vector<std::size_t> rejected_gyro{};    ///< samples whose rates do not count
-  std::vector<std::size_t>
-      retained_outlier_runs{};  ///< samples as far away, but three or more in a row: rather motion than faults
-  std::optional<SmoothingCriterion> criterion{};  ///< by which τ was chosen; absent: as stated
+  std::optional<double> degrees_of_freedom{};         ///< effective ones of the curve, 3 tr; absent with a gyro
+  std::optional<double> gyro_noise{};                 ///< σ per axis [rad/s], with a gyro
+  std::vector<std::size_t> rejected{};                ///< samples that do not count
+  std::vector<std::size_t> rejected_gyro{};           ///< samples whose rates do not count
+  std::vector<std::size_t> retained_outlier_runs{};   ///< samples as far away whose neighbours are far too: motion
+  SampleDistances distances{}, accepted_distances{};  ///< to all samples, and to those that are not rejected
+  std::optional<SmoothingCriterion> criterion{};      ///< by which τ was chosen; absent: as stated
   LambdaChoice::Edge edge = LambdaChoice::Edge::none;
   std::size_t chosen_on = 0;        ///< times that the choice of τ saw
   double interval = 0.0;            ///< median one between samples [s]
@@ -53,8 +58,13 @@ struct ORISPLINE_EXPORT Smoothing {
 /// What is to be said about it; `warnings` themselves play no part.
 ///
 /// `least_smoothing`: hardly any noise beside the motion; `most_smoothing`: no change of the rates beside the noise;
-/// `rejected_run`: so many `samples` in a row do not count, which is rather motion than outliers; `unfinished`: the
+/// `rejected_run`: so many `samples` in a row do not count, which is rather motion than outliers; `many_rejected`: so
+/// many `samples` in all, more than one in a hundred; `unfinished`: the
 /// last step of the iteration still moved by `step_rad`.
 [[nodiscard]] ORISPLINE_EXPORT std::vector<Warning> warnings_of(const Smoothing& smoothing);
+
+/// From the nodes to the recording that they smooth: to all samples, or to those that are not rejected.
+enum class Samples { all, accepted };
+[[nodiscard]] SampleDistances distances_of(const Smoothing& smoothing, const Keyframes& recording, Samples which);
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -68,15 +68,6 @@ void add_gyro(StretchProblems& problems, const Keyframes& recording, const std::
   }
 }
 
-FarSamples far_samples(const StretchFits& fits, const std::vector<Stretch>& stretches, double limit) {
-  std::vector<std::vector<double>> lengths;
-  for (const SmoothingFit& fit : fits.fits) {
-    auto& those = lengths.emplace_back();
-    for (const Eigen::Vector3d& residual : fit.residuals) those.push_back(residual.norm());
-  }
-  return far_samples(lengths, stretches, limit);
-}
-
 FarSamples far_samples(const std::vector<std::vector<double>>& lengths, const std::vector<Stretch>& stretches,
                        double limit) {
   FarSamples far;
@@ -90,6 +81,10 @@ FarSamples far_samples(const std::vector<std::vector<double>>& lengths, const st
     }
   }
   return far;
+}
+
+void readmit(StretchProblems& problems, double noise) {
+  for (SmoothingProblem& problem : problems) problem.weights.assign(problem.size(), 1.0 / (noise * noise));
 }
 
 Expected<FarSamples> reject(StretchProblems& problems, const std::vector<Stretch>& stretches, FarSamples far,

@@ -30,16 +30,18 @@ struct RecordingScale {
 void add_gyro(StretchProblems& problems, const Keyframes& recording, const std::vector<Stretch>& stretches,
               double noise);
 
-/// Samples whose residual is longer than a limit.
+/// Samples that are farther away than a limit.
 struct FarSamples {
   std::vector<std::size_t> single{};   ///< indices into the recording
-  std::vector<std::size_t> in_runs{};  ///< of which three or more follow each other, or fill a stretch
+  std::vector<std::size_t> in_runs{};  ///< of which three or more follow each other, or that are needed
 };
-[[nodiscard]] FarSamples far_samples(const StretchFits& fits, const std::vector<Stretch>& stretches, double limit);
 
-/// The samples whose lengths are beyond the limit, of any lengths, those of each stretch by themselves.
+/// Those whose lengths, of any kind, are beyond the limit, those of each stretch by themselves.
 [[nodiscard]] FarSamples far_samples(const std::vector<std::vector<double>>& lengths,
                                      const std::vector<Stretch>& stretches, double limit);
+
+/// Every sample has the weight of that σ [rad] again.
+void readmit(StretchProblems& problems, double noise);
 
 /// Takes the weight of the single samples, and gives them back, but for stretches that would keep too few: theirs are
 /// added to those in runs. Error (bad_data): the only stretch would keep too few.

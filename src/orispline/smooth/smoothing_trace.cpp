@@ -2,6 +2,7 @@
 #include <orispline/smooth/smoothing_trace.hpp>
 
 #include <cmath>
+#include <numeric>
 
 #include <orispline/smooth/chain_elimination.hpp>
 
@@ -28,7 +29,7 @@ Eigen::Matrix<double, P, 2 * P> scalar_link(double h) {
 }
 
 template <int P>
-double trace(std::span<const double> times, std::span<const double> weights, double lambda) {
+std::vector<double> variances(std::span<const double> times, std::span<const double> weights, double lambda) {
   using Chain = ChainElimination<P, 1, 1>;
   Chain chain;
   chain.start(times.size());
@@ -41,21 +42,27 @@ double trace(std::span<const double> times, std::span<const double> weights, dou
   }
   using Block = Eigen::Matrix<double, P, P>;
   Block covariance = Block::Zero();  // of the node behind
-  double sum = 0.0;
+  std::vector<double> result(times.size());
   for (std::size_t i = times.size(); i-- > 0;) {
     const auto factor = chain.rows()[i].template leftCols<P>().template triangularView<Eigen::Upper>();
     const Block inverse = factor.solve(Block::Identity());
     const Block gain = factor.solve(Block(chain.rows()[i].template middleCols<P>(P)));
     covariance = (inverse * inverse.transpose() + gain * covariance * gain.transpose()).eval();
-    sum += weights[i] * covariance(0, 0);
+    result[i] = covariance(0, 0);
   }
-  return sum;
+  return result;
 }
 
 }  // namespace
 
+std::vector<double> node_variances(std::span<const double> times, std::span<const double> weights, Penalty penalty,
+                                   double lambda) {
+  return penalty == Penalty::acceleration ? variances<2>(times, weights, lambda) : variances<3>(times, weights, lambda);
+}
+
 double hat_trace(std::span<const double> times, std::span<const double> weights, Penalty penalty, double lambda) {
-  return penalty == Penalty::acceleration ? trace<2>(times, weights, lambda) : trace<3>(times, weights, lambda);
+  const std::vector<double> variances = node_variances(times, weights, penalty, lambda);
+  return std::inner_product(variances.begin(), variances.end(), weights.begin(), 0.0);
 }
 
 }  // namespace orispline::inline ORISPLINE_ABI

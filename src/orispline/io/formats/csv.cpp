@@ -18,9 +18,7 @@ constexpr std::array<std::string_view, 8> names_wxyz{"t", "qw", "qx", "qy", "qz"
     names_xyzw{"t", "qx", "qy", "qz", "qw", "px", "py", "pz"};
 
 RateReading rate_reading(const ReadOptions& options) {
-  return {.orders = options.rate_orders,
-          .world = options.world_rates,
-          .unnamed = options.conjugate ? UnnamedRates::unknown : UnnamedRates::body};
+  return {.orders = options.rate_orders, .world = options.world_rates};
 }
 
 Expected<TableLayout> layout_of_header(const TextTable& table, const ReadOptions& options) {

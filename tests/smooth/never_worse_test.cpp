@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// The smooth motion is no farther from the truth than the noisy samples are: of simulated gaits with strikes, and of
+// recordings that are taken for the truth. ORISPLINE_SWEEP=all in the environment takes every track and seed, which is
+// hours of work; else a few that are hard.
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "smooth/known_truth.hpp"
+
+namespace orispline::known_truth {
+namespace {
+
+constexpr double allowed = 1.02;   // of the distance of the samples to the truth
+constexpr double own_share = 3.0;  // the noise is at least so many times that of the recording itself
+constexpr const char* data = ORISPLINE_SHARED_DATA;
+
+bool sweeps() {
+  const char* const asked = std::getenv("ORISPLINE_SWEEP");
+  return asked && std::string_view(asked) == "all";
+}
+
+/// Per axis, in degrees.
+std::vector<double> noises() { return sweeps() ? std::vector{0.03, 0.1, 0.3, 1.0, 3.0} : std::vector{0.1, 1.0}; }
+
+/// How many of every case.
+std::uint64_t seeds() { return sweeps() ? 5 : 1; }
+
+struct Errors {
+  double samples, robust, l2;
+  std::size_t rejected;
+};
+
+Errors errors_of(const Truth& truth, const KeyframeData& noisy) {
+  const Keyframes keys = Keyframes::make(noisy).value();
+  const auto robust = smooth(keys).value(), l2 = smooth(keys, {.loss = Loss::l2}).value();
+  const auto& wanted = truth.data.orientations;
+  return {rms_between(noisy.orientations, wanted), rms_between(robust.nodes.orientations, wanted),
+          rms_between(l2.nodes.orientations, wanted), robust.rejected.size()};
+}
+
+/// The truth comes nearer by the default options, or stays as far; a truth that is too noisy itself is reported only.
+void expect_no_worse(const Truth& truth, double noise_deg, std::uint64_t seed) {
+  const KeyframeData noisy = disturbed(truth.data, noise_deg * degree, seed);
+  const double own = own_noise(truth.data);
+  const Keyframes keys = Keyframes::make(noisy).value();
+  const auto smoothing = smooth(keys);
+  ASSERT_TRUE(smoothing) << truth.name << ": " << describe(smoothing.error());
+  const double before = rms_between(noisy.orientations, truth.data.orientations),
+               after = rms_between(smoothing->nodes.orientations, truth.data.orientations);
+  if (own_share * own > noise_deg * degree) {
+    std::printf("not judged: %s has noise of %.3g°, with %.3g° more %.4f° become %.4f°\n", truth.name.c_str(),
+                own / degree, noise_deg, before / degree, after / degree);
+    return;
+  }
+  EXPECT_LE(after, allowed * before) << truth.name << ", noise " << noise_deg << "°, seed " << seed << ", "
+                                     << smoothing->rejected.size() << " rejected";
+}
+
+// A strike of 20 ms is hardly told from a fault: one rejected sample of a crest costs a few percent of what l2 has.
+TEST(Strikes, AreNoOutliers) {
+  for (const Strike kind : {Strike::pulse, Strike::step, Strike::ring})
+    for (const double noise_deg : {0.05, 0.1, 0.3}) {
+      if (!sweeps() && noise_deg == 0.1) continue;
+      double sum = 0.0, sum_l2 = 0.0;
+      for (std::uint64_t seed = 0; seed < (sweeps() ? 10 : 1); ++seed) {
+        const Truth truth = gait(seed, kind);
+        const Errors errors = errors_of(truth, disturbed(truth.data, noise_deg * degree, seed));
+        EXPECT_LE(errors.robust, allowed * errors.samples) << truth.name << ", " << noise_deg << "°";
+        EXPECT_LE(errors.robust, 1.1 * errors.l2) << truth.name << ", " << noise_deg << "°";
+        EXPECT_LE(errors.rejected, 3u) << truth.name << ", " << noise_deg << "°";
+        sum += errors.robust;
+        sum_l2 += errors.l2;
+      }
+      EXPECT_LE(sum, 1.03 * sum_l2) << static_cast<int>(kind) << ", " << noise_deg << "°";
+    }
+}
+
+TEST(Strikes, DoNotHideOutliers) {
+  for (const Strike kind : {Strike::pulse, Strike::step, Strike::ring}) {
+    if (!sweeps() && kind == Strike::step) continue;
+    const Truth truth = gait(3, kind);
+    const KeyframeData faulty = disturbed(truth.data, 0.1 * degree, 3, 0.02);
+    const Errors without = errors_of(truth, disturbed(truth.data, 0.1 * degree, 3)), with = errors_of(truth, faulty);
+    EXPECT_LE(with.robust, 1.5 * without.robust) << truth.name;
+    EXPECT_LE(with.robust, 0.2 * with.samples) << truth.name;
+    EXPECT_LE(with.robust, 0.5 * with.l2) << truth.name;
+  }
+}
+
+TEST(NeverWorse, OfGaits) {
+  for (const Strike kind : {Strike::pulse, Strike::step, Strike::ring})
+    for (const double noise_deg : noises())
+      for (std::uint64_t seed = 10; seed < 10 + seeds(); ++seed) expect_no_worse(gait(seed, kind), noise_deg, seed);
+}
+
+TEST(NeverWorse, OfJoints) {
+  const std::string path = std::string(data) + "/mocap/cmu_01_01_fairmotion.bvh";
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "no " << path;
+  const auto joints = bvh_joints(path);
+  ASSERT_EQ(joints.size(), 31u);
+  for (std::size_t joint = 0; joint < joints.size(); joint += sweeps() ? 1 : 14)
+    for (const double noise_deg : noises())
+      for (std::uint64_t seed = 0; seed < seeds(); ++seed) expect_no_worse(joints[joint], noise_deg, seed);
+}
+
+TEST(NeverWorse, OfRecordings) {
+  if (!std::filesystem::exists(data)) GTEST_SKIP() << "no " << data;
+  const auto all = recordings(data);
+  ASSERT_EQ(all.size(), 4u);
+  for (const Truth& truth : all) {
+    if (!sweeps() && truth.data.times.size() > 10000) continue;
+    for (const double noise_deg : noises())
+      for (std::uint64_t seed = 0; seed < seeds(); ++seed) expect_no_worse(truth, noise_deg, seed);
+  }
+}
+
+}  // namespace
+}  // namespace orispline::known_truth
