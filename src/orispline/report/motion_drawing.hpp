@@ -13,7 +13,7 @@ namespace orispline::inline ORISPLINE_ABI::report {
 inline constexpr std::size_t most_drawn_methods = 6;
 
 /// To sample curves for a drawing: with one column for each unit of the charts' width.
-inline constexpr std::size_t samples_to_draw = 8 * 660;
+inline constexpr std::size_t samples_to_draw = 9 * 660;
 
 /// The motions of methods in one picture.
 struct MotionPicture {

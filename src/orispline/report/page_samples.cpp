@@ -160,7 +160,7 @@ PageSamples sampled(const PoseCurve& curve, std::size_t count) {
   const Domain domain = curve.orientation.domain();
   const std::size_t segments = knots.segments();
   if (segments == 0) append(samples, curve, domain.start, Side::right);
-  if (4 * segments > count) return envelope(curve, std::max<std::size_t>(1, count / 8));
+  if (4 * segments > count) return envelope(curve, std::max<std::size_t>(1, count / 9));
   for (std::size_t i = 0; i < segments; ++i) {
     const double from = knots.times()[i], to = knots.times()[i + 1];
     const double share = (to - from) / (domain.end - domain.start);

@@ -14,7 +14,7 @@ namespace orispline::inline ORISPLINE_ABI::report {
 /// The curve at about `count` times, at least both ends of every segment: a time at a key stands twice, first with the
 /// rates on its left, then with those on its right, so that their jumps are seen.
 ///
-/// Of a curve with more than `count` / 4 segments, in `count` / 8 columns of equal width, those samples of each where
+/// Of a curve with more than `count` / 4 segments, in `count` / 9 columns of equal width, those samples of each where
 /// the rates and the angle from the start are the least and the largest, so that no peak is missed: at most nine a
 /// column. `count` is at least 2. Of a constant curve, one sample.
 [[nodiscard]] ORISPLINE_EXPORT PageSamples sampled(const PoseCurve& curve, std::size_t count = 600);
