@@ -283,8 +283,8 @@ Expected<Smoothing> smooth(const Track& recording, const SmoothOptions& options,
         if (!smoothed) return tl::unexpected(std::move(smoothed.error()));
         smoothing.track = recording.at(smoothing.keys).with_keys(std::move(*smoothed));
         smoothing.track.recipe = recipe_for(smoothing.method, recording);
-        smoothing.distances = distances_of(smoothing, keys, Samples::all);
-        smoothing.accepted_distances = distances_of(smoothing, keys, Samples::accepted);
+        smoothing.distances = distances_of(smoothing, keys, CountedSamples::all);
+        smoothing.accepted_distances = distances_of(smoothing, keys, CountedSamples::accepted);
         smoothing.warnings = warnings_of(smoothing);
         progress.at(1.0);
         return smoothing;

@@ -64,13 +64,13 @@ bool Smoothing::covers(double t) const {
   return *before == t || sample + 1 < first + count;
 }
 
-SampleDistances distances_of(const Smoothing& smoothing, const Keyframes& recording, Samples which) {
+SampleDistances distances_of(const Smoothing& smoothing, const Keyframes& recording, CountedSamples which) {
   SampleDistances distances;
   double sum = 0.0;
   std::size_t count = 0;
   for (std::size_t k = 0; k < smoothing.keys.size(); ++k) {
     const std::size_t sample = smoothing.keys[k];
-    if (which == Samples::accepted && std::ranges::binary_search(smoothing.rejected, sample)) continue;
+    if (which == CountedSamples::accepted && std::ranges::binary_search(smoothing.rejected, sample)) continue;
     const double distance = angular_distance(smoothing.nodes.orientations[k], recording.orientations()[sample]);
     sum += distance * distance;
     distances.largest = std::max(distances.largest, distance);

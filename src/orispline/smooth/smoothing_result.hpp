@@ -64,7 +64,8 @@ struct ORISPLINE_EXPORT Smoothing {
 [[nodiscard]] ORISPLINE_EXPORT std::vector<Warning> warnings_of(const Smoothing& smoothing);
 
 /// From the nodes to the recording that they smooth: to all samples, or to those that are not rejected.
-enum class Samples { all, accepted };
-[[nodiscard]] SampleDistances distances_of(const Smoothing& smoothing, const Keyframes& recording, Samples which);
+enum class CountedSamples { all, accepted };
+[[nodiscard]] SampleDistances distances_of(const Smoothing& smoothing, const Keyframes& recording,
+                                           CountedSamples which);
 
 }  // namespace orispline::inline ORISPLINE_ABI
