@@ -65,7 +65,7 @@ struct ORISPLINE_EXPORT Smoothing {
 
 /// From the nodes to the recording that they smooth: to all samples, or to those that are not rejected.
 enum class CountedSamples { all, accepted };
-[[nodiscard]] SampleDistances distances_of(const Smoothing& smoothing, const Keyframes& recording,
-                                           CountedSamples which);
+[[nodiscard]] ORISPLINE_EXPORT SampleDistances distances_of(const Smoothing& smoothing, const Keyframes& recording,
+                                                            CountedSamples which);
 
 }  // namespace orispline::inline ORISPLINE_ABI
