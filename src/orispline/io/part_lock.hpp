@@ -13,10 +13,10 @@ namespace orispline::inline ORISPLINE_ABI::io {
 // cannot be locked, nothing is taken for left.
 
 /// Removes a part that no living process holds.
-void remove_if_left(const std::string& part);
+ORISPLINE_EXPORT void remove_if_left(const std::string& part);
 
 /// Locks a part that was just made. False: another process took it for left in that very moment.
-[[nodiscard]] bool lock_part(std::FILE* file, const std::string& part);
+[[nodiscard]] ORISPLINE_EXPORT bool lock_part(std::FILE* file, const std::string& part);
 
 /// Holds the lock of a part whose file is closed. A few hundred at a time; more are not held.
 class ORISPLINE_EXPORT PartLock {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -41,7 +42,7 @@ struct MotionLimits {
 };
 
 /// One number of a motion that is limited: a length or a component of a vector.
-struct LimitedQuantity {
+struct ORISPLINE_EXPORT LimitedQuantity {
   enum class Vector { rate, acceleration, jerk, torque, speed, linear_acceleration };
 
   Vector vector;
