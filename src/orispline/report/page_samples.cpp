@@ -60,8 +60,7 @@ class PictureColumn {
       for (const auto& [value, place] : extremes)
         if (std::isfinite(value)) places.push_back(place);
     std::ranges::sort(places);
-    const auto [repeated, end] = std::ranges::unique(places);
-    places.erase(repeated, end);
+    places.erase(std::unique(places.begin(), places.end()), places.end());  // Clang 14 cannot take ranges::unique
     for (const auto& [t, is_right] : places) append(samples, curve_, t, is_right ? Side::right : Side::left);
     first_.reset();
     least_ = none(std::numeric_limits<double>::infinity());
