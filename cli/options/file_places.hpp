@@ -9,6 +9,9 @@
 
 namespace orispline::cli {
 
+/// The extension of texts of any format.
+inline constexpr std::string_view any_text = ".txt";
+
 /// A file that the command reads or writes besides, and its name in a message: `INPUT`.
 struct OtherFile {
   std::string_view name;

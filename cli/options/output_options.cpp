@@ -10,8 +10,6 @@
 namespace orispline::cli {
 namespace {
 
-constexpr std::string_view any_text = ".txt";  // of any format
-
 /// Euler angles are also asked for by their order or their unit alone.
 Expected<io::OrientationForm> form_in(const OutputOptions& options) {
   FirstError checked;
@@ -32,18 +30,36 @@ Expected<io::OrientationForm> form_in(const OutputOptions& options) {
 }
 
 /// The format follows the name; one that ends as other files do is a mistake.
-Expected<bool> check_name(const std::string& path) {
+Expected<bool> check_name(std::string_view option, const std::string& path) {
   std::vector<std::string_view> extensions;
   for (const io::FormatInfo* const format : io::formats_written())
     if (std::ranges::find(extensions, format->extensions.front()) == extensions.end())
       extensions.push_back(format->extensions.front());
   extensions.push_back(any_text);
-  return check_extension("-o", path, std::move(extensions), "--output-format FORMAT writes any name").map([] {
+  return check_extension(option, path, std::move(extensions), "--output-format FORMAT writes any name").map([] {
     return true;
   });
 }
 
 }  // namespace
+
+std::string_view place_of_output(const OutputOptions& options) {
+  return options.option == "-o" ? "that of -o" : "the output";
+}
+
+Expected<std::string_view> folder_extension(const OutputOptions& options, std::string_view written) {
+  if (options.path != io::standard_stream)
+    return usage_failure(
+        formatted("found -o and --output-folder, wanted one of them: a file for the {}, or their folder", written));
+  return output_format(options).map([](std::optional<const io::FormatInfo*> format) {
+    return format ? (*format)->extensions.front() : std::string_view();
+  });
+}
+
+bool is_written_by_name(const std::string& path) {
+  const io::FormatInfo* const format = io::format_of_extension(path);
+  return has_extension(path, any_text) || (format && format->is_written());
+}
 
 std::string formats_that(bool (*are)(const io::FormatInfo&)) {
   auto some = io::formats_written();
@@ -77,7 +93,7 @@ Expected<io::SampleColumns> output_columns(const OutputOptions& options) {
   if (options.path.empty()) return usage_failure("-o: found an empty name, wanted FILE or -");
   FirstError checked;
   const io::FormatInfo* const by_name = io::format_of_extension(options.path);
-  if (!options.format) static_cast<void>(checked(check_name(options.path)));
+  if (!options.format) static_cast<void>(checked(check_name(options.option, options.path)));
   const auto format = checked(output_format(options)).value_or(by_name ? by_name : &io::csv_format);
   const auto form = checked(form_in(options));
   const auto turning = options.conjugate ? io::Turning::world_to_body : io::Turning::body_to_world;

@@ -14,6 +14,7 @@ namespace orispline::cli {
 /// How the user wants a file to be written, as typed.
 struct OutputOptions {
   std::string path{io::standard_stream};
+  std::string_view option = "-o";  ///< by which the path was named
   std::optional<std::string> format, orientation, euler, angle_unit;
   bool conjugate = false;
 };
@@ -32,6 +33,16 @@ struct OutputOptions {
 
 /// The format that is asked for by name, if any.
 [[nodiscard]] Expected<std::optional<const io::FormatInfo*>> output_format(const OutputOptions& options);
+
+/// The output, in a message about another file: `that of -o`.
+[[nodiscard]] std::string_view place_of_output(const OutputOptions& options);
+
+/// The extension of files in --output-folder, if a format is asked for; else empty. Error (bad_argument): a file is
+/// named besides, what is written goes to one of them.
+[[nodiscard]] Expected<std::string_view> folder_extension(const OutputOptions& options, std::string_view written);
+
+/// Whether a name ends as those of files do that we write.
+[[nodiscard]] bool is_written_by_name(const std::string& path);
 
 /// `CSV or TUM`: the formats that samples are written in of which this is true.
 [[nodiscard]] std::string formats_that(bool (*are)(const io::FormatInfo&));

@@ -7,8 +7,10 @@
 
 namespace orispline::cli {
 
+std::string message_of(const Error& error) { return describe(with_flags(with_reading_flags(error))); }
+
 ExitCode report(const Error& error) {
-  tell("orispline: " + describe(with_flags(with_reading_flags(error))) + "\n");
+  tell("orispline: " + message_of(error) + "\n");
   switch (error.code) {
     case ErrorCode::bad_argument:
       return ExitCode::bad_usage;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
+
 #include <orispline/base/expected.hpp>
 
 namespace orispline::cli {
@@ -11,6 +13,9 @@ enum class ExitCode : int {
   bad_usage = 2,   ///< the command line
   bad_access = 3,  ///< input that is missing or unreadable, output that cannot be written
 };
+
+/// What report() says, without the name of the program.
+[[nodiscard]] std::string message_of(const Error& error);
 
 /// Says on standard error what is wrong, in one line and for a bad command line where to read on. THE place where
 /// errors become exit codes.

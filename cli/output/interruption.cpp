@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <csignal>
+#include <mutex>
 
 #include <unistd.h>
 
@@ -19,9 +20,18 @@ constexpr std::array polite{SIGINT, SIGTERM, SIGHUP};
 
 std::array<Place, 1000> unfinished{};  // null: nothing to remove
 
+std::mutex noting;               // of the threads that work side by side
+std::atomic<int> opening = 0;    // files that may be there without their note
+std::atomic<int> postponed = 0;  // the signal that came meanwhile
+static_assert(std::atomic<int>::is_always_lock_free);
+
 bool is_free(const Place& place) { return place.load() == nullptr; }
 
 void remove_and_end(int signal) {
+  if (opening.load() > 0) {  // in another thread
+    postponed = signal;
+    return;
+  }
   for (const Place& place : unfinished)
     if (const char* path = place.load()) unlink(path);
   std::signal(signal, SIG_DFL);
@@ -37,6 +47,7 @@ void on_interruption(void (*handler)(int)) {
 
 InterruptionHeld::InterruptionHeld(const std::string& output) : is_held_(!io::is_stream(output)) {
   if (!is_held_) return;
+  ++opening;
   sigset_t held;
   sigemptyset(&held);
   for (const int signal : polite) sigaddset(&held, signal);
@@ -44,10 +55,14 @@ InterruptionHeld::InterruptionHeld(const std::string& output) : is_held_(!io::is
 }
 
 InterruptionHeld::~InterruptionHeld() {
-  if (is_held_) pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  if (!is_held_) return;
+  --opening;
+  if (const int signal = postponed.exchange(0)) std::raise(signal);
+  pthread_sigmask(SIG_SETMASK, &before_, nullptr);
 }
 
 RemovedWhenInterrupted::RemovedWhenInterrupted(const std::string& path) : path_(path) {
+  const std::scoped_lock lock(noting);
   const auto place = std::ranges::find_if(unfinished, is_free);
   if (path_.empty() || place == unfinished.end()) return;
   place_ = &*place;
@@ -57,6 +72,7 @@ RemovedWhenInterrupted::RemovedWhenInterrupted(const std::string& path) : path_(
 
 RemovedWhenInterrupted::~RemovedWhenInterrupted() {
   if (place_ == nullptr) return;
+  const std::scoped_lock lock(noting);
   *place_ = nullptr;
   if (std::ranges::all_of(unfinished, is_free)) on_interruption(SIG_DFL);
 }

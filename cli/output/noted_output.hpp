@@ -24,4 +24,8 @@ struct Noted {
 [[nodiscard]] Expected<Noted<io::SampleWriter>> open_samples(const std::string& path, const io::SampleColumns& columns,
                                                              std::size_t rows);
 
+/// Whether open_output() would open it, asked before long work; not of several inputs, where the work on one is short
+/// beside that on all. Error: bad_access.
+[[nodiscard]] Expected<void> check_output(const std::string& path);
+
 }  // namespace orispline::cli

@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output/output_folder.hpp"
 
-#include <algorithm>
 #include <cerrno>
 #include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
 #include <system_error>
+#include <utility>
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/io/file_format.hpp>
 #include <orispline/io/output_file.hpp>
 
 #include "options/file_places.hpp"
 #include "options/option_text.hpp"
+#include "options/output_options.hpp"
 
 namespace orispline::cli {
 namespace {
@@ -22,6 +28,36 @@ namespace fs = std::filesystem;
 Expected<void> made(const std::string& folder, const std::error_code& reason) {
   if (!reason) return {};
   return failure(ErrorCode::bad_access, "cannot make this folder: " + reason.message(), {.file = folder});
+}
+
+/// The files that are there, by what the system knows them by: one look at each, however many they are.
+class FilesThere {
+ public:
+  void add(const std::string& path) {
+    if (const auto file = identity(path)) files_.insert(*file);
+  }
+  [[nodiscard]] bool has(const std::string& path) const {
+    const auto file = identity(path);
+    return file && files_.contains(*file);
+  }
+
+ private:
+  using Identity = std::pair<dev_t, ino_t>;
+
+  [[nodiscard]] static std::optional<Identity> identity(const std::string& path) {
+    struct stat found {};
+    if (stat(path.c_str(), &found) != 0 || !S_ISREG(found.st_mode)) return std::nullopt;
+    return Identity{found.st_dev, found.st_ino};
+  }
+
+  std::set<Identity> files_;
+};
+
+std::string output_name(const InputFile& input, std::string_view extension) {
+  fs::path name = input.name;
+  if (!extension.empty()) name.replace_extension(extension);
+  else if (!is_written_by_name(input.name)) name.replace_extension(io::csv_format.extensions.front());
+  return name.string();
 }
 
 }  // namespace
@@ -42,22 +78,27 @@ Expected<void> check_folder(const std::string& folder) {
   return made(folder, reason);
 }
 
-Expected<std::vector<std::string>> outputs_in(const std::string& folder, std::span<const std::string> inputs,
-                                              const io::FormatInfo* format) {
+Expected<std::vector<std::string>> outputs_in(const std::string& folder, std::span<const InputFile> inputs,
+                                              std::string_view extension) {
+  FilesThere read;
+  std::map<std::string, const InputFile*> written;
   std::vector<std::string> outputs;
-  for (const std::string& input : inputs) {
-    if (input == io::standard_stream) return usage_failure("--output-folder: found '-' for an input, wanted files");
-    fs::path name = fs::path(input).filename();
-    if (name.empty()) return usage_failure(formatted("--output-folder: found '{}', wanted a file", input));
-    if (format) name.replace_extension(format->extensions.front());
-    std::string output = (fs::path(folder) / name).string();
-    if (const auto same = std::ranges::find(outputs, output); same != outputs.end())
+  for (const InputFile& input : inputs) {
+    if (input.path == io::standard_stream)
+      return usage_failure("--output-folder: found '-' for an input, wanted files");
+    if (input.name.empty()) return usage_failure(formatted("--output-folder: found '{}', wanted a file", input.path));
+    read.add(input.path);
+    outputs.push_back((fs::path(folder) / output_name(input, extension)).string());
+    const auto [first, is_new] = written.emplace(outputs.back(), &input);
+    if (!is_new && first->second->path == input.path)
+      return usage_failure(formatted("--output-folder: found {} twice, wanted each input once", input.path));
+    if (!is_new)
       return usage_failure(formatted("--output-folder: found {} and {}, wanted inputs of different names",
-                                     inputs[static_cast<std::size_t>(same - outputs.begin())], input));
-    if (std::ranges::any_of(inputs, [&](const std::string& other) { return is_same_file(other, output); }))
-      return usage_failure(formatted("--output-folder: found {}, wanted a folder without the inputs", folder));
-    outputs.push_back(std::move(output));
+                                     first->second->path, input.path));
   }
+  for (const std::string& output : outputs)
+    if (read.has(output))
+      return usage_failure(formatted("--output-folder: found {}, wanted a folder without the inputs", folder));
   return outputs;
 }
 

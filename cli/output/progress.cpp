@@ -5,6 +5,7 @@
 
 #include <unistd.h>
 
+#include "output/gathered_output.hpp"
 #include "output/standard_output.hpp"
 
 #include <orispline/base/formatted.hpp>
@@ -19,8 +20,9 @@ constexpr std::size_t bar_width = 40;
 
 Progress::Progress(std::size_t total, Show show)
     : total_(total),
-      next_look_(show == Show::on_terminal && isatty(STDERR_FILENO) ? steps_between_looks
-                                                                    : std::numeric_limits<std::size_t>::max()),
+      next_look_(show == Show::on_terminal && !gathered_here() && isatty(STDERR_FILENO)
+                     ? steps_between_looks
+                     : std::numeric_limits<std::size_t>::max()),
       next_draw_(Clock::now() + std::chrono::seconds(1)) {}
 
 Progress::~Progress() {

@@ -6,6 +6,7 @@
 #include <orispline/base/expected.hpp>
 
 #include "options/summary_options.hpp"
+#include "output/gathered_output.hpp"
 #include "output/standard_output.hpp"
 
 // What a command that writes a file says at its end.
@@ -15,11 +16,15 @@ namespace orispline::cli {
 /// Where an output goes, for people: its path, or `standard output`.
 [[nodiscard]] std::string destination(const std::string& output);
 
-/// The report as JSON on standard output, as text on standard error, or nowhere. Error: bad_access.
+/// The report as JSON on standard output, as text on standard error, or nowhere; of several inputs each has one line.
+/// Error: bad_access.
 template <class Report>
 [[nodiscard]] Expected<void> summarise(const SummaryOptions& options, const Report& report) {
   if (options.json) return print_document(json_of(report));
-  if (!options.quiet) tell(text_of(report));
+  if (options.quiet) return {};
+  if constexpr (requires { line_of(report); })
+    if (gathered_here()) return tell(line_of(report) + "\n"), Expected<void>();
+  tell(text_of(report));
   return {};
 }
 

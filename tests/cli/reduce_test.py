@@ -131,7 +131,7 @@ class Reduce(CommandTest):
     def test_reports_are_written_as_by_compare(self):
         self.write("one.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n")
         self.assert_fails("reduce keys.csv --tolerance 1deg --output-folder out --report out/keys.csv", BAD_USAGE,
-                          "--report: found 'out/keys.csv', wanted another file than that of the keys")
+                          "--report: found 'out/keys.csv', wanted another file than the output")
         self.assert_writes_reports_as_compare("reduce keys.csv --tolerance 1deg --quiet", "reduce one.csv --tolerance 1deg")
 
     def test_smoothing_first_certifies_the_smoothed_samples_and_states_the_raw_ones(self):
@@ -198,21 +198,24 @@ class Reduce(CommandTest):
         self.assertEqual(documents["1"], documents["5"])
         done = self.run_command(["reduce", *names, *common, "tum", "--output-format", "tum"])
         self.assertEqual(sorted(os.listdir(self.folder / "tum")), ["a.tum", "b.tum", "c.tum"])
-        warning, *lines = done.stderr.splitlines()
-        self.assertIn("positions are kept but not checked", warning)
-        self.assertEqual([line.split(":")[0] for line in lines], ["tum/a.tum", "tum/b.tum", "tum/c.tum"])
+        self.assertEqual([line.split(":")[0] for line in done.stderr.splitlines()],
+                         ["tum/a.tum", "tum/b.tum", "orispline", "tum/c.tum"])
+        self.assertIn("warning: c.tum: positions are kept but not checked", done.stderr)
 
     def test_one_bad_recording_is_named_and_nothing_is_written(self):
         self.write("bad.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n1,nan,0,0,0\n")
         self.write("one.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n")
         reduce = "reduce keys.csv one.csv bad.csv --tolerance 1deg"
-        self.assert_fails(f"{reduce} --output-folder out", BAD_DATA,
-                          "one.csv: found 1 sample, wanted 2 at least to keep the fewest that suffice")
-        self.assertFalse((self.folder / "out").exists())
+        self.assert_fails(f"{reduce} --output-folder out --all-or-none", BAD_DATA,
+                          "one.csv: found 1 sample, wanted 2 at least to keep the fewest that suffice\n"
+                          "orispline: bad.csv:3:2: key 1: found 'nan', wanted a finite number "
+                          "(--drop-invalid drops such rows)\n"
+                          "orispline: 2 of 3 inputs failed; nothing was written")
+        self.assertEqual(list((self.folder / "out").iterdir()), [])
         self.assert_fails(f"{reduce} missing.csv -o out.csv", BAD_USAGE,
                           "found 4 inputs, wanted --output-folder FOLDER for their keys")
         self.assert_fails("reduce keys.csv keys.csv --tolerance 1deg --output-folder out", BAD_USAGE,
-                          "--output-folder: found keys.csv and keys.csv, wanted inputs of different names")
+                          "--output-folder: found keys.csv twice, wanted each input once")
         self.assert_fails("reduce keys.csv --tolerance 1deg --output-folder .", BAD_USAGE,
                           "--output-folder: found ., wanted a folder without the inputs")
         self.assert_fails(["reduce", "keys.csv", "--tolerance", "1deg", "--output-folder", ""], BAD_USAGE,
@@ -223,7 +226,7 @@ class Reduce(CommandTest):
                           "found -o and --output-folder, wanted one of them: a file for the keys, or their folder")
         self.assert_fails("reduce keys.csv --tolerance 1deg --output-folder one.csv", BAD_ACCESS,
                           "one.csv: cannot make this folder: Not a directory")
-        self.assertEqual(sorted(os.listdir(self.folder)), ["bad.csv", "keys.csv", "one.csv"])
+        self.assertEqual(sorted(os.listdir(self.folder)), ["bad.csv", "keys.csv", "one.csv", "out"])
 
     def test_outputs_are_checked_before_the_work_and_appear_all_or_none(self):
         for name in ("a.csv", "b.csv"):
@@ -231,7 +234,8 @@ class Reduce(CommandTest):
         (self.folder / "out/b.csv").mkdir(parents=True)
         self.write("out/a.csv", "old")
         reduce = "reduce a.csv b.csv --tolerance 1deg"
-        self.assert_fails(f"{reduce} --output-folder out", BAD_ACCESS, "out/b.csv: cannot write: Is a directory")
+        self.assert_fails(f"{reduce} --output-folder out --all-or-none", BAD_ACCESS,
+                          "out/b.csv: cannot write: Is a directory\norispline: 1 of 2 inputs failed; nothing was written")
         self.assertEqual((self.read("out/a.csv"), sorted(os.listdir(self.folder / "out"))), ("old", ["a.csv", "b.csv"]))
         # a complaint of the output comes before those of the samples
         self.write("one.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n")

@@ -2,11 +2,14 @@
 #include "commands/compare/compare.hpp"
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/base/quoted.hpp>
 #include <orispline/pages/compare_page.hpp>
 #include <orispline/tune/tension_model.hpp>
 #include <orispline/tune/tune.hpp>
 
 #include "commands/compare/compare_report.hpp"
+#include "output/each_input.hpp"
+#include "output/gathered_output.hpp"
 #include "output/progress.hpp"
 #include "output/standard_output.hpp"
 #include "output/terminal_width.hpp"
@@ -79,7 +82,7 @@ Expected<CompareReport> compared(const CompareOptions& options, const CompareReq
       .sort = request.sort};
   if (const auto sortable = sort(report); !sortable) return tl::unexpected(sortable.error());
   report.methods = methods_to_compare(request, report.data);
-  measure_all(report, request, options.quiet ? Progress::Show::never : Progress::Show::on_terminal);
+  measure_all(report, request, options.summary.quiet ? Progress::Show::never : Progress::Show::on_terminal);
   return sort(report).map([&] { return std::move(report); });
 }
 
@@ -104,9 +107,22 @@ Expected<void> print(const CompareReport& report, const CompareOptions& options)
       .and_then([&] { return any_worked(report); });
 }
 
-}  // namespace
+/// The table of one of several inputs, as a file of its own.
+Expected<void> write(const CompareReport& report, const CompareOptions& options) {
+  const auto worked = any_worked(report);
+  if (!worked) return worked;
+  return open_output(options.output.path)
+      .and_then([&](Noted<io::OutputFile> output) {
+        return output.file.write(options.json ? json_of(report) : csv_of(report)).and_then([&] {
+          return put_in_place(std::move(output));
+        });
+      })
+      .map([&] {
+        if (!options.summary.quiet) tell(formatted("{}: {}\n", printable(options.output.path), line_of(report)));
+      });
+}
 
-Expected<void> compare(const CompareOptions& options) {
+Expected<void> compare_one(const CompareOptions& options) {
   const auto request = compare_request(options);
   if (!request) return tl::unexpected(request.error());
   auto file = ReportFile::open(options.report);
@@ -118,9 +134,25 @@ Expected<void> compare(const CompareOptions& options) {
     };
     // What was measured is shown even where the report cannot be written.
     const auto written = file->write(make_page).and_then([&] { return file->finish(); });
-    const auto printed = print(report, options);
+    const auto printed = options.inputs.folder ? write(report, options) : print(report, options);
     return written ? printed : written;
   });
+}
+
+Expected<void> check_each(const CompareOptions& options) {
+  if (options.reference == io::standard_stream)
+    return usage_failure(
+        "--output-folder: found '-' for --reference, wanted a file, which is read again for each input");
+  return compare_request(options).map([](const CompareRequest&) {});
+}
+
+}  // namespace
+
+Expected<void> compare(const CompareOptions& options) {
+  return on_inputs(options, {.written = "tables",
+                             .check = check_each,
+                             .work = compare_one,
+                             .extension = options.json ? ".json" : io::csv_format.extensions.front()});
 }
 
 }  // namespace orispline::cli

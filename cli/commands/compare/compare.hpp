@@ -3,22 +3,28 @@
 
 #include "options/field_options.hpp"
 #include "options/input_options.hpp"
+#include "options/output_options.hpp"
+#include "options/several_inputs.hpp"
+#include "options/summary_options.hpp"
 #include "output/report_file.hpp"
 
 namespace orispline::cli {
 
 /// `orispline compare`, as typed.
 struct CompareOptions {
-  InputOptions input;
+  SeveralInputs inputs;
+  InputOptions input;                   ///< how they are read
+  OutputOptions output;                 ///< of the table: standard output, or a file in the folder
   std::vector<std::string> keep_every;  ///< whole numbers, or lists of them with commas between them
   std::vector<std::string> methods;     ///< names with settings, or lists with commas between them; none: all
-  std::optional<std::string> random, reference, sort, threads;
+  std::optional<std::string> random, reference, sort;
   TypedFields measured;  ///< of MeasureOptions
-  bool jitter = false, tune = false, json = false, csv = false, quiet = false;
+  bool jitter = false, tune = false, json = false, csv = false;
+  SummaryOptions summary;  ///< how much is said besides
   ReportOptions report;
 };
 
-/// Says how near the curves of the methods come to a recording, how smooth they are and what they cost.
+/// Of each input: says how near the curves of the methods come to a recording, how smooth they are and what they cost.
 [[nodiscard]] Expected<void> compare(const CompareOptions& options);
 
 }  // namespace orispline::cli

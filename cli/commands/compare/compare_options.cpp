@@ -13,6 +13,7 @@ constexpr auto compare_footer = R"(Examples:
   orispline compare flight.csv --keep-every 8 --methods auto,slerp,quintic --json
   orispline compare flight.csv --keep-every 4,16,64 --random 7 --sort max
   orispline compare keys.csv --reference truth.csv --report report.html
+  orispline compare flights --methods auto,slerp,squad --output-folder tables
   orispline compare flight.csv --methods auto,quintic:tension=0.6,timed-c2:ends=repeat --inertia=1,2,2.5 --sort torque
 
 --keep-every N keeps the samples 0, N, 2N, ... of INPUT as keys, the last one only if it falls on the grid; the curves
@@ -24,7 +25,8 @@ the best (docs/compare.md).)";
 }  // namespace
 
 void add_compare_options(Command& app, CompareOptions& o) {
-  add_input_options(app, o.input);
+  add_several_inputs(app, o.inputs, "table");
+  add_reading_options(app, o.input);
   app.option("--sort").names = "--sort-rows";  // for --sort means the table here
   const std::string group = "Keys and reference";
   app.add_option("--keep-every", o.keep_every, "Keep every N-th sample of INPUT as a key; repeatable, or a list [8]")
@@ -47,14 +49,14 @@ void add_compare_options(Command& app, CompareOptions& o) {
       ->group(measures);
   add_fields(app, o.measured, fields_of<MeasureOptions>(), measures);
   app.add_option("--sort", o.sort, "Measure to sort by, best first [rms]")->type_name(sort_words())->group(measures);
-  app.add_option("--threads", o.threads, "Threads that work on the methods; 1 for undisturbed times [all cores]")
+  app.add_option("--threads", o.inputs.threads, "Threads that work on the methods; 1 for undisturbed times [all cores]")
       ->type_name("N")
       ->group(measures);
   const std::string output = "Output";
   app.add_flag("--json", o.json, "Print one JSON array")->group(output);
   app.add_flag("--csv", o.csv, "Print one CSV table")->group(output);
   add_report_option(app, o.report);
-  app.add_flag("--quiet", o.quiet, "No progress bar")->group(output);
+  app.add_flag("--quiet", o.summary.quiet, "No progress bar")->group(output);
   app.footer = compare_footer;
 }
 

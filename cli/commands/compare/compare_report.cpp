@@ -125,6 +125,20 @@ std::string text_of(const CompareReport& report, std::optional<std::size_t> widt
   return text;
 }
 
+std::string line_of(const CompareReport& report) {
+  const auto measures = measures_of(report);
+  const auto sorted_by = std::ranges::find(measures, report.sort, &MeasureInfo::word);
+  std::string line;
+  for (std::size_t i = 0; i < report.data.key_sets.size(); ++i) {
+    const auto best = std::ranges::find(report.methods, i, &ComparedMethod::key_set);
+    const auto value = value_of(*sorted_by, *best, report.data);
+    const auto& decimation = report.data.key_sets[i].decimation;
+    line += formatted("{}{}{}", line.empty() ? "" : ", ", best->label, decimation ? " at " + name_of(*decimation) : "");
+    if (value) line += formatted(" ({:.4g} {})", *value, sorted_by->unit);
+  }
+  return "best by " + report.sort + ": " + line;
+}
+
 std::string csv_of(const CompareReport& report) {
   const std::vector<MeasureInfo> measures = measures_of(report);
   std::string text = "method,keep_every,keys,samples";

@@ -42,6 +42,8 @@ struct CompareReport {
 ///
 /// In lines of so many characters: what has no room is left out, and named.
 [[nodiscard]] std::string text_of(const CompareReport& report, std::optional<std::size_t> width);
+/// The best method of each set of keys, in one line.
+[[nodiscard]] std::string line_of(const CompareReport& report);
 /// One table with a header.
 [[nodiscard]] std::string csv_of(const CompareReport& report);
 

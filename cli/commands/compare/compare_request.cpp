@@ -120,7 +120,7 @@ Expected<CompareRequest> compare_request(const CompareOptions& options) {
                          .measured = checked(measures_in(options)),
                          .tune = options.tune,
                          .sort = checked(sort_word_in({"--sort", options.sort.value_or(std::string(default_sort))})),
-                         .threads = checked(threads_in(options.threads))};
+                         .threads = checked(threads_in(options.inputs.threads))};
   if (auto agreed = agree(options, request); !agreed) static_cast<void>(checked(agreed.map([] { return 0; })));
   auto read = std::move(checked).or_else(std::move(request));
   if (!read) return read;

@@ -7,6 +7,7 @@
 #include "options/input_options.hpp"
 #include "options/method_options.hpp"
 #include "options/output_options.hpp"
+#include "options/several_inputs.hpp"
 #include "options/smoothness.hpp"
 #include "output/report_file.hpp"
 #include "output/summary.hpp"
@@ -18,21 +19,19 @@ inline constexpr std::string_view smallest_method = "smallest";
 
 /// `orispline reduce`, as typed.
 struct ReduceOptions {
-  std::vector<std::string> inputs;
+  SeveralInputs inputs;
   InputOptions input;  ///< how they are read
   OutputOptions output;
   ReportOptions report;
   TypedFields reduction;  ///< of orispline::ReduceOptions
   std::string method{smallest_method};
   MethodOptions shape;
-  std::optional<std::string> folder, threads;
   SmoothnessOptions smoothness;
   bool smooth = false;
   SummaryOptions summary;
 };
 
-/// Dense recordings in, for each the fewest keys whose curve is within the tolerance out. Nothing is written before all
-/// of them are found.
+/// Dense recordings in, for each the fewest keys whose curve is within the tolerance out.
 [[nodiscard]] Expected<void> reduce(const ReduceOptions& options);
 
 }  // namespace orispline::cli

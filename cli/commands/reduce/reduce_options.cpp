@@ -22,9 +22,7 @@ among the samples; auto and timed-c2 are found by insertion and pruning. docs/re
 }  // namespace
 
 void add_reduce_options(Command& app, ReduceOptions& o) {
-  app.add_option("INPUT", o.inputs, "CSV, TUM or EuRoC file, several with --output-folder; '-' is standard input")
-      ->required()
-      ->type_name(file_type);
+  add_several_inputs(app, o.inputs, "keys");
   add_reading_options(app, o.input);
   const std::string group = "Reduction";
   const auto fields = fields_of<orispline::ReduceOptions>();
@@ -43,11 +41,8 @@ void add_reduce_options(Command& app, ReduceOptions& o) {
   add_smoothness_options(app, o.smoothness);
   add_output_options(app, o.output);
   add_report_option(app, o.report);
-  app.add_option("--output-folder", o.folder,
-                 "Of several inputs: keys into files of the same names there, when all are found")
-      ->type_name(folder_type)
-      ->group("Output");
-  app.add_option("--threads", o.threads, "Threads that work on inputs and methods, with the same results [all cores]")
+  app.add_option("--threads", o.inputs.threads,
+                 "Threads that work on inputs and methods, with the same results [all cores]")
       ->type_name("N")
       ->group("Output");
   add_summary_options(app, o.summary);

@@ -87,30 +87,20 @@ std::string text_of(const ReduceReport& report) {
                           destination(report.output), chosen.method.name);
 }
 
-std::string text_of(std::span<const ReduceReport> reports) {
-  std::string text;
-  for (const ReduceReport& report : reports) {
-    const orispline::Reduction& chosen = report.reductions[report.chosen];
-    text += formatted("{}: {} of {} from {}, {:.6g}° off at most", printable(report.output),
-                      counted(chosen.samples.size(), "key"), chosen.method.name, counted(report.samples, "sample"),
-                      chosen.deviation.angle * degrees);
-    if (chosen.deviation.position) text += formatted(", {:.6g} m", *chosen.deviation.position);
-    if (report.smoothed)
-      text += formatted("; smoothed with {:.4g} s, {} rejected, {:.6g}° RMS from the raw samples",
-                        report.smoothed->smoothing.smoothing_time, report.smoothed->smoothing.rejected.size(),
-                        report.smoothed->raw.rms * degrees);
-    if (const std::string repairs = text_of(report.repairs); !repairs.empty()) text += "; " + repairs;
-    text += "\n";
-  }
+std::string line_of(const ReduceReport& report) {
+  const orispline::Reduction& chosen = report.reductions[report.chosen];
+  std::string text = formatted("{}: {} of {} from {}, {:.6g}° off at most", printable(report.output),
+                               counted(chosen.samples.size(), "key"), chosen.method.name,
+                               counted(report.samples, "sample"), chosen.deviation.angle * degrees);
+  if (chosen.deviation.position) text += formatted(", {:.6g} m", *chosen.deviation.position);
+  if (report.smoothed)
+    text += formatted("; smoothed with {:.4g} s, {} rejected, {:.6g}° RMS from the raw samples",
+                      report.smoothed->smoothing.smoothing_time, report.smoothed->smoothing.rejected.size(),
+                      report.smoothed->raw.rms * degrees);
+  if (const std::string repairs = text_of(report.repairs); !repairs.empty()) text += "; " + repairs;
   return text;
 }
 
 std::string json_of(const ReduceReport& report) { return document(track_json(report)); }
-
-std::string json_of(std::span<const ReduceReport> reports) {
-  Json tracks = Json::array();
-  for (const ReduceReport& report : reports) tracks.push_back(track_json(report));
-  return document(tracks);
-}
 
 }  // namespace orispline::cli

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -34,12 +33,10 @@ struct ReduceReport {
 
 /// A few lines for people.
 [[nodiscard]] std::string text_of(const ReduceReport& report);
-/// One line for each.
-[[nodiscard]] std::string text_of(std::span<const ReduceReport> reports);
+/// In one line, of one of several inputs.
+[[nodiscard]] std::string line_of(const ReduceReport& report);
 
 /// One JSON document, described in docs/inspect-json.md.
 [[nodiscard]] std::string json_of(const ReduceReport& report);
-/// An array of such documents, one for each input.
-[[nodiscard]] std::string json_of(std::span<const ReduceReport> reports);
 
 }  // namespace orispline::cli

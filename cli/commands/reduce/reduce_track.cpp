@@ -4,7 +4,6 @@
 #include <utility>
 
 #include <orispline/base/formatted.hpp>
-#include <orispline/io/track_writer.hpp>
 
 #include "options/output_options.hpp"
 
@@ -34,16 +33,10 @@ Expected<ReducedTrack> open_track(const InputRequest& input, const std::optional
   return smoothing ? smoothed(std::move(track), *smoothing) : std::move(track);
 }
 
-Expected<Noted<io::OutputFile>> write_keys(const std::string& path, const io::SampleColumns& columns,
-                                           const Track& keys) {
-  if (!keys.settings.empty() && !columns.format->holds.settings)
-    return usage_failure(formatted("{}: {} has no column for {}, with which the tolerance holds, wanted {}", path,
-                                   columns.format->file, keys.settings.begin()->first, formats_for_settings()));
-  return open_output(path).and_then([&](Noted<io::OutputFile> output) {
-    return io::write_tracks(output.file, {&keys, 1}, columns).and_then([&] { return output.file.close(); }).map([&] {
-      return std::move(output);
-    });
-  });
+Expected<void> check_settings_fit(const Track& keys, const io::SampleColumns& columns, const std::string& path) {
+  if (keys.settings.empty() || columns.format->holds.settings) return {};
+  return usage_failure(formatted("{}: {} has no column for {}, with which the tolerance holds, wanted {}", path,
+                                 columns.format->file, keys.settings.begin()->first, formats_for_settings()));
 }
 
 }  // namespace orispline::cli

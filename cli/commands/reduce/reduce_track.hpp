@@ -5,14 +5,12 @@
 #include <string>
 #include <vector>
 
-#include <orispline/io/output_file.hpp>
 #include <orispline/io/sample_columns.hpp>
 #include <orispline/io/track_file.hpp>
 #include <orispline/reduce/reduce.hpp>
 #include <orispline/smooth/smooth.hpp>
 
 #include "options/input_options.hpp"
-#include "output/noted_output.hpp"
 
 namespace orispline::cli {
 
@@ -29,9 +27,8 @@ struct ReducedTrack {
 [[nodiscard]] Expected<ReducedTrack> open_track(const InputRequest& input,
                                                 const std::optional<orispline::SmoothOptions>& smoothing);
 
-/// Writes the keys beside their file, whose place they take when it finishes, and closes it; those that are samples
-/// with the digits of the file. Errors: those of io::write_tracks().
-[[nodiscard]] Expected<Noted<io::OutputFile>> write_keys(const std::string& path, const io::SampleColumns& columns,
-                                                         const Track& keys);
+/// Error (bad_argument): settings with a value per key, for which files of that format have no column.
+[[nodiscard]] Expected<void> check_settings_fit(const Track& keys, const io::SampleColumns& columns,
+                                                const std::string& path);
 
 }  // namespace orispline::cli

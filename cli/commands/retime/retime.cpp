@@ -11,7 +11,9 @@
 
 #include "commands/retime/retime_report.hpp"
 #include "options/file_places.hpp"
+#include "output/each_input.hpp"
 #include "output/keys_file.hpp"
+#include "output/noted_output.hpp"
 
 namespace orispline::cli {
 namespace {
@@ -29,9 +31,12 @@ bool takes_no_rates(const FamilyInfo& family) { return family.rate_orders == 0; 
 
 /// What the files ask of each other.
 Expected<void> agree(const RetimeOptions& options) {
-  if (auto apart = check_output_apart("-o", options.output.path, {{"INPUT", options.input.path}}); !apart) return apart;
+  if (auto apart = check_output_apart(options.output.option, options.output.path, {{"INPUT", options.input.path}});
+      !apart)
+    return apart;
   return check_summary(options.summary, options.output.path, "keys").and_then([&] {
-    return check_report(options.report, {{"that of -o", options.output.path}, {"INPUT", options.input.path}});
+    return check_report(options.report,
+                        {{place_of_output(options.output), options.output.path}, {"INPUT", options.input.path}});
   });
 }
 
@@ -47,25 +52,23 @@ Expected<Request> request_in(const RetimeOptions& options) {
   if (!read) return read;
   return check(read->retiming)
       .and_then([&] { return agree(options); })
-      .and_then([&] { return check_times_are_kept(*read->columns.format, "-o", "the limits"); })
+      .and_then([&] { return check_times_are_kept(*read->columns.format, options.output.option, "the limits"); })
       .map([&] { return std::move(*read); });
 }
 
 /// Settings with a value per key belong to the curve for which the limits hold: they are written as columns.
-Expected<void> check_settings(const Track& track, const io::SampleColumns& columns) {
+Expected<void> check_settings(const Track& track, const io::SampleColumns& columns, std::string_view option) {
   if (track.settings.empty() || columns.format->holds.settings) return {};
-  return usage_failure(formatted("-o: {} has no column for {}, with which the limits hold, wanted {}",
+  return usage_failure(formatted("{}: {} has no column for {}, with which the limits hold, wanted {}", option,
                                  columns.format->file, track.settings.begin()->first, formats_for_settings()));
 }
 
-}  // namespace
-
-Expected<void> retime(const RetimeOptions& options) {
+Expected<void> retime_one(const RetimeOptions& options) {
   auto request = request_in(options);
   if (!request) return tl::unexpected(std::move(request.error()));
   auto page = ReportFile::open(options.report);
   if (!page) return tl::unexpected(std::move(page.error()));
-  if (auto writable = io::check_output(options.output.path); !writable) return writable;
+  if (auto writable = check_output(options.output.path); !writable) return writable;
   auto input = io::KeyInput::open(request->input.path, request->input.read.recipe);
   if (!input) return tl::unexpected(std::move(input.error()));
   const auto chosen = chosen_method(request->named, options.shape, *input, {default_method, takes_no_rates});
@@ -84,7 +87,7 @@ Expected<void> retime(const RetimeOptions& options) {
   auto retiming = orispline::retime(track, method, request->retiming);
   if (!retiming) return tl::unexpected(placed(track, std::move(retiming.error())));
   warn(retiming->warnings);
-  if (auto held = check_settings(retiming->track, request->columns); !held) return held;
+  if (auto held = check_settings(retiming->track, request->columns, options.output.option); !held) return held;
   const RetimeReport report{.input = options.input.path,
                             .output = options.output.path,
                             .limits = limits,
@@ -95,6 +98,13 @@ Expected<void> retime(const RetimeOptions& options) {
       .and_then([&] { return write_keys(options.output.path, report.retiming.track, request->columns); })
       .and_then([&] { return page->finish(); })
       .and_then([&] { return summarise(options.summary, report); });
+}
+
+}  // namespace
+
+Expected<void> retime(const RetimeOptions& options) {
+  const auto check = [](const RetimeOptions& one) { return request_in(one).map([](const Request&) {}); };
+  return on_inputs(options, {.written = "keys", .check = check, .work = retime_one});
 }
 
 }  // namespace orispline::cli

@@ -5,6 +5,7 @@
 #include "options/input_options.hpp"
 #include "options/method_options.hpp"
 #include "options/output_options.hpp"
+#include "options/several_inputs.hpp"
 #include "output/report_file.hpp"
 #include "output/summary.hpp"
 
@@ -12,7 +13,8 @@ namespace orispline::cli {
 
 /// `orispline retime`, as typed.
 struct RetimeOptions {
-  InputOptions input;
+  SeveralInputs inputs;
+  InputOptions input;  ///< how they are read
   OutputOptions output;
   ReportOptions report;
   std::optional<std::string> method;

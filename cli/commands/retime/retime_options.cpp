@@ -12,6 +12,7 @@ constexpr auto retime_footer = R"(Examples:
   orispline retime keys.csv --max-rate 90deg/s --max-acceleration 200deg/s2 --per-interval -o slow.csv
   orispline retime keys.csv --max-rate 90,60,120deg/s --max-jerk 2000deg/s^3 --max-speed 0.5m/s -o slow.csv
   orispline retime keys.csv --duration 30s -o slow.csv
+  orispline retime poses --max-rate 90deg/s --output-folder slow
   orispline retime tuned.csv --method timed-c2 --ends rest --max-rate 90deg/s -o slow.csv
   orispline retime keys.csv --max-torque 0.5Nm --inertia=1,2,2.5 --method timed-c2 -o slow.csv --json
 
@@ -22,7 +23,9 @@ duration; where no method is named, the body stands still in them. docs/retime.m
 }  // namespace
 
 void add_retime_options(Command& app, RetimeOptions& o) {
-  add_input_options(app, o.input);
+  add_several_inputs(app, o.inputs, "keys");
+  add_input_threads(app, o.inputs);
+  add_reading_options(app, o.input);
   app.add_option("--method", o.method, formatted("Method of the curve [that of INPUT, else {}]", default_method))
       ->type_name(method_type)
       ->group("Shape of the curve");

@@ -46,6 +46,13 @@ std::string text_of(const RetimeReport& report) {
   return text + formatted("keys written to {}\n", destination(report.output));
 }
 
+std::string line_of(const RetimeReport& report) {
+  return formatted("{}: {} for {}, {:.6g} s before, {:.6g} s after, {}", printable(report.output),
+                   counted(report.retiming.track.keys.times().size(), "key"),
+                   orispline::text_of(report.retiming.method), report.duration_before, duration_of(report),
+                   scale_text(report.retiming.time_scale));
+}
+
 std::string json_of(const RetimeReport& report) {
   Json json{{"input", report.input}, {"output", report.output}, {"method", report.retiming.method.name}};
   put(json, report.retiming, {"slowing"});

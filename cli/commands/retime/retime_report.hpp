@@ -18,6 +18,8 @@ struct RetimeReport {
 
 /// A few lines for people.
 [[nodiscard]] std::string text_of(const RetimeReport& report);
+/// In one line, of one of several inputs.
+[[nodiscard]] std::string line_of(const RetimeReport& report);
 
 /// One JSON document, described in docs/inspect-json.md.
 [[nodiscard]] std::string json_of(const RetimeReport& report);

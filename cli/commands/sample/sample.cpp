@@ -2,6 +2,7 @@
 #include "commands/sample/sample.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <orispline/families/method_text.hpp>
 #include <orispline/families/method_warnings.hpp>
@@ -10,6 +11,8 @@
 #include "commands/sample/sample_request.hpp"
 #include "commands/sample/sample_stream.hpp"
 #include "commands/sample/sampling.hpp"
+#include "output/each_input.hpp"
+#include "output/gathered_output.hpp"
 #include "output/noted_output.hpp"
 #include "output/standard_output.hpp"
 
@@ -101,16 +104,16 @@ Expected<SampleReport> sample_whole(const SampleRequest& request, io::KeyReader 
   }
   const Sampling sampling{source->curve, source->times, columns, request.threads};
   return open_samples(request.output, columns, source->times.size())
-      .and_then([&](Noted<io::SampleWriter> output) { return write_samples(output.file, sampling, request.progress); })
-      .map([&](std::size_t held) {
-        report.held_samples = held;
-        return report;
-      });
+      .and_then([&](Noted<io::SampleWriter> output) {
+        return write_samples(output.file, sampling, request.progress).and_then([&](std::size_t held) {
+          report.held_samples = held;
+          return put_in_place(std::move(output));
+        });
+      })
+      .map([&] { return report; });
 }
 
-}  // namespace
-
-Expected<void> sample(const SampleOptions& options) {
+Expected<void> sample_one(const SampleOptions& options) {
   auto request = sample_request(options);
   if (!request) return tl::unexpected(std::move(request.error()));
   auto input = io::KeyInput::open(request->input.path, request->input.read.recipe);
@@ -125,6 +128,19 @@ Expected<void> sample(const SampleOptions& options) {
                                               : sample_whole(*request, std::move(keys));
       })
       .and_then([&](const SampleReport& report) { return summarise(options.summary, report); });
+}
+
+Expected<void> check_each(const SampleOptions& options) {
+  if (options.times.list == io::standard_stream || options.truth == io::standard_stream)
+    return usage_failure(
+        "--output-folder: found '-' for --times or --truth, wanted a file, which is read again for each input");
+  return sample_request(options).map([](const SampleRequest&) {});
+}
+
+}  // namespace
+
+Expected<void> sample(const SampleOptions& options) {
+  return on_inputs(options, {.written = "samples", .check = check_each, .work = sample_one});
 }
 
 }  // namespace orispline::cli

@@ -5,6 +5,7 @@
 #include "options/method_options.hpp"
 #include "options/output_options.hpp"
 #include "options/sample_times.hpp"
+#include "options/several_inputs.hpp"
 #include "output/summary.hpp"
 
 namespace orispline::cli {
@@ -18,16 +19,17 @@ inline constexpr std::array extrapolation_choices{Choice<Extrapolation>{"hold", 
 
 /// `orispline sample`, as typed.
 struct SampleOptions {
-  InputOptions input;
+  SeveralInputs inputs;
+  InputOptions input;  ///< how they are read
   std::optional<std::string> method;
   MethodOptions shape;
   TimeOptions times;
   OutputOptions output;
-  std::optional<std::string> derivatives, frame, extrapolate, truth, threads;
+  std::optional<std::string> derivatives, frame, extrapolate, truth;
   SummaryOptions summary;
 };
 
-/// Keyframes in, samples of the curve through them out.
+/// Keyframes in, samples of the curve through them out, for each input.
 [[nodiscard]] Expected<void> sample(const SampleOptions& options);
 
 }  // namespace orispline::cli

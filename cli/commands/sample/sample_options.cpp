@@ -18,6 +18,7 @@ constexpr auto sample_footer = R"(Examples:
   orispline sample trajectory.tum --drop-duplicates --rate 200 -o smooth.tum
   orispline sample data.csv --rate 200 --output-orientation euler -o motion.csv
   orispline sample keys.csv --rate 100000 -o motion.npy
+  orispline sample joints --rate 100 --output-folder motions
   orispline sample ck.csv --columns t=sclk,qw=q0,qx=q1,qy=q2,qz=q3 --conjugate --rate 10 --frame world
 
 INPUT has the columns t,qw,qx,qy,qz and optionally px,py,pz, wx,wy,wz[,ax,ay,az[,jx,jy,jz]] (for methods that take
@@ -55,7 +56,8 @@ void add_time_options(Command& app, TimeOptions& o) {
 }  // namespace
 
 void add_sample_options(Command& app, SampleOptions& o) {
-  add_input_options(app, o.input);
+  add_several_inputs(app, o.inputs, "samples");
+  add_reading_options(app, o.input);
   app.add_option("--method", o.method,
                  formatted("Method [that of INPUT, else {}]; see 'orispline methods'", default_method))
       ->type_name(method_type)
@@ -75,7 +77,8 @@ void add_sample_options(Command& app, SampleOptions& o) {
   app.add_option("--frame", o.frame, "Frame of the angular rates [body]")
       ->type_name(one_of(frame_choices))
       ->group(group);
-  app.add_option("--threads", o.threads, "Threads that make the samples, which are the same on any number [all cores]")
+  app.add_option("--threads", o.inputs.threads,
+                 "Threads that make the samples, which are the same on any number [all cores]")
       ->type_name("N")
       ->group(group);
   app.add_option("--truth", o.truth, "Key file that the curve is compared with, in the summary")

@@ -34,6 +34,8 @@ struct SampleReport {
 
 /// A few lines for people.
 [[nodiscard]] std::string text_of(const SampleReport& report);
+/// In one line, of one of several inputs.
+[[nodiscard]] std::string line_of(const SampleReport& report);
 
 /// One JSON document, described in docs/inspect-json.md.
 [[nodiscard]] std::string json_of(const SampleReport& report);

@@ -65,7 +65,7 @@ Expected<SampleRequest> sample_request(const SampleOptions& options) {
       .columns = checked(columns_in(options)),
       .extrapolation = checked(if_given("--extrapolate", options.extrapolate, choice_of(extrapolation_choices)))
                            .value_or(Extrapolation::hold),
-      .threads = checked(threads_in(options.threads)),
+      .threads = checked(threads_in(options.inputs.threads)),
       .output = options.output.path,
       .truth = options.truth,
       .progress = progress_for(options)};
@@ -77,7 +77,7 @@ Expected<SampleRequest> sample_request(const SampleOptions& options) {
   std::vector<OtherFile> others{{"INPUT", options.input.path}};
   if (options.times.list) others.push_back({"that of --times", *options.times.list});
   if (options.truth) others.push_back({"that of --truth", *options.truth});
-  if (auto apart = check_output_apart("-o", options.output.path, others); !apart)
+  if (auto apart = check_output_apart(options.output.option, options.output.path, others); !apart)
     return tl::unexpected(std::move(apart.error()));
   if (reads_standard_input_twice(options))
     return usage_failure("found '-' for several of INPUT, --times and --truth, wanted it for one at most");

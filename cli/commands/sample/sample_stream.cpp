@@ -13,6 +13,7 @@
 #include <orispline/online/track_sampler.hpp>
 
 #include "commands/sample/sample_buffer.hpp"
+#include "output/gathered_output.hpp"
 #include "output/noted_output.hpp"
 #include "output/standard_output.hpp"
 
@@ -81,7 +82,7 @@ class PiecewiseSampling {
       if (!done) return tl::unexpected(done.error());
       if (auto written = write_ready(); !written) return tl::unexpected(std::move(written.error()));
     }
-    return output_->file.finish().map([this] { return report(); });
+    return put_in_place(std::move(*output_)).map([this] { return report(); });
   }
 
  private:

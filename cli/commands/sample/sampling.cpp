@@ -61,7 +61,7 @@ Expected<std::size_t> write_samples(io::SampleWriter& writer, const Sampling& sa
     }
     progress.advance_to(chunk_begin(first + count));
   }
-  return writer.finish().map([held] { return held; });
+  return held;
 }
 
 }  // namespace orispline::cli

@@ -12,6 +12,8 @@
 #include "options/file_places.hpp"
 #include "options/method_options.hpp"
 #include "options/sample_times.hpp"
+#include "output/each_input.hpp"
+#include "output/gathered_output.hpp"
 #include "output/keys_file.hpp"
 #include "output/noted_output.hpp"
 #include "output/smoothing_text.hpp"
@@ -30,9 +32,12 @@ struct Request {
 
 /// What the files ask of each other.
 Expected<void> agree(const SmoothOptions& options) {
-  if (auto apart = check_output_apart("-o", options.output.path, {{"INPUT", options.input.path}}); !apart) return apart;
+  if (auto apart = check_output_apart(options.output.option, options.output.path, {{"INPUT", options.input.path}});
+      !apart)
+    return apart;
   return check_summary(options.summary, options.output.path, "keys").and_then([&] {
-    return check_report(options.report, {{"that of -o", options.output.path}, {"INPUT", options.input.path}});
+    return check_report(options.report,
+                        {{place_of_output(options.output), options.output.path}, {"INPUT", options.input.path}});
   });
 }
 
@@ -80,14 +85,12 @@ Expected<std::size_t> write(const std::string& path, const Request& request, con
   if (!request.times) return write_keys(path, smoothed.track, columns).map([&] { return smoothed.track.keys.size(); });
   return open_samples(path, columns, smoothed.track.keys.size()).and_then([&](Noted<io::SampleWriter> output) {
     return write_samples(output.file, smoothed, *request.times).and_then([&](std::size_t count) {
-      return output.file.finish().map([count] { return count; });
+      return put_in_place(std::move(output)).map([count] { return count; });
     });
   });
 }
 
-}  // namespace
-
-Expected<void> smooth(const SmoothOptions& options) {
+Expected<void> smooth_one(const SmoothOptions& options) {
   auto request = request_in(options);
   if (!request) return tl::unexpected(std::move(request.error()));
   auto page = ReportFile::open(options.report);
@@ -121,6 +124,13 @@ Expected<void> smooth(const SmoothOptions& options) {
       .map([&](std::size_t rows) { report.rows = rows; })
       .and_then([&] { return page->finish(); })
       .and_then([&] { return summarise(options.summary, report); });
+}
+
+}  // namespace
+
+Expected<void> smooth(const SmoothOptions& options) {
+  const auto check = [](const SmoothOptions& one) { return request_in(one).map([](const Request&) {}); };
+  return on_inputs(options, {.written = "keys", .check = check, .work = smooth_one});
 }
 
 }  // namespace orispline::cli

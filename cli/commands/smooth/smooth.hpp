@@ -3,6 +3,7 @@
 
 #include "options/input_options.hpp"
 #include "options/output_options.hpp"
+#include "options/several_inputs.hpp"
 #include "options/smoothness.hpp"
 #include "output/report_file.hpp"
 #include "output/summary.hpp"
@@ -11,7 +12,8 @@ namespace orispline::cli {
 
 /// `orispline smooth`, as typed.
 struct SmoothOptions {
-  InputOptions input;
+  SeveralInputs inputs;
+  InputOptions input;  ///< how they are read
   SmoothnessOptions smoothness;
   std::optional<std::string> rate;  ///< of samples
   OutputOptions output;
@@ -19,7 +21,7 @@ struct SmoothOptions {
   SummaryOptions summary;
 };
 
-/// A noisy recording in, smooth keys with rates, or samples, out.
+/// Noisy recordings in, smooth keys with rates, or samples, out.
 [[nodiscard]] Expected<void> smooth(const SmoothOptions& options);
 
 }  // namespace orispline::cli

@@ -9,6 +9,7 @@ constexpr auto smooth_footer = R"(Examples:
   orispline smooth noisy.csv --noise 1deg --gap 0.5 -o keys.csv
   orispline smooth noisy.csv --cutoff 8 --loss l2 --rate 200 -o motion.csv
   orispline smooth imu.csv --gyro -o keys.csv
+  orispline smooth recordings --output-folder smoothed
   orispline sample keys.csv --method hermite-c2 --rate 500 -o motion.csv
 
 Without --noise, --smoothing-time or --cutoff the smoothing is chosen by generalised cross-validation. The output has an
@@ -18,7 +19,9 @@ curve; with --rate it has samples of that curve. docs/smooth.md says more.)";
 }  // namespace
 
 void add_smooth_options(Command& app, SmoothOptions& o) {
-  add_input_options(app, o.input);
+  add_several_inputs(app, o.inputs, "keys");
+  add_input_threads(app, o.inputs);
+  add_reading_options(app, o.input);
   add_smoothing_options(app, o.smoothness);
   app.add_option("--rate", o.rate, "Write samples at so many per second instead of keys")
       ->type_name("HZ")

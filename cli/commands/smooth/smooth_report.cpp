@@ -91,4 +91,14 @@ std::string text_of(const SmoothReport& report) {
                           destination(report.output));
 }
 
+std::string line_of(const SmoothReport& report) {
+  std::string line = formatted("{}: {} from {}, RMS {:.4g}° and at most {:.4g}° from them", printable(report.output),
+                               counted(report.rows, report.samples ? "sample" : "key"),
+                               counted(report.recording.lines.size(), "sample"),
+                               report.smoothing.distances.rms * degrees, report.smoothing.distances.largest * degrees);
+  if (!report.smoothing.rejected.empty()) line += formatted("; {} rejected", report.smoothing.rejected.size());
+  if (const std::string repairs = text_of(report.repairs); !repairs.empty()) line += "; " + repairs;
+  return line;
+}
+
 }  // namespace orispline::cli

@@ -22,6 +22,8 @@ struct SmoothReport {
 
 /// A page for people.
 [[nodiscard]] std::string text_of(const SmoothReport& report);
+/// In one line, of one of several inputs.
+[[nodiscard]] std::string line_of(const SmoothReport& report);
 
 /// One JSON document, described in docs/inspect-json.md.
 [[nodiscard]] std::string json_of(const SmoothReport& report);

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <orispline/base/expected.hpp>
+
+#include "options/output_options.hpp"
+#include "options/several_inputs.hpp"
+#include "options/summary_options.hpp"
+
+namespace orispline::cli {
+
+/// One of several inputs, and what the work on it may use.
+struct InputTurn {
+  std::string input, output;  ///< paths
+  std::string threads;        ///< as `--threads` would have them
+};
+
+/// What a command does with several inputs.
+struct WorkOnEach {
+  std::function<Expected<void>(const InputTurn&)> check;  ///< of the options, by the first input, before all work
+  std::function<Expected<void>(const InputTurn&)> work;
+  std::string_view extension{};  ///< of the outputs; empty: those of the inputs
+  bool wants_report = false;     ///< which shows one of them
+};
+
+/// Works on each input in threads, and says what there is to say in their order. A bad input does not stop the others.
+///
+/// Errors: what is wrong with the options or the folder; else, once each bad input was named, the gravest kind of what
+/// was wrong, with the number of bad inputs.
+[[nodiscard]] Expected<void> work_on_each(const SeveralInputs& inputs, const SummaryOptions& summary,
+                                          const WorkOnEach& each);
+
+/// What a command does with its options once they name one input and one output.
+template <class Options>
+struct CommandOnInput {
+  std::string_view written;                 ///< into the output: `keys`
+  Expected<void> (*check)(const Options&);  ///< that the options are good, before all work on several inputs
+  Expected<void> (*work)(const Options&);
+  std::string_view extension{};  ///< as in WorkOnEach, of a command that writes no samples
+};
+
+/// Calls it with the only input, or with each of several that go into an output folder.
+template <class Options>
+[[nodiscard]] Expected<void> on_inputs(const Options& options, const CommandOnInput<Options>& command) {
+  if (!options.inputs.folder)
+    return only_input(options.inputs, command.written).and_then([&](std::string path) {
+      Options one = options;
+      one.input.path = std::move(path);
+      return command.work(one);
+    });
+  const Expected<std::string_view> extension =
+      command.extension.empty() ? folder_extension(options.output, command.written) : command.extension;
+  if (!extension) return tl::unexpected(extension.error());
+  const auto on = [&](const InputTurn& turn) {
+    Options one = options;
+    one.input.path = turn.input;
+    one.output.path = turn.output;
+    one.output.option = "--output-folder";
+    one.inputs.threads = turn.threads;
+    return one;
+  };
+  WorkOnEach each{.check = [&](const InputTurn& turn) { return command.check(on(turn)); },
+                  .work = [&](const InputTurn& turn) { return command.work(on(turn)); },
+                  .extension = *extension};
+  if constexpr (requires { options.report; }) each.wants_report = options.report.path.has_value();
+  return work_on_each(options.inputs, options.summary, each);
+}
+
+}  // namespace orispline::cli
