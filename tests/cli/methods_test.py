@@ -121,7 +121,7 @@ class Help(CommandTest):
                 self.assertRegex(done.stdout, rf"Examples:\n.*orispline {command}")
 
     def test_what_a_bad_usage_says_to_type_prints_help(self):
-        for arguments in ("", "--bogus", "sample", "sample keys.csv --xyzzy", "sample keys.csv more.csv"):
+        for arguments in ("", "--bogus", "sample", "sample keys.csv --xyzzy", "inspect keys.csv more.csv"):
             said = re.findall("'(orispline help.*?)'", self.run_command(arguments).stderr)
             self.assertTrue(said, arguments)
             for words in said:

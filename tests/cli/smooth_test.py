@@ -47,6 +47,12 @@ class Smooth(CommandTest):
         super().setUp()
         self.write("noisy.csv", recording(400, 0.02, {100, 250}))
 
+    def test_the_end_is_a_sample_too_where_it_is_asked_for(self):
+        self.write("keys.csv", with_gyro(40, lambda a, b, da, db: (0, 0, 0)))
+        last = lambda arguments: self.output_of(f"smooth keys.csv --loss l2 {arguments}").splitlines()[-1].split(",")[0]
+        self.assertEqual([last("--rate 7"), last("--rate 7 --include-end")], ["0.7142857142857143", "0.78"])
+        self.assert_fails("smooth keys.csv --include-end", BAD_USAGE, "--include-end: wanted --rate as well")
+
     def test_writes_keys_with_rates_near_the_truth_and_names_the_outliers(self):
         summary = json.loads(self.output_of("smooth noisy.csv --json -o smooth.csv"))
         self.assertEqual([place["line"] for place in summary["rejected"]], [102, 252])

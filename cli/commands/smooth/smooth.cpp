@@ -43,6 +43,7 @@ Expected<void> agree(const SmoothOptions& options) {
 
 Expected<Request> request_in(const SmoothOptions& options) {
   if (auto agreed = agree(options); !agreed) return tl::unexpected(std::move(agreed.error()));
+  if (options.include_end && !options.rate) return usage_failure("--include-end: wanted --rate as well");
   FirstError checked;
   Request request{.input = checked(input_request(options.input)),
                   .smoothing = checked(smoothing_in(options.smoothness)),
@@ -50,6 +51,7 @@ Expected<Request> request_in(const SmoothOptions& options) {
                   .times = {}};
   if (TimeOptions times; options.rate) {
     times.rate = options.rate;
+    times.include_end = options.include_end;
     request.times = checked(time_request(times));
   }
   request.input.read.rate_orders = request.smoothing.gyro ? 1 : 0;

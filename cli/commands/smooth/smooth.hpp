@@ -16,6 +16,7 @@ struct SmoothOptions {
   InputOptions input;  ///< how they are read
   SmoothnessOptions smoothness;
   std::optional<std::string> rate;  ///< of samples
+  bool include_end = false;
   OutputOptions output;
   ReportOptions report;
   SummaryOptions summary;

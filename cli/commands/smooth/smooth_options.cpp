@@ -26,6 +26,9 @@ void add_smooth_options(Command& app, SmoothOptions& o) {
   app.add_option("--rate", o.rate, "Write samples at so many per second instead of keys")
       ->type_name("HZ")
       ->group("Output");
+  app.add_flag("--include-end", o.include_end,
+               "With --rate the end is a sample too where it is no multiple of the interval")
+      ->group("Output");
   add_output_file(app, o.output.path);
   add_report_option(app, o.report);
   add_summary_options(app, o.summary);
