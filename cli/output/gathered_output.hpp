@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <orispline/base/expected.hpp>
+#include <orispline/base/warning.hpp>
 
 #include "output/noted_output.hpp"
 
@@ -38,6 +39,9 @@ class GatheringHere {
 
 /// Where what this thread would say goes; null: to the user.
 [[nodiscard]] Gathered* gathered_here() noexcept;
+
+/// The warnings of this thread, since GatheringHere where it gathers; each once.
+[[nodiscard]] std::vector<Warning>& warned_here() noexcept;
 
 /// Finishes an output that has been written, now or when the others are finished. Error: bad_access.
 template <class File>

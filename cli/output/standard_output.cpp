@@ -31,18 +31,32 @@ void tell(std::string_view text) {
   std::fflush(stderr);
 }
 
-void warn(std::string_view message) {
+namespace {
+
+void say(std::string_view message) {
   if (Gathered* const gathered = gathered_here()) gathered->warnings.emplace_back(message);
   else tell(formatted("orispline: warning: {}\n", printable(message)));
 }
 
+}  // namespace
+
+void warn(std::string_view message) { warn(std::vector{Warning{.message = std::string(message)}}); }
+
 void warn(std::vector<Warning> warnings) {
   std::set<std::string> told;
-  if (const Gathered* const gathered = gathered_here())
-    for (Warning& warning : warnings)  // which is named once for all that is said of it
-      if (warning.where.file == gathered->input && !warning.where.line) warning.where.file.clear();
-  for (const Warning& warning : warnings)
-    if (const auto [text, is_new] = told.insert(describe(with_flags(warning))); is_new) warn(*text);
+  const Gathered* const gathered = gathered_here();
+  for (Warning& warning : warnings) {
+    warning = with_flags(std::move(warning));
+    const auto [text, is_new] = told.insert(describe(warning));
+    if (!is_new) continue;
+    warned_here().push_back(warning);
+    if (gathered && warning.where.file == gathered->input && !warning.where.line) {
+      warning.where.file.clear();  // which is named once for all that is said of it
+      say(describe(warning));
+    } else {
+      say(*text);
+    }
+  }
 }
 
 }  // namespace orispline::cli

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Curves that are made, but are not what the method's name promises: one line on standard error."""
+import json
 import math
 
 from command import SUCCESS, CommandTest, main
@@ -24,6 +25,16 @@ class Warnings(CommandTest):
         for turn, method in ((1.37, "squad-timed"), (1.4, "tcb"), (3.0, "timed-c1")):
             with self.subTest(method):
                 self.assertEqual(self.warnings_of(turn, method), "")
+
+    def test_the_json_has_what_was_warned_of(self):
+        self.write("half.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n1,0,1,0,0\n2,0,0,1,0\n")
+        done = self.run_command("sample half.csv --rate 2 -o out.csv --json")
+        warning, = json.loads(done.stdout)["warnings"]
+        self.assertEqual((warning["code"], warning["key"], warning["steps"]), ("near_half_turn", 0, 2))
+        self.assertIn(warning["message"], done.stderr)
+        self.assertEqual(json.loads(self.output_of("sample keys.csv --rate 2 -o out.csv --json"))["warnings"], [])
+        done = self.run_command("sample half.csv keys.csv --rate 2 --output-folder out --json --threads 2")
+        self.assertEqual([len(one["warnings"]) for one in json.loads(done.stdout)], [1, 0])
 
 
 if __name__ == "__main__":

@@ -7,7 +7,7 @@
 
 namespace orispline::cli {
 
-std::string json_of(const ConvertReport& report) {
+Json json_of(const ConvertReport& report) {
   Json json{{"input", report.input},
             {"input_format", report.input_format->id},
             {"output", report.output},
@@ -19,7 +19,7 @@ std::string json_of(const ConvertReport& report) {
             {"non_unit_keys", report.keyframes.non_unit_keys}};
   add_repairs(json, report.repairs);
   json["dropped_columns"] = report.dropped_columns;
-  return document(json);
+  return json;
 }
 
 }  // namespace orispline::cli

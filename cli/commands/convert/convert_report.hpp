@@ -7,6 +7,8 @@
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/io/key_file.hpp>
 
+#include "output/json_document.hpp"
+
 namespace orispline::cli {
 
 /// What `orispline convert` did.
@@ -24,7 +26,7 @@ struct ConvertReport {
 /// A few lines for people.
 [[nodiscard]] std::string text_of(const ConvertReport& report);
 
-/// One JSON document, described in docs/inspect-json.md.
-[[nodiscard]] std::string json_of(const ConvertReport& report);
+/// The JSON document, described in docs/inspect-json.md.
+[[nodiscard]] Json json_of(const ConvertReport& report);
 
 }  // namespace orispline::cli

@@ -44,23 +44,6 @@ Json smoothing_json(const ReduceReport& report) {
   return json;
 }
 
-Json track_json(const ReduceReport& report) {
-  const orispline::Reduction& chosen = report.reductions[report.chosen];
-  const orispline::Tolerance& tolerance = report.options.tolerance;
-  Json json{{"input", report.input},
-            {"output", report.output},
-            {"samples", report.samples},
-            {"tolerance_deg", tolerance.angle * degrees}};
-  if (tolerance.bounds_positions()) json["position_tolerance_m"] = tolerance.position;
-  json["refitted"] = report.options.values == orispline::KeyValues::refitted;
-  json.update(method_json(report, chosen));
-  Json methods = Json::array();
-  for (const orispline::Reduction& reduction : report.reductions) methods.push_back(method_json(report, reduction));
-  json["methods"] = std::move(methods);
-  if (report.smoothed) json["smoothing"] = smoothing_json(report);
-  return json;
-}
-
 std::string smoothed_lines(const ReduceReport& report) {
   const auto& [smoothing, raw] = *report.smoothed;
   return "  " + choice_line(smoothing) +
@@ -101,6 +84,21 @@ std::string line_of(const ReduceReport& report) {
   return text;
 }
 
-std::string json_of(const ReduceReport& report) { return document(track_json(report)); }
+Json json_of(const ReduceReport& report) {
+  const orispline::Reduction& chosen = report.reductions[report.chosen];
+  const orispline::Tolerance& tolerance = report.options.tolerance;
+  Json json{{"input", report.input},
+            {"output", report.output},
+            {"samples", report.samples},
+            {"tolerance_deg", tolerance.angle * degrees}};
+  if (tolerance.bounds_positions()) json["position_tolerance_m"] = tolerance.position;
+  json["refitted"] = report.options.values == orispline::KeyValues::refitted;
+  json.update(method_json(report, chosen));
+  Json methods = Json::array();
+  for (const orispline::Reduction& reduction : report.reductions) methods.push_back(method_json(report, reduction));
+  json["methods"] = std::move(methods);
+  if (report.smoothed) json["smoothing"] = smoothing_json(report);
+  return json;
+}
 
 }  // namespace orispline::cli

@@ -9,6 +9,8 @@
 #include <orispline/reduce/reduce.hpp>
 #include <orispline/smooth/smooth.hpp>
 
+#include "output/json_document.hpp"
+
 namespace orispline::cli {
 
 /// What was done to the samples before, and how far the chosen curve is from them as they were [rad], those that were
@@ -36,7 +38,7 @@ struct ReduceReport {
 /// In one line, of one of several inputs.
 [[nodiscard]] std::string line_of(const ReduceReport& report);
 
-/// One JSON document, described in docs/inspect-json.md.
-[[nodiscard]] std::string json_of(const ReduceReport& report);
+/// The JSON document, described in docs/inspect-json.md.
+[[nodiscard]] Json json_of(const ReduceReport& report);
 
 }  // namespace orispline::cli

@@ -53,7 +53,7 @@ std::string line_of(const RetimeReport& report) {
                    scale_text(report.retiming.time_scale));
 }
 
-std::string json_of(const RetimeReport& report) {
+Json json_of(const RetimeReport& report) {
   Json json{{"input", report.input}, {"output", report.output}, {"method", report.retiming.method.name}};
   put(json, report.retiming, {"slowing"});
   json["slowing_asked_for"] = word_of(report.slowing);
@@ -67,7 +67,7 @@ std::string json_of(const RetimeReport& report) {
     json[formatted("{}_max_after_s", c.id)] = c.time;
     json[formatted("{}_bound_after_key", c.id)] = c.segment;
   }
-  return document(json);
+  return json;
 }
 
 }  // namespace orispline::cli

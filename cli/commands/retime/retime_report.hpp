@@ -5,6 +5,8 @@
 
 #include <orispline/retime/retime.hpp>
 
+#include "output/json_document.hpp"
+
 namespace orispline::cli {
 
 /// What `orispline retime` did.
@@ -21,7 +23,7 @@ struct RetimeReport {
 /// In one line, of one of several inputs.
 [[nodiscard]] std::string line_of(const RetimeReport& report);
 
-/// One JSON document, described in docs/inspect-json.md.
-[[nodiscard]] std::string json_of(const RetimeReport& report);
+/// The JSON document, described in docs/inspect-json.md.
+[[nodiscard]] Json json_of(const RetimeReport& report);
 
 }  // namespace orispline::cli

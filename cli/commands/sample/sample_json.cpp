@@ -27,7 +27,7 @@ Json columns_of(const io::SampleColumns& columns) {
 
 }  // namespace
 
-std::string json_of(const SampleReport& report) {
+Json json_of(const SampleReport& report) {
   Json json{{"input", report.input},
             {"output", report.output},
             {"output_format", report.columns.format->id},
@@ -46,7 +46,7 @@ std::string json_of(const SampleReport& report) {
             {"non_unit_keys", report.keyframes.non_unit_keys}};
   add_repairs(json, report.repairs);
   json["truth"] = report.truth ? truth(*report.truth) : Json(nullptr);
-  return document(json);
+  return json;
 }
 
 }  // namespace orispline::cli

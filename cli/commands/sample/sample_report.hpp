@@ -9,6 +9,8 @@
 #include <orispline/io/key_file.hpp>
 #include <orispline/io/sample_writer.hpp>
 
+#include "output/json_document.hpp"
+
 namespace orispline::cli {
 
 /// The distance of the curve to a file of reference orientations.
@@ -37,7 +39,7 @@ struct SampleReport {
 /// In one line, of one of several inputs.
 [[nodiscard]] std::string line_of(const SampleReport& report);
 
-/// One JSON document, described in docs/inspect-json.md.
-[[nodiscard]] std::string json_of(const SampleReport& report);
+/// The JSON document, described in docs/inspect-json.md.
+[[nodiscard]] Json json_of(const SampleReport& report);
 
 }  // namespace orispline::cli

@@ -6,12 +6,12 @@
 
 namespace orispline::cli {
 
-std::string json_of(const SmoothReport& report) {
+Json json_of(const SmoothReport& report) {
   Json json{{"input", report.recording.name},           {"output", report.output},
             {"samples", report.recording.lines.size()}, {"rows_written", report.rows},
             {"penalty", word_of(report.penalty)},       {"loss", word_of(report.loss)}};
   put(json, report.smoothing, {report.recording.lines, report.recording.exact_times});
-  return document(json);
+  return json;
 }
 
 }  // namespace orispline::cli

@@ -6,6 +6,8 @@
 #include <orispline/io/key_file.hpp>
 #include <orispline/smooth/smooth.hpp>
 
+#include "output/json_document.hpp"
+
 namespace orispline::cli {
 
 /// What `orispline smooth` did.
@@ -25,7 +27,7 @@ struct SmoothReport {
 /// In one line, of one of several inputs.
 [[nodiscard]] std::string line_of(const SmoothReport& report);
 
-/// One JSON document, described in docs/inspect-json.md.
-[[nodiscard]] std::string json_of(const SmoothReport& report);
+/// The JSON document, described in docs/inspect-json.md.
+[[nodiscard]] Json json_of(const SmoothReport& report);
 
 }  // namespace orispline::cli

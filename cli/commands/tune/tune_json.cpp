@@ -7,7 +7,7 @@
 
 namespace orispline::cli {
 
-std::string json_of(const TuneReport& report) {
+Json json_of(const TuneReport& report) {
   Json json{{"input", report.input},
             {"output", report.output},
             {"method", report.tuning.method.name},
@@ -18,7 +18,7 @@ std::string json_of(const TuneReport& report) {
   json["t"] = report.times;
   for (const std::string& name : report.tuning.parameters)
     json[name] = report.tuning.method.options.parameters.find(name)->second;
-  return document(json);
+  return json;
 }
 
 }  // namespace orispline::cli

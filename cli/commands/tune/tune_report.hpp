@@ -6,6 +6,8 @@
 
 #include <orispline/tune/tune.hpp>
 
+#include "output/json_document.hpp"
+
 namespace orispline::cli {
 
 /// What `orispline tune` did.
@@ -19,7 +21,7 @@ struct TuneReport {
 /// A few lines for people.
 [[nodiscard]] std::string text_of(const TuneReport& report);
 
-/// One JSON document, described in docs/inspect-json.md.
-[[nodiscard]] std::string json_of(const TuneReport& report);
+/// The JSON document, described in docs/inspect-json.md.
+[[nodiscard]] Json json_of(const TuneReport& report);
 
 }  // namespace orispline::cli
