@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstring>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <nanobind/nanobind.h>
+#include <nanobind/ndarray.h>
+
+#include <orispline/math/eigen.hpp>
+
+// NumPy's memory as the library takes it. The face makes all arrays C-contiguous and of the right type before.
+
+namespace orispline::python {
+
+namespace nb = nanobind;
+
+using Numbers = nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
+using Rows4 = nb::ndarray<const double, nb::shape<-1, 4>, nb::c_contig, nb::device::cpu>;
+using Rows3 = nb::ndarray<const double, nb::shape<-1, 3>, nb::c_contig, nb::device::cpu>;
+
+[[nodiscard]] inline std::span<const double> span_of(const Numbers& numbers) { return {numbers.data(), numbers.size()}; }
+
+/// Rows into the vectors of Eigen, whose memory is the same: `x, y, z`, and `x, y, z, w` of a quaternion.
+template <class Row, class Array>
+[[nodiscard]] std::vector<Row> rows_of(const Array& array) {
+  std::vector<Row> rows(array.shape(0));
+  static_assert(sizeof(Row) % sizeof(double) == 0);
+  if (!rows.empty()) std::memcpy(rows.data()->coeffs().data(), array.data(), array.size() * sizeof(double));
+  return rows;
+}
+
+template <class Row>
+[[nodiscard]] std::vector<Row> rows_of(const std::optional<Rows3>& array) {
+  std::vector<Row> rows;
+  if (!array) return rows;
+  rows.resize(array->shape(0));
+  if (!rows.empty()) std::memcpy(rows.data(), array->data(), array->size() * sizeof(double));
+  return rows;
+}
+
+/// A new array of NumPy's own, filled with these numbers; `columns` 0 makes one dimension.
+[[nodiscard]] nb::object array_of(const double* numbers, std::size_t rows, std::size_t columns);
+
+}  // namespace orispline::python

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+
+#include <nanobind/nanobind.h>
+
+#include <orispline/curve/track.hpp>
+
+namespace orispline::python {
+
+/// Keyframes as Python holds them: shared, for they never change.
+struct Keys {
+  std::shared_ptr<const Track> track;
+};
+
+void add_keys(nanobind::module_& module);
+void add_curve(nanobind::module_& module);
+void add_methods(nanobind::module_& module);
+
+}  // namespace orispline::python

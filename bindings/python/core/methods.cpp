@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <string>
+
+#include <nanobind/stl/string.h>
+
+#include <orispline/families/method_text.hpp>
+#include <orispline/families/registry.hpp>
+
+#include "errors.hpp"
+#include "keys.hpp"
+
+namespace nb = nanobind;
+using namespace nanobind::literals;
+
+namespace orispline::python {
+namespace {
+
+nb::object text(std::string_view words) { return nb::str(words.data(), words.size()); }
+
+nb::list parameters_of(const FamilyInfo& family) {
+  nb::list list;
+  for (const Parameter& parameter : family.parameters) {
+    nb::dict entry;
+    entry["name"] = text(parameter.name);
+    entry["default"] = parameter.initial;
+    entry["lowest"] = parameter.lowest;
+    entry["highest"] = parameter.highest;
+    entry["per_key"] = parameter.per_key;
+    entry["tunable"] = parameter.tunable;
+    list.append(entry);
+  }
+  return list;
+}
+
+nb::list words_of(std::span<const std::string_view> words) {
+  nb::list list;
+  for (const std::string_view word : words) list.append(text(word));
+  return list;
+}
+
+nb::dict info_of(const FamilyInfo& family) {
+  nb::dict choices, info;
+  for (const Choice& choice : family.choices) choices[text(choice.name)] = words_of(choice.words);
+  nb::list ends;
+  for (const EndRule rule : family.ends) ends.append(text(name_of(rule)));
+  info["name"] = text(family.name);
+  info["title"] = text(family.title);
+  info["source"] = text(family.source);
+  info["interpolates"] = family.interpolates;
+  info["continuity_uniform"] = family.continuity_uniform;
+  info["continuity_uneven"] = family.continuity_uneven;
+  info["is_local"] = !family.is_global();
+  info["min_keys"] = family.min_keys;
+  info["parameters"] = parameters_of(family);
+  info["choices"] = choices;
+  info["ends"] = ends;
+  info["closes"] = family.closes;
+  info["rate_orders"] = family.rate_orders;
+  return info;
+}
+
+}  // namespace
+
+void add_methods(nb::module_& module) {
+  module.def("methods", [] {
+    nb::list list;
+    for (const FamilyInfo& family : families_info()) list.append(info_of(family));
+    return list;
+  });
+  module.def("method_info", [](const std::string& name) { return info_of(*value_of(find_family(name))); }, "name"_a);
+}
+
+}  // namespace orispline::python

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <nanobind/nanobind.h>
+#include <nanobind/stl/string.h>
+
+#include <orispline/base/version.hpp>
+
+#include "keys.hpp"
+
+NB_MODULE(_core, module) {
+  module.attr("version") = std::string(orispline::version);
+  orispline::python::add_keys(module);
+  orispline::python::add_curve(module);
+  orispline::python::add_methods(module);
+}

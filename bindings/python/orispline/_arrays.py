@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Arguments as the arrays that the library takes: C-contiguous float64, without a copy where they are that already."""
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._errors import ArgumentError, DataError
+
+Array = NDArray[np.float64]
+
+
+def numbers(name: str, values: Any, shape: tuple[int | None, ...]) -> Array:
+    """Real numbers of that shape; None is any length."""
+    array = np.asarray(values)
+    if array.dtype.kind not in "fiu" or array.dtype.itemsize > 8:
+        raise ArgumentError(f"{name}: found an array of {array.dtype}, wanted real numbers")
+    if array.ndim != len(shape) or any(want is not None and got != want for got, want in zip(array.shape, shape)):
+        wanted = ", ".join("n" if want is None else str(want) for want in shape)
+        raise ArgumentError(f"{name}: found the shape {array.shape}, wanted ({wanted}{',' if len(shape) == 1 else ''})")
+    return np.ascontiguousarray(array, dtype=np.float64)
+
+
+def quaternions(name: str, rotations: Any, *, scalar_first: bool) -> Array:
+    """(n, 4) quaternions x, y, z, w of quaternions, of (n, 3, 3) matrices or of a SciPy Rotation."""
+    if hasattr(rotations, "as_quat"):
+        rotations, scalar_first = rotations.as_quat(), False
+    array = np.asarray(rotations)
+    if array.ndim == 3 and array.shape[1:] == (3, 3):
+        return _of_matrices(name, numbers(name, array, (None, 3, 3)))
+    array = numbers(name, array, (None, 4))
+    return np.ascontiguousarray(array[:, [1, 2, 3, 0]]) if scalar_first else array
+
+
+def _of_matrices(name: str, matrices: Array) -> Array:
+    """Shepperd's way: by the largest of the four squares 4 w², 4 x², 4 y², 4 z²."""
+    far = np.abs(matrices @ matrices.transpose(0, 2, 1) - np.eye(3)).max(axis=(1, 2), initial=0.0)
+    bad = ~(far < 1e-3) | (np.linalg.det(matrices) < 0)
+    if bad.any():
+        error = DataError(f"key {int(bad.argmax())}: {name}: found a matrix that is no rotation, wanted an orthonormal one of "
+                          "determinant 1")
+        error.key = int(bad.argmax())
+        raise error
+    x, y, z = (matrices[:, i, i] for i in range(3))
+    squares = np.stack([1 + x - y - z, 1 - x + y - z, 1 - x - y + z, 1 + x + y + z], axis=1)
+    largest = squares.argmax(axis=1)
+    m = matrices
+    sums = np.empty((len(m), 4, 4))
+    for i in range(4):
+        sums[:, i, i] = squares[:, i]
+    for (i, j), value in {(0, 1): m[:, 1, 0] + m[:, 0, 1], (0, 2): m[:, 0, 2] + m[:, 2, 0],
+                          (1, 2): m[:, 2, 1] + m[:, 1, 2], (0, 3): m[:, 2, 1] - m[:, 1, 2],
+                          (1, 3): m[:, 0, 2] - m[:, 2, 0], (2, 3): m[:, 1, 0] - m[:, 0, 1]}.items():
+        sums[:, i, j] = sums[:, j, i] = value
+    rows = sums[np.arange(len(m)), largest]
+    return np.ascontiguousarray(rows / np.linalg.norm(rows, axis=1, keepdims=True))
+
+
+def output(name: str, out: Any, shape: tuple[int, ...], dtype: Any) -> NDArray[Any]:
+    """The array to fill: `out` if it fits, else a new one."""
+    dtype = np.dtype(dtype)
+    if dtype not in (np.dtype("float64"), np.dtype("float32")):
+        raise ArgumentError(f"dtype: found {dtype}, wanted float64 or float32")
+    if out is None:
+        return np.empty(shape, dtype)
+    if not isinstance(out, np.ndarray):
+        raise TypeError(f"{name}: found {type(out).__name__}, wanted a NumPy array")
+    if out.shape != shape or out.dtype != dtype:
+        raise ArgumentError(f"{name}: found an array {out.shape} of {out.dtype}, wanted {shape} of {dtype}")
+    if not out.flags.c_contiguous or not out.flags.writeable:
+        raise ArgumentError(f"{name}: wanted a C-contiguous array that may be written to")
+    return out

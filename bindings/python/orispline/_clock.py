@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Times of callers, as seconds of the library and back."""
+from __future__ import annotations
+
+import dataclasses
+from typing import Any
+
+import numpy as np
+
+from ._arrays import Array, numbers
+from ._errors import ArgumentError, DataError
+
+PER_SECOND = {"s": 1, "ms": 10**3, "us": 10**6, "ns": 10**9}
+LARGEST_PLAIN_INTEGER = 10**14  # larger ones can hardly be seconds
+
+
+@dataclasses.dataclass(frozen=True)
+class Clock:
+    """How a caller has times: as seconds, or counted in whole units from an origin, which may be a datetime64's."""
+
+    unit: str = "s"
+    origin: int = 0  # in the unit; differences are taken of integers, before anything becomes a double
+    is_calendar: bool = False
+
+    def seconds(self, name: str, times: Any) -> Array:
+        """Times to ask for, of any shape. NaT becomes NaN."""
+        array = np.asarray(times)
+        if self.is_calendar != (array.dtype.kind == "M"):
+            wanted = "datetime64" if self.is_calendar else "numbers"
+            raise ArgumentError(f"{name}: found {array.dtype}, wanted {wanted}, as the times of the keys are")
+        if self.is_calendar:
+            stamps = array.astype("datetime64[ns]")
+            return np.where(np.isnat(stamps), np.nan, self._counted(stamps.astype(np.int64)))
+        if array.dtype.kind not in "fiu" or array.dtype.itemsize > 8:
+            raise ArgumentError(f"{name}: found an array of {array.dtype}, wanted real numbers")
+        return np.ascontiguousarray(self._counted(array))
+
+    def back(self, seconds: Array) -> np.ndarray[Any, Any]:
+        """Seconds of the library as the caller has times: whole nanoseconds, else floats in the unit."""
+        if self.unit == "s":
+            return seconds
+        units: np.ndarray[Any, Any] = seconds * PER_SECOND[self.unit]
+        if self.unit == "ns":
+            units = np.rint(units).astype(np.int64)
+        return (units + self.origin).astype("datetime64[ns]") if self.is_calendar else units + self.origin
+
+    def _counted(self, array: np.ndarray[Any, Any]) -> Array:
+        if self.unit == "s":
+            return array.astype(np.float64, copy=False)
+        since = array.astype(np.int64) - self.origin if array.dtype.kind in "iu" else array - float(self.origin)
+        return since.astype(np.float64) / PER_SECOND[self.unit]
+
+
+def times_of_keys(times: Any, unit: str | None) -> tuple[Array, Clock]:
+    """The times of keys [s], and the clock by which the caller has them."""
+    if unit is not None and unit not in PER_SECOND:
+        raise ArgumentError(f"time_unit: found {unit!r}, wanted one of {', '.join(map(repr, PER_SECOND))}")
+    array = np.asarray(times)
+    if array.dtype.kind == "M":
+        if unit is not None:
+            raise ArgumentError("time_unit: found it with datetime64, which has a unit of its own")
+        stamps = _stamps(array)
+        clock = Clock("ns", int(stamps[0]) if len(stamps) else 0, is_calendar=True)
+        return clock._counted(stamps), clock
+    seconds = numbers("times", array, (None,))
+    if array.dtype.kind not in "iu" or unit in (None, "s"):
+        if unit not in (None, "s"):
+            raise ArgumentError(f"time_unit: found {unit!r} with {array.dtype}, wanted integers, or seconds without a unit")
+        if array.dtype.kind in "iu" and unit is None and len(array) and np.abs(seconds).max() > LARGEST_PLAIN_INTEGER:
+            raise ArgumentError("times: found integers above 1e14, wanted time_unit='ns', 'us', 'ms' or 's' with them")
+        return seconds, Clock()
+    clock = Clock(str(unit), int(array[0]) if len(array) else 0)
+    return clock._counted(array), clock
+
+
+def _stamps(array: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
+    """Nanoseconds of datetime64 in one dimension."""
+    missing = np.isnat(array)
+    stamps = array.astype("datetime64[ns]").astype(np.int64)
+    numbers("times", stamps, (None,))
+    if missing.any():
+        error = DataError(f"key {int(missing.argmax())}: found NaT, wanted a time")
+        error.key = int(missing.argmax())
+        raise error
+    return stamps

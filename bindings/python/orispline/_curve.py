@@ -1,0 +1,342 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Curves through keyframes, and their samples."""
+from __future__ import annotations
+
+import dataclasses
+import fractions
+from typing import Any, Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _core
+from ._arrays import output
+from ._errors import ArgumentError
+from ._keys import Keys, _span
+
+BEYOND = ("hold", "error", "nan")
+FRAMES = ("body", "world")
+ORIENTATION, VELOCITY, ACCELERATION, JERK, POSITION, LINEAR_VELOCITY, LINEAR_ACCELERATION = range(7)
+MOST_SAMPLES = 10**9
+
+
+@dataclasses.dataclass(frozen=True)
+class Motion:
+    """A curve at one time: an orientation with its rates, and where the keys have positions the position with its own."""
+
+    orientation: NDArray[np.float64]
+    angular_velocity: NDArray[np.float64]
+    angular_acceleration: NDArray[np.float64]
+    angular_jerk: NDArray[np.float64]
+    position: NDArray[np.float64] | None = None
+    velocity: NDArray[np.float64] | None = None
+    acceleration: NDArray[np.float64] | None = None
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Samples:
+    """Samples of a curve: (k,) times, (k, 4) orientations and (k, 3) of all else; None is what was not asked for."""
+
+    times: np.ndarray[Any, Any]
+    orientations: NDArray[Any]
+    angular_velocities: NDArray[Any] | None = None
+    angular_accelerations: NDArray[Any] | None = None
+    angular_jerks: NDArray[Any] | None = None
+    positions: NDArray[Any] | None = None
+    velocities: NDArray[Any] | None = None
+    accelerations: NDArray[Any] | None = None
+
+    def __len__(self) -> int:
+        return len(self.times)
+
+
+class Curve:
+    """A smooth curve through keyframes, with exact angular velocity, acceleration and jerk.
+
+    Functions of time take a time or an array of times of any shape, in any order; what they give has that shape and one
+    axis more. Angular rates are in the body frame unless `frame="world"`. A curve never changes, and threads may share
+    it.
+
+    Parameters
+    ----------
+    times, rotations
+        As of `Keys`, which also says what the other arguments for keys mean. Or the first is a `Keys`.
+    method : str
+        A method by name (`orispline.methods()` lists them), or by its text form, `"quintic:tension=0.6"`.
+    ends : str or (str, str), optional
+        End rule for both ends, or for each.
+    start_rate, end_rate : (3,) arrays, optional
+        Angular velocity at an end [rad/s], body frame; the rule of that end is then `clamped`.
+    closed : bool
+        A loop: the last key is the first one again.
+    period : float, optional
+        A loop whose first key returns so many seconds after it.
+    extrapolate : {"hold", "error", "nan"}
+        What a time outside the curve gets: the end orientation at rest, an error, or NaN.
+    **settings
+        Parameters of the method: a number, or one for each key, or a word. `tension=0.4`, `variant="boyle"`.
+
+    Raises
+    ------
+    ArgumentError
+        A method, setting, rule or rate that there is not.
+    DataError
+        Keys that `Keys` refuses, or too few of them.
+
+    Examples
+    --------
+    >>> import orispline as ori
+    >>> curve = ori.Curve([0, 1, 3], [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 1, 0]])
+    >>> curve
+    Curve('auto', 3 keys, 0 … 3 s, C²)
+    >>> curve(1.0).round(12).tolist()
+    [0.0, 0.0, 0.6, 0.8]
+    >>> curve.angular_velocity([[0.5, 1.5]]).shape
+    (1, 2, 3)
+    """
+
+    __slots__ = ("_beyond", "_clock", "_core", "_keys", "_plain", "_scalar_first")
+
+    def __init__(self, times: Any, rotations: Any = None, method: str = "auto", *, ends: str | tuple[str, str] | None = None,
+                 start_rate: Any = None, end_rate: Any = None, closed: bool = False, period: float | None = None,
+                 extrapolate: str = "hold", positions: Any = None, angular_velocities: Any = None,
+                 angular_accelerations: Any = None, angular_jerks: Any = None, signs: str = "shortest",
+                 scalar_first: bool = False, normalize: bool = False, time_unit: str | None = None,
+                 **settings: Any) -> None:
+        if isinstance(times, Keys):
+            if rotations is not None:
+                raise TypeError("found Keys and rotations, wanted one of them")
+            keys = times
+        else:
+            keys = Keys(times, rotations, positions=positions, angular_velocities=angular_velocities,
+                        angular_accelerations=angular_accelerations, angular_jerks=angular_jerks, signs=signs,
+                        scalar_first=scalar_first, normalize=normalize, time_unit=time_unit)
+        text = _method_text(method, ends, start_rate, end_rate, closed, period, settings)
+        self._set(keys, _core.Curve(keys._core, text), _index("extrapolate", extrapolate, BEYOND))
+
+    def _set(self, keys: Keys, core: Any, beyond: int) -> None:
+        self._keys, self._core, self._beyond = keys, core, beyond
+        self._clock, self._scalar_first = keys._clock, keys._scalar_first
+        self._plain = self._clock.unit == "s" and not self._scalar_first
+
+    # What it is.
+
+    @property
+    def keys(self) -> Keys:
+        """The keys that it was made of."""
+        return self._keys
+
+    @property
+    def times(self) -> np.ndarray[Any, Any]:
+        """(n,) times of the keys."""
+        return self._keys.times
+
+    @property
+    def method(self) -> str:
+        """The method in its text form, with the settings that are not its defaults."""
+        return str(self._core.method)
+
+    @property
+    def info(self) -> dict[str, Any]:
+        """What the registry says of the method."""
+        return dict(_core.method_info(self._core.name))
+
+    @property
+    def domain(self) -> tuple[Any, Any]:
+        """The first and the last time."""
+        first, last = self._clock.back(np.array(self._core.domain))
+        return (first, last) if self._clock.is_calendar else (float(first), float(last))
+
+    def continuity(self) -> int:
+        """The order to which it is continuous in time at its keys, measured: 2 is C²."""
+        return int(self._core.continuity())
+
+    # What it is at times.
+
+    def __call__(self, t: Any, *, out: Any = None, dtype: Any = np.float64, threads: int = 1) -> NDArray[Any]:
+        """(..., 4) unit quaternions, x, y, z, w, or w, x, y, z where the keys were given so."""
+        if type(t) is float and self._plain and out is None and dtype is np.float64:
+            return self._core.one(ORIENTATION, t, False, self._beyond)  # type: ignore[no-any-return]
+        if not self._scalar_first:
+            return self._at(ORIENTATION, t, "body", out, dtype, threads)
+        q = self._at(ORIENTATION, t, "body", None, dtype, threads)
+        result = output("out", out, q.shape, q.dtype)
+        result[...] = q[..., [3, 0, 1, 2]]
+        return result
+
+    def rotation(self, t: Any) -> Any:
+        """A SciPy Rotation, of a time or of (k,) times."""
+        from scipy.spatial.transform import Rotation
+        return Rotation.from_quat(self._at(ORIENTATION, t, "body", None, np.float64, 1))
+
+    def angular_velocity(self, t: Any, *, frame: str = "body", out: Any = None, dtype: Any = np.float64,
+                         threads: int = 1) -> NDArray[Any]:
+        """(..., 3) [rad/s]."""
+        return self._at(VELOCITY, t, frame, out, dtype, threads)
+
+    def angular_acceleration(self, t: Any, *, frame: str = "body", out: Any = None, dtype: Any = np.float64,
+                             threads: int = 1) -> NDArray[Any]:
+        """(..., 3) [rad/s²]."""
+        return self._at(ACCELERATION, t, frame, out, dtype, threads)
+
+    def angular_jerk(self, t: Any, *, frame: str = "body", out: Any = None, dtype: Any = np.float64,
+                     threads: int = 1) -> NDArray[Any]:
+        """(..., 3) [rad/s³]."""
+        return self._at(JERK, t, frame, out, dtype, threads)
+
+    def position(self, t: Any, *, out: Any = None, dtype: Any = np.float64, threads: int = 1) -> NDArray[Any]:
+        """(..., 3) [m], world frame."""
+        return self._at(POSITION, t, "body", out, dtype, threads)
+
+    def velocity(self, t: Any, *, out: Any = None, dtype: Any = np.float64, threads: int = 1) -> NDArray[Any]:
+        """(..., 3) [m/s], world frame."""
+        return self._at(LINEAR_VELOCITY, t, "body", out, dtype, threads)
+
+    def acceleration(self, t: Any, *, out: Any = None, dtype: Any = np.float64, threads: int = 1) -> NDArray[Any]:
+        """(..., 3) [m/s²], world frame."""
+        return self._at(LINEAR_ACCELERATION, t, "body", out, dtype, threads)
+
+    def motion(self, t: Any, *, frame: str = "body") -> Motion:
+        """All of these at one time; rates in that frame."""
+        if np.ndim(t) != 0:
+            raise ArgumentError("t: found an array, wanted one time")
+        rates = [self._at(what, t, frame, None, np.float64, 1) for what in (VELOCITY, ACCELERATION, JERK)]
+        linear = [self._at(what, t, "body", None, np.float64, 1)
+                  for what in (POSITION, LINEAR_VELOCITY, LINEAR_ACCELERATION)] if self._core.has_positions else []
+        return Motion(self(t), *rates, *linear)
+
+    def sample(self, rate: Any = None, *, count: int | None = None, times: Any = None, start: Any = None, end: Any = None,
+               include_end: bool = False, derivatives: int = 0, frame: str = "body", dtype: Any = np.float64,
+               threads: int = 1) -> Samples:
+        """Samples at even times, or at given ones: at `rate` per second (a number, or a fraction such as `"30000/1001"`),
+        `count` of them with both ends, or at `times`.
+
+        `derivatives` is the highest order of the rates, 0 to 3. `start` and `end` are times of the curve's own kind.
+        `include_end` makes the end a sample too where a rate does not meet it. `threads=0` uses all cores; the numbers
+        are the same on any.
+        """
+        if sum(given is not None for given in (rate, count, times)) != 1:
+            raise ArgumentError("sample: wanted one of rate, count and times")
+        if derivatives not in (0, 1, 2, 3):
+            raise ArgumentError(f"derivatives: found {derivatives!r}, wanted 0, 1, 2 or 3")
+        world = _index("frame", frame, FRAMES) == 1
+        seconds = self._clock.seconds("times", times) if times is not None else self._grid(rate, count, start, end,
+                                                                                             include_end)
+        if seconds.ndim != 1:
+            raise ArgumentError(f"times: found the shape {seconds.shape}, wanted (k,)")
+        rows = [output("dtype", None, (len(seconds), 4), dtype), *self._room(derivatives, len(seconds), dtype)]
+        linear = self._room(min(derivatives, 2) + 1 if self._core.has_positions else 0, len(seconds), dtype)
+        self._core.fill(seconds, *rows, *linear, world=world, threads=threads)
+        if self._beyond != 0:
+            self._mend(seconds, [*rows, *linear])
+        if self._scalar_first:
+            rows[0] = np.ascontiguousarray(rows[0][:, [3, 0, 1, 2]])
+        return Samples(self._clock.back(seconds), *rows, *linear)
+
+    @staticmethod
+    def _room(wanted: int, count: int, dtype: Any) -> list[Any]:
+        return [np.empty((count, 3), dtype) if k < wanted else None for k in range(3)]
+
+    def _mend(self, seconds: NDArray[np.float64], rows: list[Any]) -> None:
+        first, last = self._core.domain
+        outside = (seconds < first) | (seconds > last)
+        if not outside.any():
+            return
+        if BEYOND[self._beyond] == "error":
+            self._core.one(ORIENTATION, float(seconds[outside][0]), False, self._beyond)
+        for row in rows:
+            if row is not None:
+                row[outside] = np.nan
+
+    def _grid(self, rate: Any, count: int | None, start: Any, end: Any, include_end: bool) -> NDArray[np.float64]:
+        bounds = [None if t is None else repr(float(self._clock.seconds(name, t))) for name, t in
+                  (("start", start), ("end", end))]
+        if count is not None:
+            if isinstance(count, bool) or not isinstance(count, (int, np.integer)) or count < 1:
+                raise ArgumentError(f"count: found {count!r}, wanted a whole number from 1 on")
+            _check_number(count)
+            return self._core.grid(None, int(count), *bounds, include_end)  # type: ignore[no-any-return]
+        text = _rate_text(rate)
+        _check_number(self._core.grid_size(text, *bounds, include_end))
+        return self._core.grid(text, None, *bounds, include_end)  # type: ignore[no-any-return]
+
+    def _at(self, what: int, t: Any, frame: str, out: Any, dtype: Any, threads: int) -> NDArray[Any]:
+        world = _index("frame", frame, FRAMES) == 1
+        seconds = self._clock.seconds("t", t)
+        result = output("out", out, (*seconds.shape, 4 if what == ORIENTATION else 3), dtype)
+        self._core.many(what, seconds.reshape(-1), result.reshape(-1, result.shape[-1]), world, self._beyond, threads)
+        return result
+
+    def __repr__(self) -> str:
+        order = "".join("⁰¹²³⁴⁵⁶⁷⁸⁹"[int(digit)] for digit in str(self.continuity()))
+        count = len(self._keys)
+        return (f"Curve({self.method!r}, {count} key{'' if count == 1 else 's'}, "
+                f"{_span(self._clock, np.array(self._core.domain))}, C{order})")
+
+    def __reduce__(self) -> Any:
+        return _restored, (self._keys, self.method, self._beyond)
+
+
+def _restored(keys: Keys, method: str, beyond: int) -> Curve:
+    curve = Curve.__new__(Curve)
+    curve._set(keys, _core.Curve(keys._core, method), beyond)
+    return curve
+
+
+def _index(name: str, word: str, words: tuple[str, ...]) -> int:
+    if word not in words:
+        raise ArgumentError(f"{name}: found {word!r}, wanted {', '.join(repr(w) for w in words[:-1])} or {words[-1]!r}")
+    return words.index(word)
+
+
+def _check_number(samples: int) -> None:
+    if samples > MOST_SAMPLES:
+        raise ArgumentError(f"found {samples} samples, wanted 1e9 at most: sample the curve in parts, by start and end")
+
+
+def _rate_text(rate: Any) -> str:
+    if isinstance(rate, fractions.Fraction):
+        return f"{rate.numerator}/{rate.denominator}"
+    if isinstance(rate, str):
+        try:
+            if fractions.Fraction(rate) > 0:
+                return rate
+        except (ValueError, ZeroDivisionError):
+            pass
+    elif not isinstance(rate, (bool, np.bool_)) and np.ndim(rate) == 0 and np.asarray(rate).dtype.kind in "fiu" \
+            and np.isfinite(rate) and rate > 0:
+        return repr(rate.item() if isinstance(rate, np.generic) else rate)
+    raise ArgumentError(f"rate: found {rate!r}, wanted a number of samples per second greater than 0")
+
+
+def _value_text(name: str, value: Any) -> str:
+    if isinstance(value, str):
+        return value
+    if isinstance(value, (bool, np.bool_)):
+        return str(int(value))
+    try:
+        array = np.asarray(value, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise ArgumentError(f"{name}: found {value!r}, wanted a number, one for each key, or a word") from None
+    if array.ndim > 1:
+        raise ArgumentError(f"{name}: found the shape {array.shape}, wanted a number or one for each key")
+    return ",".join(repr(float(x)) for x in np.atleast_1d(array))
+
+
+def _method_text(method: str, ends: Any, start_rate: Any, end_rate: Any, closed: bool, period: float | None,
+                 settings: Mapping[str, Any]) -> str:
+    """`NAME:SETTING=VALUE:…`, the one form in which the library reads methods."""
+    pieces = [str(method)]
+    pieces += [f"{name}={_value_text(name, value)}" for name, value in settings.items()]
+    if ends is not None:
+        pieces.append(f"ends={ends if isinstance(ends, str) else ','.join(ends)}")
+    for name, rate in (("start_rate", start_rate), ("end_rate", end_rate)):
+        if rate is not None:
+            if np.shape(rate) != (3,):
+                raise ArgumentError(f"{name}: found the shape {np.shape(rate)}, wanted (3,)")
+            pieces.append(f"{name}={_value_text(name, rate)}")
+    if closed:
+        pieces.append("closed")
+    if period is not None:
+        pieces.append(f"period={float(period)!r}")
+    return ":".join(pieces)

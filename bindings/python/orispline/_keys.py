@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Keyframes."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Mapping
+
+import numpy as np
+
+from . import _core
+from ._arrays import Array, numbers, quaternions
+from ._clock import Clock, times_of_keys
+from ._errors import ArgumentError, DataError
+
+if TYPE_CHECKING:
+    from ._curve import Curve
+
+SIGNS = ("shortest", "as-given")
+
+
+class Keys:
+    """Orientations at times, checked: what curves are made of. They never change.
+
+    Parameters
+    ----------
+    times : (n,) array
+        Strictly increasing: seconds, or datetime64. Integers of another unit want `time_unit`.
+    rotations : (n, 4) quaternions, (n, 3, 3) matrices or a SciPy Rotation
+        Body to world. Quaternions are x, y, z, w, as SciPy has them; with `scalar_first` w, x, y, z.
+    positions : (n, 3) array, optional
+        [m], world frame.
+    angular_velocities, angular_accelerations, angular_jerks : (n, 3) arrays, optional
+        Rates at the keys [rad/s], [rad/s²], [rad/s³], body frame, for methods that take them.
+    settings : mapping of (n,) arrays, optional
+        Values of a method's parameters with one for each key, such as `{"tension": ...}`.
+    signs : {"shortest", "as-given"}
+        Whether quaternions are negated for the shortest way, or their signs say how many turns a step makes.
+    scalar_first : bool
+        The order of quaternions, here and in all that these keys and their curves give back.
+    normalize : bool
+        Take quaternions of any norm but 0. Without it norms may be off by 1e-3.
+    time_unit : {"s", "ms", "us", "ns"}, optional
+        The unit of integer times.
+
+    Raises
+    ------
+    DataError
+        Times that do not increase, numbers that are not finite, norms too far from 1, lengths that differ; with `key`.
+    ArgumentError
+        Arrays of another shape or kind.
+
+    Examples
+    --------
+    >>> import orispline as ori
+    >>> keys = ori.Keys([0, 1, 3], [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 1, 0]])
+    >>> keys
+    Keys(3 keys, 0 … 3 s)
+    >>> len(keys[:2])
+    2
+    """
+
+    __slots__ = ("_clock", "_core", "_normalize", "_scalar_first")
+
+    def __init__(self, times: Any, rotations: Any, *, positions: Any = None, angular_velocities: Any = None,
+                 angular_accelerations: Any = None, angular_jerks: Any = None, settings: Mapping[str, Any] | None = None,
+                 signs: str = "shortest", scalar_first: bool = False, normalize: bool = False,
+                 time_unit: str | None = None) -> None:
+        if signs not in SIGNS:
+            raise ArgumentError(f"signs: found {signs!r}, wanted 'shortest' or 'as-given'")
+        seconds, self._clock = times_of_keys(times, time_unit)
+        orientations = quaternions("rotations", rotations, scalar_first=scalar_first)
+        if normalize:
+            orientations = _normalized(orientations)
+        vectors = {"positions": positions, "angular_velocities": angular_velocities,
+                   "angular_accelerations": angular_accelerations, "angular_jerks": angular_jerks}
+        for name, rows in (("rotations", orientations), *vectors.items()):
+            if rows is not None and len(rows) != len(seconds):
+                raise DataError(f"{name}: found {len(rows)}, wanted one for each of the {len(seconds)} times")
+        self._scalar_first = scalar_first
+        self._core = _core.Keys(
+            seconds, orientations,
+            **{name: None if rows is None else numbers(name, rows, (None, 3)) for name, rows in vectors.items()},
+            settings={name: [float(x) for x in values] for name, values in (settings or {}).items()}, signs=signs)
+
+    def __len__(self) -> int:
+        return len(self._core)
+
+    def __getitem__(self, part: slice) -> Keys:
+        """The keys of a slice, with all that belongs to them."""
+        if not isinstance(part, slice):
+            raise TypeError(f"keys: found the index {part!r}, wanted a slice such as keys[2:5]")
+        rows = {name: getattr(self, name) for name in
+                ("positions", "angular_velocities", "angular_accelerations", "angular_jerks")}
+        return Keys(self.times[part], self.rotations[part], signs="as-given", scalar_first=self._scalar_first,
+                    settings={name: values[part] for name, values in self.settings.items()},
+                    time_unit=None if self._clock.unit == "s" else self._clock.unit,
+                    **{name: None if values is None else values[part] for name, values in rows.items()})
+
+    @property
+    def times(self) -> np.ndarray[Any, Any]:
+        """(n,) as they were given: seconds, another unit, or datetime64."""
+        return self._clock.back(self._core.times)
+
+    @property
+    def rotations(self) -> Array:
+        """(n, 4) unit quaternions, with the signs that curves follow."""
+        q: Array = self._core.orientations
+        return q[:, [3, 0, 1, 2]] if self._scalar_first else q
+
+    @property
+    def positions(self) -> Array | None:
+        """(n, 3) [m], or None."""
+        return self._core.positions  # type: ignore[no-any-return]
+
+    @property
+    def angular_velocities(self) -> Array | None:
+        """(n, 3) [rad/s], body frame, or None."""
+        return self._core.angular_velocities  # type: ignore[no-any-return]
+
+    @property
+    def angular_accelerations(self) -> Array | None:
+        """(n, 3) [rad/s²], body frame, or None."""
+        return self._core.angular_accelerations  # type: ignore[no-any-return]
+
+    @property
+    def angular_jerks(self) -> Array | None:
+        """(n, 3) [rad/s³], body frame, or None."""
+        return self._core.angular_jerks  # type: ignore[no-any-return]
+
+    @property
+    def settings(self) -> dict[str, list[float]]:
+        """Values of parameters, one for each key, by name."""
+        return dict(self._core.settings)
+
+    @property
+    def report(self) -> dict[str, float]:
+        """What was noticed: `sign_flips`, `non_unit_keys`, `largest_norm_error`, `near_half_turns`."""
+        return dict(self._core.report)
+
+    def curve(self, method: str = "auto", **options: Any) -> Curve:
+        """The curve of a method through these keys: `Curve(keys, method=method, **options)`."""
+        from ._curve import Curve
+        return Curve(self, method=method, **options)
+
+    def __repr__(self) -> str:
+        count = len(self)
+        return f"Keys({count} key{'' if count == 1 else 's'}, {_span(self._clock, self._core.times)})"
+
+    def __reduce__(self) -> Any:
+        c = self._core
+        rows = {"positions": c.positions, "angular_velocities": c.angular_velocities,
+                "angular_accelerations": c.angular_accelerations, "angular_jerks": c.angular_jerks}
+        return _restored, (c.times, c.orientations, rows, c.settings, self._clock, self._scalar_first)
+
+
+def _normalized(orientations: Array) -> Array:
+    norms = np.linalg.norm(orientations, axis=1, keepdims=True)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        # A quaternion of norm 1 but for rounding keeps its digits.
+        return np.where(np.abs(norms - 1) <= 1e-12, orientations, orientations / norms)
+
+
+def _span(clock: Clock, seconds: Array) -> str:
+    first, last = clock.back(seconds[[0, -1]])
+    return f"{first} … {last}" if clock.is_calendar else f"{first:g} … {last:g} {clock.unit}"
+
+
+def _restored(times: Array, orientations: Array, rows: dict[str, Array | None], settings: dict[str, list[float]],
+              clock: Clock, scalar_first: bool) -> Keys:
+    keys = Keys.__new__(Keys)
+    keys._core = _core.Keys(times, orientations, **rows, settings=settings, signs="as-given")
+    keys._clock, keys._scalar_first = clock, scalar_first
+    return keys
