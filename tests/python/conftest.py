@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Data of the tests: golden rows of the references, and keys."""
+import csv
+import pathlib
+
+import numpy as np
+import pytest
+
+DATA = pathlib.Path(__file__).resolve().parents[1] / "data"
+
+
+def rows_of(name):
+    """The rows of a table below its comments, as dictionaries of texts."""
+    with open(DATA / name, encoding="utf-8") as file:
+        return list(csv.DictReader(line for line in file if not line.startswith("#")))
+
+
+@pytest.fixture
+def keys():
+    """Times and quaternions x, y, z, w of forty keys with uneven steps and turns up to 2.4 rad."""
+    dice = np.random.default_rng(3)
+    times = np.cumsum(dice.uniform(0.2, 1.8, 40))
+    q = np.array([0.0, 0.0, 0.0, 1.0])
+    rotations = []
+    for _ in times:
+        axis = dice.normal(size=3)
+        half = dice.uniform(0.05, 1.2)
+        step = np.append(np.sin(half) * axis / np.linalg.norm(axis), np.cos(half))
+        q = product(q, step)
+        rotations.append(q)
+    return times, np.array(rotations)
+
+
+def product(p, q):
+    """Hamilton's, of x, y, z, w."""
+    (a, u), (b, v) = (p[3], p[:3]), (q[3], q[:3])
+    return np.append(a * v + b * u + np.cross(u, v), a * b - u @ v)

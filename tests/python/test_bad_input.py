@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Bad input has one line that says what was found and what was wanted, and never crashes."""
+import numpy as np
+import orispline as ori
+import pytest
+
+Q = [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 1, 0]]
+T = [0, 1, 3]
+READ_ONLY = np.empty((3, 4))
+READ_ONLY.flags.writeable = False
+KEYS = [
+    ("equal times", lambda: ori.Keys([0, 1, 1], Q), ori.DataError, "duplicate time 1", 2),
+    ("decreasing times", lambda: ori.Keys([0, 2, 1], Q), ori.DataError, "wanted strictly increasing times", 2),
+    ("NaN", lambda: ori.Keys([0, np.nan, 1], Q), ori.DataError, "nan", 1),
+    ("infinite time", lambda: ori.Keys([0, 1, np.inf], Q), ori.DataError, "inf", 2),
+    ("NaT", lambda: ori.Keys(np.array(["2024-01-01", "NaT", "2024-01-03"], "datetime64[D]"), Q), ori.DataError, "found NaT", 1),
+    ("integers without a unit", lambda: ori.Keys(np.array([0, 1, 2]) + 10**15, Q), ori.ArgumentError, "wanted time_unit=", None),
+    ("unknown unit", lambda: ori.Keys(T, Q, time_unit="min"), ori.ArgumentError, "time_unit: found 'min', wanted one of", None),
+    ("unit of floats", lambda: ori.Keys([0.0, 1.0, 3.0], Q, time_unit="ms"), ori.ArgumentError, "wanted integers", None),
+    ("fewer rotations", lambda: ori.Keys(T, Q[:2]), ori.DataError, "rotations: found 2, wanted one for each of the 3 times", None),
+    ("fewer positions", lambda: ori.Keys(T, Q, positions=[[0, 0, 0]]), ori.DataError, "positions: found 1, wanted one for each", None),
+    ("(n, 3)", lambda: ori.Keys(T, np.zeros((3, 3))), ori.ArgumentError, "rotations: found the shape (3, 3), wanted (n, 4)", None),
+    ("(4, n)", lambda: ori.Keys(T, np.zeros((4, 3))), ori.ArgumentError, "found the shape (4, 3)", None),
+    ("(n, 4, 1)", lambda: ori.Keys(T, np.zeros((3, 4, 1))), ori.ArgumentError, "found the shape (3, 4, 1)", None),
+    ("times in a table", lambda: ori.Keys([T], Q), ori.ArgumentError, "times: found the shape (1, 3), wanted (n,)", None),
+    ("norms off", lambda: ori.Keys(T, np.multiply(Q, 1.1)), ori.DataError, "norm 1.1", 0),
+    ("zero quaternion", lambda: ori.Keys(T, [*Q[:2], [0, 0, 0, 0]]), ori.DataError, "norm 0", 2),
+    ("zero normalized", lambda: ori.Keys(T, [*Q[:2], [0, 0, 0, 0]], normalize=True), ori.DataError, "key 2", 2),
+    ("reflection", lambda: ori.Keys([0], [np.diag([1, 1, -1.0])]), ori.DataError, "found a matrix that is no rotation", 0),
+    ("complex", lambda: ori.Keys(T, np.array(Q, complex)), ori.ArgumentError, "complex128", None),
+    ("objects", lambda: ori.Keys(T, np.array(Q, object)), ori.ArgumentError, "object", None),
+    ("strings", lambda: ori.Keys(["a", "b", "c"], Q), ori.ArgumentError, "wanted real numbers", None),
+    ("no keys", lambda: ori.Keys([], np.empty((0, 4))), ori.DataError, "no keys", None),
+    ("no dates", lambda: ori.Keys(np.array([], "datetime64[ns]"), np.empty((0, 4))), ori.DataError, "no keys", None),
+    ("signs", lambda: ori.Keys(T, Q, signs="long"), ori.ArgumentError, "signs: found 'long'", None),
+    ("short setting", lambda: ori.Keys(T, Q, settings={"tension": [1]}), ori.ArgumentError, "found 1 values, wanted one per key, 3", None),
+]
+CURVES = [
+    ("method", lambda: ori.Curve(T, Q, "quntic"), ori.ArgumentError, "did you mean 'quintic'?"),
+    ("setting", lambda: ori.Curve(T, Q, "quintic", tensoin=1), ori.ArgumentError, "tensoin"),
+    ("value", lambda: ori.Curve(T, Q, "quintic", tension="high"), ori.ArgumentError, "high"),
+    ("values per key", lambda: ori.Curve(T, Q, "quintic", tension=[0.1, 0.2]), ori.ArgumentError, "found 2 values of tension"),
+    ("table of values", lambda: ori.Curve(T, Q, "quintic", tension=[[1]]), ori.ArgumentError, "tension: found the shape (1, 1)"),
+    ("ends", lambda: ori.Curve(T, Q, "timed-c2", ends="soft"), ori.ArgumentError, "soft"),
+    ("rate of an end", lambda: ori.Curve(T, Q, "timed-c2", start_rate=1), ori.ArgumentError, "start_rate: found the shape ()"),
+    ("extrapolate", lambda: ori.Curve(T, Q, extrapolate="far"), ori.ArgumentError, "extrapolate: found 'far'"),
+    ("few keys", lambda: ori.Curve(T[:2], Q[:2], "beta-g2"), ori.DataError, "beta-g2"),
+]
+CURVE = ori.Curve(T, Q)
+ASKED = [
+    ("rate 0", lambda: CURVE.sample(rate=0), "rate: found 0, wanted a number of samples per second greater than 0"),
+    ("rate below 0", lambda: CURVE.sample(rate=-1), "rate: found -1"),
+    ("rate NaN", lambda: CURVE.sample(rate=np.nan), "rate: found nan"),
+    ("rate as a word", lambda: CURVE.sample(rate="fast"), "rate: found 'fast'"),
+    ("fraction of 0", lambda: CURVE.sample(rate="1/0"), "rate: found '1/0'"),
+    ("too many samples", lambda: CURVE.sample(rate=1e15), "samples"),
+    ("too many to hold", lambda: CURVE.sample(rate=1e10), "wanted 1e9 at most"),
+    ("too large a count", lambda: CURVE.sample(count=10**15), "wanted 1e9 at most"),
+    ("count 0", lambda: CURVE.sample(count=0), "count: found 0"),
+    ("two grids", lambda: CURVE.sample(rate=1, count=2), "wanted one of rate, count and times"),
+    ("no grid", lambda: CURVE.sample(), "wanted one of rate, count and times"),
+    ("derivatives", lambda: CURVE.sample(rate=1, derivatives=4), "derivatives: found 4"),
+    ("frame", lambda: CURVE.angular_velocity(1.0, frame="camera"), "frame: found 'camera', wanted 'body' or 'world'"),
+    ("table of sample times", lambda: CURVE.sample(times=[[1.0]]), "times: found the shape (1, 1)"),
+    ("text", lambda: CURVE("1"), "wanted real numbers"),
+    ("positions", lambda: CURVE.position(1.0), "these keys have no positions"),
+    ("short out", lambda: CURVE(T, out=np.empty((2, 4))), "out: found an array (2, 4)"),
+    ("read-only out", lambda: CURVE(T, out=READ_ONLY), "may be written to"),
+    ("strided out", lambda: CURVE(T, out=np.empty((3, 8))[:, ::2]), "C-contiguous"),
+    ("out of another type", lambda: CURVE(T, out=np.empty((3, 4), "float32")), "wanted (3, 4) of float64"),
+    ("dtype", lambda: CURVE(T, dtype=int), "dtype: found int64, wanted float64 or float32"),
+    ("motion of times", lambda: CURVE.motion(T), "wanted one time"),
+]
+
+
+@pytest.mark.parametrize(("make", "error", "text", "key"), [case[1:] for case in KEYS], ids=[case[0] for case in KEYS])
+def test_keys(make, error, text, key):
+    with pytest.raises(error) as found:
+        make()
+    assert text in str(found.value) and "\n" not in str(found.value)
+    assert found.value.key == key and isinstance(found.value, (ori.Error, ValueError))
+
+
+@pytest.mark.parametrize(("make", "error", "text"), [case[1:] for case in CURVES], ids=[case[0] for case in CURVES])
+def test_curves(make, error, text):
+    with pytest.raises(error) as found:
+        make()
+    assert text in str(found.value) and "\n" not in str(found.value)
+
+
+@pytest.mark.parametrize(("ask", "text"), [case[1:] for case in ASKED], ids=[case[0] for case in ASKED])
+def test_what_is_asked(ask, text):
+    with pytest.raises(ori.ArgumentError) as found:
+        ask()
+    assert text in str(found.value) and "\n" not in str(found.value)
+
+
+def test_one_key_is_a_constant_curve():
+    curve = ori.Curve([5.0], [[0, 0, 0.6, 0.8]])
+    assert np.array_equal(curve([4, 5, 6]), [[0, 0, 0.6, 0.8]] * 3) and curve.domain == (5.0, 5.0)
+    assert repr(curve).startswith("Curve('auto', 1 key, 5 … 5 s")
+
+
+def test_times_that_are_nan_have_nan():
+    assert np.isnan(CURVE([np.nan, 1.0])).any(axis=1).tolist() == [True, False]
+    assert np.isnan(CURVE(float("nan"))).all()
