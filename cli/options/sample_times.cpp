@@ -29,7 +29,7 @@ Expected<Spacing> spacing_in(const TimeOptions& options, const io::Clock& clock)
   if (options.count)
     return count_in({"--count", *options.count}, 1).map([](std::size_t n) { return Spacing(Count{n}); });
   constexpr std::string_view what = "a number of samples per second greater than 0";
-  const OptionText rate{"--rate", *options.rate};
+  const OptionText rate = without_unit({"--rate", *options.rate}, "Hz");
   if (rate.text.find('/') == std::string_view::npos)
     return positive_in(rate, what).map([](double hertz) { return Spacing(Rate{hertz}); });
   return fraction_in(rate, what).map([](const Fraction& per_second) { return Spacing(rate_of(per_second)); });
@@ -38,6 +38,7 @@ Expected<Spacing> spacing_in(const TimeOptions& options, const io::Clock& clock)
 /// `5`, or `+5` since the first key.
 auto bound_in(const io::Clock& clock) {
   return [&clock](OptionText option) -> Expected<TimeBound> {
+    option = without_unit(option, "s");
     const bool since_first_key = option.text.starts_with('+');
     auto time = io::time_in(option.text.substr(since_first_key ? 1 : 0), clock);
     if (time) return TimeBound{*time, since_first_key};

@@ -30,7 +30,8 @@ Expected<orispline::SmoothOptions> smoothing_in(const SmoothnessOptions& options
     return usage_failure("found several of --noise, --smoothing-time and --cutoff, wanted one: each says how smooth");
   FirstError checked;
   auto smoothing = checked(options_in<orispline::SmoothOptions>(options.fields));
-  if (const auto cutoff = checked(if_given("--cutoff", options.cutoff, [](OptionText o) { return positive_in(o); })))
+  if (const auto cutoff = checked(
+          if_given("--cutoff", options.cutoff, [](OptionText o) { return positive_in(without_unit(o, "Hz")); })))
     smoothing.smoothing_time = 1.0 / (2.0 * std::numbers::pi * *cutoff);
   return std::move(checked).or_else(std::move(smoothing)).and_then([&](const orispline::SmoothOptions& read) {
     return check(read).map([&] { return read; }).map_error([&](Error error) {

@@ -2,6 +2,7 @@
 #include <orispline/families/method_warnings.hpp>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include <orispline/base/counted.hpp>
@@ -64,6 +65,36 @@ std::optional<Warning> contradicting_rates(const FamilyInfo& family, const Keyfr
                  .numbers = {{"misfit", misfit}}};
 }
 
+/// Turning so far during a rest is motion [rad].
+constexpr double moving_angle = 10.0 * rest_angle;
+
+bool moves_between(const AnyCurve& curve, std::size_t segment) {
+  const KnotSpan span = curve.knots().span(segment);
+  return std::ranges::any_of(std::array{0.2, 0.4, 0.6, 0.8}, [&](double u) {
+    const Motion motion = curve.motion_on(segment, span.start() + u * span.step());
+    return motion.angular_velocity.norm() * span.step() > moving_angle;
+  });
+}
+
+/// Equal keys between which the curve does not stand still.
+std::optional<Warning> moving_rests(const Method& method, const FamilyInfo& family, const Keyframes& keys) {
+  const bool has_rates = family.rate_orders > 0 && !keys.angular_velocities().empty();  // which say how it moves
+  if (!family.interpolates || family.key_use.stride > 1 || has_rates) return std::nullopt;
+  std::vector<std::size_t> rests;
+  for (std::size_t i = 0; i + 1 < keys.size(); ++i)
+    if (keys.rests_after(i)) rests.push_back(i);
+  if (rests.empty()) return std::nullopt;
+  const auto curve = make_curve(method, keys);
+  if (!curve) return std::nullopt;
+  std::erase_if(rests, [&](std::size_t i) { return !moves_between(*curve, i); });
+  if (rests.empty()) return std::nullopt;
+  return Warning{.code = "moving_rests",
+                 .message = formatted("{} moves in {} between equal keys; the method auto:hold=1 stands still there",
+                                      method.name, counted(rests.size(), "rest")),
+                 .where = {.key = rests.front()},
+                 .numbers = {{"rests", static_cast<double>(rests.size())}}};
+}
+
 }  // namespace
 
 std::vector<Warning> warnings_of(const KeyframeReport& keys) {
@@ -83,8 +114,8 @@ std::vector<Warning> warnings_of(const Method& method, const Track& track) {
   const auto family = find_family(method.name);
   if (!family) return warnings;
   const Method shaped = completed(method, **family, track);
-  for (const auto& warning :
-       {contradicting_rates(**family, track.keys), closing_step(shaped, track.keys), overwound(shaped, track.keys)})
+  for (const auto& warning : {contradicting_rates(**family, track.keys), closing_step(shaped, track.keys),
+                              overwound(shaped, track.keys), moving_rests(shaped, **family, track.keys)})
     if (warning) warnings.push_back(track.located(*warning));
   return warnings;
 }
