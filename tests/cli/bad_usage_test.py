@@ -20,7 +20,7 @@ CASES = (
     ("sample keys.csv --rate 1 --quite", "sample: unknown option '--quite'; did you mean '--quiet'?"),
     ("sample keys.csv --ratte=1", "sample: unknown option '--ratte'; did you mean '--rate'?"),
     ("sample keys.csv more.csv --rate 1",
-     "found 2 inputs, wanted --output-folder FOLDER for their samples"),
+     "found 2 inputs, 'keys.csv' and 'more.csv'; wanted one, or --output-folder FOLDER for their samples"),
     ("sample keys.csv --rate", "--rate: found nothing after it, wanted HZ"),
     ("sample keys.csv --rate 1 --rate 2", "--rate: found it more than once, wanted it once"),
     ("sample keys.csv --rate= --quiet", "--rate= wanted a value after it"),

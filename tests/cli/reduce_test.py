@@ -213,7 +213,8 @@ class Reduce(CommandTest):
                           "orispline: 2 of 3 inputs failed; nothing was written")
         self.assertEqual(list((self.folder / "out").iterdir()), [])
         self.assert_fails(f"{reduce} missing.csv -o out.csv", BAD_USAGE,
-                          "found 4 inputs, wanted --output-folder FOLDER for their keys")
+                          "found 4 inputs, 'keys.csv', 'one.csv', 'bad.csv', …; wanted one, or --output-folder FOLDER for "
+                          "their keys")
         self.assert_fails("reduce keys.csv keys.csv --tolerance 1deg --output-folder out", BAD_USAGE,
                           "--output-folder: found keys.csv twice, wanted each input once")
         self.assert_fails("reduce keys.csv --tolerance 1deg --output-folder .", BAD_USAGE,

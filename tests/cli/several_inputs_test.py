@@ -128,7 +128,8 @@ class SeveralInputs(CommandTest):
     def test_refused(self):
         for arguments, message in (
                 ("sample in --rate 2", "INPUT: found the folder 'in', wanted --output-folder FOLDER for the samples of its files"),
-                ("compare in/a.csv keys.csv", "found 2 inputs, wanted --output-folder FOLDER for their tables"),
+                ("compare in/a.csv keys.csv", 
+                 "found 2 inputs, 'in/a.csv' and 'keys.csv'; wanted one, or --output-folder FOLDER for their tables"),
                 ("sample in in/a.csv --rate 2 --output-folder out", "--output-folder: found in/a.csv twice, wanted each input once"),
                 ("sample in --rate fast --output-folder out", "--rate: found 'fast', wanted a number of samples per second greater than 0"),
                 ("smooth in --output-folder out -o keys.csv",
