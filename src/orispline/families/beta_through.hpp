@@ -16,7 +16,7 @@ struct BetaThrough {
                                          Parameter{"beta2", 0.0, -1e6, 1e6, true, 1}};
   static constexpr FamilyInfo info{.name = "beta-through",
                                    .title = "Beta quaternion spline through the keys",
-                                   .source = "He et al. 2022, section 3.1, solved: docs/families/beta-through.md",
+                                   .source = "He et al. 2022, section 3.1; control points solved for, docs/families/beta-through.md",
                                    .continuity_uniform = 1,
                                    .continuity_uneven = 0,
                                    .keeps_constant_rate_uniform = true,

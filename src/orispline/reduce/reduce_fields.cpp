@@ -19,7 +19,7 @@ template <>
 std::span<const FieldInfo> fields_of<ReduceOptions>() noexcept {
   static constexpr std::array fields{
       field<&ReduceOptions::tolerance, &Tolerance::angle>({.name = "tolerance",
-                                                           .sentence = "Largest angle between the curve and a sample",
+                                                           .sentence = "Largest angle that is allowed between the curve and a sample",
                                                            .quantity = &quantities::angle,
                                                            .range = positive,
                                                            .example = "0.1deg or 2e-3rad",
@@ -29,8 +29,8 @@ std::span<const FieldInfo> fields_of<ReduceOptions>() noexcept {
            .sentence = "Largest distance between the path and a sample",
            .quantity = &quantities::length,
            .range = {positive.lowest, std::numeric_limits<double>::infinity()},
-           .absent = "positions are not bounded"}),
-      field<&ReduceOptions::values>({.name = "values", .sentence = "What may become of the samples that are chosen"}),
+           .absent = "positions are not checked"}),
+      field<&ReduceOptions::values>({.name = "values", .sentence = "Whether keys stay at samples"}),
   };
   return fields;
 }
