@@ -141,9 +141,10 @@ class CommandLine {
         command("sample", "Sample the smooth motion through keyframes", [this] { return sample(sample_); }), sample_);
     add_convert_options(command("convert", "Write keyframes in another format", [this] { return convert(convert_); }),
                         convert_);
-    add_inspect_options(command("inspect", "Describe a file of keyframes, and where the rates of curves through it jump",
-                                [this] { return inspect(inspect_); }),
-                        inspect_);
+    add_inspect_options(
+        command("inspect", "Describe a file of keyframes, and where the rates of curves through it jump",
+                [this] { return inspect(inspect_); }),
+        inspect_);
     add_compare_options(command("compare", "Compare the methods on a recording: errors, smoothness, cost",
                                 [this] { return compare(compare_); }),
                         compare_);
@@ -161,10 +162,8 @@ class CommandLine {
     add_retime_options(command("retime", "Slow a motion until it is within limits of rate, acceleration or torque",
                                [this] { return retime(retime_); }),
                        retime_);
-    add_methods_options(
-        command("methods", "List the methods, or describe one", [this] { return methods(methods_); }));
-    add_tasks_options(
-        command("tasks", "List the options and results of every task", [this] { return tasks(tasks_); }));
+    add_methods_options(command("methods", "List the methods, or describe one", [this] { return methods(methods_); }));
+    add_tasks_options(command("tasks", "List the options and results of every task", [this] { return tasks(tasks_); }));
     add_reproduce_options(
         command("reproduce", "Run the experiments of the papers anew", [this] { return reproduce(reproduce_); }));
     add_completion_options(command("completion", "Print a completion script for a shell",
@@ -212,9 +211,11 @@ class CommandLine {
 
   void add_reproduce_options(Command& app) {
     app.footer = reproduce_footer;
-    app.add_option("EXPERIMENT", reproduce_.experiment, "Experiment to run: a name of the list, or a paper's number or author [list them all]")
+    app.add_option("EXPERIMENT", reproduce_.experiment,
+                   "Experiment to run: a name of the list, or a paper's number or author [list them all]")
         ->type_name("NAME");
-    app.add_option("--keys", reproduce_.keys, "Run the experiment on the keys of this file; the list says which ones take keys")
+    app.add_option("--keys", reproduce_.keys,
+                   "Run the experiment on the keys of this file; the list says which ones take keys")
         ->type_name(file_type);
     app.add_option("--pictures", reproduce_.pictures, "Write the pictures as SVG into this folder")
         ->type_name(folder_type);

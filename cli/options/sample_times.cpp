@@ -96,8 +96,9 @@ Expected<TimeRequest> time_request(const TimeOptions& options, const io::Clock& 
                       .any_number = options.yes};
   auto read = std::move(checked).or_else(std::move(request));
   if (read && options.include_end && !std::holds_alternative<Rate>(read->spacing))
-    return usage_failure(options.list ? "--include-end: found --times, whose file says which times to sample; wanted --rate"
-                                      : "--include-end: found --count, which includes both ends already; wanted --rate");
+    return usage_failure(options.list
+                             ? "--include-end: found --times, whose file says which times to sample; wanted --rate"
+                             : "--include-end: found --count, which includes both ends already; wanted --rate");
   if (read && options.list && (options.from || options.to))
     return usage_failure("--times: its file says which times to sample; wanted neither --from nor --to");
   if (read && read->from && read->to && read->from->since_first_key == read->to->since_first_key &&

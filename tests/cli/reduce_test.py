@@ -207,7 +207,7 @@ class Reduce(CommandTest):
         self.write("one.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n")
         reduce = "reduce keys.csv one.csv bad.csv --tolerance 1deg"
         self.assert_fails(f"{reduce} --output-folder out", BAD_DATA,
-                          "one.csv: found 1 sample, wanted 2 at least to keep the fewest that suffice")
+                          "one.csv: found 1 sample, wanted at least 2")
         self.assertFalse((self.folder / "out").exists())
         self.assert_fails(f"{reduce} missing.csv -o out.csv", BAD_USAGE,
                           "found 4 inputs, wanted --output-folder FOLDER for their keys")
@@ -248,7 +248,8 @@ class Reduce(CommandTest):
         for output, what in ((["-o", "out.npy"], "-o: a NumPy"), (["-o", "out.csv", "--output-format", "euroc"], "-o: an EuRoC"),
                              (["--output-folder", "out", "--output-format", "npy"], "--output-folder: a NumPy")):
             self.assert_fails(["reduce", "keys.csv", "--tolerance", "1deg", *output], BAD_USAGE,
-                              f"{what} file rounds times, with which the tolerance need not hold, wanted CSV or TUM")
+                              f"{what} file rounds times, and the tolerance may not hold with rounded times; wanted CSV "
+                              f"or TUM")
 
     def test_refused(self):
         unit = "wanted a number greater than 0 with its unit, deg, rad, mrad or arcsec, such as 1deg"
@@ -267,7 +268,7 @@ class Reduce(CommandTest):
                           "positions is not much smaller")
         self.write("one.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n")
         self.assert_fails("reduce one.csv --tolerance 1deg", BAD_DATA,
-                          "one.csv: found 1 sample, wanted 2 at least to keep the fewest that suffice")
+                          "one.csv: found 1 sample, wanted at least 2")
 
 
 if __name__ == "__main__":

@@ -192,10 +192,9 @@ TEST(Chain, IsRefusedWhereEverySolutionWindsRound) {
   });
   ASSERT_FALSE(solved);
   EXPECT_EQ(solved.error().code, ErrorCode::not_converged);
-  EXPECT_EQ(
-      solved.error().message,
-      "some-method does not converge for these keys: its equations hold only for a curve that winds round; it does for "
-      "increments of 0.5 times their length");
+  EXPECT_EQ(solved.error().message,
+            "some-method does not converge for these keys: its equations hold only for a curve that winds round once "
+            "more; it converges where every step turns 0.5 times as far; put keys in between, or take auto");
 }
 
 TEST(Chain, ToldNotANumberIsNotSolved) {

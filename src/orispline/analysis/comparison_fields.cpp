@@ -18,7 +18,8 @@ std::span<const FieldInfo> fields_of<MeasureOptions>() noexcept {
                                        .sentence = "Inertia of the body; with it the torques are measured too",
                                        .quantity = &quantities::inertia}),
       field<&MeasureOptions::leave_out>(
-          {.name = "leave_out", .sentence = "Estimate the error from the keys alone as well, by leaving some of them out"}),
+          {.name = "leave_out",
+           .sentence = "Estimate the error from the keys alone as well, by leaving some of them out"}),
   };
   return fields;
 }

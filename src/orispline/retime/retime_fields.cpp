@@ -48,8 +48,8 @@ std::span<const FieldInfo> fields_of<RetimeOptions>() noexcept {
                                  "90deg/s, or 90,60,120deg/s about x, y and z of the body"),
       limit<&MotionLimits::acceleration>("max_acceleration", "Largest angular acceleration", quantities::acceleration,
                                          "200deg/s2, or three about the axes"),
-      limit<&MotionLimits::jerk>("max_jerk", "Largest angular jerk, the derivative of the angular acceleration", quantities::jerk,
-                                 "2000deg/s3, or three"),
+      limit<&MotionLimits::jerk>("max_jerk", "Largest angular jerk, the derivative of the angular acceleration",
+                                 quantities::jerk, "2000deg/s3, or three"),
       limit<&MotionLimits::torque>("max_torque", "Largest torque on a body of the given inertia", quantities::torque,
                                    "0.5Nm, or three"),
       field<&RetimeOptions::limits, &MotionLimits::inertia>(
@@ -58,10 +58,11 @@ std::span<const FieldInfo> fields_of<RetimeOptions>() noexcept {
                                   "0.5m/s, or three along the axes of the world"),
       limit<&MotionLimits::linear_acceleration>("max_linear_acceleration", "Largest acceleration of the position",
                                                 quantities::linear_acceleration, "2m/s2, or three"),
-      field<&RetimeOptions::duration>({.name = "duration",
-                                       .sentence = "Scale the motion to exactly this duration, from the first key to the last",
-                                       .quantity = &quantities::duration,
-                                       .range = positive}),
+      field<&RetimeOptions::duration>(
+          {.name = "duration",
+           .sentence = "Scale the motion to exactly this duration, from the first key to the last",
+           .quantity = &quantities::duration,
+           .range = positive}),
       field<&RetimeOptions::slowing>({.name = "slowing", .sentence = "Which intervals between keys are slowed"}),
       field<&RetimeOptions::shorten_rests>({.name = "shorten_rests",
                                             .sentence = "Cut longer rests between equal keys to this duration",
@@ -76,15 +77,18 @@ template <>
 std::span<const FieldInfo> fields_of<Retiming>() noexcept {
   static constexpr std::array fields{
       field<&Retiming::slowing>(
-          {.name = "slowing", .sentence = "How the intervals were slowed: uniformly too, where that makes the shorter motion"}),
+          {.name = "slowing",
+           .sentence = "How the intervals were slowed: uniformly too, where that makes the shorter motion"}),
       field<&Retiming::track, &Track::keys, &Keyframes::size>({.name = "keys", .sentence = "Number of keys"}),
-      field<&Retiming::track, &duration_of>(
-          {.name = "duration_after", .sentence = "Duration from the first key to the last", .quantity = &quantities::time}),
+      field<&Retiming::track, &duration_of>({.name = "duration_after",
+                                             .sentence = "Duration from the first key to the last",
+                                             .quantity = &quantities::time}),
       field<&Retiming::time_scale>({.name = "time_scale", .sentence = "The new duration divided by the one before"}),
       field<&number_of_rests>({.name = "rests", .sentence = "Number of rests between equal keys"}),
       field<&Retiming::slack>(
           {.name = "slack",
-           .sentence = "Share by which less slowing might be enough, since the largest values found lie below the limits"}),
+           .sentence =
+               "Share by which less slowing might be enough, since the largest values found lie below the limits"}),
   };
   return fields;
 }

@@ -48,9 +48,7 @@ std::span<const FieldInfo> fields_of<SmoothOptions>() noexcept {
           {.name = "loss",
            .sentence = "How much samples far from the curve count: robust rejects outliers, l2 trusts every sample"}),
       field<&SmoothOptions::gyro>(
-          {.name = "gyro",
-           .sentence =
-               "Use wx, wy, wz as the rates of a gyro, whose constant bias is estimated"}),
+          {.name = "gyro", .sentence = "Use wx, wy, wz as the rates of a gyro, whose constant bias is estimated"}),
       field<&SmoothOptions::gyro_noise>({.name = "gyro_noise",
                                          .sentence = "Standard deviation of the noise of the gyro's rates, per axis",
                                          .quantity = &quantities::rate,
@@ -76,9 +74,10 @@ std::span<const FieldInfo> fields_of<Smoothing>() noexcept {
       field<&Smoothing::lambda>({.name = "lambda", .sentence = "Weight λ of the penalty"}),
       field<&Smoothing::criterion>({.name = "criterion", .sentence = "How τ was chosen", .absent = "τ was given"}),
       field<&Smoothing::chosen_on>({.name = "chosen_on", .sentence = "Number of samples from which τ was chosen"}),
-      field<&Smoothing::noise>({.name = "noise",
-                                .sentence = "σ of the noise of the orientations per axis, from the residuals or as given",
-                                .quantity = &quantities::angle}),
+      field<&Smoothing::noise>(
+          {.name = "noise",
+           .sentence = "σ of the noise of the orientations per axis, from the residuals or as given",
+           .quantity = &quantities::angle}),
       field<&Smoothing::local_noise>({.name = "local_noise",
                                       .sentence = "σ of the noise per axis, from the differences between neighbours",
                                       .quantity = &quantities::angle}),
@@ -111,13 +110,13 @@ std::span<const FieldInfo> fields_of<Smoothing>() noexcept {
           {.name = "retained_outlier_runs",
            .sentence = "Samples as far away that were kept, since their neighbours are far away too"}),
       field<&Smoothing::samples_in_short_stretches>(
-          {.name = "samples_in_short_stretches", .sentence = "Samples that were left out, because too few of them lie between two gaps"}),
+          {.name = "samples_in_short_stretches",
+           .sentence = "Samples that were left out, because too few of them lie between two gaps"}),
       field<&Smoothing::stretches>({.name = "stretches", .sentence = "Stretches of the recording between gaps"}),
       field<&Smoothing::iterations>({.name = "iterations", .sentence = "Iterations of the last fit"}),
-      field<&Smoothing::last_step>(
-          {.name = "last_step",
-           .sentence = "Largest component by which an orientation moved in the last iteration",
-           .quantity = &quantities::angle}),
+      field<&Smoothing::last_step>({.name = "last_step",
+                                    .sentence = "Largest component by which an orientation moved in the last iteration",
+                                    .quantity = &quantities::angle}),
   };
   return fields;
 }

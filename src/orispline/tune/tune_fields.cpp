@@ -48,8 +48,9 @@ std::span<const FieldInfo> fields_of<TuneOptions>() noexcept {
                                     .quantity = &quantities::inertia}),
       field<&TuneOptions::reference>(
           {.name = "reference", .sentence = "Dense recording that the curve comes near to, for the objective fit"}),
-      field<&TuneOptions::bounds>(
-          {.name = "bounds", .sentence = "Lowest and highest value of every tension", .absent = "what the method accepts"}),
+      field<&TuneOptions::bounds>({.name = "bounds",
+                                   .sentence = "Lowest and highest value of every tension",
+                                   .absent = "what the method accepts"}),
       field<&TuneOptions::parameters>(
           {.name = "free", .sentence = "Tensions to find, such as tension2", .absent = "all tensions of the method"}),
   };

@@ -8,7 +8,8 @@ namespace orispline::inline ORISPLINE_ABI {
 
 template <>
 inline constexpr std::array words<Objective>{
-    word("linearised", Objective::linearised, "∫|α|² dt without the part by which the factors turn each other, in closed form"),
+    word("linearised", Objective::linearised,
+         "∫|α|² dt without the part by which the factors turn each other, in closed form"),
     word("acceleration", Objective::acceleration, "∫|α|² dt, α the angular acceleration"),
     word("torque", Objective::torque, "∫|Jα + ω × Jω|² dt for a body of the inertia J"),
     word("jerk", Objective::jerk, "∫|dα/dt|² dt"),
