@@ -23,7 +23,7 @@ Expected<Spacing> spacing_in(const TimeOptions& options, const io::Clock& clock)
   const int given = options.rate.has_value() + options.count.has_value() + options.list.has_value();
   if (given == 0 && clock.frames_per_second) return Spacing(rate_of(*clock.frames_per_second));
   if (given != 1)
-    return usage_failure(formatted("found {} of --rate, --count and --times, wanted one of them",
+    return usage_failure(formatted("found {} of --rate, --count and --times, wanted one of them, such as --rate 100",
                                    given == 0 ? "none" : std::to_string(given)));
   if (options.list) return Spacing(TimesFile{.path = *options.list, .reading = {.clock = clock}});
   if (options.count)

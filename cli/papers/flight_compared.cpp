@@ -103,11 +103,15 @@ void add_printed_figures(report::Table& table) {
   for (std::size_t i = 0; i < table.rows.size(); ++i)
     table.rows[i].insert(table.rows[i].end(), {printed[i].mse, printed[i].largest, printed[i].seconds});
   table.notes = {
-      "The error is the angle between curve and truth, at the 961 times of the truth. The degree is that of the blending.",
-      "Continuity is in time and measured at the keys. Times are those of the curve and 961 orientations on this machine.",
+      "The error is the angle between curve and truth, at the 961 times of the truth. The degree is that of the "
+      "blending.",
+      "Continuity is in time and measured at the keys. Times are those of the curve and 961 orientations on this "
+      "machine.",
       "Figures on the right are of the paper's own flight, which is not published; this is the bundled simulation.",
-      "The paper says C3 for the quartic, which is C2, and gives the quartic's name to the quintic, its own curve at β = 5/96.",
-      "In the paper a small β is the best. Here it is not: its curve slows down at every key, and the aircraft does not."};
+      "The paper says C3 for the quartic, which is C2, and gives the quartic's name to the quintic, its own curve at β "
+      "= 5/96.",
+      "In the paper a small β is the best. Here it is not: its curve slows down at every key, and the aircraft does "
+      "not."};
 }
 
 std::vector<Recipe> drawn_methods() {

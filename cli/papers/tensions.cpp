@@ -58,9 +58,10 @@ report::Table one_tension_table(const std::vector<Served>& curves, const AnyCurv
     row.emplace_back(speed(at_key));
     row.emplace_back(acceleration(at_key));
   }
-  table.notes = {"One tension changes the two segments beside its key and no others.",
-                 "At the key ω = α (a + b)/h, so a tension of 0 makes a stop and a negative one a kink, as the paper says.",
-                 five_keys_note};
+  table.notes = {
+      "One tension changes the two segments beside its key and no others.",
+      "At the key ω = α (a + b)/h, so a tension of 0 makes a stop and a negative one a kink, as the paper says.",
+      five_keys_note};
   return table;
 }
 
@@ -95,8 +96,7 @@ report::Table motions_table(const std::vector<Served>& curves, const KeysInstead
                           largest_over_time(served.curve, speed), largest_over_time(served.curve, acceleration),
                           speed(served.curve.motion(keys.keys.times()[2]))});
   table.notes = {"Continuity is in time and measured at the keys. With α = 0 every key is a stop.",
-                 "We could not get the ATBI paper; this is a curve of its type (docs/families/atbi.md).",
-                 keys.note};
+                 "We could not get the ATBI paper; this is a curve of its type (docs/families/atbi.md).", keys.note};
   return table;
 }
 

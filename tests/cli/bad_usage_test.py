@@ -25,8 +25,8 @@ CASES = (
     ("sample keys.csv --rate 1 --rate 2", "--rate: found it more than once, wanted it once"),
     ("sample keys.csv --rate= --quiet", "--rate= wanted a value after it"),
     # times
-    ("sample keys.csv", "found none of --rate, --count and --times, wanted one of them"),
-    ("sample keys.csv --rate 1 --count 2", "found 2 of --rate, --count and --times, wanted one of them"),
+    ("sample keys.csv", "found none of --rate, --count and --times, wanted one of them, such as --rate 100"),
+    ("sample keys.csv --rate 1 --count 2", "found 2 of --rate, --count and --times, wanted one of them, such as --rate 100"),
     ("sample keys.csv --rate fast", "--rate: found 'fast', wanted a number of samples per second greater than 0"),
     ("sample keys.csv --rate 0", "--rate: found '0', wanted a number of samples per second greater than 0"),
     ("sample keys.csv --rate -5", "--rate: found '-5', wanted a number of samples per second greater than 0"),
