@@ -207,7 +207,7 @@ class Reduce(CommandTest):
         self.write("one.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n")
         reduce = "reduce keys.csv one.csv bad.csv --tolerance 1deg"
         self.assert_fails(f"{reduce} --output-folder out", BAD_DATA,
-                          "one.csv: found 1 sample, wanted at least 2")
+                          "one.csv: found 1 sample, wanted 2 at least to keep the fewest that suffice")
         self.assertFalse((self.folder / "out").exists())
         self.assert_fails(f"{reduce} missing.csv -o out.csv", BAD_USAGE,
                           "found 4 inputs, wanted --output-folder FOLDER for their keys")
@@ -268,7 +268,7 @@ class Reduce(CommandTest):
                           "positions is not much smaller")
         self.write("one.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n")
         self.assert_fails("reduce one.csv --tolerance 1deg", BAD_DATA,
-                          "one.csv: found 1 sample, wanted at least 2")
+                          "one.csv: found 1 sample, wanted 2 at least to keep the fewest that suffice")
 
 
 if __name__ == "__main__":
