@@ -27,7 +27,7 @@ void add_plot_options(Command& app, PlotOptions& o) {
   add_method_options(app, o.shape);
   add_loop_options(app, o.shape);
   const std::string group = "Output";
-  app.add_option("-o,--output", o.path, "SVG file to write, complete or not at all [standard output]")
+  app.add_option("-o,--output", o.path, "SVG file to write; it appears complete or not at all [standard output]")
       ->type_name(file_type)
       ->group(group);
   app.add_option("--axis", o.axis, "Body axis whose path on the sphere is drawn [x]")

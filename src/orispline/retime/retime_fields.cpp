@@ -65,7 +65,7 @@ std::span<const FieldInfo> fields_of<RetimeOptions>() noexcept {
            .range = positive}),
       field<&RetimeOptions::slowing>({.name = "slowing", .sentence = "Which intervals between keys are slowed"}),
       field<&RetimeOptions::shorten_rests>({.name = "shorten_rests",
-                                            .sentence = "Cut longer rests between equal keys to this duration",
+                                            .sentence = "Cut rests between equal keys that are longer to this duration",
                                             .quantity = &quantities::duration,
                                             .range = positive,
                                             .absent = "rests keep their duration"}),

@@ -56,7 +56,7 @@ std::span<const FieldInfo> fields_of<SmoothOptions>() noexcept {
                                          .example = "0.1deg/s",
                                          .absent = "estimated"}),
       field<&SmoothOptions::gap>({.name = "gap",
-                                  .sentence = "Smooth nothing across longer intervals",
+                                  .sentence = "Smooth nothing across intervals longer than this",
                                   .quantity = &quantities::time,
                                   .range = positive,
                                   .absent = "all are bridged"}),
