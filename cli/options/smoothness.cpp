@@ -14,7 +14,9 @@ namespace {
 constexpr std::string_view section = "Smoothing";
 
 void add_cutoff(Command& app, SmoothnessOptions& o) {
-  app.add_option("--cutoff", o.cutoff, "Smoothing time as frequency 1/(2 pi tau), where half of a motion is left")
+  app.add_option(
+         "--cutoff", o.cutoff,
+         "Cut-off frequency 1/(2 pi tau) instead of the smoothing time; half of a motion at this frequency is left")
       ->type_name("HZ")
       ->group(std::string(section));
 }

@@ -45,8 +45,8 @@ class FirstHour(CommandTest):
         self.write("robot.csv", f"t,qw,qx,qy,qz\n0,1,0,0,0\n1,{turn}\n2,{turn}\n3,0.7071067811865476,0,0,0.7071067811865476\n")
         for times in ("--rate 20", "--count 20"):
             self.assertEqual(self.warning_of(f"sample robot.csv {times} -o out.csv"),
-                             ["orispline: warning: robot.csv:3: key 1: auto moves in 1 rest between equal keys; the method "
-                              "auto:hold=1 stands still there"])
+                             ["orispline: warning: robot.csv:3: key 1: auto moves in 1 rest between equal keys; take the "
+                              "method auto:hold=1, which stands still there"])
             for method in ("auto:hold=1", "slerp"):
                 self.assertEqual(self.warning_of(f"sample robot.csv --method {method} {times} -o out.csv"), [])
 

@@ -253,7 +253,8 @@ class Reduce(CommandTest):
         for output, what in ((["-o", "out.npy"], "-o: a NumPy"), (["-o", "out.csv", "--output-format", "euroc"], "-o: an EuRoC"),
                              (["--output-folder", "out", "--output-format", "npy"], "--output-folder: a NumPy")):
             self.assert_fails(["reduce", "keys.csv", "--tolerance", "1deg", *output], BAD_USAGE,
-                              f"{what} file rounds times, with which the tolerance need not hold, wanted CSV or TUM")
+                              f"{what} file rounds times, and the tolerance may not hold with rounded times; wanted CSV "
+                              f"or TUM")
 
     def test_refused(self):
         unit = "wanted a number greater than 0 with its unit, deg, rad, mrad or arcsec, such as 1deg"

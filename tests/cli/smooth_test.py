@@ -121,7 +121,7 @@ class Smooth(CommandTest):
         summary = json.loads(self.output_of("smooth gap.csv --gap 0.5 --loss l2 -o smooth.csv --json --report out.html"))
         self.assertEqual((len(summary["stretches"]), len(summary["samples_in_short_stretches"])), (2, 2))
         page = self.page("out.html")
-        self.assertTrue(any("2 stretches between gaps" in note for note in page["notes"]))
+        self.assertTrue(any("The gaps leave 2 stretches" in note for note in page["notes"]))
         for method in page["methods"]:
             samples = method["samples"]
             for i, t in enumerate(samples["t"]):

@@ -19,7 +19,8 @@ class Warnings(CommandTest):
     def test_a_handle_that_turns_a_full_turn_is_named(self):
         self.assertEqual(self.warnings_of(1.4, "squad-timed"),
                          "orispline: warning: rest.csv:3: key 1: a handle of squad-timed turns by 364.6 degrees, wanted "
-                         "less than a full turn: the angular velocity may jump there; timed-c1 has no such limit\n")
+                         "less than a full turn: the angular velocity may jump there; take timed-c1, which has no such "
+                         "limit\n")
 
     def test_a_narrower_one_is_not(self):
         for turn, method in ((1.37, "squad-timed"), (1.4, "tcb"), (3.0, "timed-c1")):

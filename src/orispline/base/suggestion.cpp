@@ -58,7 +58,7 @@ std::optional<std::string_view> nearest_word(std::string_view typed, std::span<c
 std::string unknown_word(std::string_view kind, std::string_view typed, std::span<const std::string_view> words) {
   if (const auto nearest = nearest_word(typed, words))
     return formatted("unknown {} {}; did you mean '{}'?", kind, in_quotes(typed), *nearest);
-  return formatted("no {} '{}', wanted one of {}", kind, printable(typed), joined(words, ", "));
+  return formatted("unknown {} '{}', wanted one of {}", kind, printable(typed), joined(words, ", "));
 }
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -67,9 +67,8 @@ std::optional<TimeUnitGuess> time_unit_by_size(const Decimal& first) {
       return TimeUnitGuess{
           Decimal::power_of_ten(exponent),
           {.code = "time_unit_by_size",
-           .message =
-               formatted("the times are taken as {}, for the first one is {}; state `time_scale` if they are not", name,
-                         first.to_string())}};
+           .message = formatted("the times are taken as {}, for the first one is {}; set `time_scale` if they are not",
+                                name, first.to_string())}};
   return std::nullopt;
 }
 

@@ -36,7 +36,9 @@ Expected<LocalMethod> local_method(const Method& given, const Track& recording) 
   if (options.loop) return refused("loops are not reduced, wanted an open curve");
   const std::size_t keys = std::max(
       {static_cast<std::size_t>(info.min_keys), keys_needed(options.start.rule), keys_needed(options.end.rule)});
-  if (keys > 2) return refused(formatted("with these ends it needs {} keys, wanted ends that 2 suffice for", keys));
+  if (keys > 2)
+    return refused(
+        formatted("with these ends it needs {} keys, wanted an end rule that needs 2, such as natural", keys));
   if (auto settled = settle(info, options, recording.keys.size()); !settled)
     return tl::unexpected(std::move(settled.error()));
   return LocalMethod{completed(given, info, recording), static_cast<std::size_t>(info.support_keys + 1) / 2};
@@ -60,8 +62,7 @@ Expected<void> check(const Keyframes& recording, const Tolerance& tolerance) {
     return bad_option("position_tolerance", formatted("found {:.6g} m, wanted {:.1e} m at least: the rounding of these "
                                                       "positions is not much smaller",
                                                       tolerance.position, smallest));
-  if (recording.size() < 2)
-    return failure(ErrorCode::bad_data, "found 1 sample, wanted 2 at least to keep the fewest that suffice");
+  if (recording.size() < 2) return failure(ErrorCode::bad_data, "found 1 sample, wanted at least 2");
   return {};
 }
 

@@ -153,9 +153,10 @@ Expected<Slowed> lasting(const LimitedMotion& motion, double duration) {
 
 Warning loose_bounds(std::string_view method, double slack) {
   return {.code = "loose_bounds",
-          .message = formatted("{}: the largest values that were found lie below the limits, and {:.2g} less slowing "
-                               "might do; keys that are very close together in time make that happen",
-                               method, slack),
+          .message = formatted(
+              "{}: the motion may be slower than the limits ask for, by a share of up to {:.2g}; keys that are "
+              "very close in time make that happen, so join them into one",
+              method, slack),
           .numbers = {{"slack", slack}}};
 }
 
@@ -202,9 +203,11 @@ Expected<void> check(const RetimeOptions& options) {
                    "found no limit, wanted `max_rate`, `max_acceleration`, `max_jerk`, `max_torque`, `max_speed`, "
                    "`max_linear_acceleration` or `duration`");
   if (options.duration && options.slowing == Slowing::per_interval)
-    return bad_option("duration", "all intervals are scaled alike for it, wanted no slowing of each by itself");
-  if (limits.torque && !limits.inertia) return bad_option("max_torque", "wanted `inertia` as well");
-  if (limits.inertia && !limits.torque) return bad_option("inertia", "wanted `max_torque` as well");
+    return bad_option("duration", "it scales all intervals alike, wanted uniform slowing");
+  if (limits.torque && !limits.inertia)
+    return bad_option("max_torque", "the torque depends on the body, wanted `inertia` as well");
+  if (limits.inertia && !limits.torque)
+    return bad_option("inertia", "it is used for the torque alone, wanted `max_torque` as well");
   if (!limits.inertia) return {};
   return checked_inertia(*limits.inertia).map([](const auto&) {});
 }
