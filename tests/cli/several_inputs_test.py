@@ -141,7 +141,7 @@ class SeveralInputs(CommandTest):
                 ("compare in --reference - --output-folder out",
                  "--output-folder: found '-' for --reference, wanted a file, which is read again for each input"),
                 ("retime in --max-rate 9deg/s --output-folder out --output-format npy",
-                 "--output-folder: a NumPy file rounds times, with which the limits need not hold, wanted CSV or TUM"),
+                 "--output-folder: a NumPy file rounds times, and the limits may not hold with rounded times; wanted CSV or TUM"),
                 ("sample --inputs", "--inputs: found nothing after it, wanted FILE")):
             self.assert_fails(arguments, BAD_USAGE, message)
         self.assertFalse((self.folder / "out").exists())

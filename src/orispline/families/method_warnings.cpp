@@ -89,11 +89,12 @@ std::optional<Warning> moving_rests(const Method& method, const FamilyInfo& fami
   if (!curve) return std::nullopt;
   std::erase_if(rests, [&](std::size_t i) { return !moves_between(*curve, i); });
   if (rests.empty()) return std::nullopt;
-  return Warning{.code = "moving_rests",
-                 .message = formatted("{} moves in {} between equal keys; take the method auto:hold=1, which stands still there",
-                                      method.name, counted(rests.size(), "rest")),
-                 .where = {.key = rests.front()},
-                 .numbers = {{"rests", static_cast<double>(rests.size())}}};
+  return Warning{
+      .code = "moving_rests",
+      .message = formatted("{} moves in {} between equal keys; take the method auto:hold=1, which stands still there",
+                           method.name, counted(rests.size(), "rest")),
+      .where = {.key = rests.front()},
+      .numbers = {{"rests", static_cast<double>(rests.size())}}};
 }
 
 }  // namespace
