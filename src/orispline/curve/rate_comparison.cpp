@@ -83,7 +83,7 @@ std::optional<RateMeaning> RateComparison::better_meaning() const {
       const double misfit = misfit_of(*this, candidate, in_degrees ? degrees : 1.0);
       if (!(misfit < least)) continue;
       least = misfit;
-      const auto unit = in_degrees ? " in degrees per second, which columns state that end in _deg_s" : "";
+      const auto unit = in_degrees ? " in degrees per second, which need columns with names that end in _deg_s" : "";
       best = RateMeaning{in_degrees ? candidate.in_degrees : candidate.code, cure_of(candidate, unit)};
     }
   return best;
