@@ -32,7 +32,7 @@ Expected<void> agree(const TuneOptions& options) {
   if (options.output.empty()) return usage_failure("-o: found an empty name, wanted FILE or -");
   if (auto checked = check_summary(options.summary, options.output, "keys"); !checked) return checked;
   std::vector<OtherFile> others{{"INPUT", options.input.path}};
-  if (const auto& reference = reference_of(options)) others.push_back({"the one of --reference", *reference});
+  if (const auto& reference = reference_of(options)) others.push_back({"that of --reference", *reference});
   const auto output = check_output_apart("-o", options.output, others).and_then([&] {
     return check_extension("-o", options.output, {".csv", ".txt"});
   });
