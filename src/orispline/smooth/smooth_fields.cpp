@@ -14,6 +14,23 @@ std::optional<Eigen::Vector3d> gyro_correction(const Smoothing& smoothing) {
   return smoothing.gyro_noise ? std::optional(smoothing.nodes.gyro_correction) : std::nullopt;
 }
 
+/// Of the positions; nothing without any.
+template <auto Member>
+std::optional<std::remove_cvref_t<decltype(PositionSmoothing{}.*Member)>> of_positions(const Smoothing& smoothing) {
+  return smoothing.positions ? std::optional((*smoothing.positions).*Member) : std::nullopt;
+}
+template <auto Member>
+std::remove_cvref_t<decltype(PositionSmoothing{}.*Member)> optional_of_positions(const Smoothing& smoothing) {
+  return smoothing.positions ? (*smoothing.positions).*Member : std::nullopt;
+}
+std::optional<double> position_cutoff(const Smoothing& smoothing) {
+  return smoothing.positions ? smoothing.positions->cutoff() : std::nullopt;
+}
+template <auto Distances, auto Member>
+std::optional<double> position_distance(const Smoothing& smoothing) {
+  return smoothing.positions ? std::optional((*smoothing.positions).*Distances.*Member) : std::nullopt;
+}
+
 double rms_distance(const Smoothing& smoothing) { return smoothing.distances.rms; }
 double largest_distance(const Smoothing& smoothing) { return smoothing.distances.largest; }
 double accepted_rms_distance(const Smoothing& smoothing) { return smoothing.accepted_distances.rms; }
@@ -57,6 +74,12 @@ std::span<const FieldInfo> fields_of<SmoothOptions>() noexcept {
                                          .range = {1e-9, 1e3},
                                          .example = "0.1deg/s",
                                          .absent = "estimated"}),
+      field<&SmoothOptions::position_noise>({.name = "position_noise",
+                                             .sentence = "Standard deviation of the positions per axis",
+                                             .quantity = &quantities::length,
+                                             .range = {1e-12, 1e12},
+                                             .example = "2cm",
+                                             .absent = "estimated"}),
       field<&SmoothOptions::gap>({.name = "gap",
                                   .sentence = "Nothing is smoothed over longer intervals",
                                   .quantity = &quantities::time,
@@ -113,6 +136,55 @@ std::span<const FieldInfo> fields_of<Smoothing>() noexcept {
       field<&Smoothing::samples_in_short_stretches>(
           {.name = "samples_in_short_stretches", .sentence = "Samples between gaps that are too few"}),
       field<&Smoothing::stretches>({.name = "stretches", .sentence = "What lies between gaps"}),
+      field<&optional_of_positions<&PositionSmoothing::smoothing_time>>(
+          {.name = "position_smoothing_time",
+           .sentence = "Smoothing time τ of the positions",
+           .quantity = &quantities::time,
+           .absent = "no positions, or none with noise: they are as they were"}),
+      field<&position_cutoff>({.name = "position_cutoff",
+                               .sentence = "The frequency 1/(2πτ) of the positions",
+                               .quantity = &quantities::frequency,
+                               .absent = "likewise"}),
+      field<&optional_of_positions<&PositionSmoothing::criterion>>(
+          {.name = "position_criterion",
+           .sentence = "By what τ of the positions was chosen",
+           .absent = "τ was stated, or there was nothing to choose by"}),
+      field<&of_positions<&PositionSmoothing::noise>>({.name = "position_noise",
+                                                       .sentence = "σ of the positions per axis, from the residuals",
+                                                       .quantity = &quantities::length,
+                                                       .absent = "no positions"}),
+      field<&of_positions<&PositionSmoothing::local_noise>>(
+          {.name = "position_local_noise",
+           .sentence = "σ per axis, from how far positions are from their neighbours",
+           .quantity = &quantities::length,
+           .absent = "no positions"}),
+      field<&position_distance<&PositionSmoothing::distances, &SampleDistances::rms>>(
+          {.name = "position_rms_distance",
+           .sentence = "Root mean square of the distances to the samples",
+           .quantity = &quantities::length,
+           .absent = "no positions"}),
+      field<&position_distance<&PositionSmoothing::distances, &SampleDistances::largest>>(
+          {.name = "position_largest_distance",
+           .sentence = "The largest distance to a sample",
+           .quantity = &quantities::length,
+           .absent = "no positions"}),
+      field<&position_distance<&PositionSmoothing::accepted_distances, &SampleDistances::rms>>(
+          {.name = "position_accepted_rms_distance",
+           .sentence = "Root mean square of the distances to the samples whose positions are not rejected",
+           .quantity = &quantities::length,
+           .absent = "no positions"}),
+      field<&position_distance<&PositionSmoothing::accepted_distances, &SampleDistances::largest>>(
+          {.name = "position_accepted_largest_distance",
+           .sentence = "The largest distance to a sample whose position is not rejected",
+           .quantity = &quantities::length,
+           .absent = "no positions"}),
+      field<&of_positions<&PositionSmoothing::rejected>>({.name = "rejected_positions",
+                                                          .sentence = "The samples whose positions do not count",
+                                                          .absent = "no positions"}),
+      field<&of_positions<&PositionSmoothing::retained_outlier_runs>>(
+          {.name = "retained_position_runs",
+           .sentence = "Samples whose positions are as far away and stay, for their neighbours are far away too",
+           .absent = "no positions"}),
       field<&Smoothing::iterations>({.name = "iterations", .sentence = "Iterations of the last fit"}),
       field<&Smoothing::last_step>(
           {.name = "last_step",

@@ -12,12 +12,12 @@ namespace {
 /// `deviation(i, a)`: how far value i is from the share a of the way between its neighbours. Values that lie there to
 /// rounding, as while a recording rests or repeats itself, tell nothing of the noise.
 template <class Deviation>
-double noise_from(std::span<const double> times, Deviation deviation) {
+double noise_from(std::span<const double> times, double least, Deviation deviation) {
   std::vector<double> scaled;
   for (std::size_t i = 1; i + 1 < times.size(); ++i) {
     const double a = (times[i] - times[i - 1]) / (times[i + 1] - times[i - 1]);
     const double distance = deviation(i, a);
-    if (distance > least_noise) scaled.push_back(distance / std::sqrt(1.0 + a * a + (1.0 - a) * (1.0 - a)));
+    if (distance > least) scaled.push_back(distance / std::sqrt(1.0 + a * a + (1.0 - a) * (1.0 - a)));
   }
   return median_of(std::move(scaled)) / median_length;
 }
@@ -33,15 +33,15 @@ double median_of(std::vector<double> values) {
 }
 
 double local_noise(std::span<const double> times, std::span<const Eigen::Quaterniond> orientations) {
-  return noise_from(times, [orientations](std::size_t i, double a) {
+  return noise_from(times, least_noise, [orientations](std::size_t i, double a) {
     const Eigen::Vector3d before = shortest_increment(orientations[i - 1], orientations[i]),
                           after = shortest_increment(orientations[i], orientations[i + 1]);
     return ((1.0 - a) * before - a * after).norm();
   });
 }
 
-double local_noise(std::span<const double> times, std::span<const Eigen::Vector3d> vectors) {
-  return noise_from(times, [vectors](std::size_t i, double a) {
+double local_noise(std::span<const double> times, std::span<const Eigen::Vector3d> vectors, double least) {
+  return noise_from(times, least, [vectors](std::size_t i, double a) {
     return (vectors[i] - (1.0 - a) * vectors[i - 1] - a * vectors[i + 1]).norm();
   });
 }

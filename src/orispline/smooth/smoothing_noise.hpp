@@ -27,7 +27,9 @@ inline constexpr double largest_noise = 0.5;
 /// Times [s] increase; 0 for fewer than three.
 [[nodiscard]] double local_noise(std::span<const double> times, std::span<const Eigen::Quaterniond> orientations);
 
-/// The noise per axis of vectors, such as rates, in their unit: from the straight line between the neighbours.
-[[nodiscard]] double local_noise(std::span<const double> times, std::span<const Eigen::Vector3d> vectors);
+/// The noise per axis of vectors, such as rates, in their unit: from the straight line between the neighbours. Those
+/// nearer to it than `least` tell nothing.
+[[nodiscard]] double local_noise(std::span<const double> times, std::span<const Eigen::Vector3d> vectors,
+                                 double least = least_noise);
 
 }  // namespace orispline::inline ORISPLINE_ABI
