@@ -4,10 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Eigenvalues>
+
 #include <orispline/smooth/smoothing_element.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
+
+constexpr double medians_that_count = 3.0;
 
 /// `deviation(i, a)`: how far value i is from the share a of the way between its neighbours. Values that lie there to
 /// rounding, as while a recording rests or repeats itself, tell nothing of the noise.
@@ -30,6 +34,21 @@ double median_of(std::vector<double> values) {
   std::nth_element(values.begin(), middle, values.end());
   if (values.size() % 2 == 1) return *middle;
   return 0.5 * (*middle + *std::max_element(values.begin(), middle));
+}
+
+double largest_deviation(std::span<const Eigen::Vector3d> vectors) {
+  std::vector<double> lengths;
+  for (const Eigen::Vector3d& v : vectors) lengths.push_back(v.norm());
+  const double bound = medians_that_count * median_of(std::move(lengths));
+  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+  double count = 0.0;
+  for (const Eigen::Vector3d& v : vectors) {
+    if (!(v.norm() <= bound)) continue;
+    moments += v * v.transpose();
+    count += 1.0;
+  }
+  if (count == 0.0) return 0.0;
+  return std::sqrt(std::max(0.0, Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moments / count).eigenvalues()[2]));
 }
 
 double local_noise(std::span<const double> times, std::span<const Eigen::Quaterniond> orientations) {

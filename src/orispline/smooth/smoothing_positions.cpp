@@ -11,7 +11,7 @@ namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 constexpr double rounding_of_doubles = 1e-14;  // of a sum of a few positions, relative to the largest component
-constexpr double rounding_of_fits = 1e-9;      // relative to the extent, where the most is smoothed
+constexpr double rounding_of_fits = 1e-11;     // relative to the extent
 constexpr double shortest_length = 1e-30;      // [m], whose square is far from the smallest double
 
 /// The largest component of a position as seen from the origin [m].
@@ -37,9 +37,15 @@ SmoothedPositions as_recorded(const Keyframes& recording, const std::vector<Stre
   return result;
 }
 
-/// The states of a search in metres. Where it found no noise to take away, what is not rejected stays as it is.
+/// In which positions are smoothed: from where they are seen, the unit [m], and what is rounding of the fit [m].
+struct PositionScale {
+  Eigen::Vector3d origin;
+  double unit, resolution;
+};
+
+/// What a search found, in metres. Where there is no noise to take away, what is not rejected stays as it is.
 SmoothedPositions in_metres(const SmoothingSearch& search, const Keyframes& recording,
-                            const std::vector<Stretch>& stretches, const Eigen::Vector3d& origin, double unit) {
+                            const std::vector<Stretch>& stretches, const PositionScale& scale) {
   const SmoothingSearch::Finding& found = search.finding();
   SmoothedPositions result = as_recorded(recording, stretches);
   PositionSmoothing& finding = result.finding;
@@ -48,13 +54,14 @@ SmoothedPositions in_metres(const SmoothingSearch& search, const Keyframes& reco
   finding.chosen_on = found.chosen_on;
   finding.rejected = found.rejected;
   finding.retained_outlier_runs = found.retained_outlier_runs;
-  finding.noise = unit * search.residual_noise();
-  if (found.edge != LambdaChoice::Edge::shortest) finding.smoothing_time = search.smoothing_time();
+  finding.noise = scale.unit * search.residual_noise();
+  const bool noisy = found.edge != LambdaChoice::Edge::shortest && finding.noise > scale.resolution;
+  if (noisy || !found.criterion) finding.smoothing_time = search.smoothing_time();
   auto next = result.positions.begin();
   for (std::size_t k = 0; k < stretches.size(); ++k)
     for (std::size_t i = 0; i < stretches[k].count; ++i, ++next)
       if (finding.smoothing_time || std::ranges::binary_search(finding.rejected, stretches[k].first + i))
-        *next = origin + unit * search.fits().fits[k].nodes.positions[i];
+        *next = scale.origin + scale.unit * search.fits().fits[k].nodes.positions[i];
   return result;
 }
 
@@ -64,9 +71,9 @@ Expected<SmoothedPositions> smooth_positions(const Keyframes& recording, const S
                                              const std::vector<Stretch>& stretches, OpenEndedWork& work) {
   const double local = local_noise_of(recording);
   if (!(local > 0.0)) return as_recorded(recording, stretches);  // straight lines stay what they are
-  const Eigen::Vector3d origin = recording.positions()[stretches.front().first];
-  const double resolution = rounding_of_fits * extent_of(recording.positions(), origin);
-  const double unit = options.position_noise.value_or(std::max(resolution, local));
+  PositionScale scale{.origin = recording.positions()[stretches.front().first], .unit = 1.0, .resolution = 0.0};
+  scale.resolution = rounding_of_fits * extent_of(recording.positions(), scale.origin);
+  scale.unit = options.position_noise.value_or(std::max(scale.resolution, local));
   const bool chosen = options.position_noise || !options.smoothing_time;
   const SearchPlan plan{.penalty = options.penalty,
                         .loss = options.loss,
@@ -74,11 +81,11 @@ Expected<SmoothedPositions> smooth_positions(const Keyframes& recording, const S
                         .smoothing_time = chosen ? std::nullopt : options.smoothing_time,
                         .interval = median_interval(recording.times()),
                         .unit = " m",
-                        .unit_size = unit};
-  SmoothingSearch search(position_problems_of(recording, stretches, origin, unit), stretches, plan, work);
+                        .unit_size = scale.unit};
+  SmoothingSearch search(position_problems_of(recording, stretches, scale.origin, scale.unit), stretches, plan, work);
   return search.run()
       .map([&] {
-        SmoothedPositions result = in_metres(search, recording, stretches, origin, unit);
+        SmoothedPositions result = in_metres(search, recording, stretches, scale);
         result.finding.local_noise = local;
         return result;
       })

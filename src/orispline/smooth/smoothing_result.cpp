@@ -61,9 +61,9 @@ Warning rejected_run(const SampleRun& run) {
 }
 
 /// `what`: samples or positions.
-Warning many_rejected(std::string code, std::string_view what, std::size_t rejected, std::size_t all) {
+Warning many_rejected(std::string_view code, std::string_view what, std::size_t rejected, std::size_t all) {
   const double share = 100.0 * static_cast<double>(rejected) / static_cast<double>(all);
-  return {.code = std::move(code),
+  return {.code = code,
           .message = formatted("{} of {} {} ({:.2g} %) are rejected as outliers; if they are motion, set `loss` to l2, "
                                "which keeps every sample",
                                rejected, all, what, share),

@@ -111,7 +111,7 @@ Expected<void> SmoothingSearch::fit_without_outliers() {
 
 /// Leaves out what is far, and takes back what the neighbours do not call an outlier.
 Expected<void> SmoothingSearch::find_outliers() {
-  const double noise = std::max(plan_.noise, noise_by_median());
+  const double noise = std::max(plan_.noise, noise_of_most());
   const auto errors = [&] { return prediction_errors(problems_, fits_, objective_, noise); };
   const FarSamples candidates = far_candidates(errors(), stretches_);
   readmit(problems_, plan_.noise);
@@ -154,14 +154,20 @@ SmoothingSearch::Freedom SmoothingSearch::freedom() const {
   return {trace, std::max(0.0, count - trace), count};
 }
 
-/// σ per axis of the residuals, of which outliers are few.
-double SmoothingSearch::noise_by_median() const {
+/// σ of the residuals, of which outliers are few, in the direction where it is largest: a vehicle's are in the plane, a
+/// heading's about one axis.
+double SmoothingSearch::noise_of_most() const {
+  std::vector<Eigen::Vector3d> residuals;
   std::vector<double> lengths;
   for (const SmoothingFit& fit : fits_.fits)
-    for (const Eigen::Vector3d& r : fit.residuals) lengths.push_back(r.norm());
+    for (const Eigen::Vector3d& r : fit.residuals) {
+      residuals.push_back(r);
+      lengths.push_back(r.norm());
+    }
   const Freedom of = freedom();
   if (!(of.rest > 0.0)) return 0.0;
-  return median_of(std::move(lengths)) / (median_length * std::sqrt(of.rest / of.observations));
+  return std::max(median_of(std::move(lengths)) / median_length, largest_deviation(residuals)) /
+         std::sqrt(of.rest / of.observations);
 }
 
 double SmoothingSearch::residual_noise() const {

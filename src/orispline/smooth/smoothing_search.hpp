@@ -63,7 +63,7 @@ class SmoothingSearch {
   [[nodiscard]] Expected<void> fit_without_outliers();
   [[nodiscard]] Expected<void> find_outliers();
   [[nodiscard]] Expected<void> check() const;
-  [[nodiscard]] double noise_by_median() const;
+  [[nodiscard]] double noise_of_most() const;
 
   SearchPlan plan_;
   const std::vector<Stretch>& stretches_;
