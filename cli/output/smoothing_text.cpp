@@ -27,8 +27,8 @@ std::string choice_text(double smoothing_time, double cutoff, std::optional<Smoo
 std::string choice_of_positions(const Smoothing& smoothing) {
   const orispline::PositionSmoothing& found = *smoothing.positions;
   if (!found.smoothing_time) return "as they were, for hardly any noise was found beside their motion";
-  return "smoothing time " + choice_text(*found.smoothing_time, *found.cutoff(), found.criterion, found.chosen_on,
-                                         smoothing.keys.size());
+  return "smoothing time " +
+         choice_text(*found.smoothing_time, *found.cutoff(), found.criterion, found.chosen_on, smoothing.keys.size());
 }
 
 }  // namespace
@@ -42,8 +42,9 @@ std::string places_text(const std::vector<std::size_t>& samples, const std::vect
 }
 
 std::string choice_line(const Smoothing& smoothing) {
-  return formatted("smoothing time  {}\n", choice_text(smoothing.smoothing_time, smoothing.cutoff(), smoothing.criterion,
-                                                      smoothing.chosen_on, smoothing.keys.size()));
+  return formatted("smoothing time  {}\n",
+                   choice_text(smoothing.smoothing_time, smoothing.cutoff(), smoothing.criterion, smoothing.chosen_on,
+                               smoothing.keys.size()));
 }
 
 std::string position_choice_line(const Smoothing& smoothing) {

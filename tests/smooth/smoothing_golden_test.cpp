@@ -77,7 +77,8 @@ TEST(SmoothingGolden, PositionsAreThoseOfExactSplines) {
     const double lambda = rows[0].number("lambda");
     const auto fit = fit_smoothing(problem, {.penalty = penalty, .lambda = lambda});
     for (std::size_t i = 0; i < rows.size(); ++i)
-      EXPECT_LT(relative_error(fit.nodes.positions[i], rows[i].vector("found_px", "found_py", "found_pz")), golden) << i;
+      EXPECT_LT(relative_error(fit.nodes.positions[i], rows[i].vector("found_px", "found_py", "found_pz")), golden)
+          << i;
     expect_figure(fit.penalty, rows[0], "penalty");
     EXPECT_NEAR(fit.cost, fit.data + lambda * fit.penalty, 1e-12 * fit.cost);
     expect_figure(hat_trace(problem.times, problem.weights, penalty, lambda), rows[0], "trace");

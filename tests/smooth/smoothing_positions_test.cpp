@@ -196,7 +196,8 @@ TEST(SmoothPositions, WithoutNoiseStayWhatTheyAre) {
 TEST(SmoothPositions, OfAnExactPathWithCornersStayWithinAPartOfAStep) {
   auto recording = on_path(even_times(400), 0.0);
   for (std::size_t i = 0; i < 400; ++i)
-    recording.noisy.positions[i] = {std::abs(0.01 * static_cast<double>(i) - 2.0), 0.0, 1.0};  // at 1 m/s, there and back
+    recording.noisy.positions[i] = {std::abs(0.01 * static_cast<double>(i) - 2.0), 0.0,
+                                    1.0};  // at 1 m/s, there and back
   const Smoothing smoothing = smoothed(recording.noisy);
   EXPECT_TRUE(smoothing.positions->rejected.empty());
   EXPECT_LT(smoothing.positions->distances.largest, 0.0015);
@@ -208,8 +209,7 @@ Smoothing with_noise_along(const Eigen::Vector3d& directions) {
   Dice dice(2);
   for (const double t : even_times(3000)) {
     data.times.push_back(t);
-    data.orientations.push_back(
-        exp<double>(Eigen::Vector3d(degree * directions.cwiseProduct(normal_vector(dice)))));
+    data.orientations.push_back(exp<double>(Eigen::Vector3d(degree * directions.cwiseProduct(normal_vector(dice)))));
     data.positions.push_back(path_at(t) + 0.02 * directions.cwiseProduct(normal_vector(dice)));
   }
   return smoothed(data);
@@ -218,8 +218,8 @@ Smoothing with_noise_along(const Eigen::Vector3d& directions) {
 // A vehicle's noise lies in the plane, a heading's about one axis: taken for a third of noise all around, 2 in 100
 // samples of it would pass for outliers.
 TEST(SmoothingOutliers, AreAsFewWhereNoiseHasOneDirection) {
-  for (const Eigen::Vector3d directions : {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(1, 1, 0),
-                                           Eigen::Vector3d(1, 1, 3), Eigen::Vector3d(1, 1, 1)}) {
+  for (const Eigen::Vector3d& directions :
+       {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(1, 1, 0), Eigen::Vector3d(1, 1, 3), Eigen::Vector3d(1, 1, 1)}) {
     const Smoothing smoothing = with_noise_along(directions);
     EXPECT_LE(smoothing.rejected.size() + smoothing.retained_outlier_runs.size(), 1u);
     EXPECT_LE(smoothing.positions->rejected.size() + smoothing.positions->retained_outlier_runs.size(), 1u);

@@ -77,8 +77,8 @@ std::string smoothed_lines(const ReduceReport& report) {
                                raw.rms * degrees, raw.largest * degrees, report.times[raw.largest_at].to_string());
   if (!raw_positions) return text;
   return text + "  " + position_choice_line(smoothing) + rejected_line(smoothing.positions->rejected) +
-         formatted("  raw positions   {:.6g} m RMS from the keys' path, {:.6g} m at most, at {} s\n", raw_positions->rms,
-                   raw_positions->largest, report.times[raw_positions->largest_at].to_string());
+         formatted("  raw positions   {:.6g} m RMS from the keys' path, {:.6g} m at most, at {} s\n",
+                   raw_positions->rms, raw_positions->largest, report.times[raw_positions->largest_at].to_string());
 }
 
 }  // namespace

@@ -45,8 +45,8 @@ inline constexpr std::size_t most_times_for_choice = 10000;
 /// stands before `smoothing_time`. Errors: bad_data for too few samples (fewer than three in every
 /// stretch, four for the jerk; so few beside the outliers), where no smooth motion is near to them or more than half of
 /// them count as outliers, for a gyro without angular velocities and for one that contradicts the orientations, for a
-/// noise of positions without any; those of check(); bad_argument for a smoothing time that does not suit the recording and for a gap not longer than the
-/// median interval; not_converged; cancelled.
+/// noise of positions without any; those of check(); bad_argument for a smoothing time that does not suit the recording
+/// and for a gap not longer than the median interval; not_converged; cancelled.
 [[nodiscard]] ORISPLINE_EXPORT Expected<Smoothing> smooth(const Track& recording, const SmoothOptions& options = {},
                                                           const Progress& progress = {});
 

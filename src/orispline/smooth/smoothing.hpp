@@ -59,8 +59,8 @@ struct SmoothingIteration {
 /// The unknowns: orientations and body rates, or positions, at the times of the recording.
 struct SmoothedNodes {
   std::vector<Eigen::Quaterniond> orientations{};
-  std::vector<Eigen::Vector3d> angular_velocities{};          ///< [rad/s]
-  std::vector<Eigen::Vector3d> angular_accelerations{};       ///< [rad/s²]
+  std::vector<Eigen::Vector3d> angular_velocities{};     ///< [rad/s]
+  std::vector<Eigen::Vector3d> angular_accelerations{};  ///< [rad/s²]
   std::vector<Eigen::Vector3d> positions{};
   Eigen::Vector3d gyro_correction = Eigen::Vector3d::Zero();  ///< b [rad/s]: the gyro, b added, has no bias
 };
@@ -68,8 +68,8 @@ struct SmoothedNodes {
 /// The minimum and what is known about it.
 struct SmoothingFit {
   SmoothedNodes nodes{};
-  std::vector<Eigen::Vector3d> residuals{};      ///< log(q⁻¹ Q) to the recording [rad], body frame of the node; P - p
-  std::vector<double> loss_weights{};            ///< ρ' of every residual: what is left of its weight
+  std::vector<Eigen::Vector3d> residuals{};  ///< log(q⁻¹ Q) to the recording [rad], body frame of the node; P - p
+  std::vector<double> loss_weights{};        ///< ρ' of every residual: what is left of its weight
   double data = 0.0, penalty = 0.0, gyro = 0.0;  ///< terms of the cost, the penalty without λ
   double cost = 0.0;                             ///< data + λ penalty + gyro
   int iterations = 0;
@@ -84,8 +84,8 @@ struct SmoothingFit {
 /// the Hermite polynomial in the chart at the middle of each segment. Invariant under rotations of the world and of
 /// the body and under reversal of time. docs/smooth.md has the formulas, our own derivation.
 ///
-/// Positions p are linear: the cubic smoothing spline, for the jerk the quintic one, in one step; with a loss the weights
-/// are iterated.
+/// Positions p are linear: the cubic smoothing spline, for the jerk the quintic one, in one step; with a loss the
+/// weights are iterated.
 ///
 /// `start`: the fit of a similar problem at the same times. Precondition: as many weights as times, at least p of them
 /// positive, and likewise for the gyro where there is one.

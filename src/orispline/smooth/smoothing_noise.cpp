@@ -11,7 +11,7 @@
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
-constexpr double medians_that_count = 3.0;
+constexpr double medians_that_count = 3.0, lopsided = 4.0;  // lengths, variances
 
 /// `deviation(i, a)`: how far value i is from the share a of the way between its neighbours. Values that lie there to
 /// rounding, as while a recording rests or repeats itself, tell nothing of the noise.
@@ -36,7 +36,7 @@ double median_of(std::vector<double> values) {
   return 0.5 * (*middle + *std::max_element(values.begin(), middle));
 }
 
-double largest_deviation(std::span<const Eigen::Vector3d> vectors) {
+double lopsided_deviation(std::span<const Eigen::Vector3d> vectors) {
   std::vector<double> lengths;
   for (const Eigen::Vector3d& v : vectors) lengths.push_back(v.norm());
   const double bound = medians_that_count * median_of(std::move(lengths));
@@ -48,7 +48,8 @@ double largest_deviation(std::span<const Eigen::Vector3d> vectors) {
     count += 1.0;
   }
   if (count == 0.0) return 0.0;
-  return std::sqrt(std::max(0.0, Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moments / count).eigenvalues()[2]));
+  const Eigen::Vector3d variances = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moments / count).eigenvalues();
+  return variances[2] > lopsided * std::max(0.0, variances[0]) ? std::sqrt(variances[2]) : 0.0;
 }
 
 double local_noise(std::span<const double> times, std::span<const Eigen::Quaterniond> orientations) {

@@ -15,9 +15,10 @@ inline constexpr double median_length = 1.5381722544550522;
 /// 0 without values.
 [[nodiscard]] double median_of(std::vector<double> values);
 
-/// The largest standard deviation in any direction of vectors about 0, of which outliers are few: that of the vectors
-/// within three medians of the length. Noise in one direction alone is taken for 0.88 of itself. 0 without vectors.
-[[nodiscard]] double largest_deviation(std::span<const Eigen::Vector3d> vectors);
+/// The standard deviation of vectors about 0, of which outliers are few, in the direction where it is largest, if that
+/// is more than twice the one where it is least; else 0. Of the vectors within three medians of the length: noise in
+/// one direction alone is taken for 0.88 of itself.
+[[nodiscard]] double lopsided_deviation(std::span<const Eigen::Vector3d> vectors);
 
 /// Rounding of orientations in single precision [rad]: noise below it is not told apart.
 inline constexpr double least_noise = 1e-7;

@@ -154,8 +154,8 @@ SmoothingSearch::Freedom SmoothingSearch::freedom() const {
   return {trace, std::max(0.0, count - trace), count};
 }
 
-/// σ of the residuals, of which outliers are few, in the direction where it is largest: a vehicle's are in the plane, a
-/// heading's about one axis.
+/// σ of the residuals, of which outliers are few; where one direction has most of it, as a vehicle's plane or the axis
+/// of a heading, in that one.
 double SmoothingSearch::noise_of_most() const {
   std::vector<Eigen::Vector3d> residuals;
   std::vector<double> lengths;
@@ -166,7 +166,7 @@ double SmoothingSearch::noise_of_most() const {
     }
   const Freedom of = freedom();
   if (!(of.rest > 0.0)) return 0.0;
-  return std::max(median_of(std::move(lengths)) / median_length, largest_deviation(residuals)) /
+  return std::max(median_of(std::move(lengths)) / median_length, lopsided_deviation(residuals)) /
          std::sqrt(of.rest / of.observations);
 }
 
