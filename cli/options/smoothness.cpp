@@ -24,7 +24,8 @@ void add_cutoff(Command& app, SmoothnessOptions& o) {
 }  // namespace
 
 bool any_given(const SmoothnessOptions& options) {
-  return is_given(options.fields, "noise") || is_given(options.fields, "smoothing_time") || options.cutoff;
+  return is_given(options.fields, "noise") || is_given(options.fields, "smoothing_time") ||
+         is_given(options.fields, "position_noise") || options.cutoff;
 }
 
 Expected<orispline::SmoothOptions> smoothing_in(const SmoothnessOptions& options) {
@@ -57,7 +58,7 @@ void add_smoothing_options(Command& app, SmoothnessOptions& o) {
 }
 
 void add_smoothness_options(Command& app, SmoothnessOptions& o) {
-  for (const std::string_view name : {"noise", "smoothing_time"})
+  for (const std::string_view name : {"noise", "smoothing_time", "position_noise"})
     add_field(app, o.fields, field_named(fields_of<orispline::SmoothOptions>(), name), section);
   add_cutoff(app, o);
 }

@@ -198,6 +198,10 @@ TEST(Smooth, TellsAGyroThatDoesNotMeasureTheMotion) {
   expect_refused([](const Turn& q, const Vector& w) { return Vector(-(q * w)); }, contradicts, conjugate);
   expect_refused([](const Turn&, const Vector& w) { return Vector(100.0 * w); }, "the gyro's rates vary by",
                  "wanted a gyro in rad/s");
+  // Mounted with all axes reversed and two of them exchanged: no single word of ours mends that.
+  expect_refused([](const Turn&, const Vector& w) { return Vector(-w.x(), -w.z(), -w.y()); },
+                 "the gyro turns against the orientations: their rates vary by",
+                 "wanted rates of the body in its own frame");
 }
 
 TEST(Smooth, SaysWhatItCannotDo) {

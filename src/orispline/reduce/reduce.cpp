@@ -156,6 +156,22 @@ Expected<DistanceStatistics> distance_of(const Reduction& reduction, const Keyfr
   });
 }
 
+Expected<DistanceStatistics> position_distance_of(const Reduction& reduction, const Keyframes& samples,
+                                                  std::span<const std::size_t> left_out) {
+  return make_pose_curve(reduction.method, reduction.track.keys).map([&](const PoseCurve& curve) {
+    std::vector<std::size_t> kept;
+    std::vector<double> distances;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      if (std::ranges::binary_search(left_out, i)) continue;
+      kept.push_back(i);
+      distances.push_back((curve.position->linear_motion(samples.times()[i]).position - samples.positions()[i]).norm());
+    }
+    DistanceStatistics distance = distance_statistics(std::move(distances));
+    if (distance.count > 0) distance.largest_at = kept[distance.largest_at];
+    return distance;
+  });
+}
+
 std::size_t smallest(std::span<const Reduction> reductions) {
   const auto size = [](const Reduction& reduction) { return reduction.samples.size(); };
   return static_cast<std::size_t>(std::ranges::min_element(reductions, {}, size) - reductions.begin());
