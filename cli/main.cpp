@@ -56,8 +56,8 @@ constexpr auto reproduce_footer = R"(Examples:
   orispline reproduce tan-table1 --keys keys.csv
   orispline reproduce 003 --pictures pictures
 
-Papers go by number or author: 000 or tan is Tan et al. 2018, 001 or he is He et al. 2022, 002 or eberly is Eberly, and
-003 or sextic is the 6th degree, whose authors our copy does not name.)";
+Name a paper by its number or its author: 000 or tan is Tan et al. 2018, 001 or he is He et al. 2022, 002 or eberly is
+Eberly, and 003 or sextic is the paper on the 6th degree, whose authors our copy does not name.)";
 
 constexpr auto completion_footer = R"(Examples:
   source <(orispline completion bash)
@@ -114,7 +114,7 @@ std::vector<CommandOutline> outlines(const std::deque<Command>& commands) {
 }
 
 /// For somebody who has typed the name of the command and no more.
-constexpr auto first_steps = R"(orispline makes smooth motions from orientation keyframes. Some beginnings:
+constexpr auto first_steps = R"(orispline makes smooth motions from orientation keyframes. To begin with:
   orispline sample keys.csv --rate 100 -o motion.csv   a motion through the keys, with exact rates
   orispline inspect keys.csv --method auto             what the keys are like, and where rates jump
   orispline compare flight.csv --keep-every 8          which method follows a recording best
@@ -141,13 +141,14 @@ class CommandLine {
         command("sample", "Sample the smooth motion through keyframes", [this] { return sample(sample_); }), sample_);
     add_convert_options(command("convert", "Write keyframes in another format", [this] { return convert(convert_); }),
                         convert_);
-    add_inspect_options(command("inspect", "Say what a file of keyframes is like, and how continuous curves are on it",
-                                [this] { return inspect(inspect_); }),
-                        inspect_);
+    add_inspect_options(
+        command("inspect", "Describe a file of keyframes, and where the rates of curves through it jump",
+                [this] { return inspect(inspect_); }),
+        inspect_);
     add_compare_options(command("compare", "Compare the methods on a recording: errors, smoothness, cost",
                                 [this] { return compare(compare_); }),
                         compare_);
-    add_plot_options(command("plot", "Draw the motion of methods over time, as SVG", [this] { return plot(plot_); }),
+    add_plot_options(command("plot", "Draw the motion by one or more methods as SVG", [this] { return plot(plot_); }),
                      plot_);
     add_smooth_options(
         command("smooth", "Turn noisy samples into a smooth motion with rates", [this] { return smooth(smooth_); }),
@@ -161,10 +162,8 @@ class CommandLine {
     add_retime_options(command("retime", "Slow a motion until it is within limits of rate, acceleration or torque",
                                [this] { return retime(retime_); }),
                        retime_);
-    add_methods_options(
-        command("methods", "List the methods, or say everything of one", [this] { return methods(methods_); }));
-    add_tasks_options(
-        command("tasks", "List the tasks with their options and results", [this] { return tasks(tasks_); }));
+    add_methods_options(command("methods", "List the methods, or describe one", [this] { return methods(methods_); }));
+    add_tasks_options(command("tasks", "List the options and results of every task", [this] { return tasks(tasks_); }));
     add_reproduce_options(
         command("reproduce", "Run the experiments of the papers anew", [this] { return reproduce(reproduce_); }));
     add_completion_options(command("completion", "Print a completion script for a shell",
@@ -201,7 +200,7 @@ class CommandLine {
 
   void add_methods_options(Command& app) {
     app.footer = methods_footer;
-    app.add_option("METHOD", methods_.name, "A method of the list [all]")->type_name(method_type);
+    app.add_option("METHOD", methods_.name, "Method to describe [list them all]")->type_name(method_type);
     app.add_flag("--json", methods_.json, "Print one JSON array");
   }
 
@@ -212,23 +211,25 @@ class CommandLine {
 
   void add_reproduce_options(Command& app) {
     app.footer = reproduce_footer;
-    app.add_option("EXPERIMENT", reproduce_.experiment, "A name of the list, or the number or the author of a paper")
+    app.add_option("EXPERIMENT", reproduce_.experiment,
+                   "Experiment to run: a name of the list, or a paper's number or author [list them all]")
         ->type_name("NAME");
-    app.add_option("--keys", reproduce_.keys, "Keys of your own in the place of ours, for experiments that take them")
+    app.add_option("--keys", reproduce_.keys,
+                   "Run the experiment on the keys of this file; the list says which ones take keys")
         ->type_name(file_type);
-    app.add_option("--pictures", reproduce_.pictures, "Write its pictures into this folder, as SVG")
+    app.add_option("--pictures", reproduce_.pictures, "Write the pictures as SVG into this folder")
         ->type_name(folder_type);
     app.add_flag("--json", reproduce_.json, "Print one JSON array");
   }
 
   void add_completion_options(Command& app) {
     app.footer = completion_footer;
-    app.add_option("SHELL", shell_, "The shell")->required()->type_name(one_of(shell_choices));
+    app.add_option("SHELL", shell_, "Shell that the script is for")->required()->type_name(one_of(shell_choices));
   }
 
   void add_help_options(Command& app) {
     app.footer = help_footer;
-    app.add_option(command_type, helped_, "A command [all of them in short]")->type_name(command_type);
+    app.add_option(command_type, helped_, "Command to explain [list them all]")->type_name(command_type);
   }
 
   std::deque<Command> commands_;

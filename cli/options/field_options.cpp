@@ -65,8 +65,13 @@ std::string help_of(const FieldInfo& field) {
 
 Expected<FieldValue> number_value(const FieldInfo& field, OptionText option) {
   if (field.quantity && !field.quantity->typed_units.empty()) return quantity_in(option, field.quantity->typed_units);
+  const OptionText bare = without_unit(option, field.quantity ? field.quantity->unit : "");
   if (!field.quantity && option.text.find('/') != std::string_view::npos) return wanted(option, "a number");
-  return field.range.lowest > 0.0 ? positive_in(option) : quotient_in(option);
+  const auto read = [&field](OptionText text) {
+    return field.range.lowest > 0.0 ? positive_in(text) : quotient_in(text);
+  };
+  const auto number = read(bare);
+  return number ? number : read(option);
 }
 
 Expected<FieldValue> word_value(const FieldInfo& field, OptionText option) {

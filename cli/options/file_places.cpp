@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/io/file_format.hpp>
 #include <orispline/io/output_file.hpp>
 
 #include "options/option_text.hpp"
@@ -37,8 +38,10 @@ bool is_same_file(const std::string& a, const std::string& b) {
 
 Expected<void> check_output_apart(std::string_view option, const std::string& output,
                                   const std::vector<OtherFile>& read) {
+  std::error_code unknown;  // such as systems without that name
   for (const OtherFile& other : read)
-    if (is_same_file(output, other.path))
+    if (is_same_file(output, other.path) ||
+        (other.path == io::standard_stream && !io::is_stream(output) && fs::equivalent("/dev/stdin", output, unknown)))
       return wanted({option, output}, formatted("another file than {}, which would be lost", other.name));
   return {};
 }

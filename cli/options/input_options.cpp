@@ -16,7 +16,8 @@ Expected<ColumnNames> column_names(const std::vector<std::string>& lists) {
       const auto assignment = assignment_in({"--columns", piece});
       if (!assignment) return tl::unexpected(assignment.error());
       const auto& [name, in_file] = *assignment;
-      if (!names.emplace(name, in_file).second) return usage_failure(formatted("--columns: '{}' stands twice", name));
+      if (!names.emplace(name, in_file).second)
+        return usage_failure(formatted("--columns: '{}' is given twice, wanted it once", name));
     }
   return names;
 }

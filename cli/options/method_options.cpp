@@ -50,7 +50,7 @@ Expected<Method> with_rate_option(Method method, CurveEnd end, std::string_view 
   const End& given = end == CurveEnd::start ? method.options.start : method.options.end;
   const bool lacks_rate = given.rule == EndRule::clamped && given.angular_velocity.isZero(0.0);
   if (!rate && lacks_rate && asked == AskedBy::user)
-    return usage_failure(formatted("--ends clamped: wanted {} as well", option));
+    return usage_failure(formatted("--ends clamped: found no rate for that end, wanted {} as well", option));
   if (!rate) return method;
   // Whether the end can have a rate at all comes before its numbers.
   if (auto able = said_by(option, with_end_rate(method, end, Eigen::Vector3d::Zero())); !able) return able;

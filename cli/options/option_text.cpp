@@ -61,6 +61,14 @@ tl::unexpected<Error> wanted(OptionText option, std::string_view what) {
   return usage_failure(formatted("{}: found '{}', wanted {}", option.option, option.text, what));
 }
 
+OptionText without_unit(OptionText option, std::string_view unit) {
+  const bool has_unit = !unit.empty() && option.text.size() > unit.size() && option.text.ends_with(unit);
+  if (!has_unit) return option;
+  const std::string_view number = without_blanks_behind(option.text.substr(0, option.text.size() - unit.size()));
+  const bool is_number = !number.empty() && std::isdigit(static_cast<unsigned char>(number.back()));
+  return is_number ? OptionText{option.option, number} : option;
+}
+
 Expected<double> number_in(OptionText option) {
   const auto number = io::number_of(option.text);
   if (!number || !std::isfinite(*number)) return wanted(option, "a number");

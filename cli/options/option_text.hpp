@@ -42,6 +42,9 @@ struct OptionText {
 [[nodiscard]] Error with_flags(Error error);
 [[nodiscard]] Warning with_flags(Warning warning);
 
+/// The same without the unit that the number is in anyhow, if it is typed behind it: `0.5 s` is `0.5`.
+[[nodiscard]] OptionText without_unit(OptionText option, std::string_view unit);
+
 /// A finite number.
 [[nodiscard]] Expected<double> number_in(OptionText option);
 /// A finite number, or a fraction.

@@ -73,8 +73,8 @@ std::string formats_for_settings() {
 
 Expected<void> check_times_are_kept(const io::FormatInfo& format, std::string_view option, std::string_view promise) {
   if (format.keeps_times()) return {};
-  return usage_failure(formatted("{}: {} rounds times, with which {} need not hold, wanted {}", option, format.file,
-                                 promise, formats_that([](const auto& f) { return f.keeps_times(); })));
+  return usage_failure(formatted("{}: {} rounds times, and {} may not hold with rounded times; wanted {}", option,
+                                 format.file, promise, formats_that([](const auto& f) { return f.keeps_times(); })));
 }
 
 Expected<std::optional<const io::FormatInfo*>> output_format(const OutputOptions& options) {

@@ -23,13 +23,13 @@ Expected<Spacing> spacing_in(const TimeOptions& options, const io::Clock& clock)
   const int given = options.rate.has_value() + options.count.has_value() + options.list.has_value();
   if (given == 0 && clock.frames_per_second) return Spacing(rate_of(*clock.frames_per_second));
   if (given != 1)
-    return usage_failure(formatted("found {} of --rate, --count and --times, wanted one of them",
+    return usage_failure(formatted("found {} of --rate, --count and --times, wanted one of them, such as --rate 100",
                                    given == 0 ? "none" : std::to_string(given)));
   if (options.list) return Spacing(TimesFile{.path = *options.list, .reading = {.clock = clock}});
   if (options.count)
     return count_in({"--count", *options.count}, 1).map([](std::size_t n) { return Spacing(Count{n}); });
   constexpr std::string_view what = "a number of samples per second greater than 0";
-  const OptionText rate{"--rate", *options.rate};
+  const OptionText rate = without_unit({"--rate", *options.rate}, "Hz");
   if (rate.text.find('/') == std::string_view::npos)
     return positive_in(rate, what).map([](double hertz) { return Spacing(Rate{hertz}); });
   return fraction_in(rate, what).map([](const Fraction& per_second) { return Spacing(rate_of(per_second)); });
@@ -38,6 +38,7 @@ Expected<Spacing> spacing_in(const TimeOptions& options, const io::Clock& clock)
 /// `5`, or `+5` since the first key.
 auto bound_in(const io::Clock& clock) {
   return [&clock](OptionText option) -> Expected<TimeBound> {
+    option = without_unit(option, "s");
     const bool since_first_key = option.text.starts_with('+');
     auto time = io::time_in(option.text.substr(since_first_key ? 1 : 0), clock);
     if (time) return TimeBound{*time, since_first_key};
@@ -53,8 +54,8 @@ Warning outside(std::string_view side, const TimeBound& bound, std::string_view 
                 std::string_view held) {
   return {
       .code = "outside_curve",
-      .message = formatted("--{} {} lies outside the curve, which {} at {} s: samples there hold the {} orientation; "
-                           "+0 is the time of the first key",
+      .message = formatted("--{} {} lies outside the curve, which {} at {} s; samples there hold the {} orientation; "
+                           "write +T for a time T seconds after the first key",
                            side, bound.time.to_string(), verb, end.to_string(), held)};
 }
 
@@ -96,10 +97,11 @@ Expected<TimeRequest> time_request(const TimeOptions& options, const io::Clock& 
                       .any_number = options.yes};
   auto read = std::move(checked).or_else(std::move(request));
   if (read && options.include_end && !std::holds_alternative<Rate>(read->spacing))
-    return usage_failure(options.list ? "--include-end: the file of --times says which times, wanted --rate"
-                                      : "--include-end: --count includes both ends already, wanted --rate");
+    return usage_failure(options.list
+                             ? "--include-end: found --times, whose file says which times to sample; wanted --rate"
+                             : "--include-end: found --count, which includes both ends already; wanted --rate");
   if (read && options.list && (options.from || options.to))
-    return usage_failure("--times: the file says which times, wanted neither --from nor --to");
+    return usage_failure("--times: its file says which times to sample; wanted neither --from nor --to");
   if (read && read->from && read->to && read->from->since_first_key == read->to->since_first_key &&
       read->from->time > read->to->time)
     return usage_failure(formatted("--from {} is after --to {}", *options.from, *options.to));

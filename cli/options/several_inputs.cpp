@@ -8,6 +8,7 @@
 
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
+#include <orispline/base/quoted.hpp>
 #include <orispline/io/file_format.hpp>
 #include <orispline/io/line_reader.hpp>
 
@@ -106,6 +107,15 @@ Expected<std::vector<std::string>> paths_of(const SeveralInputs& options) {
   return paths;
 }
 
+/// The first of several, in a message.
+std::string some_of(const std::vector<std::string>& paths) {
+  constexpr std::size_t shown = 3;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(shown, paths.size()); ++i)
+    text.append(i == 0 ? "" : i + 1 == paths.size() ? " and " : ", ").append(in_quotes(paths[i]));
+  return paths.size() > shown ? text + ", …" : text;
+}
+
 }  // namespace
 
 void add_several_inputs(Command& app, SeveralInputs& o, std::string_view written) {
@@ -156,8 +166,8 @@ Expected<std::string> only_input(const SeveralInputs& options, std::string_view 
   auto paths = paths_of(options);
   if (!paths) return tl::unexpected(std::move(paths.error()));
   if (paths->size() > 1)
-    return usage_failure(
-        formatted("found {} inputs, wanted --output-folder FOLDER for their {}", paths->size(), written));
+    return usage_failure(formatted("found {} inputs, {}; wanted one, or --output-folder FOLDER for their {}",
+                                   paths->size(), some_of(*paths), written));
   if (is_folder(paths->front()))
     return usage_failure(
         formatted("INPUT: found the folder '{}', wanted --output-folder FOLDER for the {} of its files", paths->front(),

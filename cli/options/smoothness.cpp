@@ -14,7 +14,9 @@ namespace {
 constexpr std::string_view section = "Smoothing";
 
 void add_cutoff(Command& app, SmoothnessOptions& o) {
-  app.add_option("--cutoff", o.cutoff, "Smoothing time as frequency 1/(2 pi tau), where half of a motion is left")
+  app.add_option(
+         "--cutoff", o.cutoff,
+         "Cut-off frequency 1/(2 pi tau) instead of the smoothing time; half of a motion at this frequency is left")
       ->type_name("HZ")
       ->group(std::string(section));
 }
@@ -22,7 +24,8 @@ void add_cutoff(Command& app, SmoothnessOptions& o) {
 }  // namespace
 
 bool any_given(const SmoothnessOptions& options) {
-  return is_given(options.fields, "noise") || is_given(options.fields, "smoothing_time") || options.cutoff;
+  return is_given(options.fields, "noise") || is_given(options.fields, "smoothing_time") ||
+         is_given(options.fields, "position_noise") || options.cutoff;
 }
 
 Expected<orispline::SmoothOptions> smoothing_in(const SmoothnessOptions& options) {
@@ -30,7 +33,8 @@ Expected<orispline::SmoothOptions> smoothing_in(const SmoothnessOptions& options
     return usage_failure("found several of --noise, --smoothing-time and --cutoff, wanted one: each says how smooth");
   FirstError checked;
   auto smoothing = checked(options_in<orispline::SmoothOptions>(options.fields));
-  if (const auto cutoff = checked(if_given("--cutoff", options.cutoff, [](OptionText o) { return positive_in(o); })))
+  if (const auto cutoff = checked(
+          if_given("--cutoff", options.cutoff, [](OptionText o) { return positive_in(without_unit(o, "Hz")); })))
     smoothing.smoothing_time = 1.0 / (2.0 * std::numbers::pi * *cutoff);
   return std::move(checked).or_else(std::move(smoothing)).and_then([&](const orispline::SmoothOptions& read) {
     return check(read).map([&] { return read; }).map_error([&](Error error) {
@@ -54,7 +58,7 @@ void add_smoothing_options(Command& app, SmoothnessOptions& o) {
 }
 
 void add_smoothness_options(Command& app, SmoothnessOptions& o) {
-  for (const std::string_view name : {"noise", "smoothing_time"})
+  for (const std::string_view name : {"noise", "smoothing_time", "position_noise"})
     add_field(app, o.fields, field_named(fields_of<orispline::SmoothOptions>(), name), section);
   add_cutoff(app, o);
 }

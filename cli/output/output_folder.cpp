@@ -79,8 +79,9 @@ Expected<void> check_folder(const std::string& folder) {
 }
 
 Expected<std::vector<std::string>> outputs_in(const std::string& folder, std::span<const InputFile> inputs,
-                                              std::string_view extension) {
+                                              std::string_view extension, const std::optional<std::string>& list) {
   FilesThere read;
+  if (list) read.add(*list);
   std::map<std::string, const InputFile*> written;
   std::vector<std::string> outputs;
   for (const InputFile& input : inputs) {
@@ -98,7 +99,8 @@ Expected<std::vector<std::string>> outputs_in(const std::string& folder, std::sp
   }
   for (const std::string& output : outputs)
     if (read.has(output))
-      return usage_failure(formatted("--output-folder: found {}, wanted a folder without the inputs", folder));
+      return usage_failure(formatted("--output-folder: found {}, wanted a folder without the inputs{}", folder,
+                                     list ? " and their list" : ""));
   return outputs;
 }
 

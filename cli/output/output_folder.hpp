@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,9 +21,10 @@ namespace orispline::cli {
 
 /// Where the outputs of several inputs go: files of the same names in the folder, with that extension if one is given,
 /// else as they are where we write such files, else with that of CSV. Errors: bad_argument for standard input, for two
-/// outputs in one place and for an output that is an input.
+/// outputs in one place and for an output that is an input, or the list of them.
 [[nodiscard]] Expected<std::vector<std::string>> outputs_in(const std::string& folder,
                                                             std::span<const InputFile> inputs,
-                                                            std::string_view extension);
+                                                            std::string_view extension,
+                                                            const std::optional<std::string>& list);
 
 }  // namespace orispline::cli

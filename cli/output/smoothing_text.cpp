@@ -14,13 +14,21 @@ using orispline::SmoothingCriterion;
 
 constexpr std::size_t places_shown = 10;
 
-std::string reason_of(const Smoothing& smoothing) {
-  if (!smoothing.criterion) return "as stated";
+/// `0.1 s (cut-off 1.59 Hz), by …`
+std::string choice_text(double smoothing_time, double cutoff, std::optional<SmoothingCriterion> criterion,
+                        std::size_t chosen_on, std::size_t all) {
+  const std::string text = formatted("{:.4g} s (cut-off {:.4g} Hz), ", smoothing_time, cutoff);
+  if (!criterion) return text + "as stated";
   const std::span<const Word> criteria = words<SmoothingCriterion>;
-  std::string reason = formatted("by {}", criteria[static_cast<std::size_t>(*smoothing.criterion)].sentence);
-  const std::size_t all = smoothing.keys.size();
-  if (smoothing.chosen_on < all) reason += formatted(", on {} of {} samples", smoothing.chosen_on, all);
-  return reason;
+  const std::string reason = formatted("by {}", criteria[static_cast<std::size_t>(*criterion)].sentence);
+  return text + reason + (chosen_on < all ? formatted(", on {} of {} samples", chosen_on, all) : "");
+}
+
+std::string choice_of_positions(const Smoothing& smoothing) {
+  const orispline::PositionSmoothing& found = *smoothing.positions;
+  if (!found.smoothing_time) return "as they were, for hardly any noise was found beside their motion";
+  return "smoothing time " +
+         choice_text(*found.smoothing_time, *found.cutoff(), found.criterion, found.chosen_on, smoothing.keys.size());
 }
 
 }  // namespace
@@ -34,8 +42,13 @@ std::string places_text(const std::vector<std::size_t>& samples, const std::vect
 }
 
 std::string choice_line(const Smoothing& smoothing) {
-  return formatted("smoothing time  {:.4g} s (cut-off {:.4g} Hz), {}\n", smoothing.smoothing_time, smoothing.cutoff(),
-                   reason_of(smoothing));
+  return formatted("smoothing time  {}\n",
+                   choice_text(smoothing.smoothing_time, smoothing.cutoff(), smoothing.criterion, smoothing.chosen_on,
+                               smoothing.keys.size()));
+}
+
+std::string position_choice_line(const Smoothing& smoothing) {
+  return smoothing.positions ? formatted("positions       {}\n", choice_of_positions(smoothing)) : "";
 }
 
 std::vector<Warning> remark_on(const Smoothing& smoothing, const Track& recording) {

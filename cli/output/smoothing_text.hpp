@@ -16,6 +16,9 @@ namespace orispline::cli {
 /// `smoothing time  0.1 s (cut-off 1.59 Hz), by …`
 [[nodiscard]] std::string choice_line(const orispline::Smoothing& smoothing);
 
+/// `positions       smoothing time 0.1 s (cut-off 1.59 Hz), by …`, or that they are as they were; empty without any.
+[[nodiscard]] std::string position_choice_line(const orispline::Smoothing& smoothing);
+
 /// Its warnings, the likely cause of the others first, with their places in the recording.
 [[nodiscard]] std::vector<Warning> remark_on(const orispline::Smoothing& smoothing, const Track& recording);
 

@@ -96,9 +96,9 @@ report::Table agreement_table() {
   row("squad and phi", squad_angle, angular_cubic);
   row("phi and the Catmull-Rom cubic", angular_cubic, catmull_rom);
   const double jump = angular_cubic(2, 0.0).acceleration - angular_cubic(1, 1.0).acceleration;
-  table.notes = {"phi is the Catmull-Rom cubic: C1 and no more, its second derivative jumps at theta = 1.0 by " +
+  table.notes = {"phi is the Catmull-Rom cubic. It is C1 only: its second derivative jumps at theta = 1.0 by " +
                      std::to_string(jump) + ".",
-                 "The note gives no angles: ours are -0.3, 0.2, 1.0, 0.7, -0.1, 0.4."};
+                 "The note gives no angles; these are ours: -0.3, 0.2, 1.0, 0.7, -0.1, 0.4."};
   return table;
 }
 

@@ -130,7 +130,7 @@ report::Table control_points_table(const BetaExample& example) {
                           (q.coeffs() - p.coeffs()).lpNorm<Eigen::Infinity>()});
   }
   table.notes = {
-      "All seven agree to the printed digits, but only with the signs of the points as given: steps up to 252°."};
+      "All seven agree to the printed digits, but only with the signs of the points as given, with steps up to 252°."};
   return table;
 }
 
@@ -150,7 +150,7 @@ Expected<std::vector<NamedExample>> with_both_signs(const Points& points, double
 }
 
 report::Table residuals_table(const std::string& title, const std::vector<NamedExample>& examples) {
-  report::Table table{.title = title + ": what the constraints leave at the joint; 0 would be G1 and G2",
+  report::Table table{.title = title + ": the residual of the constraints at the joint; 0 would be G1 and G2",
                       .columns = {{"signs"},
                                   {"G1", Notation::scientific, 1},
                                   {"G2", Notation::shortest, 3},
@@ -169,8 +169,8 @@ report::Table residuals_table(const std::string& title, const std::vector<NamedE
                           6.0 / theorem.gamma * theorem.corrected});
   }
   table.notes = {"G1: |s2'(0) - beta1 s1'(1)|. G2: |s2''(0) - beta1² s1''(1) - delta s1'(1)| with delta = beta2 = 0.5.",
-                 "G2 fails for every delta, and so does the condition (10), as printed and corrected: docs/errata.md.",
-                 "Corrected, (10) is the G2 constraint itself, up to the factor 6/gamma."};
+                 "No delta makes it G2, and condition (10) fails as printed and as corrected (docs/errata.md).",
+                 "The corrected (10) is the G2 constraint itself, up to the factor 6/gamma."};
   return table;
 }
 

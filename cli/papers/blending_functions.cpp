@@ -94,7 +94,8 @@ Picture picture() {
 
 Expected<Findings> experiment::blending_functions() {
   Findings findings{.tables = {table(figure[0]), table(figure[1])}, .pictures = {picture()}};
-  findings.tables.back().notes = {"As in the paper, (3.2). The sums are the exponents of the quaternion curve, (3.6)."};
+  findings.tables.back().notes = {
+      "They are as in the paper, (3.2). The sums are the exponents of the quaternion curve, (3.6)."};
   return findings;
 }
 

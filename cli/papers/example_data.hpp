@@ -29,7 +29,7 @@ struct DataRow {
 }
 
 inline constexpr auto five_keys_note =
-    "The paper's keys are not published: ours are the five of examples/data/five_keys.csv, at t = 0, 1, 2, 3, 4 s.";
+    "The paper's keys are not published; these are the five of examples/data/five_keys.csv, at t = 0, 1, 2, 3, 4 s.";
 
 /// The five keys of the pictures of docs/families, at times of their own.
 [[nodiscard]] inline Expected<Keyframes> five_keys_at(std::vector<double> times) {

@@ -103,12 +103,15 @@ void add_printed_figures(report::Table& table) {
   for (std::size_t i = 0; i < table.rows.size(); ++i)
     table.rows[i].insert(table.rows[i].end(), {printed[i].mse, printed[i].largest, printed[i].seconds});
   table.notes = {
-      "Error: the angle of the rotation between curve and truth, at the 961 times of the truth. Degree: of the "
+      "The error is the angle between curve and truth, at the 961 times of the truth. The degree is that of the "
       "blending.",
-      "Continuity in time, measured at the keys. Times are of this machine: the curve and 961 orientations.",
-      "Figures on the right are of the paper's own flight, which is not published: ours is the bundled simulation.",
-      "The paper gives the quartic's C2 as C3 and calls the quintic, its own curve at β = 5/96, by the quartic's name.",
-      "In the paper a small β is the best. Here it is not: its curve slows down at every key, the aircraft does not."};
+      "Continuity is in time and measured at the keys. Times are those of the curve and 961 orientations on this "
+      "machine.",
+      "Figures on the right are of the paper's own flight, which is not published; this is the bundled simulation.",
+      "The paper says C3 for the quartic, which is C2, and gives the quartic's name to the quintic, its own curve at β "
+      "= 5/96.",
+      "In the paper a small β is the best. Here it is not: its curve slows down at every key, and the aircraft does "
+      "not."};
 }
 
 std::vector<Recipe> drawn_methods() {
@@ -193,7 +196,7 @@ Expected<Findings> experiment::flight_compared() {
   if (!uneven) return tl::unexpected(uneven.error());
   if (!curves) return tl::unexpected(curves.error());
   add_printed_figures(*even);
-  uneven->notes = {"Not in the paper. On uneven knots its curves are continuous in shape (G), not in time."};
+  uneven->notes = {"This is not in the paper. On uneven knots its curves are continuous in shape (G), not in time."};
   return Findings{{std::move(*even), std::move(*uneven)},
                   {wing_paths(*five, *curves), curves_over_time(*five, *curves)}};
 }

@@ -167,7 +167,7 @@ report::Table identities_table() {
 }
 
 report::Table misprints_table() {
-  report::Table table{.title = "What is not so as printed",
+  report::Table table{.title = "What is wrong as printed",
                       .columns = {{"equation"},
                                   {"printed"},
                                   {"error", Notation::scientific, 1},
@@ -176,7 +176,7 @@ report::Table misprints_table() {
   for (const Misprint& m : interpolation_misprints())
     table.rows.push_back({std::string(m.number), std::string(m.printed), largest_of(m.error_as_printed),
                           std::string(m.right), largest_of(m.error_corrected)});
-  table.notes = {"More of them, with how they are known, stand in docs/errata.md."};
+  table.notes = {"docs/errata.md has more of these, and how we know."};
   return table;
 }
 

@@ -7,7 +7,7 @@ namespace orispline::cli {
 
 std::string text_of(std::span<const Experiment> experiments) {
   std::string text =
-      "Experiments of the papers, by number or author; the number or the author alone runs all of that paper.\n\n";
+      "Run an experiment by one of its names. A paper's number or author alone runs all of its experiments.\n\n";
   for (const Experiment& experiment : experiments)
     text += formatted("{:16}{:19}{}{}\n", experiment.name, name_by_author(experiment), experiment.title,
                       experiment.run_with ? "; takes --keys" : "");

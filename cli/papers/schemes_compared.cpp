@@ -77,11 +77,10 @@ Expected<Findings> experiment::schemes_compared_on(const KeysInstead& given) {
                           error_at_keys(*curve, keys), row.construction, row.seconds, row.iterations, row.error});
   }
   table.notes = {
-      "Times are of this machine: building the curve and computing the orientations of all frames, median of nine.",
+      "Times are the median of nine runs on this machine, for building the curve and the orientations of all frames.",
       "The error is the largest angle between the curve and a key at the key's time.",
-      "The library does not count iterations: where a scheme solves equations, it does so to 1e-12 rad or says why "
-      "not.",
-      "The text of the ATBI paper could not be had: this is a curve of its type (docs/families/atbi.md).", given.note};
+      "The library does not count iterations. It solves a scheme's equations to 1e-12 rad, or says why it cannot.",
+      "We could not get the ATBI paper; this is a curve of its type (docs/families/atbi.md).", given.note};
   return Findings{{std::move(table)}};
 }
 

@@ -16,7 +16,7 @@ namespace color = report::color;
 
 const std::vector<double> paper_knots{0.0, 0.5, 1.5, 2.25, 4.0};
 constexpr auto paper_note =
-    "The paper's keys are not published: ours are the five of examples/data/five_keys.csv, at the paper's times.";
+    "The paper's keys are not published; these are the five of examples/data/five_keys.csv, at the paper's times.";
 
 std::vector<Recipe> methods() {
   return {{"6th degree, β = 1/12", "sextic", {1.0 / 12.0}, {color::red, 1.8}},
@@ -44,8 +44,8 @@ report::Table jumps(const std::vector<Served>& curves, std::span<const double> k
                             (before.angular_velocity - after.angular_velocity).norm()});
     }
   table.notes = {
-      "The curves of the paper are G3 here: ω jumps at every knot, by exactly the ratio of the steps beside it.",
-      "The timed methods are C3 in time on any knots; nothing jumps.", note};
+      "The curves of the paper are G3 here, and ω jumps at every knot by exactly the ratio of the steps beside it.",
+      "The timed methods are C3 in time on any knots, and nothing jumps.", note};
   return table;
 }
 

@@ -58,9 +58,10 @@ report::Table one_tension_table(const std::vector<Served>& curves, const AnyCurv
     row.emplace_back(speed(at_key));
     row.emplace_back(acceleration(at_key));
   }
-  table.notes = {"One tension reaches the two segments beside its key and no others.",
-                 "At the key ω = α (a + b)/h: a tension of 0 is a stop, a negative one a kink, as the paper says.",
-                 five_keys_note};
+  table.notes = {
+      "One tension changes the two segments beside its key and no others.",
+      "At the key ω = α (a + b)/h, so a tension of 0 makes a stop and a negative one a kink, as the paper says.",
+      five_keys_note};
   return table;
 }
 
@@ -94,9 +95,8 @@ report::Table motions_table(const std::vector<Served>& curves, const KeysInstead
     table.rows.push_back({served.recipe.label, served.recipe.method, measured_continuity(served.curve),
                           largest_over_time(served.curve, speed), largest_over_time(served.curve, acceleration),
                           speed(served.curve.motion(keys.keys.times()[2]))});
-  table.notes = {"Continuity in time, measured at the keys. With α = 0 every key is a stop.",
-                 "The text of the ATBI paper could not be had: this is a curve of its type (docs/families/atbi.md).",
-                 keys.note};
+  table.notes = {"Continuity is in time and measured at the keys. With α = 0 every key is a stop.",
+                 "We could not get the ATBI paper; this is a curve of its type (docs/families/atbi.md).", keys.note};
   return table;
 }
 

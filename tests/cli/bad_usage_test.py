@@ -10,7 +10,7 @@ ENDS = "natural, repeat, quadratic, cubic, clamped, rest"
 COMMANDS = "sample, convert, inspect, compare, plot, smooth, tune, reduce, retime, methods, tasks, reproduce, completion, help"
 
 CASES = (
-    ("interpolate keys.csv", f"no command 'interpolate', wanted one of {COMMANDS}"),
+    ("interpolate keys.csv", f"unknown command 'interpolate', wanted one of {COMMANDS}"),
     ("resample keys.csv", "unknown command 'resample'; did you mean 'sample'?"),
     ("--bogus", "found the option '--bogus' first, wanted a command before it, such as sample; 'orispline help' lists them"),
     ("--hepl", "unknown option '--hepl'; did you mean '--help'?"),
@@ -20,13 +20,13 @@ CASES = (
     ("sample keys.csv --rate 1 --quite", "sample: unknown option '--quite'; did you mean '--quiet'?"),
     ("sample keys.csv --ratte=1", "sample: unknown option '--ratte'; did you mean '--rate'?"),
     ("sample keys.csv more.csv --rate 1",
-     "found 2 inputs, wanted --output-folder FOLDER for their samples"),
+     "found 2 inputs, 'keys.csv' and 'more.csv'; wanted one, or --output-folder FOLDER for their samples"),
     ("sample keys.csv --rate", "--rate: found nothing after it, wanted HZ"),
     ("sample keys.csv --rate 1 --rate 2", "--rate: found it more than once, wanted it once"),
     ("sample keys.csv --rate= --quiet", "--rate= wanted a value after it"),
     # times
-    ("sample keys.csv", "found none of --rate, --count and --times, wanted one of them"),
-    ("sample keys.csv --rate 1 --count 2", "found 2 of --rate, --count and --times, wanted one of them"),
+    ("sample keys.csv", "found none of --rate, --count and --times, wanted one of them, such as --rate 100"),
+    ("sample keys.csv --rate 1 --count 2", "found 2 of --rate, --count and --times, wanted one of them, such as --rate 100"),
     ("sample keys.csv --rate fast", "--rate: found 'fast', wanted a number of samples per second greater than 0"),
     ("sample keys.csv --rate 0", "--rate: found '0', wanted a number of samples per second greater than 0"),
     ("sample keys.csv --rate -5", "--rate: found '-5', wanted a number of samples per second greater than 0"),
@@ -41,7 +41,7 @@ CASES = (
     ("sample keys.csv --count 2 --from 4", "--from 4 is after the end at 3, wanted --to as well"),
     ("sample keys.csv --count 2 --to=-1", "--to -1 is before the start at 0, wanted --from as well"),
     ("sample keys.csv --count 2 --from 1 --to 1", "--count: found 2 and a range that is the single time 1, wanted 1"),
-    ("sample keys.csv --times keys.csv --to 2", "--times: the file says which times, wanted neither --from nor --to"),
+    ("sample keys.csv --times keys.csv --to 2", "--times: its file says which times to sample; wanted neither --from nor --to"),
     ("sample keys.csv --rate 1 --to 4 --extrapolate error", "time 4 is outside the curve, wanted 0 to 3"),
     ("sample keys.csv --rate 1 --extrapolate bend", "--extrapolate: found 'bend', wanted hold|error"),
     ("sample - --times -", "found '-' for several of INPUT, --times and --truth, wanted it for one at most"),
@@ -56,12 +56,12 @@ CASES = (
      "keys.csv:4: key 2: timed-c2: tension is 1000, wanted -100 to 100"),
     ("sample keys.csv --rate 1 --set tension", "--set: found 'tension', wanted NAME=VALUE"),
     ("sample keys.csv --rate 1 --set =1", "--set: found '=1', wanted NAME=VALUE"),
-    ("sample keys.csv --rate 1 --set bias=1", "auto: no parameter 'bias', wanted one of hold"),
-    ("sample keys.csv --rate 1 --tension 1", "auto: no parameter 'tension', wanted one of hold"),
+    ("sample keys.csv --rate 1 --set bias=1", "auto: unknown parameter 'bias', wanted one of hold"),
+    ("sample keys.csv --rate 1 --tension 1", "auto: unknown parameter 'tension', wanted one of hold"),
     ("sample keys.csv --rate 1 --set hold=yes", "--set hold: found 'yes', wanted numbers with commas between them"),
-    ("sample none.csv --rate 1 --method auto --set bias=left", "auto: no parameter 'bias', wanted one of hold"),
+    ("sample none.csv --rate 1 --method auto --set bias=left", "auto: unknown parameter 'bias', wanted one of hold"),
     ("sample keys.csv --rate 1 --method timed-c2 --set bias=1",
-     "timed-c2: no parameter 'bias', wanted one of tension, tension2"),
+     "timed-c2: unknown parameter 'bias', wanted one of tension, tension2"),
     ("sample keys.csv --rate 1 --method timed-c2 --set tension=1 --tension 1",
      "--set tension: 'tension' is given twice, wanted it once"),
     ("sample keys.csv --rate 1 --ends natural",
@@ -69,12 +69,13 @@ CASES = (
     ("sample keys.csv --rate 1 --start-rate=0,0,1",
      "--start-rate: auto has no end rules; for ends 'clamped' take another method, such as timed-c2"),
     ("sample keys.csv --rate 1 --method timed-c2 --ends loose",
-     f"--ends: timed-c2: no end rule 'loose', wanted one of {ENDS}"),
+     f"--ends: timed-c2: unknown end rule 'loose', wanted one of {ENDS}"),
     ("sample keys.csv --rate 1 --method timed-c2 --ends rest,rest,rest",
      "--ends: found 'rest,rest,rest', wanted RULE or START,END"),
-    ("sample keys.csv --rate 1 --method timed-c2 --ends clamped", "--ends clamped: wanted --start-rate as well"),
+    ("sample keys.csv --rate 1 --method timed-c2 --ends clamped", "--ends clamped: found no rate for that end, wanted "
+                                                                  "--start-rate as well"),
     ("sample keys.csv --rate 1 --method timed-c2 --ends clamped --start-rate=0,0,1",
-     "--ends clamped: wanted --end-rate as well"),
+     "--ends clamped: found no rate for that end, wanted --end-rate as well"),
     ("sample keys.csv --rate 1 --method timed-c2 --ends natural --end-rate=0,0,1",
      "--end-rate: a rate needs the end rule clamped, found natural"),
     ("sample keys.csv --rate 1 --method timed-c2 --start-rate=1,2",
@@ -84,14 +85,14 @@ CASES = (
     # reading
     (["sample", "", "--rate", "1"], "INPUT: found an empty name, wanted FILE or -"),
     (["sample", "keys.csv", "--rate", "1", "-o", ""], "-o: found an empty name, wanted FILE or -"),
-    ("inspect keys.csv --tension 1", "options that shape a curve want --method as well"),
+    ("inspect keys.csv --tension 1", "found options that shape a curve, but no curve; wanted --method as well"),
     ("sample keys.csv --rate 1 --signs long", "--signs: found 'long', wanted shortest|as-given"),
     ("sample keys.csv --rate 1 --input-format json", "--input-format: found 'json', wanted csv|tum|euroc"),
     ("sample keys.csv --rate 1 --order zyxw", "--order: found 'zyxw', wanted wxyz|xyzw"),
     ("sample keys.csv --rate 1 --time-scale 0", "--time-scale: found '0', wanted a number greater than 0, or a "
      "fraction such as 30000/1001"),
     ("sample keys.csv --rate 1 --columns t", "--columns: found 't', wanted NAME=VALUE"),
-    ("sample keys.csv --rate 1 --columns t=a,t=b", "--columns: 't' stands twice"),
+    ("sample keys.csv --rate 1 --columns t=a,t=b", "--columns: 't' is given twice, wanted it once"),
     ("sample keys.csv --rate 1 --input-orientation axis",
      "--input-orientation: found 'axis', wanted quaternion|euler|matrix|rotvec"),
     ("sample keys.csv --rate 1 --euler ZZY", "--euler: found 'ZZY', wanted three axes such as ZYX (those of the body) or "
@@ -110,7 +111,7 @@ CASES = (
      "the period is 2 s, wanted a finite number greater than the keys' span of 3 s"),
     ("sample keys.csv --rate 1 --method timed-c2 --ends rest --period 4",
      "timed-c2: a closed curve has no ends, found an end rule"),
-    ("inspect keys.csv --closed", "options that shape a curve want --method as well"),
+    ("inspect keys.csv --closed", "found options that shape a curve, but no curve; wanted --method as well"),
     # writing
     ("sample keys.csv --rate 1 --output-format xml", "--output-format: found 'xml', wanted csv|tum|euroc|npy"),
     ("sample keys.csv --rate 1 --derivatives 4", "--derivatives: found '4', wanted 0, 1, 2 or 3"),
@@ -149,11 +150,11 @@ CASES = (
     ("sample keys.csv --rate 1 --from 2024-02-30", "--from: found '2024-02-30', wanted a time of ISO 8601 such as "
                                                    "2024-02-29T12:30:00.25Z"),
     ("sample keys.csv --rate 1 --from 12f", "--from: found the frame '12f', wanted the frames per second as well (--fps N)"),
-    ("sample keys.csv --count 3 --include-end", "--include-end: --count includes both ends already, wanted --rate"),
+    ("sample keys.csv --count 3 --include-end", "--include-end: found --count, which includes both ends already; wanted --rate"),
     ("sample keys.csv --times t.csv --include-end",
-     "--include-end: the file of --times says which times, wanted --rate"),
+     "--include-end: found --times, whose file says which times to sample; wanted --rate"),
     ("inspect keys.csv --method slerp --tension 1",
-     "slerp: no parameter 'tension', wanted none: this method has no parameters"),
+     "slerp: unknown parameter 'tension': this method has no parameters"),
     ("completion tcsh", "completion: found 'tcsh', wanted bash|zsh|fish"),
 )
 
@@ -168,7 +169,7 @@ class BadUsage(CommandTest):
         known = ", ".join(method["name"] for method in json.loads(self.output_of("methods --json")))
         for arguments in ("sample keys.csv --rate 1 --method bogus", "inspect keys.csv --method slerp,bogus"):
             with self.subTest(arguments):
-                self.assert_fails(arguments, BAD_USAGE, f"no method 'bogus', wanted one of {known}")
+                self.assert_fails(arguments, BAD_USAGE, f"unknown method 'bogus', wanted one of {known}")
 
     def test_a_loop_by_a_method_without_loops_is_refused_with_those_that_have_them(self):
         closing = ", ".join(m["name"] for m in json.loads(self.output_of("methods --json")) if m["closes"])

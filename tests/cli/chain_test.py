@@ -90,7 +90,7 @@ class Chain(CommandTest):
                 ("reduce keys.csv --method timed-c2:closed --tolerance 1deg",
                  "timed-c2: loops are not reduced, wanted an open curve"),
                 ("reduce keys.csv --method quintic --ends cubic --tolerance 1deg",
-                 "quintic: with these ends it needs 4 keys, wanted ends that 2 suffice for"),
+                 "quintic: with these ends it needs 4 keys, wanted an end rule that needs 2, such as natural"),
                 ("reduce keys.csv --tension=1 --tolerance 1deg",
                  "options that shape a curve want --method with one method as well")):
             with self.subTest(arguments):

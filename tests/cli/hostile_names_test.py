@@ -59,7 +59,7 @@ class HostileNames(CommandTest):
     def test_columns_that_are_not_carried_over(self):
         self.write("keys.csv", KEYS)
         done = self.run_command("convert keys.csv --output-format tum -o keys.tum")
-        self.assertIn("not carried over: note?2J\n", done.stderr)
+        self.assertIn("left out, having no place in the output: note?2J\n", done.stderr)
         self.assert_printable(done.stderr)
 
 

@@ -8,8 +8,8 @@ from command import CommandTest, main, rows_of
 
 MICROSECONDS = ("timestamp,x,y,z,qx,qy,qz,qw\n1700000000000000,1,2,3,0,0,0,1\n1700000000500000,1,2,3,0,0,0.6,0.8\n"
                 "1700000001000000,1,2,3,0,0,0.8,0.6\n")
-TAKEN = ("orispline: warning: clock.csv: the times are taken as microseconds, for the first one is 1700000000000000; state "
-         "--time-scale if they are not\n")
+TAKEN = ("orispline: warning: clock.csv: the times are taken as microseconds, for the first one is 1700000000000000; "
+         "set --time-scale if they are not\n")
 COMMANDS = ("sample clock.csv --rate 2", "sample clock.csv --count 2", "convert clock.csv", "plot clock.csv",
             "tune clock.csv --method timed-c2", "retime clock.csv --max-rate 1deg/s", "smooth clock.csv --smoothing-time 1",
             "reduce clock.csv --tolerance 1deg", "inspect clock.csv", "compare clock.csv --keep-every 2 --methods slerp")
@@ -51,7 +51,7 @@ class Turns(CommandTest):
     def test_every_command_warns_of_turns_that_euler_angles_lose(self):
         self.write("clock.csv", YAWS + "0,0,0,0\n1,350,0,0\n2,370,10,0\n3,390,20,0\n")
         warning = ("orispline: warning: clock.csv:2: key 0: 1 step of Euler angles, the first with yaw from 0° to 350°, is "
-                   "turned the short way; state --signs as-given to turn as the angles say\n")
+                   "turned the short way; set --signs to as-given to turn as the angles say\n")
         for command in COMMANDS:
             with self.subTest(command=command):
                 done = self.run_command(command)
@@ -63,8 +63,8 @@ class Turns(CommandTest):
 
     def test_steps_near_180_degrees_are_warned_of(self):
         self.write("half.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n1,0.6,0,0,0.8\n2,-0.8,0,0,0.6\n3,-1,0,0,0\n")
-        text = ("orispline: warning: half.csv{}: key 1: 1 step to the next key turns by nearly 180°, so the motion may as well "
-                "go the other way round; put a key in between, or state --signs as-given\n")
+        text = ("orispline: warning: half.csv{}: key 1: 1 step to the next key turns by nearly 180°, so the motion may "
+                "go the wrong way round; put a key in between, or set --signs to as-given\n")
         for options, place in (("--count 3", ":3"), ("--rate 2", "")):
             self.assertEqual(self.run_command(f"sample half.csv {options} --quiet").stderr, text.format(place))
             self.assertEqual(self.run_command(f"sample half.csv {options} --signs as-given --quiet").stderr, "")

@@ -88,8 +88,8 @@ class Loops(CommandTest):
 
     def test_the_last_key_must_be_the_first_one_again(self):
         self.assert_fails("sample keys.csv --method timed-c2 --rate 1 --closed", BAD_DATA,
-                          "keys.csv:4: key 2: the last key is 90 degrees from the first, wanted the first again or a "
-                          "period")
+                          "keys.csv:4: key 2: the last key is 90 degrees from the first, wanted the first one again, or "
+                          "--period for a later return")
 
 
 if __name__ == "__main__":

@@ -60,8 +60,8 @@ class Methods(CommandTest):
                 self.assertRegex(page, rf" {parameter['name']}=\S+, from \S+ to \S+, one for all keys")
             for choice in method["choices"]:
                 self.assertIn(f" {choice['name']}={'|'.join(choice['words'])}, ", page)
-            self.assertIn(" --closed" if method["closes"] else " It has no closed curves", page)
-            self.assertIn(f" {', '.join(method['ends'])}; " if method["ends"] else " no choice of end rules", page)
+            self.assertIn(" --closed" if method["closes"] else " It cannot be a loop", page)
+            self.assertIn(f" {', '.join(method['ends'])}; " if method["ends"] else " no end rules", page)
             self.assertLessEqual(max(map(len, self.output_of(f"methods {name}").splitlines())), 100)
             self.assertEqual(json.loads(self.output_of(f"methods {name} --json")), [method])
 

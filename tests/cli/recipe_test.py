@@ -77,8 +77,8 @@ class Recipes(CommandTest):
     def test_another_method_is_told(self):
         self.made(f"tune {FLIGHT} --method timed-c2")
         done = self.run_command(f"sample made.csv --method squad {QUIET} -o motion.csv")
-        self.assertEqual((done.returncode, done.stderr), (0, "orispline: warning: made.csv:1: the keys are for the curve of "
-                                                             "timed-c2, not of squad\n"))
+        self.assertEqual((done.returncode, done.stderr), (0, "orispline: warning: made.csv:1: the file says that its "
+                                                             "keys are for timed-c2, and they are used for squad\n"))
         self.assertEqual(self.run_command(f"sample made.csv --method timed-c2 {QUIET} -o motion.csv").stderr, "")
 
     def test_every_command_on_keys_takes_the_method_of_the_file(self):
@@ -88,18 +88,18 @@ class Recipes(CommandTest):
         self.assertEqual(self.recipe_in("r.csv"), "# orispline: method=quintic:ends=natural")
         self.assertEqual(json.loads(self.output_of("tune made.csv -o t.csv --json"))["method"], "quintic")
         self.assertEqual(json.loads(self.output_of("inspect made.csv --json"))["for_method"], "quintic:ends=natural")
-        self.assertIn("for           quintic:ends=natural, says line 1\n", self.output_of("inspect made.csv"))
+        self.assertIn("keys for      quintic:ends=natural, as line 1 says\n", self.output_of("inspect made.csv"))
         self.assertIsNone(json.loads(self.output_of("inspect made.csv --ignore-recipe --json"))["for_method"])
 
     def test_methods_that_do_not_fit_a_task_are_set_aside_with_a_word(self):
         self.output_of(f"reduce {TRUTH} --tolerance 1deg --position-tolerance 100m --method auto -o keys.csv --quiet")
         done = self.run_command("tune keys.csv -o tuned.csv --quiet")
         self.assertEqual((done.returncode, done.stderr), (
-            0, "orispline: warning: keys.csv:1: the keys are for the curve of auto, not of timed-c2\n"))
+            0, "orispline: warning: keys.csv:1: the file says that its keys are for auto, and they are used for timed-c2\n"))
         self.made(f"smooth {FLIGHT} --smoothing-time 1")
         done = self.run_command("retime made.csv --max-rate 5deg/s -o slow.csv --quiet")
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("made.csv:1: the keys are for the curve of hermite-c2, not of auto\n", done.stderr)
+        self.assertIn("made.csv:1: the file says that its keys are for hermite-c2, and they are used for auto\n", done.stderr)
         self.assertEqual(self.recipe_in("slow.csv"), "# orispline: method=auto")
 
     def test_the_same_method_in_other_words_is_the_same(self):
@@ -159,9 +159,9 @@ class Recipes(CommandTest):
         self.assertEqual(self.output_of(f"sample again.csv {QUIET}"), self.output_of(f"sample made.csv {QUIET}"))
         done = self.run_command("convert made.csv -o keys.tum")
         self.assertNotIn("#", self.read("keys.tum"))
-        self.assertIn("not carried over: tension, tension2\n", done.stderr)
-        self.assertIn("keys.tum: the keys are for the curve of timed-c2, which is not written into the file, for a TUM file "
-                      "has no columns for settings; name the method where the keys are read\n", done.stderr)
+        self.assertIn("left out, having no place in the output: tension, tension2\n", done.stderr)
+        self.assertIn("keys.tum: a TUM file has no columns for settings, so it does not say that its keys are for "
+                      "timed-c2; name the method where the keys are read\n", done.stderr)
 
     def test_keys_that_need_an_option_to_be_read_are_written_so_that_they_do_not(self):
         rows = [line.split(",") for line in table_of(FLIGHT.read_text("utf-8"))]
@@ -178,9 +178,9 @@ class Recipes(CommandTest):
     def test_a_recipe_that_is_not_understood_is_an_error_with_its_cure(self):
         keys = self.read("keys.csv")
         for line, message in (
-                ("method=nosuch", "the curve that the keys are for, 'nosuch': no method 'nosuch', wanted one of "),
-                ("method=auto:tension=1", "the curve that the keys are for, 'auto:tension=1': auto: no parameter "),
-                ("band=1", "found 'band=1' in the line that says which curve the keys are for, wanted method=NAME, and ")):
+                ("method=nosuch", "the file says that its keys are for 'nosuch': unknown method 'nosuch', wanted one of "),
+                ("method=auto:tension=1", "the file says that its keys are for 'auto:tension=1': auto: unknown parameter "),
+                ("band=1", "found 'band=1' in the comment that names the method of the keys, wanted method=NAME, and ")):
             self.write("bad.csv", f"# orispline: {line}\n{keys}")
             done = self.run_command("sample bad.csv --count 3")
             self.assertEqual((done.returncode, done.stdout), (BAD_DATA, ""))

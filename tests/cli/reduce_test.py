@@ -160,6 +160,32 @@ class Reduce(CommandTest):
         self.assertAlmostEqual(smoothing["raw_error_rms_deg"], math.hypot(*raw) / math.sqrt(len(raw)), delta=1e-9)
         self.assertNotIn("smoothing", plain)
 
+    def test_positions_are_smoothed_first_too_and_the_raw_ones_stated(self):
+        noise = random.Random(5)
+        rows = [(k / 50, 20 * math.sin(0.03 * k) + noise.gauss(0, 0.3), math.sin(0.03 * k) + noise.gauss(0, 0.01)) for k in range(400)]
+        lines = [f"{t!r},{math.cos(math.radians(a / 2))!r},0,0,{math.sin(math.radians(a / 2))!r},{x + (1 if t == 2 else 0)!r},{x!r},1"
+                 for t, a, x in rows]
+        self.write("poses.csv", "\n".join(["t,qw,qx,qy,qz,px,py,pz", *lines]) + "\n")
+        self.write("times.txt", "".join(f"{t!r}\n" for t, _, _ in rows))
+        arguments = ("poses.csv", "--tolerance", "0.5deg", "--position-tolerance", "1cm", "--method", "auto")
+        plain, report = self.reduced(*arguments), self.reduced(*arguments, "--position-noise", "1cm")
+        self.assertLess(report["keys"], plain["keys"] / 2)
+        smoothing = report["smoothing"]
+        self.assertEqual((smoothing["position_criterion"], smoothing["criterion"]), ("ubre", "gcv"))
+        self.assertIn(100, [sample["key"] for sample in smoothing["rejected_positions"]])
+        rejected = [sample["key"] for sample in smoothing["rejected_positions"]]
+        curve = [row[5:8] for row in rows_of(self.output_of("sample reduced.csv --method auto --times times.txt"))]
+        self.output_of("smooth poses.csv --position-noise 1cm -o smoothed.csv --quiet")
+        smoothed = [row[5:8] for row in rows_of(self.read("smoothed.csv"))]
+        self.assertAlmostEqual(report["position_error_max_m"], max(map(math.dist, curve, smoothed)), delta=1e-9)
+        self.assertLessEqual(report["position_error_max_m"], 0.01)
+        raw = [math.dist(a, b[5:8]) for k, (a, b) in enumerate(zip(curve, rows_of(self.read("poses.csv")))) if k not in rejected]
+        self.assertAlmostEqual(smoothing["raw_position_error_max_m"], max(raw), delta=1e-9)
+        self.assertAlmostEqual(smoothing["raw_position_error_rms_m"], math.hypot(*raw) / math.sqrt(len(raw)), delta=1e-9)
+        text = self.run_command(["reduce", *arguments, "--smooth", "-o", "reduced.csv"]).stderr
+        for line in ("  positions       smoothing time ", "  raw positions   "):
+            self.assertIn(line, text)
+
     def test_what_says_how_smooth_asks_for_smoothing(self):
         noise = random.Random(4)
         self.write("noisy.csv", csv_of([20 * math.sin(0.03 * k) + noise.gauss(0, 0.3) for k in range(200)]))
@@ -212,18 +238,12 @@ class Reduce(CommandTest):
                           "(--drop-invalid drops such rows)\n"
                           "orispline: 2 of 3 inputs failed; nothing was written")
         self.assertEqual(list((self.folder / "out").iterdir()), [])
-        self.assert_fails(f"{reduce} missing.csv -o out.csv", BAD_USAGE,
-                          "found 4 inputs, wanted --output-folder FOLDER for their keys")
-        self.assert_fails("reduce keys.csv keys.csv --tolerance 1deg --output-folder out", BAD_USAGE,
-                          "--output-folder: found keys.csv twice, wanted each input once")
         self.assert_fails("reduce keys.csv --tolerance 1deg --output-folder .", BAD_USAGE,
                           "--output-folder: found ., wanted a folder without the inputs")
         self.assert_fails(["reduce", "keys.csv", "--tolerance", "1deg", "--output-folder", ""], BAD_USAGE,
                           "--output-folder: found an empty name, wanted FOLDER")
         self.assert_fails("reduce keys.csv - --tolerance 1deg --output-folder out", BAD_USAGE,
                           "--output-folder: found '-' for an input, wanted files")
-        self.assert_fails("reduce keys.csv --tolerance 1deg -o a.csv --output-folder out", BAD_USAGE,
-                          "found -o and --output-folder, wanted one of them: a file for the keys, or their folder")
         self.assert_fails("reduce keys.csv --tolerance 1deg --output-folder one.csv", BAD_ACCESS,
                           "one.csv: cannot make this folder: Not a directory")
         self.assertEqual(sorted(os.listdir(self.folder)), ["bad.csv", "keys.csv", "one.csv", "out"])
@@ -252,7 +272,8 @@ class Reduce(CommandTest):
         for output, what in ((["-o", "out.npy"], "-o: a NumPy"), (["-o", "out.csv", "--output-format", "euroc"], "-o: an EuRoC"),
                              (["--output-folder", "out", "--output-format", "npy"], "--output-folder: a NumPy")):
             self.assert_fails(["reduce", "keys.csv", "--tolerance", "1deg", *output], BAD_USAGE,
-                              f"{what} file rounds times, with which the tolerance need not hold, wanted CSV or TUM")
+                              f"{what} file rounds times, and the tolerance may not hold with rounded times; wanted CSV "
+                              f"or TUM")
 
     def test_refused(self):
         unit = "wanted a number greater than 0 with its unit, deg, rad, mrad or arcsec, such as 1deg"

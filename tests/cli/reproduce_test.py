@@ -244,7 +244,7 @@ class Command(CommandTest):
                           "unknown experiment '004'; did you mean '000'?")
         papers = [word for paper in AUTHORS.items() for word in paper]
         parts = [word for part in PARTS for word in (part, AUTHORS[part[:3]] + part[3:])]
-        self.assert_fails("reproduce mine", BAD_USAGE, "no experiment 'mine', wanted one of " + ", ".join(papers + parts))
+        self.assert_fails("reproduce mine", BAD_USAGE, "unknown experiment 'mine', wanted one of " + ", ".join(papers + parts))
 
     def test_pictures_want_an_experiment_and_a_folder(self):
         self.assert_fails("reproduce --pictures here", BAD_USAGE, "--pictures: found 'here', wanted an EXPERIMENT as well")

@@ -45,9 +45,9 @@ class Retime(CommandTest):
         done = self.run_command("retime rest.csv --max-acceleration 0.54rad/s2 -o slow.csv --json")
         report = json.loads(done.stdout)
         self.assertGreater(report["slack"], 2e-4)
-        self.assertEqual(done.stderr, "orispline: warning: auto: the largest values that were found lie below the limits, and "
-                         f"{report['slack']:.2g} less slowing might do; keys that are very close together in time make that "
-                         "happen\norispline: warning: auto: the limits are met only where rests are slowed as well, so they are "
+        self.assertEqual(done.stderr, "orispline: warning: auto: the motion may be slower than the limits ask for, by a "
+                         f"share of up to {report['slack']:.2g}; keys that are very close in time make that happen, so join them into "
+                         "one\norispline: warning: auto: the limits are met only where rests are slowed as well, so they are "
                          "longer than they were; equal keys that differ in their last digits make that happen\n")
 
     def test_steps_that_differ_by_a_million_are_slowed_as_little_as_others(self):
@@ -220,7 +220,7 @@ class Retime(CommandTest):
     def test_warns_of_an_inertia_that_no_rigid_body_has(self):
         done = self.run_command("retime keys.csv --max-torque 1Nm --inertia=1,2,4 --quiet -o slow.csv")
         self.assertEqual(done.stderr, "orispline: warning: --inertia: one principal moment is greater than the sum of "
-                         "the two others, as no rigid body has it\n")
+                         "the two others, which no rigid body has\n")
 
     def test_the_output_is_checked_before_the_keys(self):
         self.write("one.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n")
@@ -235,17 +235,18 @@ class Retime(CommandTest):
                           "--max-rate: found '-1deg/s', wanted a number greater than 0 with its unit, deg/s, rad/s, mrad/s or arcsec/s, such as "
                           "1deg/s, or three with commas between them, such as 1,2,3deg/s")
         self.assert_fails("retime keys.csv --max-rate 1deg/s --inertia=1,2,3", BAD_USAGE,
-                          "--inertia: wanted --max-torque as well")
+                          "--inertia: it is used for the torque alone, wanted --max-torque as well")
         self.assert_fails("retime keys.csv --max-torque 1Nm --inertia=1,-2,3", BAD_USAGE,
                           "--inertia: found the principal moments -2, 1, 3, wanted all of them greater than 0")
         self.assert_fails("retime keys.csv --max-rate 1e-100deg/s", BAD_USAGE,
                           "the limits ask for a slowing by 4.875e+101, wanted limits that 1e+15 meets")
         self.assert_fails("retime keys.csv --max-rate 1deg/s -o slow.npy", BAD_USAGE,
-                          "-o: a NumPy file rounds times, with which the limits need not hold, wanted CSV or TUM")
+                          "-o: a NumPy file rounds times, and the limits may not hold with rounded times; wanted CSV or TUM")
         self.assert_fails("retime keys.csv --max-rate 1deg/s -o slow.csv --output-format euroc", BAD_USAGE,
-                          "-o: an EuRoC file rounds times, with which the limits need not hold, wanted CSV or TUM")
+                          "-o: an EuRoC file rounds times, and the limits may not hold with rounded times; wanted CSV "
+                          "or TUM")
         self.assert_fails("retime keys.csv --max-torque 1Nm", BAD_USAGE,
-                          "--max-torque: wanted --inertia as well")
+                          "--max-torque: the torque depends on the body, wanted --inertia as well")
         self.assert_fails("retime keys.csv --max-acceleration 1deg/s2 --method slerp", BAD_USAGE,
                           "slerp: its angular velocity jumps at keys, which no slowing brings within a limit of "
                           "acceleration or torque, wanted a method that is C1, such as auto")

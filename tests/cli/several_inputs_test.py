@@ -128,7 +128,8 @@ class SeveralInputs(CommandTest):
     def test_refused(self):
         for arguments, message in (
                 ("sample in --rate 2", "INPUT: found the folder 'in', wanted --output-folder FOLDER for the samples of its files"),
-                ("compare in/a.csv keys.csv", "found 2 inputs, wanted --output-folder FOLDER for their tables"),
+                ("compare in/a.csv keys.csv", 
+                 "found 2 inputs, 'in/a.csv' and 'keys.csv'; wanted one, or --output-folder FOLDER for their tables"),
                 ("sample in in/a.csv --rate 2 --output-folder out", "--output-folder: found in/a.csv twice, wanted each input once"),
                 ("sample in --rate fast --output-folder out", "--rate: found 'fast', wanted a number of samples per second greater than 0"),
                 ("smooth in --output-folder out -o keys.csv",
@@ -140,7 +141,7 @@ class SeveralInputs(CommandTest):
                 ("compare in --reference - --output-folder out",
                  "--output-folder: found '-' for --reference, wanted a file, which is read again for each input"),
                 ("retime in --max-rate 9deg/s --output-folder out --output-format npy",
-                 "--output-folder: a NumPy file rounds times, with which the limits need not hold, wanted CSV or TUM"),
+                 "--output-folder: a NumPy file rounds times, and the limits may not hold with rounded times; wanted CSV or TUM"),
                 ("sample --inputs", "--inputs: found nothing after it, wanted FILE")):
             self.assert_fails(arguments, BAD_USAGE, message)
         self.assertFalse((self.folder / "out").exists())

@@ -34,6 +34,17 @@ def with_gyro(count, rates, conjugate=1):
     return "\n".join(lines) + "\n"
 
 
+def moving(count, noise, outliers=()):
+    """The recording beside a path (sin t, cos 2t, 0.3 t) at 50 Hz with noise of `noise` metres per axis; outliers are 1 m off."""
+    dice = random.Random(4)
+    lines = recording(count, 0.01).splitlines()
+    rows = [lines[0] + ",px,py,pz"]
+    for i, line in enumerate(lines[1:]):
+        path = (math.sin(i / 50) + (1 if i in outliers else 0), math.cos(i / 25), 0.3 * i / 50)
+        rows.append(line + "," + ",".join(repr(x + dice.gauss(0, noise)) for x in path))
+    return "\n".join(rows) + "\n"
+
+
 def of_the_body(a, b, da, db):
     return db, da * math.sin(b), da * math.cos(b)
 
@@ -121,7 +132,7 @@ class Smooth(CommandTest):
         summary = json.loads(self.output_of("smooth gap.csv --gap 0.5 --loss l2 -o smooth.csv --json --report out.html"))
         self.assertEqual((len(summary["stretches"]), len(summary["samples_in_short_stretches"])), (2, 2))
         page = self.page("out.html")
-        self.assertTrue(any("2 stretches between gaps" in note for note in page["notes"]))
+        self.assertTrue(any("The gaps leave 2 stretches" in note for note in page["notes"]))
         for method in page["methods"]:
             samples = method["samples"]
             for i, t in enumerate(samples["t"]):
@@ -189,6 +200,57 @@ class Smooth(CommandTest):
             self.assertEqual(done.returncode, BAD_DATA)
             self.assertIn(said, done.stderr)
             self.output_of(smoothed + cure)
+
+    def test_positions_are_smoothed_and_their_outliers_named(self):
+        self.write("poses.csv", moving(400, 0.02, {100, 250}))
+        summary = json.loads(self.output_of("smooth poses.csv --json -o smooth.csv"))
+        self.assertEqual([place["line"] for place in summary["rejected_positions"]], [102, 252])
+        self.assertEqual(summary["rejected"], [])
+        self.assertEqual(summary["position_criterion"], "gcv")
+        self.assertAlmostEqual(summary["position_noise_m"], 0.02, delta=0.002)
+        self.assertAlmostEqual(summary["position_cutoff_hz"] * summary["position_smoothing_time_s"], 0.5 / math.pi, delta=1e-12)
+        rows, samples = rows_of(self.read("smooth.csv")), rows_of(self.read("poses.csv"))
+        apart = [math.dist(row[5:8], sample[5:8]) for row, sample in zip(rows, samples, strict=True)]
+        self.assertAlmostEqual(summary["position_largest_distance_m"], max(apart), delta=1e-12)
+        self.assertAlmostEqual(summary["position_rms_distance_m"], math.sqrt(sum(d * d for d in apart) / 400), delta=1e-12)
+        off = [math.dist(row[5:8], (math.sin(row[0]), math.cos(2 * row[0]), 0.3 * row[0])) for row in rows]
+        self.assertLess(math.sqrt(sum(d * d for d in off) / 400), 0.02)  # 0.035 before, and 0.08 with the outliers
+        done = self.run_command("smooth poses.csv -o smooth.csv")
+        text = done.stdout + done.stderr
+        self.assertRegex(text, r"\npositions       smoothing time \S+ s \(cut-off \S+ Hz\), by generalised cross-validation\n"
+                               r"  noise         \S+ m per axis in the residuals; \S+ m between neighbours\n"
+                               r"  distance      RMS \S+ m, largest \S+ m from the samples; \S+ m and \S+ m without the rejected ones\n"
+                               r"  rejected      2: line 102 \(2 s\), line 252 \(5 s\)\n")
+
+    def test_samples_pass_the_smoothed_positions(self):
+        self.write("poses.csv", moving(200, 0.02))
+        self.output_of("smooth poses.csv -o keys.csv")
+        keys = {row[0]: row[5:8] for row in rows_of(self.read("keys.csv"))}
+        for row in rows_of(self.output_of("smooth poses.csv --rate 50")):
+            self.assertLess(math.dist(row[5:8], keys[row[0]]), 1e-12)
+
+    def test_positions_take_their_own_noise_and_the_same_smoothing_time(self):
+        self.write("poses.csv", moving(300, 0.02))
+        found = json.loads(self.output_of("smooth poses.csv --position-noise 2cm --json -o out.csv"))
+        self.assertEqual((found["position_criterion"], found["criterion"]), ("ubre", "gcv"))
+        found = json.loads(self.output_of("smooth poses.csv --cutoff 2 --json -o out.csv"))
+        self.assertEqual((found["position_cutoff_hz"], found["position_criterion"]), (found["cutoff_hz"], None))
+        found = json.loads(self.output_of("smooth poses.csv --position-noise 2cm --smoothing-time 0.1 --json -o out.csv"))
+        self.assertAlmostEqual(found["smoothing_time_s"], 0.1, delta=1e-15)
+        self.assertEqual(found["position_criterion"], "ubre")
+        found = json.loads(self.output_of("smooth noisy.csv --json -o out.csv"))
+        self.assertEqual((found["position_noise_m"], found["rejected_positions"]), (None, None))
+        self.assert_fails("smooth noisy.csv --position-noise 2cm", BAD_DATA,
+                          "noisy.csv: found no positions, wanted px,py,pz for --position-noise")
+
+    def test_positions_without_noise_stay(self):
+        lines = moving(200, 0.0).splitlines()
+        self.write("exact.csv", "\n".join(lines) + "\n")
+        self.write("still.csv", "\n".join([lines[0]] + [",".join(line.split(",")[:5]) + ",1.5,-2,0" for line in lines[1:]]) + "\n")
+        for name in ("exact.csv", "still.csv"):
+            done = self.run_command(f"smooth {name} -o out.csv")
+            self.assertIn("\npositions       as they were, for hardly any noise was found beside their motion\n", done.stdout + done.stderr)
+            self.assertEqual([row[5:8] for row in rows_of(self.read("out.csv"))], [row[5:8] for row in rows_of(self.read(name))])
 
     def test_refusals(self):
         self.assert_fails("smooth noisy.csv --noise 0deg", BAD_USAGE,

@@ -10,10 +10,10 @@ class Times(CommandTest):
     def test_what_is_asked_for_outside_the_curve_is_warned_of(self):
         late = KEYS.replace("\n1,", "\n1700000001,").replace("\n0,", "\n1700000000,").replace("\n3,", "\n1700000003,")
         self.write("late.csv", late)
-        begins = ("orispline: warning: --{} {} lies outside the curve, which begins at 1700000000 s: samples there hold the "
-                  "first orientation; +0 is the time of the first key\n")
-        ends = ("orispline: warning: --{} {} lies outside the curve, which ends at 1700000003 s: samples there hold the last "
-                "orientation; +0 is the time of the first key\n")
+        begins = ("orispline: warning: --{} {} lies outside the curve, which begins at 1700000000 s; samples there hold "
+                  "the first orientation; write +T for a time T seconds after the first key\n")
+        ends = ("orispline: warning: --{} {} lies outside the curve, which ends at 1700000003 s; samples there hold the "
+                "last orientation; write +T for a time T seconds after the first key\n")
         for options, warnings in (("--from 0 --to 3", begins.format("from", 0) + begins.format("to", 3)),
                                   ("--from 0", begins.format("from", 0)), ("--to 1700000004", ends.format("to", 1700000004)),
                                   ("--from 1700000004 --to 1700000005",

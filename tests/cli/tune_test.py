@@ -79,9 +79,9 @@ class Tune(CommandTest):
         summary = json.loads(done.stdout)
         self.assertLess(summary["energy_after"], summary["energy_before"])
         self.assertGreater(summary["stationarity"], 1e-8)
-        self.assertRegex(done.stderr, r"^orispline: warning: timed-c3: after \d+ iterations a step would still lower the "
-                         r"energy by \S+ of itself, wanted 1e-08 at most: these tensions are better than those before, "
-                         r"others may be better still\n$")
+        self.assertRegex(done.stderr, r"^orispline: warning: timed-c3: after \d+ iterations another step would still "
+                                      r"lower the energy by \S+ of itself, wanted 1e-08 at most; these tensions are "
+                                      r"better than those before, and others may be better still\n$")
 
     def test_keeps_bounds(self):
         summary = self.tuned("--method quintic --bounds=0.48,0.52")
@@ -123,7 +123,8 @@ class Tune(CommandTest):
                 "--inertia: found the principal moments -2, 1, 4, wanted all of them greater than 0")
         refused("keys.csv --objective torque", BAD_USAGE, "--objective: found torque, wanted --inertia as well")
         refused("keys.csv --objective fit", BAD_USAGE, "--objective: found fit, wanted --reference as well")
-        refused("keys.csv --reference late.csv", BAD_USAGE, "--reference: wanted --objective fit as well")
+        refused("keys.csv --reference late.csv", BAD_USAGE, "--reference: it is used by the objective fit alone, wanted "
+                                                            "--objective fit as well")
         refused("keys.csv --free nu", BAD_USAGE, "--free: found 'nu' for timed-c2, wanted one of tension, tension2")
         refused("keys.csv --bounds=1,0", BAD_USAGE, "--bounds: found '1,0', wanted LOWEST,HIGHEST, the lower one first")
         self.assertFalse((self.folder / "tuned.csv").exists())
@@ -131,7 +132,7 @@ class Tune(CommandTest):
     def test_warns_of_an_inertia_that_no_rigid_body_has(self):
         done = self.run_command("tune keys.csv --objective torque --inertia=1,2,4 --quiet -o tuned.csv")
         self.assertEqual(done.stderr, "orispline: warning: --inertia: one principal moment is greater than the sum of "
-                         "the two others, as no rigid body has it\n")
+                         "the two others, which no rigid body has\n")
         self.assertEqual(done.returncode, 0)
 
 

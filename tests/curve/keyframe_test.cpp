@@ -82,9 +82,9 @@ INSTANTIATE_TEST_SUITE_P(
                             [](KeyframeData& d) { d.orientations[1].coeffs().setConstant(1e200); },
                             "key 1: the quaternion has norm 2e+200, wanted 1 within 0.001"},
                     BadKeys{"PositionNotANumber", [](KeyframeData& d) { d.positions[2].z() = nan; },
-                            "key 2: the position has a component that is not finite"},
+                            "key 2: the position has a component that is not finite, wanted finite numbers"},
                     BadKeys{"AngularVelocityInfinite", [](KeyframeData& d) { d.angular_velocities[1].x() = infinity; },
-                            "key 1: the angular velocity has a component that is not finite"},
+                            "key 1: the angular velocity has a component that is not finite, wanted finite numbers"},
                     BadKeys{"StepTooShort",
                             [](KeyframeData& d) {
                               d.times = {-1.0, 0.0, 0.9e-18};

@@ -57,7 +57,7 @@ INSTANTIATE_TEST_SUITE_P(
                    {},
                    4,
                    bad_argument,
-                   "no method 'nothing', wanted one of " + names_of_families()},
+                   "unknown method 'nothing', wanted one of " + names_of_families()},
         BadOptions{
             "MisspeltFamily", "quintik", {}, 4, bad_argument, "unknown method 'quintik'; did you mean 'quintic'?"},
         BadOptions{"UnknownParameter",
@@ -65,9 +65,9 @@ INSTANTIATE_TEST_SUITE_P(
                    {.parameters = {{"bias", {1.0}}}},
                    4,
                    bad_argument,
-                   "timed-c2: no parameter 'bias', wanted one of tension, tension2"},
+                   "timed-c2: unknown parameter 'bias', wanted one of tension, tension2"},
         BadOptions{"ParameterOfAFamilyWithout", "slerp", tension({0.5}), 4, bad_argument,
-                   "slerp: no parameter 'tension', wanted none: this method has no parameters"},
+                   "slerp: unknown parameter 'tension': this method has no parameters"},
         BadOptions{"NoValues", "quintic", tension({}), 4, bad_argument,
                    "quintic: found 0 values of tension, wanted 1 or one per key (4)"},
         BadOptions{"TooFewValues", "quintic", tension({0.5, 0.5, 0.5}), 4, bad_argument,
@@ -83,9 +83,10 @@ INSTANTIATE_TEST_SUITE_P(
         BadOptions{"ValueInfinite", "timed-c1", tension({0, std::numeric_limits<double>::infinity(), 0, 0}), 4,
                    bad_argument, "key 1: timed-c1: tension is inf, wanted -100 to 100"},
         BadOptions{"EndRuleOfAnotherFamily", "squad", start_at(EndRule::natural), 4, bad_argument,
-                   "squad: no end rule 'natural', wanted one of key, phantom"},
-        BadOptions{"EndRuleOfAnotherFamilyAtTheEnd", "quintic", end_at(EndRule::phantom), 4, bad_argument,
-                   "quintic: no end rule 'phantom', wanted one of repeat, natural, quadratic, cubic, clamped, rest"},
+                   "squad: unknown end rule 'natural', wanted one of key, phantom"},
+        BadOptions{
+            "EndRuleOfAnotherFamilyAtTheEnd", "quintic", end_at(EndRule::phantom), 4, bad_argument,
+            "quintic: unknown end rule 'phantom', wanted one of repeat, natural, quadratic, cubic, clamped, rest"},
         BadOptions{"TooFewKeysForQuadraticEnds", "timed-c2", start_at(EndRule::quadratic), 2, bad_data,
                    "timed-c2: ends 'quadratic' need 3 keys, found 2"},
         BadOptions{"TooFewKeysForCubicEnds", "timed-c2", end_at(EndRule::cubic), 3, bad_data,
@@ -95,7 +96,7 @@ INSTANTIATE_TEST_SUITE_P(
                    {.start = {EndRule::clamped, {nan, 0, 0}}},
                    4,
                    bad_argument,
-                   "timed-c2: an end rate is not finite"},
+                   "timed-c2: an end rate is not finite, wanted finite numbers"},
         BadOptions{"EndRateTooLarge",
                    "atbi",
                    {.end = {EndRule::clamped, {0, -1e300, 0}}},
@@ -121,7 +122,7 @@ TEST(Options, NameTheEndRulesOfAFamily) {
   EXPECT_EQ(end_rule_by_name(squad, "phantom").value(), EndRule::phantom);
   const auto unknown = end_rule_by_name(squad, "soft");
   ASSERT_FALSE(unknown);
-  EXPECT_EQ(unknown.error().message, "squad: no end rule 'soft', wanted one of key, phantom");
+  EXPECT_EQ(unknown.error().message, "squad: unknown end rule 'soft', wanted one of key, phantom");
 }
 
 TEST(Options, AreRefusedByAFamilyWithoutEndRules) {

@@ -209,7 +209,7 @@ TEST(Averages, AreRefusedWhereAKeyIsNotTheAverageThoughItFulfilsTheEquation) {
     const auto c = make_curve("averages", keyframes(random_walk(seed, count, Spacing::uneven, step)));
     ASSERT_FALSE(c) << seed;
     EXPECT_EQ(c.error().code, ErrorCode::not_converged);
-    EXPECT_NE(c.error().message.find("lie too far apart to have one average"), std::string::npos) << c.error().message;
+    EXPECT_NE(c.error().message.find("are too far apart to have one average"), std::string::npos) << c.error().message;
   }
 }
 

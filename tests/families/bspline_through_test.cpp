@@ -171,7 +171,7 @@ KeyframeData with_increments_times(double share, const KeyframeData& data) {
 
 TEST(BSplineThrough, ConvergesForTheShorterIncrementsThatItNamesWithTheRateShortenedToo) {
   const Eigen::Vector3d rate(40.0, -30.0, 20.0);
-  const std::string claim = "it does for increments of ";
+  const std::string claim = "it converges where every step turns ";
   std::size_t named = 0;
   for (std::uint64_t seed = 587; seed < 597; ++seed) {
     const KeyframeData data = random_walk(seed, 8, Spacing::even, 2.5);
@@ -206,7 +206,7 @@ TEST(BSplineThrough, SaysWhereAndHowFarItDoesNotConverge) {
     const std::string& message = c.error().message;
     EXPECT_TRUE(message.starts_with("bspline-through does not converge for these keys: the residual stays at "))
         << message;
-    EXPECT_NE(message.find(", wanted 1e-12; it does for increments of 0."), std::string::npos) << message;
+    EXPECT_NE(message.find(", wanted 1e-12; it converges where every step turns 0."), std::string::npos) << message;
   }
   EXPECT_GE(refused, 1u);
 }

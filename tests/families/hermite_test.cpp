@@ -266,7 +266,7 @@ TEST(Hermite, RefusesRatesThatTurnFartherWithinAStepThanItsJerkCanHold) {
       if (!chart) {
         EXPECT_EQ(chart.error().message, std::string(family) +
                                              ": the rates at this key turn by 5e+25 rad within a step, wanted 1e+25 at "
-                                             "most, or the form cumulative");
+                                             "most; put keys in between, or set form=cumulative");
       }
       EXPECT_TRUE(make_curve({family, {.choices = {{"form", "cumulative"}}}}, keyframes(data))) << family;
     }

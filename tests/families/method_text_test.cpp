@@ -65,7 +65,7 @@ TEST(MethodText, RefusesWhatIsNoMethod) {
   EXPECT_EQ(error("quintic:tension=nan").option, "tension");
   EXPECT_EQ(error("quintic:tension=1 ").option, "tension");
   EXPECT_EQ(error("quintic:tension=1:tension=2").message, "'tension' is given twice, wanted it once");
-  EXPECT_EQ(error("quintic:bias=1").message, "quintic: no parameter 'bias', wanted one of tension");
+  EXPECT_EQ(error("quintic:bias=1").message, "quintic: unknown parameter 'bias', wanted one of tension");
   EXPECT_EQ(error("timed-c2:ends=loose").option, "ends");
   EXPECT_EQ(error("timed-c2:ends=rest,rest,rest").message, "found 'rest,rest,rest', wanted RULE or START,END");
   EXPECT_EQ(error("timed-c2:ends=natural:start_rate=0,0,1").message,

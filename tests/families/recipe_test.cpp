@@ -34,14 +34,14 @@ TEST(Recipe, BlamesItsLineForAMethodThatThereIsNot) {
   EXPECT_EQ(unknown.error().code, ErrorCode::bad_data);
   EXPECT_EQ(unknown.error().where.line, 4U);
   EXPECT_EQ(unknown.error().remedy, "recipe");
-  EXPECT_TRUE(unknown.error().message.starts_with("the curve that the keys are for, 'auto:tension=1': "))
+  EXPECT_TRUE(unknown.error().message.starts_with("the file says that its keys are for 'auto:tension=1': "))
       << unknown.error().message;
 }
 
 TEST(Recipe, SaysWhereTheCurveOfAnotherMethodIsAskedFor) {
   const Recipe recipe{.method = "slerp", .line = 1};
   EXPECT_EQ(describe(recipe_set_aside(recipe, "auto", "keys.csv").value()),
-            "keys.csv:1: the keys are for the curve of slerp, not of auto");
+            "keys.csv:1: the file says that its keys are for slerp, and they are used for auto");
   EXPECT_FALSE(recipe_set_aside(recipe, "slerp", "keys.csv"));
   EXPECT_FALSE(recipe_set_aside({}, "slerp", "keys.csv"));
 }

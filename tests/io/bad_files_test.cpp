@@ -95,10 +95,11 @@ TEST(BadFile, WithoutAUsableHeaderSaysWhatIsMissing) {
       {"t:qw:qx:qy:qz\n" + key, "keys.csv:1: no column t, qw, qx, qy, qz, found 't:qw:qx:qy:qz'" + advice},
       {"hello world\n", "keys.txt:1: no column t, qw, qx, qy, qz, found 'hello,world'" + advice, "keys.txt"},
       {"t,qw,qx,qy,qz,qw\n", "keys.csv:1: the column 'qw' is there twice, wanted it once"},
-      {"t,time_ns,qw,qx,qy,qz\n", "keys.csv:1: 't' and 'time_ns' may both be t, wanted one (option columns)"},
+      {"t,time_ns,qw,qx,qy,qz\n", "keys.csv:1: 't' and 'time_ns' could both be t, wanted one of them (option columns)"},
       {"t,qw,qx,qy,qz,px,pz\n", "keys.csv:1: found px, pz without py, wanted all three columns or none"},
       {"t,qw,qx,qy,qz,wz_rad_s\n", "keys.csv:1: found wz without wx, wy, wanted all three columns or none"},
-      {"t,qw,qx,qy,qz,wx,wx_deg_s\n", "keys.csv:1: 'wx' and 'wx_deg_s' may both be wx, wanted one (option columns)"},
+      {"t,qw,qx,qy,qz,wx,wx_deg_s\n",
+       "keys.csv:1: 'wx' and 'wx_deg_s' could both be wx, wanted one of them (option columns)"},
   });
 }
 
@@ -117,7 +118,8 @@ TEST(BadFile, WithHalfOfItsRatesSaysWhichHalfIsMissing) {
               "found jx, jy, jz without ax, ay, az: angular jerks want angular accelerations beside them"),
       refusal("wx,wy,wz,ax,az", "found ax, az without ay, wanted all three columns or none"),
       refusal("wx_world,wy_world", "found wx_world, wy_world without wz_world, wanted all three columns or none"),
-      refusal("wx,wy,wz,ax,ax_deg_s2,ay,az", "'ax' and 'ax_deg_s2' may both be ax, wanted one (option columns)"),
+      refusal("wx,wy,wz,ax,ax_deg_s2,ay,az",
+              "'ax' and 'ax_deg_s2' could both be ax, wanted one of them (option columns)"),
       {"t,qw,qx,qy,qz,wx,wy,wz,ax,ay,az\n0,1,0,0,0,1,2,3,4,five,6\n", not_a_number("2:10", "five"), "keys.csv", all},
       {"t,qw,qx,qy,qz,wx,wy,wz,ax,ay,az\n0,1,0,0,0,1,2,3,4,5,\n", not_finite("2:11", "an empty cell"), "keys.csv", all},
   });
@@ -231,7 +233,7 @@ TEST(BadFile, WhoseTimesDoNotIncreaseNamesThemAsTheyStandThere) {
       {"2 1 2 3 0 0 0 1\n1 1 2 3 0 0 0 1\n", "keys.txt:2: key 1: time 1 comes after 2" + decrease, "keys.txt"},
       {header + "0,1,0,0,0\n1700000000.1,1,0,0,0\n1700000000.1000000001,1,0,0,0\n",
        "keys.csv:4: key 2: time 1700000000.1000000001 is too near to 1700000000.1 to be told apart in double "
-       "precision"},
+       "precision, wanted keys farther apart"},
   });
 }
 

@@ -54,7 +54,7 @@ TEST(Positions, AreNoColumnsThatWereMapped) {
   const auto mapped =
       keys_in("t,x,y,z,w\n0,0,0,0,1\n", {.columns = {{"qx", "x"}, {"qy", "y"}, {"qz", "z"}, {"qw", "w"}}});
   EXPECT_TRUE(mapped.data.positions.empty());
-  EXPECT_NE(refusal_of("t,x (m),x_m,y,z,qw,qx,qy,qz\n0,1,1,2,3,1,0,0,0\n").find("may both be x"), std::string::npos);
+  EXPECT_NE(refusal_of("t,x (m),x_m,y,z,qw,qx,qy,qz\n0,1,1,2,3,1,0,0,0\n").find("could both be x"), std::string::npos);
 }
 
 TEST(UnitsInBrackets, AreThoseOfSuffixes) {
@@ -90,7 +90,7 @@ TEST(TimeColumn, IsOfTheUnitInWhichItsTimesAreThoseOfToday) {
       ASSERT_EQ(file.warnings.size(), 1U);
       EXPECT_EQ(file.warnings[0].code, "time_unit_by_size");
       EXPECT_EQ(file.warnings[0].message, "the times are taken as " + std::string(name) + ", for the first one is " +
-                                              first + "; state `time_scale` if they are not");
+                                              first + "; set `time_scale` if they are not");
     }
   }
   const std::string row = "1700000000000000,1,0,0,0\n";
@@ -197,12 +197,12 @@ TEST(EulerTurns, AreWarnedOfWithTheirPlaceAndTheCure) {
   EXPECT_EQ(warnings[0].where.key, 1U);
   EXPECT_EQ(warnings[0].where.line, 3U);
   EXPECT_EQ(warnings[0].message,
-            "3 steps of Euler angles, the first with yaw from 10° to 360°, are turned the short way; state `signs` "
+            "3 steps of Euler angles, the first with yaw from 10° to 360°, are turned the short way; set `signs` to "
             "as-given to turn as the angles say");
   EXPECT_EQ(
       warnings_of_yaws({0, 360})[0].message,
       "1 step of Euler angles, the first with yaw from 0° to 360°, is turned the short way; put keys in between and "
-      "state `signs` as-given to turn as the angles say: a step must turn by less than 360°");
+      "set `signs` to as-given to turn as the angles say: a step must turn by less than 360°");
 }
 
 // A file beside another.

@@ -146,7 +146,7 @@ TEST(OrientationColumns, AreQuaternionsWhereThereAreAny) {
 TEST(OrientationColumns, OfSeveralOtherKindsWantAChoice) {
   const std::string both = "t,roll_rad,pitch_rad,yaw_rad,rx,ry,rz\n0,0,0.5,0,1,0,0\n";
   EXPECT_EQ(refusal(both),
-            "keys.csv:1: yaw, rx may all state the orientation, wanted one form of it (option representation)");
+            "keys.csv:1: yaw, rx could each be the orientation, wanted one form of it (option representation)");
   EXPECT_TRUE(near(orientation_in(both, {.representation = Representation::euler}), about(y, 0.5), tolerance::exact));
   EXPECT_TRUE(
       near(orientation_in(both, {.representation = Representation::rotation_vector}), about(x, 1.0), tolerance::exact));
@@ -157,7 +157,7 @@ TEST(OrientationColumns, RefuseOptionsThatContradictEachOther) {
             "[angle_unit] keys.csv:1: found an orientation in qw, qx, qy, qz, wanted Euler angles");
   EXPECT_EQ(refusal("t,rx,ry,rz\n0,1,0,0\n", {.representation = Representation::matrix, .euler = euler_order_of("ZYX")},
                     ErrorCode::bad_argument),
-            "[euler] keys.csv:1: found another form of the orientation asked for as well, wanted one of them (option "
+            "[euler] keys.csv:1: found a second option that says where the orientation is, wanted one of them (option "
             "representation)");
 }
 

@@ -22,7 +22,7 @@ using test::TextFile;
 
 constexpr std::string_view rows = "t,qw,qx,qy,qz\n0,1,0,0,0\n1,0.6,0,0.8,0\n";
 constexpr std::string_view wanted =
-    " in the line that says which curve the keys are for, wanted method=NAME, and signs=as-given or signs=shortest, "
+    " in the comment that names the method of the keys, wanted method=NAME, and signs=as-given or signs=shortest, "
     "each "
     "once";
 
@@ -81,7 +81,7 @@ TEST(KeyInput, TakesOneRecipeAboveTheRows) {
   const std::string line = "# orispline: method=slerp\n";
   const TextFile twice(line + line + std::string(rows)), below(std::string(rows) + line);
   EXPECT_EQ(text_of(read_keys(twice.path()).error()),
-            "keys.csv:2: a second line says which curve the keys are for, wanted one at most (option recipe)");
+            "keys.csv:2: a second comment names the method of the keys, wanted one at most (option recipe)");
   EXPECT_TRUE(read_keys(below.path()).value().recipe.is_empty());
 }
 
@@ -109,9 +109,11 @@ TEST(WriteTracks, StatesTheRecipeInEveryFormatWithComments) {
     const auto unstated = recipe_not_stated(track, {.format = format}, path);
     EXPECT_EQ(content_of(path).starts_with("# orispline: method=timed-c2:ends=rest\n"), !unstated) << format->id;
     if (unstated) {
-      EXPECT_EQ(describe(*unstated),
-                path + ": the keys are for the curve of timed-c2:ends=rest, which is not written into the file, for " +
-                    std::string(format->file) + " has no comments; name the method where the keys are read");
+      EXPECT_EQ(
+          describe(*unstated),
+          path + ": " + std::string(format->file) +
+              " has no comments, so it does not say that its keys are for timed-c2:ends=rest; name the method where "
+              "the keys are read");
       continue;
     }
     ++stated;
@@ -127,8 +129,8 @@ TEST(WriteTracks, StatesNoRecipeWhoseCurveTheFileCannotGive) {
   track.recipe.method = "hermite-c1";
   EXPECT_TRUE(states_recipe(track, {}));
   EXPECT_EQ(recipe_not_stated(track, {.format = &tum_format}, "k.tum")->message,
-            "the keys are for the curve of hermite-c1, which is not written into the file, for a TUM file has no "
-            "columns for rates; name the method where the keys are read");
+            "a TUM file has no columns for rates, so it does not say that its keys are for hermite-c1; name the method "
+            "where the keys are read");
   track.keys = track.keys.with_rates({}).value();
   EXPECT_TRUE(states_recipe(track, {.format = &tum_format}));
   track.settings = {{"tension", {0.5}}};

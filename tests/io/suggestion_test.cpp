@@ -35,7 +35,7 @@ TEST(Suggestion, IsTheNearestWordIfOneIsNear) {
 TEST(Suggestion, IsSaidInOneSentence) {
   EXPECT_EQ(unknown_word("method", "squadd", words), "unknown method 'squadd'; did you mean 'squad'?");
   EXPECT_EQ(unknown_word("method", "x\n", words),
-            "no method 'x?', wanted one of auto, squad, timed-c2, timed-c3, hermite-c1, --rate");
+            "unknown method 'x?', wanted one of auto, squad, timed-c2, timed-c3, hermite-c1, --rate");
 }
 
 }  // namespace

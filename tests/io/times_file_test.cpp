@@ -56,7 +56,8 @@ TEST(TimesFile, NamesTheLineOfWhatItRefuses) {
   EXPECT_EQ(refusal("1,2\n"),
             "times.txt:1: found 2 cells, wanted one time a line, or a header that names the column t");
   EXPECT_EQ(refusal("x,t\n1,2\n3\n"), "times.txt:3: found 1 cell, wanted the time in cell 2");
-  EXPECT_EQ(refusal("t,time\n1,2\n"), "times.txt:1: 't' and 'time' may both be t, wanted one (option columns)");
+  EXPECT_EQ(refusal("t,time\n1,2\n"),
+            "times.txt:1: 't' and 'time' could both be t, wanted one of them (option columns)");
   EXPECT_EQ(refusal(""), "times.txt: empty: no times");
   EXPECT_EQ(refusal("t\n# nothing\n"), "times.txt: empty: no times");
 }

@@ -30,7 +30,7 @@ std::string names_of_local_families() {
 
 TEST(OnlineCurve, RefusesOptionsWithWhatWasWanted) {
   EXPECT_EQ(refusal(OnlineCurve::make("nu", 8)),
-            "no online curve of method 'nu', wanted one of " + names_of_local_families());
+            "method 'nu' has no online curve, wanted one of " + names_of_local_families());
   EXPECT_EQ(refusal(OnlineCurve::make({"beta-g2", {.choices = {{"form", "global"}}}}, 8)),
             "beta-g2: with these settings a segment depends on all keys, wanted others for an online curve");
   EXPECT_EQ(refusal(OnlineCurve::make("slerp", 1)), "the capacity is 1 keys, wanted 2 to 1000000");
@@ -103,7 +103,8 @@ TEST(OnlineCurve, WantsPositionsAtAllKeysOrAtNone) {
   EXPECT_EQ(refusal(with.append(1.0, one)), "key 1: found no position, wanted one as the keys before have");
   EXPECT_EQ(refusal(without.append(1.0, one, {0, 0, 0})),
             "key 1: found a position, wanted none as the keys before have none");
-  EXPECT_EQ(refusal(with.append(1.0, one, {0, nan, 0})), "key 1: the position has a component that is not finite");
+  EXPECT_EQ(refusal(with.append(1.0, one, {0, nan, 0})),
+            "key 1: the position has a component that is not finite, wanted finite numbers");
   EXPECT_EQ(with.linear_motion(0.0)->position, Eigen::Vector3d(1, 2, 3));
   EXPECT_FALSE(without.linear_motion(0.0));
 }
@@ -190,7 +191,7 @@ TEST(OnlineCurve, EndsOnceAndBeginsAnewAfterReset) {
   ASSERT_TRUE(append(curve, data, 0, 10));
   ASSERT_TRUE(curve.finish());
   EXPECT_EQ(refusal(curve.append(1e6, one, {0, 0, 0})),
-            "the curve is finished, wanted no more keys or a reset before them");
+            "the curve is finished, wanted no more keys; reset() begins a new curve");
   EXPECT_TRUE(curve.finish());
 
   curve.reset();

@@ -105,7 +105,7 @@ TEST(OnlineCurve, RefusesAKeyWithoutTheSettingsThatItShouldBring) {
   EXPECT_EQ(refused({}), "key 5: timed-c2: found values of [] with the key, wanted those of [tension]");
   EXPECT_EQ(refused({{"tension", 0.5}, {"tension2", 1.0}}),
             "key 5: timed-c2: found values of [tension, tension2] with the key, wanted those of [tension]");
-  EXPECT_EQ(refused({{"bias", 1.0}}), "key 5: timed-c2: no parameter 'bias', wanted one of tension, tension2");
+  EXPECT_EQ(refused({{"bias", 1.0}}), "key 5: timed-c2: unknown parameter 'bias', wanted one of tension, tension2");
   EXPECT_EQ(refused({{"tension", 101.0}}), "key 5: timed-c2: tension is 101, wanted -100 to 100");
   for (std::size_t i = 5; i < 9; ++i) ASSERT_TRUE(append_both(i));
   const double t = curve.available()->end - 0.01;

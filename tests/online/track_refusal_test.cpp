@@ -35,7 +35,7 @@ TEST(TrackSampler, RefusesOptionsWithWhatWasWanted) {
   EXPECT_EQ(refusal(TrackSampler::make({"auto", {.parameters = {{"hold", {0.5}}}}}, {})),
             "auto: hold is 0.5, wanted a whole number");
   EXPECT_EQ(refusal(TrackSampler::make({"quintic", {.parameters = {{"bias", {}}}}}, {})),
-            "quintic: no parameter 'bias', wanted one of tension");
+            "quintic: unknown parameter 'bias', wanted one of tension");
   EXPECT_EQ(TrackSampler::make("nlerp", {}).error().code, ErrorCode::bad_argument);
 }
 

@@ -80,7 +80,7 @@ TEST(ReducePage, PutsTheSmallestReductionFirst) {
   ASSERT_EQ(page.methods.size(), 2u);
   EXPECT_LE(page.methods[0].measures.at("keys"), page.methods[1].measures.at("keys"));
   EXPECT_EQ(page.methods[0].name, reductions[smallest(reductions)].method.name);
-  EXPECT_NE(page.notes[1].find("smoothing time 0.125 s"), std::string::npos);
+  EXPECT_NE(page.notes[1].find("smoothing time of 0.125 s"), std::string::npos);
 }
 
 TEST(RetimePage, ShowsBothMotionsWithTheirCertificates) {

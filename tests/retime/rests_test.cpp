@@ -111,7 +111,7 @@ TEST(Retime, MeetsADuration) {
                   .starts_with("duration: in 5 s the motion exceeds its limits, wanted some 10.5"));
   EXPECT_TRUE(retime(keys, holding, {.limits = {.rate = 1.0}, .duration = 12.0}));
   EXPECT_EQ(refused({.slowing = Slowing::per_interval, .duration = 5.0}),
-            "duration: all intervals are scaled alike for it, wanted no slowing of each by itself");
+            "duration: it scales all intervals alike, wanted uniform slowing");
 }
 
 }  // namespace

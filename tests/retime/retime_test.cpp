@@ -153,9 +153,10 @@ TEST(Retime, RefusesLimitsThatAreNone) {
             "max_rate: found inf rad/s, wanted more than 0 rad/s and finite");
   EXPECT_EQ(error("auto", keys, {.rate = std::numeric_limits<double>::quiet_NaN()}),
             "max_rate: found nan rad/s, wanted more than 0 rad/s");
-  EXPECT_EQ(error("auto", keys, {.torque = 1.0}), "max_torque: wanted `inertia` as well");
+  EXPECT_EQ(error("auto", keys, {.torque = 1.0}),
+            "max_torque: the torque depends on the body, wanted `inertia` as well");
   EXPECT_EQ(error("auto", keys, {.rate = 1.0, .inertia = Eigen::Matrix3d::Identity()}),
-            "inertia: wanted `max_torque` as well");
+            "inertia: it is used for the torque alone, wanted `max_torque` as well");
   const Eigen::Matrix3d indefinite = Eigen::Vector3d(1.0, -2.0, 3.0).asDiagonal();
   EXPECT_EQ(error("auto", keys, {.torque = 1.0, .inertia = indefinite}),
             "inertia: found the principal moments -2, 1, 3, wanted all of them greater than 0");
@@ -175,7 +176,7 @@ TEST(Retime, RefusesMethodsThatNoSlowingHelps) {
             "hermite-c2: this method takes rates from the keys, wanted one that has its own");
   const auto one = Keyframes::make({.times = {0}, .orientations = {Eigen::Quaterniond::Identity()}}).value();
   EXPECT_EQ(error("auto", one, {.rate = 1.0}), "found 1 key, wanted 2 at least: one key does not move");
-  EXPECT_TRUE(error("nothing", keys, {.rate = 1.0}).starts_with("no method 'nothing', wanted one of auto"));
+  EXPECT_TRUE(error("nothing", keys, {.rate = 1.0}).starts_with("unknown method 'nothing', wanted one of auto"));
 }
 
 TEST(Retime, IsFollowedAndStopped) {

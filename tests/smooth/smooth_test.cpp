@@ -198,6 +198,13 @@ TEST(Smooth, TellsAGyroThatDoesNotMeasureTheMotion) {
   expect_refused([](const Turn& q, const Vector& w) { return Vector(-(q * w)); }, contradicts, conjugate);
   expect_refused([](const Turn&, const Vector& w) { return Vector(100.0 * w); }, "the gyro's rates vary by",
                  "wanted a gyro in rad/s");
+  expect_refused([](const Turn&, const Vector& w) { return Vector(-w.x(), -w.z(), -w.y()); }, contradicts,
+                 "they agree if x, y and z of the rates are -x, -z, -y of the body");
+  // Mounted askew by 50° and reversed: no word of ours mends that.
+  const Eigen::AngleAxisd askew(50.0 * degree, Vector(1.0, 1.0, 1.0).normalized());
+  expect_refused([&](const Turn&, const Vector& w) { return Vector(-(askew * w)); },
+                 "the gyro turns against the orientations: their rates vary by",
+                 "wanted rates of the body in its own frame");
 }
 
 TEST(Smooth, SaysWhatItCannotDo) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Smoothing against the minimisers of the reference: tests/data/golden/smooth_*.csv, made by
-// tools/make_smooth_golden.py.
+// tools/make_smooth_golden.py; and smoothing splines of positions against exact ones: position_splines.csv, made by
+// tools/make_spline_golden.py, which agrees on the cubic ones with SciPy's make_smoothing_spline to 3e-11.
 #include <gtest/gtest.h>
 
 #include <orispline/math/so3.hpp>
@@ -57,6 +58,30 @@ TEST(SmoothingGolden, FiguresAreThoseOfTheReference) {
     expect_figure(log_determinant(problem, test.objective, fit.nodes), test.row, "log_determinant");
     expect_figure(hat_trace(problem.times, problem.weights, test.objective.penalty, test.objective.lambda), test.row,
                   "trace");
+  }
+}
+
+TEST(SmoothingGolden, PositionsAreThoseOfExactSplines) {
+  const DataTable table("golden/position_splines.csv");
+  for (const char* const number : {"0", "1", "2", "3", "4", "5"}) {
+    SCOPED_TRACE(number);
+    const auto rows = table.rows_where("case", number);
+    ASSERT_GE(rows.size(), 18u);
+    SmoothingProblem problem;
+    for (const auto& row : rows) {
+      problem.times.push_back(row.number("t"));
+      problem.positions.push_back(row.vector("px", "py", "pz"));
+      problem.weights.push_back(row.number("weight"));
+    }
+    const Penalty penalty = rows[0].text("order") == "2" ? Penalty::acceleration : Penalty::jerk;
+    const double lambda = rows[0].number("lambda");
+    const auto fit = fit_smoothing(problem, {.penalty = penalty, .lambda = lambda});
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      EXPECT_LT(relative_error(fit.nodes.positions[i], rows[i].vector("found_px", "found_py", "found_pz")), golden)
+          << i;
+    expect_figure(fit.penalty, rows[0], "penalty");
+    EXPECT_NEAR(fit.cost, fit.data + lambda * fit.penalty, 1e-12 * fit.cost);
+    expect_figure(hat_trace(problem.times, problem.weights, penalty, lambda), rows[0], "trace");
   }
 }
 

@@ -210,7 +210,8 @@ TEST(Tune, RefusesWhatItCannotTune) {
             "objective: found torque, wanted `inertia` as well");
   const std::vector<double> late{10.0};
   const std::vector<Eigen::Quaterniond> there{Eigen::Quaterniond::Identity()};
-  EXPECT_EQ(error("quintic", some_keys(), {.reference = {late, there}}), "reference: wanted `objective` fit as well");
+  EXPECT_EQ(error("quintic", some_keys(), {.reference = {late, there}}),
+            "reference: it is used by the objective fit alone, wanted `objective` fit as well");
   EXPECT_EQ(error("quintic", some_keys(), {.objective = Objective::fit, .reference = {late, there}}),
             "the reference has no time between the first and the last key, wanted some from 0 to 4 s");
   EXPECT_EQ(error("quintic", some_keys(),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/compare/compare_keys.hpp"
 
+#include <algorithm>
+
 #include <orispline/analysis/sampled.hpp>
 #include <orispline/base/formatted.hpp>
 
@@ -73,6 +75,13 @@ Expected<ComparedData> input_and_reference(const CompareRequest& request, const 
                    formatted("none of the {} times, {} to {} s, lies between the keys of {}, {} to {} s", times.size(),
                              text(times.front()), text(times.back()), keys.name, text(domain.start), text(domain.end)),
                    {.file = reference});
+  const auto is_key = [&](double t) { return std::ranges::binary_search(keys.keys.times(), t); };
+  if (std::ranges::all_of(times, [&](double t) { return !domain.contains(t) || is_key(t); }))
+    warn(
+        {Warning{.code = "no_reference_between_keys",
+                 .message = "all samples that are compared are at the times of keys, where every curve through them is "
+                            "right; wanted a denser reference, or INPUT and --reference the other way round",
+                 .where = {.file = reference}}});
   ComparedData data{.reference = reference,
                     .epoch = keys.epoch,
                     .samples = truth->track.keys,

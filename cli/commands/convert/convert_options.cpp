@@ -10,8 +10,9 @@ constexpr auto convert_footer = R"(Examples:
   orispline convert attitude.csv --euler ZXZ --angle-unit deg -o keys.csv
   orispline convert keys.csv --output-orientation matrix -o matrices.csv
 
-Times are exact; EuRoC has whole nanoseconds. Quaternions keep their digits and signs; norms that are off are made 1 and
-counted. Positions are kept, angular velocities too where the output is CSV; other columns are named and left out.)";
+Times stay exact; EuRoC alone rounds them to whole nanoseconds. Quaternions keep their digits and signs; those whose norm
+is off are scaled to 1 and counted. Positions are kept, and angular velocities where the output is CSV or NumPy. Other
+columns are left out, and the summary names them.)";
 
 }  // namespace
 

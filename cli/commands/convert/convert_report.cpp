@@ -19,8 +19,9 @@ std::string text_of(const ConvertReport& report) {
   text += "\n";
   if (const std::string repairs = text_of(report.repairs); !repairs.empty()) text += repairs + "\n";
   if (!report.dropped_columns.empty())
-    text += formatted("not carried over: {}\n", printable(joined(report.dropped_columns, ", ")));
-  if (report.positions == ConvertReport::Positions::zero) text += "positions are zero: the input has none\n";
+    text += formatted("left out, having no place in the output: {}\n", printable(joined(report.dropped_columns, ", ")));
+  if (report.positions == ConvertReport::Positions::zero)
+    text += "zeros are written as positions, for the input has none\n";
   return text;
 }
 

@@ -90,7 +90,7 @@ Expected<void> inspect(const InspectOptions& options) {
   auto input = input_request(options.input);
   if (!input) return tl::unexpected(std::move(input.error()));
   if (options.methods.empty() && any_given(options.shape))
-    return usage_failure("options that shape a curve want --method as well");
+    return usage_failure("found options that shape a curve, but no curve; wanted --method as well");
   const auto methods = method_requests(options.methods, options.shape);
   if (!methods) return tl::unexpected(methods.error());
   input->read = read_for(*methods, std::move(input->read));

@@ -9,14 +9,14 @@ constexpr auto inspect_footer = R"(Examples:
   orispline inspect keys.csv --method auto,quintic --method slerp
   orispline inspect keys.csv --method sextic --json
 
-Faults that 'sample' refuses (duplicate or decreasing times, rows that are not numbers, norms far from 1) are repaired
-and counted. The JSON is described in docs/inspect-json.md.)";
+Faults that 'sample' refuses are repaired and counted: duplicate or decreasing times, rows that are not numbers, norms
+far from 1. The JSON is described in docs/inspect-json.md.)";
 
 }  // namespace
 
 void add_inspect_options(Command& app, InspectOptions& o) {
   add_input_options(app, o.input);
-  app.add_option("--method", o.methods, "Methods whose continuity is measured; repeatable, or a list with commas")
+  app.add_option("--method", o.methods, "Methods whose continuity to measure; repeatable, or a list with commas")
       ->repeated()
       ->type_name(methods_type)
       ->group("Shape of the curve");

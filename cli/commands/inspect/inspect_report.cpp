@@ -31,7 +31,7 @@ std::string keys_lines(const InspectReport& report) {
 
 std::string recipe_line(const Recipe& recipe) {
   if (recipe.is_empty()) return "";
-  return formatted("for           {}{}, says line {}\n", printable(recipe.method),
+  return formatted("keys for      {}{}, as line {} says\n", printable(recipe.method),
                    recipe.signs == Signs::as_given ? ", signs as given" : "", recipe.line);
 }
 
@@ -41,7 +41,7 @@ std::string half_turn_line(const InspectReport& report) {
   for (std::size_t i = 0; i < std::min(steps.size(), places_shown); ++i)
     line += formatted("{} after {}", i == 0 ? ":" : ",", place(report, steps[i]));
   if (steps.size() > places_shown) line += ", …";
-  return line + (steps.empty() ? "\n" : "; these may as well go the other way round\n");
+  return line + (steps.empty() ? "\n" : "; the curve may turn the wrong way there: put a key in between\n");
 }
 
 std::string quality_lines(const InspectReport& report) {
@@ -49,7 +49,7 @@ std::string quality_lines(const InspectReport& report) {
   const io::RepairReport& repairs = report.file.repairs;
   return formatted(
       "sign flips    {}\n"
-      "non-unit      {}, of which {} farther than {:g} from 1; largest error {:.3g}\n"
+      "non-unit      {}, of which {} are farther than {:g} from 1; largest error {:.3g}\n"
       "duplicates    {}\n"
       "out of order  {}\n"
       "invalid rows  {}\n",

@@ -22,7 +22,7 @@ std::string continuity_of(const FamilyInfo& family) {
 std::string keys_of(const FamilyInfo& family) {
   std::string text = family.interpolates         ? "The curve passes through every key."
                      : family.key_use.stride > 1 ? "The curve passes through some keys only."
-                                                 : "The keys are control points, which the curve passes by.";
+                                                 : "The keys are control points: the curve passes near them.";
   text += family.is_global() ? " Every segment depends on all keys."
                              : formatted(" A segment depends on {} keys.", family.support_keys);
   const auto least = static_cast<std::size_t>(family.min_keys);
@@ -33,9 +33,9 @@ std::string keys_of(const FamilyInfo& family) {
 }
 
 std::string steadiness_of(const FamilyInfo& family) {
-  if (family.keeps_constant_rate_uneven) return "A motion of constant rate stays one, on any key times.";
-  if (family.keeps_constant_rate_uniform) return "A motion of constant rate stays one on evenly spaced keys only.";
-  return "A motion of constant rate does not stay one.";
+  if (family.keeps_constant_rate_uneven) return "A constant rate stays constant, on any key times.";
+  if (family.keeps_constant_rate_uniform) return "A constant rate stays constant on evenly spaced keys only.";
+  return "A constant rate does not stay constant.";
 }
 
 std::string parameter_text(const Parameter& p) {
@@ -54,22 +54,22 @@ std::string settings_lines(const FamilyInfo& family) {
   for (const Parameter& p : family.parameters) settings.push_back(parameter_text(p));
   for (const auto& [name, words] : family.choices)
     settings.push_back(formatted("{}={}, the first by default", name, joined(words, "|")));
-  if (settings.empty()) return line("settings", "There are none.");
+  if (settings.empty()) return line("settings", "It has none.");
   std::string text;
   for (const std::string& setting : settings) text += line(text.empty() ? "settings" : "", setting);
   return text;
 }
 
 std::string ends_of(const FamilyInfo& family) {
-  if (family.ends.empty()) return "There is no choice of end rules.";
+  if (family.ends.empty()) return "It has no end rules.";
   std::vector<std::string_view> names;
   for (const EndRule rule : family.ends) names.push_back(name_of(rule));
   return formatted("{}; the first by default.", joined(names, ", "));
 }
 
 std::string rates_of(const FamilyInfo& family) {
-  if (family.rate_orders == 0) return "It reads no rates of the keys.";
-  return formatted("It reads {} where the keys have them, and estimates what is missing.", rate_columns_of(family));
+  if (family.rate_orders == 0) return "It reads no rates from the file.";
+  return formatted("It reads {} where the file has them, and estimates the others.", rate_columns_of(family));
 }
 
 }  // namespace
@@ -82,7 +82,7 @@ std::string page_of(const FamilyInfo& family) {
   text += line("constant rate", steadiness_of(family));
   text += settings_lines(family);
   text += line("ends", ends_of(family));
-  text += line("loops", family.closes ? "It can be a loop: --closed, or --period T." : "It has no closed curves.");
+  text += line("loops", family.closes ? "It can be a loop: --closed, or --period T." : "It cannot be a loop.");
   text += line("rates", rates_of(family));
   if (!family.alias.empty()) text += line("former name", family.alias);
   text += line("page", formatted("docs/families/{}.md", family.name));

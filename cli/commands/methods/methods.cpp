@@ -17,10 +17,11 @@ namespace {
 constexpr std::size_t name_width = 20, label_width = 10;  // of the two columns beside the text
 
 constexpr std::string_view introduction =
-    "Continuity is in time. Settings are given with --set, numbers also one per key unless it says\n"
-    "otherwise. Of the words of a setting and of the end rules the first is the default. Rates are read\n"
-    "from the columns named. 'orispline methods NAME' says everything of one method.\n"
-    "Which method when: docs/choosing.md.\n";
+    "C2 means that angular velocity and acceleration do not jump in time, C1 that the velocity does not.\n"
+    "Set a setting with --set NAME=VALUE; a number may be one per key, unless the list says otherwise.\n"
+    "Where there are several words or end rules, the first is the default. 'columns' are the rates that\n"
+    "a method reads from your file. 'orispline methods NAME' describes one method, and\n"
+    "docs/choosing.md says which one to take.\n";
 
 /// A line of its own for what a method has; nothing for what it has not.
 std::string labelled(std::string_view label, std::string_view words) {
@@ -73,9 +74,9 @@ std::string page() {
   return std::string(introduction) +
          chapter("THROUGH THE KEYS, LOCAL: a segment depends on a few keys",
                  [&](const FamilyInfo& family) { return family.interpolates && !is_global(family); }) +
-         chapter("THROUGH THE KEYS, GLOBAL: equations over all keys are solved",
+         chapter("THROUGH THE KEYS, GLOBAL: a segment depends on all keys",
                  [&](const FamilyInfo& family) { return family.interpolates && is_global(family); }) +
-         chapter("NEAR THE KEYS: they are control points",
+         chapter("NEAR THE KEYS: the keys are control points",
                  [](const FamilyInfo& family) { return !family.interpolates; });
 }
 

@@ -11,8 +11,8 @@ constexpr auto plot_footer = R"(Examples:
   orispline plot keys.csv --method auto,quintic --method slerp -o methods.svg
   orispline plot robot.csv --set hold=1 --axis z -o tool.svg
 
-Over time: the angle from the start, |w|, |alpha| and |jerk|, the keys marked; and the way of a body axis over the unit
-sphere. At most 6 methods, each in a colour of its own.)";
+The picture shows the angle from the start, |w|, |alpha| and |jerk| over time, with the keys marked, and the path of a
+body axis on the unit sphere. It shows 6 methods at most, each in its own colour.)";
 
 }  // namespace
 
@@ -20,17 +20,17 @@ void add_plot_options(Command& app, PlotOptions& o) {
   add_input_options(app, o.input);
   app.add_option(
          "--method", o.methods,
-         formatted("Methods to draw [that of INPUT, else {}]; repeatable, or a list with commas", default_method))
+         formatted("Methods to draw; repeatable, or a list with commas [as INPUT says, else {}]", default_method))
       ->repeated()
       ->type_name(methods_type)
       ->group("Shape of the curve");
   add_method_options(app, o.shape);
   add_loop_options(app, o.shape);
   const std::string group = "Output";
-  app.add_option("-o,--output", o.path, "SVG file to write, complete or not at all [standard output]")
+  app.add_option("-o,--output", o.path, "SVG file to write; it appears complete or not at all [standard output]")
       ->type_name(file_type)
       ->group(group);
-  app.add_option("--axis", o.axis, "Body axis whose way over the sphere is drawn [x]")
+  app.add_option("--axis", o.axis, "Body axis whose path on the sphere is drawn [x]")
       ->type_name(one_of(axis_choices))
       ->group(group);
   app.footer = plot_footer;

@@ -116,11 +116,18 @@ Expected<ReduceReport> report_of(const Request& request, const ReducedTrack& tra
                       .lines = track.recording.track.lines,
                       .smoothed = {}};
   if (!track.smoothing) return report;
-  return orispline::distance_of(report.reductions[chosen], track.recording.track.keys, track.smoothing->rejected)
-      .map([&](const DistanceStatistics& distance) {
-        report.smoothed = SmoothedFirst{*track.smoothing, distance};
-        return std::move(report);
-      });
+  const orispline::Reduction& reduction = report.reductions[chosen];
+  const Keyframes& raw = track.recording.track.keys;
+  const auto distance = orispline::distance_of(reduction, raw, track.smoothing->rejected);
+  if (!distance) return tl::unexpected(distance.error());
+  SmoothedFirst smoothed{.smoothing = *track.smoothing, .raw = *distance};
+  if (const auto& positions = track.smoothing->positions) {
+    const auto of_positions = orispline::position_distance_of(reduction, raw, positions->rejected);
+    if (!of_positions) return tl::unexpected(of_positions.error());
+    smoothed.raw_positions = *of_positions;
+  }
+  report.smoothed = std::move(smoothed);
+  return report;
 }
 
 Expected<ReduceReport> reduced(const Request& request, const ReducedTrack& track) {

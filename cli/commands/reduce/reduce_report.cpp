@@ -35,22 +35,33 @@ Json method_json(const ReduceReport& report, const orispline::Reduction& reducti
 }
 
 Json smoothing_json(const ReduceReport& report) {
-  const auto& [smoothing, raw] = *report.smoothed;
+  const auto& [smoothing, raw, raw_positions] = *report.smoothed;
   Json json;
   put(json, smoothing, {"smoothing_time", "cutoff", "criterion", "noise", "rejected"}, places_of(report));
   json["raw_error_rms_deg"] = raw.rms * degrees;
   json["raw_error_max_deg"] = raw.largest * degrees;
   json["raw_error_max_time_s"] = report.times[raw.largest_at].to_string();
+  if (!raw_positions) return json;
+  put(json, smoothing, {"position_smoothing_time", "position_criterion", "position_noise", "rejected_positions"},
+      places_of(report));
+  json["raw_position_error_rms_m"] = raw_positions->rms;
+  json["raw_position_error_max_m"] = raw_positions->largest;
+  json["raw_position_error_max_time_s"] = report.times[raw_positions->largest_at].to_string();
   return json;
 }
 
 std::string smoothed_lines(const ReduceReport& report) {
-  const auto& [smoothing, raw] = *report.smoothed;
-  return "  " + choice_line(smoothing) +
-         formatted("  rejected        {}{}\n", smoothing.rejected.size(),
-                   places_text(smoothing.rejected, report.lines, report.times)) +
-         formatted("  raw samples     {:.6g}° RMS from the keys' curve, {:.6g}° at most, at {} s\n", raw.rms * degrees,
-                   raw.largest * degrees, report.times[raw.largest_at].to_string());
+  const auto& [smoothing, raw, raw_positions] = *report.smoothed;
+  const auto rejected_line = [&report](const std::vector<std::size_t>& rejected) {
+    return formatted("  rejected        {}{}\n", rejected.size(), places_text(rejected, report.lines, report.times));
+  };
+  std::string text = "  " + choice_line(smoothing) + rejected_line(smoothing.rejected) +
+                     formatted("  raw samples     {:.6g}° RMS from the keys' curve, {:.6g}° at most, at {} s\n",
+                               raw.rms * degrees, raw.largest * degrees, report.times[raw.largest_at].to_string());
+  if (!raw_positions) return text;
+  return text + "  " + position_choice_line(smoothing) + rejected_line(smoothing.positions->rejected) +
+         formatted("  raw positions   {:.6g} m RMS from the keys' path, {:.6g} m at most, at {} s\n",
+                   raw_positions->rms, raw_positions->largest, report.times[raw_positions->largest_at].to_string());
 }
 
 }  // namespace

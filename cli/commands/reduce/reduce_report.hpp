@@ -13,11 +13,12 @@
 
 namespace orispline::cli {
 
-/// What was done to the samples before, and how far the chosen curve is from them as they were [rad], those that were
-/// rejected apart.
+/// What was done to the samples before, and how far the chosen curve is from them as they were [rad] and its path [m],
+/// those that were rejected apart.
 struct SmoothedFirst {
   orispline::Smoothing smoothing;
   DistanceStatistics raw;
+  std::optional<DistanceStatistics> raw_positions{};  ///< where there are positions
 };
 
 /// What `orispline reduce` did to a recording.

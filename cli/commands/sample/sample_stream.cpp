@@ -90,8 +90,10 @@ class PiecewiseSampling {
   [[nodiscard]] Expected<void> read() {
     auto piece = keys_.next(keys_of_a_piece);
     if (!piece) return tl::unexpected(std::move(piece.error()));
-    if (!sampler_)
+    if (!sampler_) {
       if (auto begun = begin(piece->epoch); !begun) return begun;
+      warn_of_first(*piece);
+    }
     lines_.add(piece->lines, sampler_->keys() - sampler_->kept());
     repairs_ = piece->repairs;
     warn(piece->warnings);
@@ -104,6 +106,19 @@ class PiecewiseSampling {
 
   void warn_of_file(std::vector<Warning> warnings) const {
     for (Warning& warning : warnings) warning.where.file = request_.input.path;
+    warn(warnings);
+  }
+
+  /// What the first keys tell of the method; how far keys turn is known of all at the end.
+  void warn_of_first(const io::KeyFile& piece) const {
+    auto keys = Keyframes::make(piece.data, *request_.input.signs);
+    if (!keys) return;  // which append() tells
+    Track track(std::move(*keys));
+    track.name = request_.input.path;
+    track.lines = piece.lines;
+    track.settings = piece.parameters;
+    auto warnings = warnings_of(request_.method, track);
+    std::erase_if(warnings, [](const Warning& warning) { return warning.code == "near_half_turn"; });
     warn(warnings);
   }
 

@@ -114,7 +114,6 @@ Expected<void> smooth_one(const SmoothOptions& options) {
                       .output = options.output.path,
                       .penalty = request->smoothing.penalty,
                       .loss = request->smoothing.loss,
-                      .positions = !recording.keys.positions().empty(),
                       .samples = request->times.has_value(),
                       .smoothing = std::move(*smoothing)};
   const auto make_page = [&](auto head) {

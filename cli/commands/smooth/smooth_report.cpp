@@ -59,6 +59,29 @@ std::string outlier_lines(const SmoothReport& report) {
   return text;
 }
 
+std::string position_lines(const SmoothReport& report) {
+  if (!report.smoothing.positions) return "";
+  const orispline::PositionSmoothing& found = *report.smoothing.positions;
+  const auto& [all, accepted] = std::tie(found.distances, found.accepted_distances);
+  const auto places = [&report](const std::vector<std::size_t>& samples) {
+    return places_text(samples, report.recording.lines, report.recording.exact_times);
+  };
+  std::string text = position_choice_line(report.smoothing);
+  if (found.smoothing_time || !found.rejected.empty()) {
+    text += formatted("  noise         {:.4g} m per axis in the residuals; {:.4g} m between neighbours\n", found.noise,
+                      found.local_noise);
+    text += formatted("  distance      RMS {:.4g} m, largest {:.4g} m from the samples", all.rms, all.largest);
+    if (!found.rejected.empty())
+      text += formatted("; {:.4g} m and {:.4g} m without the rejected ones", accepted.rms, accepted.largest);
+    text += "\n";
+  }
+  if (report.loss == orispline::Loss::robust || report.loss == orispline::Loss::tukey)
+    text += formatted("  rejected      {}{}\n", found.rejected.size(), places(found.rejected));
+  if (const auto& kept = found.retained_outlier_runs; !kept.empty())
+    text += formatted("  far, but kept {}{}\n", kept.size(), places(kept));
+  return text;
+}
+
 std::string stretch_lines(const SmoothReport& report) {
   const auto& stretches = report.smoothing.stretches;
   const auto& samples_in_short_stretches = report.smoothing.samples_in_short_stretches;
@@ -85,8 +108,7 @@ std::string text_of(const SmoothReport& report) {
   if (smoothing.degrees_of_freedom)
     text += formatted("freedom         {:.4g} effective parameters of {}\n", *smoothing.degrees_of_freedom,
                       3 * smoothing.nodes.orientations.size());
-  text += gyro_lines(smoothing) + outlier_lines(report) + stretch_lines(report);
-  if (report.positions) text += "positions are as they were: only orientations are smoothed\n";
+  text += gyro_lines(smoothing) + outlier_lines(report) + position_lines(report) + stretch_lines(report);
   return text + formatted("{} written to {}\n", counted(report.rows, report.samples ? "sample" : "key"),
                           destination(report.output));
 }

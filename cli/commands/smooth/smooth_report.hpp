@@ -17,7 +17,7 @@ struct SmoothReport {
   std::string output{};
   orispline::Penalty penalty{};
   orispline::Loss loss{};
-  bool positions = false, samples = false;
+  bool samples = false;
   std::size_t rows = 0;  ///< written
   orispline::Smoothing smoothing{};
 };

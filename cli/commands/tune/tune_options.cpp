@@ -14,17 +14,17 @@ constexpr auto tune_footer = R"(Examples:
   orispline tune keys.csv --method tcb --objective fit --reference recording.csv -o tuned.csv
   orispline sample tuned.csv --rate 100 -o motion.csv
 
-Objectives: linearised (closed form), acceleration (angular acceleration squared, integrated), torque (of a body with
---inertia), jerk, fit (distance to --reference). The output is INPUT as CSV with a column for each tension (tension,
-tension2, tension3, nu), and with a comment that names the method and its ends: 'sample' takes them from there.
-docs/tune.md says more.)";
+--objective acceleration makes the integral of the squared angular acceleration least; linearised does so nearly, by a
+closed form. jerk and torque do the same with the jerk, and with the torque on a body of --inertia. fit makes the distance
+to --reference least. The output is INPUT as CSV with a column for each tension (tension, tension2, tension3, nu). A comment
+in it names the method and its ends, and 'sample' takes them from there. docs/tune.md says more.)";
 
 }  // namespace
 
 void add_tune_options(Command& app, TuneOptions& o) {
   add_input_options(app, o.input);
   app.add_option("--method", o.method,
-                 formatted("Method whose tensions are sought [that of INPUT, else {}]", default_tuned_method))
+                 formatted("Method whose tensions to find [as INPUT says, else {}]", default_tuned_method))
       ->type_name(method_type)
       ->group("Shape of the curve");
   add_method_options(app, o.shape);

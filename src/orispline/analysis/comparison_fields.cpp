@@ -15,10 +15,11 @@ template <>
 std::span<const FieldInfo> fields_of<MeasureOptions>() noexcept {
   static constexpr std::array fields{
       field<&MeasureOptions::inertia>({.name = "inertia",
-                                       .sentence = "Inertia of the body, whose torques are measured too",
+                                       .sentence = "Inertia of the body; with it the torques are measured too",
                                        .quantity = &quantities::inertia}),
       field<&MeasureOptions::leave_out>(
-          {.name = "leave_out", .sentence = "Estimate the error also from keys that are left out"}),
+          {.name = "leave_out",
+           .sentence = "Estimate the error from the keys alone as well, by leaving some of them out"}),
   };
   return fields;
 }
@@ -29,9 +30,9 @@ std::span<const FieldInfo> fields_of<Decimation>() noexcept {
       field<&Decimation::keep_every>({.name = "keep_every",
                                       .sentence = "Keep every N-th sample as a key",
                                       .range = {1.0, std::numeric_limits<double>::infinity()}}),
-      field<&Decimation::spacing>({.name = "spacing", .sentence = "How the samples are spaced that stay"}),
+      field<&Decimation::spacing>({.name = "spacing", .sentence = "How the samples that become keys are spaced"}),
       field<&Decimation::seed>(
-          {.name = "seed", .sentence = "Seed of what is random; the same samples on every machine"}),
+          {.name = "seed", .sentence = "Seed of the random numbers; one seed picks the same samples on every machine"}),
   };
   return fields;
 }

@@ -9,9 +9,9 @@ namespace orispline::inline ORISPLINE_ABI {
 
 template <>
 inline constexpr std::array words<Spacing>{
-    word("even", Spacing::even, "the samples 0, N, 2N, …"),
-    word("jittered", Spacing::jittered, "those but the first moved by up to 35 % of N, at random"),
-    word("random", Spacing::random, "steps of N/4, N/2, N and 2N at random")};
+    word("even", Spacing::even, "the samples 0, N, 2N, … are keys"),
+    word("jittered", Spacing::jittered, "all of these but the first are moved by up to 35 % of N, at random"),
+    word("random", Spacing::random, "steps of N/4, N/2, N and 2N are drawn at random")};
 
 template <>
 ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<MeasureOptions>() noexcept;

@@ -31,7 +31,7 @@ bool is_physical_inertia(const Eigen::Matrix3d& inertia) {
 std::vector<Warning> warnings_of(const Eigen::Matrix3d& inertia) {
   if (is_physical_inertia(inertia)) return {};
   return {{.code = "no_rigid_body",
-           .message = "one principal moment is greater than the sum of the two others, as no rigid body has it",
+           .message = "one principal moment is greater than the sum of the two others, which no rigid body has",
            .option = "inertia"}};
 }
 

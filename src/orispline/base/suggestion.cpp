@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t longest_word = 64;  // [bytes] no vocabulary has a longer one
 constexpr std::size_t letters_per_mistake = 3;
+constexpr std::size_t shortest_beginning = 4;  // of one word only, that stands for it: `--max-acc`
 
 char small(char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
@@ -39,6 +40,10 @@ std::size_t edit_distance(std::string_view one, std::string_view other) {
 
 std::optional<std::string_view> nearest_word(std::string_view typed, std::span<const std::string_view> words) {
   if (typed.empty() || typed.size() > longest_word) return std::nullopt;
+  const auto begins = [&](std::string_view word) {
+    return typed.size() >= shortest_beginning && word.starts_with(typed);
+  };
+  if (std::ranges::count_if(words, begins) == 1) return *std::ranges::find_if(words, begins);
   std::optional<std::string_view> nearest;
   std::size_t least = 0;
   for (const std::string_view word : words) {
@@ -53,7 +58,7 @@ std::optional<std::string_view> nearest_word(std::string_view typed, std::span<c
 std::string unknown_word(std::string_view kind, std::string_view typed, std::span<const std::string_view> words) {
   if (const auto nearest = nearest_word(typed, words))
     return formatted("unknown {} {}; did you mean '{}'?", kind, in_quotes(typed), *nearest);
-  return formatted("no {} '{}', wanted one of {}", kind, printable(typed), joined(words, ", "));
+  return formatted("unknown {} '{}', wanted one of {}", kind, printable(typed), joined(words, ", "));
 }
 
 }  // namespace orispline::inline ORISPLINE_ABI

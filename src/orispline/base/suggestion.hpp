@@ -20,7 +20,7 @@ namespace orispline::inline ORISPLINE_ABI {
                                                                             std::span<const std::string_view> words);
 
 /// What is said of a word that a vocabulary lacks: `unknown method 'squadd'; did you mean 'squad'?`, or, where no word
-/// is near, `no method 'x', wanted one of auto, squad`.
+/// is near, `unknown method 'x', wanted one of auto, squad`.
 [[nodiscard]] ORISPLINE_EXPORT std::string unknown_word(std::string_view kind, std::string_view typed,
                                                         std::span<const std::string_view> words);
 

@@ -128,10 +128,15 @@ Outcome solve(const Equations& equations) {
 
 Error not_converged(std::string_view method, const Outcome& outcome, double share) {
   const std::string found = outcome.solved()
-                                ? std::string("its equations hold only for a curve that winds round")
+                                ? std::string("its equations hold only for a curve that winds round once more")
                                 : formatted("the residual stays at {:.3g}, wanted {:g}", outcome.residual, tolerance);
-  const std::string nearer = share > 0.0 ? formatted("it does for increments of {:.2g} times their length", share)
-                                         : std::string("nor does it for shorter increments");
+  const std::string nearer = share > 0.0 ? formatted(
+                                               "it converges where every step turns {:.2g} times as far; put keys in "
+                                               "between, or take a local method such as timed-c2",
+                                               share)
+                                         : std::string(
+                                               "it does not converge for shorter steps either; put keys in between, or "
+                                               "take a local method such as timed-c2");
   return {ErrorCode::not_converged,
           formatted("{} does not converge for these keys: {}; {}", method, found, nearer),
           {.key = outcome.worst}};

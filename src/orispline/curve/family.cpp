@@ -22,7 +22,7 @@ Error argument_error(std::string message, std::optional<std::size_t> key = {}) {
 /// What is said of a word that the family lacks; `known`: those that it has.
 Error unknown_in(const FamilyInfo& family, std::string_view kind, std::string_view word,
                  const std::vector<std::string_view>& known) {
-  const std::string said = known.empty() ? formatted("no {0} '{1}', wanted none: this method has no {0}s", kind, word)
+  const std::string said = known.empty() ? formatted("unknown {0} '{1}': this method has no {0}s", kind, word)
                                          : unknown_word(kind, word, known);
   return argument_error(formatted("{}: {}", family.name, said));
 }
@@ -81,7 +81,8 @@ Expected<End> settle_end(const FamilyInfo& family, End end, std::size_t keys) {
     return failure(ErrorCode::bad_data, formatted("{}: ends '{}' need {} keys, found {}", family.name,
                                                   name_of(end.rule), keys_needed(end.rule), keys));
   if (!end.angular_velocity.allFinite())
-    return tl::unexpected(argument_error(formatted("{}: an end rate is not finite", family.name)));
+    return tl::unexpected(
+        argument_error(formatted("{}: an end rate is not finite, wanted finite numbers", family.name)));
   if (!is_in_range(end.angular_velocity))
     return tl::unexpected(
         argument_error(formatted("{}: an end rate has a component of {:g} rad/s, wanted {:g} at most", family.name,

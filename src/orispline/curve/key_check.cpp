@@ -74,7 +74,8 @@ Eigen::Quaterniond normalised(Eigen::Quaterniond q, double norm) noexcept {
 
 std::optional<Error> check_vector(std::size_t key, const char* what, const Eigen::Vector3d& v) {
   if (is_in_range(v)) return std::nullopt;
-  if (!v.allFinite()) return key_error(key, formatted("the {} has a component that is not finite", what));
+  if (!v.allFinite())
+    return key_error(key, formatted("the {} has a component that is not finite, wanted finite numbers", what));
   return key_error(key, formatted("the {} has a component of {:g}, wanted {:g} at most", what, v.cwiseAbs().maxCoeff(),
                                   largest_component));
 }

@@ -59,9 +59,11 @@ Expected<ClosedKeys> closed_keys(const Keyframes& keys, const Loop& loop) {
         formatted("the period is {} s, wanted a finite number greater than the keys' span of {} s", period, span));
   }
   if (const auto gap = gap_at_seam(keys))
-    return failure(ErrorCode::bad_data,
-                   formatted("the last key is {} from the first, wanted the first again or a period", *gap),
-                   {.key = last});
+    return failure(
+        ErrorCode::bad_data,
+        formatted("the last key is {} from the first, wanted the first one again, or `period` for a later return",
+                  *gap),
+        {.key = last});
   if (last < 2) return failure(ErrorCode::bad_data, "a closed curve needs 2 different keys, found 1");
   return comparable_around(keys.first(last), {period, sign});
 }

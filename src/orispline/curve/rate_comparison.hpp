@@ -13,8 +13,9 @@ namespace orispline::inline ORISPLINE_ABI {
 
 /// What angular velocities may be, other than those of the body in its own frame [rad/s].
 struct RateMeaning {
-  std::string_view code;  ///< `world`, `conjugate`, `reversed`, `degrees` and `degrees_world`, …
-  std::string cure;       ///< what to do, in the manner of an Error's message
+  std::string code;  ///< `world`, `conjugate`, `reversed`, `body_taken_for_world`, `degrees`, `degrees_world`, …,
+                     ///< `axes`, `scaled`
+  std::string cure;  ///< what to do, in the manner of an Error's message
 };
 
 /// Angular velocities that came with orientations, beside those with which the orientations themselves turn.

@@ -15,8 +15,8 @@ namespace orispline::inline ORISPLINE_ABI::families {
 struct Atbi {
   static constexpr FamilyInfo info{
       .name = "atbi",
-      .title = "Algebraic-trigonometric blending, the type: C2 in 1, u, u2, sin, cos",
-      .source = "derived, docs/families/atbi.md; basis of Su, Zhang & Wang 2013 not at hand",
+      .title = "Spline of the algebraic-trigonometric type, made of 1, u, u2, sin and cos",
+      .source = "derived, docs/families/atbi.md; the basis of Su, Zhang & Wang 2013 was not at hand",
       .continuity_uniform = 2,
       .continuity_uneven = 0,
       .keeps_constant_rate_uniform = true,

@@ -16,7 +16,7 @@ namespace orispline::inline ORISPLINE_ABI::families {
 struct Auto {
   static constexpr std::array parameters{Parameter{"hold", 0.0, 0.0, 1.0, false}};
   static constexpr FamilyInfo info{.name = "auto",
-                                   .title = "Local C2 spline with rates chosen from the data",
+                                   .title = "Local C2 spline that takes its rates from the keys around",
                                    .source = "orispline, docs/families/auto.md",
                                    .continuity_uniform = 2,
                                    .continuity_uneven = 2,
@@ -32,7 +32,7 @@ struct Auto {
 struct Auto5 {
   static constexpr std::array parameters{Parameter{"hold", 0.0, 0.0, 1.0, false}};
   static constexpr FamilyInfo info{.name = "auto5",
-                                   .title = "Local C2 spline with rates chosen from five keys",
+                                   .title = "Local C2 spline that takes its rates from five keys",
                                    .source = "orispline, docs/families/auto5.md",
                                    .continuity_uniform = 2,
                                    .continuity_uneven = 2,

@@ -59,8 +59,8 @@ Expected<std::vector<P>> control_points(const Keyframes& keys, std::span<const P
 
 Error too_far_apart(std::size_t key, std::string_view found) {
   return {ErrorCode::not_converged,
-          formatted("averages does not converge for these keys: {}, for the control orientations around this key lie "
-                    "too far apart to have one average",
+          formatted("averages does not converge for these keys: {}, for the control orientations around this key are "
+                    "too far apart to have one average; put keys in between, or take a local method such as timed-c2",
                     found),
           {.key = key}};
 }

@@ -16,7 +16,7 @@ struct Averages {
   static constexpr std::array<std::string_view, 2> uses{"through", "control"};
   static constexpr std::array choices{Choice{"points", uses}};
   static constexpr FamilyInfo info{.name = "averages",
-                                   .title = "Spherical averages on a cubic B-spline basis",
+                                   .title = "Spline of spherical averages, with cubic B-spline weights",
                                    .source = "Buss & Fillmore 2001; docs/families/averages.md",
                                    .continuity_uniform = 2,
                                    .continuity_uneven = 2,

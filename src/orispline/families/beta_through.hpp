@@ -14,16 +14,17 @@ namespace orispline::inline ORISPLINE_ABI::families {
 struct BetaThrough {
   static constexpr std::array parameters{Parameter{"beta1", 1.0, 1e-6, 1e6, true, 1},
                                          Parameter{"beta2", 0.0, -1e6, 1e6, true, 1}};
-  static constexpr FamilyInfo info{.name = "beta-through",
-                                   .title = "Beta quaternion spline through the keys",
-                                   .source = "He et al. 2022, section 3.1, solved: docs/families/beta-through.md",
-                                   .continuity_uniform = 1,
-                                   .continuity_uneven = 0,
-                                   .keeps_constant_rate_uniform = true,
-                                   .keeps_constant_rate_uneven = false,
-                                   .support_keys = all_keys,
-                                   .parameters = parameters,
-                                   .key_use = {.feels_times = false}};
+  static constexpr FamilyInfo info{
+      .name = "beta-through",
+      .title = "Beta quaternion spline through the keys",
+      .source = "He et al. 2022, section 3.1; control points solved for, docs/families/beta-through.md",
+      .continuity_uniform = 1,
+      .continuity_uneven = 0,
+      .keeps_constant_rate_uniform = true,
+      .keeps_constant_rate_uneven = false,
+      .support_keys = all_keys,
+      .parameters = parameters,
+      .key_use = {.feels_times = false}};
   /// Errors: bad_argument with the key index where β₂ ≤ -2β₁(1+β₁); not_converged.
   template <CurvePoint P = Eigen::Quaterniond>
   [[nodiscard]] static Expected<CumulativeCurve<CubicBezierBasis, P>> curve(const Keyframes& keys,

@@ -110,7 +110,7 @@ inline constexpr std::array blend_ends{EndRule::natural};
 /// Blended parabolas in the rotation-vector chart at each key.
 struct LogParabola {
   static constexpr FamilyInfo info{.name = "log-parabola",
-                                   .title = "Blended parabolas in the logarithm",
+                                   .title = "Two parabolas in the logarithm, blended",
                                    .source = "derived, docs/families/log-parabola.md; after Kim & Nam 1995",
                                    .continuity_uniform = 2,
                                    .continuity_uneven = 2,
@@ -127,8 +127,8 @@ struct LogParabola {
 struct Circular {
   using Curve = BlendedCurve<CircleOrParabola, Eigen::Quaterniond>;
   static constexpr FamilyInfo info{.name = "circular",
-                                   .title = "Circular blending",
-                                   .source = "Kim & Nam 1995; in time: docs/families/circular.md",
+                                   .title = "Two circles blended",
+                                   .source = "Kim & Nam 1995; made C^k in time, docs/families/circular.md",
                                    .continuity_uniform = 2,
                                    .continuity_uneven = 2,
                                    .keeps_constant_rate_uniform = true,

@@ -39,7 +39,7 @@ struct GlobalC2 {
 struct NuExact {
   static constexpr FamilyInfo info{.name = "nu-exact",
                                    .title = "Nu-spline, exact on the sphere",
-                                   .source = "orispline, docs/families/nu-exact.md; Nielson 1974 for the condition",
+                                   .source = "orispline, docs/families/nu-exact.md; the condition is of Nielson 1974",
                                    .continuity_uniform = 2,
                                    .continuity_uneven = 2,
                                    .keeps_constant_rate_uniform = true,

@@ -65,15 +65,15 @@ Expected<ChartCurve<2 * K + 1>> Hermite<K>::chart(const Keyframes& keys, const F
     const Eigen::Vector3d step = increment<double>(start.orientation, end.orientation);
     if (step.norm() > 2.0 * std::numbers::pi - full_turn_margin)
       return failure(ErrorCode::bad_data,
-                     formatted("{}: the step to the next key is a full turn, which has no axis; wanted less, or the "
-                               "form cumulative",
+                     formatted("{}: the step to the next key is a full turn, which has no axis; put a key in between, "
+                               "or set form=cumulative",
                                info.name),
                      {.key = i});
     for (const std::size_t key : {i, i + 1})
       if (const double turn = turn_within(knots.span(i).step(), motions[key].rates, K); !(turn <= widest_turn))
         return failure(ErrorCode::bad_data,
-                       formatted("{}: the rates at this key turn by {:.2g} rad within a step, wanted {:g} at most, or "
-                                 "the form cumulative",
+                       formatted("{}: the rates at this key turn by {:.2g} rad within a step, wanted {:g} at most; put "
+                                 "keys in between, or set form=cumulative",
                                  info.name, turn, widest_turn),
                        {.key = key});
     pieces.push_back(hermite_piece<K>(start.orientation, Eigen::Vector3d::Zero(), step, start.rates, end.rates,

@@ -2,6 +2,7 @@
 #include <orispline/families/method_warnings.hpp>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include <orispline/base/counted.hpp>
@@ -24,12 +25,13 @@ std::optional<Warning> closing_step(const Method& method, const Keyframes& keys)
   double shortest = times[1] - times[0];
   for (std::size_t i = 1; i < times.size(); ++i) shortest = std::min(shortest, times[i] - times[i - 1]);
   if (closing <= 0.0 || closing >= closing_share * shortest) return std::nullopt;
-  return Warning{.code = "closing_step",
-                 .message = formatted("{:.2g} s from the last key back to the first make huge rates, the other steps "
-                                      "are {:.4g} s and more; `closed` is for a last key that is the first one again",
-                                      closing, shortest),
-                 .numbers = {{"closing_step_s", closing}, {"shortest_step_s", shortest}},
-                 .option = "period"};
+  return Warning{
+      .code = "closing_step",
+      .message = formatted("the curve returns to the first key in {:.2g} s, where other steps take {:.4g} s and more, "
+                           "so its rates are huge; use `closed` if the last key is the first one again",
+                           closing, shortest),
+      .numbers = {{"closing_step_s", closing}, {"shortest_step_s", shortest}},
+      .option = "period"};
 }
 
 std::optional<Warning> overwound(const Method& method, const Keyframes& keys) {
@@ -39,7 +41,7 @@ std::optional<Warning> overwound(const Method& method, const Keyframes& keys) {
   const double turn = wound.turn / full_turn * 360.0;
   return Warning{.code = "overwound_tangent",
                  .message = formatted("a handle of {} turns by {:.4g} degrees, wanted less than a full turn: the "
-                                      "angular velocity may jump there; timed-c1 has no such limit",
+                                      "angular velocity may jump there; take timed-c1, which has no such limit",
                                       method.name, turn),
                  .where = {.key = wound.key},
                  .numbers = {{"turn_deg", turn}}};
@@ -64,14 +66,45 @@ std::optional<Warning> contradicting_rates(const FamilyInfo& family, const Keyfr
                  .numbers = {{"misfit", misfit}}};
 }
 
+/// Turning so far during a rest is motion [rad].
+constexpr double moving_angle = 10.0 * rest_angle;
+
+bool moves_between(const AnyCurve& curve, std::size_t segment) {
+  const KnotSpan span = curve.knots().span(segment);
+  return std::ranges::any_of(std::array{0.2, 0.4, 0.6, 0.8}, [&](double u) {
+    const Motion motion = curve.motion_on(segment, span.start() + u * span.step());
+    return motion.angular_velocity.norm() * span.step() > moving_angle;
+  });
+}
+
+/// Equal keys between which the curve does not stand still.
+std::optional<Warning> moving_rests(const Method& method, const FamilyInfo& family, const Keyframes& keys) {
+  const bool has_rates = family.rate_orders > 0 && !keys.angular_velocities().empty();  // which say how it moves
+  if (!family.interpolates || family.key_use.stride > 1 || has_rates) return std::nullopt;
+  std::vector<std::size_t> rests;
+  for (std::size_t i = 0; i + 1 < keys.size(); ++i)
+    if (keys.rests_after(i)) rests.push_back(i);
+  if (rests.empty()) return std::nullopt;
+  const auto curve = make_curve(method, keys);
+  if (!curve) return std::nullopt;
+  std::erase_if(rests, [&](std::size_t i) { return !moves_between(*curve, i); });
+  if (rests.empty()) return std::nullopt;
+  return Warning{
+      .code = "moving_rests",
+      .message = formatted("{} moves in {} between equal keys; take the method auto:hold=1, which stands still there",
+                           method.name, counted(rests.size(), "rest")),
+      .where = {.key = rests.front()},
+      .numbers = {{"rests", static_cast<double>(rests.size())}}};
+}
+
 }  // namespace
 
 std::vector<Warning> warnings_of(const KeyframeReport& keys) {
   if (keys.near_half_turns == 0) return {};
   return {Warning{
       .code = "near_half_turn",
-      .message = formatted("{} to the next key {} nearly 180°, so the motion may as well go the other way "
-                           "round; put a key in between, or state `signs` as-given",
+      .message = formatted("{} to the next key {} nearly 180°, so the motion may go the wrong way round; put a key in "
+                           "between, or set `signs` to as-given",
                            counted(keys.near_half_turns, "step"), keys.near_half_turns == 1 ? "turns by" : "turn by"),
       .where = {.key = keys.first_near_half_turn},
       .numbers = {{"steps", static_cast<double>(keys.near_half_turns)}}}};
@@ -83,8 +116,8 @@ std::vector<Warning> warnings_of(const Method& method, const Track& track) {
   const auto family = find_family(method.name);
   if (!family) return warnings;
   const Method shaped = completed(method, **family, track);
-  for (const auto& warning :
-       {contradicting_rates(**family, track.keys), closing_step(shaped, track.keys), overwound(shaped, track.keys)})
+  for (const auto& warning : {contradicting_rates(**family, track.keys), closing_step(shaped, track.keys),
+                              overwound(shaped, track.keys), moving_rests(shaped, **family, track.keys)})
     if (warning) warnings.push_back(track.located(*warning));
   return warnings;
 }

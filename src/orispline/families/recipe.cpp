@@ -20,7 +20,7 @@ Expected<std::optional<Method>> method_of(const Recipe& recipe, std::string_view
   if (method) return std::optional(std::move(*method));
   const std::string& option = method.error().option;
   return mended_by("recipe",
-                   formatted("the curve that the keys are for, '{}': {}{}", recipe.method,
+                   formatted("the file says that its keys are for '{}': {}{}", recipe.method,
                              option.empty() ? "" : formatted("{}: ", option), method.error().message),
                    {.file = std::string(file), .line = recipe.line});
 }
@@ -29,7 +29,8 @@ std::optional<Warning> recipe_set_aside(const Recipe& recipe, const Method& used
   const auto stated = recipe.method.empty() ? Expected<Method>(used) : method_from_text(recipe.method);
   if (stated && text_of(*stated) == text_of(used)) return std::nullopt;
   return Warning{.code = "recipe_set_aside",
-                 .message = formatted("the keys are for the curve of {}, not of {}", recipe.method, text_of(used)),
+                 .message = formatted("the file says that its keys are for {}, and they are used for {}", recipe.method,
+                                      text_of(used)),
                  .where = {.file = std::string(file), .line = recipe.line}};
 }
 

@@ -19,7 +19,7 @@ struct Shoemake {
   static constexpr std::array ends{EndRule::natural};
   static constexpr FamilyInfo info{.name = "shoemake",
                                    .title = "Shoemake's Bezier curve of slerps",
-                                   .source = "Shoemake 1985; in time: docs/families/shoemake.md",
+                                   .source = "Shoemake 1985; made C1 in time, docs/families/shoemake.md",
                                    .continuity_uniform = 1,
                                    .continuity_uneven = 1,
                                    .keeps_constant_rate_uniform = true,

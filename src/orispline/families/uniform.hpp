@@ -22,7 +22,7 @@ struct UniformFamily {
       Parameter{"tension4", 0.0, -10000.0, 10000.0}, Parameter{"tension5", 0.0, -100000.0, 100000.0}};
   static constexpr FamilyInfo info{.name = "uniform",
                                    .alias = "family",
-                                   .title = "General uniform family of order 1 to 5",
+                                   .title = "General local spline for even keys, of order 1 to 5",
                                    .source = "orispline, docs/families/uniform.md",
                                    .continuity_uniform = 2,
                                    .continuity_uneven = 0,

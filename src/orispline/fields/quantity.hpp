@@ -30,8 +30,8 @@ struct Quantity {
 /// Units of what may be stated in several.
 namespace units {
 inline constexpr double radians_per_arcsecond = radians_per_degree / 3600.0;
-inline constexpr std::array angle{Unit{"deg", radians_per_degree}, Unit{"rad", 1.0}, Unit{"mrad", 1e-3},
-                                  Unit{"arcsec", radians_per_arcsecond}};
+inline constexpr std::array angle{Unit{"deg", radians_per_degree}, Unit{"°", radians_per_degree}, Unit{"rad", 1.0},
+                                  Unit{"mrad", 1e-3}, Unit{"arcsec", radians_per_arcsecond}};
 inline constexpr std::array length{Unit{"mm", 1e-3}, Unit{"cm", 1e-2}, Unit{"m", 1.0}};
 // Other ways of writing a unit come after it.
 inline constexpr std::array rate{Unit{"deg/s", radians_per_degree}, Unit{"°/s", radians_per_degree}, Unit{"rad/s", 1.0},

@@ -72,7 +72,8 @@ tl::unexpected<Error> ColumnSearch::two_columns(std::string_view canonical, std:
   const auto name = [this](std::size_t i) { return in_quotes(header_[i]); };
   if (header_[one] == header_[other])
     return failure(ErrorCode::bad_data, formatted("the column {} is there twice, wanted it once", name(other)));
-  return mended_by("columns", formatted("{} and {} may both be {}, wanted one", name(one), name(other), canonical));
+  return mended_by("columns",
+                   formatted("{} and {} could both be {}, wanted one of them", name(one), name(other), canonical));
 }
 
 }  // namespace orispline::inline ORISPLINE_ABI::io

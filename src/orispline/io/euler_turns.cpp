@@ -80,10 +80,11 @@ std::vector<Warning> EulerTurns::warnings(Signs signs, const EulerOrder& order) 
   (first.to - first.from).cwiseAbs().maxCoeff(&angle);
   const double from = first.from[angle] * degrees, to = first.to[angle] * degrees;
   const std::string_view name = names_by_axis(order)[static_cast<std::size_t>(angle)];
-  const std::string cure = whole_.steps == 0 ? "state `signs` as-given to turn as the angles say"
-                           : keeps_halves    ? "put keys in between: a step must turn by less than 360°"
-                                          : "put keys in between and state `signs` as-given to turn as the angles say: "
-                                            "a step must turn by less than 360°";
+  const std::string cure = whole_.steps == 0 ? "set `signs` to as-given to turn as the angles say"
+                           : keeps_halves
+                               ? "put keys in between: a step must turn by less than 360°"
+                               : "put keys in between and set `signs` to as-given to turn as the angles say: "
+                                 "a step must turn by less than 360°";
   return {Warning{
       .code = "lost_turns",
       .message = formatted("{} of Euler angles, the first with {} from {:.6g}° to {:.6g}°, {} turned the short way; {}",

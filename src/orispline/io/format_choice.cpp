@@ -2,6 +2,7 @@
 #include <orispline/io/format_choice.hpp>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/io/other_kinds.hpp>
 #include <orispline/io/time_column.hpp>
 
 #include <algorithm>
@@ -47,7 +48,11 @@ using Source = std::variant<KeyRowsSource, TracksSource>;
 /// Of a table at its first row.
 Expected<Source> source_in(const FormatInfo& format, TextTable table, const ReadOptions& options) {
   auto layout = format.reading.layout(table, options);
-  if (!layout) return tl::unexpected(std::move(layout.error()));
+  if (!layout) {
+    if (auto kind = other_kind(table.cells().front()))
+      return failure(ErrorCode::bad_data, std::move(*kind), {.file = table.path()});
+    return tl::unexpected(std::move(layout.error()));
+  }
   if (options.time_scale) {
     layout->columns.time_unit = *options.time_scale;
     layout->columns.states_time_unit = true;

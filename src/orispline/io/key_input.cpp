@@ -25,7 +25,7 @@ Expected<Recipe> recipe_above_rows(LineReader& lines) {
     }
     if (!*recipe) continue;
     if (found.line != 0)
-      return mended_by("recipe", "a second line says which curve the keys are for, wanted one at most", here);
+      return mended_by("recipe", "a second comment names the method of the keys, wanted one at most", here);
     found = std::move(**recipe);
     found.line = lines.line();
   }

@@ -187,7 +187,8 @@ Expected<bool> KeyRows::append_time(const Decimal& time, std::string_view text, 
   const double seconds = columns_.time_unit.of(time - first_).to_double();
   if (!is_first && seconds <= latest_seconds_)
     return refused(
-        formatted("time {} is too near to {} to be told apart in double precision", shown(), latest_.to_string()));
+        formatted("time {} is too near to {} to be told apart in double precision, wanted keys farther apart", shown(),
+                  latest_.to_string()));
   times.push_back(seconds);
   if (options_.keep_exact_times) file_.exact_times.push_back(columns_.time_unit.time_of(time));
   latest_ = time;

@@ -49,7 +49,7 @@ Expected<Representation> representation_in(const ColumnSearch& search, const Ori
   if (reading.euler && reading.representation.value_or(Representation::euler) != Representation::euler)
     return tl::unexpected(
         Error{.code = ErrorCode::bad_argument,
-              .message = "found another form of the orientation asked for as well, wanted one of them",
+              .message = "found a second option that says where the orientation is, wanted one of them",
               .option = "euler",
               .remedy = "representation"});
   if (reading.representation) return *reading.representation;
@@ -67,7 +67,7 @@ Expected<Representation> representation_in(const ColumnSearch& search, const Ori
   }
   if (found.size() > 1)
     return mended_by("representation",
-                     formatted("{} may all state the orientation, wanted one form of it", joined(examples, ", ")));
+                     formatted("{} could each be the orientation, wanted one form of it", joined(examples, ", ")));
   return found.empty() ? Representation::quaternion : found.front();
 }
 

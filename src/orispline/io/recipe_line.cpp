@@ -30,7 +30,7 @@ std::vector<std::string_view> words_of(std::string_view text) {
 
 tl::unexpected<Error> not_understood(std::string_view word) {
   return mended_by("recipe",
-                   formatted("found {} in the line that says which curve the keys are for, wanted method=NAME, and "
+                   formatted("found {} in the comment that names the method of the keys, wanted method=NAME, and "
                              "signs=as-given or signs=shortest, each once",
                              in_quotes(word)));
 }

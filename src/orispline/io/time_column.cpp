@@ -41,15 +41,14 @@ constexpr std::array sizes{SizeOfTime{17, -9, "nanoseconds"}, SizeOfTime{14, -6,
 
 TimeUnit time_unit_at_end_of(std::string_view name) {
   const TimeSuffix unit = unit_of<TimeSuffix>(name, suffixes);
-  return {Decimal::power_of_ten(unit.exponent), true};
+  return {Decimal::power_of_ten(unit.exponent), !unit.suffix.empty()};
 }
 
 std::optional<TimeUnit> time_unit_of(std::string_view name) {
   for (const TimeSuffix& unit : bare_units)
     if (name == unit.suffix) return TimeUnit{Decimal::power_of_ten(unit.exponent), true};
   for (const std::string_view base : names)
-    if (is_with_unit<TimeSuffix>(name, base, suffixes))
-      return TimeUnit{time_unit_at_end_of(name).seconds, name.size() > base.size()};
+    if (is_with_unit<TimeSuffix>(name, base, suffixes)) return time_unit_at_end_of(name);
   return std::nullopt;
 }
 
@@ -68,9 +67,8 @@ std::optional<TimeUnitGuess> time_unit_by_size(const Decimal& first) {
       return TimeUnitGuess{
           Decimal::power_of_ten(exponent),
           {.code = "time_unit_by_size",
-           .message =
-               formatted("the times are taken as {}, for the first one is {}; state `time_scale` if they are not", name,
-                         first.to_string())}};
+           .message = formatted("the times are taken as {}, for the first one is {}; set `time_scale` if they are not",
+                                name, first.to_string())}};
   return std::nullopt;
 }
 

@@ -28,7 +28,7 @@ struct TimeUnit {
 /// Seconds per frame. Error (bad_data): nobody says how many there are in a second.
 [[nodiscard]] ORISPLINE_EXPORT Expected<Fraction> seconds_per_frame(std::string_view column, const Clock& clock);
 
-/// The unit that the end of any name states, such as one that was mapped: that is always believed.
+/// The unit that the end of any name states, such as one that was mapped; without one they are seconds.
 [[nodiscard]] ORISPLINE_EXPORT TimeUnit time_unit_at_end_of(std::string_view name);
 
 /// The unit of times whose unit is not stated, by the size of the first one: clocks count from 1970, so that 1e11 and

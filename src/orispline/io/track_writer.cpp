@@ -78,9 +78,9 @@ std::optional<Warning> recipe_not_stated(const Track& track, const SampleColumns
   if (track.recipe.method.empty() || !lacking) return std::nullopt;
   return Warning{
       .code = "recipe_not_stated",
-      .message = formatted("the keys are for the curve of {}, which is not written into the file, for {} has "
-                           "no {}; name the method where the keys are read",
-                           track.recipe.method, columns.format->file, *lacking),
+      .message = formatted(
+          "{} has no {}, so it does not say that its keys are for {}; name the method where the keys are read",
+          columns.format->file, *lacking, track.recipe.method),
       .where = {.file = std::string(file)}};
 }
 

@@ -28,7 +28,7 @@ std::optional<Error> check_method(std::string_view method) {
   const auto family = find_family(method);
   if (family && !(*family)->is_global()) return std::nullopt;
   return argument_error(
-      formatted("no online curve of method '{}', wanted one of {}", method, joined(online_methods(), ", ")));
+      formatted("method '{}' has no online curve, wanted one of {}", method, joined(online_methods(), ", ")));
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ Expected<OnlineCurve> OnlineCurve::make(const Method& method, std::size_t capaci
 
 Expected<void> OnlineCurve::append(const StreamKey& key) {
   if (finished_)
-    return tl::unexpected(argument_error("the curve is finished, wanted no more keys or a reset before them"));
+    return tl::unexpected(argument_error("the curve is finished, wanted no more keys; reset() begins a new curve"));
   const auto orientation = checked_orientation(keys_, key, times_.all(), parts_);
   if (!orientation) return tl::unexpected(orientation.error());
   if (auto error = method_.check_settings(keys_, key)) return tl::unexpected(std::move(*error));

@@ -196,7 +196,7 @@ std::vector<std::byte> TrackState::bytes_of(const TrackSampler& sampler) {
 
 Expected<TrackSampler> TrackState::sampler_from(std::span<const std::byte> bytes) {
   StateReader in(bytes);
-  if (!in.is_sound() || in.whole() != mark) return no_state("their mark or their checksum is another");
+  if (!in.is_sound() || in.whole() != mark) return no_state("their mark or their checksum is wrong");
   Method method(in.text());
   method.options = read_options(in);
   TrackOptions options{.signs = in.below(2) == 0 ? Signs::shortest : Signs::as_given};
@@ -221,7 +221,7 @@ Expected<void> TrackState::read_rest(StateReader& in, TrackSampler& sampler) {
   const auto is_known = [](const std::optional<double>& time) { return time && std::isfinite(*time); };
   if ((sampler.start_ && !is_known(sampler.start_)) || is_known(sampler.end_) != sampler.finished_ ||
       (sampler.end_ && !sampler.start_))
-    return failure(ErrorCode::bad_data, "their curves start or end at no time");
+    return failure(ErrorCode::bad_data, "one of their curves has no start or no end");
   if (auto placed = sampler.place_grid(); !placed) return placed;
   for (std::size_t left = in.count(); left > 0; --left) {
     auto stretch = read_stretch(in, sampler.next_, sampler.method_, sampler.times_);

@@ -95,8 +95,8 @@ report::PageErrors errors_at(const PoseCurve& curve, const report::PagePath& rec
 std::vector<std::string> notes_on_samples(std::size_t samples) {
   if (samples <= samples_of_few) return {};
   return {
-      formatted("Curves are drawn through {} points, errors as the largest of every {:.3g} samples; the table "
-                "counts all.",
+      formatted("Curves are drawn through {} points. A drawn error is the largest of {:.3g} samples. The table counts "
+                "all samples.",
                 samples_of_few, static_cast<double>(samples) / samples_of_few)};
 }
 

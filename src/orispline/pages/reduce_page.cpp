@@ -22,8 +22,8 @@ std::string title_of(const Track& recording, const Reduction& chosen, const Tole
 
 std::vector<report::PageColumn> columns_of(const CurvePage& page) {
   std::vector<report::PageColumn> columns{
-      {"keys", "keys", "", "Keys that are left", Better::less},
-      {"samples_per_key", "samples per key", "", "Samples for each key", Better::more}};
+      {"keys", "keys", "", "Number of keys that are kept", Better::less},
+      {"samples_per_key", "samples per key", "", "Number of samples for each key", Better::more}};
   if (!page.recording.positions().empty())
     columns.push_back({"position_error_max_m", "max", "m", "Largest distance to the recording", Better::less});
   std::ranges::move(measure_columns(page.measures), std::back_inserter(columns));
@@ -57,8 +57,8 @@ report::Page reduce_page(const Track& recording, std::span<const Reduction> redu
   report::Page page =
       begun_page(title_of(recording, chosen, options.tolerance), head, recording.epoch, chosen.track.keys);
   if (smoothing_time)
-    page.notes.push_back(
-        formatted("The recording was smoothed first, smoothing time {:.4g} s, and is shown so.", *smoothing_time));
+    page.notes.push_back(formatted(
+        "The recording is shown as it is after smoothing, with a smoothing time of {:.4g} s.", *smoothing_time));
   std::ranges::move(notes_on_samples(recording.keys.size()), std::back_inserter(page.notes));
   page.reference = report::thinned(path_of(recording.keys), samples_of_few);
   page.limits["error"] = options.tolerance.angle * degrees;

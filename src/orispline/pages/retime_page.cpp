@@ -22,14 +22,15 @@ std::vector<SegmentPeaks> peaks_of(const PoseCurve& curve, const MotionLimits& l
 
 std::vector<report::PageColumn> columns_of(const CurvePage& curves, const std::vector<Certificate>& certificates) {
   std::vector<report::PageColumn> columns{
-      {"duration_s", "duration", "s", "From the first to the last key", Better::neither}};
+      {"duration_s", "duration", "s", "Time from the first to the last key", Better::neither}};
   for (const Certificate& c : certificates) {
     const std::string unit(c.shown.name);
     columns.push_back(
         {c.id_of("bound"), c.name + " at most", unit,
-         formatted("Certified: nowhere on the curve is the {} larger; the limit is {}", c.name, c.text_of(c.limit)),
+         formatted("The {} is certified to be nowhere larger; the limit is {}", c.name, c.text_of(c.limit)),
          Better::less});
-    columns.push_back({c.id_of("max"), c.name + " found", unit, "A value that the curve takes", Better::less});
+    columns.push_back(
+        {c.id_of("max"), c.name + " found", unit, "Largest value that was found on the curve", Better::less});
   }
   std::ranges::move(measure_columns(curves.measures), std::back_inserter(columns));
   return columns;

@@ -125,20 +125,22 @@ std::optional<report::PageMarks> marks_of(const Source& source, const Keyframes&
 }
 
 std::vector<std::string> notes_of(const Smoothing& smoothing) {
-  std::vector<std::string> notes{
-      formatted("As read: the curve of {} through all samples. Errors are those at the samples.", default_method)};
+  std::vector<std::string> notes{formatted(
+      "'as read' is the curve of {} through all samples. Errors are measured at the samples.", default_method)};
   if (const std::size_t rejected = smoothing.rejected.size(); rejected > 0)
     notes.push_back(formatted("{} as outliers and marked with a cross{}; the line of errors leaves them out.",
                               counted(rejected, "sample") + (rejected == 1 ? " is rejected" : " are rejected"),
                               rejected > samples_of_few ? formatted(", {} of them", samples_of_few) : ""));
   if (const std::size_t kept = smoothing.retained_outlier_runs.size(); kept > 0)
-    notes.push_back(formatted("{} far from what the others predict, but so are those beside: kept as motion.",
-                              counted(kept, "sample") + (kept == 1 ? " is" : " are")));
+    notes.push_back(
+        formatted("{} far from what the others predict, and so are the samples beside: they are kept as motion.",
+                  counted(kept, "sample") + (kept == 1 ? " is" : " are")));
   if (smoothing.stretches.size() > 1)
-    notes.push_back(formatted("{} stretches between gaps: in a gap there is no curve, nothing is measured in it.",
+    notes.push_back(formatted("The gaps leave {} stretches. In a gap there is no curve, and nothing is measured.",
                               smoothing.stretches.size()));
   if (const std::size_t few = smoothing.samples_in_short_stretches.size(); few > 0)
-    notes.push_back(formatted("{} left out: too few between two gaps.", counted(few, "sample")));
+    notes.push_back(formatted("{} left out, because too few lie between two gaps.",
+                              counted(few, "sample") + (few == 1 ? " is" : " are")));
   return notes;
 }
 

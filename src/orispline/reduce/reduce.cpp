@@ -36,7 +36,9 @@ Expected<LocalMethod> local_method(const Method& given, const Track& recording) 
   if (options.loop) return refused("loops are not reduced, wanted an open curve");
   const std::size_t keys = std::max(
       {static_cast<std::size_t>(info.min_keys), keys_needed(options.start.rule), keys_needed(options.end.rule)});
-  if (keys > 2) return refused(formatted("with these ends it needs {} keys, wanted ends that 2 suffice for", keys));
+  if (keys > 2)
+    return refused(
+        formatted("with these ends it needs {} keys, wanted an end rule that needs 2, such as natural", keys));
   if (auto settled = settle(info, options, recording.keys.size()); !settled)
     return tl::unexpected(std::move(settled.error()));
   return LocalMethod{completed(given, info, recording), static_cast<std::size_t>(info.support_keys + 1) / 2};
@@ -60,8 +62,7 @@ Expected<void> check(const Keyframes& recording, const Tolerance& tolerance) {
     return bad_option("position_tolerance", formatted("found {:.6g} m, wanted {:.1e} m at least: the rounding of these "
                                                       "positions is not much smaller",
                                                       tolerance.position, smallest));
-  if (recording.size() < 2)
-    return failure(ErrorCode::bad_data, "found 1 sample, wanted 2 at least to keep the fewest that suffice");
+  if (recording.size() < 2) return failure(ErrorCode::bad_data, "found 1 sample, wanted at least 2");
   return {};
 }
 
@@ -150,6 +151,22 @@ Expected<DistanceStatistics> distance_of(const Reduction& reduction, const Keyfr
   }
   return make_curve(reduction.method, reduction.track.keys).map([&](const AnyCurve& curve) {
     DistanceStatistics distance = distance_to_reference(curve, {times, orientations});
+    if (distance.count > 0) distance.largest_at = kept[distance.largest_at];
+    return distance;
+  });
+}
+
+Expected<DistanceStatistics> position_distance_of(const Reduction& reduction, const Keyframes& samples,
+                                                  std::span<const std::size_t> left_out) {
+  return make_pose_curve(reduction.method, reduction.track.keys).map([&](const PoseCurve& curve) {
+    std::vector<std::size_t> kept;
+    std::vector<double> distances;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      if (std::ranges::binary_search(left_out, i)) continue;
+      kept.push_back(i);
+      distances.push_back((curve.position->linear_motion(samples.times()[i]).position - samples.positions()[i]).norm());
+    }
+    DistanceStatistics distance = distance_statistics(std::move(distances));
     if (distance.count > 0) distance.largest_at = kept[distance.largest_at];
     return distance;
   });

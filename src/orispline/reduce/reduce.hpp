@@ -62,6 +62,10 @@ inline constexpr std::array<std::string_view, 3> reducing_methods{"auto", "timed
                                                                         const Keyframes& samples,
                                                                         std::span<const std::size_t> left_out = {});
 
+/// The same of positions [m]. Precondition: the keys and the samples have some.
+[[nodiscard]] ORISPLINE_EXPORT Expected<DistanceStatistics> position_distance_of(
+    const Reduction& reduction, const Keyframes& samples, std::span<const std::size_t> left_out = {});
+
 /// The index of the one with the fewest keys, of equals the first.
 [[nodiscard]] ORISPLINE_EXPORT std::size_t smallest(std::span<const Reduction> reductions);
 

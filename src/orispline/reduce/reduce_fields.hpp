@@ -8,8 +8,8 @@ namespace orispline::inline ORISPLINE_ABI {
 
 template <>
 inline constexpr std::array words<KeyValues>{
-    word("sampled", KeyValues::sampled, "The keys are samples"),
-    word("refit", KeyValues::refitted, "Keys are moved where that saves some")};
+    word("sampled", KeyValues::sampled, "Every key is a sample"),
+    word("refit", KeyValues::refitted, "Keys are moved off the samples where that saves keys")};
 
 template <>
 ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<ReduceOptions>() noexcept;

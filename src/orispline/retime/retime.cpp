@@ -118,6 +118,12 @@ Expected<Slowed> least_slowed(const LimitedMotion& motion, int support_keys, Slo
 /// At its own times, of which nothing is asked.
 Slowed as_given(const LimitedMotion& motion) { return {motion.given_times(), 1.0, 0.0, Slowing::uniform, {}}; }
 
+/// To the six digits that are shown: shown rounded down it would not do.
+double as_shown_or_more(double seconds) {
+  const double last_digit = std::pow(10.0, std::floor(std::log10(seconds)) - 5.0);
+  return std::ceil(seconds / last_digit) * last_digit;
+}
+
 /// Exactly that long, all intervals but rests scaled alike. Error (bad_argument): the rests alone are longer; a limit
 /// is exceeded then.
 Expected<Slowed> lasting(const LimitedMotion& motion, double duration) {
@@ -140,40 +146,18 @@ Expected<Slowed> lasting(const LimitedMotion& motion, double duration) {
     if (more > 1.0)
       return bad_option("duration",
                         formatted("in {:.6g} s the motion exceeds its limits, wanted some {:.6g} s at least", duration,
-                                  rested + more * (duration - rested)));
+                                  as_shown_or_more(rested + more * (duration - rested))));
     return Slowed{std::move(times), duration / before, 0.0, Slowing::uniform, std::move(peaks)};
   });
 }
 
 Warning loose_bounds(std::string_view method, double slack) {
   return {.code = "loose_bounds",
-          .message = formatted("{}: the largest values that were found lie below the limits, and {:.2g} less slowing "
-                               "might do; keys that are very close together in time make that happen",
-                               method, slack),
+          .message = formatted(
+              "{}: the motion may be slower than the limits ask for, by a share of up to {:.2g}; keys that are "
+              "very close in time make that happen, so join them into one",
+              method, slack),
           .numbers = {{"slack", slack}}};
-}
-
-/// Turning so far during a rest is motion [rad].
-constexpr double moving_angle = 10.0 * rest_angle;
-
-std::optional<Warning> moving_rests(const Method& method, const Keyframes& keys,
-                                    const std::vector<std::size_t>& rests) {
-  if (rests.empty()) return std::nullopt;
-  const auto curve = make_curve(method, keys);
-  const auto moves = [&](std::size_t s) {
-    if (!curve) return false;
-    const KnotSpan span = curve->knots().span(s);
-    return std::ranges::any_of(std::array{0.2, 0.4, 0.6, 0.8}, [&](double u) {
-      return curve->motion_on(s, span.start() + u * span.step()).angular_velocity.norm() * span.step() > moving_angle;
-    });
-  };
-  const auto moving = std::ranges::count_if(rests, moves);
-  if (moving == 0) return std::nullopt;
-  return Warning{.code = "moving_rests",
-                 .message = formatted("{} moves in {} between equal keys; auto with hold=1 stays still there",
-                                      method.name, counted(static_cast<std::size_t>(moving), "rest")),
-                 .where = {.key = *std::ranges::find_if(rests, moves)},
-                 .numbers = {{"rests", static_cast<double>(moving)}}};
 }
 
 Warning longer_rests(std::string_view method) {
@@ -189,7 +173,6 @@ std::vector<Warning> warnings_of(const Retiming& retiming, const MotionLimits& l
   const Method& method = retiming.method;
   std::vector<Warning> warnings = limits.inertia ? orispline::warnings_of(*limits.inertia) : std::vector<Warning>();
   if (retiming.slack > promised_slack) warnings.push_back(loose_bounds(method.name, retiming.slack));
-  if (const auto moving = moving_rests(method, track.keys, retiming.rests)) warnings.push_back(track.located(*moving));
   std::ranges::move(orispline::warnings_of(method, track), std::back_inserter(warnings));
   return warnings;
 }
@@ -220,9 +203,11 @@ Expected<void> check(const RetimeOptions& options) {
                    "found no limit, wanted `max_rate`, `max_acceleration`, `max_jerk`, `max_torque`, `max_speed`, "
                    "`max_linear_acceleration` or `duration`");
   if (options.duration && options.slowing == Slowing::per_interval)
-    return bad_option("duration", "all intervals are scaled alike for it, wanted no slowing of each by itself");
-  if (limits.torque && !limits.inertia) return bad_option("max_torque", "wanted `inertia` as well");
-  if (limits.inertia && !limits.torque) return bad_option("inertia", "wanted `max_torque` as well");
+    return bad_option("duration", "it scales all intervals alike, wanted uniform slowing");
+  if (limits.torque && !limits.inertia)
+    return bad_option("max_torque", "the torque depends on the body, wanted `inertia` as well");
+  if (limits.inertia && !limits.torque)
+    return bad_option("inertia", "it is used for the torque alone, wanted `max_torque` as well");
   if (!limits.inertia) return {};
   return checked_inertia(*limits.inertia).map([](const auto&) {});
 }

@@ -48,9 +48,9 @@ std::span<const FieldInfo> fields_of<RetimeOptions>() noexcept {
                                  "90deg/s, or 90,60,120deg/s about x, y and z of the body"),
       limit<&MotionLimits::acceleration>("max_acceleration", "Largest angular acceleration", quantities::acceleration,
                                          "200deg/s2, or three about the axes"),
-      limit<&MotionLimits::jerk>("max_jerk", "Largest angular jerk, the derivative of that", quantities::jerk,
-                                 "2000deg/s3, or three"),
-      limit<&MotionLimits::torque>("max_torque", "Largest torque, of a body with the given inertia", quantities::torque,
+      limit<&MotionLimits::jerk>("max_jerk", "Largest angular jerk, the derivative of the angular acceleration",
+                                 quantities::jerk, "2000deg/s3, or three"),
+      limit<&MotionLimits::torque>("max_torque", "Largest torque on a body of the given inertia", quantities::torque,
                                    "0.5Nm, or three"),
       field<&RetimeOptions::limits, &MotionLimits::inertia>(
           {.name = "inertia", .sentence = "Inertia of the body, for the torque", .quantity = &quantities::inertia}),
@@ -58,13 +58,14 @@ std::span<const FieldInfo> fields_of<RetimeOptions>() noexcept {
                                   "0.5m/s, or three along the axes of the world"),
       limit<&MotionLimits::linear_acceleration>("max_linear_acceleration", "Largest acceleration of the position",
                                                 quantities::linear_acceleration, "2m/s2, or three"),
-      field<&RetimeOptions::duration>({.name = "duration",
-                                       .sentence = "Duration from the first key to the last, which is met exactly",
-                                       .quantity = &quantities::duration,
-                                       .range = positive}),
+      field<&RetimeOptions::duration>(
+          {.name = "duration",
+           .sentence = "Scale the motion to exactly this duration, from the first key to the last",
+           .quantity = &quantities::duration,
+           .range = positive}),
       field<&RetimeOptions::slowing>({.name = "slowing", .sentence = "Which intervals between keys are slowed"}),
       field<&RetimeOptions::shorten_rests>({.name = "shorten_rests",
-                                            .sentence = "Rests between equal keys that are longer are cut to this",
+                                            .sentence = "Cut rests between equal keys that are longer to this duration",
                                             .quantity = &quantities::duration,
                                             .range = positive,
                                             .absent = "rests keep their duration"}),
@@ -76,15 +77,18 @@ template <>
 std::span<const FieldInfo> fields_of<Retiming>() noexcept {
   static constexpr std::array fields{
       field<&Retiming::slowing>(
-          {.name = "slowing", .sentence = "How they were slowed; uniformly where that is the shorter motion"}),
+          {.name = "slowing",
+           .sentence = "How the intervals were slowed: uniformly too, where that makes the shorter motion"}),
       field<&Retiming::track, &Track::keys, &Keyframes::size>({.name = "keys", .sentence = "Number of keys"}),
-      field<&Retiming::track, &duration_of>(
-          {.name = "duration_after", .sentence = "From the first key to the last", .quantity = &quantities::time}),
-      field<&Retiming::time_scale>({.name = "time_scale", .sentence = "That duration over the one before"}),
+      field<&Retiming::track, &duration_of>({.name = "duration_after",
+                                             .sentence = "Duration from the first key to the last",
+                                             .quantity = &quantities::time}),
+      field<&Retiming::time_scale>({.name = "time_scale", .sentence = "The new duration divided by the one before"}),
       field<&number_of_rests>({.name = "rests", .sentence = "Number of rests between equal keys"}),
       field<&Retiming::slack>(
           {.name = "slack",
-           .sentence = "By which share less slowing might do, for the largest values found lie below the limits"}),
+           .sentence =
+               "Share by which less slowing might be enough, since the largest values found lie below the limits"}),
   };
   return fields;
 }

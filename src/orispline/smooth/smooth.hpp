@@ -26,7 +26,8 @@ struct SmoothOptions {
   Loss loss = Loss::robust;
   std::optional<double> gap{};  ///< intervals longer than this [s] end a stretch, and the next one begins
   bool gyro = false;            ///< the angular velocities of the recording are those of a gyro with a constant bias
-  std::optional<double> gyro_noise{};  ///< σ per axis [rad/s], 1e-9 to 1e3
+  std::optional<double> gyro_noise{};      ///< σ per axis [rad/s], 1e-9 to 1e3
+  std::optional<double> position_noise{};  ///< σ of the positions per axis [m], 1e-12 to 1e12
 };
 
 /// Errors (bad_argument): numbers that are out of their range whatever the recording is, and options that contradict
@@ -37,14 +38,15 @@ struct SmoothOptions {
 inline constexpr std::size_t most_times_for_choice = 10000;
 
 /// A noisy recording as a smooth motion: orientations with body rates ω and α at its times, of which `hermite-c2` makes
-/// a C2 curve.
+/// a C2 curve; and positions, where it has some, by the smoothing spline of the same penalty.
 ///
 /// The weight of the penalty follows from `smoothing_time`; else it is chosen: by GCV where nothing is known, by UBRE
-/// where the noise is stated, by REML with a gyro. Errors: bad_data for too few samples (fewer than three in every
+/// where the noise is stated, by REML with a gyro. That of the positions likewise, for themselves; `position_noise`
+/// stands before `smoothing_time`. Errors: bad_data for too few samples (fewer than three in every
 /// stretch, four for the jerk; so few beside the outliers), where no smooth motion is near to them or more than half of
-/// them count as outliers, for a gyro without angular velocities and for one that contradicts the orientations; those
-/// of check(); bad_argument for a smoothing time that does not suit the recording and for a gap not longer than the
-/// median interval; not_converged; cancelled.
+/// them count as outliers, for a gyro without angular velocities and for one that contradicts the orientations, for a
+/// noise of positions without any; those of check(); bad_argument for a smoothing time that does not suit the recording
+/// and for a gap not longer than the median interval; not_converged; cancelled.
 [[nodiscard]] ORISPLINE_EXPORT Expected<Smoothing> smooth(const Track& recording, const SmoothOptions& options = {},
                                                           const Progress& progress = {});
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/smooth/smooth_fields.hpp>
 
+#include <algorithm>
 #include <array>
 
 #include <orispline/fields/field_codec.hpp>
@@ -12,6 +13,23 @@ namespace {
 /// Nothing without a gyro.
 std::optional<Eigen::Vector3d> gyro_correction(const Smoothing& smoothing) {
   return smoothing.gyro_noise ? std::optional(smoothing.nodes.gyro_correction) : std::nullopt;
+}
+
+/// Of the positions; nothing without any.
+template <auto Member>
+std::optional<std::remove_cvref_t<decltype(PositionSmoothing{}.*Member)>> of_positions(const Smoothing& smoothing) {
+  return smoothing.positions ? std::optional((*smoothing.positions).*Member) : std::nullopt;
+}
+template <auto Member>
+std::remove_cvref_t<decltype(PositionSmoothing{}.*Member)> optional_of_positions(const Smoothing& smoothing) {
+  return smoothing.positions ? (*smoothing.positions).*Member : std::nullopt;
+}
+std::optional<double> position_cutoff(const Smoothing& smoothing) {
+  return smoothing.positions ? smoothing.positions->cutoff() : std::nullopt;
+}
+template <auto Distances, auto Member>
+std::optional<double> position_distance(const Smoothing& smoothing) {
+  return smoothing.positions ? std::optional((*smoothing.positions).*Distances.*Member) : std::nullopt;
 }
 
 double rms_distance(const Smoothing& smoothing) { return smoothing.distances.rms; }
@@ -34,92 +52,159 @@ struct FieldCodec<std::vector<Stretch>> {
 template <>
 std::span<const FieldInfo> fields_of<SmoothOptions>() noexcept {
   static constexpr std::array fields{
-      field<&SmoothOptions::penalty>({.name = "penalty", .sentence = "What is kept small, squared and integrated"}),
+      field<&SmoothOptions::penalty>({.name = "penalty", .sentence = "Rate whose squared integral is kept small"}),
       field<&SmoothOptions::noise>({.name = "noise",
-                                    .sentence = "Standard deviation of the orientations per axis",
+                                    .sentence = "Standard deviation of the noise of the orientations, per axis",
                                     .quantity = &quantities::angle,
                                     .range = {least_noise, largest_noise}}),
       field<&SmoothOptions::smoothing_time>({.name = "smoothing_time",
-                                             .sentence = "Smoothing time tau",
+                                             .sentence = "Smoothing time tau; a longer one smooths more",
                                              .quantity = &quantities::time,
                                              .range = positive,
-                                             .absent = "chosen"}),
+                                             .absent = "chosen from the recording"}),
       field<&SmoothOptions::loss>(
           {.name = "loss",
-           .sentence = "How much badly fitting samples count: robust rejects outliers, l2 trusts every sample"}),
+           .sentence = "How much samples far from the curve count: robust rejects outliers, l2 trusts every sample"}),
       field<&SmoothOptions::gyro>(
-          {.name = "gyro",
-           .sentence =
-               "The angular velocities wx, wy, wz are those of a gyro, with a constant bias that is estimated"}),
+          {.name = "gyro", .sentence = "Use wx, wy, wz as the rates of a gyro, whose constant bias is estimated"}),
       field<&SmoothOptions::gyro_noise>({.name = "gyro_noise",
-                                         .sentence = "Standard deviation of the gyro's rates per axis",
+                                         .sentence = "Standard deviation of the noise of the gyro's rates, per axis",
                                          .quantity = &quantities::rate,
                                          .range = {1e-9, 1e3},
                                          .example = "0.1deg/s",
                                          .absent = "estimated"}),
+      field<&SmoothOptions::position_noise>({.name = "position_noise",
+                                             .sentence = "Standard deviation of the noise of the positions, per axis",
+                                             .quantity = &quantities::length,
+                                             .range = {1e-12, 1e12},
+                                             .example = "2cm",
+                                             .absent = "estimated"}),
       field<&SmoothOptions::gap>({.name = "gap",
-                                  .sentence = "Nothing is smoothed over longer intervals",
+                                  .sentence = "Smooth nothing across intervals longer than this",
                                   .quantity = &quantities::time,
                                   .range = positive,
-                                  .absent = "bridged"}),
+                                  .absent = "all are bridged"}),
   };
   return fields;
 }
 
+namespace {
+
+constexpr std::array of_orientations{
+    field<&Smoothing::smoothing_time>(
+        {.name = "smoothing_time", .sentence = "Smoothing time τ", .quantity = &quantities::time}),
+    field<&Smoothing::cutoff>(
+        {.name = "cutoff", .sentence = "Cut-off frequency 1/(2πτ)", .quantity = &quantities::frequency}),
+    field<&Smoothing::lambda>({.name = "lambda", .sentence = "Weight λ of the penalty"}),
+    field<&Smoothing::criterion>({.name = "criterion", .sentence = "How τ was chosen", .absent = "τ was given"}),
+    field<&Smoothing::chosen_on>({.name = "chosen_on", .sentence = "Number of samples from which τ was chosen"}),
+    field<&Smoothing::noise>({.name = "noise",
+                              .sentence = "σ of the noise of the orientations per axis, from the residuals or as given",
+                              .quantity = &quantities::angle}),
+    field<&Smoothing::local_noise>({.name = "local_noise",
+                                    .sentence = "σ of the noise per axis, from the differences between neighbours",
+                                    .quantity = &quantities::angle}),
+    field<&Smoothing::degrees_of_freedom>(
+        {.name = "degrees_of_freedom",
+         .sentence = "Effective number of the curve's parameters, out of three for each key",
+         .absent = "with a gyro"}),
+    field<&Smoothing::gyro_noise>({.name = "gyro_noise",
+                                   .sentence = "σ of the noise of the gyro per axis",
+                                   .quantity = &quantities::rate,
+                                   .absent = "without a gyro"}),
+    field<&gyro_correction>({.name = "gyro_correction",
+                             .sentence = "Correction that is added to the rates of the gyro",
+                             .quantity = &quantities::rate,
+                             .absent = "without a gyro"}),
+    field<&rms_distance>({.name = "rms_distance",
+                          .sentence = "Root mean square of the angles to the samples",
+                          .quantity = &quantities::angle}),
+    field<&largest_distance>(
+        {.name = "largest_distance", .sentence = "The largest angle to a sample", .quantity = &quantities::angle}),
+    field<&accepted_rms_distance>({.name = "accepted_rms_distance",
+                                   .sentence = "Root mean square of the angles to the samples that are not rejected",
+                                   .quantity = &quantities::angle}),
+    field<&accepted_largest_distance>({.name = "accepted_largest_distance",
+                                       .sentence = "The largest angle to a sample that is not rejected",
+                                       .quantity = &quantities::angle}),
+    field<&Smoothing::rejected>({.name = "rejected", .sentence = "Samples that were rejected as outliers"}),
+    field<&Smoothing::rejected_gyro>({.name = "rejected_gyro", .sentence = "Samples whose rates were rejected"}),
+    field<&Smoothing::retained_outlier_runs>(
+        {.name = "retained_outlier_runs",
+         .sentence = "Samples as far away that were kept, since their neighbours are far away too"}),
+    field<&Smoothing::samples_in_short_stretches>(
+        {.name = "samples_in_short_stretches",
+         .sentence = "Samples that were left out, because too few of them lie between two gaps"}),
+    field<&Smoothing::stretches>({.name = "stretches", .sentence = "Stretches of the recording between gaps"}),
+    field<&Smoothing::iterations>({.name = "iterations", .sentence = "Iterations of the last fit"}),
+    field<&Smoothing::last_step>({.name = "last_step",
+                                  .sentence = "Largest component by which an orientation moved in the last iteration",
+                                  .quantity = &quantities::angle}),
+};
+
+constexpr std::array of_their_positions{
+    field<&optional_of_positions<&PositionSmoothing::smoothing_time>>(
+        {.name = "position_smoothing_time",
+         .sentence = "Smoothing time τ of the positions",
+         .quantity = &quantities::time,
+         .absent = "no positions, or none with noise: they are as they were"}),
+    field<&position_cutoff>({.name = "position_cutoff",
+                             .sentence = "Cut-off frequency 1/(2πτ) of the positions",
+                             .quantity = &quantities::frequency,
+                             .absent = "likewise"}),
+    field<&optional_of_positions<&PositionSmoothing::criterion>>(
+        {.name = "position_criterion",
+         .sentence = "How τ of the positions was chosen",
+         .absent = "τ was given, or there was nothing to choose by"}),
+    field<&of_positions<&PositionSmoothing::noise>>(
+        {.name = "position_noise",
+         .sentence = "σ of the noise of the positions per axis, from the residuals",
+         .quantity = &quantities::length,
+         .absent = "no positions"}),
+    field<&of_positions<&PositionSmoothing::local_noise>>(
+        {.name = "position_local_noise",
+         .sentence = "σ of the noise per axis, from the differences between neighbours",
+         .quantity = &quantities::length,
+         .absent = "no positions"}),
+    field<&position_distance<&PositionSmoothing::distances, &SampleDistances::rms>>(
+        {.name = "position_rms_distance",
+         .sentence = "Root mean square of the distances to the samples",
+         .quantity = &quantities::length,
+         .absent = "no positions"}),
+    field<&position_distance<&PositionSmoothing::distances, &SampleDistances::largest>>(
+        {.name = "position_largest_distance",
+         .sentence = "The largest distance to a sample",
+         .quantity = &quantities::length,
+         .absent = "no positions"}),
+    field<&position_distance<&PositionSmoothing::accepted_distances, &SampleDistances::rms>>(
+        {.name = "position_accepted_rms",
+         .sentence = "Root mean square of the distances to the samples whose positions are not rejected",
+         .quantity = &quantities::length,
+         .absent = "no positions"}),
+    field<&position_distance<&PositionSmoothing::accepted_distances, &SampleDistances::largest>>(
+        {.name = "position_accepted_largest",
+         .sentence = "The largest distance to a sample whose position is not rejected",
+         .quantity = &quantities::length,
+         .absent = "no positions"}),
+    field<&of_positions<&PositionSmoothing::rejected>>(
+        {.name = "rejected_positions", .sentence = "Samples whose positions were rejected", .absent = "no positions"}),
+    field<&of_positions<&PositionSmoothing::retained_outlier_runs>>(
+        {.name = "retained_position_runs",
+         .sentence = "Samples whose positions are as far away and were kept, since their neighbours are far away too",
+         .absent = "no positions"}),
+};
+
+constexpr auto smoothing_results = [] {
+  std::array<FieldInfo, of_orientations.size() + of_their_positions.size()> all{};
+  std::ranges::copy(of_their_positions, std::ranges::copy(of_orientations, all.begin()).out);
+  return all;
+}();
+
+}  // namespace
+
 template <>
 std::span<const FieldInfo> fields_of<Smoothing>() noexcept {
-  static constexpr std::array fields{
-      field<&Smoothing::smoothing_time>(
-          {.name = "smoothing_time", .sentence = "Smoothing time τ", .quantity = &quantities::time}),
-      field<&Smoothing::cutoff>(
-          {.name = "cutoff", .sentence = "The frequency 1/(2πτ)", .quantity = &quantities::frequency}),
-      field<&Smoothing::lambda>({.name = "lambda", .sentence = "Weight λ of the penalty"}),
-      field<&Smoothing::criterion>({.name = "criterion", .sentence = "By what τ was chosen", .absent = "τ was stated"}),
-      field<&Smoothing::chosen_on>({.name = "chosen_on", .sentence = "Number of samples that the choice of τ saw"}),
-      field<&Smoothing::noise>({.name = "noise",
-                                .sentence = "σ of the orientations per axis, from the residuals or as stated",
-                                .quantity = &quantities::angle}),
-      field<&Smoothing::local_noise>({.name = "local_noise",
-                                      .sentence = "σ per axis, from how far samples are from their neighbours",
-                                      .quantity = &quantities::angle}),
-      field<&Smoothing::degrees_of_freedom>(
-          {.name = "degrees_of_freedom",
-           .sentence = "Effective degrees of freedom of the curve, of three for each key",
-           .absent = "with a gyro"}),
-      field<&Smoothing::gyro_noise>({.name = "gyro_noise",
-                                     .sentence = "σ of the gyro per axis",
-                                     .quantity = &quantities::rate,
-                                     .absent = "without a gyro"}),
-      field<&gyro_correction>({.name = "gyro_correction",
-                               .sentence = "What is added to the rates of the gyro",
-                               .quantity = &quantities::rate,
-                               .absent = "without a gyro"}),
-      field<&rms_distance>({.name = "rms_distance",
-                            .sentence = "Root mean square of the angles to the samples",
-                            .quantity = &quantities::angle}),
-      field<&largest_distance>(
-          {.name = "largest_distance", .sentence = "The largest angle to a sample", .quantity = &quantities::angle}),
-      field<&accepted_rms_distance>({.name = "accepted_rms_distance",
-                                     .sentence = "Root mean square of the angles to the samples that are not rejected",
-                                     .quantity = &quantities::angle}),
-      field<&accepted_largest_distance>({.name = "accepted_largest_distance",
-                                         .sentence = "The largest angle to a sample that is not rejected",
-                                         .quantity = &quantities::angle}),
-      field<&Smoothing::rejected>({.name = "rejected", .sentence = "The samples that do not count"}),
-      field<&Smoothing::rejected_gyro>({.name = "rejected_gyro", .sentence = "The samples whose rates do not count"}),
-      field<&Smoothing::retained_outlier_runs>(
-          {.name = "retained_outlier_runs",
-           .sentence = "Samples as far away that stay, for their neighbours are far away too"}),
-      field<&Smoothing::samples_in_short_stretches>(
-          {.name = "samples_in_short_stretches", .sentence = "Samples between gaps that are too few"}),
-      field<&Smoothing::stretches>({.name = "stretches", .sentence = "What lies between gaps"}),
-      field<&Smoothing::iterations>({.name = "iterations", .sentence = "Iterations of the last fit"}),
-      field<&Smoothing::last_step>(
-          {.name = "last_step",
-           .sentence = "The largest component by which an orientation moved in the last of them",
-           .quantity = &quantities::angle}),
-  };
-  return fields;
+  return smoothing_results;
 }
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -10,16 +10,16 @@ template <>
 inline constexpr std::array words<Penalty>{word("acceleration", Penalty::acceleration, "∫|α|² dt"),
                                            word("jerk", Penalty::jerk, "∫|dα/dt|² dt")};
 template <>
-inline constexpr std::array words<Loss>{
-    word("robust", Loss::robust,
-         "every sample counts, but one or two farther than 5 σ from what those beside them predict are left out"),
-    word("l2", Loss::l2, "squares: every sample counts in full"),
-    word("huber", Loss::huber, "Huber's loss: far samples count less"),
-    word("tukey", Loss::tukey, "Tukey's loss: very far samples do not count")};
+inline constexpr std::array words<Loss>{word("robust", Loss::robust,
+                                             "every sample counts, except that one or two are left out that lie "
+                                             "farther than 5 σ from what those beside them predict"),
+                                        word("l2", Loss::l2, "squares: every sample counts in full"),
+                                        word("huber", Loss::huber, "Huber's loss: far samples count less"),
+                                        word("tukey", Loss::tukey, "Tukey's loss: very far samples do not count")};
 template <>
 inline constexpr std::array words<SmoothingCriterion>{
     word("gcv", SmoothingCriterion::gcv, "generalised cross-validation"),
-    word("ubre", SmoothingCriterion::ubre, "the stated noise (UBRE)"),
+    word("ubre", SmoothingCriterion::ubre, "unbiased risk estimate from the given noise (UBRE)"),
     word("reml", SmoothingCriterion::reml, "restricted likelihood (REML)")};
 
 template <>

@@ -25,11 +25,12 @@ enum class LossFunction {
   tukey,  ///< c²/3 (1 - (1 - s/c²)³) up to c², constant beyond
 };
 
-/// A noisy recording of an orientation, and of the body rate where there is a gyro.
+/// A noisy recording of an orientation, and of the body rate where there is a gyro; or one of a position.
 struct SmoothingProblem {
   std::vector<double> times{};                     ///< [s], strictly increasing, at least two
   std::vector<Eigen::Quaterniond> orientations{};  ///< unit, of any sign, body to world
-  std::vector<double> weights{};                   ///< 1/σ² [1/rad²], σ per axis; 0 where there is no orientation
+  std::vector<Eigen::Vector3d> positions{};        ///< in their place, and without a gyro; of any unit
+  std::vector<double> weights{};                   ///< 1/σ² [1/rad²], σ per axis; 0 where there is no sample
   std::vector<Eigen::Vector3d> gyro{};             ///< [rad/s], body frame; empty without a gyro
   std::vector<double> gyro_weights{};              ///< 1/σ² [s²/rad²] per axis; 0 where there is no rate
 
@@ -51,27 +52,28 @@ struct SmoothingObjective {
 
 /// When the iteration ends; also where the cost stays and steps do not get shorter: that is rounding.
 struct SmoothingIteration {
-  double tolerance = 1e-9;  ///< largest turn of a node in the last step [rad]
+  double tolerance = 1e-9;  ///< largest turn of a node in the last step [rad], or move of it
   int most = 60;            ///< steps
 };
 
-/// The unknowns: orientations and body rates at the times of the recording.
+/// The unknowns: orientations and body rates, or positions, at the times of the recording.
 struct SmoothedNodes {
   std::vector<Eigen::Quaterniond> orientations{};
-  std::vector<Eigen::Vector3d> angular_velocities{};          ///< [rad/s]
-  std::vector<Eigen::Vector3d> angular_accelerations{};       ///< [rad/s²]
+  std::vector<Eigen::Vector3d> angular_velocities{};     ///< [rad/s]
+  std::vector<Eigen::Vector3d> angular_accelerations{};  ///< [rad/s²]
+  std::vector<Eigen::Vector3d> positions{};
   Eigen::Vector3d gyro_correction = Eigen::Vector3d::Zero();  ///< b [rad/s]: the gyro, b added, has no bias
 };
 
 /// The minimum and what is known about it.
 struct SmoothingFit {
   SmoothedNodes nodes{};
-  std::vector<Eigen::Vector3d> residuals{};      ///< log(q⁻¹ Q) to the recording [rad], body frame of the node
-  std::vector<double> loss_weights{};            ///< ρ' of every residual: what is left of its weight
+  std::vector<Eigen::Vector3d> residuals{};  ///< log(q⁻¹ Q) to the recording [rad], body frame of the node; P - p
+  std::vector<double> loss_weights{};        ///< ρ' of every residual: what is left of its weight
   double data = 0.0, penalty = 0.0, gyro = 0.0;  ///< terms of the cost, the penalty without λ
   double cost = 0.0;                             ///< data + λ penalty + gyro
   int iterations = 0;
-  double last_step = 0.0;  ///< largest turn of a node in the last step [rad]
+  double last_step = 0.0;  ///< largest turn of a node in the last step [rad], or move of it
 };
 
 /// Minimises Σ ρ(w |r|²) + λ ∫|ω^(p-1)|² dt + Σ w_g |ω - g - b|² over orientations, rates and bias at the times of the
@@ -81,6 +83,9 @@ struct SmoothingFit {
 /// step halving; each step by block QR from node to node, which squares no condition number. The penalty is that of
 /// the Hermite polynomial in the chart at the middle of each segment. Invariant under rotations of the world and of
 /// the body and under reversal of time. docs/smooth.md has the formulas, our own derivation.
+///
+/// Positions p are linear: the cubic smoothing spline, for the jerk the quintic one, in one step; with a loss the
+/// weights are iterated.
 ///
 /// `start`: the fit of a similar problem at the same times. Precondition: as many weights as times, at least p of them
 /// positive, and likewise for the gyro where there is one.

@@ -39,6 +39,8 @@ Expected<void> check_recording(const Keyframes& recording, const SmoothOptions& 
   }
   if (options.gyro && recording.angular_velocities().empty())
     return failure(ErrorCode::bad_data, "found no angular velocities of the body, wanted wx,wy,wz of the gyro");
+  if (options.position_noise && recording.positions().empty())
+    return failure(ErrorCode::bad_data, "found no positions, wanted px,py,pz for `position_noise`");
   return {};
 }
 

@@ -210,6 +210,7 @@ StretchProblems representative_parts(const StretchProblems& stretches, std::size
       const std::size_t first = count == 1 ? (stretch.size() - size) / 2 : k * (stretch.size() - size) / (count - 1);
       parts.push_back({.times = part_of(stretch.times, first, size),
                        .orientations = part_of(stretch.orientations, first, size),
+                       .positions = part_of(stretch.positions, first, size),
                        .weights = part_of(stretch.weights, first, size),
                        .gyro = part_of(stretch.gyro, first, size),
                        .gyro_weights = part_of(stretch.gyro_weights, first, size)});

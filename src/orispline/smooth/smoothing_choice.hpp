@@ -17,7 +17,7 @@ enum class SmoothingCriterion {
 };
 
 /// λ of a smoothing time τ [s]: the smoother's gain at the frequency f is 1/(1 + (2π f τ)^2p), one half at 1/(2π τ).
-/// `noise`: σ per axis [rad]; `interval`: between samples [s].
+/// `noise`: σ per axis, in the unit of the samples; `interval`: between samples [s].
 [[nodiscard]] ORISPLINE_EXPORT double lambda_of(double smoothing_time, Penalty penalty, double noise, double interval);
 [[nodiscard]] ORISPLINE_EXPORT double smoothing_time_of(double lambda, Penalty penalty, double noise, double interval);
 
@@ -37,7 +37,7 @@ struct ORISPLINE_EXPORT StretchFits {
                                                          const SmoothingIteration& iteration = {},
                                                          const StretchFits& start = {});
 
-/// Whether the last steps turned no node by more than the noise [rad].
+/// Whether the last steps moved no node by more than the noise.
 [[nodiscard]] ORISPLINE_EXPORT bool converged(const StretchFits& fits, double noise);
 
 /// Times with an orientation that counts.

@@ -4,20 +4,24 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Eigenvalues>
+
 #include <orispline/smooth/smoothing_element.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
+constexpr double medians_that_count = 3.0, lopsided = 4.0;  // lengths, variances
+
 /// `deviation(i, a)`: how far value i is from the share a of the way between its neighbours. Values that lie there to
 /// rounding, as while a recording rests or repeats itself, tell nothing of the noise.
 template <class Deviation>
-double noise_from(std::span<const double> times, Deviation deviation) {
+double noise_from(std::span<const double> times, double least, Deviation deviation) {
   std::vector<double> scaled;
   for (std::size_t i = 1; i + 1 < times.size(); ++i) {
     const double a = (times[i] - times[i - 1]) / (times[i + 1] - times[i - 1]);
     const double distance = deviation(i, a);
-    if (distance > least_noise) scaled.push_back(distance / std::sqrt(1.0 + a * a + (1.0 - a) * (1.0 - a)));
+    if (distance > least) scaled.push_back(distance / std::sqrt(1.0 + a * a + (1.0 - a) * (1.0 - a)));
   }
   return median_of(std::move(scaled)) / median_length;
 }
@@ -32,16 +36,32 @@ double median_of(std::vector<double> values) {
   return 0.5 * (*middle + *std::max_element(values.begin(), middle));
 }
 
+double lopsided_deviation(std::span<const Eigen::Vector3d> vectors) {
+  std::vector<double> lengths;
+  for (const Eigen::Vector3d& v : vectors) lengths.push_back(v.norm());
+  const double bound = medians_that_count * median_of(std::move(lengths));
+  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+  double count = 0.0;
+  for (const Eigen::Vector3d& v : vectors) {
+    if (!(v.norm() <= bound)) continue;
+    moments += v * v.transpose();
+    count += 1.0;
+  }
+  if (count == 0.0) return 0.0;
+  const Eigen::Vector3d variances = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moments / count).eigenvalues();
+  return variances[2] > lopsided * std::max(0.0, variances[0]) ? std::sqrt(variances[2]) : 0.0;
+}
+
 double local_noise(std::span<const double> times, std::span<const Eigen::Quaterniond> orientations) {
-  return noise_from(times, [orientations](std::size_t i, double a) {
+  return noise_from(times, least_noise, [orientations](std::size_t i, double a) {
     const Eigen::Vector3d before = shortest_increment(orientations[i - 1], orientations[i]),
                           after = shortest_increment(orientations[i], orientations[i + 1]);
     return ((1.0 - a) * before - a * after).norm();
   });
 }
 
-double local_noise(std::span<const double> times, std::span<const Eigen::Vector3d> vectors) {
-  return noise_from(times, [vectors](std::size_t i, double a) {
+double local_noise(std::span<const double> times, std::span<const Eigen::Vector3d> vectors, double least) {
+  return noise_from(times, least, [vectors](std::size_t i, double a) {
     return (vectors[i] - (1.0 - a) * vectors[i - 1] - a * vectors[i + 1]).norm();
   });
 }

@@ -17,6 +17,12 @@ constexpr double prominence = 5.0;         // of an outlier over neighbours that
 constexpr std::size_t neighbours = 2;      // on either side
 constexpr int levels = 4;                  // of prominence over each other
 
+/// From the node to its sample.
+double distance_at(const SmoothingProblem& problem, const SmoothedNodes& nodes, std::size_t i) {
+  if (!problem.positions.empty()) return (problem.positions[i] - nodes.positions[i]).norm();
+  return shortest_increment(nodes.orientations[i], problem.orientations[i]).norm();
+}
+
 std::vector<double> errors_of(const SmoothingProblem& problem, const SmoothingFit& fit,
                               const SmoothingObjective& objective, double noise) {
   std::vector<double> weights = problem.weights, errors;
@@ -28,7 +34,7 @@ std::vector<double> errors_of(const SmoothingProblem& problem, const SmoothingFi
   const auto variances = node_variances(problem.times, weights, objective.penalty, objective.lambda);
   for (std::size_t i = 0; i < weights.size(); ++i) {
     const double left = 1.0 - weights[i] * variances[i];  // 1 - h
-    const double distance = shortest_increment(fit.nodes.orientations[i], problem.orientations[i]).norm();
+    const double distance = distance_at(problem, fit.nodes, i);
     const double spread = noise * std::sqrt(1.0 + full * variances[i] / left);
     errors.push_back(left > least_share_left ? distance / left / spread : 0.0);
   }

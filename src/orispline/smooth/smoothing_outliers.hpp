@@ -10,7 +10,7 @@ namespace orispline::inline ORISPLINE_ABI {
 ///
 /// Leaving one out of a linear smoother needs no other fit: with its value of the variance c and the sample's weight w
 /// the others predict Q - r/(1 - h), h = w c, with the variance c/(1 - h) (Craven and Wahba 1979). `noise`: σ per axis
-/// [rad] of samples, which the weights may state too small. A sample that nothing can be said about has 0.
+/// of samples, in their unit, which the weights may state too small. A sample that nothing can be said about has 0.
 [[nodiscard]] std::vector<std::vector<double>> prediction_errors(const StretchProblems& problems,
                                                                  const StretchFits& fits,
                                                                  const SmoothingObjective& objective, double noise);

@@ -16,6 +16,8 @@ constexpr std::size_t motion_run = 3;  // of rejected samples; the loss tukey ma
 constexpr double many = 0.01;          // as a share of the samples
 constexpr double wanted_step = 1e-6;   // [rad] of the last step of the iteration
 
+double cutoff_of(double smoothing_time) { return 1.0 / (2.0 * std::numbers::pi * smoothing_time); }
+
 /// The longest run of rejected samples in one stretch, of equals the first; none of length 0.
 SampleRun longest_rejected_run(const Smoothing& smoothing) {
   SampleRun longest{};
@@ -30,6 +32,25 @@ SampleRun longest_rejected_run(const Smoothing& smoothing) {
   return longest;
 }
 
+using SampleIndices = std::vector<std::size_t>;
+
+/// `distance(key, sample)` over all keys but those of the rising samples that are left out.
+template <class Distance>
+SampleDistances distances_by(const SampleIndices& keys, const SampleIndices& left_out, Distance distance) {
+  SampleDistances distances;
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t key = 0; key < keys.size(); ++key) {
+    if (std::ranges::binary_search(left_out, keys[key])) continue;
+    const double length = distance(key, keys[key]);
+    sum += length * length;
+    distances.largest = std::max(distances.largest, length);
+    ++count;
+  }
+  if (count > 0) distances.rms = std::sqrt(sum / static_cast<double>(count));
+  return distances;
+}
+
 Warning rejected_run(const SampleRun& run) {
   return {.code = "rejected_run",
           .message = formatted("{} samples in a row do not count, which is rather motion than outliers: wanted `loss` "
@@ -39,19 +60,27 @@ Warning rejected_run(const SampleRun& run) {
           .numbers = {{"samples", static_cast<double>(run.second)}}};
 }
 
-Warning many_rejected(std::size_t rejected, std::size_t all) {
+/// `what`: samples or positions.
+Warning many_rejected(std::string_view code, std::string_view what, std::size_t rejected, std::size_t all) {
   const double share = 100.0 * static_cast<double>(rejected) / static_cast<double>(all);
-  return {.code = "many_rejected",
-          .message =
-              formatted("{} of {} samples ({:.2g} %) are rejected as outliers; if they are motion, set `loss` to l2, "
-                        "which keeps every sample",
-                        rejected, all, share),
+  return {.code = code,
+          .message = formatted("{} of {} {} ({:.2g} %) are rejected as outliers; if they are motion, set `loss` to l2, "
+                               "which keeps every sample",
+                               rejected, all, what, share),
           .numbers = {{"samples", static_cast<double>(rejected)}}};
+}
+
+bool are_many(std::size_t rejected, std::size_t all) {
+  return static_cast<double>(rejected) > many * static_cast<double>(all);
 }
 
 }  // namespace
 
-double Smoothing::cutoff() const noexcept { return 1.0 / (2.0 * std::numbers::pi * smoothing_time); }
+std::optional<double> PositionSmoothing::cutoff() const noexcept {
+  return smoothing_time ? std::optional(cutoff_of(*smoothing_time)) : std::nullopt;
+}
+
+double Smoothing::cutoff() const noexcept { return cutoff_of(smoothing_time); }
 
 bool Smoothing::covers(double t) const {
   const auto times = track.keys.times();
@@ -65,19 +94,17 @@ bool Smoothing::covers(double t) const {
 }
 
 SampleDistances distances_of(const Smoothing& smoothing, const Keyframes& recording, CountedSamples which) {
-  SampleDistances distances;
-  double sum = 0.0;
-  std::size_t count = 0;
-  for (std::size_t k = 0; k < smoothing.keys.size(); ++k) {
-    const std::size_t sample = smoothing.keys[k];
-    if (which == CountedSamples::accepted && std::ranges::binary_search(smoothing.rejected, sample)) continue;
-    const double distance = angular_distance(smoothing.nodes.orientations[k], recording.orientations()[sample]);
-    sum += distance * distance;
-    distances.largest = std::max(distances.largest, distance);
-    ++count;
-  }
-  if (count > 0) distances.rms = std::sqrt(sum / static_cast<double>(count));
-  return distances;
+  return distances_by(smoothing.keys, which == CountedSamples::all ? SampleIndices() : smoothing.rejected,
+                      [&](std::size_t key, std::size_t sample) {
+                        return angular_distance(smoothing.nodes.orientations[key], recording.orientations()[sample]);
+                      });
+}
+
+SampleDistances position_distances_of(const Smoothing& smoothing, const Keyframes& recording, CountedSamples which) {
+  return distances_by(smoothing.keys, which == CountedSamples::all ? SampleIndices() : smoothing.positions->rejected,
+                      [&](std::size_t key, std::size_t sample) {
+                        return (smoothing.nodes.positions[key] - recording.positions()[sample]).norm();
+                      });
 }
 
 std::vector<Warning> warnings_of(const Smoothing& smoothing) {
@@ -92,8 +119,11 @@ std::vector<Warning> warnings_of(const Smoothing& smoothing) {
                                    "state `smoothing_time` to have less"});
   if (const SampleRun run = longest_rejected_run(smoothing); run.second >= motion_run)
     warnings.push_back(rejected_run(run));
-  if (static_cast<double>(smoothing.rejected.size()) > many * static_cast<double>(smoothing.keys.size()))
-    warnings.push_back(many_rejected(smoothing.rejected.size(), smoothing.keys.size()));
+  const std::size_t all = smoothing.keys.size();
+  if (const std::size_t rejected = smoothing.rejected.size(); are_many(rejected, all))
+    warnings.push_back(many_rejected("many_rejected", "samples", rejected, all));
+  if (const auto& positions = smoothing.positions; positions && are_many(positions->rejected.size(), all))
+    warnings.push_back(many_rejected("many_positions_rejected", "positions", positions->rejected.size(), all));
   if (smoothing.last_step > wanted_step)
     warnings.push_back(
         {.code = "unfinished",

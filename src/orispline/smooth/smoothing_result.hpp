@@ -17,14 +17,31 @@ struct Stretch {
 /// The method whose curve through smoothed keys is the smooth motion: C2, through their orientations and rates.
 inline constexpr std::string_view smoothed_method = "hermite-c2";
 
-/// How far the smooth motion is from samples [rad].
+/// How far the smooth motion is from samples [rad], of positions [m].
 struct SampleDistances {
   double rms = 0.0, largest = 0.0;
 };
 
+/// What became of the positions of a recording.
+struct ORISPLINE_EXPORT PositionSmoothing {
+  /// τ [s]; absent where hardly any noise was found beside the motion: what is not rejected is as it was.
+  std::optional<double> smoothing_time{};
+  std::optional<SmoothingCriterion> criterion{};  ///< by which τ was chosen; absent: as stated, or nothing to choose by
+  LambdaChoice::Edge edge = LambdaChoice::Edge::none;
+  std::size_t chosen_on = 0;  ///< times that the choice of τ saw
+  double noise = 0.0;         ///< σ per axis [m], from the residuals
+  double local_noise = 0.0;   ///< from neighbouring samples [m]; 0 where they lie on straight lines to rounding
+  std::vector<std::size_t> rejected{};                ///< samples whose positions do not count
+  std::vector<std::size_t> retained_outlier_runs{};   ///< as far away, with neighbours that are far too: motion
+  SampleDistances distances{}, accepted_distances{};  ///< [m], to all samples, and to those that are not rejected
+
+  /// The frequency at which the smoother's gain is one half [Hz].
+  [[nodiscard]] std::optional<double> cutoff() const noexcept;
+};
+
 /// A smoothed recording.
 struct ORISPLINE_EXPORT Smoothing {
-  Track track{};  ///< the keys, with body rates ω and α; positions as they were
+  Track track{};  ///< the keys, with body rates ω and α, and smoothed positions
   Method method{smoothed_method};
   std::vector<std::size_t> keys{};                        ///< of the recording, increasing: all but those left out
   SmoothedNodes nodes{};                                  ///< at the times of these keys
@@ -40,6 +57,7 @@ struct ORISPLINE_EXPORT Smoothing {
   std::vector<std::size_t> rejected_gyro{};           ///< samples whose rates do not count
   std::vector<std::size_t> retained_outlier_runs{};   ///< samples as far away whose neighbours are far too: motion
   SampleDistances distances{}, accepted_distances{};  ///< to all samples, and to those that are not rejected
+  std::optional<PositionSmoothing> positions{};       ///< where the recording has some
   std::optional<SmoothingCriterion> criterion{};      ///< by which τ was chosen; absent: as stated
   LambdaChoice::Edge edge = LambdaChoice::Edge::none;
   std::size_t chosen_on = 0;        ///< times that the choice of τ saw
@@ -59,13 +77,16 @@ struct ORISPLINE_EXPORT Smoothing {
 ///
 /// `least_smoothing`: hardly any noise beside the motion; `most_smoothing`: no change of the rates beside the noise;
 /// `rejected_run`: so many `samples` in a row do not count, which is rather motion than outliers; `many_rejected`: so
-/// many `samples` in all, more than one in a hundred; `unfinished`: the
-/// last step of the iteration still moved by `step_rad`.
+/// many `samples` in all, more than one in a hundred; `many_positions_rejected`: likewise of positions; `unfinished`:
+/// the last step of the iteration still moved by `step_rad`.
 [[nodiscard]] ORISPLINE_EXPORT std::vector<Warning> warnings_of(const Smoothing& smoothing);
 
 /// From the nodes to the recording that they smooth: to all samples, or to those that are not rejected.
 enum class CountedSamples { all, accepted };
 [[nodiscard]] ORISPLINE_EXPORT SampleDistances distances_of(const Smoothing& smoothing, const Keyframes& recording,
                                                             CountedSamples which);
+/// Of the positions [m]. Precondition: there are some.
+[[nodiscard]] ORISPLINE_EXPORT SampleDistances position_distances_of(const Smoothing& smoothing,
+                                                                     const Keyframes& recording, CountedSamples which);
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include <orispline/smooth/position_fit.hpp>
 #include <orispline/smooth/smoothing_minimisation.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
@@ -46,6 +47,7 @@ std::optional<SmoothedNodes> lead_to(const SmoothingProblem& problem, const Smoo
 
 SmoothingFit fit_smoothing(const SmoothingProblem& problem, const SmoothingObjective& objective,
                            const SmoothingIteration& iteration, const SmoothedNodes* start) {
+  if (!problem.positions.empty()) return fit_positions(problem, objective, iteration, start);
   std::optional<SmoothedNodes> lead;
   if (!start && objective.penalty == Penalty::jerk) {
     lead = lead_to(problem, objective);

@@ -60,6 +60,19 @@ StretchProblems problems_of(const Keyframes& recording, const std::vector<Stretc
   return problems;
 }
 
+StretchProblems position_problems_of(const Keyframes& recording, const std::vector<Stretch>& stretches,
+                                     const Eigen::Vector3d& origin, double unit) {
+  StretchProblems problems;
+  for (const Stretch& stretch : stretches) {
+    auto& problem = problems.emplace_back();
+    problem.times = in_stretch(recording.times(), stretch);
+    for (const Eigen::Vector3d& p : in_stretch(recording.positions(), stretch))
+      problem.positions.emplace_back((p - origin) / unit);
+    problem.weights.assign(stretch.count, 1.0);
+  }
+  return problems;
+}
+
 void add_gyro(StretchProblems& problems, const Keyframes& recording, const std::vector<Stretch>& stretches,
               double noise) {
   for (std::size_t k = 0; k < stretches.size(); ++k) {

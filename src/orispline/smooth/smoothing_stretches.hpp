@@ -26,6 +26,10 @@ struct RecordingScale {
 [[nodiscard]] StretchProblems problems_of(const Keyframes& recording, const std::vector<Stretch>& stretches,
                                           double noise);
 
+/// Those of its positions, seen from `origin` in that unit [m], which is σ.
+[[nodiscard]] StretchProblems position_problems_of(const Keyframes& recording, const std::vector<Stretch>& stretches,
+                                                   const Eigen::Vector3d& origin, double unit);
+
 /// Adds the angular velocities as those of a gyro with that σ [rad/s].
 void add_gyro(StretchProblems& problems, const Keyframes& recording, const std::vector<Stretch>& stretches,
               double noise);
@@ -40,7 +44,7 @@ struct FarSamples {
 [[nodiscard]] FarSamples far_samples(const std::vector<std::vector<double>>& lengths,
                                      const std::vector<Stretch>& stretches, double limit);
 
-/// Every sample has the weight of that σ [rad] again.
+/// Every sample has the weight of that σ again.
 void readmit(StretchProblems& problems, double noise);
 
 /// Takes the weight of the single samples, and gives them back, but for stretches that would keep too few: theirs are

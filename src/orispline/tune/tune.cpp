@@ -128,8 +128,8 @@ Minimum refined(const Search& search, const std::vector<double>& closed, const s
 Warning not_at_rest(std::string_view method, const Tuning& tuning) {
   return {
       .code = "not_at_rest",
-      .message = formatted("{}: after {} a step would still lower the energy by {:.2g} of itself, wanted {:.2g} at "
-                           "most: these tensions are better than those before, others may be better still",
+      .message = formatted("{}: after {} another step would still lower the energy by {:.2g} of itself, wanted {:.2g} "
+                           "at most; these tensions are better than those before, and others may be better still",
                            method, counted(tuning.iterations, "iteration"), tuning.stationarity, wanted_stationarity),
       .numbers = {{"stationarity", tuning.stationarity}, {"iterations", static_cast<double>(tuning.iterations)}}};
 }
@@ -161,10 +161,9 @@ Expected<Tuning> tuned(const FamilyInfo& family, const TensionModel& model, cons
     tuning.warnings.push_back(not_at_rest(family.name, tuning));
     return tuning;
   }
-  return failure(ErrorCode::not_converged,
-                 formatted("{}: tuning found no tensions better than these, of which a step should lower the energy by "
-                           "{:.2g} of itself, wanted {:.2g} at most",
-                           family.name, tuning.stationarity, wanted_stationarity));
+  return failure(ErrorCode::not_converged, formatted("{}: no better tensions were found, though another step should "
+                                                     "lower the energy by {:.2g} of itself, wanted {:.2g} at most",
+                                                     family.name, tuning.stationarity, wanted_stationarity));
 }
 
 Expected<Tuning> tuned_affine(const FamilyInfo& family, const Keyframes& keys, const TensionModel& model,
@@ -189,7 +188,7 @@ Expected<void> check(const TuneOptions& options) {
   if (options.objective == Objective::fit && options.reference.times.empty())
     return bad_option("objective", "found fit, wanted `reference` as well");
   if (options.objective != Objective::fit && !options.reference.times.empty())
-    return bad_option("reference", "wanted `objective` fit as well");
+    return bad_option("reference", "it is used by the objective fit alone, wanted `objective` fit as well");
   if (options.bounds && !(options.bounds->lowest < options.bounds->highest))
     return bad_option("bounds", formatted("found {} and {}, wanted the lower one first", options.bounds->lowest,
                                           options.bounds->highest));

@@ -42,16 +42,17 @@ std::string_view unit_of(Objective objective) noexcept {
 template <>
 std::span<const FieldInfo> fields_of<TuneOptions>() noexcept {
   static constexpr std::array fields{
-      field<&TuneOptions::objective>({.name = "objective", .sentence = "What is made least"}),
+      field<&TuneOptions::objective>({.name = "objective", .sentence = "Integral that the tensions make least"}),
       field<&TuneOptions::inertia>({.name = "inertia",
                                     .sentence = "Inertia of the body that turns, for the objective torque",
                                     .quantity = &quantities::inertia}),
       field<&TuneOptions::reference>(
-          {.name = "reference", .sentence = "Dense recording to be near to, for the objective fit"}),
-      field<&TuneOptions::bounds>(
-          {.name = "bounds", .sentence = "Bounds of every tension", .absent = "none but what the method accepts"}),
+          {.name = "reference", .sentence = "Dense recording that the curve comes near to, for the objective fit"}),
+      field<&TuneOptions::bounds>({.name = "bounds",
+                                   .sentence = "Lowest and highest value of every tension",
+                                   .absent = "what the method accepts"}),
       field<&TuneOptions::parameters>(
-          {.name = "free", .sentence = "Tensions that may vary, such as tension2", .absent = "all of the method"}),
+          {.name = "free", .sentence = "Tensions to find, such as tension2", .absent = "all tensions of the method"}),
   };
   return fields;
 }
@@ -60,12 +61,12 @@ template <>
 std::span<const FieldInfo> fields_of<Tuning>() noexcept {
   static constexpr std::array fields{
       field<&Tuning::energy_before>(
-          {.name = "energy_before", .sentence = "Energy before, in the unit of the objective"}),
-      field<&Tuning::energy_after>({.name = "energy_after", .sentence = "Energy of the tensions that were found"}),
+          {.name = "energy_before", .sentence = "Energy before tuning, in the unit of the objective"}),
+      field<&Tuning::energy_after>({.name = "energy_after", .sentence = "Energy with the tensions that were found"}),
       field<&Tuning::iterations>(
-          {.name = "iterations", .sentence = "Iterations of the refinement, 0 of the closed form"}),
+          {.name = "iterations", .sentence = "Iterations of the refinement; 0 for the closed form"}),
       field<&Tuning::stationarity>(
-          {.name = "stationarity", .sentence = "By which share of the energy a further step would lower it"}),
+          {.name = "stationarity", .sentence = "Share of the energy by which another step would lower it"}),
   };
   return fields;
 }

@@ -8,9 +8,10 @@ namespace orispline::inline ORISPLINE_ABI {
 
 template <>
 inline constexpr std::array words<Objective>{
-    word("linearised", Objective::linearised, "closed form: ∫|α|² dt less what the factors turn each other"),
+    word("linearised", Objective::linearised,
+         "∫|α|² dt without the part by which the factors turn each other, in closed form"),
     word("acceleration", Objective::acceleration, "∫|α|² dt, α the angular acceleration"),
-    word("torque", Objective::torque, "∫|Jα + ω × Jω|² dt, of a body with the inertia J"),
+    word("torque", Objective::torque, "∫|Jα + ω × Jω|² dt for a body of the inertia J"),
     word("jerk", Objective::jerk, "∫|dα/dt|² dt"),
     word("fit", Objective::fit, "mean square of the angle to the reference, at its times between the end keys")};
 

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/io/other_kinds.hpp>
+
+#include <algorithm>
+#include <array>
+
+#include <orispline/base/formatted.hpp>
+
+namespace orispline::inline ORISPLINE_ABI::io {
+namespace {
+
+struct OtherKind {
+  std::string_view beginning, name, cure;
+};
+
+constexpr std::array other_kinds{
+    OtherKind{"CCSDS_AEM_VERS", "an attitude ephemeris (AEM) of CCSDS",
+              "write the rows between DATA_START and DATA_STOP into a file of their own, below a header such as "
+              "t,qx,qy,qz,qw"},
+    OtherKind{"CCSDS_OEM_VERS", "an orbit ephemeris (OEM) of CCSDS, which holds no orientations",
+              "the attitude is in another file"},
+    OtherKind{"HIERARCHY", "a BVH file",
+              "write the angles of each joint into a file of their own, below a header such as "
+              "frame,yaw_deg,pitch_deg,roll_deg"},
+    OtherKind{"DAFETF", "a transfer file of SPICE",
+              "write the quaternions of the C-kernel as rows below a header, t,qw,qx,qy,qz"},
+    OtherKind{"{", "a JSON file, such as glTF", "write the keys as rows below a header, t,qw,qx,qy,qz"},
+    OtherKind{"[", "a JSON file", "write the keys as rows below a header, t,qw,qx,qy,qz"}};
+
+}  // namespace
+
+std::optional<std::string> other_kind(std::string_view first_cell) {
+  const auto found =
+      std::ranges::find_if(other_kinds, [&](const OtherKind& kind) { return first_cell.starts_with(kind.beginning); });
+  if (found == other_kinds.end()) return std::nullopt;
+  return formatted("found {}, which is not read; {}", found->name, found->cure);
+}
+
+}  // namespace orispline::inline ORISPLINE_ABI::io

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/smooth/smoothing_search.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <orispline/base/formatted.hpp>
+#include <orispline/smooth/smoothing_outliers.hpp>
+
+namespace orispline::inline ORISPLINE_ABI {
+namespace {
+
+constexpr double huber_threshold = 2.5, tukey_threshold = 6.0;  // in units of σ
+constexpr double tolerance_to_find_outliers = 1e-2;             // of the iteration, likewise
+
+}  // namespace
+
+SmoothingSearch::SmoothingSearch(StretchProblems problems, const std::vector<Stretch>& stretches,
+                                 const SearchPlan& plan, OpenEndedWork& work)
+    : plan_(plan),
+      stretches_(stretches),
+      problems_(std::move(problems)),
+      objective_{.penalty = plan.penalty,
+                 .loss = plan.loss == Loss::l2 ? LossFunction::l2 : LossFunction::huber,
+                 .threshold = huber_threshold,
+                 .work = &work} {}
+
+Expected<void> SmoothingSearch::run() {
+  fit(plan_.loss == Loss::robust ? roughly() : SmoothingIteration{});
+  if (plan_.loss == Loss::tukey) fit_with_tukey();
+  if (objective_.stopped()) return cancellation();
+  if (plan_.loss == Loss::robust)
+    if (auto done = fit_without_outliers(); !done) return done;
+  return check();
+}
+
+Expected<void> SmoothingSearch::run_with_gyro(const Keyframes& recording, double orientation_noise, double gyro_noise,
+                                              const std::vector<std::size_t>& faults) {
+  const double ratio = plan_.noise / orientation_noise;
+  for (SmoothingProblem& problem : problems_)
+    for (double& weight : problem.weights) weight *= ratio * ratio;
+  plan_.noise = orientation_noise;
+  add_gyro(problems_, recording, stretches_, gyro_noise);
+  for (const std::size_t sample : faults)
+    for (std::size_t k = 0; k < stretches_.size(); ++k)
+      if (const auto& [first, count] = stretches_[k]; sample >= first && sample < first + count)
+        problems_[k].gyro_weights[sample - first] = 0.0;
+  objective_.bias = SmoothingObjective::Bias::constant;
+  set_lambda(SmoothingCriterion::reml);
+  refit();
+  return check();
+}
+
+double SmoothingSearch::smoothing_time() const {
+  return smoothing_time_of(objective_.lambda, plan_.penalty, plan_.noise, plan_.interval);
+}
+
+/// As well as finding outliers takes.
+SmoothingIteration SmoothingSearch::roughly() const { return {.tolerance = tolerance_to_find_outliers * plan_.noise}; }
+
+/// With λ as stated or chosen anew, from the present fit if there is one.
+void SmoothingSearch::fit(const SmoothingIteration& iteration) {
+  set_lambda(plan_.criterion);
+  refit(iteration);
+}
+
+/// As the smoothing time states it, else by the criterion.
+void SmoothingSearch::set_lambda(SmoothingCriterion criterion) {
+  if (plan_.smoothing_time)
+    objective_.lambda = lambda_of(*plan_.smoothing_time, plan_.penalty, plan_.noise, plan_.interval);
+  else choose(criterion);
+}
+
+void SmoothingSearch::choose(SmoothingCriterion criterion) {
+  const StretchProblems parts = representative_parts(problems_, most_times_for_choice);
+  const auto near = finding_.criterion == criterion ? std::optional(smoothing_time()) : std::nullopt;
+  const LambdaChoice choice = chosen_lambda(parts, objective_, criterion, plan_.noise, plan_.interval, near);
+  objective_.lambda = choice.lambda;
+  finding_.criterion = criterion;
+  finding_.edge = choice.edge;
+  finding_.chosen_on = 0;
+  for (const SmoothingProblem& part : parts) finding_.chosen_on += part.size();
+}
+
+void SmoothingSearch::refit(const SmoothingIteration& iteration) {
+  fits_ = fit_stretches(problems_, objective_, iteration, fits_);
+}
+
+void SmoothingSearch::fit_with_tukey() {
+  objective_.loss = LossFunction::tukey;
+  objective_.threshold = tukey_threshold;
+  refit();
+  for (std::size_t k = 0; k < stretches_.size(); ++k)
+    for (std::size_t i = 0; i < stretches_[k].count; ++i)
+      if (fits_.fits[k].loss_weights[i] == 0.0) finding_.rejected.push_back(stretches_[k].first + i);
+}
+
+/// The first search is beside Huber's fit, which outliers pull little but which lags behind strikes; the second one
+/// beside a fit whose τ was chosen without outliers and with the strikes.
+Expected<void> SmoothingSearch::fit_without_outliers() {
+  objective_.loss = LossFunction::l2;
+  for (int search = 0; search < 2; ++search) {
+    const auto before = finding_.rejected;
+    if (auto found = find_outliers(); !found) return found;
+    if (search > 0 && finding_.rejected == before) refit();
+    else fit(search > 0 ? SmoothingIteration{} : roughly());
+    if (objective_.stopped()) return cancellation();
+  }
+  return {};
+}
+
+/// Leaves out what is far, and takes back what the neighbours do not call an outlier.
+Expected<void> SmoothingSearch::find_outliers() {
+  const double noise = std::max(plan_.noise, noise_of_most());
+  const auto errors = [&] { return prediction_errors(problems_, fits_, objective_, noise); };
+  const FarSamples candidates = far_candidates(errors(), stretches_);
+  readmit(problems_, plan_.noise);
+  auto far = reject(problems_, stretches_, candidates, plan_.penalty);
+  if (!far) return tl::unexpected(std::move(far.error()));
+  if (!far->single.empty()) {
+    refit(roughly());
+    far = judged(*far, errors(), stretches_);
+    readmit(problems_, plan_.noise);
+    if (far = reject(problems_, stretches_, *far, plan_.penalty); !far) return tl::unexpected(std::move(far.error()));
+  }
+  finding_.rejected = std::move(far->single);
+  finding_.retained_outlier_runs = std::move(far->in_runs);
+  return {};
+}
+
+/// Whether the iteration ended by itself, and whether the loss is one of outliers only.
+Expected<void> SmoothingSearch::check() const {
+  if (objective_.stopped()) return cancellation();
+  if (!converged(fits_, plan_.noise))
+    return failure(ErrorCode::not_converged,
+                   "no smooth motion was found: the iteration did not come to an end, wanted another smoothing time or "
+                   "another noise");
+  std::size_t faults = plan_.loss == Loss::robust ? finding_.rejected.size() : 0, all = 0;
+  for (const SmoothingFit& fit : fits_.fits) {
+    all += fit.residuals.size();
+    faults += static_cast<std::size_t>(std::ranges::count_if(
+        fit.residuals, [this](const Eigen::Vector3d& r) { return r.norm() > far_threshold * plan_.noise; }));
+  }
+  if (2 * faults <= all || plan_.loss == Loss::l2) return {};
+  return failure(ErrorCode::bad_data,
+                 formatted("{} of {} samples are farther than 5 σ from the best motion, σ = {:.3g}{}, wanted a larger "
+                           "noise, a shorter smoothing time, or the loss l2, which has no outliers",
+                           faults, all, plan_.noise * plan_.unit_size, plan_.unit));
+}
+
+SmoothingSearch::Freedom SmoothingSearch::freedom() const {
+  const auto count = static_cast<double>(observations(problems_));
+  const double trace = hat_trace(problems_, fits_, plan_.penalty, objective_.lambda);
+  return {trace, std::max(0.0, count - trace), count};
+}
+
+/// σ of the residuals, of which outliers are few; where one direction has most of it, as a vehicle's plane or the axis
+/// of a heading, in that one.
+double SmoothingSearch::noise_of_most() const {
+  std::vector<Eigen::Vector3d> residuals;
+  std::vector<double> lengths;
+  for (const SmoothingFit& fit : fits_.fits)
+    for (const Eigen::Vector3d& r : fit.residuals) {
+      residuals.push_back(r);
+      lengths.push_back(r.norm());
+    }
+  const Freedom of = freedom();
+  if (!(of.rest > 0.0)) return 0.0;
+  return std::max(median_of(std::move(lengths)) / median_length, lopsided_deviation(residuals)) /
+         std::sqrt(of.rest / of.observations);
+}
+
+double SmoothingSearch::residual_noise() const {
+  const Freedom of = freedom();
+  return of.rest > 0.0 ? plan_.noise * std::sqrt(fits_.data() / (3.0 * of.rest)) : 0.0;
+}
+
+}  // namespace orispline::inline ORISPLINE_ABI
