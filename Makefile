@@ -2,7 +2,7 @@
 # Every target does the set-up that it needs.
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 
-.PHONY: run build test check clang asan ubsan tsan coverage fuzz nightly mutants random sweep bench bench-quick docs page format tidy clean
+.PHONY: run build test python check clang asan ubsan tsan coverage fuzz nightly mutants random sweep bench bench-quick docs page format tidy clean
 .NOTPARALLEL:
 
 define build_and_test
@@ -23,6 +23,13 @@ build:
 test: build
 	tools/setup.sh build test
 	$(call build_and_test,dev)
+
+# The Python package: the wheel and the source of it in build/python/dist, tested in an environment of its own.
+python: build
+	tools/setup.sh build python
+	cmake --install build/release --prefix build/python/prefix > /dev/null
+	python3 bindings/python/build.py build/python build/python/prefix --sdist
+	build/python/venv/bin/python -m pytest -q -p no:cacheprovider tests/python
 
 check: test clang asan ubsan tsan coverage
 

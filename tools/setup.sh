@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# Provides what the given groups need: tools/setup.sh [build] [test] [check] [tidy] [docs] [bench]; without a group: build test.
+# Provides what the given groups need: tools/setup.sh [build] [test] [check] [tidy] [docs] [bench] [python]; without a group: build test.
 # Installs with apt what is missing; where that is not possible it names the missing packages.
 set -eu
 
@@ -30,6 +30,8 @@ check gcovr              gcovr
 tidy  clang              clang++
 tidy  clang-tidy         clang-tidy
 docs  doxygen            doxygen
+python python3-dev?      python3.11/Python.h
+python python3-venv?     python3
 bench libbenchmark-dev   benchmark/benchmark.h
 bench libglm-dev         glm/glm.hpp
 bench python3            python3

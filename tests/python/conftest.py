@@ -17,14 +17,14 @@ def rows_of(name):
 
 @pytest.fixture
 def keys():
-    """Times and quaternions x, y, z, w of forty keys with uneven steps and turns up to 2.4 rad."""
+    """Times and quaternions x, y, z, w of forty keys with uneven steps and turns up to 1.2 rad."""
     dice = np.random.default_rng(3)
     times = np.cumsum(dice.uniform(0.2, 1.8, 40))
     q = np.array([0.0, 0.0, 0.0, 1.0])
     rotations = []
     for _ in times:
         axis = dice.normal(size=3)
-        half = dice.uniform(0.05, 1.2)
+        half = dice.uniform(0.05, 0.6)
         step = np.append(np.sin(half) * axis / np.linalg.norm(axis), np.cos(half))
         q = product(q, step)
         rotations.append(q)

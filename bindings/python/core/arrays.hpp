@@ -21,7 +21,9 @@ using Numbers = nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device:
 using Rows4 = nb::ndarray<const double, nb::shape<-1, 4>, nb::c_contig, nb::device::cpu>;
 using Rows3 = nb::ndarray<const double, nb::shape<-1, 3>, nb::c_contig, nb::device::cpu>;
 
-[[nodiscard]] inline std::span<const double> span_of(const Numbers& numbers) { return {numbers.data(), numbers.size()}; }
+[[nodiscard]] inline std::span<const double> span_of(const Numbers& numbers) {
+  return {numbers.data(), numbers.size()};
+}
 
 /// Rows into the vectors of Eigen, whose memory is the same: `x, y, z`, and `x, y, z, w` of a quaternion.
 template <class Row, class Array>

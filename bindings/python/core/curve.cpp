@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <mutex>
 #include <string>
 #include <utility>
 
@@ -12,20 +11,37 @@
 #include <nanobind/stl/string.h>
 
 #include <orispline/analysis/continuity.hpp>
-#include <orispline/base/fraction.hpp>
 #include <orispline/batch/sample.hpp>
-#include <orispline/batch/sample_grid.hpp>
 #include <orispline/families/method_text.hpp>
-#include <orispline/families/recipe.hpp>
 #include <orispline/families/registry.hpp>
 
 #include "arrays.hpp"
 #include "errors.hpp"
-#include "keys.hpp"
+#include "python_curve.hpp"
 
 using namespace nanobind::literals;
 
 namespace orispline::python {
+
+PythonCurve::PythonCurve(Keys keys, const std::string& method_text)
+    : keys_(std::move(keys)),
+      method_([&] {
+        Method method = value_of(method_from_text(method_text));
+        const FamilyInfo& family = *value_of(find_family(method.name));
+        return completed(std::move(method), family, *keys_.track);
+      }()),
+      pose_([this] {
+        const nb::gil_scoped_release release;
+        return make_pose_curve(method_, keys_.track->keys);
+      }()) {
+  if (!pose_) raise(pose_.error());
+}
+
+const CompiledCurve<double>& PythonCurve::compiled() const {
+  std::call_once(once_, [this] { compiled_.emplace(pose_->orientation); });
+  return *compiled_;
+}
+
 namespace {
 
 /// What is asked of a curve at a time.
@@ -38,41 +54,6 @@ constexpr std::size_t samples_at_a_time = std::size_t{1} << 15;  // of scratch m
 
 /// Numbers of a sample.
 constexpr std::size_t width_of(What what) { return what == What::orientation ? 4 : 3; }
-
-class PythonCurve {
- public:
-  PythonCurve(Keys keys, const std::string& method_text)
-      : keys_(std::move(keys)),
-        method_([&] {
-          Method method = value_of(method_from_text(method_text));
-          const FamilyInfo& family = *value_of(find_family(method.name));
-          return orispline::completed(std::move(method), family, *keys_.track);
-        }()),
-        pose_([this] {
-          const nb::gil_scoped_release release;
-          return make_pose_curve(method_, keys_.track->keys);
-        }()) {
-    if (!pose_) raise(pose_.error());
-  }
-
-  [[nodiscard]] const Keys& keys() const noexcept { return keys_; }
-  [[nodiscard]] const Method& method() const noexcept { return method_; }
-  [[nodiscard]] const PoseCurve& pose() const noexcept { return *pose_; }
-  [[nodiscard]] Domain domain() const noexcept { return pose_->orientation.domain(); }
-
-  /// For times in no order: made when it is first asked for.
-  [[nodiscard]] const CompiledCurve<double>& compiled() const {
-    std::call_once(once_, [this] { compiled_.emplace(pose_->orientation); });
-    return *compiled_;
-  }
-
- private:
-  Keys keys_;
-  Method method_;
-  Expected<PoseCurve> pose_;
-  mutable std::once_flag once_;
-  mutable std::optional<CompiledCurve<double>> compiled_;
-};
 
 /// The numbers of one time.
 using Sample = std::array<double, 4>;
@@ -263,55 +244,19 @@ void fill(const PythonCurve& curve, const Numbers& numbers, const Memory<T>& ori
   value_of(std::move(done));
 }
 
-Expected<std::optional<Decimal>> decimal_in(const std::optional<std::string>& text) {
-  if (!text) return std::optional<Decimal>();
-  return Decimal::parse(*text).map([](const Decimal& number) { return std::optional(number); });
-}
-
-/// The times of a rate (a number or a fraction, as text) or of a count, as the command has them.
-nb::object grid(const PythonCurve& curve, const std::optional<std::string>& rate, std::optional<std::size_t> count,
-                const std::optional<std::string>& start, const std::optional<std::string>& end, bool include_end) {
-  SampleGrid::Request request{
-      .spacing = SampleGrid::Count{count.value_or(0)},
-      .start = value_of(decimal_in(start)),
-      .end = value_of(decimal_in(end)),
-      .last = include_end ? SampleGrid::LastSample::at_end : SampleGrid::LastSample::before_end};
-  if (rate) {
-    const Fraction hertz = value_of(Fraction::parse(*rate));
-    request.spacing = SampleRate{hertz.numerator().to_double(), hertz.denominator().to_double()};
-  }
-  const SampleGrid made = value_of(SampleGrid::make(request, curve.domain().start, curve.domain().end));
-  const auto size = static_cast<std::size_t>(*made.size());
-  const nb::object array = nb::module_::import_("numpy").attr("empty")(size);
-  const auto memory = nb::cast<nb::ndarray<double, nb::ndim<1>, nb::c_contig, nb::device::cpu>>(array);
-  for (std::size_t k = 0; k < size; ++k) memory.data()[k] = made[k].t;
-  return array;
-}
-
-std::size_t grid_size(const PythonCurve& curve, const std::string& rate, const std::optional<std::string>& start,
-                      const std::optional<std::string>& end, bool include_end) {
-  const Fraction hertz = value_of(Fraction::parse(rate));
-  const SampleGrid::Request request{
-      .spacing = SampleRate{hertz.numerator().to_double(), hertz.denominator().to_double()},
-      .start = value_of(decimal_in(start)),
-      .end = value_of(decimal_in(end)),
-      .last = include_end ? SampleGrid::LastSample::at_end : SampleGrid::LastSample::before_end};
-  return static_cast<std::size_t>(*value_of(SampleGrid::make(request, curve.domain().start, curve.domain().end)).size());
-}
-
 }  // namespace
 
 void add_curve(nb::module_& module) {
-  nb::class_<PythonCurve>(module, "Curve")
-      .def(nb::init<Keys, const std::string&>(), "keys"_a, "method"_a)
+  auto curve_class = nb::class_<PythonCurve>(module, "Curve");
+  add_grids(curve_class);
+  curve_class.def(nb::init<Keys, const std::string&>(), "keys"_a, "method"_a)
       .def_prop_ro("keys", &PythonCurve::keys)
       .def_prop_ro("method", [](const PythonCurve& curve) { return text_of(curve.method()); })
       .def_prop_ro("name", [](const PythonCurve& curve) { return curve.method().name; })
       .def_prop_ro("has_positions", [](const PythonCurve& curve) { return curve.pose().position.has_value(); })
       .def_prop_ro("domain",
                    [](const PythonCurve& curve) { return std::pair(curve.domain().start, curve.domain().end); })
-      .def("continuity",
-           [](const PythonCurve& curve) { return continuity_at_keys(curve.pose().orientation).order(); })
+      .def("continuity", [](const PythonCurve& curve) { return continuity_at_keys(curve.pose().orientation).order(); })
       .def("one", &one, "what"_a, "t"_a, "world"_a, "beyond"_a)
       .def("many", &many<double>, "what"_a, "times"_a, "out"_a.noconvert(), "world"_a, "beyond"_a, "threads"_a)
       .def("many", &many<float>, "what"_a, "times"_a, "out"_a.noconvert(), "world"_a, "beyond"_a, "threads"_a)
@@ -322,9 +267,7 @@ void add_curve(nb::module_& module) {
       .def("fill", &fill<float>, "times"_a, "orientations"_a.noconvert(), "angular_velocities"_a.noconvert().none(),
            "angular_accelerations"_a.noconvert().none(), "angular_jerks"_a.noconvert().none(),
            "positions"_a.noconvert().none(), "velocities"_a.noconvert().none(), "accelerations"_a.noconvert().none(),
-           "world"_a, "threads"_a)
-      .def("grid", &grid, "rate"_a.none(), "count"_a.none(), "start"_a.none(), "end"_a.none(), "include_end"_a)
-      .def("grid_size", &grid_size, "rate"_a, "start"_a.none(), "end"_a.none(), "include_end"_a);
+           "world"_a, "threads"_a);
 }
 
 }  // namespace orispline::python

@@ -67,7 +67,8 @@ void add_methods(nb::module_& module) {
     for (const FamilyInfo& family : families_info()) list.append(info_of(family));
     return list;
   });
-  module.def("method_info", [](const std::string& name) { return info_of(*value_of(find_family(name))); }, "name"_a);
+  module.def(
+      "method_info", [](const std::string& name) { return info_of(*value_of(find_family(name))); }, "name"_a);
 }
 
 }  // namespace orispline::python

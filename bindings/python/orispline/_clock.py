@@ -33,7 +33,7 @@ class Clock:
             return np.where(np.isnat(stamps), np.nan, self._counted(stamps.astype(np.int64)))
         if array.dtype.kind not in "fiu" or array.dtype.itemsize > 8:
             raise ArgumentError(f"{name}: found an array of {array.dtype}, wanted real numbers")
-        return np.ascontiguousarray(self._counted(array))
+        return np.asarray(self._counted(array), order="C")
 
     def back(self, seconds: Array) -> np.ndarray[Any, Any]:
         """Seconds of the library as the caller has times: whole nanoseconds, else floats in the unit."""

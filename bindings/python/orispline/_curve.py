@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-import fractions
-from typing import Any, Mapping
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +12,7 @@ from . import _core
 from ._arrays import output
 from ._errors import ArgumentError
 from ._keys import Keys, _span
+from ._texts import method_text, rate_text
 
 BEYOND = ("hold", "error", "nan")
 FRAMES = ("body", "world")
@@ -111,7 +111,7 @@ class Curve:
             keys = Keys(times, rotations, positions=positions, angular_velocities=angular_velocities,
                         angular_accelerations=angular_accelerations, angular_jerks=angular_jerks, signs=signs,
                         scalar_first=scalar_first, normalize=normalize, time_unit=time_unit)
-        text = _method_text(method, ends, start_rate, end_rate, closed, period, settings)
+        text = method_text(method, ends, start_rate, end_rate, closed, period, settings)
         self._set(keys, _core.Curve(keys._core, text), _index("extrapolate", extrapolate, BEYOND))
 
     def _set(self, keys: Keys, core: Any, beyond: int) -> None:
@@ -256,7 +256,7 @@ class Curve:
                 raise ArgumentError(f"count: found {count!r}, wanted a whole number from 1 on")
             _check_number(count)
             return self._core.grid(None, int(count), *bounds, include_end)  # type: ignore[no-any-return]
-        text = _rate_text(rate)
+        text = rate_text(rate)
         _check_number(self._core.grid_size(text, *bounds, include_end))
         return self._core.grid(text, None, *bounds, include_end)  # type: ignore[no-any-return]
 
@@ -292,51 +292,3 @@ def _index(name: str, word: str, words: tuple[str, ...]) -> int:
 def _check_number(samples: int) -> None:
     if samples > MOST_SAMPLES:
         raise ArgumentError(f"found {samples} samples, wanted 1e9 at most: sample the curve in parts, by start and end")
-
-
-def _rate_text(rate: Any) -> str:
-    if isinstance(rate, fractions.Fraction):
-        return f"{rate.numerator}/{rate.denominator}"
-    if isinstance(rate, str):
-        try:
-            if fractions.Fraction(rate) > 0:
-                return rate
-        except (ValueError, ZeroDivisionError):
-            pass
-    elif not isinstance(rate, (bool, np.bool_)) and np.ndim(rate) == 0 and np.asarray(rate).dtype.kind in "fiu" \
-            and np.isfinite(rate) and rate > 0:
-        return repr(rate.item() if isinstance(rate, np.generic) else rate)
-    raise ArgumentError(f"rate: found {rate!r}, wanted a number of samples per second greater than 0")
-
-
-def _value_text(name: str, value: Any) -> str:
-    if isinstance(value, str):
-        return value
-    if isinstance(value, (bool, np.bool_)):
-        return str(int(value))
-    try:
-        array = np.asarray(value, dtype=np.float64)
-    except (TypeError, ValueError):
-        raise ArgumentError(f"{name}: found {value!r}, wanted a number, one for each key, or a word") from None
-    if array.ndim > 1:
-        raise ArgumentError(f"{name}: found the shape {array.shape}, wanted a number or one for each key")
-    return ",".join(repr(float(x)) for x in np.atleast_1d(array))
-
-
-def _method_text(method: str, ends: Any, start_rate: Any, end_rate: Any, closed: bool, period: float | None,
-                 settings: Mapping[str, Any]) -> str:
-    """`NAME:SETTING=VALUE:…`, the one form in which the library reads methods."""
-    pieces = [str(method)]
-    pieces += [f"{name}={_value_text(name, value)}" for name, value in settings.items()]
-    if ends is not None:
-        pieces.append(f"ends={ends if isinstance(ends, str) else ','.join(ends)}")
-    for name, rate in (("start_rate", start_rate), ("end_rate", end_rate)):
-        if rate is not None:
-            if np.shape(rate) != (3,):
-                raise ArgumentError(f"{name}: found the shape {np.shape(rate)}, wanted (3,)")
-            pieces.append(f"{name}={_value_text(name, rate)}")
-    if closed:
-        pieces.append("closed")
-    if period is not None:
-        pieces.append(f"period={float(period)!r}")
-    return ":".join(pieces)
