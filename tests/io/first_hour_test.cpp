@@ -97,7 +97,12 @@ TEST(TimeColumn, IsOfTheUnitInWhichItsTimesAreThoseOfToday) {
   EXPECT_EQ(keys_in("t_s,qw,qx,qy,qz\n" + row).epoch.to_string(), "1700000000000000");
   EXPECT_EQ(keys_in("t,qw,qx,qy,qz\n" + row, {.time_scale = Decimal::power_of_ten(0)}).epoch.to_string(),
             "1700000000000000");
-  EXPECT_EQ(keys_in("sclk,qw,qx,qy,qz\n" + row, {.columns = {{"t", "sclk"}}}).epoch.to_string(), "1700000000000000");
+  // A column that was named by the user is one of times like all others, and its own name may state the unit.
+  const auto named = keys_in("sclk,qw,qx,qy,qz\n" + row, {.columns = {{"t", "sclk"}}});
+  EXPECT_EQ(named.epoch.to_string(), "1700000000");
+  EXPECT_EQ(named.warnings.size(), 1U);
+  EXPECT_EQ(keys_in("sclk_s,qw,qx,qy,qz\n" + row, {.columns = {{"t", "sclk_s"}}}).epoch.to_string(),
+            "1700000000000000");
   const auto seconds = keys_in("t,qw,qx,qy,qz\n99999999999.9,1,0,0,0\n");
   EXPECT_EQ(seconds.epoch.to_string(), "99999999999.9");
   EXPECT_TRUE(seconds.warnings.empty());
