@@ -11,9 +11,10 @@ from __future__ import annotations
 from typing import Any
 
 from . import _core
-from ._curve import Curve, Motion, Samples
+from ._curve import Curve
 from ._errors import AccessError, ArgumentError, ConvergenceError, DataError, Error
 from ._keys import Keys
+from ._samples import Motion, Samples
 
 __all__ = ["AccessError", "ArgumentError", "ConvergenceError", "Curve", "DataError", "Error", "Keys", "Motion", "Samples",
            "methods"]

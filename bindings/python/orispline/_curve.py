@@ -2,7 +2,6 @@
 """Curves through keyframes, and their samples."""
 from __future__ import annotations
 
-import dataclasses
 from typing import Any
 
 import numpy as np
@@ -12,42 +11,13 @@ from . import _core
 from ._arrays import output
 from ._errors import ArgumentError
 from ._keys import Keys, _span
+from ._samples import Motion, Samples
 from ._texts import method_text, rate_text
 
 BEYOND = ("hold", "error", "nan")
 FRAMES = ("body", "world")
 ORIENTATION, VELOCITY, ACCELERATION, JERK, POSITION, LINEAR_VELOCITY, LINEAR_ACCELERATION = range(7)
 MOST_SAMPLES = 10**9
-
-
-@dataclasses.dataclass(frozen=True)
-class Motion:
-    """A curve at one time: an orientation with its rates, and where the keys have positions the position with its own."""
-
-    orientation: NDArray[np.float64]
-    angular_velocity: NDArray[np.float64]
-    angular_acceleration: NDArray[np.float64]
-    angular_jerk: NDArray[np.float64]
-    position: NDArray[np.float64] | None = None
-    velocity: NDArray[np.float64] | None = None
-    acceleration: NDArray[np.float64] | None = None
-
-
-@dataclasses.dataclass(frozen=True, eq=False)
-class Samples:
-    """Samples of a curve: (k,) times, (k, 4) orientations and (k, 3) of all else; None is what was not asked for."""
-
-    times: np.ndarray[Any, Any]
-    orientations: NDArray[Any]
-    angular_velocities: NDArray[Any] | None = None
-    angular_accelerations: NDArray[Any] | None = None
-    angular_jerks: NDArray[Any] | None = None
-    positions: NDArray[Any] | None = None
-    velocities: NDArray[Any] | None = None
-    accelerations: NDArray[Any] | None = None
-
-    def __len__(self) -> int:
-        return len(self.times)
 
 
 class Curve:
