@@ -23,7 +23,7 @@ Expected<std::optional<Decimal>> decimal_in(const std::optional<std::string>& te
 }
 
 /// The times of a rate (a number or a fraction, as text) or of a count, as the command has them.
-nb::object grid(const PythonCurve& curve, const std::optional<std::string>& rate, std::optional<std::size_t> count,
+FloatArray grid(const PythonCurve& curve, const std::optional<std::string>& rate, std::optional<std::size_t> count,
                 const std::optional<std::string>& start, const std::optional<std::string>& end, bool include_end) {
   SampleGrid::Request request{
       .spacing = SampleGrid::Count{count.value_or(0)},
@@ -39,7 +39,7 @@ nb::object grid(const PythonCurve& curve, const std::optional<std::string>& rate
   const nb::object array = nb::module_::import_("numpy").attr("empty")(size);
   const auto memory = nb::cast<nb::ndarray<double, nb::ndim<1>, nb::c_contig, nb::device::cpu>>(array);
   for (std::size_t k = 0; k < size; ++k) memory.data()[k] = made[k].t;
-  return array;
+  return nb::borrow<FloatArray>(array);
 }
 
 std::size_t grid_size(const PythonCurve& curve, const std::string& rate, const std::optional<std::string>& start,

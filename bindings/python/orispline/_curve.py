@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from . import _core
 from ._arrays import output
+from ._checks import flag, thread_count
 from ._errors import ArgumentError
 from ._keys import Keys, _span
 from ._samples import Motion, Samples
@@ -196,7 +197,7 @@ class Curve:
             raise ArgumentError(f"times: found the shape {seconds.shape}, wanted (k,)")
         rows = [output("dtype", None, (len(seconds), 4), dtype), *self._room(derivatives, len(seconds), dtype)]
         linear = self._room(min(derivatives, 2) + 1 if self._core.has_positions else 0, len(seconds), dtype)
-        self._core.fill(seconds, *rows, *linear, world=world, threads=threads)
+        self._core.fill(seconds, *rows, *linear, world=world, threads=thread_count(threads))
         if self._beyond != 0:
             self._mend(seconds, [*rows, *linear])
         if self._scalar_first:
@@ -219,6 +220,7 @@ class Curve:
                 row[outside] = np.nan
 
     def _grid(self, rate: Any, count: int | None, start: Any, end: Any, include_end: bool) -> NDArray[np.float64]:
+        include_end = flag("include_end", include_end)
         bounds = [None if t is None else repr(float(self._clock.seconds(name, t))) for name, t in
                   (("start", start), ("end", end))]
         if count is not None:
@@ -234,7 +236,8 @@ class Curve:
         world = _index("frame", frame, FRAMES) == 1
         seconds = self._clock.seconds("t", t)
         result = output("out", out, (*seconds.shape, 4 if what == ORIENTATION else 3), dtype)
-        self._core.many(what, seconds.reshape(-1), result.reshape(-1, result.shape[-1]), world, self._beyond, threads)
+        self._core.many(what, seconds.reshape(-1), result.reshape(-1, result.shape[-1]), world, self._beyond,
+                        thread_count(threads))
         return result
 
     def __repr__(self) -> str:
