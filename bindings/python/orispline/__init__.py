@@ -16,8 +16,8 @@ from ._errors import AccessError, ArgumentError, ConvergenceError, DataError, Er
 from ._keys import Keys
 from ._samples import Motion, Samples
 
-__all__ = ["AccessError", "ArgumentError", "ConvergenceError", "Curve", "DataError", "Error", "Keys", "Motion", "Samples",
-           "methods"]
+__all__ = ["AccessError", "ArgumentError", "ConvergenceError", "Curve", "DataError", "Error", "Keys", "Motion",
+           "Samples", "methods"]
 __version__: str = _core.version
 
 
