@@ -15,9 +15,10 @@ from ._curve import Curve
 from ._errors import AccessError, ArgumentError, ConvergenceError, DataError, Error
 from ._keys import Keys
 from ._samples import Motion, Samples
+from ._scipy_twins import RotationSpline, Slerp
 
 __all__ = ["AccessError", "ArgumentError", "ConvergenceError", "Curve", "DataError", "Error", "Keys", "Motion",
-           "Samples", "methods"]
+           "RotationSpline", "Samples", "Slerp", "methods"]
 __version__: str = _core.version
 
 
