@@ -14,11 +14,12 @@ from . import _core
 from ._curve import Curve
 from ._errors import AccessError, ArgumentError, ConvergenceError, DataError, Error
 from ._keys import Keys
+from ._online import OnlineCurve
 from ._samples import Motion, Samples
 from ._scipy_twins import RotationSpline, Slerp
 
 __all__ = ["AccessError", "ArgumentError", "ConvergenceError", "Curve", "DataError", "Error", "Keys", "Motion",
-           "RotationSpline", "Samples", "Slerp", "methods"]
+           "OnlineCurve", "RotationSpline", "Samples", "Slerp", "methods"]
 __version__: str = _core.version
 
 
