@@ -12,4 +12,5 @@ NB_MODULE(_core, module) {
   orispline::python::add_curve(module);
   orispline::python::add_methods(module);
   orispline::python::add_online(module);
+  orispline::python::add_stack(module);
 }
