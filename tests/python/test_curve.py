@@ -34,8 +34,8 @@ def test_every_shape_and_order_of_times_has_the_same_rows(curve, name):
     assert rows.shape == (24, 4 if name == "__call__" else 3)
     assert np.array_equal(at(t.reshape(2, 3, 4)), rows.reshape(2, 3, 4, -1))
     order = np.argsort(t)
-    assert np.allclose(at(t[order]), rows[order], rtol=1e-13, atol=1e-12)
-    assert np.allclose([at(float(x)) for x in t], rows, rtol=1e-13, atol=1e-12)
+    assert np.array_equal(at(t[order]), rows[order])
+    assert np.array_equal([at(float(x)) for x in t], rows) and np.array_equal([at(x) for x in t[:3]], rows[:3])
     assert at(float(t[0])).shape == rows.shape[1:]
     assert at([]).shape == (0, rows.shape[1])
     out = np.empty_like(rows)
@@ -74,7 +74,7 @@ def test_rates_in_the_world_frame(curve):
 
 def test_motion_has_all_at_one_time(curve):
     motion = curve.motion(7.25)
-    assert np.allclose(motion.orientation, curve(7.25), atol=1e-14)
+    assert np.array_equal(motion.orientation, curve(7.25))
     for name in QUANTITIES[1:]:
         assert np.array_equal(getattr(motion, name), getattr(curve, name)(7.25))
 
@@ -106,7 +106,7 @@ def test_scalar_first_is_said_once(keys):
     plain, first = ori.Curve(times, rotations), ori.Curve(times, rotations[:, [3, 0, 1, 2]], scalar_first=True)
     t = inside(plain, 9)
     assert np.array_equal(first(t), plain(t)[:, [3, 0, 1, 2]])
-    assert np.allclose(first(2.0), plain(2.0)[[3, 0, 1, 2]], rtol=0, atol=1e-15)
+    assert np.array_equal(first(2.0), plain(2.0)[[3, 0, 1, 2]])
     assert np.array_equal(first.sample(times=t).orientations, first(t))
     assert np.array_equal(first.keys.rotations, plain.keys.rotations[:, [3, 0, 1, 2]])
     out = np.empty((9, 4))

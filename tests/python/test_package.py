@@ -30,7 +30,8 @@ def test_the_files_of_the_package():
     assert any(name.endswith("licenses/LICENSE") for name in files) and any(name.endswith("licenses/NOTICE") for name in files)
 
 
-@pytest.mark.parametrize("module", ["orispline", "orispline._keys", "orispline._curve"])
+@pytest.mark.parametrize("module", ["orispline", "orispline._keys", "orispline._curve", "orispline._online", "orispline._scipy_twins",
+                                    "orispline._stack"])
 def test_examples_of_the_docstrings(module):
     found = doctest.testmod(sys.modules[module])
     assert found.attempted and not found.failed
@@ -39,6 +40,6 @@ def test_examples_of_the_docstrings(module):
 def test_every_public_name_says_what_it_is():
     for name in ori.__all__:
         assert getattr(ori, name).__doc__, name
-    for thing in (ori.Keys, ori.Curve):
+    for thing in (ori.Keys, ori.Curve, ori.CurveStack, ori.OnlineCurve, ori.RotationSpline, ori.Slerp):
         for name in dir(thing):
             assert name.startswith("_") or getattr(thing, name).__doc__, name

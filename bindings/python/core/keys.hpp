@@ -17,5 +17,7 @@ struct Keys {
 void add_keys(nanobind::module_& module);
 void add_curve(nanobind::module_& module);
 void add_methods(nanobind::module_& module);
+void add_online(nanobind::module_& module);
+void add_stack(nanobind::module_& module);
 
 }  // namespace orispline::python

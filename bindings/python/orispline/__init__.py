@@ -14,10 +14,13 @@ from . import _core
 from ._curve import Curve
 from ._errors import AccessError, ArgumentError, ConvergenceError, DataError, Error
 from ._keys import Keys
+from ._online import OnlineCurve
 from ._samples import Motion, Samples
+from ._scipy_twins import RotationSpline, Slerp
+from ._stack import CurveStack
 
-__all__ = ["AccessError", "ArgumentError", "ConvergenceError", "Curve", "DataError", "Error", "Keys", "Motion", "Samples",
-           "methods"]
+__all__ = ["AccessError", "ArgumentError", "ConvergenceError", "Curve", "CurveStack", "DataError", "Error", "Keys", "Motion",
+           "OnlineCurve", "RotationSpline", "Samples", "Slerp", "methods"]
 __version__: str = _core.version
 
 

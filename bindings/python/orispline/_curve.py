@@ -14,7 +14,7 @@ from ._keys import Keys, _span
 from ._samples import Motion, Samples
 from ._texts import method_text, rate_text
 
-BEYOND = ("hold", "error", "nan")
+BEYOND = tuple(_core.extrapolations())
 FRAMES = ("body", "world")
 ORIENTATION, VELOCITY, ACCELERATION, JERK, POSITION, LINEAR_VELOCITY, LINEAR_ACCELERATION = range(7)
 MOST_SAMPLES = 10**9
@@ -41,8 +41,9 @@ class Curve:
         A loop: the last key is the first one again.
     period : float, optional
         A loop whose first key returns so many seconds after it.
-    extrapolate : {"hold", "error", "nan"}
-        What a time outside the curve gets: the end orientation at rest, an error, or NaN.
+    extrapolate : {"hold", "error", "nan", "rate", "segment"}
+        What a time outside the curve gets: the end orientation at rest, an error, NaN, the motion at the end's rate, or
+        what the formula of the end segment gives there.
     **settings
         Parameters of the method: a number, or one for each key, or a word. `tension=0.4`, `variant="boyle"`.
 
@@ -125,7 +126,7 @@ class Curve:
 
     def __call__(self, t: Any, *, out: Any = None, dtype: Any = np.float64, threads: int = 1) -> NDArray[Any]:
         """(..., 4) unit quaternions, x, y, z, w, or w, x, y, z where the keys were given so."""
-        if type(t) is float and self._plain and out is None and dtype is np.float64:
+        if isinstance(t, float) and self._plain and out is None and dtype is np.float64:
             return self._core.one(ORIENTATION, t, False, self._beyond)  # type: ignore[no-any-return]
         if not self._scalar_first:
             return self._at(ORIENTATION, t, "body", out, dtype, threads)
@@ -185,38 +186,31 @@ class Curve:
         `include_end` makes the end a sample too where a rate does not meet it. `threads=0` uses all cores; the numbers
         are the same on any.
         """
-        if sum(given is not None for given in (rate, count, times)) != 1:
-            raise ArgumentError("sample: wanted one of rate, count and times")
-        if derivatives not in (0, 1, 2, 3):
-            raise ArgumentError(f"derivatives: found {derivatives!r}, wanted 0, 1, 2 or 3")
         world = _index("frame", frame, FRAMES) == 1
-        seconds = self._clock.seconds("times", times) if times is not None else self._grid(rate, count, start, end,
-                                                                                             include_end)
-        if seconds.ndim != 1:
-            raise ArgumentError(f"times: found the shape {seconds.shape}, wanted (k,)")
+        given, seconds = self._times_wanted(rate, count, times, start, end, include_end, derivatives)
         rows = [output("dtype", None, (len(seconds), 4), dtype), *self._room(derivatives, len(seconds), dtype)]
         linear = self._room(min(derivatives, 2) + 1 if self._core.has_positions else 0, len(seconds), dtype)
-        self._core.fill(seconds, *rows, *linear, world=world, threads=threads)
-        if self._beyond != 0:
-            self._mend(seconds, [*rows, *linear])
+        self._core.fill(seconds, *rows, *linear, world=world, beyond=self._beyond, threads=threads)
         if self._scalar_first:
             rows[0] = np.ascontiguousarray(rows[0][:, [3, 0, 1, 2]])
-        return Samples(self._clock.back(seconds), *rows, *linear)
+        return Samples(given, *rows, *linear)
 
     @staticmethod
     def _room(wanted: int, count: int, dtype: Any) -> list[Any]:
         return [np.empty((count, 3), dtype) if k < wanted else None for k in range(3)]
 
-    def _mend(self, seconds: NDArray[np.float64], rows: list[Any]) -> None:
-        first, last = self._core.domain
-        outside = (seconds < first) | (seconds > last)
-        if not outside.any():
-            return
-        if BEYOND[self._beyond] == "error":
-            self._core.one(ORIENTATION, float(seconds[outside][0]), False, self._beyond)
-        for row in rows:
-            if row is not None:
-                row[outside] = np.nan
+    def _times_wanted(self, rate: Any, count: int | None, times: Any, start: Any, end: Any, include_end: bool,
+                      derivatives: int) -> tuple[np.ndarray[Any, Any], NDArray[np.float64]]:
+        """The times of samples as the caller has them, and [s]."""
+        if sum(given is not None for given in (rate, count, times)) != 1:
+            raise ArgumentError("sample: wanted one of rate, count and times")
+        if derivatives not in (0, 1, 2, 3):
+            raise ArgumentError(f"derivatives: found {derivatives!r}, wanted 0, 1, 2 or 3")
+        seconds = self._clock.seconds("times", times) if times is not None else self._grid(rate, count, start, end,
+                                                                                             include_end)
+        if seconds.ndim != 1:
+            raise ArgumentError(f"times: found the shape {seconds.shape}, wanted (k,)")
+        return self._clock.back(seconds), seconds
 
     def _grid(self, rate: Any, count: int | None, start: Any, end: Any, include_end: bool) -> NDArray[np.float64]:
         bounds = [None if t is None else repr(float(self._clock.seconds(name, t))) for name, t in
@@ -232,6 +226,8 @@ class Curve:
 
     def _at(self, what: int, t: Any, frame: str, out: Any, dtype: Any, threads: int) -> NDArray[Any]:
         world = _index("frame", frame, FRAMES) == 1
+        if isinstance(t, float) and self._plain and out is None and dtype is np.float64:
+            return self._core.one(what, t, world, self._beyond)  # type: ignore[no-any-return]
         seconds = self._clock.seconds("t", t)
         result = output("out", out, (*seconds.shape, 4 if what == ORIENTATION else 3), dtype)
         self._core.many(what, seconds.reshape(-1), result.reshape(-1, result.shape[-1]), world, self._beyond, threads)

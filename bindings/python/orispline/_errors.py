@@ -6,11 +6,13 @@ from __future__ import annotations
 class Error(Exception):
     """Something that the library could not do. Its text says what was found and what was wanted.
 
-    Attributes, None where there is no such place: `key` (0-based index of a keyframe), `time_index` (0-based, among the
-    times that were asked for), `file`, `line` and `column` (1-based), `argument` (the name of the one at fault).
+    Attributes, None where there is no such place: `key` (0-based index of a keyframe), `joint` (0-based, of a stack),
+    `time_index` (0-based, among the times that were asked for), `file`, `line` and `column` (1-based), `argument` (the name
+    of the one at fault).
     """
 
     key: int | None = None
+    joint: int | None = None
     time_index: int | None = None
     file: str | None = None
     line: int | None = None

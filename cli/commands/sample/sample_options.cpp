@@ -65,8 +65,10 @@ void add_sample_options(Command& app, SampleOptions& o) {
   add_method_options(app, o.shape);
   add_loop_options(app, o.shape);
   add_time_options(app, o.times);
-  app.add_option("--extrapolate", o.extrapolate, "Outside the curve hold the end orientation, or fail [hold]")
-      ->type_name(one_of(extrapolation_choices))
+  app.add_option("--extrapolate", o.extrapolate,
+                 "What samples outside the curve do: hold the end orientation, fail, be NaN, keep the rate "
+                 "of the end, or follow the formula of the end segment [hold]")
+      ->type_name(one_of(words<Extrapolation>))
       ->group("Times (one of --rate, --count, --times)");
   add_output_options(app, o.output);
   const std::string group = "Output";
