@@ -2,7 +2,7 @@
 # Every target does the set-up that it needs.
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 
-.PHONY: run build test python check clang asan ubsan tsan coverage fuzz nightly mutants random sweep bench bench-quick docs page format tidy clean
+.PHONY: run build test python check clang asan ubsan tsan coverage fuzz nightly mutants random sweep bench bench-quick bench-python docs page format tidy clean
 .NOTPARALLEL:
 
 define build_and_test
@@ -19,17 +19,29 @@ build:
 	cmake --preset release
 	cmake --build --preset release -j $(JOBS)
 
-# The release first: its optimiser warns of what the tests' build does not see, and warnings are errors.
-test: build
-	tools/setup.sh build test
-	$(call build_and_test,dev)
+# The Python package from the release, of which only the module is compiled; the wheel in build/python/dist is tested.
+define python_package
+	cmake --install build/release --prefix build/python/prefix > /dev/null
+	python3 bindings/python/build.py build/python build/python/prefix $(1)
+endef
 
-# The Python package: the wheel and the source of it in build/python/dist, tested in an environment of its own.
+# The release first: its optimiser warns of what the tests' build does not see, and warnings are errors.
+# The Python package last, where Python's headers and the packages of its tests are to be had.
+test: build
+	tools/setup.sh build test python
+	$(call build_and_test,dev)
+	$(call python_package,--test --or-skip)
+
+# The wheel and the source of the Python package in build/python/dist, tested in an environment of its own.
 python: build
 	tools/setup.sh build python
-	cmake --install build/release --prefix build/python/prefix > /dev/null
-	python3 bindings/python/build.py build/python build/python/prefix --sdist
-	build/python/venv/bin/python -m pytest -q -p no:cacheprovider tests/python
+	$(call python_package,--sdist --test)
+
+# The Python package beside SciPy; fills its table in docs/benchmarks.md. By processor time, in one process.
+bench-python: build
+	tools/setup.sh build python
+	$(call python_package,)
+	build/python/venv/bin/python benchmarks/python/run.py --document docs/benchmarks.md
 
 check: test clang asan ubsan tsan coverage
 

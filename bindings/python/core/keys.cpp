@@ -45,16 +45,14 @@ Keys made(const Numbers& times, const Rows4& orientations, const std::optional<R
   return {std::make_shared<const Track>(std::move(track))};
 }
 
-template <class Row>
-nb::object column_of(std::span<const Row> rows) {
-  if (rows.empty()) return nb::none();
-  if constexpr (std::is_same_v<Row, Eigen::Quaterniond>) return array_of(rows.front().coeffs().data(), rows.size(), 4);
-  else return array_of(rows.front().data(), rows.size(), 3);
+std::optional<FloatArray> column_of(std::span<const Eigen::Vector3d> rows) {
+  if (rows.empty()) return std::nullopt;
+  return array_of(rows.front().data(), rows.size(), 3);
 }
 
-nb::dict report_of(const Keys& keys) {
+nb::typed<nb::dict, nb::str, double> report_of(const Keys& keys) {
   const KeyframeReport& report = keys.track->keys.report();
-  nb::dict result;
+  nb::typed<nb::dict, nb::str, double> result;
   result["sign_flips"] = report.sign_flips;
   result["non_unit_keys"] = report.non_unit_keys;
   result["largest_norm_error"] = report.largest_norm_error;
@@ -74,7 +72,11 @@ void add_keys(nb::module_& module) {
                      const auto times = keys.track->keys.times();
                      return array_of(times.data(), times.size(), 0);
                    })
-      .def_prop_ro("orientations", [](const Keys& keys) { return column_of(keys.track->keys.orientations()); })
+      .def_prop_ro("orientations", 
+                   [](const Keys& keys) {
+                     const auto rows = keys.track->keys.orientations();  // at least one
+                     return array_of(rows.front().coeffs().data(), rows.size(), 4);
+                   })
       .def_prop_ro("positions", [](const Keys& keys) { return column_of(keys.track->keys.positions()); })
       .def_prop_ro("angular_velocities",
                    [](const Keys& keys) { return column_of(keys.track->keys.angular_velocities()); })

@@ -38,8 +38,9 @@ nb::list words_of(std::span<const std::string_view> words) {
   return list;
 }
 
-nb::dict info_of(const FamilyInfo& family) {
-  nb::dict choices, info;
+nb::typed<nb::dict, nb::str, nb::any> info_of(const FamilyInfo& family) {
+  nb::typed<nb::dict, nb::str, nb::any> info;
+  nb::dict choices;
   for (const Choice& choice : family.choices) choices[text(choice.name)] = words_of(choice.words);
   nb::list ends;
   for (const EndRule rule : family.ends) ends.append(text(name_of(rule)));
@@ -63,7 +64,7 @@ nb::dict info_of(const FamilyInfo& family) {
 
 void add_methods(nb::module_& module) {
   module.def("methods", [] {
-    nb::list list;
+    nb::typed<nb::list, nb::typed<nb::dict, nb::str, nb::any>> list;
     for (const FamilyInfo& family : families_info()) list.append(info_of(family));
     return list;
   });

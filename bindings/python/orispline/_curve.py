@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from . import _core
 from ._arrays import output
+from ._checks import flag, thread_count
 from ._errors import ArgumentError
 from ._keys import Keys, _span
 from ._samples import Motion, Samples
@@ -190,7 +191,7 @@ class Curve:
         given, seconds = self._times_wanted(rate, count, times, start, end, include_end, derivatives)
         rows = [output("dtype", None, (len(seconds), 4), dtype), *self._room(derivatives, len(seconds), dtype)]
         linear = self._room(min(derivatives, 2) + 1 if self._core.has_positions else 0, len(seconds), dtype)
-        self._core.fill(seconds, *rows, *linear, world=world, beyond=self._beyond, threads=threads)
+        self._core.fill(seconds, *rows, *linear, world=world, beyond=self._beyond, threads=thread_count(threads))
         if self._scalar_first:
             rows[0] = np.ascontiguousarray(rows[0][:, [3, 0, 1, 2]])
         return Samples(given, *rows, *linear)
@@ -213,6 +214,7 @@ class Curve:
         return self._clock.back(seconds), seconds
 
     def _grid(self, rate: Any, count: int | None, start: Any, end: Any, include_end: bool) -> NDArray[np.float64]:
+        include_end = flag("include_end", include_end)
         bounds = [None if t is None else repr(float(self._clock.seconds(name, t))) for name, t in
                   (("start", start), ("end", end))]
         if count is not None:
@@ -230,7 +232,8 @@ class Curve:
             return self._core.one(what, t, world, self._beyond)  # type: ignore[no-any-return]
         seconds = self._clock.seconds("t", t)
         result = output("out", out, (*seconds.shape, 4 if what == ORIENTATION else 3), dtype)
-        self._core.many(what, seconds.reshape(-1), result.reshape(-1, result.shape[-1]), world, self._beyond, threads)
+        self._core.many(what, seconds.reshape(-1), result.reshape(-1, result.shape[-1]), world, self._beyond,
+                        thread_count(threads))
         return result
 
     def __repr__(self) -> str:

@@ -2,12 +2,14 @@
 """Keyframes."""
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Mapping
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from . import _core
 from ._arrays import Array, numbers, quaternions
+from ._checks import flag, wrong_type
 from ._clock import Clock, times_of_keys
 from ._errors import ArgumentError, DataError
 
@@ -66,9 +68,10 @@ class Keys:
                  time_unit: str | None = None) -> None:
         if signs not in SIGNS:
             raise ArgumentError(f"signs: found {signs!r}, wanted 'shortest' or 'as-given'")
+        scalar_first = flag("scalar_first", scalar_first)
         seconds, self._clock = times_of_keys(times, time_unit)
         orientations = quaternions("rotations", rotations, scalar_first=scalar_first)
-        if normalize:
+        if flag("normalize", normalize):
             orientations = _normalized(orientations)
         vectors = {"positions": positions, "angular_velocities": angular_velocities,
                    "angular_accelerations": angular_accelerations, "angular_jerks": angular_jerks}
@@ -79,7 +82,7 @@ class Keys:
         self._core = _core.Keys(
             seconds, orientations,
             **{name: None if rows is None else numbers(name, rows, (None, 3)) for name, rows in vectors.items()},
-            settings={name: [float(x) for x in values] for name, values in (settings or {}).items()}, signs=signs)
+            settings=_values_per_key({} if settings is None else settings), signs=signs)
 
     def __len__(self) -> int:
         return len(self._core)
@@ -88,12 +91,11 @@ class Keys:
         """The keys of a slice, with all that belongs to them."""
         if not isinstance(part, slice):
             raise TypeError(f"keys: found the index {part!r}, wanted a slice such as keys[2:5]")
-        rows = {name: getattr(self, name) for name in
-                ("positions", "angular_velocities", "angular_accelerations", "angular_jerks")}
+        rows: dict[str, Any] = {name: None if (values := getattr(self, name)) is None else values[part] for name in
+                                ("positions", "angular_velocities", "angular_accelerations", "angular_jerks")}
         return Keys(self.times[part], self.rotations[part], signs="as-given", scalar_first=self._scalar_first,
                     settings={name: values[part] for name, values in self.settings.items()},
-                    time_unit=None if self._clock.unit == "s" else self._clock.unit,
-                    **{name: None if values is None else values[part] for name, values in rows.items()})
+                    time_unit=None if self._clock.unit == "s" else self._clock.unit, **rows)
 
     @property
     def times(self) -> np.ndarray[Any, Any]:
@@ -109,22 +111,22 @@ class Keys:
     @property
     def positions(self) -> Array | None:
         """(n, 3) [m], or None."""
-        return self._core.positions  # type: ignore[no-any-return]
+        return self._core.positions
 
     @property
     def angular_velocities(self) -> Array | None:
         """(n, 3) [rad/s], body frame, or None."""
-        return self._core.angular_velocities  # type: ignore[no-any-return]
+        return self._core.angular_velocities
 
     @property
     def angular_accelerations(self) -> Array | None:
         """(n, 3) [rad/s²], body frame, or None."""
-        return self._core.angular_accelerations  # type: ignore[no-any-return]
+        return self._core.angular_accelerations
 
     @property
     def angular_jerks(self) -> Array | None:
         """(n, 3) [rad/s³], body frame, or None."""
-        return self._core.angular_jerks  # type: ignore[no-any-return]
+        return self._core.angular_jerks
 
     @property
     def settings(self) -> dict[str, list[float]]:
@@ -150,6 +152,16 @@ class Keys:
         rows = {"positions": c.positions, "angular_velocities": c.angular_velocities,
                 "angular_accelerations": c.angular_accelerations, "angular_jerks": c.angular_jerks}
         return _restored, (c.times, c.orientations, rows, c.settings, self._clock, self._scalar_first)
+
+
+def _values_per_key(settings: Any) -> dict[str, list[float]]:
+    wanted = 'a mapping of arrays by names of parameters, such as {"tension": values}'
+    if not isinstance(settings, Mapping) or not all(isinstance(name, str) for name in settings):
+        raise wrong_type("settings", settings, wanted)
+    arrays = {name: np.asarray(values) for name, values in settings.items()}
+    if any(array.ndim != 1 or array.dtype.kind not in "fiu" for array in arrays.values()):
+        raise wrong_type("settings", settings, wanted)
+    return {name: array.astype(np.float64).tolist() for name, array in arrays.items()}
 
 
 def _normalized(orientations: Array) -> Array:

@@ -7,6 +7,7 @@ from typing import Any, Mapping
 
 import numpy as np
 
+from ._checks import flag, real, text, wrong_type
 from ._errors import ArgumentError
 
 
@@ -40,20 +41,27 @@ def _value_text(name: str, value: Any) -> str:
     return ",".join(repr(float(x)) for x in np.atleast_1d(array))
 
 
+def _ends_text(ends: Any) -> str:
+    rules = [ends] if isinstance(ends, str) else list(ends) if isinstance(ends, (tuple, list)) else []
+    if not rules or (len(rules) != 2 and rules != [ends]) or not all(isinstance(rule, str) for rule in rules):
+        raise wrong_type("ends", ends, "a rule, or a pair of rules for start and end")
+    return ",".join(rules)
+
+
 def method_text(method: str, ends: Any, start_rate: Any, end_rate: Any, closed: bool, period: float | None,
                  settings: Mapping[str, Any]) -> str:
     """`NAME:SETTING=VALUE:…`, the one form in which the library reads methods."""
-    pieces = [str(method)]
+    pieces = [text("method", method)]
     pieces += [f"{name}={_value_text(name, value)}" for name, value in settings.items()]
     if ends is not None:
-        pieces.append(f"ends={ends if isinstance(ends, str) else ','.join(ends)}")
+        pieces.append(f"ends={_ends_text(ends)}")
     for name, rate in (("start_rate", start_rate), ("end_rate", end_rate)):
         if rate is not None:
             if np.shape(rate) != (3,):
                 raise ArgumentError(f"{name}: found the shape {np.shape(rate)}, wanted (3,)")
             pieces.append(f"{name}={_value_text(name, rate)}")
-    if closed:
+    if flag("closed", closed):
         pieces.append("closed")
     if period is not None:
-        pieces.append(f"period={float(period)!r}")
+        pieces.append(f"period={real('period', period)!r}")
     return ":".join(pieces)

@@ -2,7 +2,8 @@
 #include <orispline/retime/segment_hull.hpp>
 
 #include <algorithm>
-#include <cmath>
+
+#include <orispline/math/so3.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
@@ -38,6 +39,9 @@ HullBounds bounds_of(double rate, double acceleration, const Orders& a) {
           .snap = 2.0 * (q4 + 4.0 * q1 * q3 + 3.0 * q2 * q2),
           .crackle = 2.0 * (q5 + 5.0 * q1 * q4 + 10.0 * q2 * q3)};
 }
+
+/// √(a² + b²). Not std::hypot, whose version of glibc 2.35 would keep programs from older systems.
+double hypotenuse(double a, double b) { return norm_of(Eigen::Vector3d(a, b, 0.0)); }
 
 constexpr double rounded_up = 1.0 + 1e-12;
 constexpr double rounding_share = 1e-14;  // of evaluation, of the size of what is added up
@@ -86,12 +90,12 @@ HullBounds SegmentHull::product_on(double start, double end) const {
   // |ω| is that of R ω₁ + β₃' φ₃, ω₁ = β₁' φ₁ + β₂' φ₂, R a turn about φ₂; the bounds are those of all such turns.
   const Three first = restricted(parts_, 1, start, end), second = restricted(parts_, 2, start, end);
   const double b1 = largest(first[0]), b3 = largest(first[2]), c1 = largest(second[0]), c3 = largest(second[2]);
-  const double rate = std::hypot(largest(sum_of(first, along_)), b1 * across_[0] + b3 * across_[2]);
+  const double rate = hypotenuse(largest(sum_of(first, along_)), b1 * across_[0] + b3 * across_[2]);
   const double before = largest(sum_of(first, {along_[0], along_[1], 0.0}));
   const double behind = largest(sum_of(first, {0.0, along_[1], along_[2]}));
   const double acceleration =
-      std::hypot(largest(sum_of(second, along_)) + b1 * b3 * across_[0] * across_[2],
-                 across_[0] * std::hypot(c1, b1 * behind) + across_[2] * std::hypot(c3, b3 * before));
+      hypotenuse(largest(sum_of(second, along_)) + b1 * b3 * across_[0] * across_[2],
+                 across_[0] * hypotenuse(c1, b1 * behind) + across_[2] * hypotenuse(c3, b3 * before));
   const auto size_of = [this](const Three& p) {
     return 0.5 * (lengths_[0] * largest(p[0]) + lengths_[1] * largest(p[1]) + lengths_[2] * largest(p[2]));
   };

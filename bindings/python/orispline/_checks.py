@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Arguments that are one number, one word or one flag: what is of another type is named in one line."""
+from __future__ import annotations
+
+import reprlib
+from typing import Any
+
+import numpy as np
+
+from ._errors import ArgumentError
+
+MOST_THREADS = 4096
+
+
+def wrong_type(name: str, value: Any, wanted: str) -> TypeError:
+    """The exception, to be raised."""
+    return TypeError(f"{name}: found {reprlib.repr(value)} of type {type(value).__name__}, wanted {wanted}".replace("\n", " "))
+
+
+def flag(name: str, value: Any) -> bool:
+    """True or False, and nothing that only counts as such."""
+    if not isinstance(value, (bool, np.bool_)):
+        raise wrong_type(name, value, "True or False")
+    return bool(value)
+
+
+def text(name: str, value: Any) -> str:
+    """A string."""
+    if not isinstance(value, str):
+        raise wrong_type(name, value, "a string")
+    return value
+
+
+def real(name: str, value: Any) -> float:
+    """One real number."""
+    if isinstance(value, (bool, np.bool_)) or not isinstance(value, (int, float, np.integer, np.floating)):
+        raise wrong_type(name, value, "a number")
+    return float(value)
+
+
+def whole(name: str, value: Any, least: int, most: int) -> int:
+    """One whole number, both bounds included."""
+    if isinstance(value, (bool, np.bool_)) or not isinstance(value, (int, np.integer)):
+        raise wrong_type(name, value, "a whole number")
+    if not least <= value <= most:
+        raise ArgumentError(f"{name}: found {value}, wanted a whole number from {least} to {most}")
+    return int(value)
+
+
+def thread_count(threads: Any) -> int:
+    """Of the library: 0 is one for each core."""
+    return whole("threads", threads, 0, MOST_THREADS)

@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Public names, their docstrings and types: as they are written down, complete, and true."""
+import doctest
+import importlib
+import importlib.util
+import inspect
+import pathlib
+import pkgutil
+import subprocess
+import sys
+
+import orispline as ori
+import pytest
+from conftest import ROOT
+
+NAMES = pathlib.Path(__file__).parent / "data/public_names.txt"
+MODULES = sorted(f"orispline.{module.name}" for module in pkgutil.iter_modules(ori.__path__) if module.name != "_core")
+PACKAGE = pathlib.Path(ori.__file__).parent
+
+
+def members(thing):
+    """What a class adds to Python's own and to other public classes."""
+    bases = [base for base in thing.__mro__ if base is thing or base.__module__.startswith("orispline.") and base.__name__ not in ori.__all__]
+    own = {name for base in bases for name in [*vars(base), *inspect.get_annotations(base)]}
+    return sorted(name for name in own if not name.startswith("_") or name == "__call__")
+
+
+def public_names():
+    for name in sorted(ori.__all__):
+        yield name
+        if inspect.isclass(getattr(ori, name)):
+            yield from (f"{name}.{member}" for member in members(getattr(ori, name)))
+
+
+def test_public_names_are_those_written_down():
+    """A name that goes or comes is a decision, to be written down: this file, run as a program, does it."""
+    assert list(public_names()) == NAMES.read_text("utf-8").split()
+
+
+def test_all_that_is_public_is_told():
+    visible = {name for name, thing in vars(ori).items() if not name.startswith("_") and not inspect.ismodule(thing)}
+    assert visible - {"annotations", "Any", "TYPE_CHECKING"} <= set(ori.__all__)
+
+
+@pytest.mark.parametrize("name", sorted(ori.__all__))
+def test_every_public_name_says_what_it_is(name):
+    thing = getattr(ori, name)
+    assert thing.__doc__ and not thing.__doc__.startswith(f"{name}("), "wanted a docstring of its own"
+    if inspect.isclass(thing):
+        for member in vars(thing):
+            if callable(getattr(thing, member)) and not member.startswith("_"):
+                assert getattr(thing, member).__doc__, member
+
+
+@pytest.mark.parametrize("module", ["orispline", *MODULES])
+def test_examples_of_the_docstrings(module, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    found = doctest.testmod(importlib.import_module(module), optionflags=doctest.ELLIPSIS)
+    assert not found.failed
+    assert found.attempted or module not in {"orispline", "orispline._keys", "orispline._curve"}
+
+
+def test_the_stub_is_that_of_the_module():
+    """Write it anew by bindings/python/build.py FOLDER PREFIX --stub."""
+    spec = importlib.util.spec_from_file_location("make_python_stub", ROOT / "tools/make_python_stub.py")
+    maker = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(maker)
+    assert (PACKAGE / "_core.pyi").read_text("utf-8") == maker.stub()
+
+
+def mypy(*words):
+    """The code and the text that mypy ends with; what it knows of NumPy it keeps."""
+    options = ["--strict", "--config-file", ROOT / "pyproject.toml", "--cache-dir", ROOT / "build/python/mypy"]
+    done = subprocess.run([sys.executable, "-m", "mypy", *options, *words], capture_output=True, text=True, check=False, cwd=NAMES.parent)
+    return done.returncode, done.stdout + done.stderr
+
+
+def test_types_of_the_package():
+    code, text = mypy("-p", "orispline")
+    assert code == 0, text
+
+
+USE = """
+import numpy as np
+import orispline as ori
+curve = ori.Curve([0.0, 1.0], [[0.0, 0.0, 0.0, 1.0], [0.0, 0.0, 1.0, 0.0]])
+reveal_type(curve(0.5))
+reveal_type(curve.sample(rate=100).times)
+curve.sampel(rate=1)
+curve.angular_velocity(0.5, frame=3)
+"""
+
+
+def test_a_users_mistakes_are_seen_by_the_types(tmp_path):
+    (tmp_path / "use.py").write_text(USE, "utf-8")
+    code, text = mypy(tmp_path / "use.py")
+    assert code == 1 and '"Curve" has no attribute "sampel"' in text and 'Argument "frame"' in text, text
+    assert text.count("numpy.ndarray[") >= 2 and "2 errors" in text, text
+
+
+if __name__ == "__main__":
+    NAMES.write_text("\n".join(public_names()) + "\n", "utf-8")
