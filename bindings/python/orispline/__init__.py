@@ -12,12 +12,13 @@ from typing import Any
 
 from . import _core
 from ._curve import Curve
-from ._errors import AccessError, ArgumentError, ConvergenceError, DataError, Error
-from ._keys import Keys
+from ._errors import AccessError, ArgumentError, ConvergenceError, DataError, Error, ShapeWarning
+from ._files import read, write
+from ._keys import Keys, KeyStatistics, Spread
 from ._samples import Motion, Samples
 
-__all__ = ["AccessError", "ArgumentError", "ConvergenceError", "Curve", "DataError", "Error", "Keys", "Motion", "Samples",
-           "methods"]
+__all__ = ["AccessError", "ArgumentError", "ConvergenceError", "Curve", "DataError", "Error", "KeyStatistics", "Keys", "Motion",
+           "Samples", "ShapeWarning", "Spread", "methods", "read", "write"]
 __version__: str = _core.version
 
 
