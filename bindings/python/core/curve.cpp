@@ -145,9 +145,6 @@ std::span<T>& target_of(Samples<T>& samples, What what) {
   }
 }
 
-template <class T>
-using RowsMap = Eigen::Map<Eigen::Matrix<T, 3, Eigen::Dynamic>>;
-
 /// Turns rates of the body into those of the world, as math/frames has it.
 template <class T>
 void turn_to_world(const Samples<T>& samples, std::size_t count) {

@@ -59,7 +59,7 @@ void add_sample_options(Command& app, SampleOptions& o) {
   add_several_inputs(app, o.inputs, "samples");
   add_reading_options(app, o.input);
   app.add_option("--method", o.method,
-                 formatted("Method [that of INPUT, else {}]; see 'orispline methods'", default_method))
+                 formatted("Method [the one named in INPUT, else {}]; see 'orispline methods'", default_method))
       ->type_name(method_type)
       ->group("Shape of the curve");
   add_method_options(app, o.shape);

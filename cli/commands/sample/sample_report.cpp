@@ -63,7 +63,7 @@ std::string text_of(const SampleReport& report) {
 std::string line_of(const SampleReport& report) {
   std::string line = formatted("{}: {} with {} from {}", printable(report.output), counted(report.samples, "sample"),
                                report.method_text, counted(report.keys, "key"));
-  if (const std::string repairs = text_of(report.repairs); !repairs.empty()) line += "; " + repairs;
+  line += clauses_of(report.repairs);
   if (report.held_samples > 0)
     line += formatted("; {} outside the curve hold the end orientation", counted(report.held_samples, "sample"));
   if (report.truth && report.truth->distance.count > 0)
