@@ -30,7 +30,9 @@ PythonCurve::PythonCurve(Keys keys, const std::string& method_text)
         const nb::gil_scoped_release release;
         return make_pose_curve(method_, keys_.track->keys);
       }()) {
-  if (!pose_) raise(pose_.error());
+  if (pose_) return;
+  const std::size_t stated = value_of(method_from_text(method_text)).options.parameters.size();
+  raise(placed(*keys_.track, method_.options.parameters.size() > stated, pose_.error()));
 }
 
 const CompiledCurve<double>& PythonCurve::compiled() const {

@@ -13,4 +13,5 @@ NB_MODULE(_core, module) {
   orispline::python::add_methods(module);
   orispline::python::add_online(module);
   orispline::python::add_stack(module);
+  orispline::python::add_files(module);
 }

@@ -12,15 +12,17 @@ from typing import Any
 
 from . import _core
 from ._curve import Curve
-from ._errors import AccessError, ArgumentError, ConvergenceError, DataError, Error
-from ._keys import Keys
+from ._errors import AccessError, ArgumentError, ConvergenceError, DataError, Error, ShapeWarning
+from ._files import read, write
+from ._keys import Keys, KeyStatistics, Spread
 from ._online import OnlineCurve
 from ._samples import Motion, Samples
 from ._scipy_twins import RotationSpline, Slerp
 from ._stack import CurveStack
 
-__all__ = ["AccessError", "ArgumentError", "ConvergenceError", "Curve", "CurveStack", "DataError", "Error", "Keys", "Motion",
-           "OnlineCurve", "RotationSpline", "Samples", "Slerp", "methods"]
+__all__ = ["AccessError", "ArgumentError", "ConvergenceError", "Curve", "CurveStack", "DataError", "Error", "KeyStatistics",
+           "Keys", "Motion", "OnlineCurve", "RotationSpline", "Samples", "ShapeWarning", "Slerp", "Spread", "methods", "read",
+           "write"]
 __version__: str = _core.version
 
 

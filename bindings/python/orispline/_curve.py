@@ -12,8 +12,8 @@ from ._arrays import output
 from ._checks import flag, thread_count
 from ._errors import ArgumentError
 from ._keys import Keys, _span
-from ._samples import Motion, Samples
-from ._texts import method_text, rate_text
+from ._samples import Motion, Samples, samples_of
+from ._texts import rate_text
 
 BEYOND = tuple(_core.extrapolations())
 FRAMES = ("body", "world")
@@ -32,8 +32,9 @@ class Curve:
     ----------
     times, rotations
         As of `Keys`, which also says what the other arguments for keys mean. Or the first is a `Keys`.
-    method : str
-        A method by name (`orispline.methods()` lists them), or by its text form, `"quintic:tension=0.6"`.
+    method : str, optional
+        A method by name (`orispline.methods()` lists them), or by its text form, `"quintic:tension=0.6"`. Without it
+        that of the file which the keys are from, if it names one, else `auto`.
     ends : str or (str, str), optional
         End rule for both ends, or for each.
     start_rate, end_rate : (3,) arrays, optional
@@ -69,9 +70,9 @@ class Curve:
 
     __slots__ = ("_beyond", "_clock", "_core", "_keys", "_plain", "_scalar_first")
 
-    def __init__(self, times: Any, rotations: Any = None, method: str = "auto", *, ends: str | tuple[str, str] | None = None,
-                 start_rate: Any = None, end_rate: Any = None, closed: bool = False, period: float | None = None,
-                 extrapolate: str = "hold", positions: Any = None, angular_velocities: Any = None,
+    def __init__(self, times: Any, rotations: Any = None, method: str | None = None, *,
+                 ends: str | tuple[str, str] | None = None, start_rate: Any = None, end_rate: Any = None,
+                 closed: bool = False, period: float | None = None, extrapolate: str = "hold", positions: Any = None, angular_velocities: Any = None,
                  angular_accelerations: Any = None, angular_jerks: Any = None, signs: str = "shortest",
                  scalar_first: bool = False, normalize: bool = False, time_unit: str | None = None,
                  **settings: Any) -> None:
@@ -83,7 +84,7 @@ class Curve:
             keys = Keys(times, rotations, positions=positions, angular_velocities=angular_velocities,
                         angular_accelerations=angular_accelerations, angular_jerks=angular_jerks, signs=signs,
                         scalar_first=scalar_first, normalize=normalize, time_unit=time_unit)
-        text = method_text(method, ends, start_rate, end_rate, closed, period, settings)
+        text = keys._method_text(method, ends, start_rate, end_rate, closed, period, settings)
         self._set(keys, _core.Curve(keys._core, text), _index("extrapolate", extrapolate, BEYOND))
 
     def _set(self, keys: Keys, core: Any, beyond: int) -> None:
@@ -188,21 +189,22 @@ class Curve:
         are the same on any.
         """
         world = _index("frame", frame, FRAMES) == 1
-        given, seconds = self._times_wanted(rate, count, times, start, end, include_end, derivatives)
+        seconds = self._times_wanted(rate, count, times, start, end, include_end, derivatives)
         rows = [output("dtype", None, (len(seconds), 4), dtype), *self._room(derivatives, len(seconds), dtype)]
         linear = self._room(min(derivatives, 2) + 1 if self._core.has_positions else 0, len(seconds), dtype)
         self._core.fill(seconds, *rows, *linear, world=world, beyond=self._beyond, threads=thread_count(threads))
         if self._scalar_first:
             rows[0] = np.ascontiguousarray(rows[0][:, [3, 0, 1, 2]])
-        return Samples(given, *rows, *linear)
+        grid = None if times is not None else (rate, count, *self._bounds(start, end), include_end, *self._core.domain)
+        return samples_of(self._keys, seconds, [*rows, *linear], frame, grid)
 
     @staticmethod
     def _room(wanted: int, count: int, dtype: Any) -> list[Any]:
         return [np.empty((count, 3), dtype) if k < wanted else None for k in range(3)]
 
     def _times_wanted(self, rate: Any, count: int | None, times: Any, start: Any, end: Any, include_end: bool,
-                      derivatives: int) -> tuple[np.ndarray[Any, Any], NDArray[np.float64]]:
-        """The times of samples as the caller has them, and [s]."""
+                      derivatives: int) -> NDArray[np.float64]:
+        """The times of samples [s]."""
         if sum(given is not None for given in (rate, count, times)) != 1:
             raise ArgumentError("sample: wanted one of rate, count and times")
         if derivatives not in (0, 1, 2, 3):
@@ -211,12 +213,15 @@ class Curve:
                                                                                              include_end)
         if seconds.ndim != 1:
             raise ArgumentError(f"times: found the shape {seconds.shape}, wanted (k,)")
-        return self._clock.back(seconds), seconds
+        return seconds
+
+    def _bounds(self, start: Any, end: Any) -> list[str | None]:
+        return [None if t is None else repr(float(self._clock.seconds(name, t))) for name, t in
+                (("start", start), ("end", end))]
 
     def _grid(self, rate: Any, count: int | None, start: Any, end: Any, include_end: bool) -> NDArray[np.float64]:
         include_end = flag("include_end", include_end)
-        bounds = [None if t is None else repr(float(self._clock.seconds(name, t))) for name, t in
-                  (("start", start), ("end", end))]
+        bounds = self._bounds(start, end)
         if count is not None:
             if isinstance(count, bool) or not isinstance(count, (int, np.integer)) or count < 1:
                 raise ArgumentError(f"count: found {count!r}, wanted a whole number from 1 on")

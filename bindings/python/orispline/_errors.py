@@ -34,3 +34,7 @@ class ConvergenceError(Error, ArithmeticError):
 
 class AccessError(Error, OSError):
     """A file that cannot be opened, read or written."""
+
+
+class ShapeWarning(UserWarning):
+    """Something noteworthy about keys, a file or a curve; its text says what."""

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from . import _core
 from ._arrays import output
+from ._checks import thread_count
 from ._curve import ACCELERATION, FRAMES, JERK, ORIENTATION, VELOCITY, Curve, _index
 from ._errors import ArgumentError, DataError, Error
 from ._keys import Keys, _span
@@ -128,10 +129,10 @@ class CurveStack:
         """Samples at even times or at given ones, as of `Curve.sample`: (k,) times, (k, m, 4) orientations and (k, m, 3)
         rates."""
         curve = self._curves[0]
-        given, seconds = curve._times_wanted(rate, count, times, start, end, include_end, derivatives)
+        seconds = curve._times_wanted(rate, count, times, start, end, include_end, derivatives)
         rows = [self._rows(what, seconds, frame, None, dtype, threads)
                 for what in (ORIENTATION, VELOCITY, ACCELERATION, JERK)[:derivatives + 1]]
-        return Samples(given, *rows)
+        return Samples(curve._clock.back(seconds), *rows)
 
     def _at(self, what: int, t: Any, frame: str, out: Any, dtype: Any, threads: int) -> NDArray[Any]:
         return self._rows(what, self._curves[0]._clock.seconds("t", t), frame, out, dtype, threads)
@@ -144,7 +145,7 @@ class CurveStack:
         first = what == ORIENTATION and self._curves[0]._scalar_first
         room = np.empty_like(result) if first else result
         _core.fill_stack(self._cores, what, seconds.reshape(-1), room.reshape(-1, len(self), width), world,
-                         self._curves[0]._beyond, threads)
+                         self._curves[0]._beyond, thread_count(threads))
         if first:
             result[...] = room[..., [3, 0, 1, 2]]
         return result
