@@ -11,13 +11,17 @@ from __future__ import annotations
 from typing import Any
 
 from . import _core
+from ._baked import BakedCurve
 from ._curve import Curve
-from ._errors import AccessError, ArgumentError, ConvergenceError, DataError, Error
+from ._errors import AccessError, ArgumentError, ConvergenceError, DataError, Error, ShapeWarning
 from ._keys import Keys
+from ._measures import DistanceStatistics, Energies, HandleTurn, Peak, Peaks
+from ._pictures import plot_comparison, plot_sphere
 from ._samples import Motion, Samples
 
-__all__ = ["AccessError", "ArgumentError", "ConvergenceError", "Curve", "DataError", "Error", "Keys", "Motion", "Samples",
-           "methods"]
+__all__ = ["AccessError", "ArgumentError", "BakedCurve", "ConvergenceError", "Curve", "DataError", "DistanceStatistics",
+           "Energies", "Error", "HandleTurn", "Keys", "Motion", "Peak", "Peaks", "Samples", "ShapeWarning", "methods",
+           "plot_comparison", "plot_sphere"]
 __version__: str = _core.version
 
 

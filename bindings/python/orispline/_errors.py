@@ -30,5 +30,9 @@ class ConvergenceError(Error, ArithmeticError):
     """The equations of a method have no solution for these keys that could be found."""
 
 
+class ShapeWarning(UserWarning):
+    """Something noteworthy about a result, or about what it was made from."""
+
+
 class AccessError(Error, OSError):
     """A file that cannot be opened, read or written."""
