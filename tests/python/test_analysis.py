@@ -286,4 +286,4 @@ def test_bad_input(ask, error, text):
 def test_an_inertia_of_no_body_is_warned_of():
     with pytest.warns(ori.ShapeWarning, match="which no rigid body has") as found:
         CURVE.energies([1, 1, 5])
-    assert found[0].filename == __file__
+    assert found[0].filename == __file__ and found[0].message.code == "no_rigid_body"

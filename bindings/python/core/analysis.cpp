@@ -39,12 +39,12 @@ Eigen::Matrix3d matrix_of(const std::optional<Inertia>& inertia) {
   return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(inertia->data());
 }
 
-/// What is noteworthy of an inertia; raises the error of one that is none.
-std::vector<std::string> check_inertia(const Inertia& inertia) {
-  std::vector<std::string> texts;
+/// What is noteworthy of an inertia, as text and code; raises the error of one that is none.
+std::vector<std::pair<std::string, std::string>> check_inertia(const Inertia& inertia) {
+  std::vector<std::pair<std::string, std::string>> told;
   for (const Warning& warning : warnings_of(value_of(checked_inertia(matrix_of(inertia)))))
-    texts.push_back(describe(warning));
-  return texts;
+    told.emplace_back(describe(warning), warning.code);
+  return told;
 }
 
 nb::dict energies_of(const PythonCurve& curve, const std::optional<Inertia>& inertia) {

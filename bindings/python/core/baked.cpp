@@ -12,7 +12,7 @@
 
 #include "arrays.hpp"
 #include "errors.hpp"
-#include "interruptible.hpp"
+#include "interruption.hpp"
 #include "python_curve.hpp"
 
 using namespace nanobind::literals;
@@ -143,9 +143,9 @@ void add(nb::module_& module, nb::class_<PythonCurve>& curve_class, const char* 
   curve_class.def(
       bake_name,
       [](const PythonCurve& curve, double tolerance) {
-        return interruptible([&](const Progress& progress) {
+        return value_of(interruptible([&](const Progress& progress) {
           return bake<T>(curve.pose().orientation, tolerance, {}, progress);
-        });
+        }));
       },
       "tolerance"_a);
 }

@@ -19,9 +19,10 @@ from ._measures import DistanceStatistics, Energies, HandleTurn, Peak, Peaks
 from ._pictures import plot_comparison, plot_sphere
 from ._samples import Motion, Samples
 
-__all__ = ["AccessError", "ArgumentError", "BakedCurve", "ConvergenceError", "Curve", "DataError", "DistanceStatistics",
-           "Energies", "Error", "HandleTurn", "Keys", "Motion", "Peak", "Peaks", "Samples", "ShapeWarning", "methods",
-           "plot_comparison", "plot_sphere"]
+__all__ = ["AccessError", "ArgumentError", "ConvergenceError", "Curve", "DataError", "Error", "Keys", "Motion", "Samples",
+           "methods"]
+__all__ += ["BakedCurve", "DistanceStatistics", "Energies", "HandleTurn", "Peak", "Peaks", "ShapeWarning", "plot_comparison",
+            "plot_sphere"]
 __version__: str = _core.version
 
 

@@ -23,8 +23,8 @@ def checked_inertia(inertia: Any) -> Array:
     shape = np.shape(inertia)
     matrix = numbers("inertia", inertia, (3,) if len(shape) == 1 else (3, 3))
     matrix = np.diag(matrix) if matrix.ndim == 1 else matrix
-    for text in _core.check_inertia(matrix):
-        warnings.warn(text, ShapeWarning, stacklevel=3)
+    for text, code in _core.check_inertia(matrix):
+        warnings.warn(ShapeWarning(text, code), stacklevel=3)
     return matrix
 
 
