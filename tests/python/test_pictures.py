@@ -159,6 +159,22 @@ def test_a_drawing_needs_no_matplotlib():
     subprocess.run([sys.executable, "-c", program], check=True)
 
 
+def test_without_matplotlib_the_cure_is_named():
+    program = ("import sys; sys.modules['matplotlib'] = None\nimport orispline as ori\n"
+               "try: ori.Curve([0, 1], [[0, 0, 0, 1], [0, 0, 1, 0]]).plot()\n"
+               "except ModuleNotFoundError as error: print(error)")
+    told = subprocess.run([sys.executable, "-c", program], check=True, capture_output=True, text=True).stdout
+    assert told == "found no matplotlib, wanted it for charts: pip install 'orispline[plot]'\n"
+
+
+def test_one_key_has_pictures_too(tmp_path):
+    curve = ori.Curve([5.0], [[0, 0, 0.6, 0.8]])
+    assert line_of(curve.plot()[1])[1].tolist() == [0.0]
+    assert len(curve.plot_sphere().get_lines()) == 1 and ">1 key, 5 … 5 s<" in curve._repr_svg_()
+    curve.report(tmp_path / "page.html")
+    assert '"auto, 1 key"' in (tmp_path / "page.html").read_text("utf-8")
+
+
 def test_a_page_holds_the_motion_and_its_measures(curve, tmp_path, monkeypatch):
     path = tmp_path / "motion.html"
     curve.report(path, title="A <turn>", inertia=[1.0, 2.0, 2.5])
@@ -223,6 +239,7 @@ BAD = [
     ("reference elsewhere", lambda: ori.plot_comparison(CURVE, ori.Curve([5, 6], [[0, 0, 0, 1]] * 2)), ori.DataError,
      "reference: found none of its times from 0.0 to 3.0, where 'auto' is"),
     ("no folder", lambda: CURVE.report("/no/such/folder/page.html"), ori.AccessError, "/no/such/folder/page.html"),
+    ("a number as path", lambda: CURVE.report(3), TypeError, "int"),
     ("inertia", lambda: CURVE.report("page.html", inertia=[1, 1, -1]), ori.ArgumentError, "wanted all of them greater than 0"),
 ]
 

@@ -65,8 +65,8 @@ class CurvePictures:
         True
         """
         import datetime
-        name = os.fspath(path)
-        self._core.write_page(os.path.join(os.curdir, name) if name == "-" else name, title,
+        name = os.fsdecode(path)
+        self._core.write_page(os.path.join(os.curdir, name) if name == "-" else name, str(title),
                               datetime.datetime.now().strftime("%Y-%m-%d %H:%M"), _start_text(self._clock),
                               None if inertia is None else checked_inertia(inertia))
 
@@ -120,9 +120,8 @@ def plot_sphere(curves: Curves, axis: Any = "x", axes: Any = None) -> Any:
     """
     named = _named(curves)
     direction, name = _body_axis(axis)
-    from matplotlib import pyplot
     if axes is None:
-        axes = pyplot.figure(figsize=(6, 6), layout="constrained").add_subplot(projection="3d")
+        axes = _pyplot().figure(figsize=(6, 6), layout="constrained").add_subplot(projection="3d")
     elif getattr(axes, "name", "") != "3d":
         raise ArgumentError("axes: found flat ones, wanted Axes of three dimensions, projection='3d'")
     around, up = np.meshgrid(np.linspace(0, 2 * np.pi, 61), np.linspace(-np.pi / 2, np.pi / 2, 31))
@@ -213,10 +212,17 @@ def _check_reference(reference: Any, clock: Clock) -> None:
         raise ArgumentError("reference: found times of another kind than those of the curves, wanted the same")
 
 
+def _pyplot() -> Any:
+    try:
+        from matplotlib import pyplot
+    except ModuleNotFoundError as error:
+        raise ModuleNotFoundError("found no matplotlib, wanted it for charts: pip install 'orispline[plot]'") from error
+    return pyplot
+
+
 def _axes(axes: Any, count: int) -> Any:
-    from matplotlib import pyplot
     if axes is None:
-        _, axes = pyplot.subplots(count, 1, sharex=True, squeeze=False, figsize=(CHART[0], CHART[1] * count + 0.4),
+        _, axes = _pyplot().subplots(count, 1, sharex=True, squeeze=False, figsize=(CHART[0], CHART[1] * count + 0.4),
                                   layout="constrained")
     axes = np.atleast_1d(np.asarray(axes, dtype=object)).ravel()
     if len(axes) != count:
