@@ -104,6 +104,9 @@ void add_curve(nb::module_& module) {
   });
   auto curve_class = nb::class_<PythonCurve>(module, "Curve");
   add_grids(curve_class);
+  add_analysis(module, curve_class);
+  add_baked(module, curve_class);
+  add_pictures(module, curve_class);
   curve_class.def(nb::init<Keys, const std::string&>(), "keys"_a, "method"_a)
       .def_prop_ro("keys", &PythonCurve::keys)
       .def_prop_ro("method", [](const PythonCurve& curve) { return text_of(curve.method()); })
@@ -111,7 +114,10 @@ void add_curve(nb::module_& module) {
       .def_prop_ro("has_positions", [](const PythonCurve& curve) { return curve.pose().position.has_value(); })
       .def_prop_ro("domain",
                    [](const PythonCurve& curve) { return std::pair(curve.domain().start, curve.domain().end); })
-      .def("continuity", [](const PythonCurve& curve) { return continuity_at_keys(curve.pose().orientation).order(); })
+      .def("continuity", [](const PythonCurve& curve) {
+        return continuity_at_keys(curve.pose().orientation, curve.method().options.loop ? Seam::closed : Seam::open)
+            .order();
+      })
       .def("one", &one, "what"_a, "t"_a, "world"_a, "beyond"_a)
       .def("many", &many<double>, "what"_a, "times"_a, "out"_a.noconvert(), "world"_a, "beyond"_a, "threads"_a)
       .def("many", &many<float>, "what"_a, "times"_a, "out"_a.noconvert(), "world"_a, "beyond"_a, "threads"_a)

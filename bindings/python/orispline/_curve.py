@@ -10,8 +10,10 @@ from numpy.typing import NDArray
 from . import _core
 from ._arrays import output
 from ._checks import flag, thread_count
+from ._curve_analysis import CurveAnalysis
 from ._errors import ArgumentError
 from ._keys import Keys, _span
+from ._pictures import CurvePictures
 from ._samples import Motion, Samples, samples_of
 from ._texts import rate_text
 
@@ -21,7 +23,7 @@ ORIENTATION, VELOCITY, ACCELERATION, JERK, POSITION, LINEAR_VELOCITY, LINEAR_ACC
 MOST_SAMPLES = 10**9
 
 
-class Curve:
+class Curve(CurveAnalysis, CurvePictures):
     """A smooth curve through keyframes, with exact angular velocity, acceleration and jerk.
 
     Functions of time take a time or an array of times of any shape, in any order; what they give has that shape and one
@@ -119,10 +121,6 @@ class Curve:
         """The first and the last time."""
         first, last = self._clock.back(np.array(self._core.domain))
         return (first, last) if self._clock.is_calendar else (float(first), float(last))
-
-    def continuity(self) -> int:
-        """The order to which it is continuous in time at its keys, measured: 2 is C²."""
-        return int(self._core.continuity())
 
     # What it is at times.
 
