@@ -243,3 +243,17 @@ def test_scipy_has_the_same_curves():
     assert np.abs(ours.angular_acceleration(t) - theirs(t, 2)).max() < 1e-8
     slerp = ori.Curve(times, rotations, "slerp")
     assert (slerp.rotation(t).inv() * Slerp(times, rotations)(t)).magnitude().max() < 1e-12
+
+
+def test_both_sides_of_a_jump():
+    turned = lambda degrees: [0, 0, np.sin(np.radians(degrees / 2)), np.cos(np.radians(degrees / 2))]
+    curve = ori.Curve([0, 1, 3], [turned(0), turned(80), turned(120)], "slerp", positions=np.zeros((3, 3)))
+    left, right = curve.motion(1.0, side="left"), curve.motion(1.0)
+    np.testing.assert_allclose(left.angular_velocity, [0, 0, np.radians(80)], atol=1e-14)
+    np.testing.assert_allclose(right.angular_velocity, [0, 0, np.radians(20)], atol=1e-14)
+    np.testing.assert_array_equal(left.orientation, right.orientation)
+    np.testing.assert_allclose(curve.motion(1.0, side="left", frame="world").angular_velocity, left.angular_velocity, atol=1e-14)
+    for t in (0.0, 0.5, 3.0, -1.0, 4.0):  # nothing jumps there
+        np.testing.assert_allclose(curve.motion(t, side="left").angular_velocity, curve.motion(t).angular_velocity, atol=1e-14)
+    with pytest.raises(ori.ArgumentError, match="side: found 'before', wanted 'right' or 'left'"):
+        curve.motion(1.0, side="before")

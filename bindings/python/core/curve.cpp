@@ -67,6 +67,22 @@ nb::object one(const PythonCurve& curve, int asked, double t, bool world, int be
   return array;
 }
 
+/// The rates as the segment before the time has them, where they may jump: ω, α, jerk, then the position with its own.
+nb::list rates_before(const PythonCurve& curve, double t, bool world) {
+  const Motion motion = curve.pose().orientation.motion(t, Side::left);
+  nb::list arrays;
+  const auto append = [&](const Eigen::Vector3d& v) { arrays.append(array_of(v.data(), 3, 0)); };
+  append(world ? angular_velocity_world(motion) : motion.angular_velocity);
+  append(world ? angular_acceleration_world(motion) : motion.angular_acceleration);
+  append(world ? angular_jerk_world(motion) : motion.angular_jerk);
+  if (!curve.pose().position) return arrays;
+  const LinearMotion linear = curve.pose().position->linear_motion(t, Side::left);
+  append(linear.position);
+  append(linear.velocity);
+  append(linear.acceleration);
+  return arrays;
+}
+
 /// All of a sample that is asked for, at times that do not decrease, into memory of NumPy.
 template <class T>
 void fill(const PythonCurve& curve, const Numbers& numbers, const Memory<T>& orientations,
@@ -119,6 +135,7 @@ void add_curve(nb::module_& module) {
             .order();
       })
       .def("one", &one, "what"_a, "t"_a, "world"_a, "beyond"_a)
+      .def("rates_before", &rates_before, "t"_a, "world"_a)
       .def("many", &many<double>, "what"_a, "times"_a, "out"_a.noconvert(), "world"_a, "beyond"_a, "threads"_a)
       .def("many", &many<float>, "what"_a, "times"_a, "out"_a.noconvert(), "world"_a, "beyond"_a, "threads"_a)
       .def("fill", &fill<double>, "times"_a, "orientations"_a.noconvert(), "angular_velocities"_a.noconvert().none(),

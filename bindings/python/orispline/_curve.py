@@ -19,6 +19,7 @@ from ._texts import rate_text
 
 BEYOND = tuple(_core.extrapolations())
 FRAMES = ("body", "world")
+SIDES = ("right", "left")
 ORIENTATION, VELOCITY, ACCELERATION, JERK, POSITION, LINEAR_VELOCITY, LINEAR_ACCELERATION = range(7)
 MOST_SAMPLES = 10**9
 
@@ -167,10 +168,22 @@ class Curve(CurveAnalysis, CurvePictures):
         """(..., 3) [m/s²], world frame."""
         return self._at(LINEAR_ACCELERATION, t, "body", out, dtype, threads)
 
-    def motion(self, t: Any, *, frame: str = "body") -> Motion:
-        """All of these at one time; rates in that frame."""
+    def motion(self, t: Any, *, frame: str = "body", side: str = "right") -> Motion:
+        """All of these at one time; rates in that frame. Where rates jump at a key, `side="left"` has those before it.
+
+        >>> import orispline as ori
+        >>> curve = ori.Curve([0, 1, 3], [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 1, 0]], "slerp")
+        >>> [round(float(curve.motion(1.0, side=side).angular_velocity[2]), 4) for side in ("left", "right")]
+        [1.287, 0.9273]
+        """
         if np.ndim(t) != 0:
             raise ArgumentError("t: found an array, wanted one time")
+        if _index("side", side, SIDES) == 1:
+            q = self(t)  # with what a time outside gets
+            seconds = float(self._clock.seconds("t", t))
+            first, last = self._core.domain
+            if first < seconds <= last:
+                return Motion(q, *self._core.rates_before(seconds, _index("frame", frame, FRAMES) == 1))
         rates = [self._at(what, t, frame, None, np.float64, 1) for what in (VELOCITY, ACCELERATION, JERK)]
         linear = [self._at(what, t, "body", None, np.float64, 1)
                   for what in (POSITION, LINEAR_VELOCITY, LINEAR_ACCELERATION)] if self._core.has_positions else []
