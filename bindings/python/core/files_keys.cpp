@@ -56,7 +56,7 @@ nb::tuple origin_of(const Keys& keys) {
   for (const Decimal& time : track.exact_times) exact_times += time.to_string() + "\n";
   const auto* const as_read = track.as_read.empty() ? nullptr : track.as_read.front().coeffs().data();
   return nb::make_tuple(track.name, track.epoch.to_string(), track.lines, exact_times,
-                        as_read ? array_of(as_read, track.as_read.size(), 4) : nb::none(), track.recipe.method,
+                        as_read ? nb::object(array_of(as_read, track.as_read.size(), 4)) : nb::object(nb::none()), track.recipe.method,
                         track.recipe.signs == Signs::as_given, track.recipe.line);
 }
 
