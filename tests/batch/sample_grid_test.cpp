@@ -2,9 +2,11 @@
 // The times of a grid are those of its formula to the last bit, and an open grid keeps what it has given.
 #include <orispline/batch/sample_grid.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
+#include <variant>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -30,6 +32,31 @@ TEST(SampleGrid, HasTheNearestDoublesOfExactTimesAtARate) {
   EXPECT_EQ(grid[300].offset, 10.0);
   EXPECT_EQ(grid[300].t, (start + decimal("10")).to_double());
   EXPECT_EQ(grid.time(301), std::numeric_limits<double>::infinity());
+}
+
+TEST(SampleGrid, FillsWithTheTimesThatItHasOneByOne) {
+  for (const char* start : {"0", "0.1", "-3", "1700000000.000000001", "0.91345678901234567"})
+    for (const char* length : {"0", "7", "12.3456789", "0.09", "1e9"})
+      for (const SampleGrid::LastSample last : {SampleGrid::LastSample::before_end, SampleGrid::LastSample::at_end})
+        for (const std::variant<Rate, Count>& spacing :
+             {std::variant<Rate, Count>(Rate{3.0}), std::variant<Rate, Count>(Rate{30000.0, 1001.0}),
+              std::variant<Rate, Count>(Count{1}), std::variant<Rate, Count>(Count{1000})}) {
+          const Decimal begin = decimal(start);
+          const auto grid = SampleGrid::make(
+              {.spacing = spacing, .start = begin, .end = begin + decimal(length), .last = last}, 0.0, {});
+          if (!grid) continue;
+          const std::uint64_t size = std::min<std::uint64_t>(*grid->size(), 2000), rest = *grid->size() - size;
+          for (const std::uint64_t first : {std::uint64_t{0}, std::min<std::uint64_t>(1, rest), rest}) {
+            std::vector<double> times(size);
+            grid->fill(first, times);
+            for (std::uint64_t k = 0; k < size; ++k)
+              ASSERT_EQ(times[k], (*grid)[first + k].t) << start << ' ' << first + k;
+          }
+        }
+  const SampleGrid steps(0.5, 0.1);
+  std::vector<double> times(10);
+  steps.fill(5, times);
+  for (std::uint64_t k = 0; k < 10; ++k) EXPECT_EQ(times[k], steps[5 + k].t);
 }
 
 TEST(SampleGrid, MeetsAnEndThatRoundingHides) {

@@ -128,6 +128,29 @@ TEST(Decimal, GivesTheNearestDouble) {
   }
 }
 
+TEST(Decimal, GivesTheNearestDoubleOfLongNumbersBesideTies) {
+  std::mt19937_64 dice(11);
+  for (int i = 0; i < 20000; ++i) {
+    // Halfway between two doubles m / 2^k, which has as many decimals as bits behind the point, and next to it.
+    const auto mantissa = static_cast<double>((dice() >> 11) | (std::uint64_t{1} << 52));
+    const double x = std::ldexp(mantissa, -static_cast<int>(50 + dice() % 13));
+    const Decimal low = Decimal::from_double(x), high = Decimal::from_double(std::nextafter(x, 1e300));
+    const Decimal middle = (low + high) * decimal("0.5");
+    for (const char* step : {"0", "1e-21", "-1e-21", "1e-19", "-1e-19"}) {
+      const Decimal number = middle + decimal(step);
+      const double wanted = std::strtod(number.to_string().c_str(), nullptr);
+      EXPECT_EQ(number.to_double(), wanted) << number.to_string();
+      EXPECT_EQ((-number).to_double(), -wanted) << number.to_string();
+    }
+  }
+  for (int power = 0; power <= 22; ++power)
+    for (const char* digits : {"9007199254740993", "18014398509481985", "9007199254740995", "9999999999999999999999999",
+                               "1234567890123456789012345678901234567", "36893488147419107329"}) {
+      const std::string text = digits + ("e-" + std::to_string(power));
+      EXPECT_EQ(decimal(text).to_double(), std::strtod(text.c_str(), nullptr)) << text;
+    }
+}
+
 TEST(Decimal, HoldsEveryDouble) {
   std::mt19937_64 random(11);
   for (int i = 0; i < 20000; ++i) {

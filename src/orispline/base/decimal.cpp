@@ -14,6 +14,7 @@
 #include <orispline/base/decimal_digits.hpp>
 #include <orispline/base/expect.hpp>
 #include <orispline/base/formatted.hpp>
+#include <orispline/base/nearest_quotient.hpp>
 #include <orispline/base/number_text.hpp>
 #include <orispline/base/quoted.hpp>
 
@@ -183,6 +184,10 @@ double Decimal::to_double() const {
     const auto coefficient = static_cast<double>(coefficient_);
     const auto power = static_cast<double>(integer_power_of_ten(std::abs(exponent_)));
     return exponent_ < 0 ? coefficient / power : coefficient * power;  // one rounding
+  }
+  if (exponent_ <= 0 && -exponent_ <= largest_power_of_nearest_quotient) {
+    const double size = nearest_quotient(magnitude(coefficient_), -exponent_);
+    return coefficient_ < 0 ? -size : size;
   }
   Digits digits(magnitude(coefficient_));
   const std::string_view text = digits.with_exponent(exponent_);

@@ -79,6 +79,29 @@ Instant SampleGrid::operator[](std::uint64_t k) const {
   return {std::isfinite(behind) ? start_.nearest_plus(behind) : behind, behind};
 }
 
+void SampleGrid::fill(std::uint64_t first, std::span<double> times) const {
+  const auto write = [&](const auto& time_of) {
+    for (std::size_t i = 0; i < times.size(); ++i) times[i] = time_of(first + i);
+  };
+  const auto* const rate = std::get_if<Rate>(&spacing_);
+  const auto* const count = std::get_if<Count>(&spacing_);
+  const auto steps_of = [](std::uint64_t k) { return static_cast<double>(static_cast<std::int64_t>(k)); };
+  const bool is_plain = start_.time() == Decimal() && end_ && end_->time == end_->span;
+  if (is_plain && rate) {  // times are offsets: loops without calls, which compilers turn into vectors
+    write([&steps_of, seconds = rate->seconds, hertz = rate->hertz](std::uint64_t k) {
+      return steps_of(k) * seconds / hertz;
+    });
+  } else if (is_plain && count && count->samples > 1) {
+    write([&steps_of, span = end_->span, intervals = static_cast<double>(count->samples - 1)](std::uint64_t k) {
+      return span * steps_of(k) / intervals;
+    });
+  } else {
+    return write([this](std::uint64_t k) { return (*this)[k].t; });
+  }
+  if (end_->index && first <= *end_->index && *end_->index - first < times.size())
+    times[static_cast<std::size_t>(*end_->index - first)] = (*this)[*end_->index].t;
+}
+
 double SampleGrid::time(std::uint64_t k) const { return end_ && k >= end_->samples ? infinity : (*this)[k].t; }
 
 /// Nearly always the sample that is looked for, or the one before it.

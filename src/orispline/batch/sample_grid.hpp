@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <variant>
 
 #include <orispline/base/time_origin.hpp>
@@ -64,6 +65,8 @@ class ORISPLINE_EXPORT SampleGrid {
   /// Absent while the grid is open.
   [[nodiscard]] std::optional<std::uint64_t> size() const noexcept;
   [[nodiscard]] Instant operator[](std::uint64_t k) const;
+  /// The times of as many samples, from that one on: those of operator[].
+  void fill(std::uint64_t first, std::span<double> times) const;
   /// Of sample k since the start [s].
   [[nodiscard]] double offset(std::uint64_t k) const noexcept;
   /// Of sample k [s]; infinite behind the last.
