@@ -6,6 +6,7 @@ import fractions
 import pickle
 import sys
 import threading
+import time
 
 import numpy as np
 import orispline as ori
@@ -211,6 +212,7 @@ def test_threads_share_a_curve_and_the_interpreter_is_free_meanwhile(keys):
     def count():
         while not stop.is_set():
             counted[0] += 1
+            time.sleep(0)  # gives the others their turn
 
     many = np.sort(inside(curve, 3_000_000))
     interval = sys.getswitchinterval()
