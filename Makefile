@@ -106,14 +106,14 @@ bench:
 bench-quick:
 	$(call build_and_measure,--sizes quick)
 
-# Of the headers that are installed.
-docs:
-	tools/setup.sh build docs
-	cmake --preset release
+# Of the headers that are installed, in build/docs/html, and of the Python package, in build/python/reference.
+docs: build
+	tools/setup.sh build docs python
 	rm -rf build/docs
 	cmake --install build/release --component headers --prefix build/docs
 	doxygen docs/Doxyfile
 	tools/check_html.py . build/docs/html
+	$(call python_package,--docs --or-skip)
 
 # Builds the page of the reports anew, which is part of the library.
 page:

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Builds the Python package, and on demand tests it: build.py FOLDER [PREFIX] [--sdist] [--test] [--stub] [--or-skip]
+"""Builds the Python package, and on demand tests it: build.py FOLDER [PREFIX] [--sdist] [--test] [--docs] [--stub] [--or-skip]
 
 The wheel goes into FOLDER/dist, by the tools in the virtual environment FOLDER/venv, where it is installed with what its tests
 need. With PREFIX, where an orispline is installed, only the module is compiled, else the library too. On Linux the wheel is
@@ -90,7 +90,7 @@ def main():
     parser.add_argument("prefix", type=pathlib.Path, nargs="?")
     parser.add_argument("--sdist", action="store_true", help="the source beside the wheel")
     parser.add_argument("--test", action="store_true", help="then the tests of tests/python")
-    parser.add_argument("--docs", action="store_true", help="what the reference needs too")
+    parser.add_argument("--docs", action="store_true", help="then the reference, in FOLDER/reference")
     parser.add_argument("--stub", action="store_true", help="write orispline/_core.pyi anew in the source")
     parser.add_argument("--or-skip", action="store_true", help="succeed where what building needs is not here, and say so")
     options = parser.parse_args()
@@ -104,6 +104,8 @@ def main():
     print(f"{wheel.name}: {wheel.stat().st_size / 1e6:.2f} MB, installed in {folder / 'venv'}", flush=True)
     if options.stub:
         run(python, ROOT / "tools/make_python_stub.py", ROOT / "bindings/python/orispline/_core.pyi")
+    if options.docs:
+        run(python, "-m", "sphinx", "-W", "--keep-going", "-q", ROOT / "bindings/python/reference", folder / "reference")
     if options.test:
         tests = [python, "-m", "pytest", "-q", "-p", "no:cacheprovider", ROOT / "tests/python"]
         sys.exit(subprocess.run(tests, env=os.environ | {"ORISPLINE_WHEEL": str(wheel)}, check=False).returncode)

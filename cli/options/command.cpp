@@ -51,14 +51,6 @@ std::vector<std::string_view> flags_of(const Command& command) {
   return flags;
 }
 
-/// What is typed behind an option, by its name.
-std::string argument_of(const Command& command, std::string_view name) {
-  for (const Option& option : command.options)
-    for (const std::string_view other : pieces_of(option.names, ','))
-      if (other == name) return option.argument;
-  return {};
-}
-
 std::string unexpected(const Command& command, std::string_view word) {
   if (!word.starts_with('-'))
     return formatted("{}: found {}, wanted no more words here; 'orispline help {}' lists the options", command.name,
@@ -73,9 +65,10 @@ std::string unexpected(const Command& command, std::string_view word) {
 
 std::string unmatched(const Command& command, std::string_view message) {
   const std::string_view name = message.substr(0, message.find(':'));
-  const std::string argument = argument_of(command, name);
+  const Option* const option = command.find(name);
   if (message.find("At Most") != message.npos) return formatted("{}: found it more than once, wanted it once", name);
-  if (!argument.empty()) return formatted("{}: found nothing after it, wanted {}", name, argument);
+  if (option && !option->argument.empty())
+    return formatted("{}: found nothing after it, wanted {}", name, option->argument);
   return std::string(message);
 }
 
@@ -102,6 +95,13 @@ std::string said_of(const CLI::ParseError& error, const CLI::App& app, const std
 }
 
 }  // namespace
+
+const Option* Command::find(std::string_view typed) const {
+  for (const Option& option : options)
+    for (const std::string_view other : pieces_of(option.names, ','))
+      if (other == typed) return &option;
+  return nullptr;
+}
 
 Expected<const Command*> parsed(const std::deque<Command>& commands, const Program& program,
                                 std::vector<std::string> words) {

@@ -53,6 +53,8 @@ struct Command {
 
   /// One that was added.
   Option& option(std::string_view names) { return *std::ranges::find(options, names, &Option::names); }
+  /// The one that the user types by this name; null if there is none.
+  [[nodiscard]] const Option* find(std::string_view typed) const;
   Option* add(Option option) { return &options.emplace_back(std::move(option)); }
   template <class T>
   Option* add_option(std::string names, T& typed, std::string sentence) {

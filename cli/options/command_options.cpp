@@ -28,58 +28,20 @@ void add_input_options(Command& app, InputOptions& o, std::string_view default_s
 }
 
 void add_reading_options(Command& app, InputOptions& o, std::string_view default_signs) {
-  const std::string group = "Reading";
-  app.add_option("--input-format", o.format, "Format of INPUT [told by its extension and content]")
-      ->type_name(one_of(io::formats_read()))
-      ->group(group);
-  app.add_option("--columns", o.columns, "Names of columns in your file, such as t=sclk_ticks,qw=q0_w")
-      ->repeated()
-      ->type_name("NAME=COLUMN,...")
-      ->group(group);
-  app.add_option("--order", o.order, "Order of the quaternion in a file without a header")
-      ->type_name(one_of(order_choices))
-      ->group(group);
-  app.add_option("--input-orientation", o.orientation,
-                 "Columns to read the orientation from [the quaternion, else the form that is there]")
-      ->type_name(one_of(orientation_choices))
-      ->group(group);
-  app.add_option("--euler", o.euler,
-                 "Order of Euler angles: capitals for turns about body axes (ZYX, ZXZ), small letters for world axes "
-                 "(zyx) [ZYX]")
-      ->type_name("ORDER")
-      ->group(group);
-  app.add_option("--angle-unit", o.angle_unit,
-                 "Unit of Euler angles, if the names of their columns do not end in one such as _deg")
-      ->type_name(one_of(angle_unit_choices))
-      ->group(group);
-  app.add_option("--time-scale", o.time_scale,
-                 "Seconds in one unit of the time column, such as 1e-3 or 1/24 [told by the column's name or the size "
-                 "of its numbers, else 1]")
-      ->type_name("X")
-      ->group(group);
-  app.add_option("--fps", o.fps, "Frames per second, such as 24 or 30000/1001, if the times are a column 'frame'")
-      ->type_name("N")
-      ->group(group);
-  app.add_option("--epoch", o.epoch,
-                 "Date that counts as 0 s, if the times are dates of ISO 8601 [1970-01-01T00:00:00Z]")
-      ->type_name("TIME")
-      ->group(group);
-  app.add_flag("--conjugate", o.conjugate,
-               "Read orientations that turn world into body, as C-kernels of SPICE hold them")
-      ->group(group);
-  app.add_option("--signs", o.signs,
-                 formatted("Turn the shortest way between keys, or the way that the signs of the quaternions say [{}]",
-                           default_signs))
-      ->type_name(one_of(sign_choices))
-      ->group(group);
-  app.add_flag("--ignore-recipe", o.ignore_recipe, "Ignore the comment in which the file names the method of its keys")
-      ->group(group);
-  app.add_flag("--normalise", o.normalise, "Accept quaternions of any norm but 0 [only norms within 2 % of 1]")
-      ->group(group);
-  app.add_flag("--drop-duplicates", o.drop_duplicates, "Keep only the first of several rows with the same time")
-      ->group(group);
-  app.add_flag("--drop-invalid", o.drop_invalid, "Drop rows with NaN, infinite or empty cells")->group(group);
-  app.add_flag("--sort", o.sort, "Sort the rows by time")->group(group);
+  for (const auto& option : io::reading_options()) {
+    TypedTexts& typed = o.reading[option.name];
+    const std::string_view standing = option.name == "signs" ? default_signs : "";
+    Option added{
+        .names = flag_of(option.name),
+        .sentence = standing.empty() ? std::string(option.sentence) : formatted("{} [{}]", option.sentence, standing),
+        .typed = &typed.once,
+        .stands_for = option.argument ? "" : "true",
+        .argument = option.argument ? option.argument() : "",
+        .section = "Reading",
+        .is_repeated = option.is_repeated};
+    if (option.is_repeated) added.typed = &typed.each;
+    app.add(std::move(added));
+  }
 }
 
 void add_method_options(Command& app, MethodOptions& o) {

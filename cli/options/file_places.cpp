@@ -50,6 +50,11 @@ bool has_extension(const std::string& path, std::string_view extension) {
   return in_small_letters(fs::path(path).extension().string()) == extension;
 }
 
+bool has_name_of(bool (io::FormatInfo::*is_so)() const noexcept, const std::string& path) {
+  const io::FormatInfo* const format = io::format_of_extension(path);
+  return has_extension(path, any_text) || (format && (format->*is_so)());
+}
+
 Expected<void> check_extension(std::string_view option, const std::string& output,
                                std::vector<std::string_view> extensions, std::string_view cure) {
   const std::string extension = in_small_letters(fs::path(output).extension().string());

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <orispline/base/expected.hpp>
+#include <orispline/io/file_format.hpp>
 
 namespace orispline::cli {
 
@@ -29,6 +30,9 @@ struct OtherFile {
 /// dots, in any case of letters. Names without an extension fit. `cure`: what else would help.
 [[nodiscard]] Expected<void> check_extension(std::string_view option, const std::string& output,
                                              std::vector<std::string_view> extensions, std::string_view cure = {});
+
+/// Whether a name ends as those of files do of which this is true: `has_name_of(&io::FormatInfo::is_read, path)`.
+[[nodiscard]] bool has_name_of(bool (io::FormatInfo::*is_so)() const noexcept, const std::string& path);
 
 /// Whether a name ends in that extension, which has its dot, in any case of letters.
 [[nodiscard]] bool has_extension(const std::string& path, std::string_view extension);

@@ -38,21 +38,14 @@ Expected<void> check_values(const std::vector<std::string>& words) {
   return {};
 }
 
-const Option* option_of(const Command& command, std::string_view word) {
-  for (const Option& option : command.options)
-    for (const std::string_view name : pieces_of(option.names, ','))
-      if (name == word) return &option;
-  return nullptr;
-}
-
 /// The parser would take an option for the value of the one before it.
 Expected<void> check_no_option_is_a_value(const std::deque<Command>& commands, const std::vector<std::string>& words) {
   const auto command = std::ranges::find(commands, words.front(), &Command::name);
   if (command == commands.end()) return {};
   for (std::size_t i = 1; i + 1 < words.size() && words[i] != "--"; ++i) {
-    const Option* const option = words[i].starts_with('-') ? option_of(*command, words[i]) : nullptr;
+    const Option* const option = words[i].starts_with('-') ? command->find(words[i]) : nullptr;
     if (!option || option->is_flag()) continue;
-    if (words[i + 1].starts_with('-') && option_of(*command, words[i + 1]))
+    if (words[i + 1].starts_with('-') && command->find(words[i + 1]))
       return usage_failure(
           formatted("{}: found the option {} after it, wanted {}", words[i], words[i + 1], option->argument));
     ++i;  // its value

@@ -1,41 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include <orispline/io/key_file.hpp>
+#include <orispline/io/file_option_words.hpp>
 
 #include "options/option_text.hpp"
 
 namespace orispline::cli {
 
-inline constexpr std::array orientation_choices{
-    Choice<io::Representation>{"quaternion", io::Representation::quaternion},
-    Choice<io::Representation>{"euler", io::Representation::euler},
-    Choice<io::Representation>{"matrix", io::Representation::matrix},
-    Choice<io::Representation>{"rotvec", io::Representation::rotation_vector}};
-inline constexpr auto angle_unit_choices = [] {
-  std::array<Choice<io::AngleUnit>, io::angle_units.size()> choices;
-  std::ranges::transform(io::angle_units, choices.begin(), [](const auto& unit) {
-    return Choice<io::AngleUnit>{unit.word, unit.unit};
-  });
-  return choices;
-}();
-inline constexpr std::array order_choices{Choice<io::QuaternionOrder>{"wxyz", io::QuaternionOrder::wxyz},
-                                          Choice<io::QuaternionOrder>{"xyzw", io::QuaternionOrder::xyzw}};
-inline constexpr std::array sign_choices{Choice<Signs>{"shortest", Signs::shortest},
-                                         Choice<Signs>{"as-given", Signs::as_given}};
+inline constexpr const auto& orientation_choices = io::representation_words;
+inline constexpr const auto& angle_unit_choices = io::angle_unit_words;
+inline constexpr const auto& sign_choices = io::sign_words;
+
+/// What is typed behind an option, once or each time.
+struct TypedTexts {
+  std::optional<std::string> once;
+  std::vector<std::string> each;
+
+  [[nodiscard]] bool are_given() const noexcept { return once || !each.empty(); }
+};
 
 /// How the user wants a file of keyframes to be read, as typed.
 struct InputOptions {
   std::string path;
-  std::optional<std::string> format, order, orientation, euler, angle_unit, time_scale, fps, epoch, signs;
-  std::vector<std::string> columns;
-  bool conjugate = false, drop_duplicates = false, drop_invalid = false, sort = false, ignore_recipe = false,
-       normalise = false;
+  std::map<std::string_view, TypedTexts, std::less<>> reading;  ///< by the names of io::reading_options()
 };
 
 /// The same, understood.

@@ -61,19 +61,17 @@ Expected<Method> with_rate_option(Method method, CurveEnd end, std::string_view 
 
 /// A method as far as the options say nothing.
 Method silent_about(const MethodOptions& options, Method method) {
-  CurveOptions& stated = method.options;
-  std::vector<std::string> settings;
-  if (options.tension) settings.emplace_back("tension");
-  for (const std::string& text : options.settings) settings.push_back(text.substr(0, text.find('=')));
-  for (const std::string& setting : settings) {
-    stated.parameters.erase(setting);
-    stated.choices.erase(setting);
-  }
-  if (options.ends) stated.start.rule = stated.end.rule = EndRule::none;  // a rate that the file states stays
-  if (options.start_rate) stated.start = {};
-  if (options.end_rate) stated.end = {};
-  if (options.closed || options.period) stated.loop.reset();
-  return method;
+  std::vector<std::string> stated;
+  for (const std::string& text : options.settings) stated.push_back(text.substr(0, text.find('=')));
+  const auto add = [&](bool is_given, std::string_view name) {
+    if (is_given) stated.emplace_back(name);
+  };
+  add(options.tension.has_value(), "tension");
+  add(options.ends.has_value(), "ends");
+  add(options.start_rate.has_value(), "start_rate");
+  add(options.end_rate.has_value(), "end_rate");
+  add(options.closed || options.period, "closed");
+  return without(std::move(method), stated);
 }
 
 Expected<Method> with_loop_options(Method method, const MethodOptions& options) {

@@ -98,6 +98,15 @@ template <class T, std::size_t N>
   };
 }
 
+/// Reads a word of an enumeration of the library.
+template <class E>
+[[nodiscard]] Expected<E> word_in(OptionText option) {
+  const std::span<const Word> vocabulary = words<E>;
+  const auto found = std::ranges::find(vocabulary, option.text, &Word::word);
+  if (found == vocabulary.end()) return wanted(option, one_of(vocabulary));
+  return static_cast<E>(found->value);
+}
+
 /// Reads an option only if the user typed it.
 template <class Read>
 [[nodiscard]] auto if_given(std::string_view option, const std::optional<std::string>& text, Read read)

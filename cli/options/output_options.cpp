@@ -56,19 +56,18 @@ Expected<std::string_view> folder_extension(const OutputOptions& options, std::s
   });
 }
 
-bool is_written_by_name(const std::string& path) {
-  const io::FormatInfo* const format = io::format_of_extension(path);
-  return has_extension(path, any_text) || (format && format->is_written());
-}
-
 std::string formats_that(bool (*are)(const io::FormatInfo&)) {
   auto some = io::formats_written();
   std::erase_if(some, [are](const io::FormatInfo* format) { return !are(*format); });
   return io::any_of(some);
 }
 
-std::string formats_for_settings() {
-  return formats_that([](const auto& f) { return f.keeps_times() && f.holds.settings; });
+Expected<void> check_settings_fit(const Track& keys, const io::SampleColumns& columns, std::string_view output,
+                                  std::string_view promise) {
+  if (keys.settings.empty() || columns.format->holds.settings) return {};
+  return usage_failure(formatted("{}: {} has no column for {}, with which {}, wanted {}", output, columns.format->file,
+                                 keys.settings.begin()->first, promise,
+                                 formats_that([](const auto& f) { return f.keeps_times() && f.holds.settings; })));
 }
 
 Expected<void> check_times_are_kept(const io::FormatInfo& format, std::string_view option, std::string_view promise) {

@@ -41,12 +41,12 @@ struct OutputOptions {
 /// named besides, what is written goes to one of them.
 [[nodiscard]] Expected<std::string_view> folder_extension(const OutputOptions& options, std::string_view written);
 
-/// Whether a name ends as those of files do that we write.
-[[nodiscard]] bool is_written_by_name(const std::string& path);
-
 /// `CSV or TUM`: the formats that samples are written in of which this is true.
 [[nodiscard]] std::string formats_that(bool (*are)(const io::FormatInfo&));
-/// Those for keys that have settings, at their exact times.
-[[nodiscard]] std::string formats_for_settings();
+
+/// Error (bad_argument): keys have settings with a value each, with which `promise`, such as `the limits hold`, and
+/// files of that format have no column for them. `output`: the file or its option.
+[[nodiscard]] Expected<void> check_settings_fit(const Track& keys, const io::SampleColumns& columns,
+                                                std::string_view output, std::string_view promise);
 
 }  // namespace orispline::cli

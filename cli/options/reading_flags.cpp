@@ -1,52 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "options/reading_flags.hpp"
 
-#include <algorithm>
-#include <array>
+#include <string>
 #include <utility>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/io/file_option.hpp>
 
-#include "options/input_options.hpp"
+#include "options/option_text.hpp"
 
 namespace orispline::cli {
 namespace {
 
-/// A flag for an option of io::ReadOptions, and what is said of it where it would help.
-struct ReadingFlag {
-  std::string_view option, flag, use;
-};
+constexpr std::string_view sort_rows = "sort_rows";  // of compare, where --sort is for its table
 
-constexpr std::array reading_flags{
-    ReadingFlag{"format", "--input-format", ""},
-    ReadingFlag{"columns", "--columns", " NAME=COLUMN,... says which is which"},
-    ReadingFlag{"order", "--order", " wxyz|xyzw"},
-    ReadingFlag{"representation", "--input-orientation", " quaternion|euler|matrix|rotvec"},
-    ReadingFlag{"euler", "--euler", " ORDER"},
-    ReadingFlag{"angle_unit", "--angle-unit", " deg|rad"},
-    ReadingFlag{"time_scale", "--time-scale", " X"},
-    ReadingFlag{"fps", "--fps", " N"},
-    ReadingFlag{"drop_duplicates", "--drop-duplicates", " keeps the first"},
-    ReadingFlag{"drop_invalid", "--drop-invalid", " drops such rows"},
-    ReadingFlag{"norms", "--normalise", " takes any norm but 0"},
-    ReadingFlag{"recipe", "--ignore-recipe", " reads the keys without it"},
-    ReadingFlag{"sort", "--sort", " orders the rows"},
-    ReadingFlag{"sort_rows", "--sort-rows", " orders the rows"}};  // of compare, where --sort is for its table
+const io::FileOption<io::Reading>* option_for(std::string_view member) {
+  return io::reading_option_of(member == sort_rows ? "sort" : member);
+}
 
-const ReadingFlag* flag_for(std::string_view option) {
-  const auto found = std::ranges::find(reading_flags, option, &ReadingFlag::option);
-  return found == reading_flags.end() ? nullptr : found;
+/// What is typed to mend an error, and what that does.
+std::string cure(const io::FileOption<io::Reading>& option, std::string_view member) {
+  std::string text = flag_of(member == sort_rows ? sort_rows : option.name);
+  if (option.argument) text += formatted(" {}", option.argument());
+  if (!option.use.empty()) text += formatted(" {}", option.use);
+  return text;
 }
 
 }  // namespace
 
 Error with_reading_flags(Error error) {
-  if (const ReadingFlag* const fault = flag_for(error.option)) {
-    error.message = formatted("{}: {}", fault->flag, error.message);
+  if (const auto* const fault = option_for(error.option)) {
+    error.message = formatted("{}: {}", flag_of(fault->name), error.message);
     error.option.clear();
   }
-  if (const ReadingFlag* const remedy = flag_for(error.remedy)) {
-    error.message += formatted(" ({}{})", remedy->flag, remedy->use);
+  if (const auto* const remedy = option_for(error.remedy)) {
+    error.message += formatted(" ({})", cure(*remedy, error.remedy));
     error.remedy.clear();
   }
   return error;

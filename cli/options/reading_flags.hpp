@@ -6,7 +6,7 @@
 namespace orispline::cli {
 
 /// What the library says of reading a file, in the words of the command: beginning with the flag of an option that is
-/// at fault, ending with the flag that would mend it. THE place that knows which flag sets which option of reading.
+/// at fault, ending with the flag that would mend it.
 [[nodiscard]] Error with_reading_flags(Error error);
 
 }  // namespace orispline::cli

@@ -20,11 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_read_by_name(const std::string& path) {
-  const io::FormatInfo* const format = io::format_of_extension(path);
-  return has_extension(path, any_text) || (format && format->is_read());
-}
-
 bool is_hidden(const fs::path& path) { return path.filename().string().starts_with('.'); }
 
 /// The files in a folder and in those below it.
@@ -64,7 +59,8 @@ class FolderFiles {
     return is_hidden(folder) || (outputs_ && is_same_file(folder.string(), *outputs_));
   }
   void take(const fs::path& path) {
-    if (is_read_by_name(path.string())) files_.push_back({path.string(), path.lexically_relative(folder_).string()});
+    if (has_name_of(&io::FormatInfo::is_read, path.string()))
+      files_.push_back({path.string(), path.lexically_relative(folder_).string()});
     else if (others_++ == 0 || path.filename().string() < other_) other_ = path.filename().string();
   }
 

@@ -56,7 +56,8 @@ class FilesThere {
 std::string output_name(const InputFile& input, std::string_view extension) {
   fs::path name = input.name;
   if (!extension.empty()) name.replace_extension(extension);
-  else if (!is_written_by_name(input.name)) name.replace_extension(io::csv_format.extensions.front());
+  else if (!has_name_of(&io::FormatInfo::is_written, input.name))
+    name.replace_extension(io::csv_format.extensions.front());
   return name.string();
 }
 

@@ -21,4 +21,9 @@ std::string text_of(const io::RepairReport& repairs) {
   return joined(clauses, "; ");
 }
 
+std::string clauses_of(const io::RepairReport& repairs) {
+  const std::string text = text_of(repairs);
+  return text.empty() ? text : "; " + text;
+}
+
 }  // namespace orispline::cli

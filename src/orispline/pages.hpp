@@ -5,6 +5,7 @@
 
 #include <orispline/pages/compare_page.hpp>
 #include <orispline/pages/curve_page.hpp>
+#include <orispline/pages/motion_page.hpp>
 #include <orispline/pages/reduce_page.hpp>
 #include <orispline/pages/retime_page.hpp>
 #include <orispline/pages/smooth_page.hpp>

@@ -43,7 +43,7 @@ CASES = (
     ("sample keys.csv --count 2 --from 1 --to 1", "--count: found 2 and a range that is the single time 1, wanted 1"),
     ("sample keys.csv --times keys.csv --to 2", "--times: its file says which times to sample; wanted neither --from nor --to"),
     ("sample keys.csv --rate 1 --to 4 --extrapolate error", "time 4 is outside the curve, wanted 0 to 3"),
-    ("sample keys.csv --rate 1 --extrapolate bend", "--extrapolate: found 'bend', wanted hold|error"),
+    ("sample keys.csv --rate 1 --extrapolate bend", "--extrapolate: found 'bend', wanted hold|error|nan|rate|segment"),
     ("sample - --times -", "found '-' for several of INPUT, --times and --truth, wanted it for one at most"),
     # the shape of the curve
     ("sample keys.csv --rate 1 --method timed-c2 --tension high",

@@ -237,8 +237,8 @@ class Refused(CommandTest):
         for arguments, message in (
                 ("--keep-every 1", "--keep-every: found '1', wanted a whole number from 2 on"),
                 ("--keep-every 4,x", "--keep-every: found 'x', wanted a whole number from 2 on"),
-                ("--keep-every 4,4", "--keep-every: 4 stands twice"),
-                ("--methods auto,auto", "--methods: 'auto' stands twice"),
+                ("--keep-every 4,4", "--keep-every: found 4 twice, wanted each number once"),
+                ("--methods auto,auto", "--methods: found 'auto' twice, wanted each method once"),
                 ("--methods auto:tension", "--methods: found 'tension', wanted NAME=VALUE"),
                 ("--json --csv", "found --json and --csv, wanted one of them"),
                 ("--report -", "--report: found '-', wanted the name of a file"),

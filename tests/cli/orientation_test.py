@@ -37,7 +37,7 @@ class Orientations(CommandTest):
     def test_angles_without_a_unit_are_refused_with_both_ways_out(self):
         self.write("in.csv", "t,roll,pitch,yaw\n0,0,0,0\n")
         self.assert_fails("convert in.csv", BAD_DATA, "in.csv:1: 'yaw' has no unit, wanted a name such as yaw_deg or "
-                                                      "yaw_rad, or the unit (--angle-unit deg|rad)")
+                                                      "yaw_rad, or the unit (--angle-unit deg|rad|mrad|arcsec)")
 
     def test_every_form_is_written(self):
         self.write("in.csv", f"t,qw,qx,qy,qz\n7,{HALVES}\n")

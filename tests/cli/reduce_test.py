@@ -233,7 +233,7 @@ class Reduce(CommandTest):
         self.write("one.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n")
         reduce = "reduce keys.csv one.csv bad.csv --tolerance 1deg"
         self.assert_fails(f"{reduce} --output-folder out --all-or-none", BAD_DATA,
-                          "one.csv: found 1 sample, wanted 2 at least to keep the fewest that suffice\n"
+                          "one.csv: found 1 sample, wanted 2 or more\n"
                           "orispline: bad.csv:3:2: key 1: found 'nan', wanted a finite number "
                           "(--drop-invalid drops such rows)\n"
                           "orispline: 2 of 3 inputs failed; nothing was written")
@@ -292,7 +292,7 @@ class Reduce(CommandTest):
                           "positions is not much smaller")
         self.write("one.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n")
         self.assert_fails("reduce one.csv --tolerance 1deg", BAD_DATA,
-                          "one.csv: found 1 sample, wanted 2 at least to keep the fewest that suffice")
+                          "one.csv: found 1 sample, wanted 2 or more")
 
 
 if __name__ == "__main__":

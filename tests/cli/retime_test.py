@@ -199,11 +199,11 @@ class Retime(CommandTest):
         self.write("shaped.csv", "t,qw,qx,qy,qz,tension,wx,wy,wz\n0,1,0,0,0,0.9,1,2,3\n1,0,1,0,0,0.9,1,2,3\n")
         done = self.run_command("retime shaped.csv --max-rate 1deg/s --method timed-c2 --quiet")
         self.assertEqual((done.returncode, done.stderr.splitlines()[0]),
-                         (0, "orispline: warning: not carried over: wx, wy, wz"))
+                         (0, "orispline: warning: the output leaves out the columns wx, wy, wz"))
         self.assertRegex(done.stdout, r"^# orispline: method=timed-c2\nt,qw,qx,qy,qz,tension\n0,1,0,0,0,0\.9\n[\d.]+,0,1,0,0,0\.9\n$")
         done = self.run_command("retime shaped.csv --max-rate 1deg/s -o slow.csv --quiet")
         self.assertEqual((done.returncode, done.stderr.splitlines()[0]),
-                         (0, "orispline: warning: not carried over: tension, wx, wy, wz"))
+                         (0, "orispline: warning: the output leaves out the columns tension, wx, wy, wz"))
 
     def test_errors_of_the_keys_name_the_file(self):
         wild = random.Random(0)

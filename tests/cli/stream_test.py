@@ -97,7 +97,8 @@ class Streamed(CommandTest):
                         "--frame world --derivatives 2", "--output-orientation euler", "--threads 1", "--threads 7",
                         "--ends natural --method timed-c2", "--ends rest,clamped --end-rate=0,0,1 --method timed-c2",
                         "--start-rate=0.1,0,0 --method timed-c2", "--set tension=0.3 --method timed-c2",
-                        "--set hold=1", "--method bspline:degree=5", "--extrapolate error", "--json"):
+                        "--set hold=1", "--method bspline:degree=5", "--extrapolate error", "--extrapolate segment",
+                        "--extrapolate nan --from=-3", "--json"):
             self.assert_same(f"keys.csv --rate 40 {options}")
 
     def test_repairs_rates_and_parameters_of_the_keys(self):

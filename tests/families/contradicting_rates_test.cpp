@@ -65,5 +65,40 @@ TEST(ContradictingRates, AreNeitherTrueOnesNorRests) {
   EXPECT_EQ(warning_of(track_with([](const auto&, const Vector&) { return Vector(0.0, 0.0, 0.0); }), "hermite-c1"), "");
 }
 
+/// Turns about x by 2 sin t; `meant` makes the accelerations of the true ones, -2 sin t.
+template <class Meant>
+Track accelerated(Meant meant) {
+  KeyframeData data;
+  for (int i = 0; i < 100; ++i) {
+    const double t = 0.1 * i;
+    const Eigen::Quaterniond q = exp<double>(Vector(2.0 * std::sin(t), 0.0, 0.0));
+    data.times.push_back(t);
+    data.orientations.push_back(q);
+    data.angular_velocities.emplace_back(2.0 * std::cos(t), 0.0, 0.0);
+    data.angular_accelerations.push_back(meant(q, Vector(-2.0 * std::sin(t), 0.0, 0.0)));
+  }
+  return Keyframes::make(std::move(data)).value();
+}
+
+TEST(ContradictingAccelerations, AreThoseOfAnAccelerometer) {
+  const Track measured =
+      accelerated([](const auto& q, const Vector&) { return Vector(q.conjugate() * Vector(0.0, 0.0, 9.81)); });
+  const auto warnings = warnings_of(Method{"hermite-c2"}, measured);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].code, "contradicting_accelerations");
+  EXPECT_NEAR(warnings[0].number("largest_rate_rad_s"), 2.0, 1e-12);
+  EXPECT_GT(warnings[0].number("summed_rad_s"), 20.0);
+  EXPECT_NE(warnings[0].message.find("take hermite-c1"), std::string::npos) << warnings[0].message;
+  EXPECT_TRUE(warnings_of(Method{"hermite-c1"}, measured).empty());  // which reads none
+}
+
+TEST(ContradictingAccelerations, AreNeitherTrueOnesNorNoisyOnes) {
+  EXPECT_TRUE(warnings_of(Method{"hermite-c2"}, accelerated([](const auto&, const Vector& a) { return a; })).empty());
+  int sign = 1;
+  const Track noisy =
+      accelerated([&](const auto&, const Vector& a) { return Vector(a.x() + 20.0 * (sign = -sign), 0.0, 0.0); });
+  EXPECT_TRUE(warnings_of(Method{"hermite-c2"}, noisy).empty());
+}
+
 }  // namespace
 }  // namespace orispline

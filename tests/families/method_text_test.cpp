@@ -75,5 +75,18 @@ TEST(MethodText, RefusesWhatIsNoMethod) {
   EXPECT_EQ(error("timed-c2:period=0").option, "period");
 }
 
+TEST(MethodText, IsSilentAboutWhatOthersSay) {
+  const auto left = [](const char* text, const std::vector<std::string>& names) {
+    return text_of(without(method_from_text(text).value(), names));
+  };
+  EXPECT_EQ(left("tcb:bias=0.5:tension=0.25", {"tension"}), "tcb:bias=0.5");
+  EXPECT_EQ(left("squad-timed:variant=boyle", {"variant"}), "squad-timed");
+  EXPECT_EQ(left("timed-c2:ends=rest", {"ends", "bias"}), "timed-c2");
+  EXPECT_EQ(left("timed-c2:start_rate=0,0,1:end_rate=0,1,0", {"start_rate"}), "timed-c2:end_rate=0,1,0");
+  EXPECT_EQ(left("timed-c2:start_rate=0,0,1:end_rate=0,1,0", {"end_rate"}), "timed-c2:start_rate=0,0,1");
+  EXPECT_EQ(left("timed-c2:period=7", {"closed"}), "timed-c2");
+  EXPECT_EQ(left("timed-c2:closed", {}), "timed-c2:closed");
+}
+
 }  // namespace
 }  // namespace orispline

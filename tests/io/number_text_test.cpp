@@ -47,7 +47,9 @@ TEST(NumberText, HasAnExponentOnlyBelowOneTenThousandthAndFrom1e16) {
                                                   {9007199254740993.0, "9007199254740992"},
                                                   {1e16, "1e+16"},
                                                   {-5e-324, "-5e-324"},
-                                                  {std::numeric_limits<double>::max(), "1.7976931348623157e+308"}};
+                                                  {std::numeric_limits<double>::max(), "1.7976931348623157e+308"},
+                                                  {std::numeric_limits<double>::quiet_NaN(), "nan"},
+                                                  {-std::numeric_limits<double>::quiet_NaN(), "nan"}};
   for (const auto& [value, text] : cases) EXPECT_EQ(text_of(value), text);
 }
 

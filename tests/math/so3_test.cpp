@@ -30,7 +30,7 @@ double purely_relative_error(const Eigen::Vector3d& found, const Eigen::Vector3d
 TEST(QuaternionByNames, IsMadeOfAnyMixtureOfNumbers) {
   const Eigen::Quaterniond half(0.0, 1.0, 0.0, 0.0);
   EXPECT_EQ(quaternion_wxyz(0, 1, 0, 0).coeffs(), half.coeffs());
-  EXPECT_EQ(quaternion_wxyz(0, 1.0F, 0.0, 0).coeffs(), half.coeffs());
+  EXPECT_EQ(quaternion_wxyz(0, 1U, 0.0, 0L).coeffs(), half.coeffs());
   EXPECT_EQ(quaternion_xyzw(1, 0, 0, 0.0).coeffs(), half.coeffs());
   static_assert(std::is_same_v<decltype(quaternion_wxyz(1.0F, 0.0F, 0.0F, 0.0F)), Eigen::Quaternionf>);
 }

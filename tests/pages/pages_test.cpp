@@ -7,6 +7,7 @@
 #include <orispline/families/registry.hpp>
 #include <orispline/math/degrees.hpp>
 #include <orispline/pages/compare_page.hpp>
+#include <orispline/pages/motion_page.hpp>
 #include <orispline/pages/reduce_page.hpp>
 #include <orispline/pages/retime_page.hpp>
 #include <orispline/pages/smooth_page.hpp>
@@ -51,6 +52,29 @@ void expect_columns(const report::Page& page) {
       EXPECT_EQ(std::ranges::count(page.columns, id, &report::PageColumn::id), 1) << id;
     }
   }
+}
+
+TEST(MotionPage, ShowsOneCurveWithItsKeysAndItsShape) {
+  Track track = Keyframes::make(testing_support::random_walk(3, 8, testing_support::Spacing::uneven)).value();
+  const Method method{"quintic", {.parameters = {{"tension", {0.4}}}}};
+  const report::Page page = pages::motion_page(track, method, head).value();
+  expect_head(page);
+  expect_columns(page);
+  EXPECT_EQ(page.title, "quintic, 8 keys");
+  ASSERT_EQ(page.methods.size(), 1u);
+  EXPECT_EQ(page.methods[0].name, "quintic:tension=0.4");
+  const AnyCurve curve = make_curve(method, track.keys).value();
+  EXPECT_EQ(page.methods[0].continuity, "C" + std::to_string(continuity_at_keys(curve).order()));
+  EXPECT_DOUBLE_EQ(page.methods[0].measures.at("peak_rate_rad_s"), peaks(curve).angular_velocity.value);
+  EXPECT_FALSE(page.methods[0].measures.contains("rms_deg"));  // there is nothing to compare with
+  EXPECT_TRUE(page.methods[0].samples.torques.empty());
+  track.name = "folder/keys.csv";
+  const Eigen::Matrix3d inertia = Eigen::Vector3d(1.0, 2.0, 2.5).asDiagonal();
+  const report::Page torques = pages::motion_page(track, method, head, inertia).value();
+  EXPECT_EQ(torques.title, "keys.csv: quintic, 8 keys");
+  EXPECT_DOUBLE_EQ(torques.methods[0].measures.at("peak_torque_n_m"), peaks(curve, inertia).torque.value);
+  EXPECT_EQ(torques.methods[0].samples.torques.size(), torques.methods[0].samples.path.times.size());
+  EXPECT_FALSE(pages::motion_page(track, "no-such-method", head));
 }
 
 TEST(SmoothPage, ShowsTheSmoothedMotionBesideTheRecording) {

@@ -70,5 +70,17 @@ TEST(MotionDrawing, LeavesOutTheMarksOfVeryManyKeys) {
   EXPECT_EQ(count_of("r=\"4\"", svg), 0U);
 }
 
+TEST(MotionDrawing, SaysWhatItsChartsShow) {
+  const PageMethod method = turning("m", 0.5);
+  std::vector<std::string_view> words;
+  for (const DrawnQuantity& quantity : drawn_quantities()) {
+    words.push_back(quantity.word);
+    EXPECT_EQ(quantity.values(method.samples).size(), method.samples.path.times.size()) << quantity.title;
+  }
+  EXPECT_EQ(words, (std::vector<std::string_view>{"angle", "rate", "acceleration", "jerk"}));
+  EXPECT_NEAR(drawn_quantities()[0].values(method.samples).back(), 57.29577951308232, 1e-12);  // [deg] of 1 rad
+  EXPECT_DOUBLE_EQ(drawn_quantities()[1].values(method.samples)[3], 0.5);
+}
+
 }  // namespace
 }  // namespace orispline::report

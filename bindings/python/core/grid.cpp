@@ -22,9 +22,9 @@ Expected<std::optional<Decimal>> decimal_in(const std::optional<std::string>& te
   return Decimal::parse(*text).map([](const Decimal& number) { return std::optional(number); });
 }
 
-/// The times of a rate (a number or a fraction, as text) or of a count, as the command has them.
-FloatArray grid(const PythonCurve& curve, const std::optional<std::string>& rate, std::optional<std::size_t> count,
-                const std::optional<std::string>& start, const std::optional<std::string>& end, bool include_end) {
+/// The even times of a rate (a number or a fraction, as text) or of a count, as the command has them.
+SampleGrid grid_of(const PythonCurve& curve, const std::optional<std::string>& rate, std::optional<std::size_t> count,
+                   const std::optional<std::string>& start, const std::optional<std::string>& end, bool include_end) {
   SampleGrid::Request request{
       .spacing = SampleGrid::Count{count.value_or(0)},
       .start = value_of(decimal_in(start)),
@@ -34,7 +34,12 @@ FloatArray grid(const PythonCurve& curve, const std::optional<std::string>& rate
     const Fraction hertz = value_of(Fraction::parse(*rate));
     request.spacing = SampleRate{hertz.numerator().to_double(), hertz.denominator().to_double()};
   }
-  const SampleGrid made = value_of(SampleGrid::make(request, curve.domain().start, curve.domain().end));
+  return value_of(SampleGrid::make(request, curve.domain().start, curve.domain().end));
+}
+
+FloatArray grid(const PythonCurve& curve, const std::optional<std::string>& rate, std::optional<std::size_t> count,
+                const std::optional<std::string>& start, const std::optional<std::string>& end, bool include_end) {
+  const SampleGrid made = grid_of(curve, rate, count, start, end, include_end);
   const auto size = static_cast<std::size_t>(*made.size());
   const nb::object array = nb::module_::import_("numpy").attr("empty")(size);
   const auto memory = nb::cast<nb::ndarray<double, nb::ndim<1>, nb::c_contig, nb::device::cpu>>(array);
@@ -44,14 +49,7 @@ FloatArray grid(const PythonCurve& curve, const std::optional<std::string>& rate
 
 std::size_t grid_size(const PythonCurve& curve, const std::string& rate, const std::optional<std::string>& start,
                       const std::optional<std::string>& end, bool include_end) {
-  const Fraction hertz = value_of(Fraction::parse(rate));
-  const SampleGrid::Request request{
-      .spacing = SampleRate{hertz.numerator().to_double(), hertz.denominator().to_double()},
-      .start = value_of(decimal_in(start)),
-      .end = value_of(decimal_in(end)),
-      .last = include_end ? SampleGrid::LastSample::at_end : SampleGrid::LastSample::before_end};
-  return static_cast<std::size_t>(
-      *value_of(SampleGrid::make(request, curve.domain().start, curve.domain().end)).size());
+  return static_cast<std::size_t>(*grid_of(curve, rate, {}, start, end, include_end).size());
 }
 
 }  // namespace

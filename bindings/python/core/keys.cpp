@@ -34,6 +34,7 @@ Keys made(const Numbers& times, const Rows4& orientations, const std::optional<R
     return Keyframes::make(std::move(data), how);
   }();
   Track track(value_of(keys));
+  track.recipe.signs = how;
   track.settings = {settings.begin(), settings.end()};
   for (const auto& [name, values] : track.settings)
     if (values.size() != track.keys.size())

@@ -7,6 +7,7 @@
 
 #include <nanobind/nanobind.h>
 
+#include <orispline/analysis/angle_travelled.hpp>
 #include <orispline/batch/compiled_curve.hpp>
 #include <orispline/curve/method.hpp>
 #include <orispline/curve/pose_curve.hpp>
@@ -28,6 +29,8 @@ class PythonCurve {
 
   /// For times in no order: made when it is first asked for.
   [[nodiscard]] const CompiledCurve<double>& compiled() const;
+  /// The same of its arc length. Not to be asked with the GIL.
+  [[nodiscard]] const AngleTravelled& travelled() const;
 
  private:
   Keys keys_;
@@ -35,9 +38,17 @@ class PythonCurve {
   Expected<PoseCurve> pose_;
   mutable std::once_flag once_;
   mutable std::optional<CompiledCurve<double>> compiled_;
+  mutable std::once_flag travelled_once_;
+  mutable std::optional<AngleTravelled> travelled_;
 };
 
 /// The even times of a rate or a count.
 void add_grids(nanobind::class_<PythonCurve>& curve_class);
+/// What it is worth: energies, peaks, distances.
+void add_analysis(nanobind::module_& module, nanobind::class_<PythonCurve>& curve_class);
+/// Curves turned into polynomials.
+void add_baked(nanobind::module_& module, nanobind::class_<PythonCurve>& curve_class);
+/// Drawings, pages, and what is drawn elsewhere.
+void add_pictures(nanobind::module_& module, nanobind::class_<PythonCurve>& curve_class);
 
 }  // namespace orispline::python

@@ -11,13 +11,22 @@ from __future__ import annotations
 from typing import Any
 
 from . import _core
+from ._baked import BakedCurve
 from ._curve import Curve
-from ._errors import AccessError, ArgumentError, ConvergenceError, DataError, Error
-from ._keys import Keys
+from ._errors import AccessError, ArgumentError, ConvergenceError, DataError, Error, ShapeWarning
+from ._files import read, write
+from ._keys import Keys, KeyStatistics, Spread
+from ._measures import DistanceStatistics, Energies, HandleTurn, Peak, Peaks
+from ._online import OnlineCurve
+from ._pictures import plot_comparison, plot_sphere
 from ._samples import Motion, Samples
+from ._scipy_twins import RotationSpline, Slerp
+from ._stack import CurveStack
 
-__all__ = ["AccessError", "ArgumentError", "ConvergenceError", "Curve", "DataError", "Error", "Keys", "Motion", "Samples",
-           "methods"]
+__all__ = ["AccessError", "ArgumentError", "BakedCurve", "ConvergenceError", "Curve", "CurveStack", "DataError",
+           "DistanceStatistics", "Energies", "Error", "HandleTurn", "KeyStatistics", "Keys", "Motion", "OnlineCurve", "Peak",
+           "Peaks", "RotationSpline", "Samples", "ShapeWarning", "Slerp", "Spread", "methods", "plot_comparison", "plot_sphere",
+           "read", "write"]
 __version__: str = _core.version
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import decimal
 from typing import Any
 
 import numpy as np
@@ -10,7 +11,8 @@ import numpy as np
 from ._arrays import Array, numbers
 from ._errors import ArgumentError, DataError
 
-PER_SECOND = {"s": 1, "ms": 10**3, "us": 10**6, "ns": 10**9}
+DIGITS = {"s": 0, "ms": 3, "us": 6, "ns": 9}
+PER_SECOND = {unit: 10**digits for unit, digits in DIGITS.items()}
 LARGEST_PLAIN_INTEGER = 10**14  # larger ones can hardly be seconds
 
 
@@ -21,6 +23,11 @@ class Clock:
     unit: str = "s"
     origin: int = 0  # in the unit; differences are taken of integers, before anything becomes a double
     is_calendar: bool = False
+
+    @property
+    def epoch(self) -> str:
+        """What seconds count from [s], exact: of a calendar since 1970-01-01."""
+        return f"{decimal.Decimal(self.origin).scaleb(-DIGITS[self.unit]):f}"
 
     def seconds(self, name: str, times: Any) -> Array:
         """Times to ask for, of any shape. NaT becomes NaN."""

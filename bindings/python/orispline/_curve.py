@@ -10,18 +10,21 @@ from numpy.typing import NDArray
 from . import _core
 from ._arrays import output
 from ._checks import flag, thread_count
+from ._curve_analysis import CurveAnalysis
 from ._errors import ArgumentError
 from ._keys import Keys, _span
-from ._samples import Motion, Samples
-from ._texts import method_text, rate_text
+from ._pictures import CurvePictures
+from ._samples import Motion, Samples, samples_of
+from ._texts import rate_text
 
-BEYOND = ("hold", "error", "nan")
+BEYOND = tuple(_core.extrapolations())
 FRAMES = ("body", "world")
+SIDES = ("right", "left")
 ORIENTATION, VELOCITY, ACCELERATION, JERK, POSITION, LINEAR_VELOCITY, LINEAR_ACCELERATION = range(7)
 MOST_SAMPLES = 10**9
 
 
-class Curve:
+class Curve(CurveAnalysis, CurvePictures):
     """A smooth curve through keyframes, with exact angular velocity, acceleration and jerk.
 
     Functions of time take a time or an array of times of any shape, in any order; what they give has that shape and one
@@ -32,8 +35,9 @@ class Curve:
     ----------
     times, rotations
         As of `Keys`, which also says what the other arguments for keys mean. Or the first is a `Keys`.
-    method : str
-        A method by name (`orispline.methods()` lists them), or by its text form, `"quintic:tension=0.6"`.
+    method : str, optional
+        A method by name (`orispline.methods()` lists them), or by its text form, `"quintic:tension=0.6"`. Without it
+        that of the file which the keys are from, if it names one, else `auto`.
     ends : str or (str, str), optional
         End rule for both ends, or for each.
     start_rate, end_rate : (3,) arrays, optional
@@ -42,8 +46,9 @@ class Curve:
         A loop: the last key is the first one again.
     period : float, optional
         A loop whose first key returns so many seconds after it.
-    extrapolate : {"hold", "error", "nan"}
-        What a time outside the curve gets: the end orientation at rest, an error, or NaN.
+    extrapolate : {"hold", "error", "nan", "rate", "segment"}
+        What a time outside the curve gets: the end orientation at rest, an error, NaN, the motion at the end's rate, or
+        what the formula of the end segment gives there.
     **settings
         Parameters of the method: a number, or one for each key, or a word. `tension=0.4`, `variant="boyle"`.
 
@@ -68,9 +73,9 @@ class Curve:
 
     __slots__ = ("_beyond", "_clock", "_core", "_keys", "_plain", "_scalar_first")
 
-    def __init__(self, times: Any, rotations: Any = None, method: str = "auto", *, ends: str | tuple[str, str] | None = None,
-                 start_rate: Any = None, end_rate: Any = None, closed: bool = False, period: float | None = None,
-                 extrapolate: str = "hold", positions: Any = None, angular_velocities: Any = None,
+    def __init__(self, times: Any, rotations: Any = None, method: str | None = None, *,
+                 ends: str | tuple[str, str] | None = None, start_rate: Any = None, end_rate: Any = None,
+                 closed: bool = False, period: float | None = None, extrapolate: str = "hold", positions: Any = None, angular_velocities: Any = None,
                  angular_accelerations: Any = None, angular_jerks: Any = None, signs: str = "shortest",
                  scalar_first: bool = False, normalize: bool = False, time_unit: str | None = None,
                  **settings: Any) -> None:
@@ -82,7 +87,7 @@ class Curve:
             keys = Keys(times, rotations, positions=positions, angular_velocities=angular_velocities,
                         angular_accelerations=angular_accelerations, angular_jerks=angular_jerks, signs=signs,
                         scalar_first=scalar_first, normalize=normalize, time_unit=time_unit)
-        text = method_text(method, ends, start_rate, end_rate, closed, period, settings)
+        text = keys._method_text(method, ends, start_rate, end_rate, closed, period, settings)
         self._set(keys, _core.Curve(keys._core, text), _index("extrapolate", extrapolate, BEYOND))
 
     def _set(self, keys: Keys, core: Any, beyond: int) -> None:
@@ -118,15 +123,11 @@ class Curve:
         first, last = self._clock.back(np.array(self._core.domain))
         return (first, last) if self._clock.is_calendar else (float(first), float(last))
 
-    def continuity(self) -> int:
-        """The order to which it is continuous in time at its keys, measured: 2 is C²."""
-        return int(self._core.continuity())
-
     # What it is at times.
 
     def __call__(self, t: Any, *, out: Any = None, dtype: Any = np.float64, threads: int = 1) -> NDArray[Any]:
         """(..., 4) unit quaternions, x, y, z, w, or w, x, y, z where the keys were given so."""
-        if type(t) is float and self._plain and out is None and dtype is np.float64:
+        if isinstance(t, float) and self._plain and out is None and dtype is np.float64:
             return self._core.one(ORIENTATION, t, False, self._beyond)  # type: ignore[no-any-return]
         if not self._scalar_first:
             return self._at(ORIENTATION, t, "body", out, dtype, threads)
@@ -167,10 +168,22 @@ class Curve:
         """(..., 3) [m/s²], world frame."""
         return self._at(LINEAR_ACCELERATION, t, "body", out, dtype, threads)
 
-    def motion(self, t: Any, *, frame: str = "body") -> Motion:
-        """All of these at one time; rates in that frame."""
+    def motion(self, t: Any, *, frame: str = "body", side: str = "right") -> Motion:
+        """All of these at one time; rates in that frame. Where rates jump at a key, `side="left"` has those before it.
+
+        >>> import orispline as ori
+        >>> curve = ori.Curve([0, 1, 3], [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 1, 0]], "slerp")
+        >>> [round(float(curve.motion(1.0, side=side).angular_velocity[2]), 4) for side in ("left", "right")]
+        [1.287, 0.9273]
+        """
         if np.ndim(t) != 0:
             raise ArgumentError("t: found an array, wanted one time")
+        if _index("side", side, SIDES) == 1:
+            q = self(t)  # with what a time outside gets
+            seconds = float(self._clock.seconds("t", t))
+            first, last = self._core.domain
+            if first < seconds <= last:
+                return Motion(q, *self._core.rates_before(seconds, _index("frame", frame, FRAMES) == 1))
         rates = [self._at(what, t, frame, None, np.float64, 1) for what in (VELOCITY, ACCELERATION, JERK)]
         linear = [self._at(what, t, "body", None, np.float64, 1)
                   for what in (POSITION, LINEAR_VELOCITY, LINEAR_ACCELERATION)] if self._core.has_positions else []
@@ -186,43 +199,40 @@ class Curve:
         `include_end` makes the end a sample too where a rate does not meet it. `threads=0` uses all cores; the numbers
         are the same on any.
         """
-        if sum(given is not None for given in (rate, count, times)) != 1:
-            raise ArgumentError("sample: wanted one of rate, count and times")
-        if derivatives not in (0, 1, 2, 3):
-            raise ArgumentError(f"derivatives: found {derivatives!r}, wanted 0, 1, 2 or 3")
         world = _index("frame", frame, FRAMES) == 1
-        seconds = self._clock.seconds("times", times) if times is not None else self._grid(rate, count, start, end,
-                                                                                             include_end)
-        if seconds.ndim != 1:
-            raise ArgumentError(f"times: found the shape {seconds.shape}, wanted (k,)")
+        seconds = self._times_wanted(rate, count, times, start, end, include_end, derivatives)
         rows = [output("dtype", None, (len(seconds), 4), dtype), *self._room(derivatives, len(seconds), dtype)]
         linear = self._room(min(derivatives, 2) + 1 if self._core.has_positions else 0, len(seconds), dtype)
-        self._core.fill(seconds, *rows, *linear, world=world, threads=thread_count(threads))
-        if self._beyond != 0:
-            self._mend(seconds, [*rows, *linear])
+        self._core.fill(seconds, *rows, *linear, world=world, beyond=self._beyond, threads=thread_count(threads))
         if self._scalar_first:
             rows[0] = np.ascontiguousarray(rows[0][:, [3, 0, 1, 2]])
-        return Samples(self._clock.back(seconds), *rows, *linear)
+        grid = None if times is not None else (rate, count, *self._bounds(start, end), include_end, *self._core.domain)
+        return samples_of(self._keys, seconds, [*rows, *linear], frame, grid)
 
     @staticmethod
     def _room(wanted: int, count: int, dtype: Any) -> list[Any]:
         return [np.empty((count, 3), dtype) if k < wanted else None for k in range(3)]
 
-    def _mend(self, seconds: NDArray[np.float64], rows: list[Any]) -> None:
-        first, last = self._core.domain
-        outside = (seconds < first) | (seconds > last)
-        if not outside.any():
-            return
-        if BEYOND[self._beyond] == "error":
-            self._core.one(ORIENTATION, float(seconds[outside][0]), False, self._beyond)
-        for row in rows:
-            if row is not None:
-                row[outside] = np.nan
+    def _times_wanted(self, rate: Any, count: int | None, times: Any, start: Any, end: Any, include_end: bool,
+                      derivatives: int) -> NDArray[np.float64]:
+        """The times of samples [s]."""
+        if sum(given is not None for given in (rate, count, times)) != 1:
+            raise ArgumentError("sample: wanted one of rate, count and times")
+        if derivatives not in (0, 1, 2, 3):
+            raise ArgumentError(f"derivatives: found {derivatives!r}, wanted 0, 1, 2 or 3")
+        seconds = self._clock.seconds("times", times) if times is not None else self._grid(rate, count, start, end,
+                                                                                             include_end)
+        if seconds.ndim != 1:
+            raise ArgumentError(f"times: found the shape {seconds.shape}, wanted (k,)")
+        return seconds
+
+    def _bounds(self, start: Any, end: Any) -> list[str | None]:
+        return [None if t is None else repr(float(self._clock.seconds(name, t))) for name, t in
+                (("start", start), ("end", end))]
 
     def _grid(self, rate: Any, count: int | None, start: Any, end: Any, include_end: bool) -> NDArray[np.float64]:
         include_end = flag("include_end", include_end)
-        bounds = [None if t is None else repr(float(self._clock.seconds(name, t))) for name, t in
-                  (("start", start), ("end", end))]
+        bounds = self._bounds(start, end)
         if count is not None:
             if isinstance(count, bool) or not isinstance(count, (int, np.integer)) or count < 1:
                 raise ArgumentError(f"count: found {count!r}, wanted a whole number from 1 on")
@@ -234,6 +244,8 @@ class Curve:
 
     def _at(self, what: int, t: Any, frame: str, out: Any, dtype: Any, threads: int) -> NDArray[Any]:
         world = _index("frame", frame, FRAMES) == 1
+        if isinstance(t, float) and self._plain and out is None and dtype is np.float64:
+            return self._core.one(what, t, world, self._beyond)  # type: ignore[no-any-return]
         seconds = self._clock.seconds("t", t)
         result = output("out", out, (*seconds.shape, 4 if what == ORIENTATION else 3), dtype)
         self._core.many(what, seconds.reshape(-1), result.reshape(-1, result.shape[-1]), world, self._beyond,

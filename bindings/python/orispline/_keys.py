@@ -2,6 +2,8 @@
 """Keyframes."""
 from __future__ import annotations
 
+import dataclasses
+import decimal
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -12,11 +14,14 @@ from ._arrays import Array, numbers, quaternions
 from ._checks import flag, wrong_type
 from ._clock import Clock, times_of_keys
 from ._errors import ArgumentError, DataError
+from ._texts import method_text
+from ._warnings import tell
 
 if TYPE_CHECKING:
     from ._curve import Curve
 
 SIGNS = ("shortest", "as-given")
+SIGNS_AS_GIVEN = 6  # of origin_of_keys()
 
 
 class Keys:
@@ -60,7 +65,8 @@ class Keys:
     2
     """
 
-    __slots__ = ("_clock", "_core", "_normalize", "_scalar_first")
+    __slots__ = ("_clock", "_core", "_scalar_first", "_source")
+    _source: dict[str, Any]  # what is known of the file that they are from
 
     def __init__(self, times: Any, rotations: Any, *, positions: Any = None, angular_velocities: Any = None,
                  angular_accelerations: Any = None, angular_jerks: Any = None, settings: Mapping[str, Any] | None = None,
@@ -83,6 +89,14 @@ class Keys:
             seconds, orientations,
             **{name: None if rows is None else numbers(name, rows, (None, 3)) for name, rows in vectors.items()},
             settings=_values_per_key({} if settings is None else settings), signs=signs)
+        if self._clock.origin:
+            self._core = _core.keys_since(self._core, self._clock.epoch)
+
+    @classmethod
+    def _of(cls, core: Any, clock: Clock, *, scalar_first: bool) -> Keys:
+        keys = cls.__new__(cls)
+        keys._core, keys._clock, keys._scalar_first = core, clock, scalar_first
+        return keys
 
     def __len__(self) -> int:
         return len(self._core)
@@ -91,11 +105,11 @@ class Keys:
         """The keys of a slice, with all that belongs to them."""
         if not isinstance(part, slice):
             raise TypeError(f"keys: found the index {part!r}, wanted a slice such as keys[2:5]")
-        rows: dict[str, Any] = {name: None if (values := getattr(self, name)) is None else values[part] for name in
-                                ("positions", "angular_velocities", "angular_accelerations", "angular_jerks")}
-        return Keys(self.times[part], self.rotations[part], signs="as-given", scalar_first=self._scalar_first,
-                    settings={name: values[part] for name, values in self.settings.items()},
-                    time_unit=None if self._clock.unit == "s" else self._clock.unit, **rows)
+        first, last, step = part.indices(len(self))
+        if step < 0:
+            raise ArgumentError(f"keys: found the step {part.step}, wanted one above 0, since times rise")
+        return Keys._of(_core.part_of_keys(self._core, list(range(first, last, step))), self._clock,
+                        scalar_first=self._scalar_first)
 
     @property
     def times(self) -> np.ndarray[Any, Any]:
@@ -138,10 +152,66 @@ class Keys:
         """What was noticed: `sign_flips`, `non_unit_keys`, `largest_norm_error`, `near_half_turns`."""
         return dict(self._core.report)
 
-    def curve(self, method: str = "auto", **options: Any) -> Curve:
-        """The curve of a method through these keys: `Curve(keys, method=method, **options)`."""
+    @property
+    def epoch(self) -> decimal.Decimal:
+        """[s], exact: what the times count from. Of keys from a file the time of its first key, of dates the seconds
+        since 1970-01-01; 0 where times are seconds of their own."""
+        return decimal.Decimal(_core.epoch_of_keys(self._core))
+
+    @property
+    def repairs(self) -> dict[str, Any]:
+        """What reading touched: `duplicates_dropped`, `invalid_dropped`, `rows_moved` and `normalised` count rows;
+        `largest_norm_error` is that of the quaternions that were scaled to 1. Empty for keys that are not from a file."""
+        return dict(self._read("repairs", {}))
+
+    def statistics(self) -> KeyStatistics:
+        """What the keys are like, before any curve is drawn through them.
+
+        Examples
+        --------
+        >>> import orispline as ori
+        >>> keys = ori.Keys([0, 1, 3], [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 1, 0]])
+        >>> keys.statistics().spacing
+        Spread(smallest=1.0, median=1.5, largest=2.0, largest_at=1)
+        """
+        span, spacing, step, near_half_turns = _core.key_statistics(self._core)
+        return KeyStatistics(span, Spread(*spacing) if spacing else None, Spread(*step) if step else None,
+                             tuple(near_half_turns))
+
+    def curve(self, method: str | None = None, **options: Any) -> Curve:
+        """The curve of a method through these keys: `Curve(keys, method=method, **options)`. Without a method that of
+        the file which the keys are from, if it names one, else `auto`."""
         from ._curve import Curve
         return Curve(self, method=method, **options)
+
+    def write(self, path: Any, **options: Any) -> None:
+        """Writes them into a file, complete or not at all: `orispline.write(keys, path, **options)`.
+
+        Examples
+        --------
+        >>> import orispline as ori, pathlib, tempfile
+        >>> path = pathlib.Path(tempfile.mkdtemp()) / "keys.tum"
+        >>> ori.Keys([0, 1.5], [[0, 0, 0, 1], [0, 0, 0.6, 0.8]]).write(path)
+        >>> path.read_text().splitlines()[1]
+        '1.5 0 0 0 0 0 0.6 0.8'
+        """
+        from ._files import write
+        write(self, path, **options)
+
+    def _method_text(self, method: str | None, ends: Any, start_rate: Any, end_rate: Any, closed: bool,
+                     period: float | None, settings: Mapping[str, Any]) -> str:
+        """The method's text form; without one that of the file, as far as nothing else is said."""
+        shape = {"ends": ends, "start_rate": start_rate, "end_rate": end_rate, "closed": closed or None, "period": period}
+        said = [*settings, *(name for name, value in shape.items() if value is not None)]
+        named = _core.method_for_keys(self._core, said, "auto") if method is None else method
+        text = method_text(named, ends, start_rate, end_rate, closed, period, settings)
+        if method is not None:
+            tell(_core.recipe_set_aside(self._core, text))
+        return text
+
+    def _read(self, name: str, otherwise: Any) -> Any:
+        """What is known of the file that the keys are from."""
+        return getattr(self, "_source", {}).get(name, otherwise)
 
     def __repr__(self) -> str:
         count = len(self)
@@ -151,7 +221,29 @@ class Keys:
         c = self._core
         rows = {"positions": c.positions, "angular_velocities": c.angular_velocities,
                 "angular_accelerations": c.angular_accelerations, "angular_jerks": c.angular_jerks}
-        return _restored, (c.times, c.orientations, rows, c.settings, self._clock, self._scalar_first)
+        return _restored, (c.times, c.orientations, rows, c.settings, self._clock, self._scalar_first,
+                           _core.origin_of_keys(c), getattr(self, "_source", {}))
+
+
+@dataclasses.dataclass(frozen=True)
+class Spread:
+    """Smallest, median and largest of some figures, and the index of the largest."""
+
+    smallest: float
+    median: float
+    largest: float
+    largest_at: int
+
+
+@dataclasses.dataclass(frozen=True)
+class KeyStatistics:
+    """What keys are like: `span`, last time minus first [s]; `spacing`, times between neighbours [s], and `step`, angles
+    between them [rad], None for one key; `near_half_turns`, the keys from which a step is within 1° of 180°."""
+
+    span: float
+    spacing: Spread | None
+    step: Spread | None
+    near_half_turns: tuple[int, ...]
 
 
 def _values_per_key(settings: Any) -> dict[str, list[float]]:
@@ -177,8 +269,9 @@ def _span(clock: Clock, seconds: Array) -> str:
 
 
 def _restored(times: Array, orientations: Array, rows: dict[str, Array | None], settings: dict[str, list[float]],
-              clock: Clock, scalar_first: bool) -> Keys:
-    keys = Keys.__new__(Keys)
-    keys._core = _core.Keys(times, orientations, **rows, settings=settings, signs="as-given")
-    keys._clock, keys._scalar_first = clock, scalar_first
+              clock: Clock, scalar_first: bool, origin: tuple[Any, ...], source: dict[str, Any]) -> Keys:
+    as_given = origin[SIGNS_AS_GIVEN]
+    made = _core.Keys(times, orientations, **rows, settings=settings, signs="as-given" if as_given else "shortest")
+    keys = Keys._of(_core.keys_from(made, *origin), clock, scalar_first=scalar_first)
+    keys._source = source
     return keys

@@ -53,7 +53,8 @@ Expected<std::vector<NamedMethod>> methods_in(const CompareOptions& options) {
     auto method = named_method(name);
     if (!method) return tl::unexpected(std::move(method.error()));
     const auto known = std::ranges::find(methods, name, &NamedMethod::label);
-    if (known != methods.end()) return usage_failure(formatted("--methods: '{}' stands twice", name));
+    if (known != methods.end())
+      return usage_failure(formatted("--methods: found '{}' twice, wanted each method once", name));
     methods.push_back(std::move(*method));
   }
   return methods;
@@ -66,7 +67,7 @@ Expected<std::vector<std::size_t>> steps_in(const CompareOptions& options) {
       const auto step = count_in({"--keep-every", piece}, 2);
       if (!step) return tl::unexpected(step.error());
       if (std::ranges::find(steps, *step) != steps.end())
-        return usage_failure(formatted("--keep-every: {} stands twice", *step));
+        return usage_failure(formatted("--keep-every: found {} twice, wanted each number once", *step));
       steps.push_back(*step);
     }
   if (steps.empty()) steps.push_back(default_step);

@@ -91,7 +91,7 @@ std::string line_of(const ReduceReport& report) {
     text += formatted("; smoothed with {:.4g} s, {} rejected, {:.6g}° RMS from the raw samples",
                       report.smoothed->smoothing.smoothing_time, report.smoothed->smoothing.rejected.size(),
                       report.smoothed->raw.rms * degrees);
-  if (const std::string repairs = text_of(report.repairs); !repairs.empty()) text += "; " + repairs;
+  text += clauses_of(report.repairs);
   return text;
 }
 

@@ -27,8 +27,4 @@ struct ReducedTrack {
 [[nodiscard]] Expected<ReducedTrack> open_track(const InputRequest& input,
                                                 const std::optional<orispline::SmoothOptions>& smoothing);
 
-/// Error (bad_argument): settings with a value per key, for which files of that format have no column.
-[[nodiscard]] Expected<void> check_settings_fit(const Track& keys, const io::SampleColumns& columns,
-                                                const std::string& path);
-
 }  // namespace orispline::cli

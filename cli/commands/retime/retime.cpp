@@ -56,13 +56,6 @@ Expected<Request> request_in(const RetimeOptions& options) {
       .map([&] { return std::move(*read); });
 }
 
-/// Settings with a value per key belong to the curve for which the limits hold: they are written as columns.
-Expected<void> check_settings(const Track& track, const io::SampleColumns& columns, std::string_view option) {
-  if (track.settings.empty() || columns.format->holds.settings) return {};
-  return usage_failure(formatted("{}: {} has no column for {}, with which the limits hold, wanted {}", option,
-                                 columns.format->file, track.settings.begin()->first, formats_for_settings()));
-}
-
 Expected<void> retime_one(const RetimeOptions& options) {
   auto request = request_in(options);
   if (!request) return tl::unexpected(std::move(request.error()));
@@ -80,14 +73,16 @@ Expected<void> retime_one(const RetimeOptions& options) {
   warn(file->warnings);
   const Track& track = file->track;
   request->columns = columns_like(*file->format, request->columns, options.output);
-  if (!file->ignored_columns.empty()) warn(formatted("not carried over: {}", joined(file->ignored_columns, ", ")));
+  if (!file->ignored_columns.empty())
+    warn(formatted("the output leaves out the columns {}", joined(file->ignored_columns, ", ")));
   const orispline::MotionLimits& limits = request->retiming.limits;
   const bool is_named = request->named || !track.recipe.is_empty();
   const Method method = is_named ? chosen->method : holding_rests(chosen->method, track.keys);
   auto retiming = orispline::retime(track, method, request->retiming);
   if (!retiming) return tl::unexpected(placed(track, std::move(retiming.error())));
   warn(retiming->warnings);
-  if (auto held = check_settings(retiming->track, request->columns, options.output.option); !held) return held;
+  if (auto fit = check_settings_fit(retiming->track, request->columns, options.output.option, "the limits hold"); !fit)
+    return fit;
   const RetimeReport report{.input = options.input.path,
                             .output = options.output.path,
                             .limits = limits,

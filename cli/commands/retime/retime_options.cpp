@@ -26,7 +26,8 @@ void add_retime_options(Command& app, RetimeOptions& o) {
   add_several_inputs(app, o.inputs, "keys");
   add_input_threads(app, o.inputs);
   add_reading_options(app, o.input);
-  app.add_option("--method", o.method, formatted("Method of the curve [that of INPUT, else {}]", default_method))
+  app.add_option("--method", o.method,
+                 formatted("Method of the curve [the one named in INPUT, else {}]", default_method))
       ->type_name(method_type)
       ->group("Shape of the curve");
   add_method_options(app, o.shape);

@@ -85,6 +85,7 @@ SampleReport report_on(const Source& source, const SampleRequest& request, const
           .keyframes = track.keys.report(),
           .columns = columns,
           .samples = source.times.size(),
+          .extrapolation = request.extrapolation,
           .rate_orders = rate_orders_of(track.keys),
           .start = track.epoch + Decimal::from_double(domain.start),
           .end = track.epoch + Decimal::from_double(domain.end),
@@ -102,7 +103,7 @@ Expected<SampleReport> sample_whole(const SampleRequest& request, io::KeyReader 
     if (!truth) return tl::unexpected(std::move(truth.error()));
     report.truth = std::move(*truth);
   }
-  const Sampling sampling{source->curve, source->times, columns, request.threads};
+  const Sampling sampling{source->curve, source->times, columns, request.extrapolation, request.threads};
   return open_samples(request.output, columns, source->times.size())
       .and_then([&](Noted<io::SampleWriter> output) {
         return write_samples(output.file, sampling, request.progress).and_then([&](std::size_t held) {

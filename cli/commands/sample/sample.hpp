@@ -10,12 +10,8 @@
 
 namespace orispline::cli {
 
-enum class Extrapolation { hold, error };
-
 inline constexpr std::array frame_choices{Choice<io::Frame>{"body", io::Frame::body},
                                           Choice<io::Frame>{"world", io::Frame::world}};
-inline constexpr std::array extrapolation_choices{Choice<Extrapolation>{"hold", Extrapolation::hold},
-                                                  Choice<Extrapolation>{"error", Extrapolation::error}};
 
 /// `orispline sample`, as typed.
 struct SampleOptions {

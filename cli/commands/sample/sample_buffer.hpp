@@ -36,12 +36,13 @@ class SampleBuffer {
 /// Rows of some samples of a buffer, as one thread makes them.
 class BufferRows {
  public:
-  explicit BufferRows(const io::SampleColumns& columns) : rows_(columns) {}
+  explicit BufferRows(const io::SampleColumns& columns, io::MissingSamples missing = io::MissingSamples::refused)
+      : rows_(columns, missing) {}
 
   /// Makes those of samples `begin` to before `end`.
   void make(const SampleBuffer& samples, std::size_t begin, std::size_t end, const TimeOrigin& origin,
             const Domain& domain);
-  /// Writes what was made; the number of samples that hold an end orientation.
+  /// Writes what was made; the number of samples outside the curve.
   [[nodiscard]] Expected<std::size_t> write(io::SampleWriter& writer) const;
 
  private:

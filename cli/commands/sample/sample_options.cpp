@@ -59,14 +59,16 @@ void add_sample_options(Command& app, SampleOptions& o) {
   add_several_inputs(app, o.inputs, "samples");
   add_reading_options(app, o.input);
   app.add_option("--method", o.method,
-                 formatted("Method [that of INPUT, else {}]; see 'orispline methods'", default_method))
+                 formatted("Method [the one named in INPUT, else {}]; see 'orispline methods'", default_method))
       ->type_name(method_type)
       ->group("Shape of the curve");
   add_method_options(app, o.shape);
   add_loop_options(app, o.shape);
   add_time_options(app, o.times);
-  app.add_option("--extrapolate", o.extrapolate, "Outside the curve hold the end orientation, or fail [hold]")
-      ->type_name(one_of(extrapolation_choices))
+  app.add_option("--extrapolate", o.extrapolate,
+                 "What samples outside the curve do: hold the end orientation, fail, be NaN, keep the rate "
+                 "of the end, or follow the formula of the end segment [hold]")
+      ->type_name(one_of(words<Extrapolation>))
       ->group("Times (one of --rate, --count, --times)");
   add_output_options(app, o.output);
   const std::string group = "Output";

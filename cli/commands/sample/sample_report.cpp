@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/sample/sample_report.hpp"
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -44,6 +45,11 @@ std::string truth_line(const TruthReport& truth) {
                    truth.largest_time.to_string(), counted(d.count, "orientation"));
 }
 
+std::string outside_text(const SampleReport& report) {
+  const auto how = std::ranges::find(words<Extrapolation>, static_cast<int>(report.extrapolation), &Word::value);
+  return formatted("{} outside the curve {}", counted(report.held_samples, "sample"), how->sentence);
+}
+
 }  // namespace
 
 std::string text_of(const SampleReport& report) {
@@ -52,8 +58,7 @@ std::string text_of(const SampleReport& report) {
   text += rates_lines(report);
   text += formatted("{} with {} written to {}\n", counted(report.samples, "sample"), report.method_text,
                     destination(report.output));
-  if (report.held_samples > 0)
-    text += formatted("{} outside the curve hold the end orientation\n", counted(report.held_samples, "sample"));
+  if (report.held_samples > 0) text += outside_text(report) + "\n";
   if (report.truth) text += truth_line(*report.truth);
   if (report.keys_held && report.keys >= many_keys)
     text += "all keys were held in memory; 'orispline sample --help' says what goes through in pieces\n";
@@ -63,9 +68,8 @@ std::string text_of(const SampleReport& report) {
 std::string line_of(const SampleReport& report) {
   std::string line = formatted("{}: {} with {} from {}", printable(report.output), counted(report.samples, "sample"),
                                report.method_text, counted(report.keys, "key"));
-  if (const std::string repairs = text_of(report.repairs); !repairs.empty()) line += "; " + repairs;
-  if (report.held_samples > 0)
-    line += formatted("; {} outside the curve hold the end orientation", counted(report.held_samples, "sample"));
+  line += clauses_of(report.repairs);
+  if (report.held_samples > 0) line += "; " + outside_text(report);
   if (report.truth && report.truth->distance.count > 0)
     line += formatted("; RMS {:.4g}° and at most {:.4g}° from {}", report.truth->distance.rms * degrees,
                       report.truth->distance.largest * degrees, printable(report.truth->path));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <orispline/analysis/distance.hpp>
+#include <orispline/curve/extrapolation.hpp>
 #include <orispline/io/key_file.hpp>
 #include <orispline/io/sample_writer.hpp>
 
@@ -27,7 +28,8 @@ struct SampleReport {
   io::RepairReport repairs{};
   KeyframeReport keyframes{};
   io::SampleColumns columns{};
-  std::size_t samples = 0, held_samples = 0;
+  std::size_t samples = 0, held_samples = 0;  ///< in all, and outside the curve
+  Extrapolation extrapolation = Extrapolation::hold;
   std::size_t rate_orders = 0;  ///< of the keys' own rates that the curve has
   Decimal start{}, end{};       ///< of the curve, in the file's own time [s]
   std::optional<TruthReport> truth{};

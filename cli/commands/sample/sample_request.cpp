@@ -63,8 +63,8 @@ Expected<SampleRequest> sample_request(const SampleOptions& options) {
       .times = checked(
           clock_in(options.input).and_then([&](const io::Clock& clock) { return time_request(options.times, clock); })),
       .columns = checked(columns_in(options)),
-      .extrapolation = checked(if_given("--extrapolate", options.extrapolate, choice_of(extrapolation_choices)))
-                           .value_or(Extrapolation::hold),
+      .extrapolation =
+          checked(if_given("--extrapolate", options.extrapolate, word_in<Extrapolation>)).value_or(Extrapolation::hold),
       .threads = checked(threads_in(options.inputs.threads)),
       .output = options.output.path,
       .truth = options.truth,

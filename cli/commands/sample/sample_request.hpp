@@ -4,6 +4,7 @@
 #include "commands/sample/sample.hpp"
 #include "output/progress.hpp"
 
+#include <orispline/curve/extrapolation.hpp>
 #include <orispline/io/sample_columns.hpp>
 
 namespace orispline::cli {

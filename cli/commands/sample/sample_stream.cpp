@@ -246,9 +246,12 @@ bool writes_into_input(const SampleRequest& request) {
 
 bool goes_in_pieces(const SampleRequest& request, const io::KeyReader& keys) {
   const bool is_rate = std::holds_alternative<SampleGrid::Rate>(request.times.spacing);
+  // All others are asked of the curve itself, which is gone by then.
+  const bool only_held = request.extrapolation == Extrapolation::hold ||
+                         request.extrapolation == Extrapolation::error || !(request.times.from || request.times.to);
   // A header that counts the rows stands before them; in a pipe that cannot be done later.
   const bool counts_later = !request.columns.format->writing.counts_rows || !io::is_stream(request.output);
-  if (!keys.columns() || !is_rate || !counts_later || request.truth || request.input.read.sort ||
+  if (!keys.columns() || !is_rate || !only_held || !counts_later || request.truth || request.input.read.sort ||
       can_overwind(request.method.name) || writes_into_input(request))
     return false;
   const auto sampler = TrackSampler::make(with_columns(request.method, *keys.columns()), {});

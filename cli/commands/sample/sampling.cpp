@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <orispline/base/parallel.hpp>
+#include <orispline/batch/extrapolate.hpp>
 
 #include "commands/sample/sample_buffer.hpp"
 
@@ -13,10 +14,16 @@ namespace {
 
 constexpr std::size_t chunk_size = 16384;  // samples that a thread makes at a time: far dearer than the thread
 
+/// Only where it was asked for is a sample written that is NaN.
+io::MissingSamples missing_samples_of(Extrapolation extrapolation) {
+  return extrapolation == Extrapolation::nan ? io::MissingSamples::written : io::MissingSamples::refused;
+}
+
 /// Successive samples that one thread makes.
 class Chunk {
  public:
-  explicit Chunk(const Sampling& sampling) : samples_(sampling.columns), rows_(sampling.columns) {}
+  explicit Chunk(const Sampling& sampling)
+      : samples_(sampling.columns), rows_(sampling.columns, missing_samples_of(sampling.extrapolation)) {}
 
   /// Makes the samples from `begin` to before `end`.
   void make(const Sampling& sampling, std::size_t begin, std::size_t end) {
@@ -26,11 +33,13 @@ class Chunk {
       samples_.times()[k - begin] = instant.t;
       samples_.offsets()[k - begin] = instant.offset;
     }
-    made_ = sample_at<double>(sampling.curve, samples_.times(), samples_.room());
+    made_ = sample_at<double>(sampling.curve, samples_.times(), samples_.room()).and_then([&] {
+      return extrapolate<double>(sampling.curve, samples_.times(), sampling.extrapolation, samples_.room());
+    });
     if (made_) rows_.make(samples_, 0, end - begin, sampling.times.origin(), sampling.curve.orientation.domain());
   }
 
-  /// Writes what was made; the number of samples that hold an end orientation.
+  /// Writes what was made; the number of samples outside the curve.
   [[nodiscard]] Expected<std::size_t> write(io::SampleWriter& writer) const {
     return made_.and_then([&] { return rows_.write(writer); });
   }

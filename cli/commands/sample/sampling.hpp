@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <orispline/curve/extrapolation.hpp>
 #include <orispline/io/sample_writer.hpp>
 
 #include "options/method_options.hpp"
@@ -14,10 +15,11 @@ struct Sampling {
   const PoseCurve& curve;
   const SampleTimes& times;
   io::SampleColumns columns;
+  Extrapolation extrapolation = Extrapolation::hold;
   std::size_t threads = 1;
 };
 
-/// Writes every sample, the same on any number of threads; the number of those that hold an end orientation.
+/// Writes every sample, the same on any number of threads; the number of those outside the curve.
 ///
 /// Memory does not grow with the number of samples.
 [[nodiscard]] Expected<std::size_t> write_samples(io::SampleWriter& writer, const Sampling& sampling,

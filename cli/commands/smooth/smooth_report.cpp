@@ -102,7 +102,7 @@ std::string text_of(const SmoothReport& report) {
   const Smoothing& smoothing = report.smoothing;
   std::string text =
       formatted("{} from {}", counted(report.recording.lines.size(), "sample"), printable(report.recording.name));
-  if (const std::string repairs = text_of(report.repairs); !repairs.empty()) text += "; " + repairs;
+  text += clauses_of(report.repairs);
   text += "\n" + choice_line(smoothing);
   text += noise_line(report) + distance_lines(smoothing);
   if (smoothing.degrees_of_freedom)
@@ -119,7 +119,7 @@ std::string line_of(const SmoothReport& report) {
                                counted(report.recording.lines.size(), "sample"),
                                report.smoothing.distances.rms * degrees, report.smoothing.distances.largest * degrees);
   if (!report.smoothing.rejected.empty()) line += formatted("; {} rejected", report.smoothing.rejected.size());
-  if (const std::string repairs = text_of(report.repairs); !repairs.empty()) line += "; " + repairs;
+  line += clauses_of(report.repairs);
   return line;
 }
 

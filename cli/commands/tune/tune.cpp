@@ -2,6 +2,7 @@
 #include "commands/tune/tune.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include <orispline/base/formatted.hpp>
@@ -46,8 +47,10 @@ bool has_tensions(const FamilyInfo& family) { return std::ranges::any_of(family.
 
 /// Whether the columns of INPUT are understood without an option: only then can the output have them.
 bool reads_the_same_again(const InputOptions& o) {
-  return !o.format && !o.order && !o.orientation && !o.euler && !o.angle_unit && !o.time_scale && !o.fps && !o.epoch &&
-         o.columns.empty() && !o.conjugate && !o.normalise;
+  constexpr std::array about_rows{"signs", "ignore_recipe", "drop_duplicates", "drop_invalid", "sort"};
+  return std::ranges::none_of(o.reading, [&](const auto& option) {
+    return option.second.are_given() && std::ranges::find(about_rows, option.first) == about_rows.end();
+  });
 }
 
 Expected<Request> request_in(const TuneOptions& options) {

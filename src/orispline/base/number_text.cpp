@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -112,6 +113,7 @@ ShortestDecimal shortest_decimal(double magnitude) noexcept {
 }
 
 char* write_shortest_text(char* to, double value) {
+  if (std::isnan(value)) return std::ranges::copy(std::string_view("nan"), to).out;
   *to = '-';
   to += std::signbit(value) ? 1 : 0;
   if (value == 0.0) {

@@ -21,7 +21,7 @@ struct ShortestDecimal {
 inline constexpr std::size_t longest_shortest_text = 24;  ///< [characters] `-1.2345678901234567e-308`
 inline constexpr std::size_t shortest_text_room = 40;     ///< [characters] that writing it may touch
 
-/// Writes a finite number as the shortest text that reads back as the same double: `0.1`, `1e-05`, `12`.
+/// Writes a finite number as the shortest text that reads back as the same double: `0.1`, `1e-05`, `12`; NaN as `nan`.
 ///
 /// `to`: where there is `shortest_text_room`. Gives the end of the text.
 [[nodiscard]] char* write_shortest_text(char* to, double value);

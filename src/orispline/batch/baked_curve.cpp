@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <string>
 
 #include <orispline/base/formatted.hpp>
@@ -145,6 +146,26 @@ Expected<BakedCurve<T>> bake(const Method& method, const Keyframes& keys, double
   return make_curve(method, keys).and_then([&](const AnyCurve& curve) {
     return bake<T>(curve, tolerance, options, progress);
   });
+}
+
+template <class T>
+Expected<BakedCurve<T>> BakedCurve<T>::restored(std::vector<double> ends, std::vector<batch::BakedRecord<T>> pieces,
+                                                double largest_difference) {
+  const auto is_finite = [](auto number) { return std::isfinite(number); };
+  const auto is_sound = [&](const BakedRecord<T>& piece) {
+    return is_finite(piece.middle) && is_finite(piece.per_step) &&
+           std::ranges::all_of(piece.coefficients,
+                               [&](const auto& row) { return std::ranges::all_of(row, is_finite); });
+  };
+  if (ends.empty() || !std::ranges::all_of(ends, is_finite) ||
+      std::ranges::adjacent_find(ends, std::ranges::greater_equal()) != ends.end())
+    return failure(ErrorCode::bad_data, "found ends of pieces that do not increase, wanted those of a baked curve");
+  const std::size_t wanted = std::max<std::size_t>(ends.size(), 2) - 1;
+  if (pieces.size() != wanted)
+    return failure(ErrorCode::bad_data, formatted("found {} pieces, wanted {}", pieces.size(), wanted));
+  if (!is_finite(largest_difference) || !std::ranges::all_of(pieces, is_sound))
+    return failure(ErrorCode::bad_data, "found numbers that are not finite, wanted those of a baked curve");
+  return BakedCurve(Knots(std::move(ends)), std::move(pieces), largest_difference);
 }
 
 template <class T>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
+#include <span>
 #include <vector>
 
 #include <orispline/base/progress.hpp>
@@ -29,8 +29,16 @@ class ORISPLINE_EXPORT BakedCurve {
   /// The ends of the pieces [s].
   [[nodiscard]] const Knots& knots() const noexcept { return knots_; }
   [[nodiscard]] const batch::BakedRecord<T>& piece(std::size_t index) const noexcept { return pieces_[index]; }
+  /// All of them, to be stored; of a single key there is one.
+  [[nodiscard]] std::span<const batch::BakedRecord<T>> pieces() const noexcept { return pieces_; }
   /// The largest difference from the curve that was found while baking [rad], measured as the tolerance is.
   [[nodiscard]] double largest_difference() const noexcept { return largest_difference_; }
+
+  /// A baked curve that was stored: the ends of its pieces [s], the pieces, and its largest difference. Error: bad_data
+  /// for times that do not increase, for numbers that are not finite, and for another number of pieces.
+  [[nodiscard]] static Expected<BakedCurve> restored(std::vector<double> ends,
+                                                     std::vector<batch::BakedRecord<T>> pieces,
+                                                     double largest_difference);
 
   /// Orientation at time t [s], as a sample of it; outside the domain the end orientation, NaN for NaN.
   [[nodiscard]] Eigen::Quaternion<T> operator()(double t) const noexcept;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/batch/path_sampler.hpp>
 
-#include <limits>
-
 #include <orispline/batch/interpolation.hpp>
 #include <orispline/batch/kernel/dispatch.hpp>
 #include <orispline/batch/sample_layout.hpp>
@@ -67,25 +65,15 @@ void PathSampler<T>::on_segment(std::size_t segment, const Clock& clock, std::si
     segment_ = segment;
   }
   if (record_) return path_kernel(*kernels().polynomials, T())(*record_, clock, count, target_from(at));
-  for (std::size_t k = 0; k < count; ++k) store(path_.linear_motion_on(segment, time_of(clock, k)), at + k);
+  for (std::size_t k = 0; k < count; ++k) put(out_, at + k, path_.linear_motion_on(segment, time_of(clock, k)));
 }
 
 template <class T>
 void PathSampler<T>::hold(Held held, std::size_t at, std::size_t count) noexcept {
-  LinearMotion linear_motion;
-  if (held == Held::nothing) {
-    const auto nan = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-    linear_motion = {.position = nan, .velocity = nan, .acceleration = nan, .jerk = nan};
-  } else linear_motion.position = path_.linear_motion(held == Held::first ? knots().front() : knots().back()).position;
-  for (std::size_t k = 0; k < count; ++k) store(linear_motion, at + k);
-}
-
-template <class T>
-void PathSampler<T>::store(const LinearMotion& linear_motion, std::size_t at) noexcept {
-  put<3>(out_, out_.positions, at, linear_motion.position);
-  put<3>(out_, out_.velocities, at, linear_motion.velocity);
-  put<3>(out_, out_.accelerations, at, linear_motion.acceleration);
-  put<3>(out_, out_.linear_jerks, at, linear_motion.jerk);
+  LinearMotion linear_motion = no_motion<Eigen::Vector3d>();
+  if (held != Held::nothing)
+    linear_motion = {.position = path_.linear_motion(held == Held::first ? knots().front() : knots().back()).position};
+  for (std::size_t k = 0; k < count; ++k) put(out_, at + k, linear_motion);
 }
 
 template std::optional<PathRecord<double>> record_of<double>(const AnyPath&, std::size_t) noexcept;

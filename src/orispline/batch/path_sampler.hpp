@@ -27,7 +27,6 @@ class PathSampler {
 
  private:
   [[nodiscard]] PathTarget<T> target_from(std::size_t at) const noexcept;
-  void store(const LinearMotion& linear_motion, std::size_t at) noexcept;
 
   const AnyPath& path_;
   const Samples<T>& out_;

@@ -77,11 +77,7 @@ template <class T>
 struct PoseSource {
   const PoseCurve& curve;
 
-  [[nodiscard]] std::optional<Error> check(const Samples<T>& out) const {
-    return wants_positions(out) && !curve.position
-               ? refusal("found room for positions, wanted none: the keys of the curve have no positions")
-               : std::nullopt;
-  }
+  [[nodiscard]] std::optional<Error> check(const Samples<T>& out) const { return batch::check_positions(curve, out); }
   template <class Take>
   void with_samplers(const Samples<T>& out, Take take) const {
     CurveSource<T>{curve.orientation}.with_samplers(out, take);

@@ -31,6 +31,15 @@ std::optional<Error> check_room(const Samples<T>& out, std::size_t wanted) {
   return std::nullopt;
 }
 
+template <class T>
+std::optional<Error> check_positions(const PoseCurve& curve, const Samples<T>& out) {
+  if (!wants_positions(out) || curve.position) return std::nullopt;
+  return Error{
+      ErrorCode::bad_argument, "found room for positions, wanted none: the keys of the curve have no positions", {}};
+}
+
+template std::optional<Error> check_positions(const PoseCurve&, const Samples<double>&);
+template std::optional<Error> check_positions(const PoseCurve&, const Samples<float>&);
 template std::optional<Error> check_room(const Samples<double>&, std::size_t);
 template std::optional<Error> check_room(const Samples<float>&, std::size_t);
 

@@ -12,6 +12,10 @@ namespace orispline::inline ORISPLINE_ABI::batch {
 template <class T>
 [[nodiscard]] std::optional<Error> check_room(const Samples<T>& out, std::size_t wanted);
 
+/// The error (bad_argument) of room for positions that the keys do not have.
+template <class T>
+[[nodiscard]] std::optional<Error> check_positions(const PoseCurve& curve, const Samples<T>& out);
+
 /// Where the components of sample `at` begin; null for an empty span.
 template <class T>
 [[nodiscard]] T* place_of(std::span<T> span, Layout layout, std::size_t components, std::size_t at) noexcept {
@@ -51,6 +55,15 @@ void put(const Samples<T>& out, std::size_t at, const Motion& motion) noexcept {
   put<3>(out, out.angular_velocities, at, motion.angular_velocity);
   put<3>(out, out.angular_accelerations, at, motion.angular_acceleration);
   put<3>(out, out.angular_jerks, at, motion.angular_jerk);
+}
+
+/// One sample's position with its rates, as far as they are wanted.
+template <class T>
+void put(const Samples<T>& out, std::size_t at, const LinearMotion& motion) noexcept {
+  put<3>(out, out.positions, at, motion.position);
+  put<3>(out, out.velocities, at, motion.velocity);
+  put<3>(out, out.accelerations, at, motion.acceleration);
+  put<3>(out, out.linear_jerks, at, motion.jerk);
 }
 
 /// Samples outside the domain, at rest; or all NaN, for times that are not numbers.

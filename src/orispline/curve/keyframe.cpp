@@ -78,6 +78,13 @@ bool Keyframes::rests_after(std::size_t i) const {
   return 2.0 * chord <= rest_angle && (p.empty() || (p[i + 1] - p[i]).norm() <= rest_length);
 }
 
+std::vector<std::size_t> Keyframes::rests() const {
+  std::vector<std::size_t> rests;
+  for (std::size_t i = 0; i + 1 < size(); ++i)
+    if (rests_after(i)) rests.push_back(i);
+  return rests;
+}
+
 Keyframes Keyframes::first(std::size_t count) const {
   ORISPLINE_EXPECT(1 <= count && count <= size());
   KeyframeData kept_data = *data_;

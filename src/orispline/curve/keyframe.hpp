@@ -88,6 +88,8 @@ class ORISPLINE_EXPORT Keyframes {
   /// Whether the body stands still from key i to the next, position and all: they are no farther apart than
   /// `rest_angle` and `rest_length`. Precondition: i + 1 < size().
   [[nodiscard]] bool rests_after(std::size_t i) const;
+  /// The keys after which the body rests, in order.
+  [[nodiscard]] std::vector<std::size_t> rests() const;
 
   /// The keys at these rising indices, at least one, with their signs aligned anew for the shortest way.
   [[nodiscard]] Keyframes at(std::span<const std::size_t> indices) const;

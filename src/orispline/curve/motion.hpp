@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
+
 #include <orispline/math/geodesic.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
@@ -26,6 +28,15 @@ struct LinearMotion {
 /// How a point of one kind moves.
 template <CurvePoint P>
 using MotionOf = std::conditional_t<std::same_as<P, Eigen::Quaterniond>, Motion, LinearMotion>;
+
+/// The motion at a time that is none: all NaN.
+template <CurvePoint P>
+[[nodiscard]] MotionOf<P> no_motion() noexcept {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const Eigen::Vector3d none = Eigen::Vector3d::Constant(nan);
+  if constexpr (std::same_as<P, Eigen::Quaterniond>) return {{nan, nan, nan, nan}, none, none, none};
+  else return {none, none, none, none};
+}
 
 /// ω in the world frame [rad/s]: R ω.
 [[nodiscard]] inline Eigen::Vector3d angular_velocity_world(const Motion& m) noexcept {

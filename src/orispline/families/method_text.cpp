@@ -191,4 +191,17 @@ std::string text_of(const Method& method) {
   return text;
 }
 
+Method without(Method method, std::span<const std::string> names) {
+  CurveOptions& stated = method.options;
+  for (const std::string& name : names) {
+    stated.parameters.erase(name);
+    stated.choices.erase(name);
+    if (name == "ends") stated.start.rule = stated.end.rule = EndRule::none;
+    if (name == "start_rate") stated.start = {};
+    if (name == "end_rate") stated.end = {};
+    if (name == "closed" || name == "period") stated.loop.reset();
+  }
+  return method;
+}
+
 }  // namespace orispline::inline ORISPLINE_ABI

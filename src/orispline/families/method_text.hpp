@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -37,5 +38,9 @@ enum class CurveEnd { start, end };
 
 /// The method as a loop. Errors: bad_argument for a method without loops and a period that is not greater than 0.
 [[nodiscard]] ORISPLINE_EXPORT Expected<Method> with_loop(Method method, Loop loop);
+
+/// The method as far as these do not speak of it, which are names of settings, `ends`, `start_rate`, `end_rate`,
+/// `closed` or `period`: what others say of them can then be added. With other `ends` a rate that is stated stays.
+[[nodiscard]] ORISPLINE_EXPORT Method without(Method method, std::span<const std::string> names);
 
 }  // namespace orispline::inline ORISPLINE_ABI

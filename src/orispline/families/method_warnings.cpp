@@ -66,6 +66,31 @@ std::optional<Warning> contradicting_rates(const FamilyInfo& family, const Keyfr
                  .numbers = {{"misfit", misfit}}};
 }
 
+/// Beyond this share of the largest angular velocity, what angular accelerations add up to is no error of sampling.
+constexpr double largest_sum = 10.0;
+
+/// Accelerations by which the body would turn far quicker than its rates say: an accelerometer's, [m/s²].
+std::optional<Warning> contradicting_accelerations(const FamilyInfo& family, const Keyframes& keys) {
+  const auto times = keys.times();
+  const auto rates = keys.angular_velocities(), accelerations = keys.angular_accelerations();
+  if (family.rate_orders < 2 || accelerations.empty() || keys.size() < fewest_keys) return std::nullopt;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();  // of the trapezia: ∫α dt is the change of ω, both of the body
+  double largest_change = 0.0, largest_rate = rates.front().norm();
+  for (std::size_t i = 1; i < keys.size(); ++i) {
+    sum += 0.5 * (times[i] - times[i - 1]) * (accelerations[i - 1] + accelerations[i]);
+    largest_change = std::max(largest_change, sum.norm());
+    largest_rate = std::max(largest_rate, rates[i].norm());
+  }
+  if (largest_change <= largest_sum * largest_rate) return std::nullopt;
+  return Warning{
+      .code = "contradicting_accelerations",
+      .message = formatted(
+          "the angular accelerations of the keys add up to {:.3g} rad/s, but the angular velocities reach only "
+          "{:.3g} rad/s; if an accelerometer measured them in m/s², take hermite-c1, which does not read them",
+          largest_change, largest_rate),
+      .numbers = {{"summed_rad_s", largest_change}, {"largest_rate_rad_s", largest_rate}}};
+}
+
 /// Turning so far during a rest is motion [rad].
 constexpr double moving_angle = 10.0 * rest_angle;
 
@@ -81,9 +106,7 @@ bool moves_between(const AnyCurve& curve, std::size_t segment) {
 std::optional<Warning> moving_rests(const Method& method, const FamilyInfo& family, const Keyframes& keys) {
   const bool has_rates = family.rate_orders > 0 && !keys.angular_velocities().empty();  // which say how it moves
   if (!family.interpolates || family.key_use.stride > 1 || has_rates) return std::nullopt;
-  std::vector<std::size_t> rests;
-  for (std::size_t i = 0; i + 1 < keys.size(); ++i)
-    if (keys.rests_after(i)) rests.push_back(i);
+  std::vector<std::size_t> rests = keys.rests();
   if (rests.empty()) return std::nullopt;
   const auto curve = make_curve(method, keys);
   if (!curve) return std::nullopt;
@@ -116,8 +139,9 @@ std::vector<Warning> warnings_of(const Method& method, const Track& track) {
   const auto family = find_family(method.name);
   if (!family) return warnings;
   const Method shaped = completed(method, **family, track);
-  for (const auto& warning : {contradicting_rates(**family, track.keys), closing_step(shaped, track.keys),
-                              overwound(shaped, track.keys), moving_rests(shaped, **family, track.keys)})
+  for (const auto& warning :
+       {contradicting_rates(**family, track.keys), contradicting_accelerations(**family, track.keys),
+        closing_step(shaped, track.keys), overwound(shaped, track.keys), moving_rests(shaped, **family, track.keys)})
     if (warning) warnings.push_back(track.located(*warning));
   return warnings;
 }

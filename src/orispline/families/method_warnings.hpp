@@ -16,8 +16,9 @@ namespace orispline::inline ORISPLINE_ABI {
 /// `closing_step`: a loop returns to its first key so soon after the last that its rates are huge (`closing_step_s`,
 /// `shortest_step_s` of the others). `overwound_tangent`: a handle turns a full turn or more away from its key, where a
 /// curve of slerps loses its continuity (`turn_deg`). `contradicting_rates`: a method that reads rates has such as the
-/// keys do not turn with (`misfit`: their difference over their size), and what they may be instead. And what is of the
-/// keys.
+/// keys do not turn with (`misfit`: their difference over their size), and what they may be instead.
+/// `contradicting_accelerations`: angular accelerations by which the body would turn far quicker than the angular
+/// velocities say (`summed_rad_s`, `largest_rate_rad_s`). And what is of the keys.
 [[nodiscard]] ORISPLINE_EXPORT std::vector<Warning> warnings_of(const Method& method, const Track& track);
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -21,7 +21,7 @@ tl::unexpected<Error> same_time(const Decimal& time, const FormatInfo& format) {
 Expected<void> SampleRows::append(const Decimal& time, const Sample& sample) {
   const FormatWriting& writing = columns_.format->writing;
   const RowNumbers numbers = writing.numbers(sample, columns_);
-  if (!numbers.are_finite()) return not_finite(time);
+  if (!may_write(numbers, sample)) return not_finite(time);
   if (writing.rounded_row) {
     writing.rounded_row(bytes_, time.to_double(), numbers.values());
   } else {
@@ -37,10 +37,14 @@ Expected<void> SampleRows::append(const TimeOrigin& origin, double offset, const
   const FormatWriting& writing = columns_.format->writing;
   if (!writing.rounded_row) return append(origin.plus(offset), sample);
   const RowNumbers numbers = writing.numbers(sample, columns_);
-  if (!numbers.are_finite()) return not_finite(origin.plus(offset));
+  if (!may_write(numbers, sample)) return not_finite(origin.plus(offset));
   writing.rounded_row(bytes_, origin.nearest_plus(offset), numbers.values());
   ++size_;
   return {};
+}
+
+bool SampleRows::may_write(const RowNumbers& numbers, const Sample& sample) const noexcept {
+  return numbers.are_finite() || (missing_ == MissingSamples::written && sample.motion.orientation.coeffs().hasNaN());
 }
 
 /// The time in whole units of the format, which no two neighbours may share.

@@ -12,14 +12,19 @@ namespace orispline::inline ORISPLINE_ABI::io {
 
 inline constexpr std::size_t written_block = std::size_t{256} << 10;  ///< [bytes] of rows, best written at a time
 
+/// Samples that are NaN, at times for which there are none.
+enum class MissingSamples { refused, written };
+
 /// Rows of samples as their file holds them, gathered in memory: several threads may each make some.
 class ORISPLINE_EXPORT SampleRows {
  public:
   /// The columns are those that `check_columns` accepts.
-  explicit SampleRows(const SampleColumns& columns) : columns_(columns) {}
+  explicit SampleRows(const SampleColumns& columns, MissingSamples missing = MissingSamples::refused)
+      : columns_(columns), missing_(missing) {}
 
-  /// Appends the sample at a time [s]. Errors (bad_data), after which nothing is appended: a number that is not finite;
-  /// two samples in succession that fall on the same time, where the format rounds times.
+  /// Appends the sample at a time [s]. Errors (bad_data), after which nothing is appended: a number that is not finite,
+  /// unless it is a missing sample's; two samples in succession that fall on the same time, where the format rounds
+  /// times.
   [[nodiscard]] Expected<void> append(const Decimal& time, const Sample& sample);
   /// Appends a sample at an offset [s] from an origin.
   [[nodiscard]] Expected<void> append(const TimeOrigin& origin, double offset, const Sample& sample);
@@ -36,9 +41,11 @@ class ORISPLINE_EXPORT SampleRows {
   void continue_after(const SampleRows& others) noexcept;
 
  private:
+  [[nodiscard]] bool may_write(const RowNumbers& numbers, const Sample& sample) const noexcept;
   [[nodiscard]] Expected<Decimal> next_whole(const Decimal& time);
 
   SampleColumns columns_;
+  MissingSamples missing_;
   std::string bytes_;
   std::size_t size_ = 0;
   std::optional<Decimal> first_whole_, last_whole_;  // in units of the format, where it has some

@@ -3,24 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/batch/sample_layout.hpp>
 #include <orispline/families/registry.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-/// The motion at a time that is none, or of a curve without keys.
-Motion no_motion() noexcept {
-  const Eigen::Vector3d rate = Eigen::Vector3d::Constant(nan);
-  return {.orientation = {nan, nan, nan, nan},
-          .angular_velocity = rate,
-          .angular_acceleration = rate,
-          .angular_jerk = rate};
-}
 
 Error argument_error(std::string message) { return {ErrorCode::bad_argument, std::move(message), {}}; }
 
@@ -145,14 +134,14 @@ std::optional<Domain> OnlineCurve::available() const noexcept {
 }
 
 Eigen::Quaterniond OnlineCurve::operator()(double t) const noexcept {
-  if (keys_ == 0 || std::isnan(t)) return no_motion().orientation;
+  if (keys_ == 0 || std::isnan(t)) return no_motion<Eigen::Quaterniond>().orientation;
   if (final_segments_ == 0) return first_.orientation;
   const double held = std::clamp(t, starts_[place_of(0)], end_);
   return segments_->orientation(held, place_at(held, Side::right));
 }
 
 Motion OnlineCurve::motion(double t, Side side) const noexcept {
-  if (keys_ == 0 || std::isnan(t)) return no_motion();
+  if (keys_ == 0 || std::isnan(t)) return no_motion<Eigen::Quaterniond>();
   const auto domain = available();
   if (final_segments_ == 0 || t < domain->start || t > domain->end) return {.orientation = (*this)(t)};
   return segments_->motion(t, side, place_at(t, side));
@@ -169,14 +158,46 @@ Expected<Motion> OnlineCurve::checked_motion(double t) const {
 std::optional<LinearMotion> OnlineCurve::linear_motion(double t, Side side) const noexcept {
   const auto domain = available();
   if (!parts_.position) return std::nullopt;
-  if (std::isnan(t)) {
-    const Eigen::Vector3d none = Eigen::Vector3d::Constant(nan);
-    return LinearMotion{.position = none, .velocity = none, .acceleration = none, .jerk = none};
-  }
+  if (std::isnan(t)) return no_motion<Eigen::Vector3d>();
   if (final_segments_ == 0) return LinearMotion{.position = first_.position};
   const double held = std::clamp(t, domain->start, domain->end);
   const LinearMotion there = segments_->linear_motion(held, side, place_at(held, side));
   return t < domain->start || t > domain->end ? LinearMotion{.position = there.position} : there;
+}
+
+Expected<void> OnlineCurve::sample(std::span<const double> times, const Samples<double>& out) const {
+  if (auto error = batch::check_room(out, times.size())) return tl::unexpected(std::move(*error));
+  if (wants_positions(out) && !parts_.position)
+    return tl::unexpected(argument_error("found room for positions, wanted none: the keys have no positions"));
+  const auto put = [&](std::size_t at, const Motion& motion, const LinearMotion& linear_motion) {
+    batch::put(out, at, motion);
+    batch::put(out, at, linear_motion);
+  };
+  const auto domain = available();
+  for (std::size_t k = 0, count = 1; k < times.size(); k += count, count = 1) {
+    const double t = times[k];
+    if (keys_ == 0 || std::isnan(t)) put(k, no_motion<Eigen::Quaterniond>(), no_motion<Eigen::Vector3d>());
+    else if (final_segments_ == 0) put(k, {.orientation = first_.orientation}, {.position = first_.position});
+    else if (!domain->contains(t)) hold(std::clamp(t, domain->start, domain->end), out, k);
+    else {
+      const std::size_t place = place_at(t, Side::right);
+      const auto belongs = [&](double next) { return domain->contains(next) && place_at(next, Side::right) == place; };
+      while (k + count < times.size() && belongs(times[k + count])) ++count;
+      segments_->sample(times.subspan(k, count), place, out, k);
+    }
+  }
+  return {};
+}
+
+/// Writes a sample at rest, of an end of what is available.
+void OnlineCurve::hold(double end, const Samples<double>& out, std::size_t at) const {
+  Motion motion;
+  LinearMotion linear_motion;
+  Samples<double> one{.orientations = {motion.orientation.coeffs().data(), 4}};
+  if (wants_positions(out)) one.positions = {linear_motion.position.data(), 3};
+  segments_->sample({&end, 1}, place_at(end, Side::right), one, 0);
+  batch::put(out, at, motion);
+  batch::put(out, at, linear_motion);
 }
 
 }  // namespace orispline::inline ORISPLINE_ABI

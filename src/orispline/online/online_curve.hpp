@@ -75,6 +75,9 @@ class ORISPLINE_EXPORT OnlineCurve {
   /// True where `append` and `finish` allocate memory.
   [[nodiscard]] bool allocates() const noexcept { return segments_->allocates(); }
 
+  /// Whether its keys have positions.
+  [[nodiscard]] bool has_positions() const noexcept { return parts_.position; }
+
   /// Keys taken since construction or reset.
   [[nodiscard]] std::uint64_t keys() const noexcept { return keys_; }
 
@@ -94,6 +97,13 @@ class ORISPLINE_EXPORT OnlineCurve {
   /// the keys have no positions. All NaN at a NaN time.
   [[nodiscard]] std::optional<LinearMotion> linear_motion(double t, Side side = Side::right) const noexcept;
 
+  /// Samples at times in any order, held at rest outside what is available; NaN at a NaN time and without keys. Where
+  /// the curve is final they have the bits of samples of the curve through all keys, but for the last key available,
+  /// which is the left-hand segment's. Memory is allocated.
+  ///
+  /// Errors (bad_argument): spans whose sizes do not belong together; room for positions that the keys do not have.
+  [[nodiscard]] Expected<void> sample(std::span<const double> times, const Samples<double>& out) const;
+
  private:
   OnlineCurve(StreamMethod method, std::size_t capacity, Signs signs);
 
@@ -105,6 +115,7 @@ class ORISPLINE_EXPORT OnlineCurve {
     const std::size_t place = next_place_ + places() - kept() + index;
     return place < places() ? place : place - places();
   }
+  void hold(double end, const Samples<double>& out, std::size_t at) const;
   [[nodiscard]] std::size_t place_at(double t, Side side) const noexcept;
   [[nodiscard]] std::size_t kept() const noexcept;
   [[nodiscard]] std::span<const double> starts() const noexcept;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
+#include <orispline/curve/cumulative_curve.hpp>
+#include <orispline/curve/pose_curve.hpp>
 #include <orispline/math/bernstein.hpp>
 #include <orispline/online/recent_keys.hpp>
 
@@ -54,6 +57,13 @@ struct OnlineSegment {
     return all;
   }
 
+  /// The same as segment `start` of a curve that has nothing else.
+  [[nodiscard]] PoseCurve curve(const B& basis) const {
+    const Knots all({times.begin(), times.begin() + static_cast<std::ptrdiff_t>(knots)});
+    return {.orientation = CumulativeCurve<B>(all, basis, polygon<Eigen::Quaterniond>(base, increments)),
+            .position = CumulativePath<B>(all, basis, polygon<Eigen::Vector3d>(points[0], displacements()))};
+  }
+
   /// Becomes, in place, the segment between the inner two of four keys.
   void blend(const B& basis, const RecentKeys& four_keys) noexcept {
     static_assert(B::increments == RecentKeys::most - 1);
@@ -64,6 +74,17 @@ struct OnlineSegment {
     increments = four_keys.increments;
     points = four_keys.positions;
     blending = blending_on(span(), basis);
+  }
+
+ private:
+  /// That has these increments on the segment.
+  template <CurvePoint P>
+  [[nodiscard]] ControlPolygon<P> polygon(const P& first, const std::array<Displacement<P>, B::increments>& own) const {
+    ControlPolygon<P> whole{
+        .bases = std::vector<P>(knots - 1, first),
+        .increments = std::vector<Displacement<P>>((knots - 2) * B::stride + B::increments, Displacement<P>::Zero())};
+    std::ranges::copy(own, whole.increments.begin() + static_cast<std::ptrdiff_t>(start * B::stride));
+    return whole;
   }
 };
 

@@ -51,6 +51,10 @@ class SegmentsOf final : public OnlineSegments {
     return motion_from_jet(
         cumulative_point(s.blending, s.span(), Jet<double, 3>::variable(t), s.points[0], std::span(displacements)));
   }
+  void sample(std::span<const double> times, std::size_t place, const Samples<double>& out,
+              std::size_t at) const override {
+    sample_on_segment(ring_[place].curve(basis_), ring_[place].start, times, out, at);
+  }
 
  private:
   [[nodiscard]] Expected<void> store_end(std::size_t place, std::size_t s) requires(B::increments == 3) {

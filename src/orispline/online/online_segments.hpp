@@ -5,6 +5,7 @@
 #include <span>
 #include <string_view>
 
+#include <orispline/batch/sample.hpp>
 #include <orispline/curve/curve.hpp>
 #include <orispline/curve/motion.hpp>
 #include <orispline/curve/path.hpp>
@@ -30,7 +31,15 @@ class OnlineSegments {
   [[nodiscard]] virtual Eigen::Quaterniond orientation(double t, std::size_t place) const noexcept = 0;
   [[nodiscard]] virtual Motion motion(double t, Side side, std::size_t place) const noexcept = 0;
   [[nodiscard]] virtual LinearMotion linear_motion(double t, Side side, std::size_t place) const noexcept = 0;
+
+  /// Writes samples of one segment, from sample `at` on, with the bits that the whole curve has in bulk.
+  virtual void sample(std::span<const double> times, std::size_t place, const Samples<double>& out,
+                      std::size_t at) const = 0;
 };
+
+/// The samples of a curve on one of its segments, from sample `at` on.
+void sample_on_segment(const PoseCurve& curve, std::size_t segment, std::span<const double> times,
+                       const Samples<double>& out, std::size_t at);
 
 /// Segments that blend two or four keys and hold all that they depend on: nothing is allocated after construction. Null
 /// where the method has no such segments, or its keys bring settings of their own.

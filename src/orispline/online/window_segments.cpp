@@ -2,6 +2,8 @@
 #include <optional>
 #include <vector>
 
+#include <orispline/batch/path_sampler.hpp>
+#include <orispline/batch/segment_sampler.hpp>
 #include <orispline/online/online_segments.hpp>
 #include <orispline/online/stream_keys.hpp>
 
@@ -54,6 +56,11 @@ class WindowSegments final : public OnlineSegments {
     const Piece& piece = *ring_[place];
     return piece.curve.position->linear_motion_on(piece.segment_at(t, side), t);
   }
+  void sample(std::span<const double> times, std::size_t place, const Samples<double>& out,
+              std::size_t at) const override {
+    const Piece& piece = *ring_[place];
+    sample_on_segment(piece.curve, piece.segment_at(piece.domain.start, Side::right), times, out, at);
+  }
 
  private:
   StreamMethod method_;
@@ -62,6 +69,14 @@ class WindowSegments final : public OnlineSegments {
 };
 
 }  // namespace
+
+void sample_on_segment(const PoseCurve& curve, std::size_t segment, std::span<const double> times,
+                       const Samples<double>& out, std::size_t at) {
+  const batch::Clock clock{.times = times.data(), .start = 0.0, .step = 0.0, .first = 0.0};
+  batch::SegmentSampler<double>(curve.orientation, nullptr, out).on_segment(segment, clock, at, times.size());
+  if (wants_positions(out))
+    batch::PathSampler<double>(*curve.position, out).on_segment(segment, clock, at, times.size());
+}
 
 std::unique_ptr<OnlineSegments> segments_of_windows(const StreamMethod& method, std::size_t places) {
   return std::make_unique<WindowSegments>(method, places);

@@ -16,7 +16,6 @@ constexpr double width = 1180.0, chart_height = 130.0, chart_pitch = 185.0, char
 constexpr double charts_left = 70.0, charts_width = 660.0;
 constexpr Point sphere_center{970.0, 400.0};
 constexpr double sphere_radius = 175.0;
-constexpr std::size_t most_marked_keys = 200;  // more would be a grey field
 constexpr std::array<std::string_view, most_drawn_methods> colors{color::blue,   color::red,  color::green,
                                                                   color::purple, color::gold, color::sky};
 
@@ -35,17 +34,13 @@ Values norms(const std::vector<Eigen::Vector3d>& vectors) {
   return values;
 }
 
-/// What one chart shows.
-struct Quantity {
-  std::string_view title;
-  Values (*of)(const PageSamples&);
-};
-
-const std::array<Quantity, 4> quantities{
-    Quantity{"angle from the start [deg]", angles_from_start},
-    Quantity{"angular velocity |ω| [rad/s]", [](const PageSamples& s) { return norms(s.angular_velocities); }},
-    Quantity{"angular acceleration |α| [rad/s²]", [](const PageSamples& s) { return norms(s.angular_accelerations); }},
-    Quantity{"angular jerk [rad/s³]", [](const PageSamples& s) { return norms(s.angular_jerks); }}};
+constexpr std::array<DrawnQuantity, 4> quantities{{
+    {"angle", "angle from the start [deg]", angles_from_start},
+    {"rate", "angular velocity |ω| [rad/s]", [](const PageSamples& s) { return norms(s.angular_velocities); }},
+    {"acceleration", "angular acceleration |α| [rad/s²]",
+     [](const PageSamples& s) { return norms(s.angular_accelerations); }},
+    {"jerk", "angular jerk [rad/s³]", [](const PageSamples& s) { return norms(s.angular_jerks); }},
+}};
 
 std::vector<Mark> marks_at(const std::vector<double>& times) {
   std::vector<Mark> marks;
@@ -54,12 +49,12 @@ std::vector<Mark> marks_at(const std::vector<double>& times) {
   return marks;
 }
 
-Chart chart_of(const Quantity& quantity, const MotionPicture& picture) {
+Chart chart_of(const DrawnQuantity& quantity, const MotionPicture& picture) {
   Chart chart{.title = std::string(quantity.title), .series = {}, .marks = marks_at(picture.keys.path.times)};
   chart.x_unit = " s";
   for (std::size_t i = picture.methods.size(); i-- > 0;)  // the first one on top
     chart.series.push_back({picture.methods[i].name, picture.methods[i].samples.path.times,
-                            quantity.of(picture.methods[i].samples), Stroke{colors[i], i == 0 ? 2.0 : 1.4}});
+                            quantity.values(picture.methods[i].samples), Stroke{colors[i], i == 0 ? 2.0 : 1.4}});
   return chart;
 }
 
@@ -83,6 +78,8 @@ void draw_sphere(Drawing& drawing, const MotionPicture& picture) {
 
 }  // namespace
 
+std::span<const DrawnQuantity> drawn_quantities() noexcept { return quantities; }
+
 Drawing motion_drawing(const MotionPicture& picture) {
   Drawing drawing(width, charts_top + chart_pitch * static_cast<double>(quantities.size()));
   drawing.text({charts_left, 28.0}, picture.title, {Anchor::start, color::ink, 16.0});
@@ -91,7 +88,7 @@ Drawing motion_drawing(const MotionPicture& picture) {
     legend.push_back({picture.methods[i].name, {}, {}, Stroke{colors[i]}});
   draw_legend(drawing, {charts_left, 50.0}, legend);
   double top = charts_top;
-  for (const Quantity& quantity : quantities) {
+  for (const DrawnQuantity& quantity : quantities) {
     draw(drawing, {charts_left, top, charts_width, chart_height}, chart_of(quantity, picture));
     top += chart_pitch;
   }

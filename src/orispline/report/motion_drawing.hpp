@@ -3,6 +3,8 @@
 
 #include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <orispline/report/page.hpp>
 #include <orispline/report/svg.hpp>
@@ -12,8 +14,21 @@ namespace orispline::inline ORISPLINE_ABI::report {
 /// As many methods have a colour of their own in one drawing.
 inline constexpr std::size_t most_drawn_methods = 6;
 
+/// More marks of keys would be a grey field: then none are drawn.
+inline constexpr std::size_t most_marked_keys = 200;
+
 /// To sample curves for a drawing: with one column for each unit of the charts' width.
 inline constexpr std::size_t samples_to_draw = 9 * 660;
+
+/// What a chart of motions shows over time.
+struct DrawnQuantity {
+  std::string_view word;                              ///< `angle`, `rate`, `acceleration`, `jerk`
+  std::string_view title;                             ///< with the unit
+  std::vector<double> (*values)(const PageSamples&);  ///< one per time, in the unit
+};
+
+/// All of them, as a drawing has them from its top on.
+[[nodiscard]] ORISPLINE_EXPORT std::span<const DrawnQuantity> drawn_quantities() noexcept;
 
 /// The motions of methods in one picture.
 struct MotionPicture {

@@ -177,21 +177,13 @@ std::vector<Warning> warnings_of(const Retiming& retiming, const MotionLimits& l
   return warnings;
 }
 
-/// The keys after which the body rests.
-std::vector<std::size_t> rests_of(const Keyframes& keys) {
-  std::vector<std::size_t> rests;
-  for (std::size_t i = 0; i + 1 < keys.size(); ++i)
-    if (keys.rests_after(i)) rests.push_back(i);
-  return rests;
-}
-
 }  // namespace
 
 Method holding_rests(Method method, const Keyframes& keys) {
   const auto family = find_family(method.name);
   if (!family || std::ranges::find((*family)->parameters, "hold", &Parameter::name) == (*family)->parameters.end())
     return method;
-  if (!rests_of(keys).empty()) method.options.parameters.insert({"hold", {1.0}});
+  if (!keys.rests().empty()) method.options.parameters.insert({"hold", {1.0}});
   return method;
 }
 
@@ -233,7 +225,7 @@ Expected<Retiming> retime(const Track& track, const Method& given, const RetimeO
     return least_slowed(motion, (*family)->support_keys, options.slowing);
   };
   auto retimed = retimed_with(Rests::kept);
-  const std::vector<std::size_t> rests = rests_of(track.keys);
+  const std::vector<std::size_t> rests = track.keys.rests();
   const bool slows_rests = !rests.empty() && !retimed && retimed.error().code == ErrorCode::not_converged;
   if (slows_rests) retimed = retimed_with(Rests::slowed);
   return std::move(retimed).and_then([&](Slowed slowed) {

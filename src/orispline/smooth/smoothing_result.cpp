@@ -111,12 +111,13 @@ std::vector<Warning> warnings_of(const Smoothing& smoothing) {
   std::vector<Warning> warnings;
   if (smoothing.edge == LambdaChoice::Edge::shortest)
     warnings.push_back({.code = "least_smoothing",
-                        .message = "hardly any noise was found beside the motion: the least smoothing was taken; state "
-                                   "`smoothing_time` for more or less"});
+                        .message =
+                            "the least smoothing was taken, because hardly any noise was found beside the motion "
+                            "or because `noise` is too small; set `smoothing_time` for more or less"});
   if (smoothing.edge == LambdaChoice::Edge::longest)
     warnings.push_back({.code = "most_smoothing",
                         .message = "no change of the rates was found beside the noise: the most smoothing was taken; "
-                                   "state `smoothing_time` to have less"});
+                                   "set `smoothing_time` to have less"});
   if (const SampleRun run = longest_rejected_run(smoothing); run.second >= motion_run)
     warnings.push_back(rejected_run(run));
   const std::size_t all = smoothing.keys.size();

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <span>
+#include <string>
+#include <utility>
+
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include <orispline/analysis/angle_travelled.hpp>
+#include <orispline/analysis/comparison.hpp>
+#include <orispline/analysis/leave_out.hpp>
+#include <orispline/analysis/torque.hpp>
+#include <orispline/families/registry.hpp>
+
+#include "arrays.hpp"
+#include "errors.hpp"
+#include "python_curve.hpp"
+
+using namespace nanobind::literals;
+
+namespace orispline::python {
+
+const AngleTravelled& PythonCurve::travelled() const {
+  std::call_once(travelled_once_, [this] { travelled_.emplace(pose_->orientation); });
+  return *travelled_;
+}
+
+namespace {
+
+using MutableNumbers = nb::ndarray<double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
+using MutableRows3 = nb::ndarray<double, nb::shape<-1, 3>, nb::c_contig, nb::device::cpu>;
+using Inertia = nb::ndarray<const double, nb::shape<3, 3>, nb::c_contig, nb::device::cpu>;
+
+Eigen::Matrix3d matrix_of(const std::optional<Inertia>& inertia) {
+  if (!inertia) return Eigen::Matrix3d::Identity();
+  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(inertia->data());
+}
+
+/// What is noteworthy of an inertia, as text and code; raises the error of one that is none.
+std::vector<std::pair<std::string, std::string>> check_inertia(const Inertia& inertia) {
+  std::vector<std::pair<std::string, std::string>> told;
+  for (const Warning& warning : warnings_of(value_of(checked_inertia(matrix_of(inertia)))))
+    told.emplace_back(describe(warning), warning.code);
+  return told;
+}
+
+nb::dict energies_of(const PythonCurve& curve, const std::optional<Inertia>& inertia) {
+  const Eigen::Matrix3d matrix = matrix_of(inertia);
+  const Energies found = [&] {
+    const nb::gil_scoped_release release;
+    return energies(curve.pose().orientation, matrix);
+  }();
+  nb::dict result;
+  result["acceleration"] = found.acceleration;
+  result["jerk"] = found.jerk;
+  if (inertia) result["torque"] = found.torque;
+  return result;
+}
+
+nb::dict peaks_of(const PythonCurve& curve, const std::optional<Inertia>& inertia) {
+  const Eigen::Matrix3d matrix = matrix_of(inertia);
+  const Peaks found = [&] {
+    const nb::gil_scoped_release release;
+    return peaks(curve.pose().orientation, matrix);
+  }();
+  const auto pair = [](const Peak& peak) { return std::pair(peak.value, peak.time); };
+  nb::dict result;
+  result["angular_velocity"] = pair(found.angular_velocity);
+  result["angular_acceleration"] = pair(found.angular_acceleration);
+  if (inertia) result["torque"] = pair(found.torque);
+  return result;
+}
+
+nb::dict dictionary_of(const DistanceStatistics& found) {
+  nb::dict result;
+  result["count"] = found.count;
+  result["rms"] = found.rms;
+  result["mean"] = found.mean;
+  result["largest"] = found.largest;
+  result["largest_at"] = found.largest_at;
+  result["median"] = found.median;
+  result["percentile_95"] = found.percentile_95;
+  result["percentile_99"] = found.percentile_99;
+  return result;
+}
+
+nb::dict distance(const PythonCurve& curve, const Keys& reference) {
+  const Keyframes& keys = reference.track->keys;
+  return dictionary_of([&] {
+    const nb::gil_scoped_release release;
+    return distance_to_reference(curve.pose().orientation, {keys.times(), keys.orientations()});
+  }());
+}
+
+nb::dict rate_error_of(const PythonCurve& curve, const Numbers& times, const Rows3& rates) {
+  const auto rows = rows_of<Eigen::Vector3d>(std::optional(rates));
+  return dictionary_of([&] {
+    const nb::gil_scoped_release release;
+    return rate_error(curve.pose().orientation, {span_of(times), rows});
+  }());
+}
+
+nb::dict leave_out(const PythonCurve& curve) {
+  auto found = [&] {
+    const nb::gil_scoped_release release;
+    return leave_out_error(curve.keys().track->keys, curve.method());
+  }();
+  return dictionary_of(value_of(std::move(found)));
+}
+
+/// The key and the turn [rad], where there is one.
+std::optional<std::pair<std::size_t, double>> overwound(const PythonCurve& curve) {
+  const auto found = value_of(overwound_tangent(curve.method(), curve.keys().track->keys));
+  if (!found) return std::nullopt;
+  return std::pair(found->key, found->turn);
+}
+
+double whole_angle(const PythonCurve& curve) {
+  const nb::gil_scoped_release release;
+  return curve.travelled().total();
+}
+
+/// Numbers as `of` maps each of them: times to angles, or angles to times. NaN stays NaN.
+template <class Of>
+void map_numbers(const Numbers& from, const MutableNumbers& to, Of of) {
+  const nb::gil_scoped_release release;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const double number = from.data()[i];
+    to.data()[i] = std::isnan(number) ? number : of(number);
+  }
+}
+
+/// What turns a body with these rates, into `out`.
+void torques(const Rows3& angular_velocities, const Rows3& angular_accelerations, const Inertia& inertia,
+             const MutableRows3& out) {
+  const Eigen::Matrix3d matrix = matrix_of(inertia);
+  const nb::gil_scoped_release release;
+  const auto row = [](const auto& array, std::size_t i) {
+    return Eigen::Map<const Eigen::Vector3d>(array.data() + 3 * i);
+  };
+  for (std::size_t i = 0; i < out.shape(0); ++i)
+    Eigen::Map<Eigen::Vector3d>(out.data() + 3 * i) =
+        torque(Motion{.angular_velocity = row(angular_velocities, i),
+                      .angular_acceleration = row(angular_accelerations, i)},
+               matrix);
+}
+
+/// What shapes the curve: numbers, one or one per key, and words.
+nb::dict settings_of(const PythonCurve& curve) {
+  const FamilyInfo& family = *value_of(find_family(curve.method().name));
+  const CurveOptions& given = curve.method().options;
+  nb::dict settings;
+  for (const Parameter& parameter : family.parameters) {
+    const auto found = given.parameters.find(parameter.name);
+    const nb::str name(parameter.name.data(), parameter.name.size());
+    if (found == given.parameters.end()) settings[name] = parameter.initial;
+    else if (found->second.size() == 1) settings[name] = found->second.front();
+    else settings[name] = array_of(found->second.data(), found->second.size(), 0);
+  }
+  for (const Choice& choice : family.choices) {
+    const auto found = given.choices.find(choice.name);
+    const std::string_view word = found == given.choices.end() ? choice.words.front() : std::string_view(found->second);
+    settings[nb::str(choice.name.data(), choice.name.size())] = nb::str(word.data(), word.size());
+  }
+  return settings;
+}
+
+}  // namespace
+
+void add_analysis(nb::module_& module, nb::class_<PythonCurve>& curve_class) {
+  module.def("check_inertia", &check_inertia, "inertia"_a);
+  module.def("torques", &torques, "angular_velocities"_a, "angular_accelerations"_a, "inertia"_a,
+             "out"_a.noconvert());
+  curve_class.def_prop_ro("settings", &settings_of)
+      .def("energies", &energies_of, "inertia"_a.none())
+      .def("peaks", &peaks_of, "inertia"_a.none())
+      .def("distance", &distance, "reference"_a)
+      .def("rate_error", &rate_error_of, "times"_a, "rates"_a)
+      .def("leave_out", &leave_out)
+      .def("overwound_tangent", &overwound)
+      .def("whole_angle", &whole_angle)
+      .def(
+          "angles_at",
+          [](const PythonCurve& curve, const Numbers& times, const MutableNumbers& out) {
+            map_numbers(times, out, [&](double t) { return curve.travelled().at(t); });
+          },
+          "times"_a, "out"_a.noconvert())
+      .def(
+          "times_at",
+          [](const PythonCurve& curve, const Numbers& angles, const MutableNumbers& out) {
+            map_numbers(angles, out, [&](double angle) { return curve.travelled().time_at(angle); });
+          },
+          "angles"_a, "out"_a.noconvert());
+}
+
+}  // namespace orispline::python

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <nanobind/nanobind.h>
+
+#include <orispline/base/expected.hpp>
+#include <orispline/base/warning.hpp>
+#include <orispline/files.hpp>
+
+namespace orispline::python {
+
+/// An error of a file in the words of Python: `(drop_duplicates=True keeps the first)`.
+[[nodiscard]] Error in_words(Error error);
+
+/// What warnings say, each once.
+[[nodiscard]] nanobind::list texts_of(const std::vector<Warning>& warnings);
+
+/// A format by its word; null for an empty one.
+[[nodiscard]] const io::FormatInfo* format_of(std::string_view word);
+
+void add_key_origins(nanobind::module_& module);
+void add_key_writing(nanobind::module_& module);
+void add_sample_writing(nanobind::module_& module);
+
+}  // namespace orispline::python

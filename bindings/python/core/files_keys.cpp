@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include <orispline/analysis/key_statistics.hpp>
+#include <orispline/families/method_text.hpp>
+#include <orispline/families/recipe.hpp>
+
+#include "arrays.hpp"
+#include "errors.hpp"
+#include "files.hpp"
+#include "keys.hpp"
+
+using namespace nanobind::literals;
+
+namespace orispline::python {
+namespace {
+
+Keys shared(Track track) { return {std::make_shared<const Track>(std::move(track))}; }
+
+template <class T>
+std::vector<T> picked(std::span<const T> values, const std::vector<std::size_t>& indices) {
+  std::vector<T> some;
+  if (!values.empty())
+    for (const std::size_t i : indices) some.push_back(values[i]);
+  return some;
+}
+
+/// The keys at rising indices, with the signs that they have.
+Keys part_of(const Keys& keys, const std::vector<std::size_t>& indices) {
+  const Track& track = *keys.track;
+  const Keyframes& all = track.keys;
+  Keyframes some = value_of(Keyframes::make({.times = picked(all.times(), indices),
+                                             .orientations = picked(all.orientations(), indices),
+                                             .positions = picked(all.positions(), indices),
+                                             .angular_velocities = picked(all.angular_velocities(), indices),
+                                             .angular_accelerations = picked(all.angular_accelerations(), indices),
+                                             .angular_jerks = picked(all.angular_jerks(), indices)},
+                                            Signs::as_given));
+  Track part = track.at(indices);
+  if (track.recipe.signs == Signs::as_given) part.keys = std::move(some);
+  part.recipe.signs = track.recipe.signs;
+  return shared(std::move(part));
+}
+
+/// What keys have beside their numbers: where they are from, for pickle.
+nb::tuple origin_of(const Keys& keys) {
+  const Track& track = *keys.track;
+  std::string exact_times;
+  for (const Decimal& time : track.exact_times) exact_times += time.to_string() + "\n";
+  const auto* const as_read = track.as_read.empty() ? nullptr : track.as_read.front().coeffs().data();
+  return nb::make_tuple(track.name, track.epoch.to_string(), track.lines, exact_times,
+                        as_read ? nb::object(array_of(as_read, track.as_read.size(), 4)) : nb::object(nb::none()), track.recipe.method,
+                        track.recipe.signs == Signs::as_given, track.recipe.line);
+}
+
+std::vector<Decimal> decimals_in(std::string_view lines) {
+  std::vector<Decimal> decimals;
+  for (std::size_t end = lines.find('\n'); end != std::string_view::npos; end = lines.find('\n')) {
+    decimals.push_back(value_of(Decimal::parse(lines.substr(0, end))));
+    lines.remove_prefix(end + 1);
+  }
+  return decimals;
+}
+
+Keys from(const Keys& keys, const std::string& name, const std::string& epoch, const std::vector<std::uint32_t>& lines,
+          const std::string& exact_times, const std::optional<Rows4>& as_read, const std::string& method,
+          bool signs_as_given, std::size_t line) {
+  Track track = *keys.track;
+  track.name = name;
+  track.epoch = value_of(Decimal::parse(epoch));
+  track.lines = lines;
+  track.exact_times = decimals_in(exact_times);
+  if (as_read) track.as_read = rows_of<Eigen::Quaterniond>(*as_read);
+  track.recipe = {.method = method, .signs = signs_as_given ? Signs::as_given : Signs::shortest, .line = line};
+  return shared(std::move(track));
+}
+
+/// Keys whose times count from there.
+Keys since(const Keys& keys, const std::string& epoch) {
+  Track track = *keys.track;
+  track.epoch = value_of(Decimal::parse(epoch));
+  return shared(std::move(track));
+}
+
+/// The method that the keys are for, but for what these names say otherwise; `otherwise` where the file names none.
+std::string method_for(const Keys& keys, const std::vector<std::string>& names, const std::string& otherwise) {
+  const Track& track = *keys.track;
+  const auto stated = method_of(track.recipe, track.name);
+  if (!stated) raise(in_words(stated.error()));
+  return *stated ? text_of(without(**stated, names)) : otherwise;
+}
+
+/// What is to be said where keys of one method's curve are used for another.
+nb::list set_aside(const Keys& keys, const std::string& method) {
+  const Track& track = *keys.track;
+  std::vector<Warning> warnings;
+  if (!track.recipe.method.empty())
+    if (const auto warning = recipe_set_aside(track.recipe, value_of(method_from_text(method)), track.name))
+      warnings.push_back(*warning);
+  return texts_of(warnings);
+}
+
+nb::object spread_of(const std::optional<Spread>& spread) {
+  if (!spread) return nb::none();
+  return nb::make_tuple(spread->smallest, spread->median, spread->largest, spread->largest_at);
+}
+
+nb::tuple statistics_of(const Keys& keys) {
+  const KeyStatistics statistics = key_statistics(keys.track->keys);
+  return nb::make_tuple(statistics.span, spread_of(statistics.spacing), spread_of(statistics.step),
+                        statistics.near_half_turns);
+}
+
+}  // namespace
+
+Error placed(const Track& track, bool has_columns, Error error) {
+  if (has_columns) error.code = ErrorCode::bad_data;
+  const bool concerns_file = error.code != ErrorCode::bad_argument || error.where.key;
+  return concerns_file && !track.name.empty() ? track.located(std::move(error)) : error;
+}
+
+void add_key_origins(nb::module_& module) {
+  module.def("part_of_keys", &part_of, "keys"_a, "indices"_a);
+  module.def("origin_of_keys", &origin_of, "keys"_a);
+  module.def("keys_from", &from, "keys"_a, "name"_a, "epoch"_a, "lines"_a, "exact_times"_a, "as_read"_a.none(),
+             "method"_a, "signs_as_given"_a, "line"_a);
+  module.def("keys_since", &since, "keys"_a, "epoch"_a);
+  module.def("method_for_keys", &method_for, "keys"_a, "names"_a, "otherwise"_a);
+  module.def("recipe_set_aside", &set_aside, "keys"_a, "method"_a);
+  module.def("key_statistics", &statistics_of, "keys"_a);
+  module.def(
+      "epoch_of_keys", [](const Keys& keys) { return keys.track->epoch.to_string(); }, "keys"_a);
+}
+
+}  // namespace orispline::python

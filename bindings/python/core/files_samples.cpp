@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <array>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
+#include <nanobind/stl/vector.h>
+
+#include <orispline/base/fraction.hpp>
+#include <orispline/batch/sample_grid.hpp>
+
+#include "arrays.hpp"
+#include "errors.hpp"
+#include "files.hpp"
+
+using namespace nanobind::literals;
+
+namespace orispline::python {
+namespace {
+
+using Text = std::optional<std::string>;
+
+/// Rate, count, start, end, whether the end is a sample too; of a curve that begins and ends there.
+using GridText = std::tuple<Text, std::optional<std::size_t>, Text, Text, bool, double, double>;
+
+/// What samples have beside orientations, and nothing where they do not: three rates, a position and its two rates.
+using Columns = std::array<std::optional<Rows3>, 6>;
+
+/// When samples are, as it is written.
+struct Times {
+  TimeOrigin epoch;
+  TimeOrigin start;
+  std::optional<SampleGrid> grid{};
+};
+
+Expected<std::optional<Decimal>> decimal_in(const Text& text) {
+  if (!text) return std::optional<Decimal>();
+  return Decimal::parse(*text).map([](const Decimal& number) { return std::optional(number); });
+}
+
+Expected<Times> times_of(const std::string& epoch_text, const std::optional<GridText>& stated) {
+  const auto epoch = Decimal::parse(epoch_text);
+  if (!epoch) return tl::unexpected(epoch.error());
+  if (!stated) return Times{TimeOrigin(*epoch), TimeOrigin(*epoch)};
+  const auto& [rate, count, start_text, end_text, include_end, first, last] = *stated;
+  const auto start = decimal_in(start_text), end = decimal_in(end_text);
+  if (!start) return tl::unexpected(start.error());
+  if (!end) return tl::unexpected(end.error());
+  SampleGrid::Request request{
+      .spacing = SampleGrid::Count{count.value_or(0)},
+      .start = *start,
+      .end = *end,
+      .last = include_end ? SampleGrid::LastSample::at_end : SampleGrid::LastSample::before_end};
+  if (rate) {
+    const auto hertz = Fraction::parse(*rate);
+    if (!hertz) return tl::unexpected(hertz.error());
+    request.spacing = SampleRate{hertz->numerator().to_double(), hertz->denominator().to_double()};
+  }
+  const Decimal begin = start->value_or(Decimal::from_double(first));
+  return SampleGrid::make(request, first, last).map([&](const SampleGrid& grid) {
+    return Times{TimeOrigin(*epoch), TimeOrigin(*epoch + begin), grid};
+  });
+}
+
+Eigen::Vector3d row(const std::optional<Rows3>& rows, std::size_t k) {
+  if (!rows) return Eigen::Vector3d::Zero();
+  return Eigen::Vector3d(rows->data() + 3 * k);
+}
+
+io::Sample sample_of(const Rows4& orientations, const Columns& columns, std::size_t k) {
+  return {.motion = {.orientation = Eigen::Quaterniond(orientations.data() + 4 * k),
+                     .angular_velocity = row(columns[0], k),
+                     .angular_acceleration = row(columns[1], k),
+                     .angular_jerk = row(columns[2], k)},
+          .linear_motion = {
+              .position = row(columns[3], k), .velocity = row(columns[4], k), .acceleration = row(columns[5], k)}};
+}
+
+io::SampleColumns filled(io::SampleColumns columns, const Columns& there, bool world) {
+  columns.frame = world ? io::Frame::world : io::Frame::body;
+  columns.derivatives = there[0].has_value() + there[1].has_value() + there[2].has_value();
+  columns.positions = there[3].has_value();
+  columns.position_derivatives = there[4].has_value() + there[5].has_value();
+  return columns;
+}
+
+/// Rows are written as they are: rates in the world frame are there already.
+Expected<void> write_rows(io::SampleWriter& writer, io::SampleColumns columns, const Times& times,
+                          std::span<const double> seconds, const Rows4& orientations, const Columns& there) {
+  columns.frame = io::Frame::body;
+  io::SampleRows rows(columns);
+  for (std::size_t k = 0; k < seconds.size(); ++k) {
+    const double t = seconds[k];
+    if (!std::isfinite(t)) return failure(ErrorCode::bad_data, "found a time that is not finite", {.time_index = k});
+    const io::Sample sample = sample_of(orientations, there, k);
+    const bool is_even = times.grid && k < *times.grid->size() && (*times.grid)[k].t == t;
+    auto appended =
+        is_even ? rows.append(times.start, times.grid->offset(k), sample) : rows.append(times.epoch, t, sample);
+    if (!appended) return appended;
+    if (rows.bytes().size() < io::written_block) continue;
+    if (auto written = writer.write(rows); !written) return written;
+    rows.clear();
+  }
+  return writer.write(rows);
+}
+
+void write(const std::string& path, const io::StatedOptions& stated, const std::string& like, const std::string& epoch,
+           const std::optional<GridText>& grid, bool world, const Numbers& seconds, const Rows4& orientations,
+           const Columns& there) {
+  const auto done = [&]() -> Expected<void> {
+    const nb::gil_scoped_release release;
+    const auto times = times_of(epoch, grid);
+    if (!times) return tl::unexpected(times.error());
+    auto named = io::columns_of_output(path, stated, format_of(like));
+    if (!named) return tl::unexpected(std::move(named.error()));
+    const io::SampleColumns columns = filled(std::move(*named), there, world);
+    return io::SampleWriter::open(path, columns, seconds.size()).and_then([&](io::SampleWriter writer) {
+      return write_rows(writer, columns, *times, span_of(seconds), orientations, there).and_then([&] {
+        return writer.finish();
+      });
+    });
+  }();
+  if (!done) raise(done.error());
+}
+
+std::vector<std::string> names(bool world, int derivatives, int position_derivatives) {
+  return io::column_names({.positions = position_derivatives >= 0,
+                           .derivatives = derivatives,
+                           .position_derivatives = std::max(position_derivatives, 0),
+                           .frame = world ? io::Frame::world : io::Frame::body});
+}
+
+}  // namespace
+
+void add_sample_writing(nb::module_& module) {
+  module.def(
+      "write_samples",
+      [](const std::string& path, const io::StatedOptions& stated, const std::string& like, const std::string& epoch,
+         const std::optional<GridText>& grid, bool world, const Numbers& seconds, const Rows4& orientations,
+         const std::optional<Rows3>& angular_velocities, const std::optional<Rows3>& angular_accelerations,
+         const std::optional<Rows3>& angular_jerks, const std::optional<Rows3>& positions,
+         const std::optional<Rows3>& velocities, const std::optional<Rows3>& accelerations) {
+        write(path, stated, like, epoch, grid, world, seconds, orientations,
+              {angular_velocities, angular_accelerations, angular_jerks, positions, velocities, accelerations});
+      },
+      "path"_a, "stated"_a, "like"_a, "epoch"_a, "grid"_a.none(), "world"_a, "seconds"_a, "orientations"_a,
+      "angular_velocities"_a.none(), "angular_accelerations"_a.none(), "angular_jerks"_a.none(), "positions"_a.none(),
+      "velocities"_a.none(), "accelerations"_a.none());
+  module.def("column_names", &names, "world"_a, "derivatives"_a, "position_derivatives"_a);
+}
+
+}  // namespace orispline::python

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include <orispline/analysis/torque.hpp>
+#include <orispline/families/method_text.hpp>
+#include <orispline/io/output_file.hpp>
+#include <orispline/math/degrees.hpp>
+#include <orispline/pages/motion_page.hpp>
+#include <orispline/report/motion_drawing.hpp>
+#include <orispline/report/page_samples.hpp>
+
+#include "arrays.hpp"
+#include "errors.hpp"
+#include "python_curve.hpp"
+
+using namespace nanobind::literals;
+
+namespace orispline::python {
+namespace {
+
+using Vector = nb::ndarray<const double, nb::shape<3>, nb::c_contig, nb::device::cpu>;
+using Inertia = nb::ndarray<const double, nb::shape<3, 3>, nb::c_contig, nb::device::cpu>;
+
+nb::str text(std::string_view words) { return nb::str(words.data(), words.size()); }
+
+nb::object numbers(const std::vector<double>& values) { return array_of(values.data(), values.size(), 0); }
+
+nb::object rows(const std::vector<Eigen::Quaterniond>& quaternions) {
+  return array_of(quaternions.empty() ? nullptr : quaternions.front().coeffs().data(), quaternions.size(), 4);
+}
+
+report::PageSamples drawn_samples(const PythonCurve& curve) {
+  const nb::gil_scoped_release release;
+  return report::sampled(curve.pose(), report::samples_to_draw);
+}
+
+/// Times [s], with both sides of jumps, orientations, and what charts show of them by its word.
+nb::tuple drawn(const PythonCurve& curve) {
+  const report::PageSamples samples = drawn_samples(curve);
+  nb::dict charts;
+  for (const report::DrawnQuantity& quantity : report::drawn_quantities())
+    charts[text(quantity.word)] = numbers(quantity.values(samples));
+  return nb::make_tuple(numbers(samples.path.times), rows(samples.path.orientations), charts);
+}
+
+nb::dict titles_of_charts() {
+  nb::dict titles;
+  for (const report::DrawnQuantity& quantity : report::drawn_quantities())
+    titles[text(quantity.word)] = text(quantity.title);
+  return titles;
+}
+
+std::string svg(const PythonCurve& curve, std::string title) {
+  const report::PageSamples samples = drawn_samples(curve);
+  const nb::gil_scoped_release release;
+  report::MotionPicture picture{.title = std::move(title), .keys = report::page_keys(curve.keys().track->keys)};
+  picture.methods.push_back({.name = text_of(curve.method()), .samples = samples});
+  return report::motion_drawing(picture).document();
+}
+
+/// Angles [deg] between orientations at the same times, the largest of every so many where there are very many.
+nb::tuple drawn_errors(const Numbers& times, const Rows4& one, const Rows4& other) {
+  const auto p = rows_of<Eigen::Quaterniond>(one), q = rows_of<Eigen::Quaterniond>(other);
+  report::PageErrors errors{.times = {times.data(), times.data() + times.size()}};
+  for (std::size_t i = 0; i < p.size(); ++i) errors.values.push_back(angular_distance(p[i], q[i]) * degrees);
+  if (errors.times.size() > report::samples_to_draw) errors = report::largest(errors, report::samples_to_draw);
+  return nb::make_tuple(numbers(errors.times), numbers(errors.values));
+}
+
+/// Where a body axis points in the world: (n, 3).
+nb::object directions(const Rows4& orientations, const Vector& axis) {
+  const Eigen::Vector3d body = Eigen::Map<const Eigen::Vector3d>(axis.data());
+  std::vector<Eigen::Vector3d> found;
+  for (const Eigen::Quaterniond& q : rows_of<Eigen::Quaterniond>(orientations))
+    found.push_back(to_world<double>(q, body));
+  return array_of(found.empty() ? nullptr : found.front().data(), found.size(), 3);
+}
+
+/// Writes the page; `start` is the caller's own time at 0 s.
+void write_page(const PythonCurve& curve, const std::string& path, const std::string& title, const std::string& date,
+                const std::string& start, const std::optional<Inertia>& inertia) {
+  std::optional<Eigen::Matrix3d> matrix;
+  if (inertia) matrix = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(inertia->data());
+  value_of([&]() -> Expected<void> {
+    const nb::gil_scoped_release release;
+    auto epoch = Decimal::parse(start);
+    if (!epoch) return tl::unexpected(std::move(epoch.error()));
+    auto file = io::OutputFile::open(path);
+    if (!file) return tl::unexpected(std::move(file.error()));
+    Track track = *curve.keys().track;
+    track.epoch = *epoch;
+    const auto page = pages::motion_page(track, curve.method(), {.title = title, .date = date}, matrix);
+    if (!page) return tl::unexpected(page.error());
+    return file->write(report::document(*page)).and_then([&] { return file->finish(); });
+  }());
+}
+
+}  // namespace
+
+void add_pictures(nb::module_& module, nb::class_<PythonCurve>& curve_class) {
+  module.attr("titles_of_charts") = titles_of_charts();
+  module.attr("most_marked_keys") = report::most_marked_keys;
+  module.def("drawn_errors", &drawn_errors, "times"_a, "one"_a, "other"_a);
+  module.def("directions", &directions, "orientations"_a, "axis"_a);
+  curve_class.def("drawn", &drawn)
+      .def("svg", &svg, "title"_a)
+      .def("write_page", &write_page, "path"_a, "title"_a, "date"_a, "start"_a, "inertia"_a.none());
+}
+
+}  // namespace orispline::python

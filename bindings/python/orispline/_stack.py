@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Many curves on the same times, such as the joints of a figure."""
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _core
+from ._arrays import output
+from ._checks import thread_count
+from ._curve import ACCELERATION, FRAMES, JERK, ORIENTATION, VELOCITY, Curve, _index
+from ._errors import ArgumentError, DataError, Error
+from ._keys import Keys, _span
+from ._samples import Samples
+
+
+class CurveStack:
+    """Curves of one method through keys at the same times, such as the joints of a figure.
+
+    Each joint is the `Curve` through its own keys, bit for bit. Functions of time take a time or an array of times of any
+    shape, in any order; what they give has that shape and two axes more, the joints and the components.
+
+    Parameters
+    ----------
+    times : (n,) array
+        Of all joints, as of `Keys`.
+    rotations : (n, m, 4) quaternions or (n, m, 3, 3) matrices
+        Body to world, of m joints. Quaternions are x, y, z, w; with `scalar_first` w, x, y, z.
+    method, extrapolate, **options
+        As of `Curve`, the same for all joints.
+
+    Raises
+    ------
+    DataError, ArgumentError, ConvergenceError
+        As of `Curve`. The message begins with the joint, which is also the attribute `joint`.
+
+    Examples
+    --------
+    >>> import orispline as ori
+    >>> left, right = [0, 0, 0, 1], [0, 0, 0.6, 0.8]
+    >>> stack = ori.CurveStack([0, 1, 2], [[left, right], [right, left], [left, left]])
+    >>> stack
+    CurveStack('auto', 2 joints, 3 keys, 0 … 2 s)
+    >>> stack([0.5, 1.5, 1.7]).shape
+    (3, 2, 4)
+    >>> stack.sample(rate=10, derivatives=1).angular_velocities.shape
+    (21, 2, 3)
+    """
+
+    __slots__ = ("_cores", "_curves")
+
+    def __init__(self, times: Any, rotations: Any, method: str = "auto", *, extrapolate: str = "hold",
+                 scalar_first: bool = False, normalize: bool = False, time_unit: str | None = None, signs: str = "shortest",
+                 **options: Any) -> None:
+        array = np.asarray(rotations)
+        if array.shape[2:] not in ((4,), (3, 3)):
+            raise ArgumentError(f"rotations: found the shape {array.shape}, wanted (n, m, 4) or (n, m, 3, 3)")
+        if array.shape[1] == 0:
+            raise ArgumentError(f"rotations: found the shape {array.shape}, wanted one joint at least")
+        if np.shape(times)[:1] != array.shape[:1]:
+            raise DataError(f"rotations: found {len(array)}, wanted one row for each of the {np.size(times)} times")
+        curves = []
+        for joint in range(array.shape[1]):
+            try:
+                keys = Keys(times, array[:, joint], scalar_first=scalar_first, normalize=normalize, time_unit=time_unit,
+                            signs=signs)
+                curves.append(Curve(keys, method=method, extrapolate=extrapolate, **options))
+            except Error as error:
+                error.joint = joint
+                error.args = (f"joint {joint}: {error}", *error.args[1:])
+                raise
+        self._set(curves)
+
+    def _set(self, curves: list[Curve]) -> None:
+        self._curves, self._cores = tuple(curves), [curve._core for curve in curves]
+
+    def __len__(self) -> int:
+        """The number of joints."""
+        return len(self._curves)
+
+    def __getitem__(self, joint: int) -> Curve:
+        """The curve of one joint."""
+        return self._curves[joint]
+
+    @property
+    def times(self) -> np.ndarray[Any, Any]:
+        """(n,) times of the keys."""
+        return self._curves[0].times
+
+    @property
+    def rotations(self) -> NDArray[np.float64]:
+        """(n, m, 4) unit quaternions, with the signs that the curves follow."""
+        return np.stack([curve.keys.rotations for curve in self._curves], axis=1)
+
+    @property
+    def method(self) -> str:
+        """The method in its text form."""
+        return self._curves[0].method
+
+    @property
+    def domain(self) -> tuple[Any, Any]:
+        """The first and the last time."""
+        return self._curves[0].domain
+
+    def __call__(self, t: Any, *, out: Any = None, dtype: Any = np.float64, threads: int = 1) -> NDArray[Any]:
+        """(..., m, 4) unit quaternions."""
+        return self._at(ORIENTATION, t, "body", out, dtype, threads)
+
+    def angular_velocity(self, t: Any, *, frame: str = "body", out: Any = None, dtype: Any = np.float64,
+                         threads: int = 1) -> NDArray[Any]:
+        """(..., m, 3) [rad/s]."""
+        return self._at(VELOCITY, t, frame, out, dtype, threads)
+
+    def angular_acceleration(self, t: Any, *, frame: str = "body", out: Any = None, dtype: Any = np.float64,
+                             threads: int = 1) -> NDArray[Any]:
+        """(..., m, 3) [rad/s²]."""
+        return self._at(ACCELERATION, t, frame, out, dtype, threads)
+
+    def angular_jerk(self, t: Any, *, frame: str = "body", out: Any = None, dtype: Any = np.float64,
+                     threads: int = 1) -> NDArray[Any]:
+        """(..., m, 3) [rad/s³]."""
+        return self._at(JERK, t, frame, out, dtype, threads)
+
+    def sample(self, rate: Any = None, *, count: int | None = None, times: Any = None, start: Any = None, end: Any = None,
+               include_end: bool = False, derivatives: int = 0, frame: str = "body", dtype: Any = np.float64,
+               threads: int = 1) -> Samples:
+        """Samples at even times or at given ones, as of `Curve.sample`: (k,) times, (k, m, 4) orientations and (k, m, 3)
+        rates."""
+        curve = self._curves[0]
+        seconds = curve._times_wanted(rate, count, times, start, end, include_end, derivatives)
+        rows = [self._rows(what, seconds, frame, None, dtype, threads)
+                for what in (ORIENTATION, VELOCITY, ACCELERATION, JERK)[:derivatives + 1]]
+        return Samples(curve._clock.back(seconds), *rows)
+
+    def _at(self, what: int, t: Any, frame: str, out: Any, dtype: Any, threads: int) -> NDArray[Any]:
+        return self._rows(what, self._curves[0]._clock.seconds("t", t), frame, out, dtype, threads)
+
+    def _rows(self, what: int, seconds: NDArray[np.float64], frame: str, out: Any, dtype: Any,
+              threads: int) -> NDArray[Any]:
+        width = 4 if what == ORIENTATION else 3
+        world = _index("frame", frame, FRAMES) == 1
+        result = output("out", out, (*seconds.shape, len(self), width), dtype)
+        first = what == ORIENTATION and self._curves[0]._scalar_first
+        room = np.empty_like(result) if first else result
+        _core.fill_stack(self._cores, what, seconds.reshape(-1), room.reshape(-1, len(self), width), world,
+                         self._curves[0]._beyond, thread_count(threads))
+        if first:
+            result[...] = room[..., [3, 0, 1, 2]]
+        return result
+
+    def __repr__(self) -> str:
+        keys = self._curves[0].keys
+        return (f"CurveStack({self.method!r}, {len(self)} joint{'' if len(self) == 1 else 's'}, {len(keys)} "
+                f"key{'' if len(keys) == 1 else 's'}, {_span(keys._clock, np.array(self._cores[0].domain))})")
+
+    def __reduce__(self) -> Any:
+        return _restored, (list(self._curves),)
+
+
+def _restored(curves: list[Curve]) -> CurveStack:
+    stack = CurveStack.__new__(CurveStack)
+    stack._set(curves)
+    return stack

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/io/file_option.hpp>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <orispline/base/pieces.hpp>
+#include <orispline/io/file_option_words.hpp>
+#include <orispline/io/iso_time.hpp>
+
+namespace orispline::inline ORISPLINE_ABI::io {
+namespace {
+
+Expected<Fraction> positive_in(std::string_view option, std::string_view text) {
+  const auto fraction = Fraction::parse(text);
+  if (fraction && fraction->is_positive()) return *fraction;
+  return not_wanted(option, text, "a number greater than 0, or a fraction such as 30000/1001");
+}
+
+Expected<void> take_columns(Reading& reading, std::string_view text) {
+  for (const std::string_view piece : pieces_of(text, ',')) {
+    const std::size_t equals = piece.find('=');
+    if (equals == 0 || equals == std::string_view::npos || equals + 1 == piece.size())
+      return not_wanted("columns", piece, "NAME=VALUE");
+    const std::string name(piece.substr(0, equals));
+    if (!reading.options.columns.emplace(name, piece.substr(equals + 1)).second)
+      return bad_option("columns", formatted("'{}' is given twice, wanted it once", name));
+  }
+  return {};
+}
+
+Expected<void> take_epoch(Reading& reading, std::string_view text) {
+  const auto instant = parse_iso_time(text);
+  if (!instant) return not_wanted("epoch", text, "a time of ISO 8601 such as 2024-02-29T12:30:00Z");
+  reading.options.clock.zero = *instant;
+  return {};
+}
+
+template <bool ReadOptions::*Member>
+Expected<void> set(Reading& reading, std::string_view) {
+  reading.options.*Member = true;
+  return {};
+}
+
+using ReadingOption = FileOption<Reading>;
+
+const std::array reading_list{
+    ReadingOption{.name = "input_format",
+                  .sentence = "Format of the file [told by its extension and content]",
+                  .argument = [] { return list_of(formats_read()); },
+                  .take =
+                      [](Reading& r, std::string_view text) {
+                        return format_in("input_format", text, formats_read()).map(into(r.options.format));
+                      },
+                  .member = "format"},
+    ReadingOption{.name = "columns",
+                  .sentence = "Names of columns in your file, such as t=sclk_ticks,qw=q0_w",
+                  .argument = [] { return std::string("NAME=COLUMN,..."); },
+                  .take = take_columns,
+                  .member = "columns",
+                  .use = "says which is which",
+                  .is_repeated = true},
+    ReadingOption{
+        .name = "order",
+        .sentence = "Order of the quaternion in a file without a header",
+        .argument = list_of<order_words>,
+        .take = [](Reading& r,
+                   std::string_view text) { return word_in<order_words>("order", text).map(into(r.options.order)); },
+        .member = "order"},
+    ReadingOption{.name = "input_orientation",
+                  .sentence = "Columns to read the orientation from [the quaternion, else the form that is there]",
+                  .argument = list_of<representation_words>,
+                  .take =
+                      [](Reading& r, std::string_view text) {
+                        return word_in<representation_words>("input_orientation", text)
+                            .map(into(r.options.orientation.representation));
+                      },
+                  .member = "representation"},
+    ReadingOption{
+        .name = "euler",
+        .sentence = "Order of Euler angles: capitals for turns about body axes (ZYX, ZXZ), small letters for "
+                    "world axes (zyx) [ZYX]",
+        .argument = [] { return std::string("ORDER"); },
+        .take = [](Reading& r,
+                   std::string_view text) { return euler_in("euler", text).map(into(r.options.orientation.euler)); },
+        .member = "euler"},
+    ReadingOption{
+        .name = "angle_unit",
+        .sentence = "Unit of Euler angles, if the names of their columns do not end in one such as _deg",
+        .argument = list_of<angle_unit_words>,
+        .take =
+            [](Reading& r, std::string_view text) {
+              return word_in<angle_unit_words>("angle_unit", text).map(into(r.options.orientation.angle_unit));
+            },
+        .member = "angle_unit"},
+    ReadingOption{
+        .name = "time_scale",
+        .sentence = "Seconds in one unit of the time column, such as 1e-3 or 1/24 [told by the column's name "
+                    "or the size of its numbers, else 1]",
+        .argument = [] { return std::string("X"); },
+        .take = [](Reading& r,
+                   std::string_view text) { return positive_in("time_scale", text).map(into(r.options.time_scale)); },
+        .member = "time_scale"},
+    ReadingOption{.name = "fps",
+                  .sentence = "Frames per second, such as 24 or 30000/1001, if the times are a column 'frame'",
+                  .argument = [] { return std::string("N"); },
+                  .take =
+                      [](Reading& r, std::string_view text) {
+                        return positive_in("fps", text).map(into(r.options.clock.frames_per_second));
+                      },
+                  .member = "fps"},
+    ReadingOption{.name = "epoch",
+                  .sentence = "Date that counts as 0 s, if the times are dates of ISO 8601 [1970-01-01T00:00:00Z]",
+                  .argument = [] { return std::string("TIME"); },
+                  .take = take_epoch},
+    ReadingOption{.name = "conjugate",
+                  .sentence = "Read orientations that turn world into body, as C-kernels of SPICE hold them",
+                  .take = set<&ReadOptions::conjugate>},
+    ReadingOption{.name = "signs",
+                  .sentence = "Turn the shortest way between keys, or the way that the signs of the quaternions say",
+                  .argument = list_of<sign_words>,
+                  .take = [](Reading& r,
+                             std::string_view text) { return word_in<sign_words>("signs", text).map(into(r.signs)); }},
+    ReadingOption{.name = "ignore_recipe",
+                  .sentence = "Ignore the comment in which the file names the method of its keys",
+                  .take =
+                      [](Reading& r, std::string_view) {
+                        r.options.recipe = RecipeUse::ignored;
+                        return Expected<void>();
+                      },
+                  .member = "recipe",
+                  .use = "reads the keys without it"},
+    ReadingOption{.name = "normalise",
+                  .sentence = "Accept quaternions of any norm but 0 [only norms within 2 % of 1]",
+                  .take =
+                      [](Reading& r, std::string_view) {
+                        r.options.norms = Norms::any;
+                        return Expected<void>();
+                      },
+                  .member = "norms",
+                  .use = "takes any norm but 0"},
+    ReadingOption{.name = "drop_duplicates",
+                  .sentence = "Keep only the first of several rows with the same time",
+                  .take = set<&ReadOptions::drop_duplicates>,
+                  .member = "drop_duplicates",
+                  .use = "keeps the first"},
+    ReadingOption{.name = "drop_invalid",
+                  .sentence = "Drop rows with NaN, infinite or empty cells",
+                  .take = set<&ReadOptions::drop_invalid>,
+                  .member = "drop_invalid",
+                  .use = "drops such rows"},
+    ReadingOption{.name = "sort",
+                  .sentence = "Sort the rows by time",
+                  .take = set<&ReadOptions::sort>,
+                  .member = "sort",
+                  .use = "orders the rows"},
+};
+
+}  // namespace
+
+std::span<const FileOption<Reading>> reading_options() noexcept { return reading_list; }
+
+const FileOption<Reading>* reading_option_of(std::string_view member) noexcept {
+  const auto found = std::ranges::find(reading_list, member, &ReadingOption::member);
+  return member.empty() || found == reading_list.end() ? nullptr : &*found;
+}
+
+Expected<void> take_options(Reading& reading, const StatedOptions& stated) {
+  return take_all<Reading>(reading, reading_list, stated);
+}
+
+}  // namespace orispline::inline ORISPLINE_ABI::io

@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Many curves on the same times, beside each of them alone."""
+import pickle
+
+import numpy as np
+import orispline as ori
+import pytest
+
+
+@pytest.fixture
+def figure():
+    """Times and (n, m, 4) rotations of thirty keys of five joints."""
+    dice = np.random.default_rng(11)
+    times = np.cumsum(dice.uniform(0.3, 1.2, 30))
+    q = np.cumsum(dice.normal(scale=0.25, size=(30, 5, 4)), axis=0) + [0, 0, 0, 2]
+    return times, q / np.linalg.norm(q, axis=2, keepdims=True)
+
+
+RATES = ("angular_velocity", "angular_acceleration", "angular_jerk")
+
+
+@pytest.mark.parametrize("method", ["auto", "timed-c2", "slerp", "squad-timed", "rotation-spline"])
+def test_each_joint_is_its_own_curve_bit_for_bit(figure, method):
+    times, rotations = figure
+    stack = ori.CurveStack(times, rotations, method)
+    alone = [ori.Curve(times, rotations[:, joint], method) for joint in range(5)]
+    t = np.random.default_rng(1).uniform(times[0] - 1, times[-1] + 1, 6000)
+    for name in ("__call__", *RATES):
+        for asked in (t, np.sort(t), t[:6].reshape(2, 3), t[0], float(t[1]), times):
+            wanted = np.stack([np.asarray(getattr(curve, name)(asked)) for curve in alone], axis=-2)
+            assert np.array_equal(getattr(stack, name)(asked), wanted), name
+    world = np.stack([curve.angular_jerk(t, frame="world") for curve in alone], axis=-2)
+    assert np.array_equal(stack.angular_jerk(t, frame="world"), world)
+    assert len(stack) == 5 and repr(stack[3]) == repr(alone[3])
+    assert stack([]).shape == (0, 5, 4)
+
+
+def test_samples_threads_outputs_and_single_precision(figure):
+    stack = ori.CurveStack(*figure)
+    samples = stack.sample(rate=200, derivatives=2, frame="world")
+    k = len(samples)
+    assert samples.orientations.shape == (k, 5, 4) and samples.angular_accelerations.shape == (k, 5, 3)
+    assert samples.angular_jerks is None
+    one = stack[2].sample(rate=200, derivatives=2, frame="world")
+    assert np.array_equal(samples.times, one.times)
+    assert np.array_equal(samples.orientations[:, 2], one.orientations)
+    assert np.array_equal(samples.angular_accelerations[:, 2], one.angular_accelerations)
+    assert np.array_equal(stack(samples.times, threads=3), samples.orientations)
+    assert np.array_equal(stack.sample(count=7).times, stack[0].sample(count=7).times)
+    out = np.empty((k, 5, 4))
+    assert stack(samples.times, out=out) is out and np.array_equal(out, samples.orientations)
+    single = stack(samples.times, dtype="float32")
+    assert single.dtype == np.float32 and np.allclose(single, out, atol=1e-6)
+    again = pickle.loads(pickle.dumps(stack, 5))
+    assert np.array_equal(again(samples.times), out) and repr(again) == repr(stack)
+    for wrong in (dict(out=np.empty((k, 4))), dict(out=np.empty((k, 5, 4), "f4")), dict(dtype="int32")):
+        with pytest.raises(ori.ArgumentError):
+            stack(samples.times, **wrong)
+
+
+def test_forms_of_keys(figure):
+    from scipy.spatial.transform import Rotation
+    times, rotations = figure
+    stack, t = ori.CurveStack(times, rotations), np.linspace(2, 9, 20)
+    first = ori.CurveStack(times, rotations[..., [3, 0, 1, 2]], scalar_first=True)
+    assert np.array_equal(first(t), stack(t)[..., [3, 0, 1, 2]])
+    assert np.array_equal(first.sample(times=t).orientations, first(t))
+    matrices = Rotation.from_quat(rotations.reshape(-1, 4)).as_matrix().reshape(30, 5, 3, 3)
+    assert np.abs(np.sum(ori.CurveStack(times, matrices)(t) * stack(t), axis=-1)).min() > 1 - 1e-14
+    dates = np.datetime64("2026-01-01") + np.round(times * 1e9).astype("timedelta64[ns]")
+    dated = ori.CurveStack(dates, rotations)
+    assert dated.domain == (dates[0], dates[-1]) and dated(dates[3]).shape == (5, 4)
+    assert np.array_equal(stack.times, times) and np.abs(np.abs(stack.rotations) - np.abs(rotations)).max() < 1e-15
+    kept = ori.CurveStack(times, rotations, "timed-c2", extrapolate="rate", ends="rest", tension=0.3)
+    assert kept.method == kept[1].method and np.abs(kept.angular_velocity(times[-1] + 1)).max() < 1e-15
+    assert repr(stack).startswith("CurveStack('auto', 5 joints, 30 keys, ")
+
+
+def test_the_joint_that_fails_is_named(figure):
+    times, rotations = figure
+    for place, value, error, message in (((7, 3), [0, 0, 0, 0], ori.DataError, "joint 3: key 7"),
+                                         ((2, 4), [np.nan, 0, 0, 1], ori.DataError, "joint 4: key 2")):
+        bad = rotations.copy()
+        bad[place] = value
+        with pytest.raises(error, match=message) as found:
+            ori.CurveStack(times, bad)
+        assert found.value.joint == place[1] and found.value.key == place[0]
+    with pytest.raises(ori.ArgumentError, match="joint 0: .*unknown method"):
+        ori.CurveStack(times, rotations, "none")
+
+
+@pytest.mark.parametrize("shape", [(30, 4), (30, 5, 3), (30, 5, 4, 1), (30, 0, 4), (4,)])
+def test_other_shapes_are_refused(figure, shape):
+    with pytest.raises(ori.ArgumentError, match="rotations: found the shape"):
+        ori.CurveStack(figure[0], np.ones(shape))
+
+
+def test_other_lengths_times_and_questions_are_refused(figure):
+    times, rotations = figure
+    with pytest.raises(ori.DataError, match="wanted one row for each of the 29 times"):
+        ori.CurveStack(times[:-1], rotations)
+    with pytest.raises(ori.ArgumentError, match="real numbers"):
+        ori.CurveStack(times, rotations.astype(complex))
+    strict = ori.CurveStack(times, rotations, extrapolate="error")
+    far = np.full(5000, times[3])
+    far[4321] = times[-1] + 1
+    with pytest.raises(ori.ArgumentError, match="is outside the curve, wanted") as found:
+        strict(far)
+    assert found.value.time_index == 4321
+    with pytest.raises(ori.ArgumentError, match="frame"):
+        strict.angular_velocity(times, frame="sky")
+    with pytest.raises(ori.ArgumentError, match="one of rate"):
+        strict.sample()
