@@ -5,10 +5,17 @@
 #include <orispline/base/version.hpp>
 
 #include "keys.hpp"
+#include "tasks.hpp"
 
 NB_MODULE(_core, module) {
   module.attr("version") = std::string(orispline::version);
   orispline::python::add_keys(module);
   orispline::python::add_curve(module);
   orispline::python::add_methods(module);
+  orispline::python::add_fields(module);
+  orispline::python::add_smooth(module);
+  orispline::python::add_reduce(module);
+  orispline::python::add_retime(module);
+  orispline::python::add_tune(module);
+  orispline::python::add_compare(module);
 }

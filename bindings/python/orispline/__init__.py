@@ -11,13 +11,18 @@ from __future__ import annotations
 from typing import Any
 
 from . import _core
+from ._comparison import Comparison, compare
 from ._curve import Curve
-from ._errors import AccessError, ArgumentError, ConvergenceError, DataError, Error
+from ._errors import AccessError, ArgumentError, ConvergenceError, DataError, Error, ShapeWarning
 from ._keys import Keys
+from ._results import Certificate, Reduction, Retiming, Smoothing, Tuning
 from ._samples import Motion, Samples
+from ._tasks import reduce, reduce_tracks, retime, smooth, tune
 
 __all__ = ["AccessError", "ArgumentError", "ConvergenceError", "Curve", "DataError", "Error", "Keys", "Motion", "Samples",
            "methods"]
+__all__ += ["Certificate", "Comparison", "Reduction", "Retiming", "ShapeWarning", "Smoothing", "Tuning", "compare", "reduce",
+            "reduce_tracks", "retime", "smooth", "tune"]
 __version__: str = _core.version
 
 

@@ -32,3 +32,15 @@ class ConvergenceError(Error, ArithmeticError):
 
 class AccessError(Error, OSError):
     """A file that cannot be opened, read or written."""
+
+
+class ShapeWarning(UserWarning):
+    """Something noteworthy about a result. Its text is the library's.
+
+    Attributes: `code`, what programs go by, such as `"loose_bounds"`; `numbers`, those of the text, by names with units.
+    """
+
+    def __init__(self, message: str, code: str = "", numbers: dict[str, float] | None = None) -> None:
+        super().__init__(message)
+        self.code = code
+        self.numbers = numbers or {}
