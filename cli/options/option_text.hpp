@@ -14,6 +14,7 @@
 #include <orispline/base/expected.hpp>
 #include <orispline/base/fraction.hpp>
 #include <orispline/base/warning.hpp>
+#include <orispline/fields/words.hpp>
 #include <orispline/math/eigen.hpp>
 
 // What the text after an option means. Every error is bad_argument and begins with the option.

@@ -11,7 +11,8 @@ from . import _core
 from ._errors import ArgumentError
 from ._keys import Keys
 from ._options import checked_keys, checked_threads, method_words, new_keys, plain, times_beside
-from ._results import issue, now
+from ._results import now
+from ._warnings import tell
 
 if TYPE_CHECKING:
     from ._curve import Curve
@@ -157,5 +158,5 @@ def compare(keys: Keys, methods: Sequence[str] | str | None = None, *, reference
     arguments = (_decimations(keep_every, jitter, random, reference), words, bool(tune), sort,
                  plain({"inertia": inertia, "leave_out": leave_out}), checked_threads(threads))
     core = _work(keys, reference, *arguments)
-    issue(core.warnings)
+    tell(core.warnings)
     return Comparison(tuple(core.measures()), keys, arguments, reference, core.rows(), core)

@@ -8,14 +8,12 @@ import datetime
 import functools
 import keyword
 import os
-import warnings
 from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._errors import ShapeWarning
 from ._keys import Keys
 from ._options import FIELDS, new_keys, states
 
@@ -23,12 +21,6 @@ if TYPE_CHECKING:
     from ._curve import Curve
 
 Indices = NDArray[np.intp]
-
-
-def issue(found: Any) -> None:
-    """Warnings of the library, as warnings of the line that called the task."""
-    for message, code, numbers in found:
-        warnings.warn(ShapeWarning(message, code, numbers), stacklevel=3)
 
 
 def now() -> str:

@@ -8,7 +8,8 @@ from . import _core
 from ._errors import ArgumentError
 from ._keys import Keys
 from ._options import checked_keys, checked_threads, method_words, plain, takes, times_beside
-from ._results import Reduction, Retiming, Smoothing, Tuning, issue
+from ._results import Reduction, Retiming, Smoothing, Tuning
+from ._warnings import tell
 
 
 @takes("SmoothOptions")
@@ -58,7 +59,7 @@ def smooth(keys: Keys, **options: Any) -> Smoothing:
     checked_keys(keys)
     stated = plain(options)
     core = _core.smooth(keys._core, stated)
-    issue(core.warnings)
+    tell(core.warnings)
     return Smoothing._of(core, keys, (stated,))
 
 
@@ -193,7 +194,7 @@ def retime(keys: Keys, *, method: Any = None, per_interval: bool = False, **opti
         options["slowing"] = "per-interval"
     arguments = (None if method is None else method_words(method), plain(options))
     core = _core.retime(keys._core, *arguments)
-    issue(core.warnings)
+    tell(core.warnings)
     return Retiming._of(core, keys, arguments)
 
 
@@ -242,5 +243,5 @@ def tune(keys: Keys, method: Any, *, reference: Keys | None = None, **options: A
     times = None if reference is None else times_beside(keys, checked_keys(reference, "reference"))
     arguments = (method_words(method), None if reference is None else reference._core, times, plain(options))
     core = _core.tune(keys._core, *arguments)
-    issue(core.warnings)
+    tell(core.warnings)
     return Tuning._of(core, keys, ())
