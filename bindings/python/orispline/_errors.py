@@ -35,4 +35,12 @@ class AccessError(Error, OSError):
 
 
 class ShapeWarning(UserWarning):
-    """Something noteworthy about keys, a file or a curve; its text says what."""
+    """Something noteworthy about a result. Its text is the library's.
+
+    Attributes: `code`, what programs go by, such as `"loose_bounds"`; `numbers`, those of the text, by names with units.
+    """
+
+    def __init__(self, message: str, code: str = "", numbers: dict[str, float] | None = None) -> None:
+        super().__init__(message)
+        self.code = code
+        self.numbers = numbers or {}

@@ -8,10 +8,10 @@ import warnings
 from ._errors import ShapeWarning
 
 
-def tell(texts: list[str]) -> None:
+def tell(found: list[tuple[str, str, dict[str, float]]]) -> None:
     """Warns where the caller of the package stands."""
     level, frame = 1, sys._getframe()
     while frame.f_back is not None and frame.f_globals.get("__package__") == __package__:
         level, frame = level + 1, frame.f_back
-    for text in texts:
-        warnings.warn(text, ShapeWarning, stacklevel=level)
+    for message, code, numbers in found:
+        warnings.warn(ShapeWarning(message, code, numbers), stacklevel=level)
