@@ -10,10 +10,10 @@ from typing import Any
 from ._errors import ShapeWarning
 
 
-def tell(found: Iterable[str | tuple[Any, ...]]) -> None:
-    """Warns where the caller of the package stands: of texts, or of texts with their codes and numbers."""
+def tell(found: Iterable[tuple[Any, ...]]) -> None:
+    """Warns where the caller of the package stands: of messages, with their codes and numbers."""
     level, frame = 1, sys._getframe()
     while frame.f_back is not None and frame.f_globals.get("__package__") == __package__:
         level, frame = level + 1, frame.f_back
     for warning in found:
-        warnings.warn(ShapeWarning(warning) if isinstance(warning, str) else ShapeWarning(*warning), stacklevel=level)
+        warnings.warn(ShapeWarning(*warning), stacklevel=level)
