@@ -7,7 +7,7 @@ import numpy as np
 import orispline as ori
 from scipy.spatial.transform import Rotation, RotationSpline, Slerp
 
-SIZES = {"full": (1_000_000, 7, 1000), "quick": (100_000, 3, 100), "smoke": (100, 1, 2)}  # samples, rounds, calls of what is short
+SIZES = {"full": (1_000_000, 5, 1000), "quick": (100_000, 3, 100), "smoke": (100, 1, 2)}  # samples, rounds, calls of what is short
 LARGEST_KEY_ERROR = 1e-10  # [rad]
 LARGEST_DIFFERENCE = (1e-9, 1e-9, 1e-8)  # between the two rotation splines [rad], [rad/s], [rad/s²]
 
