@@ -92,7 +92,7 @@ class Keys:
                 ("positions", "angular_velocities", "angular_accelerations", "angular_jerks")}
         return Keys(self.times[part], self.rotations[part], signs="as-given", scalar_first=self._scalar_first,
                     settings={name: values[part] for name, values in self.settings.items()},
-                    time_unit=None if self._clock.unit == "s" else self._clock.unit,
+                    time_unit=None if self._clock.unit == "s" or self._clock.is_calendar else self._clock.unit,
                     **{name: None if values is None else values[part] for name, values in rows.items()})
 
     @property
