@@ -23,7 +23,7 @@ ARGUMENTS = [
     (lambda: ori.smooth(KEYS, gyro=1), "gyro: found 1, wanted true or false"),
     (lambda: ori.smooth(KEYS, noise=0.1, smoothing_time=1), "smoothing_time"),
     (lambda: ori.reduce(KEYS, "1"), "tolerance: found '1', wanted"),
-    (lambda: ori.reduce(KEYS, 0), "tolerance: found 0 rad, wanted more than 0 rad"),
+    (lambda: ori.reduce(KEYS, 0), "tolerance: found 0 rad, wanted 1e-12 rad at least"),
     (lambda: ori.reduce(KEYS, None), "tolerance"),
     (lambda: ori.reduce(KEYS, 0.1, method="slurp"), "did you mean 'slerp'?"),
     (lambda: ori.reduce(KEYS, 0.1, method=[]), "method: found none"),

@@ -34,7 +34,7 @@ def test_fields_are_those_of_the_library(task, result):
     for field in told["results"]:
         name = field["name"]
         assert name in names | {"keys"} or re.sub(units, "", name) in names, name
-        assert field["sentence"] in result.__doc__
+        assert field["sentence"] in result.__doc__ or name == "keys"
     function = getattr(ori, task)
     for option in told["options"]:
         assert option["sentence"] in function.__doc__

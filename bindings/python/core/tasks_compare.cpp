@@ -48,6 +48,7 @@ Request request_in(const std::optional<std::vector<std::string>>& texts, bool tu
   if (texts) request.labels = *texts;
   else
     for (const FamilyInfo& family : families_info()) request.labels.emplace_back(family.name);
+  for (const std::string& label : request.labels) value_of(method_from_text(label));
   return request;
 }
 
@@ -55,7 +56,10 @@ ComparedData data_of(const Keys& keys, const std::optional<Keys>& reference,
                      const std::optional<Numbers>& reference_times, const std::vector<nb::dict>& decimations) {
   if (reference) return value_of(beside_recording(*keys.track, at_times(*reference, reference_times)));
   std::vector<Decimation> each;
-  for (const nb::dict& stated : decimations) each.push_back(options_in<Decimation>(stated));
+  for (const nb::dict& stated : decimations) {
+    each.push_back(options_in<Decimation>(stated));
+    value_of(check_ranges(each.back()));
+  }
   return value_of(beside_own_samples(*keys.track, each));
 }
 
@@ -114,9 +118,10 @@ CompareTask compared(const Keys& keys, const std::optional<Keys>& reference,
                      const std::optional<Numbers>& reference_times, const std::vector<nb::dict>& decimations,
                      const std::optional<std::vector<std::string>>& texts, bool tune, const std::string& sort,
                      const nb::dict& measured, unsigned threads) {
+  Request request = request_in(texts, tune, sort, measured, threads);
   CompareTask task{.data = data_of(keys, reference, reference_times, decimations),
                    .methods = {},
-                   .request = request_in(texts, tune, sort, measured, threads),
+                   .request = std::move(request),
                    .warnings = {}};
   task.warnings = task.data.warnings;
   const auto measures = task.measures();

@@ -94,6 +94,15 @@ def _decimations(keep_every: Any, jitter: bool, random: int | None, reference: K
     return [plain({"keep_every": step, "spacing": spacing, "seed": random}) for step in steps]
 
 
+def _texts(methods: Sequence[str] | str | None) -> list[str] | None:
+    if methods is None:
+        return None
+    texts = [method_words(method) for method in ([methods] if isinstance(methods, str) else methods)]
+    if not texts or len(set(texts)) < len(texts):
+        raise ArgumentError(f"methods: found {methods!r}, wanted one at least, and none twice")
+    return texts
+
+
 def compare(keys: Keys, methods: Sequence[str] | str | None = None, *, reference: Keys | None = None,
             keep_every: int | Sequence[int] = 8, jitter: bool = False, random: int | None = None, inertia: Any = None,
             leave_out: bool = False, tune: bool = False, sort: str = "rms", threads: int = 0) -> Comparison:
@@ -109,18 +118,16 @@ def compare(keys: Keys, methods: Sequence[str] | str | None = None, *, reference
         Dense recording that curves through all of `keys` are compared with; `keep_every` then plays no part.
     keep_every : int or list of int
         Keep every N-th sample as a key; several make several sets of keys.
-    jitter : bool
-        Move those samples by up to 35 % of N, at random.
-    random : int, optional
-        Seed: steps of N/4, N/2, N and 2N are drawn with it. With `jitter` it is the seed of that.
+    jitter, random : bool, and int, optional
+        Move those samples by up to 35 % of N. A seed for that, else for steps of N/4, N/2, N and 2N.
     inertia : (3,), (6,) or (3, 3) array, optional
-        Inertia of the body [kg m²]: its principal moments, or xx, yy, zz, xy, xz, yz. With it torques are measured too.
+        Of the body [kg m²]: principal moments, or xx, yy, zz, xy, xz, yz. With it torques are measured too.
     leave_out : bool
         Estimate the error from the keys alone as well, by leaving some of them out.
     tune : bool
-        Each method that has tensions also with those of the least angular acceleration, as `"NAME:tuned"`.
+        Methods with tensions also with those of the least angular acceleration, as `"NAME:tuned"`.
     sort : str
-        Word of the measure to sort by, best first.
+        Word of a measure, best first.
     threads : int
         At most so many at work, 0 means one for each core; 1 for undisturbed times.
 
@@ -133,8 +140,7 @@ def compare(keys: Keys, methods: Sequence[str] | str | None = None, *, reference
 
     Warns
     -----
-    ShapeWarning
-        A reference that is not denser than the keys, and the like.
+    ShapeWarning : A reference that is not denser than the keys, and the like.
 
     Examples
     --------
@@ -149,13 +155,9 @@ def compare(keys: Keys, methods: Sequence[str] | str | None = None, *, reference
     checked_keys(keys)
     if reference is not None:
         checked_keys(reference, "reference")
-    labels = [methods] if isinstance(methods, str) else methods
-    words = None if labels is None else [method_words(label) for label in labels]
-    if words is not None and (not words or len(set(words)) < len(words)):
-        raise ArgumentError(f"methods: found {methods!r}, wanted one at least, and none twice")
     if not isinstance(sort, str):
         raise TypeError(f"sort: found {type(sort).__name__}, wanted a word")
-    arguments = (_decimations(keep_every, jitter, random, reference), words, bool(tune), sort,
+    arguments = (_decimations(keep_every, jitter, random, reference), _texts(methods), bool(tune), sort,
                  plain({"inertia": inertia, "leave_out": leave_out}), checked_threads(threads))
     core = _work(keys, reference, *arguments)
     tell(core.warnings)
