@@ -4,21 +4,6 @@
 #include <orispline/base/formatted.hpp>
 
 namespace orispline::cli {
-namespace {
-
-/// `tum for .tum, npy for .npy, else csv`: the format of an output by its name.
-std::string formats_by_name() {
-  std::vector<std::string> formats;
-  for (const io::FormatInfo* const format : io::formats_written()) {
-    const std::string_view extension = format->extensions.front();
-    if (extension != io::csv_format.extensions.front())
-      formats.push_back(formatted("{} for {}", format->id, extension));
-  }
-  return formatted("{}, else {}", joined(formats, ", "), io::csv_format.id);
-}
-
-}  // namespace
-
 void add_input_options(Command& app, InputOptions& o, std::string_view default_signs) {
   app.add_option("INPUT", o.path,
                  formatted("{} file of keyframes; '-' is standard input", io::any_of(io::formats_read())))
@@ -94,25 +79,14 @@ void add_report_option(Command& app, ReportOptions& o) {
 }
 
 void add_output_options(Command& app, OutputOptions& o) {
-  const std::string group = "Output";
   add_output_file(app, o.path);
-  app.add_option("--output-format", o.format, formatted("Format of the output [{}]", formats_by_name()))
-      ->type_name(one_of(io::formats_written()))
-      ->group(group);
-  app.add_option("--output-orientation", o.orientation,
-                 formatted("Form of the written orientations, in {} [quaternion]",
-                           formats_that([](const auto& f) { return f.holds.forms; })))
-      ->type_name(one_of(orientation_choices))
-      ->group(group);
-  app.add_option("--output-euler", o.euler, "Order of the written Euler angles [ZYX: roll, pitch, yaw]")
-      ->type_name("ORDER")
-      ->group(group);
-  app.add_option("--output-angle-unit", o.angle_unit, "Unit of the written Euler angles [deg]")
-      ->type_name(one_of(angle_unit_choices))
-      ->group(group);
-  app.add_flag("--output-conjugate", o.conjugate,
-               "Write orientations that turn world into body, as C-kernels of SPICE hold them [body into world]")
-      ->group(group);
+  for (const auto& option : io::writing_options())
+    app.add({.names = flag_of(option.name),
+             .sentence = std::string(option.sentence),
+             .typed = &o.writing[option.name],
+             .stands_for = option.argument ? "" : "true",
+             .argument = option.argument ? option.argument() : "",
+             .section = "Output"});
 }
 
 }  // namespace orispline::cli

@@ -6,6 +6,7 @@
 
 #include <orispline/base/expect.hpp>
 #include <orispline/base/formatted.hpp>
+#include <orispline/fields/typed_field.hpp>
 
 #include "options/option_text.hpp"
 
@@ -63,65 +64,6 @@ std::string help_of(const FieldInfo& field) {
   return standing.empty() ? text : formatted("{} [{}]", text, standing);
 }
 
-Expected<FieldValue> number_value(const FieldInfo& field, OptionText option) {
-  if (field.quantity && !field.quantity->typed_units.empty()) return quantity_in(option, field.quantity->typed_units);
-  const OptionText bare = without_unit(option, field.quantity ? field.quantity->unit : "");
-  if (!field.quantity && option.text.find('/') != std::string_view::npos) return wanted(option, "a number");
-  const auto read = [&field](OptionText text) {
-    return field.range.lowest > 0.0 ? positive_in(text) : quotient_in(text);
-  };
-  const auto number = read(bare);
-  return number ? number : read(option);
-}
-
-Expected<FieldValue> word_value(const FieldInfo& field, OptionText option) {
-  const auto found = std::ranges::find(field.words, option.text, &Word::word);
-  if (found == field.words.end()) return wanted(option, one_of(field.words));
-  return std::string(option.text);
-}
-
-Expected<FieldValue> names_value(OptionText option) {
-  const auto pieces = pieces_of(option.text, ',');
-  return std::vector<std::string>(pieces.begin(), pieces.end());
-}
-
-Expected<FieldValue> interval_value(OptionText option) {
-  auto numbers = numbers_in(option);
-  if (!numbers || numbers->size() != 2 || !((*numbers)[0] < (*numbers)[1]))
-    return wanted(option, "LOWEST,HIGHEST, the lower one first");
-  return std::move(*numbers);
-}
-
-Expected<FieldValue> matrix_value(OptionText option) {
-  auto numbers = numbers_in(option);
-  if (!numbers || (numbers->size() != 3 && numbers->size() != 6))
-    return wanted(option, "three principal moments, or JXX,JYY,JZZ,JXY,JXZ,JYZ");
-  return std::move(*numbers);
-}
-
-Expected<FieldValue> value_in(const FieldInfo& field, OptionText option) {
-  switch (field.type) {
-    case FieldType::flag:
-      return FieldValue(true);
-    case FieldType::count:
-      return count_in(option, static_cast<std::size_t>(std::max(field.range.lowest, 0.0)));
-    case FieldType::number:
-      return number_value(field, option);
-    case FieldType::word:
-      return word_value(field, option);
-    case FieldType::names:
-      return names_value(option);
-    case FieldType::interval:
-      return interval_value(option);
-    case FieldType::limit:
-      return measured_in(option, field.quantity->typed_units, 3);
-    case FieldType::vector:
-      return vector_in(option).map([](const Eigen::Vector3d& v) { return std::vector{v.x(), v.y(), v.z()}; });
-    default:
-      return matrix_value(option);
-  }
-}
-
 }  // namespace
 
 bool is_given(const TypedFields& typed, std::string_view name) {
@@ -157,8 +99,7 @@ void add_word_flag(Command& command, TypedFields& typed, const FieldInfo& field,
 Expected<void> take_fields(const TypedFields& typed, std::span<const FieldInfo> fields, void* options) {
   for (const FieldInfo& field : fields) {
     if (!is_given(typed, field.name) || field.type == FieldType::recording) continue;
-    const std::string flag = flag_of(field.name);
-    const auto value = value_in(field, {flag, *typed.find(field.name)->second});
+    const auto value = typed_value(field, *typed.find(field.name)->second);
     if (!value) return tl::unexpected(value.error());
     field.set(options, *value);
   }

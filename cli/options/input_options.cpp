@@ -19,11 +19,6 @@ Expected<io::Reading> reading_in(const InputOptions& options) {
 
 }  // namespace
 
-Expected<EulerOrder> euler_order_in(OptionText option) {
-  if (const auto order = euler_order_of(option.text)) return *order;
-  return wanted(option, "three axes such as ZYX (those of the body) or zyx (of the world), none twice in a row");
-}
-
 Expected<const io::FormatInfo*> format_in(OptionText option, std::span<const io::FormatInfo* const> formats) {
   const auto found = std::ranges::find(formats, option.text, &io::FormatInfo::id);
   if (found == formats.end()) return wanted(option, one_of(formats));

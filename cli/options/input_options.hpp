@@ -51,7 +51,4 @@ struct InputRequest {
 /// The names that they are chosen by: `csv|tum`.
 [[nodiscard]] std::string one_of(std::span<const io::FormatInfo* const> formats);
 
-/// The order of three turns: `ZYX`, `zyx`.
-[[nodiscard]] Expected<EulerOrder> euler_order_in(OptionText option);
-
 }  // namespace orispline::cli

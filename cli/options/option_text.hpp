@@ -14,8 +14,7 @@
 #include <orispline/base/expected.hpp>
 #include <orispline/base/fraction.hpp>
 #include <orispline/base/warning.hpp>
-#include <orispline/fields/field_info.hpp>
-#include <orispline/fields/quantity.hpp>
+#include <orispline/fields/words.hpp>
 #include <orispline/math/eigen.hpp>
 
 // What the text after an option means. Every error is bad_argument and begins with the option.
@@ -45,19 +44,8 @@ struct OptionText {
 /// The same without the unit that the number is in anyhow, if it is typed behind it: `0.5 s` is `0.5`.
 [[nodiscard]] OptionText without_unit(OptionText option, std::string_view unit);
 
-/// A finite number.
-[[nodiscard]] Expected<double> number_in(OptionText option);
-/// A finite number, or a fraction.
-[[nodiscard]] Expected<double> quotient_in(OptionText option);
-/// The same above 0.
+/// A finite number above 0, or a fraction.
 [[nodiscard]] Expected<double> positive_in(OptionText option, std::string_view what = "a number greater than 0");
-/// A finite number above 0, or a fraction, with one of the units behind it, as in `0.1deg`, in the unit that the
-/// library takes.
-[[nodiscard]] Expected<double> quantity_in(OptionText option, std::span<const Unit> units);
-/// The same, or `most` of them with commas between them and one unit, as in `90,60,120deg/s`.
-[[nodiscard]] Expected<Measured> measured_in(OptionText option, std::span<const Unit> units, std::size_t most);
-/// Finite numbers between commas.
-[[nodiscard]] Expected<std::vector<double>> numbers_in(OptionText option);
 /// Three finite numbers between commas.
 [[nodiscard]] Expected<Eigen::Vector3d> vector_in(OptionText option);
 /// A whole number from `lowest` on.

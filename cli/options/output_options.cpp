@@ -10,35 +10,22 @@
 namespace orispline::cli {
 namespace {
 
-/// Euler angles are also asked for by their order or their unit alone.
-Expected<io::OrientationForm> form_in(const OutputOptions& options) {
-  FirstError checked;
-  const auto representation =
-      checked(if_given("--output-orientation", options.orientation, choice_of(orientation_choices)));
-  const auto order = checked(if_given("--output-euler", options.euler, euler_order_in));
-  const auto unit = checked(if_given("--output-angle-unit", options.angle_unit, choice_of(angle_unit_choices)));
-  const bool asks_for_angles = order || unit;
-  auto read = std::move(checked).or_else(io::OrientationForm{
-      .representation =
-          representation.value_or(asks_for_angles ? io::Representation::euler : io::Representation::quaternion),
-      .order = order.value_or(EulerOrder{}),
-      .unit = unit.value_or(io::AngleUnit::degrees)});
-  if (read && asks_for_angles && read->representation != io::Representation::euler)
-    return wanted({"--output-orientation", *options.orientation},
-                  formatted("euler with {}", order ? "--output-euler" : "--output-angle-unit"));
-  return read;
+constexpr std::string_view format_option = "output_format";
+
+io::StatedOptions stated_in(const OutputOptions& options) {
+  io::StatedOptions stated;
+  for (const auto& option : io::writing_options())
+    if (const auto typed = options.writing.find(option.name); typed != options.writing.end() && typed->second)
+      stated.emplace_back(option.name, *typed->second);
+  return stated;
 }
 
-/// The format follows the name; one that ends as other files do is a mistake.
-Expected<bool> check_name(std::string_view option, const std::string& path) {
-  std::vector<std::string_view> extensions;
-  for (const io::FormatInfo* const format : io::formats_written())
-    if (std::ranges::find(extensions, format->extensions.front()) == extensions.end())
-      extensions.push_back(format->extensions.front());
-  extensions.push_back(any_text);
-  return check_extension(option, path, std::move(extensions), "--output-format FORMAT writes any name").map([] {
-    return true;
-  });
+/// The error with the option by which the user named the path.
+Error said_of_output(const OutputOptions& options, Error error) {
+  if (error.option != "path") return with_flags(std::move(error));
+  error.message = formatted("{}: {}", options.option, error.message);
+  error.option.clear();
+  return with_flags(std::move(error));
 }
 
 }  // namespace
@@ -77,33 +64,19 @@ Expected<void> check_times_are_kept(const io::FormatInfo& format, std::string_vi
 }
 
 Expected<std::optional<const io::FormatInfo*>> output_format(const OutputOptions& options) {
-  return if_given("--output-format", options.format, [](OptionText o) { return format_in(o, io::formats_written()); });
+  const auto typed = options.writing.find(format_option);
+  if (typed == options.writing.end()) return std::nullopt;
+  return if_given("--output-format", typed->second, [](OptionText o) { return format_in(o, io::formats_written()); });
 }
 
 io::SampleColumns columns_like(const io::FormatInfo& input, io::SampleColumns columns, const OutputOptions& options) {
-  const bool says_nothing = !options.format && has_extension(options.path, any_text);
-  const bool holds_form = input.holds.forms || columns.form.representation == io::Representation::quaternion;
-  const bool holds_rates = input.holds.rates || columns.derivatives == 0;
-  if (says_nothing && input.keeps_times() && holds_form && holds_rates) columns.format = &input;
-  return columns;
+  return io::columns_like(input, std::move(columns), options.path, stated_in(options));
 }
 
 Expected<io::SampleColumns> output_columns(const OutputOptions& options) {
-  if (options.path.empty()) return usage_failure("-o: found an empty name, wanted FILE or -");
-  FirstError checked;
-  const io::FormatInfo* const by_name = io::format_of_extension(options.path);
-  if (!options.format) static_cast<void>(checked(check_name(options.option, options.path)));
-  const auto format = checked(output_format(options)).value_or(by_name ? by_name : &io::csv_format);
-  const auto form = checked(form_in(options));
-  const auto turning = options.conjugate ? io::Turning::world_to_body : io::Turning::body_to_world;
-  auto columns = std::move(checked).or_else(io::SampleColumns{.format = format, .form = form, .turning = turning});
-  if (columns && !format->holds.forms && form.representation != io::Representation::quaternion)
-    return usage_failure(formatted("{}: {} holds orientations as quaternions only, wanted {}",
-                                   options.orientation ? "--output-orientation"
-                                   : options.euler     ? "--output-euler"
-                                                       : "--output-angle-unit",
-                                   format->file, formats_that([](const auto& f) { return f.holds.forms; })));
-  return columns;
+  return io::columns_of_output(options.path, stated_in(options)).map_error([&](Error error) {
+    return said_of_output(options, std::move(error));
+  });
 }
 
 }  // namespace orispline::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,9 +15,8 @@ namespace orispline::cli {
 /// How the user wants a file to be written, as typed.
 struct OutputOptions {
   std::string path{io::standard_stream};
-  std::string_view option = "-o";  ///< by which the path was named
-  std::optional<std::string> format, orientation, euler, angle_unit;
-  bool conjugate = false;
+  std::string_view option = "-o";                                    ///< by which the path was named
+  std::map<std::string_view, std::optional<std::string>> writing{};  ///< by the names of io::writing_options()
 };
 
 /// The format of the output and the form of its orientations; the rest of the columns is left to the command.

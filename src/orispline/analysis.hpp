@@ -4,6 +4,7 @@
 // What a curve is worth: distances, energies, continuity, peaks, and methods compared by them.
 
 #include <orispline/analysis/angle_travelled.hpp>
+#include <orispline/analysis/compared_keys.hpp>
 #include <orispline/analysis/compared_method.hpp>
 #include <orispline/analysis/comparison.hpp>
 #include <orispline/analysis/decimation.hpp>

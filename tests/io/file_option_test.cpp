@@ -86,15 +86,28 @@ TEST(WritingOptions, TakeTheFormatOfTheNameUnlessOneIsStated) {
   EXPECT_EQ(columns_of_output("a.TUM", {})->format, &tum_format);
   EXPECT_EQ(columns_of_output("a.npy", {{"output_format", "euroc"}})->format, &euroc_format);
   EXPECT_EQ(columns_of_output("a", {})->format, &csv_format);
-  EXPECT_EQ(columns_of_output("a.txt", {}, &tum_format)->format, &tum_format);
-  EXPECT_EQ(columns_of_output("a.csv", {}, &tum_format)->format, &csv_format);
+  EXPECT_EQ(columns_of_output("-", {})->format, &csv_format);
   const auto foreign = columns_of_output("a.parquet", {});
   ASSERT_FALSE(foreign);
   EXPECT_EQ(describe(foreign.error()),
-            "path: found 'a.parquet', wanted a name that ends in .csv, .tum, .npy or .txt, or "
-            "`output_format` with any name");
+            "path: found 'a.parquet', wanted a name that ends in .csv, .tum, .npy or .txt; "
+            "`output_format` writes any name");
   EXPECT_EQ(columns_of_output("a.parquet", {{"output_format", "csv"}})->format, &csv_format);
   EXPECT_EQ(columns_of_output("", {}).error().code, ErrorCode::bad_argument);
+}
+
+TEST(WritingOptions, AreLikeTheFileThatWasReadWhereTheNameSaysNothing) {
+  const auto format = [](const char* path, const FormatInfo& input, const StatedOptions& stated, int derivatives = 0) {
+    SampleColumns columns = columns_of_output(path, stated).value();
+    columns.derivatives = derivatives;
+    return columns_like(input, columns, path, stated).format;
+  };
+  EXPECT_EQ(format("a.txt", tum_format, {}), &tum_format);
+  EXPECT_EQ(format("a.csv", tum_format, {}), &csv_format);
+  EXPECT_EQ(format("a.txt", tum_format, {{"output_format", "csv"}}), &csv_format);
+  EXPECT_EQ(format("a.txt", tum_format, {}, 1), &csv_format);
+  EXPECT_EQ(format("a.txt", tum_format, {{"output_orientation", "matrix"}}), &csv_format);
+  EXPECT_EQ(format("a.txt", euroc_format, {}), &csv_format);
 }
 
 TEST(WritingOptions, AskForAnglesByTheirOrderOrTheirUnitAlone) {
@@ -105,6 +118,8 @@ TEST(WritingOptions, AskForAnglesByTheirOrderOrTheirUnitAlone) {
   ASSERT_FALSE(torn);
   EXPECT_EQ(describe(torn.error()),
             "output_orientation: found another form than euler, wanted euler with `output_angle_unit`");
+  EXPECT_EQ(describe(columns_of_output("a.tum", {{"output_euler", "xyz"}}).error()),
+            "output_euler: a TUM file holds orientations as quaternions only, wanted CSV or NumPy");
   EXPECT_EQ(columns_of_output("a.csv", {{"output_conjugate", ""}})->turning, Turning::world_to_body);
 }
 

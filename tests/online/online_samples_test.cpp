@@ -53,7 +53,9 @@ TEST_P(SamplesOfEveryOnlineMethod, HaveTheBitsOfTheWholeCurveInAnyOrder) {
   Dice dice(512);
   for (std::size_t i = 0; i < count; ++i) {
     ASSERT_TRUE(append(online, data, i, i + 1));
-    if (i + 1 == count) ASSERT_TRUE(online.finish());
+    if (i + 1 == count) {
+      ASSERT_TRUE(online.finish());
+    }
     if (i % 40 != 39 && i + 1 != count) continue;
     const auto [start, end] = online.available().value();
     std::vector<double> times{start};

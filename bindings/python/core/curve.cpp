@@ -104,7 +104,7 @@ void fill(const PythonCurve& curve, const Numbers& numbers, const Memory<T>& ori
   {
     const nb::gil_scoped_release release;
     const std::span<const double> times = span_of(numbers);
-    done = sample_into<T>(curve, times, out, Extrapolation{beyond}, threads, std::ranges::is_sorted(times));
+    done = sample_into<T>(curve, times, out, Extrapolation{beyond}, threads, are_in_order(times));
     if (done && world) turn_to_world(out, times.size());
   }
   value_of(std::move(done));

@@ -15,8 +15,8 @@ namespace orispline::python {
 /// An error of a file in the words of Python: `(drop_duplicates=True keeps the first)`.
 [[nodiscard]] Error in_words(Error error);
 
-/// What warnings say, each once.
-[[nodiscard]] nanobind::list texts_of(const std::vector<Warning>& warnings);
+/// Warnings, each once, as message, code and numbers.
+[[nodiscard]] nanobind::list told(const std::vector<Warning>& warnings);
 
 /// A format by its word; null for an empty one.
 [[nodiscard]] const io::FormatInfo* format_of(std::string_view word);

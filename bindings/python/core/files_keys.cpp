@@ -6,6 +6,7 @@
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/string_view.h>
 #include <nanobind/stl/vector.h>
 
 #include <orispline/analysis/key_statistics.hpp>
@@ -104,7 +105,7 @@ nb::list set_aside(const Keys& keys, const std::string& method) {
   if (!track.recipe.method.empty())
     if (const auto warning = recipe_set_aside(track.recipe, value_of(method_from_text(method)), track.name))
       warnings.push_back(*warning);
-  return texts_of(warnings);
+  return told(warnings);
 }
 
 nb::object spread_of(const std::optional<Spread>& spread) {

@@ -36,12 +36,17 @@ Error in_words(Error error) {
   return error;
 }
 
-nb::list texts_of(const std::vector<Warning>& warnings) {
-  std::set<std::string> told;
-  nb::list texts;
-  for (const Warning& warning : warnings)
-    if (const auto [text, is_new] = told.insert(describe(warning)); is_new) texts.append(nb::cast(*text));
-  return texts;
+nb::list told(const std::vector<Warning>& warnings) {
+  std::set<std::string> texts;
+  nb::list list;
+  for (const Warning& warning : warnings) {
+    const auto [text, is_new] = texts.insert(describe(warning));
+    if (!is_new) continue;
+    nb::dict numbers;
+    for (const auto& [name, number] : warning.numbers) numbers[nb::cast(name)] = number;
+    list.append(nb::make_tuple(*text, warning.code, numbers));
+  }
+  return list;
 }
 
 const io::FormatInfo* format_of(std::string_view word) {
@@ -129,7 +134,7 @@ nb::dict read(const std::string& path, const io::StatedOptions& stated,
   for (const std::string& name : file->ignored_columns) ignored.append(nb::cast(name));
   nb::dict result;
   result["repairs"] = repairs_of(file->repairs);
-  result["warnings"] = texts_of(file->warnings);
+  result["warnings"] = told(file->warnings);
   result["format"] = nb::cast(file->format->id);
   result["ignored_columns"] = ignored;
   result["keys"] = nb::cast(Keys{std::make_shared<const Track>(std::move(file->track))});

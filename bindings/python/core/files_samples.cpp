@@ -117,9 +117,10 @@ void write(const std::string& path, const io::StatedOptions& stated, const std::
     const nb::gil_scoped_release release;
     const auto times = times_of(epoch, grid);
     if (!times) return tl::unexpected(times.error());
-    auto named = io::columns_of_output(path, stated, format_of(like));
+    auto named = io::columns_of_output(path, stated);
     if (!named) return tl::unexpected(std::move(named.error()));
-    const io::SampleColumns columns = filled(std::move(*named), there, world);
+    io::SampleColumns columns = filled(std::move(*named), there, world);
+    if (const io::FormatInfo* const read = format_of(like)) columns = io::columns_like(*read, columns, path, stated);
     return io::SampleWriter::open(path, columns, seconds.size()).and_then([&](io::SampleWriter writer) {
       return write_rows(writer, columns, *times, span_of(seconds), orientations, there).and_then([&] {
         return writer.finish();

@@ -7,6 +7,7 @@
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/string_view.h>
 #include <nanobind/stl/vector.h>
 
 #include <orispline/families/method_text.hpp>
@@ -45,8 +46,9 @@ Warning lost(const io::FormatInfo& format, const std::string& what, const std::s
 
 Expected<std::vector<Warning>> write_track(Track track, const std::string& path, const io::StatedOptions& stated,
                                            const io::FormatInfo* like) {
-  auto columns = io::columns_of_output(path, stated, like);
+  auto columns = io::columns_of_output(path, stated);
   if (!columns) return tl::unexpected(std::move(columns.error()));
+  if (like) columns = io::columns_like(*like, *columns, path, stated);
   const io::FormatInfo& format = *columns->format;
   columns->positions = !track.keys.positions().empty();
   columns->derivatives = format.holds.rates ? highest_order : 0;
@@ -77,7 +79,7 @@ nb::list write(const Keys& keys, const std::string& path, const io::StatedOption
     return write_track(std::move(*track), path, stated, format_of(like));
   }();
   if (!warnings) raise(warnings.error());
-  return texts_of(*warnings);
+  return told(*warnings);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <orispline/base/version.hpp>
 
 #include "keys.hpp"
+#include "tasks.hpp"
 
 NB_MODULE(_core, module) {
   module.attr("version") = std::string(orispline::version);
@@ -14,4 +15,10 @@ NB_MODULE(_core, module) {
   orispline::python::add_online(module);
   orispline::python::add_stack(module);
   orispline::python::add_files(module);
+  orispline::python::add_fields(module);
+  orispline::python::add_smooth(module);
+  orispline::python::add_reduce(module);
+  orispline::python::add_retime(module);
+  orispline::python::add_tune(module);
+  orispline::python::add_compare(module);
 }

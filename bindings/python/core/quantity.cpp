@@ -33,6 +33,10 @@ std::span<T>& target_of(Samples<T>& samples, What what) {
 
 }  // namespace
 
+bool are_in_order(std::span<const double> times) {
+  return std::ranges::is_sorted(times) && std::ranges::none_of(times, [](double t) { return t != t; });
+}
+
 template <class T>
 Expected<void> sample_into(const PythonCurve& curve, std::span<const double> times, const Samples<T>& out,
                            Extrapolation beyond, unsigned threads, bool sorted) {
@@ -78,7 +82,7 @@ template <class T>
 Expected<void> Quantity<T>::at(std::span<const double> times, T* memory) {
   if (beyond_ == Extrapolation::error)
     if (auto inside = check_inside(curve_.pose().orientation, times); !inside) return inside;
-  const bool sorted = std::ranges::is_sorted(times) && std::ranges::none_of(times, [](double t) { return t != t; });
+  const bool sorted = are_in_order(times);
   const std::size_t most = samples_at_a_time * std::max(threads_, 1u);
   for (std::size_t begin = 0; begin < times.size(); begin += most)
     if (auto done = part(times.subspan(begin, std::min(most, times.size() - begin)), memory + width() * begin, sorted);

@@ -13,6 +13,9 @@ namespace orispline::python {
 /// What is asked of a curve at a time, in the order that the face numbers it.
 enum class What { orientation, angular_velocity, angular_acceleration, angular_jerk, position, velocity, acceleration };
 
+/// Whether times rise or stay, none being NaN.
+[[nodiscard]] bool are_in_order(std::span<const double> times);
+
 /// Samples at times that are `sorted`, or in any order; outside the curve as asked for.
 template <class T>
 [[nodiscard]] Expected<void> sample_into(const PythonCurve& curve, std::span<const double> times, const Samples<T>& out,

@@ -12,6 +12,7 @@ from typing import Any
 
 from . import _core
 from ._baked import BakedCurve
+from ._comparison import Comparison, compare
 from ._curve import Curve
 from ._errors import AccessError, ArgumentError, ConvergenceError, DataError, Error, ShapeWarning
 from ._files import read, write
@@ -19,14 +20,17 @@ from ._keys import Keys, KeyStatistics, Spread
 from ._measures import DistanceStatistics, Energies, HandleTurn, Peak, Peaks
 from ._online import OnlineCurve
 from ._pictures import plot_comparison, plot_sphere
+from ._results import Certificate, Reduction, Retiming, Smoothing, Tuning
 from ._samples import Motion, Samples
 from ._scipy_twins import RotationSpline, Slerp
 from ._stack import CurveStack
+from ._tasks import reduce, reduce_tracks, retime, smooth, tune
 
-__all__ = ["AccessError", "ArgumentError", "BakedCurve", "ConvergenceError", "Curve", "CurveStack", "DataError",
-           "DistanceStatistics", "Energies", "Error", "HandleTurn", "KeyStatistics", "Keys", "Motion", "OnlineCurve", "Peak",
-           "Peaks", "RotationSpline", "Samples", "ShapeWarning", "Slerp", "Spread", "methods", "plot_comparison", "plot_sphere",
-           "read", "write"]
+__all__ = ["AccessError", "ArgumentError", "BakedCurve", "Certificate", "Comparison", "ConvergenceError", "Curve", "CurveStack",
+           "DataError", "DistanceStatistics", "Energies", "Error", "HandleTurn", "KeyStatistics", "Keys", "Motion", "OnlineCurve",
+           "Peak", "Peaks", "Reduction", "Retiming", "RotationSpline", "Samples", "ShapeWarning", "Slerp", "Smoothing", "Spread",
+           "Tuning", "compare", "methods", "plot_comparison", "plot_sphere", "read", "reduce", "reduce_tracks", "retime",
+           "smooth", "tune", "write"]
 __version__: str = _core.version
 
 

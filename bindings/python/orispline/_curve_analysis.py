@@ -2,7 +2,6 @@
 """What a curve is worth: the part of `Curve` that measures it."""
 from __future__ import annotations
 
-import warnings
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -10,8 +9,9 @@ from numpy.typing import NDArray
 
 from . import _core
 from ._arrays import Array, numbers, quaternions
-from ._errors import ArgumentError, DataError, ShapeWarning
+from ._errors import ArgumentError, DataError
 from ._measures import DistanceStatistics, Energies, HandleTurn, Peak, Peaks
+from ._warnings import tell
 
 if TYPE_CHECKING:
     from ._baked import BakedCurve
@@ -23,8 +23,7 @@ def checked_inertia(inertia: Any) -> Array:
     shape = np.shape(inertia)
     matrix = numbers("inertia", inertia, (3,) if len(shape) == 1 else (3, 3))
     matrix = np.diag(matrix) if matrix.ndim == 1 else matrix
-    for text, code in _core.check_inertia(matrix):
-        warnings.warn(ShapeWarning(text, code), stacklevel=3)
+    tell(_core.check_inertia(matrix))
     return matrix
 
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from . import _core
 from ._arrays import output
 from ._checks import thread_count
-from ._curve import ACCELERATION, FRAMES, JERK, ORIENTATION, VELOCITY, Curve, _index
+from ._curve import FRAMES, Curve, _index
 from ._errors import ArgumentError, DataError, Error
 from ._keys import Keys, _span
 from ._samples import Samples
@@ -106,49 +106,50 @@ class CurveStack:
 
     def __call__(self, t: Any, *, out: Any = None, dtype: Any = np.float64, threads: int = 1) -> NDArray[Any]:
         """(..., m, 4) unit quaternions."""
-        return self._at(ORIENTATION, t, "body", out, dtype, threads)
+        return self._at(0, t, "body", out, dtype, threads)
 
     def angular_velocity(self, t: Any, *, frame: str = "body", out: Any = None, dtype: Any = np.float64,
                          threads: int = 1) -> NDArray[Any]:
         """(..., m, 3) [rad/s]."""
-        return self._at(VELOCITY, t, frame, out, dtype, threads)
+        return self._at(1, t, frame, out, dtype, threads)
 
     def angular_acceleration(self, t: Any, *, frame: str = "body", out: Any = None, dtype: Any = np.float64,
                              threads: int = 1) -> NDArray[Any]:
         """(..., m, 3) [rad/s²]."""
-        return self._at(ACCELERATION, t, frame, out, dtype, threads)
+        return self._at(2, t, frame, out, dtype, threads)
 
     def angular_jerk(self, t: Any, *, frame: str = "body", out: Any = None, dtype: Any = np.float64,
                      threads: int = 1) -> NDArray[Any]:
         """(..., m, 3) [rad/s³]."""
-        return self._at(JERK, t, frame, out, dtype, threads)
+        return self._at(3, t, frame, out, dtype, threads)
 
     def sample(self, rate: Any = None, *, count: int | None = None, times: Any = None, start: Any = None, end: Any = None,
                include_end: bool = False, derivatives: int = 0, frame: str = "body", dtype: Any = np.float64,
                threads: int = 1) -> Samples:
         """Samples at even times or at given ones, as of `Curve.sample`: (k,) times, (k, m, 4) orientations and (k, m, 3)
         rates."""
-        curve = self._curves[0]
-        seconds = curve._times_wanted(rate, count, times, start, end, include_end, derivatives)
-        rows = [self._rows(what, seconds, frame, None, dtype, threads)
-                for what in (ORIENTATION, VELOCITY, ACCELERATION, JERK)[:derivatives + 1]]
-        return Samples(curve._clock.back(seconds), *rows)
+        seconds = self._curves[0]._times_wanted(rate, count, times, start, end, include_end, derivatives)
+        rows = [output("dtype", None, (len(seconds), len(self), width), dtype) for width in (4, 3, 3, 3)[:derivatives + 1]]
+        self._fill(seconds, rows, frame, threads)
+        if self._curves[0]._scalar_first:
+            rows[0] = np.ascontiguousarray(rows[0][..., [3, 0, 1, 2]])
+        return Samples(self._curves[0]._clock.back(seconds), *rows)
 
-    def _at(self, what: int, t: Any, frame: str, out: Any, dtype: Any, threads: int) -> NDArray[Any]:
-        return self._rows(what, self._curves[0]._clock.seconds("t", t), frame, out, dtype, threads)
-
-    def _rows(self, what: int, seconds: NDArray[np.float64], frame: str, out: Any, dtype: Any,
-              threads: int) -> NDArray[Any]:
-        width = 4 if what == ORIENTATION else 3
-        world = _index("frame", frame, FRAMES) == 1
+    def _at(self, order: int, t: Any, frame: str, out: Any, dtype: Any, threads: int) -> NDArray[Any]:
+        """Orientations, or rates of that order."""
+        seconds = self._curves[0]._clock.seconds("t", t)
+        width = 3 if order else 4
         result = output("out", out, (*seconds.shape, len(self), width), dtype)
-        first = what == ORIENTATION and self._curves[0]._scalar_first
-        room = np.empty_like(result) if first else result
-        _core.fill_stack(self._cores, what, seconds.reshape(-1), room.reshape(-1, len(self), width), world,
-                         self._curves[0]._beyond, thread_count(threads))
-        if first:
+        reordered = order == 0 and self._curves[0]._scalar_first
+        room = np.empty_like(result) if reordered else result
+        self._fill(seconds.reshape(-1), [*[None] * order, room.reshape(-1, len(self), width)], frame, threads)
+        if reordered:
             result[...] = room[..., [3, 0, 1, 2]]
         return result
+
+    def _fill(self, seconds: NDArray[np.float64], rows: list[Any], frame: str, threads: int) -> None:
+        _core.fill_stack(self._cores, seconds, *rows, world=_index("frame", frame, FRAMES) == 1,
+                         beyond=self._curves[0]._beyond, threads=thread_count(threads))
 
     def __repr__(self) -> str:
         keys = self._curves[0].keys

@@ -72,10 +72,11 @@ Expected<void> any_worked(const CompareReport& report) {
 }
 
 Expected<CompareReport> compared(const CompareOptions& options, const CompareRequest& request) {
-  auto data = compared_data(request, options.reference);
-  if (!data) return tl::unexpected(std::move(data.error()));
+  auto files = compared_files(request, options.reference);
+  if (!files) return tl::unexpected(std::move(files.error()));
   CompareReport report{
-      .data = std::move(*data),
+      .data = std::move(files->data),
+      .repairs = files->repairs,
       .methods = {},
       .inertia = is_given(options.measured, "inertia") ? std::optional(request.measured.inertia) : std::nullopt,
       .leave_out = request.measured.leave_out,

@@ -95,11 +95,7 @@ std::string csv_cell(std::string_view text) {
 }  // namespace
 
 std::vector<MeasureInfo> measures_of(const CompareReport& report) {
-  std::vector groups{MeasureGroup::distance, MeasureGroup::shape, MeasureGroup::cost};
-  if (!report.data.samples.angular_velocities().empty()) groups.push_back(MeasureGroup::rate);
-  if (report.leave_out == LeaveOut::yes) groups.push_back(MeasureGroup::leave_out);
-  if (report.inertia) groups.push_back(MeasureGroup::torque);
-  return orispline::measures_of(groups);
+  return report.data.measures(report.leave_out, report.inertia);
 }
 
 std::optional<double> value_of(const MeasureInfo& measure, const ComparedMethod& method, const ComparedData& data) {
@@ -118,7 +114,7 @@ std::string title_of(const CompareReport& report, const ComparedKeys& keys) {
 
 std::string text_of(const CompareReport& report, std::optional<std::size_t> width) {
   std::string text;
-  if (const std::string repairs = text_of(report.data.repairs); !repairs.empty()) text += repairs + "\n";
+  if (const std::string repairs = text_of(report.repairs); !repairs.empty()) text += repairs + "\n";
   for (std::size_t i = 0; i < report.data.key_sets.size(); ++i)
     text.append(text.empty() ? "" : "\n")
         .append(width ? text_of(table_of(report, i), *width, not_shown) : text_of(table_of(report, i)));

@@ -10,6 +10,7 @@ namespace orispline::cli {
 /// What `orispline compare` found, sorted within each set of keys.
 struct CompareReport {
   ComparedData data;
+  io::RepairReport repairs{};
   std::vector<ComparedMethod> methods{};  ///< an error has its place in the file
   std::optional<Eigen::Matrix3d> inertia{};
   LeaveOut leave_out = LeaveOut::no;

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include <orispline/base/formatted.hpp>
-#include <orispline/base/suggestion.hpp>
 
 namespace orispline::cli {
 
@@ -16,11 +15,7 @@ std::string sort_words() {
 }
 
 Expected<std::string> sort_word_in(OptionText option) {
-  const std::string words = sort_words();
-  const auto known = pieces_of(words, '|');
-  if (std::ranges::find(known, option.text) == known.end())
-    return usage_failure(formatted("{}: {}", option.option, unknown_word("measure", option.text, known)));
-  return std::string(option.text);
+  return measure_of_word(option.text).map([](const MeasureInfo& measure) { return std::string(measure.word); });
 }
 
 bool is_torque(std::string_view word) {

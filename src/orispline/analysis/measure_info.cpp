@@ -5,6 +5,7 @@
 #include <array>
 
 #include <orispline/analysis/measure_value.hpp>
+#include <orispline/base/suggestion.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
@@ -252,6 +253,15 @@ constexpr auto all = std::to_array<MeasureInfo>({
 }  // namespace
 
 std::span<const MeasureInfo> measures_info() noexcept { return all; }
+
+Expected<MeasureInfo> measure_of_word(std::string_view word) {
+  std::vector<std::string_view> words;
+  for (const MeasureInfo& measure : all) {
+    if (!measure.word.empty() && measure.word == word) return measure;
+    if (!measure.word.empty()) words.push_back(measure.word);
+  }
+  return bad_option("sort", unknown_word("measure", word, words));
+}
 
 std::vector<MeasureInfo> measures_of(std::span<const MeasureGroup> groups) {
   std::vector<MeasureInfo> measures;

@@ -54,6 +54,9 @@ struct MeasureInfo {
 /// All measures. THE list of them.
 [[nodiscard]] ORISPLINE_EXPORT std::span<const MeasureInfo> measures_info() noexcept;
 
+/// The one that methods are sorted by under that word. Error (bad_argument): there is none, with the one that is near.
+[[nodiscard]] ORISPLINE_EXPORT Expected<MeasureInfo> measure_of_word(std::string_view word);
+
 /// Those of some groups, in the order of the list.
 [[nodiscard]] ORISPLINE_EXPORT std::vector<MeasureInfo> measures_of(std::span<const MeasureGroup> groups);
 [[nodiscard]] ORISPLINE_EXPORT std::vector<MeasureInfo> measures_of(std::initializer_list<MeasureGroup> groups);

@@ -7,6 +7,9 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <locale>
+#include <sstream>
+#include <string>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -126,6 +129,15 @@ char* write_shortest_text(char* to, double value) {
   if (point < least_point || point > greatest_point) return write_with_exponent(to, digits, point - 1);
   if (point <= 0) return write_below_one(to, digits, point);
   return point == 1 ? write_units(to, digits) : write_above_one(to, digits, point);
+}
+
+std::optional<double> number_in(std::string_view text) {
+  std::istringstream stream{std::string(text)};
+  stream.imbue(std::locale::classic());
+  double number = 0.0;
+  stream >> std::noskipws >> number;
+  const bool is_whole = stream && stream.peek() == std::istringstream::traits_type::eof();
+  return is_whole && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
 }  // namespace orispline::inline ORISPLINE_ABI

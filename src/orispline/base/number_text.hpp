@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <string_view>
 
 #include <orispline/base/abi.hpp>
 
@@ -25,5 +27,8 @@ inline constexpr std::size_t shortest_text_room = 40;     ///< [characters] that
 ///
 /// `to`: where there is `shortest_text_room`. Gives the end of the text.
 [[nodiscard]] char* write_shortest_text(char* to, double value);
+
+/// The finite number that the whole text is, whatever the language of the machine: `-1.5e-3`; nothing where it is none.
+[[nodiscard]] std::optional<double> number_in(std::string_view text);
 
 }  // namespace orispline::inline ORISPLINE_ABI

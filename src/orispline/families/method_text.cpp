@@ -2,11 +2,10 @@
 #include <orispline/families/method_text.hpp>
 
 #include <algorithm>
-#include <locale>
-#include <sstream>
 #include <vector>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/base/number_text.hpp>
 #include <orispline/base/pieces.hpp>
 #include <orispline/families/registry.hpp>
 
@@ -16,19 +15,10 @@ namespace {
 constexpr std::string_view ends = "ends", start_rate = "start_rate", end_rate = "end_rate", closed = "closed",
                            period = "period";
 
-/// A finite number that is the whole text, whatever the language of the machine.
-std::optional<double> number_of(std::string_view text) {
-  std::istringstream stream{std::string(text)};
-  stream.imbue(std::locale::classic());
-  double number = 0.0;
-  stream >> std::noskipws >> number;
-  return stream && stream.peek() == std::istringstream::traits_type::eof() ? std::optional(number) : std::nullopt;
-}
-
 Expected<std::vector<double>> numbers_of(std::string_view option, std::string_view text) {
   std::vector<double> numbers;
   for (const std::string_view piece : pieces_of(text, ',')) {
-    const auto number = number_of(piece);
+    const auto number = number_in(piece);
     if (!number) return bad_option(option, formatted("found '{}', wanted numbers with commas between them", text));
     numbers.push_back(*number);
   }
@@ -43,7 +33,7 @@ Expected<Method> with_rate_text(Method method, CurveEnd end, std::string_view op
 }
 
 Expected<Method> with_period_text(Method method, std::string_view text) {
-  const auto seconds = number_of(text);
+  const auto seconds = number_in(text);
   if (!seconds || *seconds <= 0.0)
     return bad_option(period, formatted("found '{}', wanted a number of seconds greater than 0", text));
   return with_loop(std::move(method), {.period = *seconds});

@@ -58,13 +58,17 @@ using StatedOptions = std::vector<std::pair<std::string, std::string>>;
 /// Takes over what is stated. Errors (bad_argument): an option that there is not; those of the options.
 [[nodiscard]] ORISPLINE_EXPORT Expected<void> take_options(Reading& reading, const StatedOptions& stated);
 
-/// The columns of a file of that name, by what is stated of writing_options(). Euler angles may be asked for by their
-/// order or their unit alone. Where nothing tells the format, as of a `.txt`, it is that of the file which was read,
-/// `like`, if there is one, else CSV.
+/// The format and the form of orientations of a file of that name, by what is stated of writing_options(). Euler angles
+/// may be asked for by their order or their unit alone.
 ///
-/// Errors (bad_argument): those of the options; a name without a stated format that ends as other files do.
+/// Errors (bad_argument): those of the options; a form that the format does not hold; of `path`, a name that ends as
+/// other files do where no format is stated.
 [[nodiscard]] ORISPLINE_EXPORT Expected<SampleColumns> columns_of_output(const std::string& path,
-                                                                         const StatedOptions& stated,
-                                                                         const FormatInfo* like = nullptr);
+                                                                         const StatedOptions& stated);
+
+/// The columns where keys were read from a file of that format: a name such as `keys.txt`, which says nothing of the
+/// format, means that one if it holds what is asked for.
+[[nodiscard]] ORISPLINE_EXPORT SampleColumns columns_like(const FormatInfo& input, SampleColumns columns,
+                                                          const std::string& path, const StatedOptions& stated);
 
 }  // namespace orispline::inline ORISPLINE_ABI::io

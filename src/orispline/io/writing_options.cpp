@@ -68,6 +68,7 @@ std::string extension_of(const std::string& path) {
 
 /// The format follows the name; one that ends as other files do is a mistake.
 Expected<void> check_name(const std::string& path) {
+  if (path.empty()) return bad_option("path", "found an empty name, wanted that of a file");
   std::vector<std::string_view> extensions;
   for (const FormatInfo* const format : formats_written())
     if (std::ranges::find(extensions, format->extensions.front()) == extensions.end())
@@ -78,30 +79,49 @@ Expected<void> check_name(const std::string& path) {
     return {};
   return not_wanted(
       "path", path,
-      formatted("a name that ends in {} or {}, or `output_format` with any name", joined(extensions, ", "), any_text));
+      formatted("a name that ends in {} or {}; `output_format` writes any name", joined(extensions, ", "), any_text));
+}
+
+/// The option that asks for the form of orientations.
+std::string_view asking(const StatedOptions& stated) {
+  for (const std::string_view name : {"output_orientation", "output_euler"})
+    if (is_stated(stated, name)) return name;
+  return "output_angle_unit";
+}
+
+Expected<void> check_form(const SampleColumns& columns, const StatedOptions& stated) {
+  const Representation form = columns.form.representation;
+  for (const std::string_view name : {"output_euler", "output_angle_unit"})
+    if (is_stated(stated, name) && form != Representation::euler)
+      return bad_option("output_orientation", formatted("found another form than euler, wanted euler with `{}`", name));
+  if (columns.format->holds.forms || form == Representation::quaternion) return {};
+  auto holding = formats_written();
+  std::erase_if(holding, [](const FormatInfo* format) { return !format->holds.forms; });
+  return bad_option(asking(stated), formatted("{} holds orientations as quaternions only, wanted {}",
+                                              columns.format->file, any_of(holding)));
 }
 
 }  // namespace
 
 std::span<const FileOption<SampleColumns>> writing_options() noexcept { return writing_list; }
 
-Expected<SampleColumns> columns_of_output(const std::string& path, const StatedOptions& stated,
-                                          const FormatInfo* like) {
+Expected<SampleColumns> columns_of_output(const std::string& path, const StatedOptions& stated) {
   SampleColumns columns;
-  const bool has_format = is_stated(stated, "output_format");
   if (const FormatInfo* const by_name = format_of_extension(path)) columns.format = by_name;
-  else if (like && extension_of(path) == any_text) columns.format = like;
-  const bool asks_for_angles = is_stated(stated, "output_euler") || is_stated(stated, "output_angle_unit");
-  if (asks_for_angles) columns.form.representation = Representation::euler;
-  if (path.empty()) return bad_option("path", "found an empty name, wanted that of a file");
-  if (auto taken = take_all<SampleColumns>(columns, writing_list, stated); !taken)
-    return tl::unexpected(std::move(taken.error()));
-  if (auto checked = has_format ? Expected<void>() : check_name(path); !checked)
-    return tl::unexpected(std::move(checked.error()));
-  if (asks_for_angles && columns.form.representation != Representation::euler)
-    return bad_option("output_orientation",
-                      formatted("found another form than euler, wanted euler with `{}`",
-                                is_stated(stated, "output_euler") ? "output_euler" : "output_angle_unit"));
+  if (is_stated(stated, "output_euler") || is_stated(stated, "output_angle_unit"))
+    columns.form.representation = Representation::euler;
+  const auto named = is_stated(stated, "output_format") && !path.empty() ? Expected<void>() : check_name(path);
+  return named.and_then([&] { return take_all<SampleColumns>(columns, writing_list, stated); })
+      .and_then([&] { return check_form(columns, stated); })
+      .map([&] { return columns; });
+}
+
+SampleColumns columns_like(const FormatInfo& input, SampleColumns columns, const std::string& path,
+                           const StatedOptions& stated) {
+  const bool says_nothing = !is_stated(stated, "output_format") && extension_of(path) == any_text;
+  const bool holds_form = input.holds.forms || columns.form.representation == Representation::quaternion;
+  const bool holds_rates = input.holds.rates || columns.derivatives == 0;
+  if (says_nothing && input.keeps_times() && holds_form && holds_rates) columns.format = &input;
   return columns;
 }
 

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fields.hpp"
+
+#include <cmath>
+#include <optional>
+
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include "errors.hpp"
+#include "tasks.hpp"
+
+namespace nb = nanobind;
+
+namespace orispline::python {
+namespace {
+
+/// What Python states, where it is no text; nothing where it is of another type.
+std::optional<FieldValue> value_of_object(const nb::handle& object) {
+  if (nb::isinstance<nb::bool_>(object)) return nb::cast<bool>(object);
+  std::size_t count = 0;
+  double number = 0.0;
+  std::vector<double> numbers;
+  std::vector<std::string> names;
+  if (nb::isinstance<nb::int_>(object) && nb::try_cast(object, count)) return count;
+  if (nb::try_cast(object, number)) return number;
+  if (nb::try_cast(object, numbers)) return numbers;
+  if (nb::try_cast(object, names)) return names;
+  return std::nullopt;
+}
+
+/// Whole numbers are numbers too.
+bool set(const FieldInfo& field, void* options, const FieldValue& value) {
+  if (field.set(options, value)) return true;
+  const std::size_t* count = std::get_if<std::size_t>(&value);
+  return count && field.set(options, static_cast<double>(*count));
+}
+
+void take(const FieldInfo& field, void* options, const nb::handle& stated) {
+  if (nb::isinstance<nb::str>(stated)) {
+    const auto words = nb::cast<std::string>(stated);
+    field.set(options, value_of(typed_value(field, words)));
+    return;
+  }
+  const auto value = value_of_object(stated);
+  if (value && set(field, options, *value)) return;
+  raise({ErrorCode::bad_argument,
+         "found " + nb::cast<std::string>(nb::repr(stated)) + ", wanted " + wanted_of(field),
+         {},
+         std::string(field.name)});
+}
+
+struct Attribute {
+  nb::object operator()(std::monostate) const { return nb::none(); }
+  nb::object operator()(const Measured& measured) const { return nb::cast(measured.numbers); }
+  nb::object operator()(const std::vector<SampleRun>& runs) const {
+    nb::list list;
+    for (const auto& [first, count] : runs) list.append(nb::make_tuple(first, count));
+    return list;
+  }
+  nb::object operator()(const auto& value) const { return nb::cast(value); }
+};
+
+/// A sample in its file: what has no lines has none here.
+nb::dict place_of(std::size_t sample, const Track& recording) {
+  nb::dict place;
+  place["key"] = sample;
+  place["line"] = recording.lines.empty() ? nb::object(nb::none()) : nb::cast(recording.lines[sample]);
+  return place;
+}
+
+struct Member {
+  const FieldInfo& field;
+  const Track& recording;
+
+  nb::object operator()(double number) const { return nb::cast(field.quantity ? number * field.quantity->shown : number); }
+  nb::object operator()(std::size_t number) const {
+    return field.type == FieldType::sample ? text(recording.time_of(number).to_string()) : nb::cast(number);
+  }
+  nb::object operator()(const std::vector<std::size_t>& samples) const {
+    nb::list list;
+    for (const std::size_t sample : samples) {
+      nb::dict place = place_of(sample, recording);
+      place["time_s"] = text(recording.time_of(sample).to_string());
+      list.append(place);
+    }
+    return list;
+  }
+  nb::object operator()(const std::vector<SampleRun>& runs) const {
+    nb::list list;
+    for (const auto& [first, count] : runs) {
+      nb::dict place = place_of(first, recording);
+      place["samples"] = count;
+      list.append(place);
+    }
+    return list;
+  }
+  nb::object operator()(const auto& value) const { return Attribute()(value); }
+};
+
+nb::object bound(double number) { return std::isfinite(number) ? nb::cast(number) : nb::object(nb::none()); }
+
+nb::dict info_of(const FieldInfo& field) {
+  nb::dict info;
+  info["name"] = text(field.name);
+  info["member"] = name_with_unit(field);
+  info["type"] = text(name_of(field.type));
+  info["unit"] = field.quantity && field.quantity->shown == 1.0 ? text(field.quantity->unit) : nb::object(nb::none());
+  info["sentence"] = text(field.sentence);
+  info["absent"] = text(field.absent);
+  info["required"] = field.is_required;
+  info["wanted"] = wanted_of(field);
+  const bool has_default = field.initial && !field.is_required && !is_absent(field.initial());
+  info["default"] = has_default ? std::visit(Attribute(), field.initial()) : nb::object(nb::none());
+  info["lowest"] = bound(field.range.lowest);
+  info["highest"] = bound(field.range.highest);
+  nb::dict words;
+  for (const Word& word : field.words) words[text(word.word)] = text(word.sentence);
+  info["words"] = words;
+  return info;
+}
+
+void put_infos(nb::dict& all, const char* name, std::span<const FieldInfo> fields) {
+  nb::list list;
+  for (const FieldInfo& field : fields) list.append(info_of(field));
+  all[name] = list;
+}
+
+}  // namespace
+
+nb::str text(std::string_view words) { return nb::str(words.data(), words.size()); }
+
+void take_options(std::span<const FieldInfo> fields, void* options, const nb::dict& stated) {
+  for (const auto& [name, value] : stated) {
+    const FieldInfo& field = *value_of(find_field(fields, nb::cast<std::string>(name)));
+    if (!value.is_none()) take(field, options, value);
+  }
+}
+
+nb::dict attributes_of(std::span<const FieldInfo> fields, const void* result) {
+  nb::dict attributes;
+  for (const FieldInfo& field : fields) attributes[text(field.name)] = std::visit(Attribute(), field.get(result));
+  return attributes;
+}
+
+void put_members(nb::dict& members, std::span<const FieldInfo> fields, const void* result, const Track& recording,
+                 Absent absent) {
+  for (const FieldInfo& field : fields) {
+    const FieldValue value = field.get(result);
+    if (absent == Absent::left_out && is_absent(value)) continue;
+    members[text(name_with_unit(field))] = std::visit(Member{field, recording}, value);
+  }
+}
+
+nb::list warnings_of(std::span<const Warning> warnings) {
+  nb::list list;
+  for (const Warning& warning : warnings) {
+    nb::dict numbers;
+    for (const auto& [name, number] : warning.numbers) numbers[text(name)] = number;
+    list.append(nb::make_tuple(text(describe(warning)), text(warning.code), numbers));
+  }
+  return list;
+}
+
+void add_fields(nb::module_& module) {
+  module.def("fields", [] {
+    nb::dict all;
+    put_infos(all, "SmoothOptions", fields_of<SmoothOptions>());
+    put_infos(all, "Smoothing", fields_of<Smoothing>());
+    put_infos(all, "ReduceOptions", fields_of<ReduceOptions>());
+    put_infos(all, "Reduction", fields_of<Reduction>());
+    put_infos(all, "RetimeOptions", fields_of<RetimeOptions>());
+    put_infos(all, "Retiming", fields_of<Retiming>());
+    put_infos(all, "TuneOptions", fields_of<TuneOptions>());
+    put_infos(all, "Tuning", fields_of<Tuning>());
+    put_infos(all, "Decimation", fields_of<Decimation>());
+    put_infos(all, "MeasureOptions", fields_of<MeasureOptions>());
+    return all;
+  });
+}
+
+}  // namespace orispline::python

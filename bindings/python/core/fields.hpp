@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+
+#include <nanobind/nanobind.h>
+
+#include <orispline/base/warning.hpp>
+#include <orispline/curve/track.hpp>
+#include <orispline/fields.hpp>
+
+// The fields of the library's options and results, as Python states and sees them.
+
+namespace orispline::python {
+
+/// Options by name: texts, as on the command line, or numbers in the units of the library. Raises ArgumentError.
+void take_options(std::span<const FieldInfo> fields, void* options, const nanobind::dict& stated);
+
+/// The options that are stated, all others at their defaults.
+template <class Options>
+Options options_in(const nanobind::dict& stated) {
+  Options options{};
+  take_options(fields_of<Options>(), &options, stated);
+  return options;
+}
+
+/// Values by name, in the units of the library; a sample is its index.
+nanobind::dict attributes_of(std::span<const FieldInfo> fields, const void* result);
+template <class Result>
+nanobind::dict attributes_of(const Result& result) {
+  return attributes_of(fields_of<Result>(), &result);
+}
+
+/// What becomes of members without a value.
+enum class Absent { none, left_out };
+
+/// Values by name with unit, as the command's JSON has them. Samples are told with their places in the recording.
+void put_members(nanobind::dict& members, std::span<const FieldInfo> fields, const void* result, const Track& recording,
+                 Absent absent = Absent::none);
+template <class Result>
+void put_members(nanobind::dict& members, const Result& result, const Track& recording, Absent absent = Absent::none) {
+  put_members(members, fields_of<Result>(), &result, recording, absent);
+}
+
+/// `(text, code, numbers)` of each.
+nanobind::list warnings_of(std::span<const Warning> warnings);
+
+nanobind::str text(std::string_view words);
+
+}  // namespace orispline::python

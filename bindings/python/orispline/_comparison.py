@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Methods beside each other, measured against a recording."""
+from __future__ import annotations
+
+import copy
+import dataclasses
+import os
+from typing import TYPE_CHECKING, Any, Sequence
+
+from . import _core
+from ._errors import ArgumentError
+from ._keys import Keys
+from ._options import checked_keys, checked_threads, method_words, new_keys, plain, times_beside
+from ._results import now
+from ._warnings import tell
+
+if TYPE_CHECKING:
+    from ._curve import Curve
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class Comparison:
+    """How near the curves of methods come to a recording, of `compare`.
+
+    `measures` says what the columns of the table are: `id`, `label`, `unit`, `explanation`, and the `word` to sort by.
+    """
+
+    measures: tuple[dict[str, str], ...]
+    _given: Keys
+    _arguments: tuple[Any, ...]
+    _reference: Keys | None
+    _rows: list[dict[str, Any]]
+    _core: Any
+
+    def table(self) -> list[dict[str, Any]]:
+        """A row for each method on each set of keys, the best first, with the members of `orispline compare --json`.
+
+        A method that failed has None in the place of numbers, and the reason as `error`.
+        """
+        return copy.deepcopy(self._rows)
+
+    def to_pandas(self) -> Any:
+        """The same as a pandas DataFrame."""
+        import pandas
+        return pandas.DataFrame(self.table())
+
+    def keys(self, row: int = 0) -> Keys:
+        """The keys that the method of a row was given."""
+        return new_keys(self._task().keys_of(self._row(row)), self._given)
+
+    def curve(self, row: int = 0) -> Curve:
+        """The curve of a row."""
+        return self.keys(row).curve(self._task().texts()[self._row(row)])
+
+    def report(self, path: str | os.PathLike[str]) -> None:
+        """Writes a page to look at, which needs nothing but a browser. AccessError: the file cannot be written."""
+        self._task().report(os.fspath(path), now())
+
+    def _row(self, row: int) -> int:
+        if not -len(self._rows) <= row < len(self._rows):
+            raise IndexError(f"row: found {row}, wanted one of {len(self._rows)} rows")
+        return row % len(self._rows)
+
+    def _task(self) -> Any:
+        if self._core is None:  # after pickling
+            object.__setattr__(self, "_core", _work(self._given, self._reference, *self._arguments))
+        return self._core
+
+    def __len__(self) -> int:
+        return len(self._rows)
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**self.__dict__, "_core": None}
+
+    def __repr__(self) -> str:
+        best = f", best {self._rows[0]['method']!r}" if self._rows else ""
+        return f"Comparison({len(self)} row{'' if len(self) == 1 else 's'}{best})"
+
+
+def _work(keys: Keys, reference: Keys | None, *arguments: Any) -> Any:
+    times = None if reference is None else times_beside(keys, reference)
+    return _core.compare(keys._core, None if reference is None else reference._core, times, *arguments)
+
+
+def _decimations(keep_every: Any, jitter: bool, random: int | None, reference: Keys | None) -> list[dict[str, Any]]:
+    if reference is not None:
+        if jitter or random is not None:
+            raise ArgumentError("found reference and jitter or random, wanted a dense reference or samples of the keys for it")
+        return []
+    steps = list(keep_every) if isinstance(keep_every, (list, tuple)) else [keep_every]
+    if not steps or len(set(steps)) < len(steps):
+        raise ArgumentError(f"keep_every: found {keep_every!r}, wanted a whole number, or several that differ")
+    spacing = "jittered" if jitter else "even" if random is None else "random"
+    return [plain({"keep_every": step, "spacing": spacing, "seed": random}) for step in steps]
+
+
+def _texts(methods: Sequence[str] | str | None) -> list[str] | None:
+    if methods is None:
+        return None
+    texts = [method_words(method) for method in ([methods] if isinstance(methods, str) else methods)]
+    if not texts or len(set(texts)) < len(texts):
+        raise ArgumentError(f"methods: found {methods!r}, wanted one at least, and none twice")
+    return texts
+
+
+def compare(keys: Keys, methods: Sequence[str] | str | None = None, *, reference: Keys | None = None,
+            keep_every: int | Sequence[int] = 8, jitter: bool = False, random: int | None = None, inertia: Any = None,
+            leave_out: bool = False, tune: bool = False, sort: str = "rms", threads: int = 0) -> Comparison:
+    """How near the curves of methods come to a recording, how smooth they are, and what they cost.
+
+    Parameters
+    ----------
+    keys : Keys
+        A recording, of which some samples become keys; with `reference` the keys themselves.
+    methods : str or list of str, optional
+        Methods in their text form, such as `"quintic:tension=0.6"`. Without it all.
+    reference : Keys, optional
+        Dense recording that curves through all of `keys` are compared with; `keep_every` then plays no part.
+    keep_every : int or list of int
+        Keep every N-th sample as a key; several make several sets of keys.
+    jitter, random : bool, and int, optional
+        Move those samples by up to 35 % of N. A seed for that, else for steps of N/4, N/2, N and 2N.
+    inertia : (3,), (6,) or (3, 3) array, optional
+        Of the body [kg m²]: principal moments, or xx, yy, zz, xy, xz, yz. With it torques are measured too.
+    leave_out : bool
+        Estimate the error from the keys alone as well, by leaving some of them out.
+    tune : bool
+        Methods with tensions also with those of the least angular acceleration, as `"NAME:tuned"`.
+    sort : str
+        Word of a measure, best first.
+    threads : int
+        At most so many at work, 0 means one for each core; 1 for undisturbed times.
+
+    Raises
+    ------
+    ArgumentError
+        A method, a measure or an option that there is not.
+    DataError
+        Fewer than two keys, or a reference without a time between them.
+
+    Warns
+    -----
+    ShapeWarning : A reference that is not denser than the keys, and the like.
+
+    Examples
+    --------
+    >>> import numpy as np, orispline as ori
+    >>> t = np.linspace(0, 6, 601)
+    >>> half = np.sin(t)
+    >>> q = np.outer(np.sin(half), [0, 0, 1, 0]) + np.outer(np.cos(half), [0, 0, 0, 1])
+    >>> comparison = ori.compare(ori.Keys(t, q), ["slerp", "auto"], keep_every=50)
+    >>> [row["method"] for row in comparison.table()]
+    ['auto', 'slerp']
+    """
+    checked_keys(keys)
+    if reference is not None:
+        checked_keys(reference, "reference")
+    if not isinstance(sort, str):
+        raise TypeError(f"sort: found {type(sort).__name__}, wanted a word")
+    arguments = (_decimations(keep_every, jitter, random, reference), _texts(methods), bool(tune), sort,
+                 plain({"inertia": inertia, "leave_out": leave_out}), checked_threads(threads))
+    core = _work(keys, reference, *arguments)
+    tell(core.warnings)
+    return Comparison(tuple(core.measures()), keys, arguments, reference, core.rows(), core)

@@ -1,0 +1,263 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What tasks find: objects that never change."""
+from __future__ import annotations
+
+import copy
+import dataclasses
+import datetime
+import functools
+import keyword
+import os
+from typing import TYPE_CHECKING, Any, ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _core
+from ._keys import Keys
+from ._options import FIELDS, new_keys, states
+
+if TYPE_CHECKING:
+    from ._curve import Curve
+
+Indices = NDArray[np.intp]
+
+
+def now() -> str:
+    """As a page says when it was made."""
+    return datetime.datetime.now().strftime("%Y-%m-%d %H:%M")
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class Result:
+    """What results of tasks have alike."""
+
+    keys: Keys
+    method: str
+    _given: Keys
+    _arguments: tuple[Any, ...]
+    _members: dict[str, Any]
+    _core: Any
+    _table: ClassVar[str]
+
+    @functools.cached_property
+    def curve(self) -> Curve:
+        """The curve of `method` through `keys`, for which the result holds."""
+        return self.keys.curve(self.method)
+
+    def as_dict(self) -> dict[str, Any]:
+        """By name with unit, as the JSON of the command has it. Samples have the lines of their file, None without one."""
+        return copy.deepcopy(self._members)
+
+    def _task(self) -> Any:
+        """The library's own result; after pickling the work is done again, with the same numbers."""
+        if self._core is None:
+            object.__setattr__(self, "_core", self._work(self._given, *self._arguments))
+        return self._core
+
+    @classmethod
+    def _work(cls, given: Keys, *arguments: Any) -> Any:
+        raise NotImplementedError
+
+    @classmethod
+    def _of(cls, core: Any, given: Keys, arguments: tuple[Any, ...]) -> Any:
+        kinds = {field["name"]: field["type"] for field in FIELDS[cls._table]} | {"samples": "samples"}
+        values = {name + "_" * keyword.iskeyword(name): _as_python(kinds.get(name, ""), value, given)
+                  for name, value in core.attributes().items() if name != "keys"}
+        return cls(keys=new_keys(core.keys, given), method=core.method, _given=given, _arguments=arguments,
+                   _members=core.members(), _core=core, **values)
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {name: None if name == "_core" else value for name, value in self.__dict__.items() if name != "curve"}
+
+    def __repr__(self) -> str:
+        shown = ", ".join(f"{f.name}={getattr(self, f.name)!r}" for f in dataclasses.fields(self)
+                          if not f.name.startswith("_") and f.name not in ("keys", "method")
+                          and isinstance(getattr(self, f.name), (int, float, str)))
+        return f"{type(self).__name__}({self.keys!r}, {self.method!r}, {shown})"
+
+
+def _as_python(kind: str, value: Any, given: Keys) -> Any:
+    if value is None:
+        return None
+    if kind == "sample":
+        return given.times[value]
+    if kind == "samples":
+        return np.array(value, dtype=np.intp)
+    if kind == "vector":
+        return np.array(value)
+    return tuple(value) if kind == "runs" else value
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class Reported(Result):
+    """One that has a page to look at."""
+
+    def report(self, path: str | os.PathLike[str]) -> None:
+        """Writes a page to look at, which needs nothing but a browser. AccessError: the file cannot be written."""
+        self._task().report(os.fspath(path), now())
+
+
+@states("Smoothing")
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class Smoothing(Reported):
+    """A smoothed recording, of `smooth`.
+
+    Attributes
+    ----------
+    keys
+        The smooth motion at the times of the recording, with angular velocities and accelerations.
+    method
+        The method whose curve through the keys is the smooth motion.
+    {fields}
+    """
+
+    smoothing_time: float
+    cutoff: float
+    lambda_: float
+    criterion: str | None
+    chosen_on: int
+    noise: float
+    local_noise: float
+    degrees_of_freedom: float | None
+    gyro_noise: float | None
+    gyro_correction: NDArray[np.float64] | None
+    rms_distance: float
+    largest_distance: float
+    accepted_rms_distance: float
+    accepted_largest_distance: float
+    rejected: Indices
+    rejected_gyro: Indices
+    retained_outlier_runs: Indices
+    samples_in_short_stretches: Indices
+    stretches: tuple[tuple[int, int], ...]
+    iterations: int
+    last_step: float
+    position_smoothing_time: float | None
+    position_cutoff: float | None
+    position_criterion: str | None
+    position_noise: float | None
+    position_local_noise: float | None
+    position_rms_distance: float | None
+    position_largest_distance: float | None
+    position_accepted_rms: float | None
+    position_accepted_largest: float | None
+    rejected_positions: Indices | None
+    retained_position_runs: Indices | None
+    _table: ClassVar[str] = "Smoothing"
+
+    @classmethod
+    def _work(cls, given: Keys, *arguments: Any) -> Any:
+        return _core.smooth(given._core, *arguments)
+
+    def covers(self, t: Any) -> NDArray[np.bool_]:
+        """Whether the curve stands for the recording at times of any shape: neither over a gap nor beside it."""
+        seconds = self._given._clock.seconds("t", t)
+        return np.array([self._task().covers(float(x)) for x in seconds.reshape(-1)], dtype=bool).reshape(seconds.shape)
+
+
+@states("Reduction")
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class Reduction(Reported):
+    """The fewest keys found, of `reduce`.
+
+    Attributes
+    ----------
+    keys
+        Those keys, with what they carry.
+    method
+        The method whose curve through the keys is within the tolerance.
+    samples
+        Indices of the samples at whose times the keys stand.
+    {fields}
+    """
+
+    samples: Indices
+    error_max: float
+    error_max_time: Any
+    position_error_max: float | None
+    position_error_max_time: Any
+    _table: ClassVar[str] = "Reduction"
+
+    @classmethod
+    def _work(cls, given: Keys, *arguments: Any) -> Any:
+        return _core.reduce([given._core], *arguments)[0]
+
+
+@dataclasses.dataclass(frozen=True)
+class Certificate:
+    """What is known of a limited quantity: all in SI units, angles in rad.
+
+    `limit`: as asked for. `bound`: nowhere is it above this. `found`: the largest value that was found, at `time`
+    [s] after the start. `segment`: the index of the segment with the bound.
+    """
+
+    limit: float
+    bound: float
+    found: float
+    time: float
+    segment: int
+
+
+@states("Retiming")
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class Retiming(Reported):
+    """Keys at later times, of `retime`.
+
+    Attributes
+    ----------
+    keys
+        The keys at their new times.
+    method
+        The method whose curve through the keys stays within the limits.
+    certificates
+        Of each limited quantity by name, such as `"rate"` and `"torque_x"`: a `Certificate`.
+    duration_before
+        Duration of the keys that were given [s].
+    {fields}
+    """
+
+    slowing: str
+    duration_before: float
+    duration_after: float
+    time_scale: float
+    rests: int
+    slack: float
+    certificates: dict[str, Certificate]
+    _table: ClassVar[str] = "Retiming"
+
+    def __post_init__(self) -> None:
+        named = {name: Certificate(*row) for name, row in self.certificates.items()}  # type: ignore[misc]
+        object.__setattr__(self, "certificates", named)
+
+    @classmethod
+    def _work(cls, given: Keys, *arguments: Any) -> Any:
+        return _core.retime(given._core, *arguments)
+
+
+@states("Tuning")
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class Tuning(Result):
+    """The best tensions, of `tune`.
+
+    Attributes
+    ----------
+    keys
+        The keys, with the tensions as their settings.
+    method
+        The method with these tensions, in its text form.
+    parameters
+        The (n,) values of each tension that was varied, by name.
+    objective, unit
+        What was made least, and the unit of the energies.
+    {fields}
+    """
+
+    objective: str
+    unit: str
+    parameters: dict[str, NDArray[np.float64]]
+    energy_before: float
+    energy_after: float
+    iterations: int
+    stationarity: float
+    _table: ClassVar[str] = "Tuning"

@@ -1,0 +1,247 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Tasks: recordings and keys in, better keys out."""
+from __future__ import annotations
+
+from typing import Any, Iterable, Sequence
+
+from . import _core
+from ._errors import ArgumentError
+from ._keys import Keys
+from ._options import checked_keys, checked_threads, method_words, plain, takes, times_beside
+from ._results import Reduction, Retiming, Smoothing, Tuning
+from ._warnings import tell
+
+
+@takes("SmoothOptions")
+def smooth(keys: Keys, **options: Any) -> Smoothing:
+    """A noisy recording as a smooth motion with rates.
+
+    Numbers are in the units that stand here, texts have their unit: `noise=0.01` and `noise="0.57deg"`.
+
+    Parameters
+    ----------
+    keys : Keys
+        The recording. With `gyro=True` its angular velocities are those of a gyro.
+    {options}
+
+    Returns
+    -------
+    Smoothing
+        `.keys` are the smooth motion at the times of the recording, `.curve` is the curve through them.
+
+    Raises
+    ------
+    ArgumentError
+        An option that there is not, out of its range, or that contradicts another.
+    DataError
+        Too few samples, or samples that no smooth motion is near to.
+    ConvergenceError
+        No smooth motion was found.
+
+    Warns
+    -----
+    ShapeWarning
+        Hardly any noise, many outliers and the like.
+
+    Examples
+    --------
+    >>> import numpy as np, orispline as ori
+    >>> t = np.linspace(0, 2, 201)
+    >>> noise = np.random.default_rng(1).normal(size=(201, 3)) * 0.005
+    >>> half = 0.5 * np.sin(t)
+    >>> q = np.column_stack([noise, np.cos(half)]) + np.outer(np.sin(half), [0, 0, 1, 0])
+    >>> smoothing = ori.smooth(ori.Keys(t, q, normalize=True))
+    >>> bool(0.005 < smoothing.noise < 0.015)
+    True
+    >>> smoothing.curve.angular_velocity(1.0).shape
+    (3,)
+    """
+    checked_keys(keys)
+    stated = plain(options)
+    core = _core.smooth(keys._core, stated)
+    tell(core.warnings)
+    return Smoothing._of(core, keys, (stated,))
+
+
+def _reduced(tracks: Sequence[Keys], tolerance: Any, method: Any, threads: int, options: dict[str, Any]) -> list[Reduction]:
+    methods = None
+    if method is not None:
+        several = method if isinstance(method, (list, tuple)) else [method]
+        methods = [method_words(one) for one in several]
+    if methods == []:
+        raise ArgumentError("method: found none, wanted one at least")
+    stated = plain({"tolerance": tolerance, **options})
+    arguments = (methods, stated, checked_threads(threads))
+    cores = _core.reduce([keys._core for keys in tracks], *arguments)
+    return [Reduction._of(core, keys, arguments) for core, keys in zip(cores, tracks)]
+
+
+@takes("ReduceOptions")
+def reduce(keys: Keys, tolerance: Any, *, method: Any = None, threads: int = 0, **options: Any) -> Reduction:
+    """The fewest keys whose curve is within a tolerance of every sample of a recording.
+
+    Parameters
+    ----------
+    keys : Keys
+        The recording.
+    method : str, Curve or a list of them, optional
+        The method of the curve, in its text form: a local one through its keys. Of several the one with the fewest
+        keys is taken. Without it `auto`, `timed-c2` and `slerp` are tried.
+    threads : int
+        At most so many at work, 0 means one for each core. The result is the same on any.
+    {options}
+
+    Returns
+    -------
+    Reduction
+        `.keys` are the keys that are kept, `.curve` is the curve through them.
+
+    Raises
+    ------
+    ArgumentError
+        An option or a method that there is not or that does not suit.
+    DataError
+        Fewer than two samples, or a position tolerance for a recording without positions.
+
+    Examples
+    --------
+    >>> import numpy as np, orispline as ori
+    >>> half = np.linspace(0, 1, 101)
+    >>> q = np.outer(np.sin(half), [0, 0, 1, 0]) + np.outer(np.cos(half), [0, 0, 0, 1])
+    >>> reduction = ori.reduce(ori.Keys(half, q), "0.1deg", method="slerp")
+    >>> len(reduction.keys), bool(reduction.error_max < np.radians(0.1))
+    (2, True)
+    """
+    return _reduced([checked_keys(keys)], tolerance, method, threads, options)[0]
+
+
+@takes("ReduceOptions")
+def reduce_tracks(tracks: Iterable[Keys], tolerance: Any, *, method: Any = None, threads: int = 0,
+                  **options: Any) -> list[Reduction]:
+    """`reduce` for many recordings at once, in their order.
+
+    Parameters
+    ----------
+    tracks : iterable of Keys
+        The recordings.
+    method, threads
+        As of `reduce`. The threads share the recordings.
+    {options}
+
+    Raises
+    ------
+    ArgumentError, DataError
+        As of `reduce`, for the first recording that fails; its index is in the text, after `curve`.
+
+    Examples
+    --------
+    >>> import orispline as ori
+    >>> keys = ori.Keys([0, 1, 2], [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 0.96, 0.28]])
+    >>> [len(one.keys) for one in ori.reduce_tracks([keys, keys[:2]], "1deg")]
+    [2, 2]
+    """
+    listed = [checked_keys(keys, f"tracks[{i}]") for i, keys in enumerate(tracks)]
+    return _reduced(listed, tolerance, method, threads, options) if listed else []
+
+
+@takes("RetimeOptions")
+def retime(keys: Keys, *, method: Any = None, per_interval: bool = False, **options: Any) -> Retiming:
+    """The least slowing with which the curve stays within limits everywhere, certified by bounds.
+
+    Limits are in the units that stand here, as one number for the length of the vector or three for its components;
+    texts have their unit: `max_rate=1.5`, `max_rate="90deg/s"`, `max_rate=(1, 2, 1)`.
+
+    Parameters
+    ----------
+    keys : Keys
+        Whose times are to change.
+    method : str or Curve, optional
+        The method of the curve, in its text form. Without it that of the keys' file, else `auto`, with the body at
+        rest between equal keys.
+    per_interval : bool
+        Slow each interval between keys by itself; the same as `slowing="per-interval"`.
+    {options}
+
+    Returns
+    -------
+    Retiming
+        `.keys` are the keys at their new times, `.certificates` say what is known of each limited quantity.
+
+    Raises
+    ------
+    ArgumentError
+        Limits that are absent, not greater than 0 or cannot be met, or a method that cannot be slowed.
+    DataError
+        Fewer than two keys.
+
+    Warns
+    -----
+    ShapeWarning
+        Bounds that are loose, rests in which the body moves and the like.
+
+    Examples
+    --------
+    >>> import orispline as ori
+    >>> keys = ori.Keys([0, 1, 3], [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 1, 0]])
+    >>> slow = ori.retime(keys, max_rate="45deg/s")
+    >>> bool(slow.certificates["rate"].bound <= 0.7854), slow.time_scale > 1
+    (True, True)
+    """
+    checked_keys(keys)
+    if per_interval:
+        if options.get("slowing", "per-interval") != "per-interval":
+            raise ArgumentError(f"slowing: found {options['slowing']!r} with per_interval=True, wanted one of them")
+        options["slowing"] = "per-interval"
+    arguments = (None if method is None else method_words(method), plain(options))
+    core = _core.retime(keys._core, *arguments)
+    tell(core.warnings)
+    return Retiming._of(core, keys, arguments)
+
+
+@takes("TuneOptions")
+def tune(keys: Keys, method: Any, *, reference: Keys | None = None, **options: Any) -> Tuning:
+    """The tensions of a curve that make an integral over it least, such as that of the squared angular acceleration.
+
+    Parameters
+    ----------
+    keys : Keys
+        What the curve goes through.
+    method : str or Curve
+        The method whose tensions to find, in its text form; they start from its settings.
+    reference : Keys, optional
+        Dense recording that the curve comes near to, for the objective `"fit"`.
+    {options}
+
+    Returns
+    -------
+    Tuning
+        `.curve` is the curve with the tensions that were found, `.parameters` are their values.
+
+    Raises
+    ------
+    ArgumentError
+        A method without tensions, options that contradict each other or that there are not.
+    DataError
+        Fewer than three keys, or a reference without a time between them.
+    ConvergenceError
+        No tensions were found that are better.
+
+    Warns
+    -----
+    ShapeWarning
+        Tensions that are not at rest, and the like.
+
+    Examples
+    --------
+    >>> import orispline as ori
+    >>> keys = ori.Keys([0, 1, 3, 4], [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0.6, 0.8, 0], [0, 1, 0, 0]])
+    >>> tuning = ori.tune(keys, "quintic", objective="jerk")
+    >>> tuning.energy_after < tuning.energy_before, list(tuning.parameters)
+    (True, ['tension'])
+    """
+    checked_keys(keys)
+    times = None if reference is None else times_beside(keys, checked_keys(reference, "reference"))
+    arguments = (method_words(method), None if reference is None else reference._core, times, plain(options))
+    core = _core.tune(keys._core, *arguments)
+    tell(core.warnings)
+    return Tuning._of(core, keys, ())

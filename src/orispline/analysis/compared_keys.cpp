@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/analysis/compared_keys.hpp>
+
+#include <algorithm>
+
+#include <orispline/analysis/sampled.hpp>
+#include <orispline/base/formatted.hpp>
+
+namespace orispline::inline ORISPLINE_ABI {
+namespace {
+
+Expected<void> check_two_keys(const Track& track) {
+  if (track.keys.size() >= 2) return {};
+  return failure(ErrorCode::bad_data, "found 1 key, wanted 2 at least to compare curves", {.file = track.name});
+}
+
+Expected<ComparedKeys> kept(const Track& recording, const Decimation& decimation) {
+  const auto samples = kept_samples(decimation, recording.keys.size());
+  if (samples.size() < 2)
+    return failure(ErrorCode::bad_data,
+                   formatted("`keep_every` {} leaves 1 of the {} samples, wanted 2 keys at least",
+                             decimation.keep_every, recording.keys.size()),
+                   {.file = recording.name});
+  return ComparedKeys{decimation, recording.at(samples), samples.back() + 1};
+}
+
+/// The times of a recording as they are for the keys.
+std::vector<double> times_beside(const Track& keys, const Track& recording) {
+  const double shift = (recording.epoch - keys.epoch).to_double();
+  std::vector<double> times(recording.keys.times().begin(), recording.keys.times().end());
+  for (double& t : times) t += shift;
+  return times;
+}
+
+Error far_apart(const Track& keys, const Track& recording, std::span<const double> times) {
+  const auto text = [&](double t) { return (keys.epoch + Decimal::from_double(t)).to_string(); };
+  const std::string of_keys = keys.name.empty() ? "" : formatted(" of {}", keys.name);
+  return {.code = ErrorCode::bad_data,
+          .message = formatted("none of the {} times, {} to {} s, lies between the keys{}, {} to {} s", times.size(),
+                               text(times.front()), text(times.back()), of_keys, text(keys.keys.times().front()),
+                               text(keys.keys.times().back())),
+          .where = {.file = recording.name}};
+}
+
+/// Whether some time that is compared lies between two keys.
+bool any_between_keys(std::span<const double> times, std::span<const double> keys) {
+  return std::ranges::any_of(
+      times, [&](double t) { return t >= keys.front() && t <= keys.back() && !std::ranges::binary_search(keys, t); });
+}
+
+Warning not_denser(const Track& recording) {
+  return {.code = "no_reference_between_keys",
+          .message =
+              "all samples that are compared are at the times of keys, where every curve through them is right; "
+              "wanted a denser `reference`, or the keys and it the other way round",
+          .where = {.file = recording.name}};
+}
+
+}  // namespace
+
+std::vector<MeasureInfo> ComparedData::measures(LeaveOut leave_out,
+                                                const std::optional<Eigen::Matrix3d>& inertia) const {
+  std::vector groups{MeasureGroup::distance, MeasureGroup::shape, MeasureGroup::cost};
+  if (!samples.angular_velocities().empty()) groups.push_back(MeasureGroup::rate);
+  if (leave_out == LeaveOut::yes) groups.push_back(MeasureGroup::leave_out);
+  if (inertia) groups.push_back(MeasureGroup::torque);
+  return measures_of(groups);
+}
+
+Expected<ComparedData> beside_own_samples(const Track& recording, std::span<const Decimation> decimations) {
+  if (auto enough = check_two_keys(recording); !enough) return tl::unexpected(std::move(enough.error()));
+  ComparedData data{.reference = recording.name,
+                    .epoch = recording.epoch,
+                    .samples = recording.keys,
+                    .times = {recording.keys.times().begin(), recording.keys.times().end()}};
+  for (const Decimation& decimation : decimations) {
+    auto keys = kept(recording, decimation);
+    if (!keys) return tl::unexpected(std::move(keys.error()));
+    data.key_sets.push_back(std::move(*keys));
+  }
+  return data;
+}
+
+Expected<ComparedData> beside_recording(const Track& keys, const Track& recording) {
+  for (const Track* track : {&keys, &recording})
+    if (auto enough = check_two_keys(*track); !enough) return tl::unexpected(std::move(enough.error()));
+  std::vector<double> times = times_beside(keys, recording);
+  const std::size_t compared = times_within(times, {keys.keys.times().front(), keys.keys.times().back()}).count;
+  if (compared == 0) return tl::unexpected(far_apart(keys, recording, times));
+  ComparedData data{.reference = recording.name,
+                    .epoch = keys.epoch,
+                    .samples = recording.keys,
+                    .times = std::move(times),
+                    .key_sets = {{std::nullopt, keys, compared}}};
+  if (!any_between_keys(data.times, keys.keys.times())) data.warnings.push_back(not_denser(recording));
+  return data;
+}
+
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Tasks find what the command finds, bit for bit."""
+import json
+import re
+
+import numpy as np
+import orispline as ori
+import pytest
+from task_files import EXAMPLES, columns_of, group, json_of, keys_in, noisy_file, run
+
+
+def without_lines(members):
+    """Keys that were not read from a file have no lines."""
+    return json.loads(re.sub(r'"line": \d+', '"line": null', json.dumps(members)))
+
+
+def expect_members(result, told, *only_told):
+    """All of the result's members, and all but those few that are about files."""
+    members = result.as_dict()
+    assert members == {name: value for name, value in without_lines(told).items() if name in members}
+    assert set(told) - set(members) - {"input", "output", "warnings"} == set(only_told)
+
+
+def expect_keys(keys, path, rates=()):
+    columns = columns_of(path)
+    assert keys.times.tolist() == columns["t"].tolist()
+    assert np.array_equal(keys.rotations, keys_in(path).rotations)  # the file may keep digits of another norm
+    if "px" in columns:
+        assert np.array_equal(keys.positions, group(columns, "px py pz"))
+    for name, names in rates:
+        assert np.array_equal(getattr(keys, name), group(columns, names))
+
+
+SMOOTHINGS = {"": {}, "--noise 0.5deg --penalty jerk": {"noise": "0.5deg", "penalty": "jerk"},
+              "--smoothing-time 0.05 --loss l2": {"smoothing_time": 0.05, "loss": "l2"}}
+
+
+@pytest.mark.parametrize("words", SMOOTHINGS)
+def test_smoothing_is_that_of_the_command(words, tmp_path):
+    noisy = noisy_file(tmp_path / "noisy.csv", outliers=[50, 51, 140])
+    out = tmp_path / "keys.csv"
+    told = json_of("smooth", noisy, *words.split(), "-o", out)
+    smoothing = ori.smooth(keys_in(noisy), **SMOOTHINGS[words])
+    expect_members(smoothing, told, "samples", "rows_written", "penalty", "loss")
+    expect_keys(smoothing.keys, out, [("angular_velocities", "wx wy wz"), ("angular_accelerations", "ax ay az")])
+    assert smoothing.method == "hermite-c2"
+    assert smoothing.smoothing_time == told["smoothing_time_s"]
+    assert smoothing.rejected.tolist() == [place["key"] for place in told["rejected"]]
+
+
+def test_smoothing_of_positions_and_with_a_gyro_is_that_of_the_command(tmp_path):
+    truth, out = EXAMPLES / "flight_truth.csv", tmp_path / "keys.csv"
+    told = json_of("smooth", truth, "--gyro", "--quiet", "-o", out)
+    with pytest.warns(ori.ShapeWarning) as caught:
+        smoothing = ori.smooth(keys_in(truth, "angular_velocities"), gyro=True)
+    expect_members(smoothing, told, "samples", "rows_written", "penalty", "loss")
+    expect_keys(smoothing.keys, out)
+    assert smoothing.gyro_correction.tolist() == told["gyro_correction_rad_s"]
+    assert caught[0].message.code == "least_smoothing"
+    flagged = re.sub("`(.*?)`", lambda name: "--" + name[1].replace("_", "-"), str(caught[0].message))
+    assert f"warning: {flagged}\n" in run("smooth", truth, "--gyro", "-o", out)[1]
+    assert caught[0].filename == __file__
+
+
+def test_smooth_motion_is_near_to_the_truth(tmp_path):
+    noisy = keys_in(noisy_file(tmp_path / "noisy.csv"))
+    smoothing = ori.smooth(noisy)
+    t = noisy.times
+    half = np.column_stack([0.3 * np.sin(2 * t), 0.4 * np.sin(3 * t), 0.2 * t])
+    angle = np.linalg.norm(half, axis=1, keepdims=True)
+    truth = np.column_stack([half * np.sinc(angle / np.pi), np.cos(angle)])
+    error = 2 * np.arccos(np.minimum(1, np.abs(np.sum(truth * smoothing.curve(t), axis=1))))
+    assert np.sqrt(np.mean(error**2)) < 0.4 * 0.0088 * np.sqrt(3)
+    assert smoothing.noise == pytest.approx(0.0088, rel=0.1)
+    assert smoothing.covers([[0, 1], [2.99, 3]]).tolist() == [[True, True], [True, False]]
+
+
+@pytest.mark.parametrize("words, options", [
+    ("--tolerance 0.5deg", {"tolerance": "0.5deg"}),
+    ("--tolerance 0.5deg --position-tolerance 10cm --method auto", {"tolerance": "0.5deg", "position_tolerance": "10cm",
+                                                                     "method": "auto"}),
+    ("--tolerance 1deg --method timed-c2 --tension 0.2 --refit", {"tolerance": np.radians(1), "values": "refit",
+                                                                  "method": "timed-c2:tension=0.2"})])
+def test_reduction_is_that_of_the_command(words, options, tmp_path):
+    truth, out = EXAMPLES / "flight_truth.csv", tmp_path / "keys.csv"
+    told = json_of("reduce", truth, *words.split(), "--quiet", "-o", out)
+    recording = keys_in(truth)
+    reduction = ori.reduce(recording, **options)
+    expect_members(reduction, told, *{"tolerance_deg", "refitted"} | set(told) & {"position_tolerance_m"})
+    expect_keys(reduction.keys, out)
+    assert len(reduction.keys) == told["keys"] and reduction.samples.shape == (told["keys"],)
+    assert reduction.error_max == pytest.approx(np.radians(told["error_max_deg"]), rel=1e-15)
+    assert reduction.error_max_time == float(told["error_max_time_s"])
+    q, p = recording.rotations, reduction.curve(recording.times)
+    chords = np.linalg.norm(q - np.sign(np.sum(p * q, axis=1, keepdims=True)) * p, axis=1)
+    assert 4 * np.arcsin(chords.max() / 2) == pytest.approx(reduction.error_max, abs=1e-12)
+
+
+def test_many_tracks_are_each_reduced(tmp_path):
+    recording = keys_in(EXAMPLES / "flight_truth.csv")
+    parts = [recording[a:a + 800] for a in (0, 1000, 2000)]
+    for threads in (1, 2):
+        together = ori.reduce_tracks(iter(parts), "0.5deg", threads=threads)
+        for part, reduction in zip(parts, together):
+            alone = ori.reduce(part, "0.5deg")
+            assert reduction.as_dict() == alone.as_dict()
+            assert np.array_equal(reduction.keys.rotations, alone.keys.rotations)
+    assert ori.reduce_tracks([], 0.1) == []
+    with pytest.raises(ori.DataError, match="curve 1: .*2"):
+        ori.reduce_tracks([parts[0], recording[:1]], 0.1)
+
+
+@pytest.mark.parametrize("words, options", [
+    ("--max-rate 60deg/s", {"max_rate": "60deg/s"}),
+    ("--max-rate 60,50,40deg/s --max-acceleration 90deg/s2 --per-interval --method timed-c2",
+     {"max_rate": "60,50,40deg/s", "max_acceleration": "90deg/s2", "per_interval": True, "method": "timed-c2"}),
+    ("--max-torque 0.5Nm --inertia=1,2,2.5", {"max_torque": 0.5, "inertia": np.diag([1, 2, 2.5])}),
+    ("--duration 3min --max-speed 30m/s", {"duration": 180, "max_speed": "30m/s"})])
+def test_retiming_is_that_of_the_command(words, options, tmp_path):
+    given, out = EXAMPLES / "flight_keys.csv", tmp_path / "slow.csv"
+    told = json_of("retime", given, *words.split(), "--quiet", "-o", out)
+    retiming = ori.retime(keys_in(given), **options)
+    expect_members(retiming, told)
+    expect_keys(retiming.keys, out)
+    assert retiming.time_scale == told["time_scale"]
+    for name, certificate in retiming.certificates.items():
+        assert certificate.found <= certificate.bound <= certificate.limit
+        assert told[f"{name}_max_after_s"] == certificate.time
+
+
+def test_rests_of_a_robot_are_kept_as_by_the_command(tmp_path):
+    given, out = EXAMPLES / "robot_keys.csv", tmp_path / "slow.csv"
+    told = json_of("retime", given, "--max-rate", "30deg/s", "--quiet", "-o", out)
+    retiming = ori.retime(keys_in(given), max_rate="30deg/s")
+    expect_members(retiming, told)
+    assert retiming.rests == told["rests"] > 0
+    slowest = np.linalg.norm(retiming.curve.sample(rate=1000, derivatives=1).angular_velocities, axis=1).max()
+    assert 0.999 * np.radians(30) < slowest <= np.radians(30)
+
+
+@pytest.mark.parametrize("words, options", [
+    ("--method quintic", {"method": "quintic"}),
+    ("--method timed-c2 --objective torque --inertia=1,2,2.5,0,0,0 --bounds=0,3",
+     {"method": "timed-c2", "objective": "torque", "inertia": [1, 2, 2.5], "bounds": (0, 3)}),
+    ("--method timed-c3 --objective jerk --free tension2", {"method": "timed-c3", "objective": "jerk", "free": ["tension2"]})])
+def test_tuning_is_that_of_the_command(words, options, tmp_path):
+    given, out = EXAMPLES / "flight_keys.csv", tmp_path / "tuned.csv"
+    told = json_of("tune", given, *words.split(), "--quiet", "-o", out)
+    tuning = ori.tune(keys_in(given), **options)
+    expect_members(tuning, told)
+    columns = columns_of(out)
+    assert tuning.parameters.keys() == tuning.keys.settings.keys()
+    for name, values in tuning.parameters.items():
+        assert np.array_equal(values, columns[name])
+    assert tuning.energy_after < tuning.energy_before
+
+
+def test_tuning_to_a_reference_is_that_of_the_command(tmp_path):
+    given, truth, out = EXAMPLES / "flight_keys.csv", EXAMPLES / "flight_truth.csv", tmp_path / "tuned.csv"
+    told = json_of("tune", given, *"--method tcb --objective fit --quiet --reference".split(), truth, "-o", out)
+    tuning = ori.tune(keys_in(given), "tcb", objective="fit", reference=keys_in(truth))
+    expect_members(tuning, told)
+    # The mean square of the angles, by hand.
+    recording = keys_in(truth)
+    dots = np.abs(np.sum(recording.rotations * tuning.curve(recording.times), axis=1))
+    assert np.mean((2 * np.arccos(np.minimum(1, dots)))**2) == pytest.approx(tuning.energy_after, rel=1e-3)
