@@ -5,16 +5,16 @@ import pathlib
 import re
 import sys
 
-UNTOLD = {"object": "Any", "dict": "dict[str, Any]", "list": "list[Any]"}  # what a binding leaves open
+UNTOLD = {"object": "Any", "dict": "dict[str, Any]", "list": "list[Any]", "tuple": "tuple[Any, ...]"}  # what a binding leaves open
 
 
 def stub():
-    """Its text, in which no type of a result is left open to an error of mypy."""
+    """Its text, in which no type is left open to an error of mypy."""
     import orispline._core
     from nanobind.stubgen import StubGen
     made = StubGen(orispline._core, include_docstrings=False, quiet=True)
     made.put(orispline._core)
-    text = re.sub(r"(-> )(object|dict|list)(?=:)", lambda found: found[1] + UNTOLD[found[2]], made.get())
+    text = re.sub(r"(-> |: )(object|dict|list|tuple)(?=[:,)]| [|=])", lambda found: found[1] + UNTOLD[found[2]], made.get())
     text = re.sub(r"^(version: str) = .*$", r"\1", text, flags=re.M)
     if "Any" in re.findall(r"\w+", text) and not re.search(r"^from typing import .*\bAny\b", text, re.M):
         text = re.sub(r"^from typing import (.*)$", lambda found: "from typing import " + ", ".join(sorted({"Any", *found[1].split(", ")})),

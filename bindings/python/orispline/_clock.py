@@ -54,8 +54,9 @@ class Clock:
     def _counted(self, array: np.ndarray[Any, Any]) -> Array:
         if self.unit == "s":
             return array.astype(np.float64, copy=False)
-        since = array.astype(np.int64) - self.origin if array.dtype.kind in "iu" else array - float(self.origin)
-        return since.astype(np.float64) / PER_SECOND[self.unit]
+        since: np.ndarray[Any, Any] = array.astype(np.int64) - self.origin if array.dtype.kind in "iu" else array - float(self.origin)
+        seconds: Array = since.astype(np.float64) / PER_SECOND[self.unit]
+        return seconds
 
 
 def times_of_keys(times: Any, unit: str | None) -> tuple[Array, Clock]:

@@ -86,9 +86,9 @@ class OnlineCurve:
         else:
             first = self._scalar_first
         row = quaternions("q", np.asarray(q)[None], scalar_first=first)[0]
-        vectors = [None if vector is None else numbers(name, vector, (3,)) for name, vector in
-                   (("position", position), ("angular_velocity", angular_velocity),
-                    ("angular_acceleration", angular_acceleration), ("angular_jerk", angular_jerk))]
+        p, w, a, j = [None if vector is None else numbers(name, vector, (3,)) for name, vector in
+                      (("position", position), ("angular_velocity", angular_velocity),
+                       ("angular_acceleration", angular_acceleration), ("angular_jerk", angular_jerk))]
         with self._lock:
             if self._clock is None:
                 seconds, clock = times_of_keys(np.asarray(t)[None], self._time_unit)
@@ -96,7 +96,7 @@ class OnlineCurve:
             else:
                 clock = self._clock
                 time = float(clock.seconds("t", t))
-            self._core.append(time, row, *vectors, {name: float(value) for name, value in settings.items()})
+            self._core.append(time, row, p, w, a, j, {name: float(value) for name, value in settings.items()})
             self._clock = clock
 
     def finish(self) -> None:
