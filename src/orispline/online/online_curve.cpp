@@ -192,12 +192,10 @@ Expected<void> OnlineCurve::sample(std::span<const double> times, const Samples<
 /// Writes a sample at rest, of an end of what is available.
 void OnlineCurve::hold(double end, const Samples<double>& out, std::size_t at) const {
   Motion motion;
-  LinearMotion linear_motion;
-  Samples<double> one{.orientations = {motion.orientation.coeffs().data(), 4}};
-  if (wants_positions(out)) one.positions = {linear_motion.position.data(), 3};
-  segments_->sample({&end, 1}, place_at(end, Side::right), one, 0);
+  segments_->sample({&end, 1}, place_at(end, Side::right), {.orientations = {motion.orientation.coeffs().data(), 4}},
+                    0);
   batch::put(out, at, motion);
-  batch::put(out, at, linear_motion);
+  if (wants_positions(out)) batch::put(out, at, LinearMotion{.position = linear_motion(end)->position});
 }
 
 }  // namespace orispline::inline ORISPLINE_ABI

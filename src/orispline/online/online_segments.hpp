@@ -38,8 +38,8 @@ class OnlineSegments {
 };
 
 /// The samples of a curve on one of its segments, from sample `at` on.
-void sample_on_segment(const PoseCurve& curve, std::size_t segment, std::span<const double> times,
-                       const Samples<double>& out, std::size_t at);
+ORISPLINE_EXPORT void sample_on_segment(const PoseCurve& curve, std::size_t segment, std::span<const double> times,
+                                        const Samples<double>& out, std::size_t at);
 
 /// Segments that blend two or four keys and hold all that they depend on: nothing is allocated after construction. Null
 /// where the method has no such segments, or its keys bring settings of their own.
