@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import dataclasses
+import importlib
 import os
 from typing import TYPE_CHECKING, Any, Sequence
 
@@ -41,8 +42,7 @@ class Comparison:
 
     def to_pandas(self) -> Any:
         """The same as a pandas DataFrame."""
-        import pandas
-        return pandas.DataFrame(self.table())
+        return importlib.import_module("pandas").DataFrame(self.table())
 
     def keys(self, row: int = 0) -> Keys:
         """The keys that the method of a row was given."""

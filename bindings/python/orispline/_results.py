@@ -8,7 +8,7 @@ import datetime
 import functools
 import keyword
 import os
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from ._curve import Curve
 
 Indices = NDArray[np.intp]
+Found = TypeVar("Found", bound="Result")
 
 
 def now() -> str:
@@ -60,7 +61,7 @@ class Result:
         raise NotImplementedError
 
     @classmethod
-    def _of(cls, core: Any, given: Keys, arguments: tuple[Any, ...]) -> Any:
+    def _of(cls: type[Found], core: Any, given: Keys, arguments: tuple[Any, ...]) -> Found:
         kinds = {field["name"]: field["type"] for field in FIELDS[cls._table]} | {"samples": "samples"}
         values = {name + "_" * keyword.iskeyword(name): _as_python(kinds.get(name, ""), value, given)
                   for name, value in core.attributes().items() if name != "keys"}
