@@ -29,7 +29,9 @@ TEST(ReadingOptions, HaveNamesOfTheirOwnAndSayWhatTheyAre) {
     EXPECT_TRUE(names.insert(option.name).second) << option.name;
     EXPECT_FALSE(option.sentence.empty()) << option.name;
     EXPECT_EQ(option_named(reading_options(), option.name), &option);
-    if (!option.member.empty()) EXPECT_EQ(reading_option_of(option.member), &option);
+    if (!option.member.empty()) {
+      EXPECT_EQ(reading_option_of(option.member), &option);
+    }
   }
   EXPECT_EQ(names.size(), 16u);
   EXPECT_EQ(reading_option_of(""), nullptr);
