@@ -114,7 +114,8 @@ def test_keys_are_written_as_the_command_converts_them(path, name, tmp_path):
 
 
 @pytest.mark.parametrize(("options", "words"), [
-    ({"output_format": "euroc"}, ["--output-format", "euroc"]), ({"output_orientation": "matrix"}, ["--output-orientation", "matrix"]),
+    ({"output_format": "euroc"}, ["--output-format", "euroc"]),
+    ({"output_orientation": "matrix"}, ["--output-orientation", "matrix"]),
     ({"output_euler": "XYZ", "output_angle_unit": "rad"}, ["--output-euler", "XYZ", "--output-angle-unit", "rad"]),
     ({"output_conjugate": True}, ["--output-conjugate"])])
 def test_options_of_writing(options, words, tmp_path):
