@@ -118,8 +118,7 @@ TEST(WritingOptions, AskForAnglesByTheirOrderOrTheirUnitAlone) {
   EXPECT_EQ(columns_of_output("a.csv", {{"output_angle_unit", "rad"}})->form.unit, AngleUnit::radians);
   const auto torn = columns_of_output("a.csv", {{"output_orientation", "matrix"}, {"output_angle_unit", "rad"}});
   ASSERT_FALSE(torn);
-  EXPECT_EQ(describe(torn.error()),
-            "output_orientation: found another form than euler, wanted euler with `output_angle_unit`");
+  EXPECT_EQ(describe(torn.error()), "output_orientation: found 'matrix', wanted euler with `output_angle_unit`");
   EXPECT_EQ(describe(columns_of_output("a.tum", {{"output_euler", "xyz"}}).error()),
             "output_euler: a TUM file holds orientations as quaternions only, wanted CSV or NumPy");
   EXPECT_EQ(columns_of_output("a.csv", {{"output_conjugate", ""}})->turning, Turning::world_to_body);
