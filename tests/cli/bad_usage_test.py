@@ -84,7 +84,7 @@ CASES = (
      "keys.csv:2: key 0: a clamped end needs a non-zero tension at that key, found 0"),
     # reading
     (["sample", "", "--rate", "1"], "INPUT: found an empty name, wanted FILE or -"),
-    (["sample", "keys.csv", "--rate", "1", "-o", ""], "-o: found an empty name, wanted FILE or -"),
+    (["sample", "keys.csv", "--rate", "1", "-o", ""], "-o: found an empty name, wanted that of a file"),
     ("inspect keys.csv --tension 1", "found options that shape a curve, but no curve; wanted --method as well"),
     ("sample keys.csv --rate 1 --signs long", "--signs: found 'long', wanted shortest|as-given"),
     ("sample keys.csv --rate 1 --input-format json", "--input-format: found 'json', wanted csv|tum|euroc"),

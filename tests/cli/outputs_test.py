@@ -52,7 +52,7 @@ class Names(CommandTest):
                 done = self.run_command(f"{command.format('keys.csv')} -o {name}")
                 self.assertEqual((done.returncode, done.stderr.splitlines()[0]), (
                     BAD_USAGE, f"orispline: -o: found '{name}', wanted a name that ends in .csv, .tum, .npy or .txt; "
-                               "--output-format FORMAT writes any name"))
+                               "--output-format writes any name"))
                 self.assertFalse((self.folder / name).exists())
         for name in ("x.png", "x.csv", "x.html"):
             self.assert_fails(f"plot keys.csv -o {name}", BAD_USAGE, f"-o: found '{name}', wanted a name that ends in .svg")

@@ -82,8 +82,12 @@ TEST(MethodText, IsSilentAboutWhatOthersSay) {
   EXPECT_EQ(left("tcb:bias=0.5:tension=0.25", {"tension"}), "tcb:bias=0.5");
   EXPECT_EQ(left("squad-timed:variant=boyle", {"variant"}), "squad-timed");
   EXPECT_EQ(left("timed-c2:ends=rest", {"ends", "bias"}), "timed-c2");
-  EXPECT_EQ(left("timed-c2:start_rate=0,0,1:end_rate=0,1,0", {"start_rate"}), "timed-c2:end_rate=0,1,0");
-  EXPECT_EQ(left("timed-c2:start_rate=0,0,1:end_rate=0,1,0", {"end_rate"}), "timed-c2:start_rate=0,0,1");
+  EXPECT_EQ(left("timed-c2:start_rate=0,0,1:end_rate=0,1,0", {"start_rate"}),
+            "timed-c2:ends=none,clamped:end_rate=0,1,0");
+  EXPECT_EQ(left("timed-c2:start_rate=0,0,1:end_rate=0,1,0", {"end_rate"}),
+            "timed-c2:ends=clamped,none:start_rate=0,0,1");
+  const Method open = without(method_from_text("timed-c2:start_rate=0,0,1").value(), std::vector<std::string>{"ends"});
+  EXPECT_EQ(text_of(with_ends(open, "clamped,rest").value()), "timed-c2:ends=clamped,rest:start_rate=0,0,1");
   EXPECT_EQ(left("timed-c2:period=7", {"closed"}), "timed-c2");
   EXPECT_EQ(left("timed-c2:closed", {}), "timed-c2:closed");
 }

@@ -29,7 +29,9 @@ TEST(ReadingOptions, HaveNamesOfTheirOwnAndSayWhatTheyAre) {
     EXPECT_TRUE(names.insert(option.name).second) << option.name;
     EXPECT_FALSE(option.sentence.empty()) << option.name;
     EXPECT_EQ(option_named(reading_options(), option.name), &option);
-    if (!option.member.empty()) EXPECT_EQ(reading_option_of(option.member), &option);
+    if (!option.member.empty()) {
+      EXPECT_EQ(reading_option_of(option.member), &option);
+    }
   }
   EXPECT_EQ(names.size(), 16u);
   EXPECT_EQ(reading_option_of(""), nullptr);
@@ -116,8 +118,7 @@ TEST(WritingOptions, AskForAnglesByTheirOrderOrTheirUnitAlone) {
   EXPECT_EQ(columns_of_output("a.csv", {{"output_angle_unit", "rad"}})->form.unit, AngleUnit::radians);
   const auto torn = columns_of_output("a.csv", {{"output_orientation", "matrix"}, {"output_angle_unit", "rad"}});
   ASSERT_FALSE(torn);
-  EXPECT_EQ(describe(torn.error()),
-            "output_orientation: found another form than euler, wanted euler with `output_angle_unit`");
+  EXPECT_EQ(describe(torn.error()), "output_orientation: found 'matrix', wanted euler with `output_angle_unit`");
   EXPECT_EQ(describe(columns_of_output("a.tum", {{"output_euler", "xyz"}}).error()),
             "output_euler: a TUM file holds orientations as quaternions only, wanted CSV or NumPy");
   EXPECT_EQ(columns_of_output("a.csv", {{"output_conjugate", ""}})->turning, Turning::world_to_body);

@@ -114,7 +114,8 @@ def test_keys_are_written_as_the_command_converts_them(path, name, tmp_path):
 
 
 @pytest.mark.parametrize(("options", "words"), [
-    ({"output_format": "euroc"}, ["--output-format", "euroc"]), ({"output_orientation": "matrix"}, ["--output-orientation", "matrix"]),
+    ({"output_format": "euroc"}, ["--output-format", "euroc"]),
+    ({"output_orientation": "matrix"}, ["--output-orientation", "matrix"]),
     ({"output_euler": "XYZ", "output_angle_unit": "rad"}, ["--output-euler", "XYZ", "--output-angle-unit", "rad"]),
     ({"output_conjugate": True}, ["--output-conjugate"])])
 def test_options_of_writing(options, words, tmp_path):
@@ -130,6 +131,11 @@ def test_files_name_the_method_of_their_keys(file, tmp_path):
     keys = ori.read(path)
     assert keys.curve().method == ori.Curve(keys).method == "tcb:bias=0,0,0.125,0:tension=0,0.5,0.25,0:ends=natural"
     assert "handle" in keys.curve(ends="handle").method and "tension=1:" in keys.curve(tension=1).method
+    clamped = file("# orispline: method=timed-c2:start_rate=0,0,1", *lines, name="clamped.csv")
+    assert ori.read(clamped).curve(ends=("clamped", "rest"), tension=0.4).method == (
+        "timed-c2:tension=0.4:ends=clamped,rest:start_rate=0,0,1")
+    assert ori.read(clamped).curve(start_rate=[0, 1, 0], closed=False, tension=0.4).method == (
+        "timed-c2:tension=0.4:ends=clamped,none:start_rate=0,1,0")
     with pytest.warns(ori.ShapeWarning, match="says that its keys are for tcb:ends=natural, and they are used for auto"):
         assert keys.curve("auto").method == "auto"
     assert ori.read(path, ignore_recipe=True).curve().method == "auto"

@@ -27,8 +27,8 @@ FILES = [
     ("columns of other names", b"when,a,b,c,d\n0,1,0,0,0\n", "(columns=... says which is which)", 1, None),
     ("frames without a rate", b"frame,qw,qx,qy,qz\n0,1,0,0,0\n", "(fps=N)", None, None),
     ("angles without a unit", b"t,roll,pitch,yaw\n0,0,0,90\n", "(angle_unit=deg|rad|mrad|arcsec)", 1, None),
-    ("an unknown method", f"# orispline: method=squadd\n{Q}0,1,0,0,0\n".encode(), "(ignore_recipe=True reads the keys without it)", 1,
-     None),
+    ("an unknown method", f"# orispline: method=squadd\n{Q}0,1,0,0,0\n".encode(),
+     "(ignore_recipe=True reads the keys without it)", 1, None),
 ]
 OPTIONS = [
     ({"order": "wzyx"}, ori.ArgumentError, "order: found 'wzyx', wanted wxyz|xyzw"),

@@ -90,12 +90,16 @@ Keys since(const Keys& keys, const std::string& epoch) {
   return shared(std::move(track));
 }
 
-/// The method that the keys are for, but for what these names say otherwise; `otherwise` where the file names none.
-std::string method_for(const Keys& keys, const std::vector<std::string>& names, const std::string& otherwise) {
+/// The method that the keys are for, `otherwise` where the file names none, but for what these names say otherwise and
+/// with these rules for its ends.
+std::string method_for(const Keys& keys, const std::vector<std::string>& names, const std::string& otherwise,
+                       const std::optional<std::string>& ends) {
   const Track& track = *keys.track;
-  const auto stated = method_of(track.recipe, track.name);
+  auto stated = method_of(track.recipe, track.name);
   if (!stated) raise(in_words(stated.error()));
-  return *stated ? text_of(without(**stated, names)) : otherwise;
+  Method method = *stated ? std::move(**stated) : value_of(method_from_text(otherwise));
+  method = without(std::move(method), names);
+  return text_of(ends ? value_of(with_ends(std::move(method), *ends)) : method);
 }
 
 /// What is to be said where keys of one method's curve are used for another.
@@ -133,7 +137,7 @@ void add_key_origins(nb::module_& module) {
   module.def("keys_from", &from, "keys"_a, "name"_a, "epoch"_a, "lines"_a, "exact_times"_a, "as_read"_a.none(),
              "method"_a, "signs_as_given"_a, "line"_a);
   module.def("keys_since", &since, "keys"_a, "epoch"_a);
-  module.def("method_for_keys", &method_for, "keys"_a, "names"_a, "otherwise"_a);
+  module.def("method_for_keys", &method_for, "keys"_a, "names"_a, "otherwise"_a, "ends"_a.none());
   module.def("recipe_set_aside", &set_aside, "keys"_a, "method"_a);
   module.def("key_statistics", &statistics_of, "keys"_a);
   module.def(

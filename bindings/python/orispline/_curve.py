@@ -75,7 +75,8 @@ class Curve(CurveAnalysis, CurvePictures):
 
     def __init__(self, times: Any, rotations: Any = None, method: str | None = None, *,
                  ends: str | tuple[str, str] | None = None, start_rate: Any = None, end_rate: Any = None,
-                 closed: bool = False, period: float | None = None, extrapolate: str = "hold", positions: Any = None, angular_velocities: Any = None,
+                 closed: bool = False, period: float | None = None, extrapolate: str = "hold",
+                 positions: Any = None, angular_velocities: Any = None,
                  angular_accelerations: Any = None, angular_jerks: Any = None, signs: str = "shortest",
                  scalar_first: bool = False, normalize: bool = False, time_unit: str | None = None,
                  **settings: Any) -> None:

@@ -203,10 +203,12 @@ class Keys:
         """The method's text form; without one that of the file, as far as nothing else is said."""
         shape = {"ends": ends, "start_rate": start_rate, "end_rate": end_rate, "closed": closed or None, "period": period}
         said = [*settings, *(name for name, value in shape.items() if value is not None)]
-        named = _core.method_for_keys(self._core, said, "auto") if method is None else method
-        text = method_text(named, ends, start_rate, end_rate, closed, period, settings)
-        if method is not None:
-            tell(_core.recipe_set_aside(self._core, text))
+        if method is None:
+            rules = ends if ends is None or isinstance(ends, str) else ",".join(ends)
+            named = _core.method_for_keys(self._core, said, "auto", rules)
+            return method_text(named, None, start_rate, end_rate, closed, period, settings)
+        text = method_text(method, ends, start_rate, end_rate, closed, period, settings)
+        tell(_core.recipe_set_aside(self._core, text))
         return text
 
     def _read(self, name: str, otherwise: Any) -> Any:

@@ -93,7 +93,9 @@ Expected<void> check_form(const SampleColumns& columns, const StatedOptions& sta
   const Representation form = columns.form.representation;
   for (const std::string_view name : {"output_euler", "output_angle_unit"})
     if (is_stated(stated, name) && form != Representation::euler)
-      return bad_option("output_orientation", formatted("found another form than euler, wanted euler with `{}`", name));
+      return not_wanted("output_orientation",
+                        std::ranges::find(stated, "output_orientation", &StatedOptions::value_type::first)->second,
+                        formatted("euler with `{}`", name));
   if (columns.format->holds.forms || form == Representation::quaternion) return {};
   auto holding = formats_written();
   std::erase_if(holding, [](const FormatInfo* format) { return !format->holds.forms; });
