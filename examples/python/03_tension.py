@@ -5,7 +5,7 @@ from scipy.spatial.transform import Rotation
 import orispline as ori
 
 yaws = [0.0, 0.4, 0.8, 1.2, 1.6]  # [rad]: a steady pan
-keys = ori.Keys([0.0, 1.0, 2.0, 3.0, 4.0], Rotation.from_euler("z", yaws))
+keys = ori.Keys([0.0, 1.0, 2.0, 3.0, 4.0], Rotation.from_rotvec([[0.0, 0.0, yaw] for yaw in yaws]))
 
 times = [1.0, 1.5, 2.0, 2.5, 3.0]
 print("tension   yaw rate [rad/s] at t = 1.0     1.5     2.0     2.5     3.0 s")

@@ -15,7 +15,7 @@ smoothing = ori.smooth(recording, penalty="jerk")
 print(f"smooth: noise of {np.degrees(smoothing.noise):.1f} degrees per axis")
 
 reduction = ori.reduce(smoothing.keys, tolerance="0.5deg", method="timed-c2")
-within = np.degrees(reduction.deviation.angle) <= 0.5
+within = np.degrees(reduction.error_max) <= 0.5
 print(f"reduce: {len(reduction.keys)} of {len(recording)} keys, {'within half a degree' if within else 'too far'}")
 
 tuning = ori.tune(reduction.keys, "timed-c2", objective="acceleration")

@@ -14,7 +14,7 @@ TYPES = [
     ("include_end", lambda x: CURVE.sample(count=2, include_end=x), ["yes", 2.5]),
     ("closed", lambda x: ori.Curve(T, Q, "timed-c2", closed=x), ["yes", 1]),
     ("period", lambda x: ori.Curve(T, Q, "timed-c2", period=x), ["long", [1.0], True]),
-    ("method", lambda x: ori.Curve(T, Q, x), [3, None, b"auto", ["auto"]]),
+    ("method", lambda x: ori.Curve(T, Q, x), [3, b"auto", ["auto"]]),
     ("ends", lambda x: ori.Curve(T, Q, "timed-c2", ends=x), [3, ("rest", 3), ("rest",), [["rest", "rest"]]]),
     ("scalar_first", lambda x: ori.Keys(T, Q, scalar_first=x), ["yes", 1, None]),
     ("normalize", lambda x: ori.Keys(T, Q, normalize=x), ["yes", 0]),

@@ -63,7 +63,9 @@ nb::object one(const PythonCurve& curve, int asked, double t, bool world, int be
   static const nb::handle empty = nb::object(nb::module_::import_("numpy").attr("empty")).release();  // kept for good
   const nb::object array = empty(quantity.width());
   const auto memory = nb::cast<nb::ndarray<double, nb::ndim<1>, nb::c_contig, nb::device::cpu>>(array);
-  value_of(quantity.at({&t, 1}, memory.data()));
+  auto done = quantity.at({&t, 1}, memory.data());
+  if (!done) done.error().where.time_index.reset();  // there is but one
+  value_of(std::move(done));
   return array;
 }
 

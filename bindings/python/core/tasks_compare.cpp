@@ -53,7 +53,7 @@ Request request_in(const std::optional<std::vector<std::string>>& texts, bool tu
 }
 
 ComparedData data_of(const Keys& keys, const std::optional<Keys>& reference,
-                     const std::optional<Numbers>& reference_times, const std::vector<nb::dict>& decimations) {
+                     const std::optional<Numbers>& reference_times, const std::vector<nb::typed<nb::dict, nb::str, nb::any>>& decimations) {
   if (reference) return value_of(beside_recording(*keys.track, at_times(*reference, reference_times)));
   std::vector<Decimation> each;
   for (const nb::dict& stated : decimations) {
@@ -115,7 +115,7 @@ void measure_all(CompareTask& task, const std::vector<std::pair<ComparedMethod, 
 }
 
 CompareTask compared(const Keys& keys, const std::optional<Keys>& reference,
-                     const std::optional<Numbers>& reference_times, const std::vector<nb::dict>& decimations,
+                     const std::optional<Numbers>& reference_times, const std::vector<nb::typed<nb::dict, nb::str, nb::any>>& decimations,
                      const std::optional<std::vector<std::string>>& texts, bool tune, const std::string& sort,
                      const nb::dict& measured, unsigned threads) {
   Request request = request_in(texts, tune, sort, measured, threads);

@@ -129,7 +129,8 @@ class CurveStack:
         """Samples at even times or at given ones, as of `Curve.sample`: (k,) times, (k, m, 4) orientations and (k, m, 3)
         rates."""
         seconds = self._curves[0]._times_wanted(rate, count, times, start, end, include_end, derivatives)
-        rows = [output("dtype", None, (len(seconds), len(self), width), dtype) for width in (4, 3, 3, 3)[:derivatives + 1]]
+        rows: list[Any] = [output("dtype", None, (len(seconds), len(self), width), dtype)
+                           for width in (4, 3, 3, 3)[:derivatives + 1]]
         self._fill(seconds, rows, frame, threads)
         if self._curves[0]._scalar_first:
             rows[0] = np.ascontiguousarray(rows[0][..., [3, 0, 1, 2]])
