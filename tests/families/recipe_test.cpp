@@ -43,6 +43,8 @@ TEST(Recipe, SaysWhereTheCurveOfAnotherMethodIsAskedFor) {
   EXPECT_EQ(describe(recipe_set_aside(recipe, "auto", "keys.csv").value()),
             "keys.csv:1: the file says that its keys are for slerp, and they are used for auto");
   EXPECT_FALSE(recipe_set_aside(recipe, "slerp", "keys.csv"));
+  EXPECT_EQ(describe(recipe_set_aside({.method = "slerp"}, "auto", "").value()),
+            "these keys are for slerp, and they are used for auto");
   EXPECT_FALSE(recipe_set_aside({}, "slerp", "keys.csv"));
 }
 

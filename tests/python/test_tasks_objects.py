@@ -140,3 +140,13 @@ def test_page_of_a_comparison_is_written_or_says_why_not(tmp_path):
 def test_members_of_a_comparison_with_the_command():
     assert set(ori.compare(keys_in(FLIGHT), "auto", keep_every=2).table()[0]) == \
         set(json_of("compare", FLIGHT, "--methods", "auto", "--keep-every", "2")[0])
+
+
+def test_keys_of_a_task_know_their_method():
+    tuning = ori.tune(ori.read(EXAMPLES / "flight_keys.csv"), "quintic")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert tuning.curve.method.startswith("quintic:tension=")
+        assert tuning.keys.curve().method == tuning.curve.method
+    with pytest.warns(ori.ShapeWarning, match="^these keys are for quintic, and they are used for auto$"):
+        ori.Curve(tuning.keys, method="auto")

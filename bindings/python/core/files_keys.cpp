@@ -105,10 +105,10 @@ std::string method_for(const Keys& keys, const std::vector<std::string>& names, 
 /// What is to be said where keys of one method's curve are used for another.
 nb::list set_aside(const Keys& keys, const std::string& method) {
   const Track& track = *keys.track;
+  const Method used = value_of(method_from_text(method));
   std::vector<Warning> warnings;
-  if (!track.recipe.method.empty())
-    if (const auto warning = recipe_set_aside(track.recipe, value_of(method_from_text(method)), track.name))
-      warnings.push_back(*warning);
+  if (!track.recipe.is_empty() && recipe_for(used, track).method != track.recipe.method)  // whose settings are columns
+    if (const auto warning = recipe_set_aside(track.recipe, used, track.name)) warnings.push_back(*warning);
   return told(warnings);
 }
 

@@ -28,10 +28,11 @@ Expected<std::optional<Method>> method_of(const Recipe& recipe, std::string_view
 std::optional<Warning> recipe_set_aside(const Recipe& recipe, const Method& used, std::string_view file) {
   const auto stated = recipe.method.empty() ? Expected<Method>(used) : method_from_text(recipe.method);
   if (stated && text_of(*stated) == text_of(used)) return std::nullopt;
+  const bool is_from_file = recipe.line > 0;
   return Warning{.code = "recipe_set_aside",
-                 .message = formatted("the file says that its keys are for {}, and they are used for {}", recipe.method,
-                                      text_of(used)),
-                 .where = {.file = std::string(file), .line = recipe.line}};
+                 .message = formatted("{} keys are for {}, and they are used for {}",
+                                      is_from_file ? "the file says that its" : "these", recipe.method, text_of(used)),
+                 .where = is_from_file ? Where{.file = std::string(file), .line = recipe.line} : Where{}};
 }
 
 }  // namespace orispline::inline ORISPLINE_ABI
