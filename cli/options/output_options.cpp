@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/curve/track.hpp>
 
 #include "options/file_places.hpp"
 

@@ -4,6 +4,7 @@
 #include "options/method_options.hpp"
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/curve/extrapolation.hpp>
 
 namespace orispline::cli {
 namespace {
