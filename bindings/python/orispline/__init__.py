@@ -8,11 +8,11 @@
 """
 from __future__ import annotations
 
-from typing import Any
+import importlib
+from typing import TYPE_CHECKING, Any
 
 from . import _core
 from ._baked import BakedCurve
-from ._comparison import Comparison, compare
 from ._curve import Curve
 from ._errors import AccessError, ArgumentError, ConvergenceError, DataError, Error, ShapeWarning
 from ._files import read, write
@@ -20,11 +20,14 @@ from ._keys import Keys, KeyStatistics, Spread
 from ._measures import DistanceStatistics, Energies, HandleTurn, Peak, Peaks
 from ._online import OnlineCurve
 from ._pictures import plot_comparison, plot_sphere
-from ._results import Certificate, Reduction, Retiming, Smoothing, Tuning
 from ._samples import Motion, Samples
 from ._scipy_twins import RotationSpline, Slerp
 from ._stack import CurveStack
-from ._tasks import reduce, reduce_tracks, retime, smooth, tune
+
+if TYPE_CHECKING:
+    from ._comparison import Comparison, compare
+    from ._results import Certificate, Reduction, Retiming, Smoothing, Tuning
+    from ._tasks import reduce, reduce_tracks, retime, smooth, tune
 
 __all__ = ["AccessError", "ArgumentError", "BakedCurve", "Certificate", "Comparison", "ConvergenceError", "Curve", "CurveStack",
            "DataError", "DistanceStatistics", "Energies", "Error", "HandleTurn", "KeyStatistics", "Keys", "Motion", "OnlineCurve",
@@ -32,6 +35,22 @@ __all__ = ["AccessError", "ArgumentError", "BakedCurve", "Certificate", "Compari
            "Tuning", "compare", "methods", "plot_comparison", "plot_sphere", "read", "reduce", "reduce_tracks", "retime",
            "smooth", "tune", "write"]
 __version__: str = _core.version
+
+# Tasks are imported when they are first asked for, so that a curve does not wait for them.
+_ROOMS = {"_comparison": ("Comparison", "compare"), "_results": ("Certificate", "Reduction", "Retiming", "Smoothing", "Tuning"),
+          "_tasks": ("reduce", "reduce_tracks", "retime", "smooth", "tune")}
+
+
+def __getattr__(name: str) -> Any:
+    for room, names in _ROOMS.items():
+        if name in names:
+            found = globals()[name] = getattr(importlib.import_module(f"{__name__}.{room}"), name)
+            return found
+    raise AttributeError(f"module 'orispline' has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})
 
 
 def methods() -> list[dict[str, Any]]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import pathlib
 from typing import TYPE_CHECKING, Any, Iterable, Mapping, Sequence
 
 import numpy as np
@@ -16,6 +15,8 @@ from ._errors import ArgumentError, DataError
 from ._keys import Keys, _span
 
 if TYPE_CHECKING:
+    import pathlib
+
     from ._curve import Curve
 
 AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
@@ -73,6 +74,7 @@ class CurvePictures:
     def show(self, *, title: str = "", inertia: Any = None) -> pathlib.Path:
         """Writes the page of `report` into a temporary file and opens it in the browser. Returns the path of the file, which
         stays there."""
+        import pathlib
         import tempfile
         import webbrowser
         handle, name = tempfile.mkstemp(prefix="orispline-", suffix=".html")
