@@ -12,3 +12,10 @@ napoleon_google_docstring = False
 html_theme = "furo"
 html_title = f"orispline {release}"
 html_show_copyright = False
+
+
+def setup(app):
+    """Lets |ω| be what it is: reStructuredText would put something else in its place."""
+    def escape(app, what, name, thing, options, lines):
+        lines[:] = [line if line.lstrip().startswith((">>>", "...")) else line.replace("|", r"\|") for line in lines]
+    app.connect("autodoc-process-docstring", escape)
