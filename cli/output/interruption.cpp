@@ -5,6 +5,7 @@
 #include <array>
 #include <csignal>
 #include <mutex>
+#include <thread>
 
 #include <unistd.h>
 
@@ -20,16 +21,19 @@ constexpr std::array polite{SIGINT, SIGTERM, SIGHUP};
 
 std::array<Place, 1000> unfinished{};  // null: nothing to remove
 
-std::mutex noting;               // of the threads that work side by side
-std::atomic<int> opening = 0;    // files that may be there without their note
-std::atomic<int> postponed = 0;  // the signal that came meanwhile
+std::mutex noting;                 // of the threads that work side by side
+std::atomic<int> opening = 0;      // files that may be there without their note
+std::atomic<int> postponed = 0;    // the signal that came meanwhile
+std::atomic<bool> ending = false;  // no file may come to be any more
 static_assert(std::atomic<int>::is_always_lock_free);
 
 bool is_free(const Place& place) { return place.load() == nullptr; }
 
 void remove_and_end(int signal) {
+  ending = true;
   if (opening.load() > 0) {  // in another thread
     postponed = signal;
+    ending = false;
     return;
   }
   for (const Place& place : unfinished)
@@ -47,11 +51,16 @@ void on_interruption(void (*handler)(int)) {
 
 InterruptionHeld::InterruptionHeld(const std::string& output) : is_held_(!io::is_stream(output)) {
   if (!is_held_) return;
-  ++opening;
   sigset_t held;
   sigemptyset(&held);
   for (const int signal : polite) sigaddset(&held, signal);
   pthread_sigmask(SIG_BLOCK, &held, &before_);
+  static std::once_flag once;
+  std::call_once(once, on_interruption, remove_and_end);
+  for (++opening; ending; ++opening) {  // another thread removes files, and ends the program
+    --opening;
+    std::this_thread::yield();
+  }
 }
 
 InterruptionHeld::~InterruptionHeld() {
@@ -67,14 +76,12 @@ RemovedWhenInterrupted::RemovedWhenInterrupted(const std::string& path) : path_(
   if (path_.empty() || place == unfinished.end()) return;
   place_ = &*place;
   *place_ = path_.c_str();
-  on_interruption(remove_and_end);
 }
 
 RemovedWhenInterrupted::~RemovedWhenInterrupted() {
   if (place_ == nullptr) return;
   const std::scoped_lock lock(noting);
   *place_ = nullptr;
-  if (std::ranges::all_of(unfinished, is_free)) on_interruption(SIG_DFL);
 }
 
 }  // namespace orispline::cli
