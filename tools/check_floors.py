@@ -89,7 +89,7 @@ def functions(path, text):
     """(first line, last line) of every function; in C++ of every block that follows a parameter list or a condition. The
     lines of a docstring do not count."""
     if path.endswith(".py"):
-        return [(f.lineno + len((ast.get_docstring(f, clean=False) or "").splitlines()), f.end_lineno)
+        return [(f.lineno, f.end_lineno - len((ast.get_docstring(f, clean=False) or "").splitlines()))
                 for f in ast.walk(ast.parse(text)) if isinstance(f, ast.FunctionDef)]
     text = SILENT.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), text)
     found, starts, head = [], [], 0

@@ -42,9 +42,10 @@ void remove_and_end(int signal) {
   std::raise(signal);
 }
 
-void on_interruption(void (*handler)(int)) {
+void watch_interruptions() {
   for (const int signal : polite)
-    if (std::signal(signal, handler) == SIG_IGN) std::signal(signal, SIG_IGN);  // as a caller like nohup wants it
+    if (std::signal(signal, remove_and_end) == SIG_IGN)
+      std::signal(signal, SIG_IGN);  // as a caller like nohup wants it
 }
 
 }  // namespace
@@ -56,7 +57,7 @@ InterruptionHeld::InterruptionHeld(const std::string& output) : is_held_(!io::is
   for (const int signal : polite) sigaddset(&held, signal);
   pthread_sigmask(SIG_BLOCK, &held, &before_);
   static std::once_flag once;
-  std::call_once(once, on_interruption, remove_and_end);
+  std::call_once(once, watch_interruptions);
   for (++opening; ending; ++opening) {  // another thread removes files, and ends the program
     --opening;
     std::this_thread::yield();

@@ -14,6 +14,7 @@
 #include "arrays.hpp"
 #include "errors.hpp"
 #include "quantity.hpp"
+#include "sample_memory.hpp"
 
 using namespace nanobind::literals;
 
@@ -41,9 +42,6 @@ const CompiledCurve<double>& PythonCurve::compiled() const {
 }
 
 namespace {
-
-template <class T>
-using Memory = nb::ndarray<T, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
 
 /// One quantity at many times, into memory of NumPy: (n, 4) or (n, 3).
 template <class T>
@@ -92,16 +90,8 @@ void fill(const PythonCurve& curve, const Numbers& numbers, const Memory<T>& ori
           const std::optional<Memory<T>>& angular_jerks, const std::optional<Memory<T>>& positions,
           const std::optional<Memory<T>>& velocities, const std::optional<Memory<T>>& accelerations, bool world,
           int beyond, unsigned threads) {
-  const auto span = [](const std::optional<Memory<T>>& memory) {
-    return memory ? std::span<T>(memory->data(), memory->size()) : std::span<T>();
-  };
-  const Samples<T> out{.orientations = {orientations.data(), orientations.size()},
-                       .angular_velocities = span(angular_velocities),
-                       .angular_accelerations = span(angular_accelerations),
-                       .angular_jerks = span(angular_jerks),
-                       .positions = span(positions),
-                       .velocities = span(velocities),
-                       .accelerations = span(accelerations)};
+  const Samples<T> out = samples_in<T>(orientations, angular_velocities, angular_accelerations, angular_jerks, positions,
+                                        velocities, accelerations);
   Expected<void> done;
   {
     const nb::gil_scoped_release release;

@@ -12,12 +12,10 @@
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
-#include <orispline/base/fraction.hpp>
-#include <orispline/batch/sample_grid.hpp>
-
 #include "arrays.hpp"
 #include "errors.hpp"
 #include "files.hpp"
+#include "grid.hpp"
 
 using namespace nanobind::literals;
 
@@ -26,8 +24,8 @@ namespace {
 
 using Text = std::optional<std::string>;
 
-/// Rate, count, start, end, whether the end is a sample too; of a curve that begins and ends there.
-using GridText = std::tuple<Text, std::optional<std::size_t>, Text, Text, bool, double, double>;
+/// A GridText, and where the curve begins and ends.
+using StatedGrid = std::tuple<Text, std::optional<std::size_t>, Text, Text, bool, double, double>;
 
 /// What samples have beside orientations, and nothing where they do not: three rates, a position and its two rates.
 using Columns = std::array<std::optional<Rows3>, 6>;
@@ -39,33 +37,16 @@ struct Times {
   std::optional<SampleGrid> grid{};
 };
 
-Expected<std::optional<Decimal>> decimal_in(const Text& text) {
-  if (!text) return std::optional<Decimal>();
-  return Decimal::parse(*text).map([](const Decimal& number) { return std::optional(number); });
-}
-
-Expected<Times> times_of(const std::string& epoch_text, const std::optional<GridText>& stated) {
+Expected<Times> times_of(const std::string& epoch_text, const std::optional<StatedGrid>& stated) {
   const auto epoch = Decimal::parse(epoch_text);
   if (!epoch) return tl::unexpected(epoch.error());
   if (!stated) return Times{TimeOrigin(*epoch), TimeOrigin(*epoch)};
-  const auto& [rate, count, start_text, end_text, include_end, first, last] = *stated;
-  const auto start = decimal_in(start_text), end = decimal_in(end_text);
-  if (!start) return tl::unexpected(start.error());
-  if (!end) return tl::unexpected(end.error());
-  SampleGrid::Request request{
-      .spacing = SampleGrid::Count{count.value_or(0)},
-      .start = *start,
-      .end = *end,
-      .last = include_end ? SampleGrid::LastSample::at_end : SampleGrid::LastSample::before_end};
-  if (rate) {
-    const auto hertz = Fraction::parse(*rate);
-    if (!hertz) return tl::unexpected(hertz.error());
-    request.spacing = SampleRate{hertz->numerator().to_double(), hertz->denominator().to_double()};
-  }
-  const Decimal begin = start->value_or(Decimal::from_double(first));
-  return SampleGrid::make(request, first, last).map([&](const SampleGrid& grid) {
-    return Times{TimeOrigin(*epoch), TimeOrigin(*epoch + begin), grid};
-  });
+  const auto& [rate, count, start, end, include_end, first, last] = *stated;
+  const GridText text{rate, count, start, end, include_end};
+  auto grid = text.grid(first, last);
+  if (!grid) return tl::unexpected(std::move(grid.error()));
+  const Decimal begin = text.begin().value().value_or(Decimal::from_double(first));  // which the grid has read already
+  return Times{TimeOrigin(*epoch), TimeOrigin(*epoch + begin), std::move(*grid)};
 }
 
 Eigen::Vector3d row(const std::optional<Rows3>& rows, std::size_t k) {
@@ -111,7 +92,7 @@ Expected<void> write_rows(io::SampleWriter& writer, io::SampleColumns columns, c
 }
 
 void write(const std::string& path, const io::StatedOptions& stated, const std::string& like, const std::string& epoch,
-           const std::optional<GridText>& grid, bool world, const Numbers& seconds, const Rows4& orientations,
+           const std::optional<StatedGrid>& grid, bool world, const Numbers& seconds, const Rows4& orientations,
            const Columns& there) {
   const auto done = [&]() -> Expected<void> {
     const nb::gil_scoped_release release;
@@ -143,7 +124,7 @@ void add_sample_writing(nb::module_& module) {
   module.def(
       "write_samples",
       [](const std::string& path, const io::StatedOptions& stated, const std::string& like, const std::string& epoch,
-         const std::optional<GridText>& grid, bool world, const Numbers& seconds, const Rows4& orientations,
+         const std::optional<StatedGrid>& grid, bool world, const Numbers& seconds, const Rows4& orientations,
          const std::optional<Rows3>& angular_velocities, const std::optional<Rows3>& angular_accelerations,
          const std::optional<Rows3>& angular_jerks, const std::optional<Rows3>& positions,
          const std::optional<Rows3>& velocities, const std::optional<Rows3>& accelerations) {

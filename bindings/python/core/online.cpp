@@ -14,6 +14,7 @@
 
 #include "arrays.hpp"
 #include "errors.hpp"
+#include "sample_memory.hpp"
 #include "keys.hpp"
 
 using namespace nanobind::literals;
@@ -23,7 +24,6 @@ namespace {
 
 using Four = nb::ndarray<const double, nb::shape<4>, nb::c_contig, nb::device::cpu>;
 using Three = nb::ndarray<const double, nb::shape<3>, nb::c_contig, nb::device::cpu>;
-using Memory = nb::ndarray<double, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
 
 /// `with_keys`: the settings that come with the keys.
 OnlineCurve made(const std::string& text, const std::vector<std::string>& with_keys, std::size_t capacity,
@@ -55,20 +55,12 @@ std::optional<std::pair<double, double>> available(const OnlineCurve& curve) {
 }
 
 /// Orientations, and where there is room for them rates and positions, into memory of NumPy.
-void fill(const OnlineCurve& curve, const Numbers& times, const Memory& orientations,
-          const std::optional<Memory>& angular_velocities, const std::optional<Memory>& angular_accelerations,
-          const std::optional<Memory>& angular_jerks, const std::optional<Memory>& positions,
-          const std::optional<Memory>& velocities, const std::optional<Memory>& accelerations) {
-  const auto span = [](const std::optional<Memory>& memory) {
-    return memory ? std::span<double>(memory->data(), memory->size()) : std::span<double>();
-  };
-  const Samples<double> out{.orientations = {orientations.data(), orientations.size()},
-                            .angular_velocities = span(angular_velocities),
-                            .angular_accelerations = span(angular_accelerations),
-                            .angular_jerks = span(angular_jerks),
-                            .positions = span(positions),
-                            .velocities = span(velocities),
-                            .accelerations = span(accelerations)};
+void fill(const OnlineCurve& curve, const Numbers& times, const Memory<double>& orientations,
+          const std::optional<Memory<double>>& angular_velocities, const std::optional<Memory<double>>& angular_accelerations,
+          const std::optional<Memory<double>>& angular_jerks, const std::optional<Memory<double>>& positions,
+          const std::optional<Memory<double>>& velocities, const std::optional<Memory<double>>& accelerations) {
+  const Samples<double> out = samples_in<double>(orientations, angular_velocities, angular_accelerations, angular_jerks, positions,
+                                        velocities, accelerations);
   const auto done = [&] {
     const nb::gil_scoped_release release;
     return curve.sample(span_of(times), out);

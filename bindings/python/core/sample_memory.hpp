@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include <orispline/batch/sample.hpp>
+
+#include "arrays.hpp"
+
+namespace orispline::python {
+
+/// Rows of NumPy that samples are written to.
+template <class T>
+using Memory = nb::ndarray<T, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
+
+/// Room for samples in arrays of NumPy; where there is none, nothing is wanted.
+template <class T>
+[[nodiscard]] Samples<T> samples_in(const Memory<T>& orientations, const std::optional<Memory<T>>& angular_velocities,
+                                    const std::optional<Memory<T>>& angular_accelerations,
+                                    const std::optional<Memory<T>>& angular_jerks,
+                                    const std::optional<Memory<T>>& positions,
+                                    const std::optional<Memory<T>>& velocities,
+                                    const std::optional<Memory<T>>& accelerations) {
+  const auto span = [](const std::optional<Memory<T>>& memory) {
+    return memory ? std::span<T>(memory->data(), memory->size()) : std::span<T>();
+  };
+  return {.orientations = {orientations.data(), orientations.size()},
+          .angular_velocities = span(angular_velocities),
+          .angular_accelerations = span(angular_accelerations),
+          .angular_jerks = span(angular_jerks),
+          .positions = span(positions),
+          .velocities = span(velocities),
+          .accelerations = span(accelerations)};
+}
+
+}  // namespace orispline::python
