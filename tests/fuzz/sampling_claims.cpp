@@ -90,7 +90,10 @@ std::array<double, 4> allowed(const AnyCurve& curve, std::size_t segment, const 
 }
 
 template <class T>
-constexpr double largest_error_of_norm = 64.0 * std::numeric_limits<T>::epsilon();
+constexpr double largest_error_of_norm = 64.0 * static_cast<double>(std::numeric_limits<T>::epsilon());
+
+template <class T>
+constexpr double largest_number = static_cast<double>(std::numeric_limits<T>::max());
 
 /// Of an orientation [rad]: segments that turn by more than a million radians have no meaning in a float.
 constexpr double largest_rounding = 0.1;
@@ -114,7 +117,7 @@ void claim_agreement_at(const AnyCurve& curve, std::span<const double> times) {
     const auto limit = allowed<T>(curve, segment, m);
     if (limit[0] > largest_rounding) continue;
     for (std::size_t k = 0; k < 4; ++k) {
-      if (largest[k] > double{std::numeric_limits<T>::max()} / 16.0) break;  // the products on the way there are larger
+      if (largest[k] > largest_number<T> / 16.0) break;  // the products on the way there are larger
       claim(off[k] <= limit[k], "order {} of a sample ({} bytes a number) at t = {} is off by {}, allowed {}", k,
             sizeof(T), times[i], off[k], limit[k]);
     }
