@@ -53,7 +53,7 @@ TEST(SampleGrid, FillsWithTheTimesThatItHasOneByOne) {
               ASSERT_EQ(times[k], (*grid)[first + k].t) << start << ' ' << first + k;
           }
         }
-  const SampleGrid steps(0.5, 0.1);
+  const SampleGrid steps(0.5, {0.1});
   std::vector<double> times(10);
   steps.fill(5, times);
   for (std::uint64_t k = 0; k < 10; ++k) EXPECT_EQ(times[k], steps[5 + k].t);
@@ -119,7 +119,9 @@ TEST(SampleGrid, RefusesMoreSamplesThanDoublesCanTellApart) {
 TEST(SampleGrid, FindsTheFirstSampleFromATimeOn) {
   std::mt19937_64 random(41);
   std::uniform_real_distribution<double> anywhere(-1.0, 9.0);
-  const std::vector<SampleGrid> grids{SampleGrid(0.3, 0.07), SampleGrid(1e9, 1e-8),
+  const std::vector<SampleGrid> grids{SampleGrid(0.3, {0.07}),
+                                      SampleGrid(1e9, {1e-8}),
+                                      SampleGrid(-7.0, {1001.0, 30000.0}),
                                       SampleGrid::make({.spacing = Rate{11.0}}, 0.3, 7.9).value(),
                                       SampleGrid::make({.spacing = Rate{11.0}}, 0.3, {}).value(),
                                       SampleGrid::make({.spacing = Count{40}}, 0.3, 7.9).value()};

@@ -116,6 +116,9 @@ TEST(TrackBatch, CountsTheSamplesAndFillsColumnsOfTheCaller) {
   bad.orientations[2] = bad.orientations[2].first(size - 1);
   EXPECT_EQ(batch.take(bad).error().message,
             "found a column for " + std::to_string(size - 1) + " samples, wanted one for " + std::to_string(size));
+  std::vector<double> more(size + 1);
+  EXPECT_EQ(batch.take({.orientations = {more, more, more, more}}).error().message,
+            "found columns for " + std::to_string(size + 1) + " samples, wanted " + std::to_string(size) + " at most");
   bad = columns;
   bad.positions[1] = {};
   EXPECT_EQ(batch.take(bad).error().message, "found a column for 0 samples, wanted one for " + std::to_string(size));
@@ -123,7 +126,55 @@ TEST(TrackBatch, CountsTheSamplesAndFillsColumnsOfTheCaller) {
   for (std::size_t c = 0; c < 4; ++c) EXPECT_EQ(own[c], wanted.orientations[c]);
   for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(own[4 + c], wanted.positions[c]);
   for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(own[7 + c], wanted.velocities[c]);
+  EXPECT_EQ(batch.left(), 0u);
   EXPECT_FALSE(batch.take(columns));
+}
+
+TEST(TrackBatch, GivesItsSamplesInPartsAcrossTheEndsOfTracks) {
+  const Tracks tracks({30, 0, 700, 2, 1, 90});
+  const SampledTracks wanted =
+      sample_tracks("auto", tracks.columns(), {.step = step}, {.angular_velocities = true}).value();
+  for (const std::size_t part : {std::size_t{1}, std::size_t{37}, std::size_t{2500}}) {
+    TrackBatch batch = TrackBatch::make("auto", tracks.columns(), {.step = step}).value();
+    const std::size_t size = batch.size();
+    std::vector<std::vector<double>> own(8, std::vector<double>(size));
+    for (std::size_t first = 0; first < size; first += part) {
+      const std::size_t count = std::min(part, size - first);
+      const auto room = [&](std::size_t i) { return std::span(own[i]).subspan(first, count); };
+      ASSERT_EQ(batch.left(), size - first);
+      ASSERT_TRUE(batch.take({.times = room(0),
+                              .orientations = {room(1), room(2), room(3), room(4)},
+                              .angular_velocities = {room(5), room(6), room(7)}},
+                             {.threads = 1 + static_cast<unsigned>(first % 2)}));
+    }
+    EXPECT_EQ(own[0], wanted.times);
+    for (std::size_t c = 0; c < 4; ++c) EXPECT_EQ(own[1 + c], wanted.orientations[c]);
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(own[5 + c], wanted.angular_velocities[c]);
+  }
+}
+
+TEST(TrackBatch, GivesTheSamplesOfOneTrackByColumns) {
+  const Tracks tracks({2000});
+  const SampledTracks wanted = sample_tracks("auto", tracks.columns(), {.step = step}, {.velocities = true}).value();
+  for (const unsigned threads : {1u, 3u}) {
+    TrackSampler sampler = TrackSampler::make("auto", {.step = step}).value();
+    ASSERT_TRUE(sampler.append(tracks.data[0]));
+    ASSERT_TRUE(sampler.finish());
+    const std::size_t size = wanted.times.size();
+    std::vector<std::vector<double>> own(8, std::vector<double>(size));
+    const auto columns = [&](std::size_t first, std::size_t count) {
+      const auto room = [&](std::size_t i) { return std::span(own[i]).subspan(first, count); };
+      return TrackSampleColumns{.times = room(0),
+                                .orientations = {room(1), room(2), room(3), room(4)},
+                                .velocities = {room(5), room(6), room(7)}};
+    };
+    ASSERT_TRUE(take_columns(sampler, columns(0, 5), {.threads = threads}));
+    EXPECT_FALSE(take_columns(sampler, columns(0, size), {.threads = threads}));
+    ASSERT_TRUE(take_columns(sampler, columns(5, size - 5), {.threads = threads}));
+    EXPECT_EQ(own[0], wanted.times);
+    for (std::size_t c = 0; c < 4; ++c) EXPECT_EQ(own[1 + c], wanted.orientations[c]);
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(own[5 + c], wanted.velocities[c]);
+  }
 }
 
 TEST(SampleTracks, ShowsTheShareOfTheTracksAndStops) {

@@ -28,6 +28,8 @@ TrackSampler fed(std::string_view method, std::size_t keys, const TrackOptions& 
 TEST(TrackSampler, RefusesOptionsWithWhatWasWanted) {
   for (const double step : {0.0, -1.0, nan, std::numeric_limits<double>::infinity()})
     EXPECT_EQ(TrackSampler::make("auto", {.step = step}).error().code, ErrorCode::bad_argument);
+  for (const double parts : {0.0, -1.0, nan, std::numeric_limits<double>::infinity()})
+    EXPECT_EQ(TrackSampler::make("auto", {.parts = parts}).error().code, ErrorCode::bad_argument);
   EXPECT_EQ(refusal(TrackSampler::make("auto", {.step = 1.0, .start = nan})),
             "the grid starts at nan s with the step 1 s, wanted finite numbers and a step greater than 0");
   EXPECT_EQ(refusal(TrackSampler::make("auto", {}, {.gap = 0.0})), "the gap is 0 s, wanted more than 0");

@@ -153,6 +153,17 @@ TEST(TrackSampler, SamplesOnAGridThatStartsElsewhere) {
   }
 }
 
+TEST(TrackSampler, SamplesAtTimesThatAreRoundedOnce) {
+  const KeyframeData data = raw_walk(818, 50);
+  const PoseCurve whole = make_pose_curve("auto", keyframes(data, Signs::shortest)).value();
+  const TrackSampler sampler = TrackSampler::make("auto", {.step = 1001.0, .parts = 30000.0, .start = 0.0}).value();
+  const TrackSamples samples = streamed(sampler, data, {}, 819);
+  EXPECT_TRUE(samples == of_whole(whole, 0.0, 1001.0, 30000.0));
+  const double first = std::round(samples.times[0] * 30000.0 / 1001.0);
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    EXPECT_EQ(samples.times[i], (first + static_cast<double>(i)) * 1001.0 / 30000.0);
+}
+
 TEST(TrackSampler, BeginsANewCurveAfterAGap) {
   KeyframeData data = raw_walk(820, 60);
   const std::vector<std::size_t> ends{0, 13, 14, 37, 60};

@@ -44,11 +44,12 @@ struct TrackSamples {
 }
 
 /// What sample() takes of the whole curve at the times of the grid that it covers.
-[[nodiscard]] inline TrackSamples of_whole(const PoseCurve& curve, double start, double step) {
+[[nodiscard]] inline TrackSamples of_whole(const PoseCurve& curve, double start, double step, double parts = 1.0) {
   const Domain domain = curve.orientation.domain();
+  const auto time = [&](std::size_t k) { return static_cast<double>(k) * step / parts + start; };
   std::vector<double> times;
-  for (std::size_t k = 0; static_cast<double>(k) * step + start <= domain.end; ++k)
-    if (const double t = static_cast<double>(k) * step + start; t >= domain.start) times.push_back(t);
+  for (std::size_t k = 0; time(k) <= domain.end; ++k)
+    if (time(k) >= domain.start) times.push_back(time(k));
   TrackSamples samples;
   const Samples<double> room = samples.grow(times.size(), curve.position.has_value());
   const auto sampled = sample<double>(curve, times, room);

@@ -23,6 +23,7 @@ void add_curve(nanobind::module_& module);
 void add_methods(nanobind::module_& module);
 void add_online(nanobind::module_& module);
 void add_stack(nanobind::module_& module);
+void add_tracks(nanobind::module_& module);
 void add_files(nanobind::module_& module);
 
 }  // namespace orispline::python

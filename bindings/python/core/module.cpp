@@ -14,6 +14,7 @@ NB_MODULE(_core, module) {
   orispline::python::add_methods(module);
   orispline::python::add_online(module);
   orispline::python::add_stack(module);
+  orispline::python::add_tracks(module);
   orispline::python::add_files(module);
   orispline::python::add_fields(module);
   orispline::python::add_smooth(module);

@@ -21,7 +21,7 @@ double end_tolerance(double intervals) {
 
 }  // namespace
 
-SampleGrid::SampleGrid(double start, double step) : SampleGrid(Step{step}, Decimal::from_double(start), start) {}
+SampleGrid::SampleGrid(double start, Step step) : SampleGrid(Spacing(step), Decimal::from_double(start), start) {}
 
 Expected<SampleGrid> SampleGrid::make(const Request& request, double curve_start, std::optional<double> curve_end) {
   const Decimal start = request.start.value_or(Decimal::from_double(curve_start));
@@ -67,7 +67,7 @@ double SampleGrid::offset(std::uint64_t k) const noexcept {
   if (end_ && k == end_->index) return end_->span;
   const auto steps = static_cast<double>(k);
   if (const auto* const rate = std::get_if<Rate>(&spacing_)) return steps * rate->seconds / rate->hertz;
-  if (const auto* const step = std::get_if<Step>(&spacing_)) return steps * step->seconds;
+  if (const auto* const step = std::get_if<Step>(&spacing_)) return steps * step->seconds / step->parts;
   const auto samples = static_cast<double>(std::get<Count>(spacing_).samples - 1);
   return end_ ? end_->span * steps / samples : infinity;
 }
@@ -109,7 +109,7 @@ std::uint64_t SampleGrid::guess(double t, std::uint64_t limit) const noexcept {
   const double behind = t - start_seconds_;
   double k = 0.0;
   if (const auto* const rate = std::get_if<Rate>(&spacing_)) k = behind * rate->per_second();
-  else if (const auto* const step = std::get_if<Step>(&spacing_)) k = behind / step->seconds;
+  else if (const auto* const step = std::get_if<Step>(&spacing_)) k = behind / step->seconds * step->parts;
   else if (end_) k = behind / end_->span * static_cast<double>(limit - 1);
   return k > 0.0 ? static_cast<std::uint64_t>(std::min(std::floor(k), static_cast<double>(limit - 1))) : 0;
 }

@@ -28,11 +28,12 @@ struct SampleRate {
 ///
 /// The grid of a rate or a count begins at an exact decimal: sample k is at the double nearest to the sum of that and
 /// its offset, the last one at the double nearest to the end where the grid meets it. A grid of steps has the times
-/// k * step + start, computed as written, and no end.
+/// k * step / parts + start, computed as written, and no end.
 class ORISPLINE_EXPORT SampleGrid {
  public:
   struct Step {
     double seconds;
+    double parts = 1.0;  ///< samples in it: thirtieths of a second are no doubles, but k / 30 is rounded once
   };
   /// From the start on as long as the end is not passed; a sample within 1e-9 of an interval of it is the end.
   using Rate = SampleRate;
@@ -52,7 +53,7 @@ class ORISPLINE_EXPORT SampleGrid {
   static constexpr double most_samples = 9e15;
 
   /// A grid of steps, which are greater than 0.
-  SampleGrid(double start, double step);
+  SampleGrid(double start, Step step);
   /// The grid of a curve whose end may not be known yet: then it is open, unless the request has an end.
   ///
   /// Errors (bad_argument, of `rate` or `count`): too many samples; several of a range that is a single time. A grid

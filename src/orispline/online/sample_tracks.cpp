@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 #include <optional>
+#include <utility>
 
 #include <orispline/base/counted_work.hpp>
 #include <orispline/base/formatted.hpp>
@@ -13,7 +14,7 @@ namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 /// Of a track.
-constexpr std::size_t samples_at_a_time = 1024, keys_at_a_time = 4096;
+constexpr std::size_t samples_at_a_time = 1024, samples_of_threads = 65536, keys_at_a_time = 4096;
 
 Error bad_columns(std::string message) { return {ErrorCode::bad_argument, std::move(message), {}}; }
 
@@ -46,7 +47,9 @@ Expected<void> feed(TrackSampler& sampler, const TrackColumns& keys, std::size_t
   return sampler.finish().and_then([&] { return sampler.prepare(); });
 }
 
-std::optional<Error> check_columns(const TrackSampleColumns& out, std::size_t size, bool has_positions) {
+std::optional<Error> check_columns(const TrackSampleColumns& out, std::size_t left, bool has_positions) {
+  const std::size_t size = out.orientations[0].size();
+  if (size > left) return bad_columns(formatted("found columns for {} samples, wanted {} at most", size, left));
   if (!has_positions && !(out.positions[0].empty() && out.velocities[0].empty() && out.accelerations[0].empty()))
     return bad_columns("positions are wanted, and the keys have none");
   const auto check = [size](const auto& columns, bool is_wanted) -> std::optional<Error> {
@@ -69,7 +72,7 @@ class Rows {
   explicit Rows(const TrackSampleColumns& out) : out_(out) {}
 
   /// Takes so many samples and puts them into the columns from `first` on.
-  [[nodiscard]] Expected<void> take(TrackSampler& sampler, std::size_t first, std::size_t count) {
+  [[nodiscard]] Expected<void> take(TrackSampler& sampler, std::size_t first, std::size_t count, Work work) {
     const auto room = [count](std::vector<double>& rows, const auto& columns) {
       rows.resize(columns[0].empty() ? 0 : columns.size() * count);
       return std::span(rows);
@@ -82,7 +85,7 @@ class Rows {
                                .velocities = room(velocities_, out_.velocities),
                                .accelerations = room(accelerations_, out_.accelerations)};
     const auto times = out_.times.empty() ? out_.times : out_.times.subspan(first, count);
-    return sampler.take(rows, times).map([&] {
+    return sampler.take(rows, times, work).map([&] {
       lay_out(orientations_, out_.orientations, first);
       lay_out(angular_velocities_, out_.angular_velocities, first);
       lay_out(angular_accelerations_, out_.angular_accelerations, first);
@@ -104,6 +107,17 @@ class Rows {
   std::vector<double> orientations_, angular_velocities_, angular_accelerations_, angular_jerks_;
   std::vector<double> positions_, velocities_, accelerations_;
 };
+
+/// Takes the next samples of a track into the columns from `first` to before `end`.
+Expected<void> take_into(const TrackSampleColumns& out, std::size_t first, std::size_t end, TrackSampler& sampler,
+                         Work work, const Progress& progress) {
+  Rows rows(out);
+  Expected<void> outcome;
+  const std::size_t at_a_time = work.threads == 1 ? samples_at_a_time : samples_of_threads;
+  for (; first < end && outcome && !progress.stopped(); first += at_a_time)
+    outcome = rows.take(sampler, first, std::min(at_a_time, end - first), work);
+  return outcome;
+}
 
 template <std::size_t N>
 std::array<std::span<double>, N> made(std::array<std::vector<double>, N>& columns, bool wanted, std::size_t size) {
@@ -162,18 +176,34 @@ Expected<TrackBatch> TrackBatch::make(const Method& method, const TrackColumns& 
 }
 
 Expected<void> TrackBatch::take(const TrackSampleColumns& out, Work work, const Progress& progress) {
-  if (auto error = check_columns(out, size(), has_positions_)) return tl::unexpected(std::move(*error));
-  std::vector<Expected<void>> outcomes(samplers_.size());
-  const auto done = for_each_track(samplers_.size(), work, progress, [&](std::size_t i) {
-    const auto end = static_cast<std::size_t>(offsets_[i + 1]);
-    Rows rows(out);
-    for (auto first = static_cast<std::size_t>(offsets_[i]); first < end && outcomes[i] && !progress.stopped();
-         first += samples_at_a_time)
-      outcomes[i] = rows.take(samplers_[i], first, std::min(samples_at_a_time, end - first));
+  if (auto error = check_columns(out, left(), has_positions_)) return tl::unexpected(std::move(*error));
+  const std::size_t begin = std::exchange(taken_, taken_ + out.orientations[0].size());
+  const auto track_of = [this](std::size_t sample) {  // the one in which it lies
+    return static_cast<std::size_t>(std::ranges::upper_bound(offsets_, static_cast<std::int64_t>(sample)) -
+                                    offsets_.begin()) -
+           1;
+  };
+  if (begin == taken_) return {};
+  const std::size_t first_track = track_of(begin), tracks = track_of(taken_ - 1) + 1 - first_track;
+  std::vector<Expected<void>> outcomes(tracks);
+  const auto done = for_each_track(tracks, work, progress, [&](std::size_t i) {
+    const std::size_t track = first_track + i;
+    const std::size_t first = std::max(static_cast<std::size_t>(offsets_[track]), begin);
+    const std::size_t end = std::min(static_cast<std::size_t>(offsets_[track + 1]), taken_);
+    outcomes[i] = take_into(out, first - begin, end - begin, samplers_[track], tracks == 1 ? work : Work{}, progress);
   });
   if (!done) return done;
   for (Expected<void>& outcome : outcomes)
     if (!outcome) return std::move(outcome);
+  return {};
+}
+
+Expected<void> take_columns(TrackSampler& sampler, const TrackSampleColumns& out, Work work, const Progress& progress) {
+  const std::size_t count = out.orientations[0].size();
+  if (auto error = check_columns(out, static_cast<std::size_t>(sampler.ready()), true))
+    return tl::unexpected(std::move(*error));
+  if (auto taken = take_into(out, 0, count, sampler, work, progress); !taken) return taken;
+  if (progress.stopped()) return cancellation();
   return {};
 }
 

@@ -59,11 +59,15 @@ class ORISPLINE_EXPORT TrackBatch {
   /// The samples of track i will be offsets()[i] … offsets()[i + 1] - 1.
   [[nodiscard]] std::span<const std::int64_t> offsets() const noexcept { return offsets_; }
   [[nodiscard]] std::size_t size() const noexcept { return static_cast<std::size_t>(offsets_.back()); }
+  /// Of them those that are not taken yet.
+  [[nodiscard]] std::size_t left() const noexcept { return size() - taken_; }
   /// Of the tracks that have no samples for it: `where.curve` says of which, in order.
   [[nodiscard]] std::span<const Error> errors() const noexcept { return errors_; }
 
-  /// Takes all samples, once. Errors: bad_argument for columns of another length, and for positions of keys that have
-  /// none; cancelled, which leaves the columns half filled.
+  /// Takes the next samples, as many as the columns have room for, across the ends of tracks.
+  ///
+  /// Errors: bad_argument for columns of different length or for more samples than are left, and for positions of keys
+  /// that have none; cancelled, which leaves the columns half filled and the samples lost.
   [[nodiscard]] Expected<void> take(const TrackSampleColumns& out, Work work = {}, const Progress& progress = {});
 
  private:
@@ -71,9 +75,17 @@ class ORISPLINE_EXPORT TrackBatch {
   std::vector<std::int64_t> offsets_{0};
   std::vector<Error> errors_;
   bool has_positions_ = false;
+  std::size_t taken_ = 0;
 };
 
-/// The same with columns of its own, in one call. Errors: those of TrackBatch.
+/// Takes the next samples of one track, as many as the columns have room for.
+///
+/// Errors: those of TrackSampler::take; bad_argument for columns of different length; cancelled, which leaves the
+/// columns half filled and the samples lost.
+[[nodiscard]] ORISPLINE_EXPORT Expected<void> take_columns(TrackSampler& sampler, const TrackSampleColumns& out,
+                                                           Work work = {}, const Progress& progress = {});
+
+/// The same as a TrackBatch with columns of its own, in one call. Errors: those of TrackBatch.
 [[nodiscard]] ORISPLINE_EXPORT Expected<SampledTracks> sample_tracks(const Method& method, const TrackColumns& keys,
                                                                      const TrackGrid& grid,
                                                                      const WantedSamples& wanted = {},

@@ -72,10 +72,11 @@ Expected<void> sample_part(const PoseCurve& curve, const SampleGrid& grid, std::
 }  // namespace
 
 Expected<TrackSampler> TrackSampler::make(const Method& method, const TrackGrid& grid, const TrackOptions& options) {
-  if (!(grid.step > 0.0) || !std::isfinite(grid.step) || !std::isfinite(grid.start.value_or(0.0)))
+  const double step = grid.step / grid.parts;
+  if (!(step > 0.0) || !std::isfinite(step) || !(grid.step > 0.0) || !std::isfinite(grid.start.value_or(0.0)))
     return failure(ErrorCode::bad_argument, formatted("the grid starts at {} s with the step {} s, wanted finite "
                                                       "numbers and a step greater than 0",
-                                                      grid.start.value_or(0.0), grid.step));
+                                                      grid.start.value_or(0.0), step));
   const auto* const rate = grid.request ? std::get_if<SampleGrid::Rate>(&grid.request->spacing) : nullptr;
   if (rate && !(rate->hertz > 0.0 && rate->seconds > 0.0 && rate->per_second() > 0.0 &&
                 std::isfinite(rate->per_second()) && std::isfinite(rate->seconds)))
@@ -147,7 +148,7 @@ Expected<void> TrackSampler::place_grid() {
   if (!start_ && !stretches_.empty()) start_ = stretches_.front().start();
   const auto start = grid_.start ? grid_.start : start_;
   if (!grid_.request) {
-    if (!times_ && start) times_.emplace(*start, grid_.step);
+    if (!times_ && start) times_.emplace(*start, SampleGrid::Step{grid_.step, grid_.parts});
     return {};
   }
   if (!start_ || (times_ && !end_)) return {};

@@ -43,7 +43,9 @@ void write(StateWriter& out, const TrackGrid& grid) {
   write(out, grid.start);
   const auto* const rate = grid.request ? std::get_if<SampleGrid::Rate>(&grid.request->spacing) : nullptr;
   const bool is_plain = !rate || (rate->seconds == 1.0 && grid.request->last == SampleGrid::LastSample::before_end);
-  out.whole(!grid.request ? 0 : !rate ? 2 : is_plain ? 1 : 3);  // 3 is younger than the others
+  const bool has_parts = !grid.request && grid.parts != 1.0;
+  out.whole(has_parts ? 4 : !grid.request ? 0 : !rate ? 2 : is_plain ? 1 : 3);  // 3 and 4 are younger than the others
+  if (has_parts) out.real(grid.parts);
   if (!grid.request) return;
   if (rate) out.real(rate->hertz);
   else out.whole(std::get<SampleGrid::Count>(grid.request->spacing).samples);
@@ -57,8 +59,9 @@ void write(StateWriter& out, const TrackGrid& grid) {
 Expected<TrackGrid> read_grid(StateReader& in) {
   TrackGrid grid{.step = in.real()};
   grid.start = read_optional(in);
-  const std::uint64_t kind = in.below(4);
-  if (kind == 0) return grid;
+  const std::uint64_t kind = in.below(5);
+  if (kind == 4) grid.parts = in.real();
+  if (kind == 0 || kind == 4) return grid;
   SampleGrid::Request request{.spacing = SampleGrid::Rate{0.0}};
   if (kind == 1 || kind == 3) {
     SampleGrid::Rate rate{in.real()};
