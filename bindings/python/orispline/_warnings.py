@@ -2,18 +2,41 @@
 """What the library finds noteworthy, as warnings of Python."""
 from __future__ import annotations
 
+import contextlib
 import sys
+import threading
 import warnings
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 from ._errors import ShapeWarning
 
+_thread = threading.local()
+
 
 def tell(found: Iterable[tuple[Any, ...]]) -> None:
     """Warns where the caller of the package stands: of messages, with their codes and numbers."""
+    collection: list[ShapeWarning] | None = getattr(_thread, "collection", None)
+    if collection is not None:
+        collection += [ShapeWarning(*warning) for warning in found]
+        return
     level, frame = 1, sys._getframe()
-    while frame.f_back is not None and frame.f_globals.get("__package__") == __package__:
+    while frame.f_back is not None and _is_ours(frame.f_globals.get("__package__")):
         level, frame = level + 1, frame.f_back
     for warning in found:
         warnings.warn(ShapeWarning(*warning), stacklevel=level)
+
+
+@contextlib.contextmanager
+def collected() -> Iterator[list[ShapeWarning]]:
+    """Those of this thread, as a list instead of warnings."""
+    before = getattr(_thread, "collection", None)
+    _thread.collection = []
+    try:
+        yield _thread.collection
+    finally:
+        _thread.collection = before
+
+
+def _is_ours(package: str | None) -> bool:
+    return package is not None and (package == __package__ or package.startswith(f"{__package__}."))

@@ -1,0 +1,229 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Parquet files out of a stream: complete, or not at all."""
+from __future__ import annotations
+
+import contextlib
+import dataclasses
+import glob
+import json
+import os
+import pathlib
+import shutil
+import tempfile
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any
+
+import pyarrow as pa
+import pyarrow.dataset as ds
+import pyarrow.parquet as pq
+
+from .. import _core
+from .._errors import AccessError, ArgumentError, Error
+
+MADE_BY = b"orispline"  # in the metadata of a file: of what it was made, and how
+ROWS_OF_A_GROUP = 1 << 20
+COMPRESSION = "zstd"
+
+
+@dataclasses.dataclass(frozen=True)
+class Summary:
+    """What was written: rows in all, those of them that are errors, the first few messages, and the file or folder."""
+
+    path: str
+    rows: int
+    errors: int
+    first_errors: tuple[str, ...] = ()
+
+    def __str__(self) -> str:
+        bad = f", {self.errors} of them error{'s' if self.errors != 1 else ''}" if self.errors else ""
+        return f"{self.path}: {self.rows} row{'s' if self.rows != 1 else ''}{bad}"
+
+
+class _Counted:
+    """Counts the rows of batches that pass."""
+
+    def __init__(self) -> None:
+        self.rows = self.errors = 0
+        self.messages: list[str] = []
+
+    def add(self, batch: Any) -> None:
+        self.rows += batch.num_rows
+        if "error" not in batch.schema.names:
+            return
+        column = batch.column("error")
+        bad = len(column) - column.null_count
+        self.errors += bad
+        if bad and len(self.messages) < 3:
+            self.messages += column.drop_null().to_pylist()[:3 - len(self.messages)]
+
+    def summary(self, path: str) -> Summary:
+        return Summary(path, self.rows, self.errors, tuple(self.messages))
+
+
+def write(reader: Any, path: Any, partition_by: str | Sequence[str] | None = None) -> Summary:
+    """Writes a stream, such as `resample` gives, as a Parquet file.
+
+    With `partition_by`, one or several columns, as a folder of files such as `track=7/part-0.parquet`. It is written
+    beside its place and renamed at the end: what was there stays until then, and for good if something goes wrong. A
+    folder must not be there before.
+
+    Raises AccessError for what cannot be written, and whatever the stream raises.
+
+    Examples
+    --------
+    >>> import orispline.tables as tables, pyarrow as pa, pathlib, tempfile
+    >>> keys = pa.table({"track": [1, 1], "t": [0.0, 1.0], "qx": [0.0] * 2, "qy": [0.0] * 2, "qz": [0.0, 0.6], "qw": [1.0, 0.8]})
+    >>> path = pathlib.Path(tempfile.mkdtemp()) / "motion.parquet"
+    >>> tables.write(tables.resample(keys, rate=10), path).rows
+    11
+    """
+    return written(reader, path, partition_by)
+
+
+def written(reader: Any, path: Any, partition_by: str | Sequence[str] | None = None, metadata: dict[bytes, bytes] | None = None,
+            shown: Callable[[int], None] | None = None) -> Summary:
+    """The same, with metadata of the file's own and somebody who is told of the rows so far."""
+    stream = reader if isinstance(reader, pa.RecordBatchReader) else pa.RecordBatchReader.from_stream(
+        reader if hasattr(reader, "__arrow_c_stream__") else _no_stream(reader))
+    place = os.fspath(path)
+    counted = _Counted()
+
+    def batches() -> Iterator[Any]:
+        for batch in stream:
+            counted.add(batch)
+            if shown is not None:
+                shown(counted.rows)
+            yield batch
+
+    if partition_by is None:
+        with _beside(place) as part:
+            schema = stream.schema.with_metadata({**(stream.schema.metadata or {}), **(metadata or {})})
+            with pq.ParquetWriter(part, schema, compression=COMPRESSION) as writer:
+                for group in _groups(batches()):
+                    writer.write_table(pa.Table.from_batches(group, stream.schema).replace_schema_metadata(schema.metadata),
+                                       row_group_size=ROWS_OF_A_GROUP)
+    else:
+        names = [partition_by] if isinstance(partition_by, str) else list(partition_by)
+        for name in names:
+            if name not in stream.schema.names:
+                raise ArgumentError(f"partition_by: found {name!r}, wanted one of {', '.join(map(repr, stream.schema.names))}")
+        if os.path.lexists(place):
+            raise AccessError(f"{place}: is there already, wanted a folder that is not")
+        with _beside(place) as part:
+            kinds = pa.schema([stream.schema.field(name) for name in names])
+            ds.write_dataset(pa.RecordBatchReader.from_batches(stream.schema, batches()), part, format="parquet",
+                             partitioning=ds.partitioning(kinds, flavor="hive"), basename_template="part-{i}.parquet",
+                             max_partitions=1 << 20, file_options=ds.ParquetFileFormat().make_write_options(compression=COMPRESSION))
+    return counted.summary(place)
+
+
+def _no_stream(reader: Any) -> Any:
+    raise TypeError(f"reader: found {type(reader).__name__}, wanted a pyarrow reader or table, such as resample() gives")
+
+
+def _groups(batches: Iterator[Any]) -> Iterator[list[Any]]:
+    """Batches enough for a row group."""
+    held: list[Any] = []
+    rows = 0
+    for batch in batches:
+        held.append(batch)
+        rows += batch.num_rows
+        if rows >= ROWS_OF_A_GROUP:
+            yield held
+            held, rows = [], 0
+    yield held
+
+
+@contextlib.contextmanager
+def _beside(place: str) -> Iterator[str]:
+    """A place beside another, which it takes when all is done; else it is removed."""
+    folder, name = os.path.split(os.path.abspath(place))
+    try:
+        room = tempfile.mkdtemp(prefix=f".{name}.", dir=folder)
+    except OSError as error:
+        raise AccessError(f"{place}: cannot be written: {error.strerror}") from None
+    part = os.path.join(room, "part")
+    try:
+        yield part
+        _sync(part)
+        os.replace(part, place)
+    except Error:
+        raise
+    except OSError as error:
+        raise AccessError(f"{place}: cannot be written: {error.strerror or str(error).splitlines()[0]}") from None
+    finally:
+        shutil.rmtree(room, ignore_errors=True)
+
+
+def _sync(part: str) -> None:
+    """So that a complete name never holds half a file, whatever happens to the machine."""
+    for path in [part] if os.path.isfile(part) else map(str, pathlib.Path(part).rglob("*.parquet")):
+        handle = os.open(path, os.O_RDONLY)
+        try:
+            os.fsync(handle)
+        finally:
+            os.close(handle)
+
+
+def resample_files(paths: Any, folder: Any, **options: Any) -> list[Summary]:
+    """Resamples files one by one: each becomes one of the same name in `folder`, which is made if need be.
+
+    `options` are those of `resample`. A track must not be spread over several files. A file that is there already, and was
+    made of the same content with the same options, is not made again: begun anew after an interruption, only what is
+    missing is made. A file that cannot be read ends the work.
+
+    Examples
+    --------
+    >>> import orispline.tables as tables, pyarrow as pa, pyarrow.parquet as pq, pathlib, tempfile
+    >>> folder = pathlib.Path(tempfile.mkdtemp())
+    >>> keys = pa.table({"track": [1, 1], "t": [0.0, 1.0], "qx": [0.0] * 2, "qy": [0.0] * 2, "qz": [0.0, 0.6], "qw": [1.0, 0.8]})
+    >>> pq.write_table(keys, folder / "monday.parquet")
+    >>> [summary.rows for summary in tables.resample_files(folder / "*.parquet", folder / "out", rate=10)]
+    [11]
+    """
+    from ._jobs import resample
+    listed = [paths] if isinstance(paths, (str, os.PathLike)) else list(paths)
+    inputs: list[str] = []
+    for path in map(os.fspath, listed):
+        found = sorted(glob.glob(path, recursive=True)) if glob.has_magic(path) else [path]
+        if not found:
+            raise AccessError(f"{path}: found no such file")
+        inputs += found
+    names = [os.path.basename(path) for path in inputs]
+    twice = next((name for name in names if names.count(name) > 1), None)
+    if twice is not None:
+        raise ArgumentError(f"paths: found two files named {twice!r}, wanted different names: each gives its own to what is made of it")
+    os.makedirs(folder, exist_ok=True)
+    summaries = []
+    for path in inputs:
+        place = os.path.join(os.fspath(folder), os.path.basename(path))
+        if os.path.exists(place) and os.path.samefile(path, place):
+            raise ArgumentError(f"folder: found that of {path}, wanted another one: the keys would be lost")
+        reader = resample(path, **options)
+        made_by = _made_by(path, options)
+        done = _complete(place, made_by)
+        summaries.append(done if done is not None else written(reader, place, metadata={MADE_BY: made_by}))
+    return summaries
+
+
+def _made_by(path: str, options: dict[str, Any]) -> bytes:
+    """Of what a file is made and how, as text that is the same whenever these are."""
+    state = os.stat(path)
+    numbers = {name: value for name, value in options.items() if name not in ("threads", "memory_limit")}
+    return json.dumps({"version": _core.version, "bytes": state.st_size, "changed": state.st_mtime_ns, "options": numbers},
+                      sort_keys=True, default=str).encode()
+
+
+def _complete(place: str, made_by: bytes) -> Summary | None:
+    """What a file holds that is there and was made so."""
+    try:
+        if (pq.read_schema(place).metadata or {}).get(MADE_BY) != made_by:
+            return None
+    except (OSError, pa.ArrowInvalid):
+        return None
+    counted = _Counted()
+    for batch in pq.ParquetFile(place).iter_batches(columns=["error"]):
+        counted.add(batch)
+    return counted.summary(place)
+
+

@@ -1,0 +1,259 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is done with tables: each a stream of record batches in and out, one track after the other."""
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from typing import Any
+
+import numpy as np
+import pyarrow as pa
+
+from .._checks import flag, real, text, thread_count, whole
+from .._curve import BEYOND, FRAMES, _index
+from .._errors import ArgumentError
+from .._texts import method_text, rate_text
+from ._layout import UNIT_QUATERNION, Layout, layout
+from ._per_track import PerTrack
+from ._resampling import Resampling
+from ._source import Source, ordered, selected, source_of
+from ._works import SIDE, Comparison, Evaluation, Reduction, Smoothing, united
+
+ALIGNMENTS = ("start", "epoch")
+ERRORS = ("row", "raise", "drop")
+
+
+def resample(source: Any, *, by: str | Sequence[str] = "track", time: str = "t",
+             quaternion: Sequence[str] = UNIT_QUATERNION, position: Sequence[str] | None = None, rate: Any = 100.0,
+             align: str = "start", method: str = "auto", derivatives: int = 1, frame: str = "body", gap: float | None = None,
+             errors: str = "row", assume_sorted: bool = False, threads: int = 0, memory_limit: str = "1GB",
+             **settings: Any) -> Any:
+    """Even samples of the curve of every track, with their rates.
+
+    Parameters
+    ----------
+    source
+        Paths of Parquet files (patterns and folders too), a pyarrow table, dataset or reader, or anything with
+        `__arrow_c_stream__`, such as data frames of pandas and Polars and relations of DuckDB. One row is one key. Rows
+        may stand in any order.
+    by : str or list of str
+        The columns that tell tracks apart, of any type that can be put in order.
+    time : str
+        The column of times: float seconds, or timestamps, which stay what they are.
+    quaternion : four str
+        The columns of x, y, z and w, body to world.
+    position : three str, optional
+        The columns of x, y and z [m].
+    rate : number or str
+        Samples per second; a fraction such as `"30000/1001"` is exact.
+    align : {"start", "epoch"}
+        Whether a track's samples begin at its first key, or all tracks have samples at the same times: the multiples of
+        1/rate, of timestamps since 1970-01-01.
+    method, **settings
+        As of `Curve`: a method with its settings and end rules, such as `tension=0.4, ends="natural"`.
+    derivatives : int
+        The highest order of the rates, 0 to 3.
+    frame : {"body", "world"}
+        Of angular rates.
+    gap : float, optional
+        A longer interval between two keys [s] is left empty: a new curve begins behind it.
+    errors : {"row", "raise", "drop"}
+        Whether a bad track is one row with its message in the column `error`, ends the job, or is left out.
+    assume_sorted : bool
+        The rows are in order of `by`, and of `time` within a track: nothing is put in order, and it is checked that it
+        need not.
+    threads : int
+        At most so many at work, 0 means one for each core. The numbers are the same on any.
+    memory_limit : str
+        What DuckDB may take to put files and streams in order; beyond it the disk is used.
+
+    Returns
+    -------
+    pyarrow.RecordBatchReader
+        The columns of `by`, of time, quaternion and position, then `wx`, `wy`, `wz` [rad/s], `ax` … [rad/s²], `jx` …
+        [rad/s³] and of positions `vx` … [m/s], `apx` … [m/s²], and `error`. Angular rates in the world frame have names
+        that end in `_world`. Track by track in the order of `by`; rows with errors come behind the tracks beside them.
+        Each track has the bits of `Curve.sample`.
+
+        Memory stays small however long a track is where the method is local (`orispline.methods()` says which are); a
+        track of more than 65536 keys gives its samples as soon as they are final, so that an error comes behind those
+        before it.
+
+    Raises
+    ------
+    ArgumentError
+        Columns that are missing or of another type, an option or a method that there is not.
+    AccessError, DataError
+        A file that cannot be read; with `errors="raise"` the first bad track.
+
+    Examples
+    --------
+    >>> import orispline.tables as tables, pyarrow as pa
+    >>> keys = pa.table({"track": ["b", "a", "a"], "t": [0.0, 1.0, 0.0], "qx": [0.0] * 3, "qy": [0.0] * 3,
+    ...                  "qz": [0.0, 0.6, 0.0], "qw": [1.0, 0.8, 1.0]})
+    >>> tables.resample(keys, rate=2).read_all().select(["track", "t", "qw"]).to_pylist()[1]
+    {'track': 'a', 't': 0.5, 'qw': 0.9486832980505138}
+    """
+    job = resampling(layout(by, time, quaternion, position), rate, align, method, derivatives, frame, gap, errors, threads, settings)
+    return run(job, source_of(source), assume_sorted=assume_sorted, memory_limit=memory_limit)
+
+
+def evaluate(keys: Any, at: Any, *, by: str | Sequence[str] = "track", time: str = "t",
+             quaternion: Sequence[str] = UNIT_QUATERNION, position: Sequence[str] | None = None, method: str = "auto",
+             derivatives: int = 0, frame: str = "body", extrapolate: str = "nan", errors: str = "row", threads: int = 0,
+             memory_limit: str = "1GB", **settings: Any) -> Any:
+    """The orientation of each track at the rows of another table, such as a camera's at the times of a sensor.
+
+    `at` has the columns `by` and `time`, and any others: its rows come back, track by track in the order of time, each
+    with all of its columns and with those of the orientation. `keys` and the other arguments are those of `resample`. A
+    time outside the keys of its track has no orientation and says so in `error`; `extrapolate="hold"`, `"rate"` or
+    `"segment"` give it one, as of `Curve`. `errors="drop"` leaves rows without an orientation out.
+
+    A track is held as a whole, and its rows with it.
+
+    Examples
+    --------
+    >>> import orispline.tables as tables, pyarrow as pa
+    >>> keys = pa.table({"track": [7, 7], "t": [0.0, 1.0], "qx": [0.0] * 2, "qy": [0.0] * 2, "qz": [0.0, 0.6], "qw": [1.0, 0.8]})
+    >>> at = pa.table({"track": [7, 7], "t": [0.5, 1.5], "range_m": [12.5, 12.0]})
+    >>> tables.evaluate(keys, at).read_all().select(["t", "range_m", "qw", "error"]).to_pylist()
+    [{'t': 0.5, 'range_m': 12.5, 'qw': 0.9486832980505138, 'error': None}, \
+{'t': 1.5, 'range_m': 12.0, 'qw': None, 'error': 'found a time outside the keys of the track'}]
+    """
+    columns = layout(by, time, quaternion, position)
+    both, job = evaluation(columns, source_of(keys, "keys"), source_of(at, "at"), method, derivatives, frame, extrapolate, errors,
+                           threads, settings)
+    order = [*columns.by, SIDE, columns.time]
+    return reader(job, both, lambda: ordered(both, order, assume_sorted=False, threads=job.threads, memory_limit=memory_limit))
+
+
+def smooth(source: Any, *, by: str | Sequence[str] = "track", time: str = "t", quaternion: Sequence[str] = UNIT_QUATERNION,
+           position: Sequence[str] | None = None, rate: Any = None, derivatives: int = 1, frame: str = "body",
+           errors: str = "row", assume_sorted: bool = False, threads: int = 0, memory_limit: str = "1GB", **options: Any) -> Any:
+    """Every track without its noise, with rates, at the times of its keys or at `rate` per second.
+
+    `options` are those of `orispline.smooth`, the others those of `resample`. Warnings are given once for each kind, with
+    the number of tracks. A track is held as a whole.
+    """
+    columns = layout(by, time, quaternion, position)
+    work = Smoothing(None if rate is None else rate_text(rate), _derivatives(derivatives), FRAMES[_index("frame", frame, FRAMES)],
+                     options)
+    return run(PerTrack(columns, work, _errors(errors), thread_count(threads)), source_of(source), assume_sorted=assume_sorted,
+               memory_limit=memory_limit)
+
+
+def reduce(source: Any, tolerance: Any, *, by: str | Sequence[str] = "track", time: str = "t",
+           quaternion: Sequence[str] = UNIT_QUATERNION, position: Sequence[str] | None = None, errors: str = "row",
+           assume_sorted: bool = False, threads: int = 0, memory_limit: str = "1GB", **options: Any) -> Any:
+    """The fewest keys of every track whose curve stays within the tolerance: a number [rad], or a text such as `"0.1deg"`.
+
+    The column `method` says which curve goes through them. `options` are those of `orispline.reduce`, the others those of
+    `resample`. A track is held as a whole.
+    """
+    columns = layout(by, time, quaternion, position)
+    return run(PerTrack(columns, Reduction(tolerance, options), _errors(errors), thread_count(threads)), source_of(source),
+               assume_sorted=assume_sorted, memory_limit=memory_limit)
+
+
+def compare(source: Any, methods: Sequence[str] | str | None = None, keep_every: int | Sequence[int] = 8, *,
+            by: str | Sequence[str] = "track", time: str = "t", quaternion: Sequence[str] = UNIT_QUATERNION, errors: str = "row",
+            assume_sorted: bool = False, threads: int = 0, memory_limit: str = "1GB", **options: Any) -> Any:
+    """How near the curves of methods come to every track, of which some samples become keys: a row for each track and method.
+
+    The columns are the members of `orispline compare --json`, but for the times that it took. `options` are those of
+    `orispline.compare`, the others those of `resample`. A track is held as a whole.
+    """
+    columns = layout(by, time, quaternion, None)
+    work = Comparison({**options, "methods": methods, "keep_every": keep_every})
+    return run(PerTrack(columns, work, _errors(errors), thread_count(threads)), source_of(source), assume_sorted=assume_sorted,
+               memory_limit=memory_limit)
+
+
+Job = Resampling | PerTrack
+
+
+def resampling(columns: Layout, rate: Any, align: str, method: str, derivatives: int, frame: str, gap: float | None, errors: str,
+               threads: int, settings: dict[str, Any]) -> Resampling:
+    """The job of these arguments, checked."""
+    job = Resampling(columns, _method(method, settings), rate_text(rate), _index("align", align, ALIGNMENTS) == 1,
+                     None if gap is None else real("gap", gap), _derivatives(derivatives), _index("frame", frame, FRAMES) == 1,
+                     _errors(errors), thread_count(threads))
+    job.check()
+    return job
+
+
+def evaluation(columns: Layout, keys: Source, at: Source, method: str, derivatives: int, frame: str, extrapolate: str, errors: str,
+               threads: int, settings: dict[str, Any]) -> tuple[Source, PerTrack]:
+    """The rows of both tables as one source, and the job for them."""
+    columns.check(keys.schema, "keys")
+    for name in (*columns.by, columns.time):
+        if at.schema.names.count(name) != 1:
+            raise ArgumentError(f"at: found the columns {', '.join(map(repr, at.schema.names))}, wanted {name!r} once")
+    beside = tuple(name for name in at.schema.names if name not in (*columns.by, columns.time))
+    at, keys = selected(at, at.schema.names), selected(keys, columns.names)
+    schema = united(columns, keys.schema, at.schema, beside)
+    work = Evaluation(_method(method, settings), _derivatives(derivatives), FRAMES[_index("frame", frame, FRAMES)],
+                      BEYOND[_index("extrapolate", extrapolate, BEYOND)], at.schema.field(columns.time).type, beside)
+    names = work.schema(columns, schema).names
+    twice = next((name for name in beside if names.count(name) > 1 or name == SIDE), None)
+    if twice is not None:
+        raise ArgumentError(f"at: found the column {twice!r}, which the result has too: leave it out or give it another name")
+    in_memory = keys.in_memory and at.in_memory
+    both = Source(schema, Both(keys, at, schema), in_memory)
+    return both, PerTrack(columns, work, _errors(errors), thread_count(threads))
+
+
+@dataclasses.dataclass(frozen=True)
+class Both:
+    """The rows of keys, then those of another table, under one schema."""
+
+    keys: Source
+    at: Source
+    schema: Any
+
+    def __iter__(self) -> Iterator[Any]:
+        for side, source in enumerate((self.keys, self.at)):
+            for batch in source.batches:
+                columns = [self._column(batch, field, side) for field in self.schema]
+                yield pa.RecordBatch.from_arrays(columns, schema=self.schema)
+
+    @staticmethod
+    def _column(batch: Any, field: Any, side: int) -> Any:
+        if field.name == SIDE:
+            return pa.array(np.full(batch.num_rows, side, np.int8))
+        if field.name not in batch.schema.names:
+            return pa.nulls(batch.num_rows, field.type)
+        return batch.column(field.name).cast(field.type)
+
+
+def run(job: Job, source: Source, *, assume_sorted: bool, memory_limit: str) -> Any:
+    """The reader of a job over a source."""
+    job.layout.check(source.schema)
+    rows = selected(source, job.layout.names)
+    assume_sorted, memory_limit = flag("assume_sorted", assume_sorted), text("memory_limit", memory_limit)
+    return reader(job, rows, lambda: ordered(rows, job.layout.order, assume_sorted=assume_sorted, threads=job.threads,
+                                             memory_limit=memory_limit))
+
+
+def reader(job: Job, source: Source, rows: Callable[[], Iterable[Any]]) -> Any:
+    """The job's rows, made as they are asked for."""
+    schema = job.answer(source.schema).schema
+
+    def batches() -> Iterator[Any]:
+        yield from job(rows(), source.schema)
+
+    return pa.RecordBatchReader.from_batches(schema, batches())
+
+
+def _method(method: str, settings: dict[str, Any]) -> str:
+    shape = {name: settings.pop(name, None) for name in ("ends", "start_rate", "end_rate", "period")}
+    return method_text(method, shape["ends"], shape["start_rate"], shape["end_rate"], settings.pop("closed", False), shape["period"],
+                       settings)
+
+
+def _derivatives(derivatives: Any) -> int:
+    return whole("derivatives", derivatives, 0, 3)
+
+
+def _errors(errors: str) -> str:
+    return ERRORS[_index("errors", errors, ERRORS)]

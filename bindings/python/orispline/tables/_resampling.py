@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Even samples of tracks: the function of a stream that runs here and on every machine of a cluster."""
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable, Generator, Iterable, Iterator
+from typing import Any
+
+import numpy as np
+import pyarrow as pa
+import pyarrow.compute as pc
+
+from .. import _core
+from .._errors import DataError, Error
+from ._layout import Layout, Times, Whole, number_column, period_of, text_of
+from ._tracks import LongTrack, Tracks, tracks_in, without_id
+
+SAMPLES_AT_A_TIME = 1 << 18
+NO_ID = "found no value in a column of by, wanted one that says which track the row belongs to"
+
+
+@dataclasses.dataclass(frozen=True)
+class Answer:
+    """What a job's rows look like, and what becomes of tracks that have no result."""
+
+    layout: Layout
+    schema: Any
+    errors: str  # "row", "raise" or "drop"
+
+    def rows(self, source: Any, rows: Whole, columns: list[Any], failures: Any = None) -> Any:
+        """A batch: the ids of those rows of the source, then the columns, and why they are empty where they are."""
+        ids = source.select(list(self.layout.by)).take(pa.array(rows)).columns
+        fields = list(self.schema)[len(ids):-1]
+        values = [column if isinstance(column, pa.Array) else pa.array(column, field.type) for column, field in
+                  zip(columns, fields)]
+        why = pa.nulls(len(rows), pa.string()) if failures is None else failures
+        return pa.RecordBatch.from_arrays([*ids, *values, why], schema=self.schema)
+
+    def filled(self, source: Any, rows: Whole, columns: list[Any], failures: Any = None) -> Iterator[Any]:
+        """The same batch, and what is wanted instead of rows that failed."""
+        batch = self.rows(source, rows, columns, failures)
+        if failures is not None and failures.null_count < len(failures) and self.errors != "row":
+            if self.errors == "raise":
+                row = int(pc.index(failures.is_valid(), True).as_py())
+                raise DataError(f"{text_of(batch.slice(row, 1), self.layout.by)}: {failures[row].as_py()}")
+            batch = batch.filter(failures.is_null())
+        yield batch
+
+    def without_result(self, source: Any, rows: Whole, messages: list[str]) -> Iterator[Any]:
+        """A row with its message for each of these tracks, if that is what they get."""
+        if not messages or self.errors == "drop":
+            return
+        if self.errors == "raise":
+            raise DataError(f"{text_of(source.slice(int(rows[0]), 1), self.layout.by)}: {messages[0]}")
+        ids = source.select(list(self.layout.by)).take(pa.array(rows)).columns
+        nothing = [pa.nulls(len(rows), field.type) for field in list(self.schema)[len(ids):-1]]
+        yield pa.RecordBatch.from_arrays([*ids, *nothing, pa.array(messages, pa.string())], schema=self.schema)
+
+
+@dataclasses.dataclass(frozen=True)
+class Resampling:
+    """A job, with all that it needs wherever it runs."""
+
+    layout: Layout
+    method: str
+    rate: str
+    at_multiples: bool
+    gap: float | None
+    derivatives: int
+    world: bool
+    errors: str
+    threads: int
+
+    def check(self) -> None:
+        """Raises what a method, a rate or a gap is refused by."""
+        self._sampler()
+
+    def answer(self, given: Any) -> Answer:
+        """For rows of such columns."""
+        return Answer(self.layout, sampled_schema(self.layout, given, self.derivatives, self.world), self.errors)
+
+    def __call__(self, batches: Iterable[Any], given: Any) -> Iterator[Any]:
+        """Samples of the tracks of a stream in order, whose schema is `given`."""
+        answer = self.answer(given)
+        times = Times(given.field(self.layout.time).type, period_of(self.rate) if self.at_multiples else 0)
+        for part in tracks_in(batches, self.layout.by):
+            yield from self._of_long(part, times, answer) if isinstance(part, LongTrack) else self._of_whole(part, times, answer)
+
+    def _of_whole(self, tracks: Tracks, times: Times, answer: Answer) -> Iterator[Any]:
+        batch, starts = tracks.batch, tracks.starts
+        seconds, origins = times.seconds(batch.column(self.layout.time), starts)
+        nameless = without_id(batch, starts, self.layout.by)
+        if len(nameless):
+            seconds = seconds.copy()
+            seconds[starts[nameless]] = np.nan  # so that nothing comes of them
+        columns = [np.ascontiguousarray(seconds), *self._numbers(batch)]
+        core = _core.TrackBatch(self.method, np.append(starts, batch.num_rows), columns, self.rate, self.at_multiples, self.gap,
+                                self.threads)
+        counts, errors = core.counts_and_errors
+        ends = np.cumsum(counts)
+        taken = 0
+        while core.left:
+            count = min(core.left, SAMPLES_AT_A_TIME)
+            t, *rest = core.take(count, self.derivatives, bool(self.layout.position), self.world, self.threads)
+            here = np.diff(np.clip(ends, taken, taken + count), prepend=taken)
+            yield answer.rows(batch, np.repeat(starts, here), [times.back(t, np.repeat(origins, here)), *rest])
+            taken += count
+        named = {int(track): NO_ID for track in nameless}
+        yield from answer.without_result(batch, starts[[track for track, _ in errors]],
+                                         [named.get(track, message) for track, message in errors])
+
+    def _of_long(self, track: LongTrack, times: Times, answer: Answer) -> Iterator[Any]:
+        """Samples that are final are given out and forgotten, so that an error comes behind those before it."""
+        sampler = self._sampler()
+        start, origin = np.zeros(1, np.int64), None
+        refused = NO_ID if len(without_id(track.first_row, start, self.layout.by)) else None
+        for piece in track:
+            if refused is None:
+                seconds, origin = times.seconds(piece.column(self.layout.time), start, origin)
+                refused = _refusal(sampler.append, [np.ascontiguousarray(seconds), *self._numbers(piece)])
+            if refused is None:
+                refused = yield from self._ready(sampler, track.first_row, times, origin, answer)
+            if refused is not None:
+                break
+        if refused is None:
+            refused = _refusal(sampler.finish)
+        if refused is None:
+            refused = yield from self._ready(sampler, track.first_row, times, origin, answer)
+        if refused is not None:
+            yield from answer.without_result(track.first_row, start, [refused])
+
+    def _ready(self, sampler: Any, row: Any, times: Times, origin: Any, answer: Answer) -> Generator[Any, None, str | None]:
+        """The samples that are final. What is returned says why there are no more of them."""
+        while sampler.ready:
+            count = min(sampler.ready, SAMPLES_AT_A_TIME)
+            try:
+                t, *rest = sampler.take(count, self.derivatives, bool(self.layout.position), self.world, self.threads)
+            except Error as error:
+                return str(error)
+            yield answer.rows(row, np.zeros(count, np.int64), [times.back(t, origin[0]), *rest])
+        return None
+
+    def _sampler(self) -> Any:
+        return _core.TrackSampler(self.method, self.rate, self.at_multiples, self.gap)
+
+    def _numbers(self, batch: Any) -> list[Any]:
+        return [np.ascontiguousarray(number_column(batch.column(name))) for name in self.layout.numbers]
+
+
+def sampled_schema(layout: Layout, given: Any, derivatives: int, world: bool) -> Any:
+    """Of samples: the columns of the keys, then the rates of the rotation and those of the position, then the error."""
+    linear = min(derivatives, 2) if layout.position else -1
+    names = _core.column_names(world, derivatives, linear)
+    rates = names[5 + len(layout.position):]
+    return pa.schema([*(pa.field(name, given.field(name).type) for name in (*layout.by, layout.time)),
+                      *(pa.field(name, pa.float64()) for name in (*layout.numbers, *rates)), pa.field("error", pa.string())])
+
+
+def _refusal(work: Callable[..., Any], *arguments: Any) -> str | None:
+    """Why the library does not take a track any further, if so."""
+    try:
+        work(*arguments)
+    except Error as error:
+        return str(error)
+    return None

@@ -1,0 +1,199 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Where keys come from: files, tables and streams, as record batches whose rows are in order."""
+from __future__ import annotations
+
+import contextlib
+import dataclasses
+import glob
+import os
+import pathlib
+import shutil
+import tempfile
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Any
+
+import pyarrow as pa
+import pyarrow.dataset as ds
+import pyarrow.parquet as pq
+
+from .._errors import AccessError, ArgumentError, DataError
+from ._layout import plain, plain_type
+from ._tracks import ROWS_AT_A_TIME, in_order
+
+WANTED = "Parquet files, a pyarrow table, dataset or reader, or what has __arrow_c_stream__"
+
+
+@dataclasses.dataclass(frozen=True)
+class Source:
+    """Rows of some columns, not read yet. `schema` is that of the columns, dictionaries written out."""
+
+    schema: Any
+    batches: Iterable[Any]
+    in_memory: bool = False
+    rows: int | None = None  # as far as that is known
+
+
+def source_of(given: Any, what: str = "source") -> Source:
+    """Of files, tables and streams. Raises TypeError for anything else, AccessError for files that cannot be read."""
+    if isinstance(given, (str, os.PathLike)) or isinstance(given, (list, tuple)) and given and all(
+            isinstance(path, (str, os.PathLike)) for path in given):
+        return _of_dataset(_files(given, what))
+    if isinstance(given, pa.RecordBatch):
+        given = pa.Table.from_batches([given])
+    if isinstance(given, pa.Table) or _is_frame(given):
+        table = given if isinstance(given, pa.Table) else pa.table(given)
+        return Source(table.schema, table.to_batches(max_chunksize=ROWS_AT_A_TIME), True, table.num_rows)
+    if isinstance(given, ds.Dataset):
+        return _of_dataset(given)
+    if isinstance(given, pa.RecordBatchReader) or hasattr(given, "__arrow_c_stream__"):
+        reader = given if isinstance(given, pa.RecordBatchReader) else pa.RecordBatchReader.from_stream(given)
+        return Source(reader.schema, reader)
+    raise TypeError(f"{what}: found {type(given).__name__}, wanted {WANTED}")
+
+
+def _is_frame(given: Any) -> bool:
+    """One of pandas or Polars, which is in memory."""
+    room, _, _ = type(given).__module__.partition(".")
+    return room in ("pandas", "polars") and type(given).__name__ == "DataFrame"
+
+
+def _files(given: Any, what: str) -> Any:
+    """Paths, patterns and folders as one dataset. Every file is looked at before anything is read."""
+    found: list[str] = []
+    listed = [given] if isinstance(given, (str, os.PathLike)) else given
+    for path in map(os.fspath, listed):
+        if "://" in path:
+            if len(listed) > 1:
+                raise ArgumentError(f"{what}: found {path!r} among several, wanted one address, or files of this machine")
+            return ds.dataset(path, format="parquet", partitioning="hive")
+        inside = sorted(glob.glob(path, recursive=True)) if glob.has_magic(path) else [path]
+        if not inside:
+            raise AccessError(f"{path}: found no such file")
+        for each in inside:
+            found += sorted(map(str, pathlib.Path(each).rglob("*.parquet"))) if os.path.isdir(each) else [each]
+    if not found:
+        raise AccessError(f"{os.fspath(listed[0])}: found no Parquet file in it")
+    for path in found:
+        with telling_of(path):
+            pq.read_metadata(path)
+    base = os.path.commonpath([os.path.dirname(os.path.abspath(path)) for path in found])
+    return ds.dataset([os.path.abspath(path) for path in found], format=_parquet(),
+                      partitioning=ds.partitioning(flavor="hive"), partition_base_dir=base)
+
+
+def _parquet() -> Any:
+    """Files are read bit by bit: a whole row group of each column would have to fit into memory."""
+    return ds.ParquetFileFormat(default_fragment_scan_options=ds.ParquetFragmentScanOptions(
+        use_buffered_stream=True, buffer_size=1 << 20, pre_buffer=False))
+
+
+@contextlib.contextmanager
+def telling_of(path: str) -> Iterator[None]:
+    """What pyarrow finds wrong with a file, in one line."""
+    try:
+        yield
+    except (pa.ArrowInvalid, pa.ArrowNotImplementedError) as error:
+        found = DataError(f"{path}: found no sound Parquet file ({str(error).splitlines()[0]}), wanted one that is whole")
+    except FileNotFoundError:
+        found = AccessError(f"{path}: found no such file")
+    except OSError as error:
+        reason = error.strerror or str(error).splitlines()[0]
+        found = AccessError(f"{path}: cannot be read: {reason}")
+    else:
+        return
+    found.file = path
+    raise found from None
+
+
+def _of_dataset(dataset: Any) -> Source:
+    return Source(dataset.schema, _Scanned(dataset), rows=None)
+
+
+@dataclasses.dataclass(frozen=True)
+class _Scanned:
+    """The batches of a dataset, file by file in their order; `columns` only, if they are named."""
+
+    dataset: Any
+    columns: tuple[str, ...] | None = None
+
+    def __iter__(self) -> Iterator[Any]:
+        for fragment in self.dataset.get_fragments():
+            with telling_of(getattr(fragment, "path", "source")):
+                yield from fragment.to_batches(schema=self.dataset.schema, columns=self.columns and list(self.columns),
+                                               batch_size=ROWS_AT_A_TIME, batch_readahead=1, use_threads=False)
+
+
+def selected(source: Source, names: Sequence[str]) -> Source:
+    """Of those columns only, in that order, each without a dictionary."""
+    schema = pa.schema([pa.field(name, plain_type(source.schema.field(name).type)) for name in names])
+    batches = source.batches
+    if isinstance(batches, _Scanned):
+        batches = dataclasses.replace(batches, columns=tuple(names))
+    return Source(schema, _Selected(batches, schema), source.in_memory, source.rows)
+
+
+@dataclasses.dataclass(frozen=True)
+class _Selected:
+    batches: Iterable[Any]
+    schema: Any
+
+    def __iter__(self) -> Iterator[Any]:
+        for batch in self.batches:
+            columns = [plain(batch.column(name)) for name in self.schema.names]
+            yield pa.RecordBatch.from_arrays([column.cast(field.type) if column.type != field.type else column
+                                              for column, field in zip(columns, self.schema)], schema=self.schema)
+
+
+def ordered(source: Source, order: Sequence[str], *, assume_sorted: bool, threads: int, memory_limit: str) -> Iterator[Any]:
+    """Its batches with the rows in order of those columns, the last of which is the time."""
+    if assume_sorted:
+        return in_order(source.batches, order[:-1])
+    if source.in_memory:
+        table = pa.Table.from_batches(list(source.batches), source.schema)
+        return iter(table.sort_by([(name, "ascending") for name in order]).to_batches(max_chunksize=ROWS_AT_A_TIME))
+    return _by_duckdb(source, order, threads, memory_limit)
+
+
+def _by_duckdb(source: Source, order: Sequence[str], threads: int, memory_limit: str) -> Iterator[Any]:
+    """DuckDB has stamps to the microsecond only where they have a time zone: here they pass as the integers that they are."""
+    try:
+        import duckdb
+    except ImportError:
+        raise ImportError("orispline.tables: found no duckdb, which puts files and streams in order, wanted it installed: "
+                          "pip install 'orispline[tables]'") from None
+    schema = pa.schema([pa.field(f"c{i}", pa.int64() if _passes_as_integer(field.type) else field.type)
+                        for i, field in enumerate(source.schema)])
+    reader = pa.RecordBatchReader.from_batches(schema, _carried(source.batches, schema))
+    folder = tempfile.mkdtemp(prefix="orispline-")
+    connection = duckdb.connect()
+    try:
+        try:
+            connection.execute("SET memory_limit = ?", [memory_limit])
+        except duckdb.Error:
+            raise ArgumentError(f"memory_limit: found {memory_limit!r}, wanted a size such as '1GB'") from None
+        connection.execute("SET temp_directory = ?", [folder])
+        connection.execute("SET preserve_insertion_order = false")
+        if threads:
+            connection.execute("SET threads = ?", [threads])
+        connection.register("given", reader)
+        keys = ", ".join(f"c{source.schema.names.index(name)} ASC NULLS LAST" for name in order)
+        result = connection.sql(f"SELECT * FROM given ORDER BY {keys}")
+        rows = result.to_arrow_reader(ROWS_AT_A_TIME) if hasattr(result, "to_arrow_reader") else result.fetch_record_batch(
+            ROWS_AT_A_TIME)
+        for batch in rows:
+            yield pa.RecordBatch.from_arrays([column.cast(field.type) for column, field in zip(batch.columns, source.schema)],
+                                             schema=source.schema)
+    except duckdb.OutOfMemoryException:
+        raise ArgumentError(f"memory_limit: found {memory_limit!r}, which does not do to put these rows in order, wanted more") from None
+    finally:
+        connection.close()
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+def _passes_as_integer(kind: Any) -> bool:
+    return bool(pa.types.is_timestamp(kind) or pa.types.is_duration(kind))
+
+
+def _carried(batches: Iterable[Any], schema: Any) -> Iterator[Any]:
+    for batch in batches:
+        yield pa.RecordBatch.from_arrays([column.cast(field.type) for column, field in zip(batch.columns, schema)], schema=schema)
