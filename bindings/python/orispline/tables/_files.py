@@ -21,7 +21,7 @@ from .. import _core
 from .._errors import AccessError, ArgumentError, Error
 
 MADE_BY = b"orispline"  # in the metadata of a file: of what it was made, and how
-ROWS_OF_A_GROUP = 1 << 20
+ROWS_OF_A_GROUP = 1 << 17
 COMPRESSION = "zstd"
 
 
@@ -98,7 +98,7 @@ def written(reader: Any, path: Any, partition_by: str | Sequence[str] | None = N
     if partition_by is None:
         with _beside(place) as part:
             schema = stream.schema.with_metadata({**(stream.schema.metadata or {}), **(metadata or {})})
-            with pq.ParquetWriter(part, schema, compression=COMPRESSION) as writer:
+            with pq.ParquetWriter(part, schema, compression=COMPRESSION, use_dictionary=_repeated(schema)) as writer:
                 for group in _groups(batches()):
                     writer.write_table(pa.Table.from_batches(group, stream.schema).replace_schema_metadata(schema.metadata),
                                        row_group_size=ROWS_OF_A_GROUP)
@@ -119,6 +119,11 @@ def written(reader: Any, path: Any, partition_by: str | Sequence[str] | None = N
 
 def _no_stream(reader: Any) -> Any:
     raise TypeError(f"reader: found {type(reader).__name__}, wanted a pyarrow reader or table, such as resample() gives")
+
+
+def _repeated(schema: Any) -> list[str]:
+    """The columns in which values come again and again. Looking for such among samples costs time and memory."""
+    return [field.name for field in schema if not pa.types.is_floating(field.type) and not pa.types.is_timestamp(field.type)]
 
 
 def _groups(batches: Iterator[Any]) -> Iterator[list[Any]]:

@@ -15,7 +15,7 @@ from .._errors import DataError, Error
 from ._layout import Layout, Times, Whole, number_column, period_of, text_of
 from ._tracks import LongTrack, Tracks, tracks_in, without_id
 
-SAMPLES_AT_A_TIME = 1 << 18
+SAMPLES_AT_A_TIME = 1 << 17
 NO_ID = "found no value in a column of by, wanted one that says which track the row belongs to"
 
 

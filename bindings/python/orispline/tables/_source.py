@@ -15,6 +15,7 @@ from typing import Any
 import pyarrow as pa
 import pyarrow.dataset as ds
 import pyarrow.parquet as pq
+from pyarrow.fs import LocalFileSystem
 
 from .._errors import AccessError, ArgumentError, DataError
 from ._layout import plain, plain_type
@@ -77,14 +78,8 @@ def _files(given: Any, what: str) -> Any:
         with telling_of(path):
             pq.read_metadata(path)
     base = os.path.commonpath([os.path.dirname(os.path.abspath(path)) for path in found])
-    return ds.dataset([os.path.abspath(path) for path in found], format=_parquet(),
+    return ds.dataset([os.path.abspath(path) for path in found], format="parquet",
                       partitioning=ds.partitioning(flavor="hive"), partition_base_dir=base)
-
-
-def _parquet() -> Any:
-    """Files are read bit by bit: a whole row group of each column would have to fit into memory."""
-    return ds.ParquetFileFormat(default_fragment_scan_options=ds.ParquetFragmentScanOptions(
-        use_buffered_stream=True, buffer_size=1 << 20, pre_buffer=False))
 
 
 @contextlib.contextmanager
@@ -117,10 +112,21 @@ class _Scanned:
     columns: tuple[str, ...] | None = None
 
     def __iter__(self) -> Iterator[Any]:
+        names = list(self.columns or self.dataset.schema.names)
         for fragment in self.dataset.get_fragments():
             with telling_of(getattr(fragment, "path", "source")):
-                yield from fragment.to_batches(schema=self.dataset.schema, columns=self.columns and list(self.columns),
-                                               batch_size=ROWS_AT_A_TIME, batch_readahead=1, use_threads=False)
+                if isinstance(fragment, ds.ParquetFileFragment) and isinstance(fragment.filesystem, LocalFileSystem) \
+                        and set(names) <= set(fragment.physical_schema.names):
+                    yield from _bit_by_bit(fragment.path, names)
+                else:
+                    yield from fragment.to_batches(schema=self.dataset.schema, columns=names, batch_size=ROWS_AT_A_TIME,
+                                                   batch_readahead=1)
+
+
+def _bit_by_bit(path: str, names: list[str]) -> Iterator[Any]:
+    """A file without ever holding a whole row group of it, as datasets do."""
+    with pq.ParquetFile(path, buffer_size=1 << 20, pre_buffer=False) as file:
+        yield from file.iter_batches(ROWS_AT_A_TIME, columns=names, use_threads=False)
 
 
 def selected(source: Source, names: Sequence[str]) -> Source:
