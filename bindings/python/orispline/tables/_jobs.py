@@ -19,6 +19,7 @@ from ._resampling import Resampling
 from ._source import Source, ordered, selected, source_of
 from ._works import SIDE, Comparison, Evaluation, Reduction, Smoothing, united
 
+Progress = Callable[[float], None]
 ALIGNMENTS = ("start", "epoch")
 ERRORS = ("row", "raise", "drop")
 
@@ -27,7 +28,7 @@ def resample(source: Any, *, by: str | Sequence[str] = "track", time: str = "t",
              quaternion: Sequence[str] = UNIT_QUATERNION, position: Sequence[str] | None = None, rate: Any = 100.0,
              align: str = "start", method: str = "auto", derivatives: int = 1, frame: str = "body", gap: float | None = None,
              errors: str = "row", assume_sorted: bool = False, threads: int = 0, memory_limit: str = "1GB",
-             **settings: Any) -> Any:
+             progress: Progress | None = None, **settings: Any) -> Any:
     """Even samples of the curve of every track, with their rates.
 
     Parameters
@@ -66,6 +67,9 @@ def resample(source: Any, *, by: str | Sequence[str] = "track", time: str = "t",
         At most so many at work, 0 means one for each core. The numbers are the same on any.
     memory_limit : str
         What DuckDB may take to put files and streams in order; beyond it the disk is used.
+    progress : callable, optional
+        Is told from time to time which share of the keys is done, 0 to 1, where it is known how many there are, else how
+        many keys are done.
 
     Returns
     -------
@@ -95,13 +99,13 @@ def resample(source: Any, *, by: str | Sequence[str] = "track", time: str = "t",
     {'track': 'a', 't': 0.5, 'qw': 0.9486832980505138}
     """
     job = resampling(layout(by, time, quaternion, position), rate, align, method, derivatives, frame, gap, errors, threads, settings)
-    return run(job, source_of(source), assume_sorted=assume_sorted, memory_limit=memory_limit)
+    return run(job, source_of(source), assume_sorted=assume_sorted, memory_limit=memory_limit, progress=progress)
 
 
 def evaluate(keys: Any, at: Any, *, by: str | Sequence[str] = "track", time: str = "t",
              quaternion: Sequence[str] = UNIT_QUATERNION, position: Sequence[str] | None = None, method: str = "auto",
              derivatives: int = 0, frame: str = "body", extrapolate: str = "nan", errors: str = "row", threads: int = 0,
-             memory_limit: str = "1GB", **settings: Any) -> Any:
+             memory_limit: str = "1GB", progress: Progress | None = None, **settings: Any) -> Any:
     """The orientation of each track at the rows of another table, such as a camera's at the times of a sensor.
 
     `at` has the columns `by` and `time`, and any others: its rows come back, track by track in the order of time, each
@@ -124,12 +128,14 @@ def evaluate(keys: Any, at: Any, *, by: str | Sequence[str] = "track", time: str
     both, job = evaluation(columns, source_of(keys, "keys"), source_of(at, "at"), method, derivatives, frame, extrapolate, errors,
                            threads, settings)
     order = [*columns.by, SIDE, columns.time]
-    return reader(job, both, lambda: ordered(both, order, assume_sorted=False, threads=job.threads, memory_limit=memory_limit))
+    rows = counted(both, lambda: ordered(both, order, assume_sorted=False, threads=job.threads, memory_limit=memory_limit), progress)
+    return reader(job, both, rows)
 
 
 def smooth(source: Any, *, by: str | Sequence[str] = "track", time: str = "t", quaternion: Sequence[str] = UNIT_QUATERNION,
            position: Sequence[str] | None = None, rate: Any = None, derivatives: int = 1, frame: str = "body",
-           errors: str = "row", assume_sorted: bool = False, threads: int = 0, memory_limit: str = "1GB", **options: Any) -> Any:
+           errors: str = "row", assume_sorted: bool = False, threads: int = 0, memory_limit: str = "1GB",
+           progress: Progress | None = None, **options: Any) -> Any:
     """Every track without its noise, with rates, at the times of its keys or at `rate` per second.
 
     `options` are those of `orispline.smooth`, the others those of `resample`. Warnings are given once for each kind, with
@@ -139,12 +145,13 @@ def smooth(source: Any, *, by: str | Sequence[str] = "track", time: str = "t", q
     work = Smoothing(None if rate is None else rate_text(rate), _derivatives(derivatives), FRAMES[_index("frame", frame, FRAMES)],
                      options)
     return run(PerTrack(columns, work, _errors(errors), thread_count(threads)), source_of(source), assume_sorted=assume_sorted,
-               memory_limit=memory_limit)
+               memory_limit=memory_limit, progress=progress)
 
 
 def reduce(source: Any, tolerance: Any, *, by: str | Sequence[str] = "track", time: str = "t",
            quaternion: Sequence[str] = UNIT_QUATERNION, position: Sequence[str] | None = None, errors: str = "row",
-           assume_sorted: bool = False, threads: int = 0, memory_limit: str = "1GB", **options: Any) -> Any:
+           assume_sorted: bool = False, threads: int = 0, memory_limit: str = "1GB",
+           progress: Progress | None = None, **options: Any) -> Any:
     """The fewest keys of every track whose curve stays within the tolerance: a number [rad], or a text such as `"0.1deg"`.
 
     The column `method` says which curve goes through them. `options` are those of `orispline.reduce`, the others those of
@@ -152,12 +159,13 @@ def reduce(source: Any, tolerance: Any, *, by: str | Sequence[str] = "track", ti
     """
     columns = layout(by, time, quaternion, position)
     return run(PerTrack(columns, Reduction(tolerance, options), _errors(errors), thread_count(threads)), source_of(source),
-               assume_sorted=assume_sorted, memory_limit=memory_limit)
+               assume_sorted=assume_sorted, memory_limit=memory_limit, progress=progress)
 
 
 def compare(source: Any, methods: Sequence[str] | str | None = None, keep_every: int | Sequence[int] = 8, *,
             by: str | Sequence[str] = "track", time: str = "t", quaternion: Sequence[str] = UNIT_QUATERNION, errors: str = "row",
-            assume_sorted: bool = False, threads: int = 0, memory_limit: str = "1GB", **options: Any) -> Any:
+            assume_sorted: bool = False, threads: int = 0, memory_limit: str = "1GB",
+           progress: Progress | None = None, **options: Any) -> Any:
     """How near the curves of methods come to every track, of which some samples become keys: a row for each track and method.
 
     The columns are the members of `orispline compare --json`, but for the times that it took. `options` are those of
@@ -166,7 +174,7 @@ def compare(source: Any, methods: Sequence[str] | str | None = None, keep_every:
     columns = layout(by, time, quaternion, None)
     work = Comparison({**options, "methods": methods, "keep_every": keep_every})
     return run(PerTrack(columns, work, _errors(errors), thread_count(threads)), source_of(source), assume_sorted=assume_sorted,
-               memory_limit=memory_limit)
+               memory_limit=memory_limit, progress=progress)
 
 
 Job = Resampling | PerTrack
@@ -199,7 +207,8 @@ def evaluation(columns: Layout, keys: Source, at: Source, method: str, derivativ
     if twice is not None:
         raise ArgumentError(f"at: found the column {twice!r}, which the result has too: leave it out or give it another name")
     in_memory = keys.in_memory and at.in_memory
-    both = Source(schema, Both(keys, at, schema), in_memory)
+    count = None if keys.rows is None or at.rows is None else keys.rows + at.rows
+    both = Source(schema, Both(keys, at, schema), in_memory, count)
     return both, PerTrack(columns, work, _errors(errors), thread_count(threads))
 
 
@@ -226,13 +235,13 @@ class Both:
         return batch.column(field.name).cast(field.type)
 
 
-def run(job: Job, source: Source, *, assume_sorted: bool, memory_limit: str) -> Any:
+def run(job: Job, source: Source, *, assume_sorted: bool, memory_limit: str, progress: Progress | None) -> Any:
     """The reader of a job over a source."""
     job.layout.check(source.schema)
     rows = selected(source, job.layout.names)
     assume_sorted, memory_limit = flag("assume_sorted", assume_sorted), text("memory_limit", memory_limit)
-    return reader(job, rows, lambda: ordered(rows, job.layout.order, assume_sorted=assume_sorted, threads=job.threads,
-                                             memory_limit=memory_limit))
+    return reader(job, rows, counted(rows, lambda: ordered(rows, job.layout.order, assume_sorted=assume_sorted, threads=job.threads,
+                                                           memory_limit=memory_limit), progress))
 
 
 def reader(job: Job, source: Source, rows: Callable[[], Iterable[Any]]) -> Any:
@@ -243,6 +252,21 @@ def reader(job: Job, source: Source, rows: Callable[[], Iterable[Any]]) -> Any:
         yield from job(rows(), source.schema)
 
     return pa.RecordBatchReader.from_batches(schema, batches())
+
+
+def counted(source: Source, rows: Callable[[], Iterable[Any]], progress: Progress | None) -> Callable[[], Iterable[Any]]:
+    """The same rows, of which somebody is told how many have passed."""
+    if progress is None:
+        return rows
+
+    def watched() -> Iterator[Any]:
+        done = 0
+        for batch in rows():
+            yield batch
+            done += batch.num_rows
+            progress(done / source.rows if source.rows else done)
+
+    return watched
 
 
 def _method(method: str, settings: dict[str, Any]) -> str:

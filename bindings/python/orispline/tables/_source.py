@@ -38,7 +38,7 @@ def source_of(given: Any, what: str = "source") -> Source:
     """Of files, tables and streams. Raises TypeError for anything else, AccessError for files that cannot be read."""
     if isinstance(given, (str, os.PathLike)) or isinstance(given, (list, tuple)) and given and all(
             isinstance(path, (str, os.PathLike)) for path in given):
-        return _of_dataset(_files(given, what))
+        return _files(given, what)
     if isinstance(given, pa.RecordBatch):
         given = pa.Table.from_batches([given])
     if isinstance(given, pa.Table) or _is_frame(given):
@@ -58,15 +58,15 @@ def _is_frame(given: Any) -> bool:
     return room in ("pandas", "polars") and type(given).__name__ == "DataFrame"
 
 
-def _files(given: Any, what: str) -> Any:
-    """Paths, patterns and folders as one dataset. Every file is looked at before anything is read."""
+def _files(given: Any, what: str) -> Source:
+    """Paths, patterns and folders as one source. Every file is looked at before anything is read."""
     found: list[str] = []
     listed = [given] if isinstance(given, (str, os.PathLike)) else given
     for path in map(os.fspath, listed):
         if "://" in path:
             if len(listed) > 1:
                 raise ArgumentError(f"{what}: found {path!r} among several, wanted one address, or files of this machine")
-            return ds.dataset(path, format="parquet", partitioning="hive")
+            return _of_dataset(ds.dataset(path, format="parquet", partitioning="hive"))
         inside = sorted(glob.glob(path, recursive=True)) if glob.has_magic(path) else [path]
         if not inside:
             raise AccessError(f"{path}: found no such file")
@@ -74,12 +74,13 @@ def _files(given: Any, what: str) -> Any:
             found += sorted(map(str, pathlib.Path(each).rglob("*.parquet"))) if os.path.isdir(each) else [each]
     if not found:
         raise AccessError(f"{os.fspath(listed[0])}: found no Parquet file in it")
+    rows = 0
     for path in found:
         with telling_of(path):
-            pq.read_metadata(path)
+            rows += pq.read_metadata(path).num_rows
     base = os.path.commonpath([os.path.dirname(os.path.abspath(path)) for path in found])
-    return ds.dataset([os.path.abspath(path) for path in found], format="parquet",
-                      partitioning=ds.partitioning(flavor="hive"), partition_base_dir=base)
+    return _of_dataset(ds.dataset([os.path.abspath(path) for path in found], format="parquet",
+                                  partitioning=ds.partitioning(flavor="hive"), partition_base_dir=base), rows)
 
 
 @contextlib.contextmanager
@@ -100,8 +101,8 @@ def telling_of(path: str) -> Iterator[None]:
     raise found from None
 
 
-def _of_dataset(dataset: Any) -> Source:
-    return Source(dataset.schema, _Scanned(dataset), rows=None)
+def _of_dataset(dataset: Any, rows: int | None = None) -> Source:
+    return Source(dataset.schema, _Scanned(dataset), rows=rows)
 
 
 @dataclasses.dataclass(frozen=True)

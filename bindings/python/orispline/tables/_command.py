@@ -1,0 +1,184 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The command `orispline-tables`: the functions of `orispline.tables`, from files to a file."""
+from __future__ import annotations
+
+import argparse
+import os
+import shutil
+import sys
+import time
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from .._errors import AccessError, ArgumentError, Error
+from .._options import FIELDS
+from . import _jobs
+from ._files import written
+
+WIDTH = 30  # of the bar
+BETWEEN_SHOWS = 0.2  # s
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Runs the command. What it ends with: 0, 1 for bad data, 2 for bad arguments, 3 for files, 130 after Ctrl-C."""
+    options = vars(_parser().parse_args(arguments))
+    command, output, partition_by, quiet = (options.pop(name) for name in ("command", "output", "partition_by", "quiet"))
+    if os.path.lexists(output) and partition_by is None and os.path.isdir(output):
+        return _failed(ArgumentError(f"--output: found the folder {output}, wanted a file, or --partition-by"))
+    shown = _Bar() if not quiet and sys.stderr.isatty() else None
+    places = [options.pop(name) for name in ("source", "at") if name in options]
+    stated = {name: value for name, value in options.items() if value is not None}
+    try:
+        reader = getattr(_jobs, command)(*places, **stated, progress=shown and shown.keys)
+        summary = written(reader, output, partition_by, shown=shown and shown.rows)
+    except KeyboardInterrupt:
+        return _failed("interrupted: nothing was written", 130)
+    except Error as error:
+        return _failed(error)
+    finally:
+        if shown:
+            shown.clear()
+    print(summary)
+    for message in summary.first_errors:
+        print(f"  {message}", file=sys.stderr)
+    return 0
+
+
+def _failed(why: Any, code: int | None = None) -> int:
+    print(f"orispline-tables: {why}", file=sys.stderr)
+    if code is not None:
+        return code
+    return 2 if isinstance(why, ArgumentError) else 3 if isinstance(why, AccessError) else 1
+
+
+class _Bar:
+    """A line on a terminal that says how far a job is."""
+
+    def __init__(self) -> None:
+        self._began = self._last = time.monotonic()
+        self._share, self._rows = 0.0, 0
+
+    def keys(self, share: float) -> None:
+        """So many of the keys are done: a share, or a number."""
+        self._share = share
+        self._show()
+
+    def rows(self, count: int) -> None:
+        """So many rows are written."""
+        self._rows = count
+        self._show()
+
+    def _show(self) -> None:
+        now = time.monotonic()
+        if now - self._last < BETWEEN_SHOWS:
+            return
+        self._last = now
+        done = f"{self._share:.0f} keys" if self._share > 1 else \
+            f"[{'#' * round(WIDTH * self._share):<{WIDTH}}] {self._share:4.0%}"
+        self._write(f"{done}  {self._rows} rows  {now - self._began:.0f} s")
+
+    def clear(self) -> None:
+        """Takes the line away."""
+        self._write("")
+
+    @staticmethod
+    def _write(text: str) -> None:
+        columns = shutil.get_terminal_size().columns
+        sys.stderr.write(f"\r{text[:columns - 1]:<{columns - 1}}\r{text[:columns - 1]}")
+        sys.stderr.flush()
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="orispline-tables", allow_abbrev=False,
+        description="Resamples, smooths, reduces and compares tables of many tracks, Parquet in and out. One row is one key.")
+    commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
+    for add in (_resample, _evaluate, _smooth, _reduce, _compare):
+        add(commands)
+    return parser
+
+
+def _command(commands: Any, name: str, summary: str, *, sides: bool = False) -> argparse.ArgumentParser:
+    """One of them, with the options that all have."""
+    parser: argparse.ArgumentParser = commands.add_parser(name, help=summary, description=summary[0].upper() + summary[1:] + ".",
+                                                          allow_abbrev=False)
+    parser.add_argument("source", nargs="+", metavar="FILE", help="Parquet files, patterns or folders of keys")
+    if sides:
+        parser.add_argument("--at", nargs="+", required=True, metavar="FILE", help="Parquet files of the rows to add orientations to")
+    else:
+        parser.add_argument("--assume-sorted", action="store_true", default=None, help="the rows are in order of track and time")
+    parser.add_argument("-o", "--output", required=True, metavar="FILE", help="Parquet file to write, or folder with --partition-by")
+    parser.add_argument("--by", type=_names, metavar="NAME,…", help="columns that tell tracks apart (default: track)")
+    parser.add_argument("--time", metavar="NAME", help="column of times, float seconds or timestamps (default: t)")
+    parser.add_argument("--quaternion", type=_names, metavar="X,Y,Z,W", help="columns of the quaternion (default: qx,qy,qz,qw)")
+    parser.add_argument("--errors", choices=_jobs.ERRORS, help="what a bad track becomes: a row with its message (default), the end of "
+                        "the work, or nothing")
+    parser.add_argument("--threads", type=int, metavar="N", help="at most so many at work; 0, the default, means one for each core")
+    parser.add_argument("--memory-limit", metavar="SIZE", help="what putting rows in order may take before it uses the disk (default: 1GB)")
+    parser.add_argument("--partition-by", type=_names, metavar="NAME,…", help="write a folder of files, one for each value")
+    parser.add_argument("--quiet", action="store_true", help="show no progress")
+    return parser
+
+
+def _motion(parser: argparse.ArgumentParser, derivatives: int) -> None:
+    parser.add_argument("--position", type=_names, metavar="X,Y,Z", help="columns of positions [m]")
+    parser.add_argument("--derivatives", type=int, metavar="ORDER", help=f"highest order of the rates, 0 to 3 (default: {derivatives})")
+    parser.add_argument("--frame", choices=_jobs.FRAMES, help="frame of angular rates (default: body)")
+
+
+def _resample(commands: Any) -> None:
+    parser = _command(commands, "resample", "even samples of every track, with rates")
+    _motion(parser, 1)
+    parser.add_argument("--method", metavar="NAME[:SETTING=VALUE…]", help="as of orispline (default: auto)")
+    parser.add_argument("--rate", metavar="HZ", help="samples per second, such as 100 or 30000/1001 (default: 100)")
+    parser.add_argument("--align", choices=_jobs.ALIGNMENTS, help="begin at each track's first key (default), or use the same times in all")
+    parser.add_argument("--gap", type=float, metavar="S", help="leave longer intervals between keys empty")
+
+
+def _evaluate(commands: Any) -> None:
+    parser = _command(commands, "evaluate", "the orientation of each track at the rows of another table", sides=True)
+    _motion(parser, 0)
+    parser.add_argument("--method", metavar="NAME[:SETTING=VALUE…]", help="as of orispline (default: auto)")
+    parser.add_argument("--extrapolate", choices=_jobs.BEYOND, help="what times outside the keys get (default: nan, none)")
+
+
+def _smooth(commands: Any) -> None:
+    parser = _command(commands, "smooth", "every track without its noise, with rates")
+    _motion(parser, 1)
+    parser.add_argument("--rate", metavar="HZ", help="even samples instead of those at the keys")
+    _of_task(parser, "SmoothOptions", without=("gyro", "gyro_noise"))
+
+
+def _reduce(commands: Any) -> None:
+    parser = _command(commands, "reduce", "the fewest keys of every track within a tolerance")
+    parser.add_argument("--position", type=_names, metavar="X,Y,Z", help="columns of positions [m]")
+    parser.add_argument("--tolerance", required=True, metavar="ANGLE", help="such as 0.1deg or 2mrad")
+    parser.add_argument("--method", metavar="NAME[:SETTING=VALUE…]", help="of the curve through the keys that are kept")
+    _of_task(parser, "ReduceOptions", without=("tolerance", "values"))
+
+
+def _compare(commands: Any) -> None:
+    parser = _command(commands, "compare", "how near methods come to every track, of which some samples become keys")
+    parser.add_argument("--methods", type=_methods, metavar="NAME,…", help="methods (default: all)")
+    parser.add_argument("--keep-every", type=int, metavar="N", help="keep every N-th sample as a key (default: 8)")
+    parser.add_argument("--leave-out", action="store_true", default=None, help="estimate the error from the keys alone as well")
+
+
+def _of_task(parser: argparse.ArgumentParser, table: str, without: tuple[str, ...]) -> None:
+    """The options of a task, as the library states them."""
+    for field in FIELDS[table]:
+        if field["name"] in without:
+            continue
+        words = list(field["words"]) or None
+        parser.add_argument("--" + field["name"].replace("_", "-"), choices=words, metavar=None if words else "NUMBER",
+                            help=(field["sentence"][0].lower() + field["sentence"][1:]).replace("%", "%%"))
+
+
+def _list_of(what: str) -> Callable[[str], list[str]]:
+    def listed(text: str) -> list[str]:
+        return [name for name in text.split(",") if name]
+    listed.__name__ = what
+    return listed
+
+
+_names, _methods = _list_of("names"), _list_of("methods")
