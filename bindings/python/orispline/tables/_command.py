@@ -7,9 +7,11 @@ import os
 import shutil
 import sys
 import time
+import warnings
 from collections.abc import Callable, Sequence
-from typing import Any
+from typing import Any, NoReturn
 
+from .._curve import BEYOND, FRAMES
 from .._errors import AccessError, ArgumentError, Error
 from .._options import FIELDS
 from . import _jobs
@@ -29,8 +31,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     places = [options.pop(name) for name in ("source", "at") if name in options]
     stated = {name: value for name, value in options.items() if value is not None}
     try:
-        reader = getattr(_jobs, command)(*places, **stated, progress=shown and shown.keys)
-        summary = written(reader, output, partition_by, shown=shown and shown.rows)
+        with warnings.catch_warnings():
+            warnings.showwarning = _say
+            reader = getattr(_jobs, command)(*places, **stated, progress=shown.keys if shown else None)
+            summary = written(reader, output, partition_by, shown=shown.rows if shown else None)
     except KeyboardInterrupt:
         return _failed("interrupted: nothing was written", 130)
     except Error as error:
@@ -42,6 +46,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     for message in summary.first_errors:
         print(f"  {message}", file=sys.stderr)
     return 0
+
+
+def _say(message: Any, *_: Any, **__: Any) -> None:
+    print(f"orispline-tables: {message}", file=sys.stderr)
 
 
 def _failed(why: Any, code: int | None = None) -> int:
@@ -88,8 +96,15 @@ class _Bar:
         sys.stderr.flush()
 
 
+class _Parser(argparse.ArgumentParser):
+    """One that says in a line what it does not understand."""
+
+    def error(self, message: str) -> NoReturn:
+        self.exit(2, f"{self.prog}: {message} ({self.prog} --help lists all options)\n")
+
+
 def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
+    parser = _Parser(
         prog="orispline-tables", allow_abbrev=False,
         description="Resamples, smooths, reduces and compares tables of many tracks, Parquet in and out. One row is one key.")
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
@@ -123,7 +138,7 @@ def _command(commands: Any, name: str, summary: str, *, sides: bool = False) -> 
 def _motion(parser: argparse.ArgumentParser, derivatives: int) -> None:
     parser.add_argument("--position", type=_names, metavar="X,Y,Z", help="columns of positions [m]")
     parser.add_argument("--derivatives", type=int, metavar="ORDER", help=f"highest order of the rates, 0 to 3 (default: {derivatives})")
-    parser.add_argument("--frame", choices=_jobs.FRAMES, help="frame of angular rates (default: body)")
+    parser.add_argument("--frame", choices=FRAMES, help="frame of angular rates (default: body)")
 
 
 def _resample(commands: Any) -> None:
@@ -139,7 +154,7 @@ def _evaluate(commands: Any) -> None:
     parser = _command(commands, "evaluate", "the orientation of each track at the rows of another table", sides=True)
     _motion(parser, 0)
     parser.add_argument("--method", metavar="NAME[:SETTING=VALUE…]", help="as of orispline (default: auto)")
-    parser.add_argument("--extrapolate", choices=_jobs.BEYOND, help="what times outside the keys get (default: nan, none)")
+    parser.add_argument("--extrapolate", choices=BEYOND, help="what times outside the keys get (default: nan, none)")
 
 
 def _smooth(commands: Any) -> None:

@@ -54,10 +54,17 @@ class _Counted:
         bad = len(column) - column.null_count
         self.errors += bad
         if bad and len(self.messages) < 3:
-            self.messages += column.drop_null().to_pylist()[:3 - len(self.messages)]
+            rows = batch.filter(column.is_valid()).slice(0, 3 - len(self.messages)).to_pylist()
+            self.messages += [_in_words(row) for row in rows]
 
     def summary(self, path: str) -> Summary:
         return Summary(path, self.rows, self.errors, tuple(self.messages))
+
+
+def _in_words(row: dict[str, Any]) -> str:
+    """The error of a row, and the track as far as its ids are there."""
+    ids = ", ".join(f"{name} {value!r}" for name, value in row.items() if value is not None and name != "error")
+    return f"{ids}: {row['error']}"
 
 
 def write(reader: Any, path: Any, partition_by: str | Sequence[str] | None = None) -> Summary:
@@ -189,7 +196,7 @@ def resample_files(paths: Any, folder: Any, **options: Any) -> list[Summary]:
     from ._jobs import resample
     listed = [paths] if isinstance(paths, (str, os.PathLike)) else list(paths)
     inputs: list[str] = []
-    for path in map(os.fspath, listed):
+    for path in [os.fspath(each) for each in listed]:
         found = sorted(glob.glob(path, recursive=True)) if glob.has_magic(path) else [path]
         if not found:
             raise AccessError(f"{path}: found no such file")
@@ -227,7 +234,7 @@ def _complete(place: str, made_by: bytes) -> Summary | None:
     except (OSError, pa.ArrowInvalid):
         return None
     counted = _Counted()
-    for batch in pq.ParquetFile(place).iter_batches(columns=["error"]):
+    for batch in pq.ParquetFile(place).iter_batches():
         counted.add(batch)
     return counted.summary(place)
 

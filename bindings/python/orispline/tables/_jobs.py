@@ -15,7 +15,7 @@ from .._errors import ArgumentError
 from .._texts import method_text, rate_text
 from ._layout import UNIT_QUATERNION, Layout, layout
 from ._per_track import PerTrack
-from ._resampling import Resampling
+from ._resampling import Resampling, sampled_schema
 from ._source import Source, ordered, selected, source_of
 from ._works import SIDE, Comparison, Evaluation, Reduction, Smoothing, united
 
@@ -186,7 +186,6 @@ def resampling(columns: Layout, rate: Any, align: str, method: str, derivatives:
     job = Resampling(columns, _method(method, settings), rate_text(rate), _index("align", align, ALIGNMENTS) == 1,
                      None if gap is None else real("gap", gap), _derivatives(derivatives), _index("frame", frame, FRAMES) == 1,
                      _errors(errors), thread_count(threads))
-    job.check()
     return job
 
 
@@ -199,13 +198,13 @@ def evaluation(columns: Layout, keys: Source, at: Source, method: str, derivativ
             raise ArgumentError(f"at: found the columns {', '.join(map(repr, at.schema.names))}, wanted {name!r} once")
     beside = tuple(name for name in at.schema.names if name not in (*columns.by, columns.time))
     at, keys = selected(at, at.schema.names), selected(keys, columns.names)
-    schema = united(columns, keys.schema, at.schema, beside)
     work = Evaluation(_method(method, settings), _derivatives(derivatives), FRAMES[_index("frame", frame, FRAMES)],
                       BEYOND[_index("extrapolate", extrapolate, BEYOND)], at.schema.field(columns.time).type, beside)
-    names = work.schema(columns, schema).names
-    twice = next((name for name in beside if names.count(name) > 1 or name == SIDE), None)
+    names = [SIDE, *sampled_schema(columns, keys.schema, work.derivatives, work.frame == "world").names]
+    twice = next((name for name in beside if name in names), None)
     if twice is not None:
         raise ArgumentError(f"at: found the column {twice!r}, which the result has too: leave it out or give it another name")
+    schema = united(columns, keys.schema, at.schema, beside)
     in_memory = keys.in_memory and at.in_memory
     count = None if keys.rows is None or at.rows is None else keys.rows + at.rows
     both = Source(schema, Both(keys, at, schema), in_memory, count)
@@ -246,6 +245,7 @@ def run(job: Job, source: Source, *, assume_sorted: bool, memory_limit: str, pro
 
 def reader(job: Job, source: Source, rows: Callable[[], Iterable[Any]]) -> Any:
     """The job's rows, made as they are asked for."""
+    job.check()
     schema = job.answer(source.schema).schema
 
     def batches() -> Iterator[Any]:

@@ -63,7 +63,7 @@ class Layout:
 
 def layout(by: Any, time: Any, quaternion: Any, position: Any) -> Layout:
     """Of arguments. Raises TypeError and ArgumentError."""
-    made = Layout(_names("by", by, None), *_names("time", time, 1), _names("quaternion", quaternion, 4),
+    made = Layout(_names("by", by, None), _names("time", time, 1)[0], _names("quaternion", quaternion, 4),
                   () if position is None else _names("position", position, 3))
     twice = sorted({name for name in made.names if made.names.count(name) > 1})
     if twice:

@@ -53,6 +53,9 @@ class Result:
 class Work(Protocol):
     """What is done on every track."""
 
+    def check(self, layout: Layout) -> None:
+        """Raises ArgumentError for options that no track can have."""
+
     def schema(self, layout: Layout, given: Any) -> Any:
         """Of the rows that come of it."""
 
@@ -68,6 +71,10 @@ class PerTrack:
     work: Work
     errors: str
     threads: int
+
+    def check(self) -> None:
+        """Raises what the options of the work are refused by."""
+        self.work.check(self.layout)
 
     def answer(self, given: Any) -> Answer:
         """For rows of such columns."""

@@ -17,7 +17,7 @@ import pyarrow.dataset as ds
 import pyarrow.parquet as pq
 from pyarrow.fs import LocalFileSystem
 
-from .._errors import AccessError, ArgumentError, DataError
+from .._errors import AccessError, ArgumentError, DataError, Error
 from ._layout import plain, plain_type
 from ._tracks import ROWS_AT_A_TIME, in_order
 
@@ -88,13 +88,14 @@ def telling_of(path: str) -> Iterator[None]:
     """What pyarrow finds wrong with a file, in one line."""
     try:
         yield
-    except (pa.ArrowInvalid, pa.ArrowNotImplementedError) as error:
-        found = DataError(f"{path}: found no sound Parquet file ({str(error).splitlines()[0]}), wanted one that is whole")
     except FileNotFoundError:
-        found = AccessError(f"{path}: found no such file")
-    except OSError as error:
-        reason = error.strerror or str(error).splitlines()[0]
-        found = AccessError(f"{path}: cannot be read: {reason}")
+        found: Error = AccessError(f"{path}: found no such file")
+    except (pa.ArrowInvalid, pa.ArrowNotImplementedError, OSError) as error:
+        reason = str(error).splitlines()[0] if str(error) else type(error).__name__
+        if isinstance(error, OSError) and error.errno is not None:
+            found = AccessError(f"{path}: cannot be read: {error.strerror or reason}")
+        else:
+            found = DataError(f"{path}: found no sound Parquet file ({reason}), wanted one that is whole")
     else:
         return
     found.file = path

@@ -11,9 +11,10 @@ import pyarrow.compute as pc
 
 from .._comparison import compare
 from .._curve import Curve
-from .._errors import DataError, Error
+from .._errors import ArgumentError, DataError, Error
 from .._keys import Keys
 from .._tasks import reduce, smooth
+from .._warnings import collected
 from ._layout import Layout, Times, Whole
 from ._per_track import START, Result, columns_of, track_of
 from ._resampling import sampled_schema
@@ -22,6 +23,24 @@ SIDE = "side"  # of rows of two tables: 0 of keys, 1 of those that orientations 
 OF_THIS_MACHINE = ("build_seconds", "seconds")  # measures that another run does not repeat
 OUTSIDE = "found a time outside the keys of the track"
 NO_KEYS = "found no keys of this track"
+
+
+def turning_keys(count: int, *, positions: bool = False) -> Keys:
+    """A slow turn that trembles: something to try options on."""
+    half = np.linspace(0.0, 1.0, count) + 1e-3 * np.cos(7.0 * np.arange(count))
+    turning = np.column_stack([0 * half, 0 * half, np.sin(half), np.cos(half)])
+    return Keys(np.arange(float(count)), turning, positions=turning[:, :3] if positions else None)
+
+
+def tried(layout: Layout, work: Any) -> None:
+    """Raises what options are refused by; what else becomes of the keys does not matter."""
+    with collected():
+        try:
+            work(turning_keys(33, positions=bool(layout.position)))
+        except ArgumentError:
+            raise
+        except Error:
+            pass
 
 
 def _same_row(count: int) -> Whole:
@@ -36,6 +55,10 @@ class Smoothing:
     derivatives: int
     frame: str
     options: dict[str, Any]
+
+    def check(self, layout: Layout) -> None:
+        """Raises what the options are refused by."""
+        tried(layout, lambda keys: smooth(keys, **self.options))
 
     def schema(self, layout: Layout, given: Any) -> Any:
         """The columns of samples."""
@@ -62,6 +85,10 @@ class Reduction:
     tolerance: Any
     options: dict[str, Any]
 
+    def check(self, layout: Layout) -> None:
+        """Raises what the options are refused by."""
+        tried(layout, lambda keys: reduce(keys, self.tolerance, threads=1, **self.options))
+
     def schema(self, layout: Layout, given: Any) -> Any:
         """Those of the keys, and the method."""
         fields = list(sampled_schema(layout, given, 0, world=False))
@@ -87,11 +114,15 @@ class Comparison:
         """The columns with their types, of a comparison of little work that has the same options."""
         steps = self.options["keep_every"]
         count = 4 * max(steps if isinstance(steps, (list, tuple)) else [steps]) + 1
-        half = np.linspace(0.0, 1.0, count)
-        turning = np.column_stack([0 * half, 0 * half, np.sin(half), np.cos(half)])
-        row = compare(Keys(np.arange(float(count)), turning), threads=1, **{**self.options, "methods": ["slerp"]}).table()[0]
+        with collected():
+            row = compare(turning_keys(count), threads=1, **{**self.options, "methods": ["slerp"]}).table()[0]
         kinds = {"method": pa.string(), "keep_every": pa.int64(), "keys": pa.int64(), "samples": pa.int64(), "continuity": pa.int64()}
         return {name: kinds.get(name, pa.float64()) for name in row if name not in (*OF_THIS_MACHINE, "error")}
+
+    def check(self, layout: Layout) -> None:
+        """Raises what the options are refused by."""
+        self.members()
+        tried(layout, lambda keys: compare(keys, threads=1, **{**self.options, "keep_every": 2}))
 
     def schema(self, layout: Layout, given: Any) -> Any:
         """The ids, and a column for each measure."""
@@ -117,6 +148,10 @@ class Evaluation:
     kind: Any  # of the times of that table
     beside: tuple[str, ...]  # its other columns
 
+    def check(self, layout: Layout) -> None:
+        """Raises what the method is refused by."""
+        tried(layout, lambda keys: Curve(keys, method=self.method, extrapolate=self.extrapolate))
+
     def schema(self, layout: Layout, given: Any) -> Any:
         """The other table's columns, then those of samples."""
         fields = list(sampled_schema(layout, given, self.derivatives, self.frame == "world"))
@@ -137,7 +172,7 @@ class Evaluation:
         except Error as error:
             return Result(at, everyone, [*own, *self._nothing(layout, given, at.num_rows)],
                           pa.array([str(error)] * at.num_rows, pa.string()))
-        failures = pa.array(np.where(outside, OUTSIDE, None), pa.string())
+        failures = pa.array([OUTSIDE] * at.num_rows, pa.string(), mask=~outside)
         return Result(at, everyone, [*own, *(pa.array(column, mask=outside) for column in columns)], failures)
 
     def _nothing(self, layout: Layout, given: Any, count: int) -> list[Any]:
