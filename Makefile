@@ -28,20 +28,21 @@ endef
 # The release first: its optimiser warns of what the tests' build does not see, and warnings are errors.
 # The Python package last, where Python's headers and the packages of its tests are to be had.
 test: build
-	tools/setup.sh build test python
+	tools/setup.sh build test python spark
 	$(call build_and_test,dev)
 	$(call python_package,--test --or-skip)
 
 # The wheel and the source of the Python package in build/python/dist, tested in an environment of its own.
 python: build
-	tools/setup.sh build python
+	tools/setup.sh build python spark
 	$(call python_package,--sdist --test)
 
-# The Python package beside SciPy; fills its table in docs/benchmarks.md. By processor time, in one process.
+# The Python package beside SciPy, by processor time; fills its tables in docs/benchmarks.md and docs/scale.md.
 bench-python: build
-	tools/setup.sh build python
+	tools/setup.sh build python spark
 	$(call python_package,)
 	build/python/venv/bin/python benchmarks/python/run.py --document docs/benchmarks.md
+	build/python/venv/bin/python benchmarks/python/many_tracks.py --document docs/scale.md
 
 check: test clang asan ubsan tsan coverage
 

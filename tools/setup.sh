@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# Provides what the given groups need: tools/setup.sh [build] [test] [check] [tidy] [docs] [bench] [python]; without a group: build test.
+# Provides what the given groups need: tools/setup.sh [build] [test] [check] [tidy] [docs] [bench] [python] [spark]; without a group: build test.
 # Installs with apt what is missing; where that is not possible it names the missing packages.
 set -eu
 
@@ -33,6 +33,7 @@ docs  doxygen            doxygen
 python python3           python3
 python python3-dev?      python3-config
 python python3-venv?     import:ensurepip
+spark openjdk-17-jre-headless? java
 bench libbenchmark-dev   benchmark/benchmark.h
 bench libglm-dev         glm/glm.hpp
 bench python3            python3

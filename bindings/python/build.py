@@ -16,7 +16,11 @@ import sysconfig
 import venv
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-GROUPS = ("build", "test", "docs")  # of [dependency-groups], as far as they are needed
+
+
+def groups_for(docs):
+    """Those of [dependency-groups] that are of use: Spark needs Java."""
+    return ["build", "test", *(["docs"] if docs else []), *(["spark"] if shutil.which("java") else [])]
 
 
 class Missing(Exception):
@@ -96,7 +100,7 @@ def main():
     options = parser.parse_args()
     folder = options.folder.resolve()
     try:
-        python = environment(folder / "venv", [group for group in GROUPS if group != "docs" or options.docs])
+        python = environment(folder / "venv", groups_for(options.docs))
     except Missing as missing:
         sys.exit(print(f"Python package: skipped: {missing}") if options.or_skip else f"build.py: {missing}")
     wheel = built(python, folder, options.prefix, options.sdist)

@@ -23,6 +23,16 @@ def rows_of(name):
         return list(csv.DictReader(line for line in file if not line.startswith("#")))
 
 
+@pytest.fixture(scope="session")
+def spark(tmp_path_factory):
+    """A session of Spark, in a time zone that nothing may depend on."""
+    from spark_cluster import started
+    session = started(**{"spark.sql.warehouse.dir": str(tmp_path_factory.mktemp("warehouse")),
+                         "spark.worker.ui.port": "0"})
+    yield session
+    session.stop()
+
+
 @pytest.fixture
 def keys():
     """Times and quaternions x, y, z, w of forty keys with uneven steps and turns up to 1.2 rad."""

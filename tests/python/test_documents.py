@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the documents print runs as printed, and the examples print what their twins in C++ print."""
+import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 
@@ -11,9 +13,12 @@ ROOT = pathlib.Path(__file__).parents[2]
 EXAMPLES = sorted((ROOT / "examples/python").glob("0*.py"))
 
 
+NOT_RUN = "(not run by the tests)"
+
+
 def blocks_of(document):
     text = (ROOT / document).read_text("utf-8")
-    return re.findall(r"^```python\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)
+    return [block for block in re.findall(r"^```python\n(.*?)^```$", text, re.MULTILINE | re.DOTALL) if NOT_RUN not in block]
 
 
 @pytest.mark.parametrize("document", ["README.md", "docs/python.md"])
@@ -26,6 +31,18 @@ def test_blocks_run_one_after_the_other(document, tmp_path):
     assert done.returncode == 0, done.stderr
     assert done.stderr == ""
     for shown in re.findall(r"^```text\n(.*?)^```$", (ROOT / document).read_text("utf-8"), re.MULTILINE | re.DOTALL):
+        assert shown in done.stdout
+
+
+def test_blocks_of_many_tracks_run_one_after_the_other(tmp_path):
+    """Those of Spark only where there is Java; Spark has warnings of its own."""
+    blocks = blocks_of("docs/scale.md")
+    runs = [block for block in blocks if "spark" not in block] if shutil.which("java") is None else blocks
+    assert len(runs) >= 6 and len(blocks) == len(re.findall("^```python$", (ROOT / "docs/scale.md").read_text("utf-8"), re.MULTILINE)) - 3
+    done = subprocess.run([sys.executable, "-c", "\n".join(runs)], cwd=tmp_path, capture_output=True, text=True, timeout=300,
+                          env=os.environ | {"SPARK_LOCAL_IP": "127.0.0.1", "PYSPARK_PYTHON": sys.executable})
+    assert done.returncode == 0, done.stderr
+    for shown in re.findall(r"^```text\n(.*?)^```$", (ROOT / "docs/scale.md").read_text("utf-8"), re.MULTILINE | re.DOTALL):
         assert shown in done.stdout
 
 

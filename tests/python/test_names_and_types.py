@@ -14,7 +14,9 @@ import pytest
 from conftest import ROOT
 
 NAMES = pathlib.Path(__file__).parent / "data/public_names.txt"
-MODULES = sorted(f"orispline.{module.name}" for module in pkgutil.iter_modules(ori.__path__) if module.name != "_core")
+ROOMS = [room for room, needed in (("tables", "pyarrow"), ("spark", "pyspark")) if importlib.util.find_spec(needed)]
+MODULES = sorted(name for _, name, _ in pkgutil.walk_packages(ori.__path__, "orispline.", onerror=lambda _: None)
+                 if name != "orispline._core" and (name.split(".")[1] in ROOMS or name.split(".")[1] not in ("tables", "spark")))
 PACKAGE = pathlib.Path(ori.__file__).parent
 
 
@@ -30,11 +32,14 @@ def public_names():
         yield name
         if inspect.isclass(getattr(ori, name)):
             yield from (f"{name}.{member}" for member in members(getattr(ori, name)))
+    for room in ROOMS:
+        yield from (f"{room}.{name}" for name in importlib.import_module(f"orispline.{room}").__all__)
 
 
 def test_public_names_are_those_written_down():
     """A name that goes or comes is a decision, to be written down: this file, run as a program, does it."""
-    assert list(public_names()) == NAMES.read_text("utf-8").split()
+    written = NAMES.read_text("utf-8").split()
+    assert list(public_names()) == [name for name in written if name.split(".")[0] in {*ROOMS, *ori.__all__}]
 
 
 def test_all_that_is_public_is_told():
@@ -50,6 +55,12 @@ def test_every_public_name_says_what_it_is(name):
         for member in vars(thing):
             if callable(getattr(thing, member)) and not member.startswith("_"):
                 assert getattr(thing, member).__doc__, member
+
+
+@pytest.mark.parametrize("room", ROOMS)
+def test_every_function_of_tables_says_what_it_is(room):
+    module = importlib.import_module(f"orispline.{room}")
+    assert module.__doc__ and all(getattr(module, name).__doc__ for name in module.__all__)
 
 
 @pytest.mark.parametrize("module", ["orispline", *MODULES])

@@ -15,7 +15,7 @@ from __future__ import annotations
 try:
     import pyarrow as _pyarrow  # noqa: F401
 except ImportError:
-    raise ImportError("orispline.tables: found no pyarrow, wanted it installed: pip install 'orispline[tables]'") from None
+    raise ImportError("orispline.tables: found no pyarrow, wanted it installed: pip install 'orispline[tables]'", name="pyarrow") from None
 
 from ._files import Summary, resample_files, write
 from ._jobs import compare, evaluate, reduce, resample, smooth

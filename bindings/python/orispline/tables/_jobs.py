@@ -125,8 +125,12 @@ def evaluate(keys: Any, at: Any, *, by: str | Sequence[str] = "track", time: str
 {'t': 1.5, 'range_m': 12.0, 'qw': None, 'error': 'found a time outside the keys of the track'}]
     """
     columns = layout(by, time, quaternion, position)
-    both, job = evaluation(columns, source_of(keys, "keys"), source_of(at, "at"), method, derivatives, frame, extrapolate, errors,
-                           threads, settings)
+    given, beside = source_of(keys, "keys"), source_of(at, "at")
+    columns.check(given.schema, "keys")
+    given, beside = selected(given, columns.names), selected(beside, beside.schema.names)
+    schema, job = evaluation(columns, given.schema, beside.schema, method, derivatives, frame, extrapolate, errors, threads, settings)
+    count = None if given.rows is None or beside.rows is None else given.rows + beside.rows
+    both = Source(schema, Both(given, beside, schema), given.in_memory and beside.in_memory, count)
     order = [*columns.by, SIDE, columns.time]
     rows = counted(both, lambda: ordered(both, order, assume_sorted=False, threads=job.threads, memory_limit=memory_limit), progress)
     return reader(job, both, rows)
@@ -141,10 +145,8 @@ def smooth(source: Any, *, by: str | Sequence[str] = "track", time: str = "t", q
     `options` are those of `orispline.smooth`, the others those of `resample`. Warnings are given once for each kind, with
     the number of tracks. A track is held as a whole.
     """
-    columns = layout(by, time, quaternion, position)
-    work = Smoothing(None if rate is None else rate_text(rate), _derivatives(derivatives), FRAMES[_index("frame", frame, FRAMES)],
-                     options)
-    return run(PerTrack(columns, work, _errors(errors), thread_count(threads)), source_of(source), assume_sorted=assume_sorted,
+    job = smoothing(layout(by, time, quaternion, position), rate, derivatives, frame, errors, threads, options)
+    return run(job, source_of(source), assume_sorted=assume_sorted,
                memory_limit=memory_limit, progress=progress)
 
 
@@ -157,9 +159,8 @@ def reduce(source: Any, tolerance: Any, *, by: str | Sequence[str] = "track", ti
     The column `method` says which curve goes through them. `options` are those of `orispline.reduce`, the others those of
     `resample`. A track is held as a whole.
     """
-    columns = layout(by, time, quaternion, position)
-    return run(PerTrack(columns, Reduction(tolerance, options), _errors(errors), thread_count(threads)), source_of(source),
-               assume_sorted=assume_sorted, memory_limit=memory_limit, progress=progress)
+    job = reduction(layout(by, time, quaternion, position), tolerance, errors, threads, options)
+    return run(job, source_of(source), assume_sorted=assume_sorted, memory_limit=memory_limit, progress=progress)
 
 
 def compare(source: Any, methods: Sequence[str] | str | None = None, keep_every: int | Sequence[int] = 8, *,
@@ -171,9 +172,8 @@ def compare(source: Any, methods: Sequence[str] | str | None = None, keep_every:
     The columns are the members of `orispline compare --json`, but for the times that it took. `options` are those of
     `orispline.compare`, the others those of `resample`. A track is held as a whole.
     """
-    columns = layout(by, time, quaternion, None)
-    work = Comparison({**options, "methods": methods, "keep_every": keep_every})
-    return run(PerTrack(columns, work, _errors(errors), thread_count(threads)), source_of(source), assume_sorted=assume_sorted,
+    job = comparison(layout(by, time, quaternion, None), methods, keep_every, errors, threads, options)
+    return run(job, source_of(source), assume_sorted=assume_sorted,
                memory_limit=memory_limit, progress=progress)
 
 
@@ -182,33 +182,46 @@ Job = Resampling | PerTrack
 
 def resampling(columns: Layout, rate: Any, align: str, method: str, derivatives: int, frame: str, gap: float | None, errors: str,
                threads: int, settings: dict[str, Any]) -> Resampling:
-    """The job of these arguments, checked."""
+    """The job of these arguments."""
     job = Resampling(columns, _method(method, settings), rate_text(rate), _index("align", align, ALIGNMENTS) == 1,
                      None if gap is None else real("gap", gap), _derivatives(derivatives), _index("frame", frame, FRAMES) == 1,
                      _errors(errors), thread_count(threads))
     return job
 
 
-def evaluation(columns: Layout, keys: Source, at: Source, method: str, derivatives: int, frame: str, extrapolate: str, errors: str,
-               threads: int, settings: dict[str, Any]) -> tuple[Source, PerTrack]:
-    """The rows of both tables as one source, and the job for them."""
-    columns.check(keys.schema, "keys")
+def smoothing(columns: Layout, rate: Any, derivatives: int, frame: str, errors: str, threads: int, options: dict[str, Any]) -> PerTrack:
+    """The job of these arguments."""
+    work = Smoothing(None if rate is None else rate_text(rate), _derivatives(derivatives), FRAMES[_index("frame", frame, FRAMES)],
+                     options)
+    return PerTrack(columns, work, _errors(errors), thread_count(threads))
+
+
+def reduction(columns: Layout, tolerance: Any, errors: str, threads: int, options: dict[str, Any]) -> PerTrack:
+    """The job of these arguments."""
+    return PerTrack(columns, Reduction(tolerance, options), _errors(errors), thread_count(threads))
+
+
+def comparison(columns: Layout, methods: Any, keep_every: Any, errors: str, threads: int, options: dict[str, Any]) -> PerTrack:
+    """The job of these arguments."""
+    work = Comparison({**options, "methods": methods, "keep_every": keep_every})
+    return PerTrack(columns, work, _errors(errors), thread_count(threads))
+
+
+def evaluation(columns: Layout, keys: Any, at: Any, method: str, derivatives: int, frame: str, extrapolate: str, errors: str,
+               threads: int, settings: dict[str, Any]) -> tuple[Any, PerTrack]:
+    """The schema of the rows of both tables together, of tables with these schemas, and the job for them."""
+    columns.check(keys, "keys")
     for name in (*columns.by, columns.time):
-        if at.schema.names.count(name) != 1:
-            raise ArgumentError(f"at: found the columns {', '.join(map(repr, at.schema.names))}, wanted {name!r} once")
-    beside = tuple(name for name in at.schema.names if name not in (*columns.by, columns.time))
-    at, keys = selected(at, at.schema.names), selected(keys, columns.names)
+        if at.names.count(name) != 1:
+            raise ArgumentError(f"at: found the columns {', '.join(map(repr, at.names))}, wanted {name!r} once")
+    beside = tuple(name for name in at.names if name not in (*columns.by, columns.time))
     work = Evaluation(_method(method, settings), _derivatives(derivatives), FRAMES[_index("frame", frame, FRAMES)],
-                      BEYOND[_index("extrapolate", extrapolate, BEYOND)], at.schema.field(columns.time).type, beside)
-    names = [SIDE, *sampled_schema(columns, keys.schema, work.derivatives, work.frame == "world").names]
+                      BEYOND[_index("extrapolate", extrapolate, BEYOND)], at.field(columns.time).type, beside)
+    names = [SIDE, *sampled_schema(columns, keys, work.derivatives, work.frame == "world").names]
     twice = next((name for name in beside if name in names), None)
     if twice is not None:
         raise ArgumentError(f"at: found the column {twice!r}, which the result has too: leave it out or give it another name")
-    schema = united(columns, keys.schema, at.schema, beside)
-    in_memory = keys.in_memory and at.in_memory
-    count = None if keys.rows is None or at.rows is None else keys.rows + at.rows
-    both = Source(schema, Both(keys, at, schema), in_memory, count)
-    return both, PerTrack(columns, work, _errors(errors), thread_count(threads))
+    return united(columns, keys, at, beside), PerTrack(columns, work, _errors(errors), thread_count(threads))
 
 
 @dataclasses.dataclass(frozen=True)

@@ -147,21 +147,21 @@ class Times:
             return number_column(column), np.zeros(len(starts), np.int64)
         missing = column.is_null().to_numpy(zero_copy_only=False) if column.null_count else None
         stamps = pc.fill_null(column.cast(pa.int64()), 0).to_numpy(zero_copy_only=False)
-        origins = self._origins(stamps[starts]) if origins is None else origins
+        origins = self.origins(stamps[starts]) if origins is None else origins
         since = stamps - np.repeat(origins, np.diff(np.append(starts, len(stamps))))
-        seconds = self._seconds_of(since)
+        seconds = self.seconds_of(since)
         if missing is not None:
             seconds[missing] = np.nan
         return seconds, origins
 
-    def _origins(self, first: Whole) -> Whole:
+    def origins(self, first: Whole) -> Whole:
         """Of tracks with these first stamps."""
         if not self.period:
             return first
         step = self.period * (10**9 // NANOSECONDS[self.kind.unit])
         return first // step * step
 
-    def _seconds_of(self, units: Whole) -> Floats:
+    def seconds_of(self, units: Whole) -> Floats:
         """Seconds of a difference: by way of nanoseconds, as `Keys` has them, so that the bits are the same."""
         scale = NANOSECONDS[self.kind.unit]
         if len(units) and max(abs(int(units.max())), abs(int(units.min()))) < 2**63 // scale:
@@ -172,8 +172,11 @@ class Times:
         """A column of times; an origin for each."""
         if not self.is_calendar:
             return pa.array(seconds, self.kind)
-        units = np.rint(seconds * (10**9 // NANOSECONDS[self.kind.unit])).astype(np.int64)
-        return pa.array(units + origins).cast(self.kind)
+        return pa.array(self.units(seconds, origins)).cast(self.kind)
+
+    def units(self, seconds: Floats, origins: Whole) -> Whole:
+        """Stamps as whole numbers; an origin for each."""
+        return np.rint(seconds * (10**9 // NANOSECONDS[self.kind.unit])).astype(np.int64) + origins
 
 
 def period_of(rate: str) -> int:

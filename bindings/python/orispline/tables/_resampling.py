@@ -73,7 +73,11 @@ class Resampling:
 
     def check(self) -> None:
         """Raises what a method, a rate or a gap is refused by."""
-        self._sampler()
+        self.sampler()
+
+    def times(self, kind: Any) -> Times:
+        """Of a column of that type."""
+        return Times(kind, period_of(self.rate) if self.at_multiples else 0)
 
     def answer(self, given: Any) -> Answer:
         """For rows of such columns."""
@@ -82,7 +86,7 @@ class Resampling:
     def __call__(self, batches: Iterable[Any], given: Any) -> Iterator[Any]:
         """Samples of the tracks of a stream in order, whose schema is `given`."""
         answer = self.answer(given)
-        times = Times(given.field(self.layout.time).type, period_of(self.rate) if self.at_multiples else 0)
+        times = self.times(given.field(self.layout.time).type)
         for part in tracks_in(batches, self.layout.by):
             yield from self._of_long(part, times, answer) if isinstance(part, LongTrack) else self._of_whole(part, times, answer)
 
@@ -111,7 +115,7 @@ class Resampling:
 
     def _of_long(self, track: LongTrack, times: Times, answer: Answer) -> Iterator[Any]:
         """Samples that are final are given out and forgotten, so that an error comes behind those before it."""
-        sampler = self._sampler()
+        sampler = self.sampler()
         start, origin = np.zeros(1, np.int64), None
         refused = NO_ID if len(without_id(track.first_row, start, self.layout.by)) else None
         for piece in track:
@@ -140,7 +144,8 @@ class Resampling:
             yield answer.rows(row, np.zeros(count, np.int64), [times.back(t, origin[0]), *rest])
         return None
 
-    def _sampler(self) -> Any:
+    def sampler(self) -> Any:
+        """For one track whose keys come in pieces."""
         return _core.TrackSampler(self.method, self.rate, self.at_multiples, self.gap)
 
     def _numbers(self, batch: Any) -> list[Any]:
@@ -149,11 +154,17 @@ class Resampling:
 
 def sampled_schema(layout: Layout, given: Any, derivatives: int, world: bool) -> Any:
     """Of samples: the columns of the keys, then the rates of the rotation and those of the position, then the error."""
+    names = sampled_names(layout, derivatives, world)
+    known = len(layout.order)
+    return pa.schema([*(pa.field(name, given.field(name).type) for name in names[:known]),
+                      *(pa.field(name, pa.float64()) for name in names[known:]), pa.field("error", pa.string())])
+
+
+def sampled_names(layout: Layout, derivatives: int, world: bool) -> list[str]:
+    """Of the same columns, without the error."""
     linear = min(derivatives, 2) if layout.position else -1
-    names = _core.column_names(world, derivatives, linear)
-    rates = names[5 + len(layout.position):]
-    return pa.schema([*(pa.field(name, given.field(name).type) for name in (*layout.by, layout.time)),
-                      *(pa.field(name, pa.float64()) for name in (*layout.numbers, *rates)), pa.field("error", pa.string())])
+    rates = _core.column_names(world, derivatives, linear)[5 + len(layout.position):]
+    return [*layout.names, *rates]
 
 
 def _refusal(work: Callable[..., Any], *arguments: Any) -> str | None:

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is done with data frames: the functions of `orispline.tables`, with their arguments."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from pyspark.sql import functions
+
+from ..tables import _jobs as jobs
+from ..tables._layout import UNIT_QUATERNION, Layout, layout
+from ..tables._works import SIDE
+from ._frames import arrow_schema, mapped, spark_schema, types_of
+
+ONE_THREAD = 1  # a task of Spark has a core
+
+
+def resample(df: Any, *, by: str | Sequence[str] = "track", time: str = "t", quaternion: Sequence[str] = UNIT_QUATERNION,
+             position: Sequence[str] | None = None, rate: Any = 100.0, align: str = "start", method: str = "auto",
+             derivatives: int = 1, frame: str = "body", gap: float | None = None, errors: str = "row", **settings: Any) -> Any:
+    """Even samples of the curve of every track, with their rates: `orispline.tables.resample` of a data frame.
+
+    The rows are shuffled once, by track. Within a track they come out in order of time. Memory stays small however long a
+    track is, where the method is local.
+    """
+    job = jobs.resampling(layout(by, time, quaternion, position), rate, align, method, derivatives, frame, gap, errors, ONE_THREAD,
+                          settings)
+    return _run(job, df)
+
+
+def evaluate(keys: Any, at: Any, *, by: str | Sequence[str] = "track", time: str = "t", quaternion: Sequence[str] = UNIT_QUATERNION,
+             position: Sequence[str] | None = None, method: str = "auto", derivatives: int = 0, frame: str = "body",
+             extrapolate: str = "nan", errors: str = "row", **settings: Any) -> Any:
+    """The orientation of each track at the rows of another data frame: `orispline.tables.evaluate`."""
+    columns = layout(by, time, quaternion, position)
+    schema, job = jobs.evaluation(columns, arrow_schema(keys), arrow_schema(at), method, derivatives, frame, extrapolate, errors,
+                                  ONE_THREAD, settings)
+    job.check()
+    known = types_of(keys.select(*columns.names), at)
+    both = _with_all(keys, schema.names, known, 0).unionByName(_with_all(at, schema.names, known, 1))
+    answer = job.answer(schema).schema
+    return mapped(job, both, columns.by, [*columns.by, SIDE, columns.time], spark_schema(answer, known))
+
+
+def smooth(df: Any, *, by: str | Sequence[str] = "track", time: str = "t", quaternion: Sequence[str] = UNIT_QUATERNION,
+           position: Sequence[str] | None = None, rate: Any = None, derivatives: int = 1, frame: str = "body", errors: str = "row",
+           **options: Any) -> Any:
+    """Every track without its noise, with rates: `orispline.tables.smooth`. Warnings are in the logs of the workers."""
+    return _run(jobs.smoothing(layout(by, time, quaternion, position), rate, derivatives, frame, errors, ONE_THREAD, options), df)
+
+
+def reduce(df: Any, tolerance: Any, *, by: str | Sequence[str] = "track", time: str = "t",
+           quaternion: Sequence[str] = UNIT_QUATERNION, position: Sequence[str] | None = None, errors: str = "row",
+           **options: Any) -> Any:
+    """The fewest keys of every track within a tolerance: `orispline.tables.reduce`."""
+    return _run(jobs.reduction(layout(by, time, quaternion, position), tolerance, errors, ONE_THREAD, options), df)
+
+
+def compare(df: Any, methods: Sequence[str] | str | None = None, keep_every: int | Sequence[int] = 8, *,
+            by: str | Sequence[str] = "track", time: str = "t", quaternion: Sequence[str] = UNIT_QUATERNION, errors: str = "row",
+            **options: Any) -> Any:
+    """How near the curves of methods come to every track: `orispline.tables.compare`."""
+    return _run(jobs.comparison(layout(by, time, quaternion, None), methods, keep_every, errors, ONE_THREAD, options), df)
+
+
+def checked(job: Any, df: Any) -> Any:
+    """The columns of a data frame that a job takes, when both are found to be sound."""
+    columns: Layout = job.layout
+    columns.check(arrow_schema(df), "df")
+    job.check()
+    return df.select(*columns.names)
+
+
+def _run(job: Any, df: Any) -> Any:
+    rows = checked(job, df)
+    answer = job.answer(arrow_schema(rows)).schema
+    return mapped(job, rows, job.layout.by, job.layout.order, spark_schema(answer, types_of(rows)))
+
+
+def _with_all(df: Any, names: Sequence[str], known: dict[str, Any], side: int) -> Any:
+    """The rows of one of two data frames with the columns of both."""
+    def column(name: str) -> Any:
+        if name == SIDE:
+            return functions.lit(side).cast("tinyint").alias(SIDE)
+        value = functions.col(name) if name in df.columns else functions.lit(None)
+        return value.cast(known[name]).alias(name)
+
+    return df.select(*map(column, names))

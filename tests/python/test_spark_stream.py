@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Live streams: what comes out of several triggers is what the batch job gives, once."""
+import time
+
+import numpy as np
+import pytest
+from track_data import QUATERNION, columns, rows_of, table_of, tracks
+
+pa = pytest.importorskip("pyarrow")
+pytest.importorskip("pyspark", reason="Spark: found no pyspark, wanted the dependency group 'spark'")
+import pyarrow.parquet as pq  # noqa: E402
+from orispline import tables  # noqa: E402
+
+
+WITHIN = 90  # s
+
+
+class Stream:
+    """A folder in which files arrive. Each trigger begins anew from what the one before noted on the disk."""
+
+    def __init__(self, spark, folder, schema, **options):
+        self._spark, self._folder, self._schema, self._options = spark, folder, schema, options
+        self._files = 0
+        (folder / "in").mkdir()
+
+    def trigger(self, table=None, least=0, **options):
+        """All rows so far in order, when these keys have come, and there are so many rows or it has been a long time."""
+        from orispline import spark as distributed
+        if table is not None:
+            pq.write_table(table, self._folder / f"in/{self._files}.parquet")
+            self._files += 1
+        keys = self._spark.readStream.schema(self._schema).parquet(str(self._folder / "in"))
+        samples = distributed.resample_stream(keys, **{**self._options, **options})
+        self._spark.conf.set("spark.sql.streaming.noDataMicroBatches.enabled", least > 0)  # they never end, and end idle tracks
+        wanted = {"processingTime": "1 second"} if least else {"availableNow": True}
+        query = samples.writeStream.format("parquet").option("checkpointLocation", str(self._folder / "notes")).trigger(**wanted).start(
+            str(self._folder / "out"))
+        try:
+            end = time.monotonic() + WITHIN
+            while not query.awaitTermination(0.5) and time.monotonic() < end and (not least or self._rows(samples.schema).num_rows < least):
+                pass
+        finally:
+            query.stop()
+        return self._rows(samples.schema)
+
+    def _rows(self, schema):
+        if not (self._folder / "out/_spark_metadata").exists():
+            return pa.table({})
+        files = self._spark.read.schema(schema).parquet(str(self._folder / "out")).inputFiles()
+        parts = [pq.read_table(name.removeprefix("file://")) for name in files]
+        return pa.concat_tables(parts).sort_by([("track", "ascending"), ("t", "ascending")]) if parts else pa.table({})
+
+
+@pytest.fixture
+def stream(spark, tmp_path):
+    def of(table, **options):
+        spark.conf.set("spark.sql.shuffle.partitions", "2")
+        pq.write_table(table, tmp_path / "like.parquet")
+        return Stream(spark, tmp_path, spark.read.parquet(str(tmp_path / "like.parquet")).schema, **options)
+    yield of
+    spark.conf.set("spark.sql.shuffle.partitions", "8")
+
+
+def thirds(table):
+    """Its rows in three parts by time, so that most tracks are in all of them."""
+    rank = np.zeros(table.num_rows)
+    ids = np.array(table["track"].to_pylist())
+    for track in set(ids.tolist()):
+        here = np.nonzero(ids == track)[0]
+        rank[here] = np.arange(len(here)) * 3 // max(len(here), 1)
+    return [table.filter(pa.array(rank == k)) for k in range(3)]
+
+
+def as_stamps(table, kind):
+    return table.set_column(1, "t", pa.array((table["t"].to_numpy() * 1e6).astype(np.int64) + 1_772_000_000_000_000).cast(kind))
+
+
+@pytest.mark.parametrize("kind", [pa.float64(), pa.timestamp("us", "UTC"), pa.timestamp("us")], ids=str)
+def test_three_triggers_give_the_samples_of_the_batch_job(kind, stream):
+    table = table_of(tracks(60, least=3))
+    table = table if kind == pa.float64() else as_stamps(table, kind)
+    options = {"rate": 50, "derivatives": 2, "align": "epoch" if kind == pa.timestamp("us") else "start"}
+    expected = tables.resample(table, **options).read_all()
+    live = stream(table, **options)
+    first, second, third = thirds(table)
+    counts = [live.trigger(part).num_rows for part in (first, second)]
+    found = live.trigger(third, expected.num_rows, idle=0.01)
+    assert 0 < counts[0] < counts[1] < found.num_rows
+    assert found.cast(expected.schema).equals(expected)
+
+
+def test_keys_that_come_late_are_rows_with_an_error(stream):
+    made = tracks(20, least=9)
+    table = table_of(made)
+    live = stream(table, rate=50, idle=0.01)
+    live.trigger(table)
+    late = table.slice(0, 0)
+    for track in (3, 7):
+        times, q = made[track]
+        late = pa.concat_tables([late, table_of({track: (times[[2, 4]] + 0.001, q[[2, 4]])})])
+    on_time = table_of({3: (made[3][0][-1:] + 0.1, made[3][1][:1])})
+    expected = tables.resample(pa.concat_tables([table, on_time]), rate=50).read_all()
+    found = live.trigger(pa.concat_tables([late, on_time]), expected.num_rows + 4, idle=0.01)
+    wrong = found.filter(found["error"].is_valid())
+    assert wrong["track"].to_pylist() == [3, 3, 7, 7] and np.array_equal(wrong["t"].to_numpy(), late["t"].to_numpy())
+    assert all("wanted" in message for message in wrong["error"].to_pylist())
+    rows = found.filter(found["error"].is_null())
+    assert rows.cast(expected.schema).equals(expected)
+
+
+@pytest.mark.parametrize("errors", ["row", "drop"])
+def test_bad_keys_are_left_out(errors, stream):
+    made = tracks(5, least=9)
+    table = table_of(made)
+    row = int(np.nonzero(table["track"].to_numpy() == 2)[0][4])
+    qx, ids = table["qx"].to_numpy().copy(), table["track"].to_pylist()
+    qx[row] = np.nan
+    bad = table.set_column(2, "qx", pa.array(qx))
+    nameless = table.slice(0, 1).set_column(0, "track", pa.array([None], pa.int64()))
+    good = tables.resample(table.filter(pa.array([k != row for k in range(len(ids))])), rate=50).read_all()
+    arrived, least = pa.concat_tables([bad, nameless]), good.num_rows + (2 if errors == "row" else 0)
+    found = stream(table, rate=50, errors=errors).trigger(arrived, least, idle=0.01)
+    wrong = found.filter(found["error"].is_valid())
+    if errors == "row":
+        assert sorted(wrong["track"].to_pylist(), key=lambda each: each is None) == [2, None]
+        assert "not finite" in rows_of(wrong, 2)["error"][0].as_py() and rows_of(wrong, 2)["t"][0] == table["t"][row]
+        assert rows_of(wrong, None)["error"][0].as_py().startswith("found no value in a column of by")
+    else:
+        assert len(wrong) == 0
+    assert np.array_equal(columns(found.filter(found["error"].is_null()), QUATERNION), columns(good, QUATERNION))
+
+
+def test_a_method_that_solves_over_all_keys_waits_for_the_end(stream):
+    table = table_of(tracks(8, least=3))
+    live = stream(table, rate=50, method="rotation-spline", idle=0.01)
+    assert live.trigger(table).num_rows == 0
+    later = table_of({8: tracks(1, least=9)[0]})
+    expected = tables.resample(pa.concat_tables([table, later]), rate=50, method="rotation-spline").read_all()
+    assert live.trigger(later, expected.num_rows).cast(expected.schema).equals(expected)
