@@ -31,23 +31,23 @@ def resample_to(df: Any, path: str, rounds: int = 8, **options: Any) -> Any:
     ids = [functions.col(name) for name in ([by] if isinstance(by, str) else by)]
     made_by = json.dumps({"version": _core.version, "rounds": count, "options": options}, sort_keys=True, default=str)
     spark = df.sparkSession
-    for k in range(count):
-        note = f"{path}/done/round={k}"
-        before = _note(spark, note)
-        if before is not None and before != made_by:
-            raise ArgumentError(f"path: found rounds in {path} that were made with {before}, wanted {made_by}: name another folder, or "
-                                "remove this one")
-        if before is None:
-            mine = functions.pmod(functions.xxhash64(*ids), functions.lit(count)) == k
-            resample(df.where(mine), **options).write.mode("overwrite").parquet(f"{path}/samples/round={k}")
-            spark.createDataFrame([(made_by,)], "made_by string").coalesce(1).write.mode("overwrite").parquet(note)
+    done = _notes(spark, f"{path}/done")
+    other = next((before for before in done.values() if before != made_by), None)
+    if other is not None:
+        raise ArgumentError(f"path: found rounds in {path} that were made with {other}, wanted {made_by}: name another folder, or "
+                            "remove this one")
+    for k in sorted(set(range(count)) - set(done)):
+        mine = functions.pmod(functions.xxhash64(*ids), functions.lit(count)) == k
+        resample(df.where(mine), **options).write.mode("overwrite").parquet(f"{path}/samples/round={k}")
+        note = spark.createDataFrame([(made_by,)], "made_by string").coalesce(1)
+        note.write.mode("overwrite").parquet(f"{path}/done/round={k}")
     return spark.read.schema(found.schema).parquet(*[f"{path}/samples/round={k}" for k in range(count)])
 
 
-def _note(spark: Any, place: str) -> str | None:
-    """What a round was made by, if it is done."""
+def _notes(spark: Any, folder: str) -> dict[int, str]:
+    """What each round that is done was made by."""
     try:
-        rows = spark.read.schema("made_by string").parquet(place).collect()
+        rows = spark.read.schema("made_by string, round int").option("basePath", folder).parquet(f"{folder}/round=*").collect()
     except AnalysisException:
-        return None
-    return str(rows[0][0]) if rows else None
+        return {}
+    return {row["round"]: row["made_by"] for row in rows}
