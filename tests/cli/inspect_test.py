@@ -108,6 +108,25 @@ class Continuity(CommandTest):
             with self.subTest(method["method"]):
                 self.assertAlmostEqual(method["angular_velocity_jump_max_rad_s"], middle - middle / 2, delta=1e-13)
 
+    def test_quintic_is_g2_and_sextic_g3_where_their_speed_jumps(self):
+        keys = turning_keys([1, 0.1, 1, 1, 0.1, 0.1, 1, 0.1])
+        methods = self.methods_of("--method slerp,squad,quintic,sextic", keys)
+        self.assertEqual([method["continuity_order"] for method in methods], [0, 0, 0, 0])
+        self.assertEqual([method["shape_order"] for method in methods], [0, 1, 2, 3])
+        self.assertLess(methods[2]["curvature_jump_max_per_rad"], 1e-9)
+        self.assertGreater(methods[1]["curvature_jump_max_relative"], 1e-3)
+        text = self.output_of("inspect - --method quintic", input=keys)
+        self.assertRegex(text, r"\nquintic +C0 .*\n(.*\n)*quintic +G2 ")
+
+    def test_the_shape_is_undefined_where_the_body_rests(self):
+        keys = turning_keys([1] * 6).splitlines()
+        keys.insert(4, "2.5," + keys[3].split(",", 1)[1])  # the third key once more
+        given = "\n".join(keys) + "\n"
+        method, = self.methods_of("--method auto --set hold=1", given)
+        self.assertEqual((method["shape_order"], method["shape_order_in_motion"], method["rests_at_keys"]), (None, 2, 2))
+        self.assertIn("\nauto rests at key 2 (line 4, 2 s) and 1 more: its shape is undefined there; at the other keys it is G2\n",
+                      self.output_of("inspect - --method auto --set hold=1", input=given))
+
     def test_quintic_and_sextic_are_smooth_at_even_keys(self):
         keys = turning_keys([0.5] * 8)
         self.assertEqual([m["continuity_order"] for m in self.methods_of("--method quintic,sextic", keys)], [2, 3])

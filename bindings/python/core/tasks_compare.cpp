@@ -142,7 +142,7 @@ nb::object value_in_row(const MeasureInfo& measure, const ComparedMethod& method
   if (!method.measures) return nb::none();
   const auto value = measure.value(*method.measures, data.measure_times());
   if (!value) return nb::none();
-  return measure.is_order ? nb::cast(static_cast<int>(*value)) : nb::cast(*value);
+  return !measure.order.empty() ? nb::cast(static_cast<int>(*value)) : nb::cast(*value);
 }
 
 nb::list table_of(const CompareTask& task) {

@@ -16,9 +16,9 @@ std::string json_of(const CompareReport& report) {
               {"samples", keys.compared}};
     for (const MeasureInfo& measure : measures) {
       const auto value = value_of(measure, method, report.data);
-      json[std::string(measure.id)] = !value             ? Json(nullptr)
-                                      : measure.is_order ? Json(static_cast<int>(*value))
-                                                         : Json(*value);
+      json[std::string(measure.id)] = !value                   ? Json(nullptr)
+                                      : !measure.order.empty() ? Json(static_cast<int>(*value))
+                                                               : Json(*value);
     }
     json["error"] = method.measures ? Json(nullptr) : Json(describe(method.measures.error()));
     list.push_back(std::move(json));

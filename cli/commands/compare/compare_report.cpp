@@ -25,6 +25,7 @@ std::string continuity_of(const ComparedMethod& method) {
 report::Cell cell_of(const ComparedMethod& method, const MeasureInfo& measure, const ComparedData& data) {
   const auto value = value_of(measure, method, data);
   if (!value) return std::string(none);
+  if (!measure.order.empty()) return formatted("{}{}", measure.order, *value);
   return std::abs(*value) <= measure.rounding ? 0.0 : *value;
 }
 
@@ -46,6 +47,13 @@ bool is_infinite_for_some(const MeasureInfo& measure, const CompareReport& repor
   });
 }
 
+/// Whether some curve has keys at which it has no direction.
+bool rests_at_some(const CompareReport& report, std::size_t key_set) {
+  return std::ranges::any_of(report.methods, [&](const ComparedMethod& method) {
+    return method.key_set == key_set && method.measures && method.measures->shape.rests > 0;
+  });
+}
+
 std::string note_on_infinite(const MeasureInfo& measure) {
   std::string orders = "C0";
   for (int order = 1; order < measure.finite_from; ++order) orders += formatted(" or C{}", order);
@@ -60,6 +68,7 @@ std::vector<std::string> notes_of(const CompareReport& report, std::size_t key_s
     notes.push_back(formatted("{} took the logged rates at the keys too.", joined(names, ", ")));
   for (const MeasureInfo& measure : measures)
     if (is_infinite_for_some(measure, report, key_set)) notes.push_back(note_on_infinite(measure));
+  if (rests_at_some(report, key_set)) notes.emplace_back("The shape is undefined (–) where the body rests at a key.");
   if (report.leave_out == LeaveOut::yes)
     notes.emplace_back("Left out: an estimate of the error from the keys alone; it is not fit for choosing a method.");
   return notes;

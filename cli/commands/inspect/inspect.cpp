@@ -77,7 +77,8 @@ Expected<InspectReport> inspected(const InputRequest& input, const std::vector<M
     const auto curve = shaped_curve(method, track);
     if (!curve) return tl::unexpected(curve.error());
     const Seam seam = method.options.loop ? Seam::closed : Seam::open;
-    report.methods.push_back({method.name, continuity_at_keys(curve->orientation, seam)});
+    report.methods.push_back({method.name, continuity_at_keys(curve->orientation, seam),
+                              shape_continuity_at_keys(curve->orientation, seam)});
     std::ranges::move(warnings_of(method, track), std::back_inserter(warnings));
   }
   warn(warnings);

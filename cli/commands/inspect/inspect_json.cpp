@@ -40,13 +40,30 @@ void add_jump(Json& json, const std::string& name, const std::string& unit, cons
   json[name + "_max_" + unit] = jump.magnitude;
 }
 
+void add_shape_jump(Json& method, const std::string& name, const std::string& unit, const ShapeJump& jump) {
+  method[name + "_jump_max" + unit] = jump.largest;
+  method[name + "_jump_max_relative"] = jump.relative;
+  method[name + "_jump_max_key"] = jump.key;
+}
+
+void add_shape(Json& method, const ShapeContinuity& shape) {
+  const auto order = shape.order(), order_in_motion = shape.order_in_motion();
+  method["shape_order"] = order ? Json(*order) : Json(nullptr);
+  method["shape_order_in_motion"] = order_in_motion ? Json(*order_in_motion) : Json(nullptr);
+  method["rests_at_keys"] = shape.rests;
+  add_shape_jump(method, "direction", "", shape.direction);
+  add_shape_jump(method, "curvature", "_per_rad", shape.curvature);
+  add_shape_jump(method, "curvature_rate", "_per_rad2", shape.curvature_rate);
+}
+
 Json methods(const InspectReport& report) {
   Json methods = Json::array();
-  for (const auto& [name, continuity] : report.methods) {
+  for (const auto& [name, continuity, shape] : report.methods) {
     Json method{{"method", name}, {"continuity_order", continuity.order()}};
     add_jump(method, "angular_velocity", "rad_s", continuity.angular_velocity);
     add_jump(method, "angular_acceleration", "rad_s2", continuity.angular_acceleration);
     add_jump(method, "angular_jerk", "rad_s3", continuity.angular_jerk);
+    add_shape(method, shape);
     methods.push_back(std::move(method));
   }
   return methods;

@@ -57,7 +57,8 @@ std::string quality_lines(const InspectReport& report) {
       repairs.duplicates_dropped, repairs.rows_moved, repairs.invalid_dropped);
 }
 
-std::string jump_cell(const RateJump& jump) {
+template <class Jump>
+std::string jump_cell(const Jump& jump) {
   if (jump.relative == 0.0) return formatted("{:>10.2e}  {:>8}", jump.largest, "none");
   return formatted("{:>10.3g}  {:>8.1e}", jump.largest, jump.relative);
 }
@@ -68,9 +69,35 @@ std::string methods_table(const InspectReport& report) {
       "\nLargest jumps at the keys, absolute and relative to the largest rate\n{:20}{:>5}  "
       "{:>20}  {:>20}  {:>20}\n",
       "method", "order", "ω [rad/s]", "α [rad/s²]", "jerk [rad/s³]");
-  for (const auto& [method, c] : report.methods)
+  for (const auto& [method, c, _] : report.methods)
     table += formatted("{:20}{:>5}  {}  {}  {}\n", method, formatted("C{}", c.order()), jump_cell(c.angular_velocity),
                        jump_cell(c.angular_acceleration), jump_cell(c.angular_jerk));
+  return table;
+}
+
+std::string order_cell(std::optional<int> order) { return order ? formatted("G{}", *order) : "–"; }
+
+/// Why a method has no order, or nothing.
+std::string rest_line(const InspectReport& report, const MethodReport& method) {
+  const ShapeContinuity& shape = method.shape;
+  if (shape.rests == 0) return "";
+  const std::string others = shape.rests > 1 ? formatted(" and {} more", shape.rests - 1) : "";
+  const std::string elsewhere =
+      shape.order_in_motion() ? formatted("; at the other keys it is {}", order_cell(shape.order_in_motion())) : "";
+  return formatted("{} rests at {}{}: its shape is undefined there{}\n", method.name, place(report, shape.first_rest),
+                   others, elsewhere);
+}
+
+std::string shapes_table(const InspectReport& report) {
+  if (report.methods.empty()) return "";
+  std::string table = formatted(
+      "\nThe same of the shape, whatever the speed: how the path turns by the angle travelled\n{:20}{:>5}  "
+      "{:>20}  {:>20}  {:>20}\n",
+      "method", "shape", "direction", "curvature [1/rad]", "its change [1/rad²]");
+  for (const auto& [method, _, s] : report.methods)
+    table += formatted("{:20}{:>5}  {}  {}  {}\n", method, order_cell(s.order()), jump_cell(s.direction),
+                       jump_cell(s.curvature), jump_cell(s.curvature_rate));
+  for (const MethodReport& method : report.methods) table += rest_line(report, method);
   return table;
 }
 
@@ -80,7 +107,7 @@ std::string text_of(const InspectReport& report) {
   std::string text =
       keys_lines(report) + recipe_line(report.file.track.recipe) + half_turn_line(report) + quality_lines(report);
   if (report.defect) text += formatted("defect        {}\n", *report.defect);
-  return text + methods_table(report);
+  return text + methods_table(report) + shapes_table(report);
 }
 
 }  // namespace orispline::cli

@@ -7,14 +7,16 @@
 
 #include <orispline/analysis/continuity.hpp>
 #include <orispline/analysis/key_statistics.hpp>
+#include <orispline/analysis/shape_continuity.hpp>
 #include <orispline/io/track_file.hpp>
 
 namespace orispline::cli {
 
 /// The continuity that one method really has on the keys.
 struct MethodReport {
-  std::string method;
-  Continuity continuity;
+  std::string name;
+  Continuity continuity;  ///< in time
+  ShapeContinuity shape;
 };
 
 /// What `orispline inspect` found. Places are indices of keys.

@@ -52,6 +52,7 @@ void measure_errors(Measures& measures, const SampledCurve& samples, const Overl
 
 void measure_shape(Measures& measures, const AnyCurve& curve, const MeasureOptions& options) {
   measures.continuity = continuity_at_keys(curve);
+  measures.shape = shape_continuity_at_keys(curve);
   measures.energies = energies(curve, options.inertia);
   measures.peaks = peaks(curve, options.inertia);
   measures.angle_travelled = AngleTravelled(curve).total();

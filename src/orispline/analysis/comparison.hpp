@@ -10,6 +10,7 @@
 #include <orispline/analysis/distance.hpp>
 #include <orispline/analysis/energy.hpp>
 #include <orispline/analysis/peaks.hpp>
+#include <orispline/analysis/shape_continuity.hpp>
 #include <orispline/base/progress.hpp>
 #include <orispline/base/warning.hpp>
 #include <orispline/curve/keyframe.hpp>
@@ -45,7 +46,8 @@ struct MeasureOptions {
 struct Measures {
   DistanceStatistics distance{};                   ///< full rotation angles to the recording [rad]
   std::optional<DistanceStatistics> rate_error{};  ///< ω against the logged one [rad/s]; absent where none is
-  Continuity continuity{};                         ///< at the keys
+  Continuity continuity{};                         ///< in time, at the keys
+  ShapeContinuity shape{};                         ///< of the shape, at the keys
   Energies energies{};
   Peaks peaks{};
   double angle_travelled = 0.0;                   ///< ∫|ω| dt [rad]

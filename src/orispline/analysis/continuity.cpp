@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
+#include <orispline/analysis/joints.hpp>
 #include <orispline/analysis/rounding.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
@@ -19,13 +19,6 @@ void widen_magnitudes(Jumps& jumps, const Motion& motion) {
   for (std::size_t k = 0; k < rates_of_motion.size(); ++k)
     jumps[k].magnitude = std::max(jumps[k].magnitude, (motion.*rates_of_motion[k]).norm());
 }
-
-/// Where two segments meet.
-struct Joint {
-  std::size_t key;
-  double spacing;  // the smaller one beside it [s]
-  Motion left, right;
-};
 
 /// Largest jumps, and of those that are not rounding the largest as `relative`, still in the unit of the rate.
 void compare_sides(Jumps& jumps, const Joint& joint) {
@@ -42,18 +35,6 @@ void compare_sides(Jumps& jumps, const Joint& joint) {
   }
 }
 
-Joint interior_joint(const AnyCurve& curve, std::size_t key) {
-  const auto t = curve.knots().times();
-  return {key, std::min(t[key] - t[key - 1], t[key + 1] - t[key]), curve.motion(t[key], Side::left),
-          curve.motion(t[key], Side::right)};
-}
-
-Joint seam_of(const AnyCurve& curve) {
-  const auto t = curve.knots().times();
-  const std::size_t last = t.size() - 1;
-  return {0, std::min(t[1] - t[0], t[last] - t[last - 1]), curve.motion(t[last]), curve.motion(t[0])};
-}
-
 }  // namespace
 
 int Continuity::order() const noexcept {
@@ -64,14 +45,8 @@ int Continuity::order() const noexcept {
 
 Continuity continuity_at_keys(const AnyCurve& curve, Seam seam) {
   Jumps jumps{};
-  const auto t = curve.knots().times();
-  widen_magnitudes(jumps, curve.motion(t.front()));
-  widen_magnitudes(jumps, curve.motion(t.back()));
-  for (std::size_t i = 0; i + 1 < t.size(); ++i) {
-    for (const double u : {0.25, 0.5, 0.75}) widen_magnitudes(jumps, curve.motion(std::lerp(t[i], t[i + 1], u)));
-    if (i > 0) compare_sides(jumps, interior_joint(curve, i));
-  }
-  if (seam == Seam::closed && t.size() > 1) compare_sides(jumps, seam_of(curve));
+  for_each_probe(curve, [&](const Motion& motion) { widen_magnitudes(jumps, motion); });
+  for_each_joint(curve, seam, [&](const Joint& joint) { compare_sides(jumps, joint); });
   for (RateJump& jump : jumps)
     if (jump.relative > 0.0) jump.relative /= jump.magnitude;
   return {jumps[0], jumps[1], jumps[2]};

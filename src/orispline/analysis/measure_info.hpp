@@ -39,10 +39,10 @@ struct MeasureInfo {
   std::string_view label{}, unit{};
   std::string_view explanation{};  ///< one sentence
   Better better = Better::less;
-  int finite_from = 0;    ///< the order of continuity that it wants: ∫|α|² of a curve whose ω jumps is infinite
-  bool is_order = false;  ///< a whole number, shown as C0, C1, …
-  bool is_time = false;   ///< a moment, told by MeasureTimes
-  double rounding = 0.0;  ///< in the unit: values that are not larger are rounding errors, 0 for people
+  int finite_from = 0;       ///< the order of continuity that it wants: ∫|α|² of a curve whose ω jumps is infinite
+  std::string_view order{};  ///< its letter where it is an order of continuity: C0, C1, … or G0, G1, …; else empty
+  bool is_time = false;      ///< a moment, told by MeasureTimes
+  double rounding = 0.0;     ///< in the unit: values that are not larger are rounding errors, 0 for people
   std::optional<double> (*value)(const Measures&, const MeasureTimes&) = nullptr;  ///< in the unit; absent: not taken
 
   /// Whether the value is that of the whole curve.

@@ -41,6 +41,15 @@ template <double DistanceStatistics::*figure>
 
 [[nodiscard]] inline Value continuity(const Measures& m, const MeasureTimes&) { return m.continuity.order(); }
 
+[[nodiscard]] inline Value shape(const Measures& m, const MeasureTimes&) {
+  const auto order = m.shape.order();
+  return order ? Value(*order) : std::nullopt;
+}
+
+[[nodiscard]] inline Value curvature_jump(const Measures& m, const MeasureTimes&) {
+  return m.shape.rests < m.shape.joints || m.shape.joints == 0 ? Value(m.shape.curvature.largest) : std::nullopt;
+}
+
 template <double Energies::*figure>
 [[nodiscard]] Value energy(const Measures& m, const MeasureTimes&) {
   return m.energies.*figure;

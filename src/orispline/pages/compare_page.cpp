@@ -74,7 +74,7 @@ void add_measures(report::PageMethod& method, const ComparedCurves& compared) {
 
 std::string id_of_word(const std::vector<MeasureInfo>& measures, std::string_view word) {
   const auto found = std::ranges::find(measures, word, &MeasureInfo::word);
-  return word.empty() || found == measures.end() || found->is_order ? "" : std::string(found->id);
+  return word.empty() || found == measures.end() || found->id == "continuity" ? "" : std::string(found->id);
 }
 
 /// Names of the methods that the page shows at first, the second one beside the first; empty where there is none.

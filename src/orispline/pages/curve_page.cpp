@@ -52,7 +52,7 @@ std::vector<report::PageColumn> measure_columns(std::vector<MeasureInfo> measure
   // Clang 14 does not compile what std::ranges::stable_partition returns.
   std::stable_partition(measures.begin(), measures.end(), [](const MeasureInfo& m) { return !m.heading.empty(); });
   for (const MeasureInfo& measure : measures)
-    if (!measure.is_order)  // which has a column of its own
+    if (measure.id != "continuity")  // which has a column of its own
       columns.push_back({.id = std::string(measure.id),
                          .label = std::string(measure.label),
                          .unit = std::string(measure.unit),

@@ -20,7 +20,9 @@ std::string title_of(const Track& track, const Method& method) {
 }
 
 Measures shape_of(const AnyCurve& curve, const Method& method, const Eigen::Matrix3d& inertia) {
-  return {.continuity = continuity_at_keys(curve, method.options.loop ? Seam::closed : Seam::open),
+  const Seam seam = method.options.loop ? Seam::closed : Seam::open;
+  return {.continuity = continuity_at_keys(curve, seam),
+          .shape = shape_continuity_at_keys(curve, seam),
           .energies = energies(curve, inertia),
           .peaks = peaks(curve, inertia),
           .angle_travelled = AngleTravelled(curve).total()};

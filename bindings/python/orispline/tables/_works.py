@@ -116,7 +116,7 @@ class Comparison:
         count = 4 * max(steps if isinstance(steps, (list, tuple)) else [steps]) + 1
         with collected():
             row = compare(turning_keys(count), threads=1, **{**self.options, "methods": ["slerp"]}).table()[0]
-        kinds = {"method": pa.string(), "keep_every": pa.int64(), "keys": pa.int64(), "samples": pa.int64(), "continuity": pa.int64()}
+        kinds = {"method": pa.string(), "keep_every": pa.int64(), "keys": pa.int64(), "samples": pa.int64(), "continuity": pa.int64(), "shape": pa.int64()}
         return {name: kinds.get(name, pa.float64()) for name in row if name not in (*OF_THIS_MACHINE, "error")}
 
     def check(self, layout: Layout) -> None:

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/analysis/shape_continuity.hpp>
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include <orispline/families/registry.hpp>
+
+namespace orispline {
+namespace {
+
+/// Orientations that turn about changing axes by up to 50°, at the given spacings [s].
+Keyframes turning_keys(const std::vector<double>& spacings) {
+  KeyframeData data{.times = {0.0}, .orientations = {Eigen::Quaterniond::Identity()}};
+  for (std::size_t i = 0; i < spacings.size(); ++i) {
+    const double x = static_cast<double>(i);
+    data.times.push_back(data.times.back() + spacings[i]);
+    data.orientations.push_back(
+        data.orientations.back() *
+        exp<double>({0.5 * std::cos(2.1 * x), 0.5 * std::sin(1.3 * x), 0.4 * std::cos(0.7 * x + 1.0)}));
+  }
+  return Keyframes::make(std::move(data)).value();
+}
+
+ShapeContinuity shape_of(std::string_view method, const Keyframes& keys) {
+  return shape_continuity_at_keys(make_curve(method, keys).value());
+}
+
+const std::vector<double> uneven{0.1, 1.0, 0.1, 1.0, 1.0, 0.1, 0.1, 1.0, 0.1};
+
+TEST(ShapeContinuity, OfThePapersSplinesIsWhatTheyAreNamedByOnUnevenKeys) {
+  const Keyframes keys = turning_keys(uneven);
+  EXPECT_EQ(continuity_at_keys(make_curve("quintic", keys).value()).order(), 0);
+  EXPECT_EQ(shape_of("quintic", keys).order(), 2);  // Tan et al. 2018
+  EXPECT_EQ(shape_of("sextic", keys).order(), 3);
+  EXPECT_EQ(shape_of("beta-g2", keys).order(), 2);
+}
+
+TEST(ShapeContinuity, IsAtLeastThatInTimeWhereTheBodyMoves) {
+  const Keyframes keys = turning_keys(uneven);
+  for (const FamilyInfo& family : families_info()) {
+    const auto curve = make_curve(family.name, keys);
+    ASSERT_TRUE(curve) << family.name;
+    const ShapeContinuity shape = shape_continuity_at_keys(*curve);
+    ASSERT_TRUE(shape.order()) << family.name;
+    EXPECT_GE(*shape.order(), continuity_at_keys(*curve).order()) << family.name;
+  }
+}
+
+TEST(ShapeContinuity, OfSlerpIsTheAngleOfTheCorner) {
+  const auto keys = Keyframes::make({.times = {0.0, 1.0, 3.0},
+                                     .orientations = {Eigen::Quaterniond::Identity(), exp<double>({0.5, 0.0, 0.0}),
+                                                      exp<double>({0.5, 0.0, 0.0}) * exp<double>({0.0, 0.7, 0.0})}})
+                        .value();
+  const ShapeContinuity shape = shape_of("slerp", keys);
+  EXPECT_NEAR(shape.direction.largest, std::sqrt(2.0), 1e-14);  // x before the key, y behind it
+  EXPECT_EQ(shape.direction.key, 1u);
+  EXPECT_EQ(shape.order(), 0);
+}
+
+TEST(ShapeContinuity, DoesNotSeeTheSpeedAboutOneAxis) {
+  const auto about_z = [](double angle) { return exp<double>({0.0, 0.0, angle}); };
+  const auto keys =
+      Keyframes::make({.times = {0.0, 1.0, 1.5}, .orientations = {about_z(0.0), about_z(0.2), about_z(1.5)}}).value();
+  EXPECT_EQ(continuity_at_keys(make_curve("slerp", keys).value()).order(), 0);
+  EXPECT_EQ(shape_of("slerp", keys).order(), 3);
+}
+
+TEST(ShapeContinuity, OfOnePathAtTwoSpeedsIsTheSame) {
+  Motion slow;
+  slow.angular_velocity = {3.0, 0.0, 4.0};
+  slow.angular_acceleration = {0.0, 6.0, 0.0};
+  slow.angular_jerk = {-12.0, 0.0, 0.0};
+  // The same path at time f(t) with f' = 2, f'' = 5, f''' = -7 at the joint, by the chain rule.
+  Motion fast;
+  fast.angular_velocity = 2.0 * slow.angular_velocity;
+  fast.angular_acceleration = 4.0 * slow.angular_acceleration + 5.0 * slow.angular_velocity;
+  fast.angular_jerk =
+      8.0 * slow.angular_jerk + 3.0 * 2.0 * 5.0 * slow.angular_acceleration - 7.0 * slow.angular_velocity;
+  const PathShape a = path_shape(slow), b = path_shape(fast);
+  EXPECT_LE((a.direction - b.direction).norm(), 1e-15);
+  EXPECT_LE((a.curvature - Eigen::Vector3d(0.0, 6.0 / 25.0, 0.0)).norm(), 1e-15);
+  EXPECT_LE((a.curvature - b.curvature).norm(), 1e-15);
+  EXPECT_LE((a.curvature_rate - Eigen::Vector3d(-12.0 / 125.0, 0.0, 0.0)).norm(), 1e-15);
+  EXPECT_LE((a.curvature_rate - b.curvature_rate).norm(), 1e-15);
+}
+
+TEST(ShapeContinuity, IsUndefinedWhereTheBodyRests) {
+  auto keys = turning_keys({1.0, 1.0, 1.0, 1.0});
+  KeyframeData data{.times = {0.0, 1.0, 2.0, 3.0, 4.0}};
+  for (const std::size_t i : {0, 1, 1, 2, 3}) data.orientations.push_back(keys.orientations()[i]);
+  const ShapeContinuity shape = shape_continuity_at_keys(
+      make_curve(Method{"auto", {.parameters = {{"hold", {1.0}}}}}, Keyframes::make(std::move(data)).value()).value());
+  EXPECT_EQ(shape.rests, 2u);  // both ends of the rest
+  EXPECT_EQ(shape.first_rest, 1u);
+  EXPECT_FALSE(shape.order());
+  EXPECT_EQ(shape.order_in_motion(), 2);
+}
+
+TEST(ShapeContinuity, OfACurveThatNeverMovesIsUndefined) {
+  const Eigen::Quaterniond q = exp<double>({0.1, 0.2, 0.3});
+  const auto keys = Keyframes::make({.times = {0.0, 1.0, 2.0}, .orientations = {q, q, q}}).value();
+  const ShapeContinuity shape = shape_of("auto", keys);
+  EXPECT_EQ(shape.rests, shape.joints);
+  EXPECT_FALSE(shape.order_in_motion());
+}
+
+TEST(ShapeContinuity, OfALoopIncludesItsSeam) {
+  const auto curve = make_curve(Method{"timed-c2", {.loop = Loop{.period = 6.0}}}, turning_keys(uneven));
+  ASSERT_TRUE(curve);
+  EXPECT_EQ(shape_continuity_at_keys(*curve, Seam::closed).joints, uneven.size() + 1);
+  EXPECT_GE(*shape_continuity_at_keys(*curve, Seam::closed).order(), 2);
+}
+
+}  // namespace
+}  // namespace orispline
