@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <orispline/analysis/energy.hpp>
+#include <orispline/analysis/shape_continuity.hpp>
 #include <orispline/analysis/torque.hpp>
 #include <orispline/families/registry.hpp>
+#include <orispline/math/gauss_legendre.hpp>
 #include <orispline/tune/nu_sum.hpp>
 #include <support/data_table.hpp>
 #include <support/follower.hpp>
@@ -101,7 +103,7 @@ std::vector<Method> families_with_tensions() {
 }
 
 TEST(Tune, LeavesNoTensionThatWouldLowerTheEnergyIfItWereMoved) {
-  ASSERT_GE(families_with_tensions().size(), 7u);
+  ASSERT_GE(families_with_tensions().size(), 10u);
   for (const Method& method : families_with_tensions())
     for (const Objective objective : {Objective::acceleration, Objective::torque}) {
       const std::string& family = method.name;
@@ -117,6 +119,36 @@ TEST(Tune, LeavesNoTensionThatWouldLowerTheEnergyIfItWereMoved) {
             EXPECT_GE(energy_of(family, moved, objective), least * (1.0 - 1e-12)) << family << " " << name << key;
           }
     }
+}
+
+/// ∫|κ|² ds of the curve itself, by another rule than that of tuning.
+double bending_of(const AnyCurve& curve) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < curve.knots().segments(); ++i) {
+    const KnotSpan span = curve.knots().span(i);
+    for (const auto& node : gauss_legendre<100>()) {
+      const Motion motion = curve.motion(span.start() + node.u * span.step());
+      sum += node.weight * span.step() * path_shape(motion).curvature.squaredNorm() * motion.angular_velocity.norm();
+    }
+  }
+  return sum;
+}
+
+TEST(Tune, BendsThePathLeastWhateverItsSpeed) {
+  for (const std::string_view family : {"timed-c2", "quintic", "hermite-cumulative", "tcb"}) {
+    const auto curve = [&](const CurveOptions& options) { return make_curve({family, options}, some_keys()).value(); };
+    const Tuning found = tuned(family, some_keys(), {.objective = Objective::curvature});
+    const double least = bending_of(curve(found.method.options));
+    EXPECT_NEAR(found.energy_before / bending_of(curve({})), 1.0, 1e-11) << family;
+    EXPECT_NEAR(found.energy_after / least, 1.0, 1e-11) << family;
+    EXPECT_LT(found.energy_after, 0.99 * found.energy_before) << family;
+    for (std::size_t key = 0; key < 6; ++key)
+      for (const double move : {-0.02, 0.02}) {
+        CurveOptions moved = found.method.options;
+        moved.parameters.at("tension")[key] += move;
+        EXPECT_GE(bending_of(curve(moved)), least * (1.0 - 1e-11)) << family << " " << key;
+      }
+  }
 }
 
 TEST(Tune, KeepsTensionsWithoutInfluence) {
@@ -160,7 +192,7 @@ TEST(Tune, LeavesTensionsWhoseEnergyIsRoundingAsTheyAre) {
   for (const Keyframes& keys : {steady_turn({0, 1, 2, 3, 4, 5, 6, 7}), steady_turn({0, 1, 1.001, 1.5, 4, 4.25})})
     for (const std::string_view method : {"timed-c2", "timed-c3", "timed-sextic"})
       for (const Objective objective :
-           {Objective::linearised, Objective::acceleration, Objective::jerk, Objective::torque}) {
+           {Objective::linearised, Objective::acceleration, Objective::jerk, Objective::torque, Objective::curvature}) {
         const Tuning found = tuned(method, keys, {.objective = objective});
         EXPECT_LT(found.energy_before, 1e-9) << method;
         EXPECT_EQ(found.energy_after, found.energy_before) << method;
@@ -204,6 +236,9 @@ TEST(Tune, RefusesWhatItCannotTune) {
   const Keyframes two = Keyframes::make({.times = {0, 1}, .orientations = {turned(0, 0, 0), turned(1, 0, 0)}}).value();
   EXPECT_EQ(error("quintic", two, {}), "found 2 keys, wanted at least 3 to tune tensions");
   EXPECT_EQ(error("auto", some_keys(), {}), "method: auto has no tensions to tune, wanted one of " + tunable_methods());
+  const auto fourth = tune(some_keys(), Method{"uniform", {.parameters = {{"order", {4.0}}}}}, {});
+  ASSERT_FALSE(fourth);
+  EXPECT_EQ(describe(fourth.error()), "uniform: tensions of order 4 are not tuned, wanted order 1, 2 or 3");
   EXPECT_EQ(error("quintic", some_keys(), {.objective = Objective::fit}),
             "objective: found fit, wanted `reference` as well");
   EXPECT_EQ(error("quintic", some_keys(), {.objective = Objective::torque}),

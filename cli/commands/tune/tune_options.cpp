@@ -15,8 +15,9 @@ constexpr auto tune_footer = R"(Examples:
   orispline sample tuned.csv --rate 100 -o motion.csv
 
 --objective acceleration makes the integral of the squared angular acceleration least; linearised does so nearly, by a
-closed form. jerk and torque do the same with the jerk, and with the torque on a body of --inertia. fit makes the distance
-to --reference least. The output is INPUT as CSV with a column for each tension (tension, tension2, tension3, nu). A comment
+closed form. jerk and torque do the same with the jerk, and with the torque on a body of --inertia. curvature bends the
+path least, whatever its speed. fit makes the distance
+to --reference least. The output is INPUT as CSV with a column for each tension (tension, tension2, nu, ...). A comment
 in it names the method and its ends, and 'sample' takes them from there. docs/tune.md says more.)";
 
 }  // namespace

@@ -13,7 +13,12 @@ struct CubicBezierBasis {
   static constexpr int degree = 3;
   template <Number T>
   [[nodiscard]] std::array<T, 3> operator()(KnotSpan span, const T& t) const noexcept {
-    const T u = span.normalised(t), v = T(1.0) - u;
+    return at<T>(span.normalised(t));
+  }
+  /// At u in [0, 1] of a segment.
+  template <Number T>
+  [[nodiscard]] static std::array<T, 3> at(const T& u) noexcept {
+    const T v = T(1.0) - u;
     return {T(1.0) - v * v * v, u * u * (T(3.0) - T(2.0) * u), u * u * u};
   }
 };

@@ -6,14 +6,11 @@
 #include <orispline/curve/three_key_rates.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::families {
-namespace {
 
-std::vector<Eigen::Vector3d> key_rates(const Keyframes& keys) {
+std::vector<Eigen::Vector3d> HermiteCumulative::key_rates(const Keyframes& keys) {
   if (const auto given = keys.angular_velocities(); !given.empty()) return {given.begin(), given.end()};
   return three_key_rates(keys.times(), increments_between(keys.orientations()));
 }
-
-}  // namespace
 
 Expected<CubicBezierCurve> HermiteCumulative::curve(const Keyframes& keys, const FamilySettings& settings) {
   const PerKey tension = settings.per_key("tension");

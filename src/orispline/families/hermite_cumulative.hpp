@@ -13,7 +13,7 @@ namespace orispline::inline ORISPLINE_ABI::families {
 /// The rates are the keys' angular velocities where they have them, else those of the parabola through three keys, at
 /// the ends the secants; the tension scales them.
 struct HermiteCumulative {
-  static constexpr std::array parameters{Parameter{"tension", 1.0, -100.0, 100.0}};
+  static constexpr std::array parameters{tunable({"tension", 1.0, -100.0, 100.0})};
   static constexpr FamilyInfo info{.name = "hermite-cumulative",
                                    .title = "Cumulative cubic Hermite curve",
                                    .source = "Kim, Kim & Shin 1995; docs/families/hermite-cumulative.md",
@@ -24,6 +24,8 @@ struct HermiteCumulative {
                                    .support_keys = 4,
                                    .parameters = parameters,
                                    .rate_orders = 1};
+  /// The rates [rad/s] that a tension of 1 has at the keys: those given, else estimated from three keys.
+  [[nodiscard]] static std::vector<Eigen::Vector3d> key_rates(const Keyframes& keys);
   [[nodiscard]] static Expected<CubicBezierCurve> curve(const Keyframes& keys, const FamilySettings& settings);
   /// Catmull–Rom in time: the angular rates of the keys say nothing about positions.
   [[nodiscard]] static Expected<CatmullRomPath> path(const Keyframes& keys, const FamilySettings& settings) {

@@ -62,7 +62,7 @@ struct Basis {
 
 /// Cubic, C1 in time on any knots.
 struct TimedC1 {
-  static constexpr std::array parameters{timed::tension_1};
+  static constexpr std::array parameters{tunable(timed::tension_1)};
   static constexpr FamilyInfo info{.name = "timed-c1",
                                    .title = "Local cubic spline, C1 in time",
                                    .source = "orispline, docs/families/timed-c1.md",

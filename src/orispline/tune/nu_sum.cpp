@@ -108,8 +108,8 @@ void NuSum::move_to(const std::vector<double>& values) {
   const Controls still = moving(made->controls, Eigen::VectorXd::Zero(size));
   for (std::size_t i = 0; i < variables_.size(); ++i) {
     const Handles h = handles(still, ratios_along(step, nu, 0), q, i);
-    segments_.push_back(
-        slerp_segment(keys_.times()[i], step(i + 1), q[i], q[i + 1], values_of(h.leaving), values_of(h.arriving)));
+    segments_.push_back(handle_segment(TensionSegment::Product::slerps, keys_.times()[i], step(i + 1), q[i], q[i + 1],
+                                       values_of(h.leaving), values_of(h.arriving)));
   }
   for (std::size_t v = 0; v < values.size(); ++v) {
     const NuRule<Slope> rule{ratios_along(step, nu, model_.variables[v].key), made->rule.start, made->rule.end};

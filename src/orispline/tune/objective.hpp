@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include <orispline/math/eigen.hpp>
+#include <orispline/curve/keyframe.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
 
@@ -14,6 +14,7 @@ enum class Objective {
   acceleration,  ///< ∫|α|² dt [rad²/s³]
   torque,        ///< ∫|J α + ω × J ω|² dt, body frame [(kg m²)² rad²/s³ = N² m² s]
   jerk,          ///< ∫|dα/dt|² dt, body frame [rad²/s⁵]
+  curvature,     ///< ∫|κ|² ds = ∫|α⊥|²/|ω|³ dt [1/rad], of the path whatever its speed: PathShape
   fit,           ///< mean square of the angle to a reference [rad²]
 };
 
@@ -31,9 +32,9 @@ struct Goal {
   std::size_t sample_count = 0;
 };
 
-/// So much of an objective is rounding of the keys at these times [s], and no gain.
+/// So much of an objective is rounding of the keys, and no gain.
 ///
 /// The rates of a segment are as uncertain as those of the shortest step beside it.
-[[nodiscard]] ORISPLINE_EXPORT double rounding_of(const Goal& goal, std::span<const double> times) noexcept;
+[[nodiscard]] ORISPLINE_EXPORT double rounding_of(const Goal& goal, const Keyframes& keys) noexcept;
 
 }  // namespace orispline::inline ORISPLINE_ABI

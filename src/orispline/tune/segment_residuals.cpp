@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include <orispline/analysis/torque.hpp>
-#include <orispline/curve/cumulative_curve.hpp>
+#include <orispline/curve/cumulative_bezier.hpp>
 #include <orispline/curve/slerp_bezier.hpp>
 #include <orispline/math/bernstein.hpp>
 #include <orispline/math/gauss_legendre.hpp>
@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t exact_nodes = 6;  // of the square of a second derivative, whose degree is 10
 constexpr std::size_t nodes = 20;
+constexpr std::size_t nodes_of_shape = 48;  // of what is divided by a power of the rate
 
 /// The Bernstein polynomials of degree `form_degree` at one place, as Taylor series in u.
 using BasisAt = std::array<Jet<double, 3>, form_degree + 1>;
@@ -36,6 +37,8 @@ std::array<Node, N> quadrature() {
 std::span<const Node> quadrature_of(Objective objective) {
   static const auto exact = quadrature<exact_nodes>();
   static const auto fine = quadrature<nodes>();
+  static const auto finest = quadrature<nodes_of_shape>();
+  if (objective == Objective::curvature) return finest;
   return objective == Objective::linearised ? std::span<const Node>(exact) : std::span<const Node>(fine);
 }
 
@@ -112,12 +115,28 @@ MotionOver<T> slerp_motion(const TensionSegment& s, const Shape<T>& shape, const
                                            {arc(from, leaving), arc(leaving, arriving), arc(arriving, to)}, u));
 }
 
+/// The cumulative cubic of the same handles, whose middle factor closes the gap between them.
+template <Number T>
+MotionOver<T> bezier_motion(const TensionSegment& s, const Shape<T>& shape, const Jet<T, 3>& u) {
+  const double third = static_cast<double>(form_degree) / 3.0;
+  const Quaternion<T> from = constant<T>(s.from), to = constant<T>(s.to);
+  const Vector3<T> leaving = shape.increments[0] * T(shape.rows[0][1] * third);
+  const Vector3<T> arriving = shape.increments[2] * T(shape.rows[2][form_degree - 1] * -third);
+  const Vector3<T> between = increment<T>(from * exp<T>(leaving), to * exp<T>(Vector3<T>(-arriving)));
+  MotionOver<T> m{.orientation = from};
+  const auto blending = CubicBezierBasis::at(u);
+  m = with_factor<T>(m, leaving, blending[0]);
+  m = with_factor<T>(m, between, blending[1]);
+  return with_factor<T>(m, arriving, blending[2]);
+}
+
 template <Number T>
 MotionOver<T> motion_at(const TensionSegment& s, const Shape<T>& shape, const BasisAt& basis, double u) {
-  if (s.product == TensionSegment::Product::slerps) {
+  if (s.product != TensionSegment::Product::cumulative) {
     Jet<T, 3> time(T{u});
     time.c[1] = T(1.0 / s.step);
-    return slerp_motion<T>(s, shape, time);
+    return s.product == TensionSegment::Product::slerps ? slerp_motion<T>(s, shape, time)
+                                                        : bezier_motion<T>(s, shape, time);
   }
   MotionOver<T> m{.orientation = constant<T>(s.from)};
   for (std::size_t k = 0; k < shape.rows.size(); ++k)
@@ -137,10 +156,21 @@ Vector3<T> linearised(const Shape<T>& shape, const BasisAt& basis, double step) 
   return sum;
 }
 
+/// α⊥/|ω|^{3/2}, the square of which is |κ|² ds/dt; where the body rests nothing is travelled.
+template <Number T>
+Vector3<T> bending(const MotionOver<T>& m) {
+  const Vector3<T>&w = m.angular_velocity, &a = m.angular_acceleration;
+  const T square = w.squaredNorm();
+  if (value_of(square) == 0.0) return Vector3<T>::Zero();
+  const T rate = sqrt_of(square);
+  return (a - w * T(a.dot(w) / square)) * T(T(1.0) / (rate * sqrt_of(rate)));
+}
+
 template <Number T>
 Vector3<T> measured(const Goal& goal, const MotionOver<T>& m) {
   if (goal.objective == Objective::acceleration) return m.angular_acceleration;
   if (goal.objective == Objective::jerk) return m.angular_jerk;
+  if (goal.objective == Objective::curvature) return bending<T>(m);
   return torque<T>(m, goal.inertia);
 }
 

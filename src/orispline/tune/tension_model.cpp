@@ -3,8 +3,11 @@
 
 #include <algorithm>
 
+#include <orispline/base/formatted.hpp>
+#include <orispline/families/hermite_cumulative.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/families/tcb.hpp>
+#include <orispline/families/uniform.hpp>
 #include <orispline/math/bernstein.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
@@ -76,6 +79,11 @@ class Candidates {
   std::vector<std::string> parameters_;
 };
 
+/// Of a family that has one.
+int order_of(const FamilyInfo& family, const FamilySettings& settings) {
+  return family.name == families::UniformFamily::info.name ? settings.whole("order").value_or(0) : 0;
+}
+
 /// The segments of one curve without any variable.
 using Probe = std::vector<TensionSegment>;
 
@@ -99,29 +107,44 @@ Expected<Probe> cumulative_probe(const FamilyInfo& family, const Keyframes& keys
   });
 }
 
+/// Cubics with handles of these rates, each times the scale of its key.
+Probe handle_probe(TensionSegment::Product product, const Keyframes& keys, const HandleRates& rates,
+                   const std::vector<double>& scales) {
+  const auto q = keys.orientations();
+  const auto t = keys.times();
+  Probe probe;
+  for (std::size_t i = 0; i + 1 < q.size(); ++i) {
+    const double third = (t[i + 1] - t[i]) / 3.0;
+    TensionSegment segment = handle_segment(product, t[i], t[i + 1] - t[i], q[i], q[i + 1], third * rates.leaving[i],
+                                            third * rates.arriving[i + 1]);
+    for (double& c : segment.constant[0].coefficients) c *= scales[i];
+    for (double& c : segment.constant[2].coefficients) c *= scales[i + 1];
+    probe.push_back(std::move(segment));
+  }
+  return probe;
+}
+
 /// The handles are of tension 0; `options` scales them by 1 - tension.
 Expected<Probe> slerp_probe(const FamilyInfo& family, const Keyframes& keys, CurveOptions options) {
   const std::vector<double> tension = std::exchange(options.parameters["tension"], {0.0});
   return settle(family, options, keys.size()).map([&](const FamilySettings& settings) {
-    const HandleRates rates = families::Tcb::handle_rates(keys, settings);
-    const auto q = keys.orientations();
-    const auto t = keys.times();
-    Probe probe;
-    for (std::size_t i = 0; i + 1 < q.size(); ++i) {
-      const double step = t[i + 1] - t[i];
-      TensionSegment segment =
-          slerp_segment(t[i], step, q[i], q[i + 1], step / 3.0 * rates.leaving[i], step / 3.0 * rates.arriving[i + 1]);
-      for (double& c : segment.constant[0].coefficients) c *= 1.0 - tension[i];
-      for (double& c : segment.constant[2].coefficients) c *= 1.0 - tension[i + 1];
-      probe.push_back(std::move(segment));
-    }
-    return probe;
+    std::vector<double> scales;
+    for (const double value : tension) scales.push_back(1.0 - value);
+    return handle_probe(TensionSegment::Product::slerps, keys, families::Tcb::handle_rates(keys, settings), scales);
   });
 }
 
+/// `hermite-cumulative`: the tensions are the scales of the rates.
+Probe hermite_probe(const Keyframes& keys, const CurveOptions& options) {
+  const std::vector<Eigen::Vector3d> rates = families::HermiteCumulative::key_rates(keys);
+  return handle_probe(TensionSegment::Product::bezier, keys, {.leaving = rates, .arriving = rates},
+                      options.parameters.at("tension"));
+}
+
 Expected<Probe> probe_of(const FamilyInfo& family, const Keyframes& keys, const CurveOptions& options) {
-  return family.name == families::Tcb::info.name ? slerp_probe(family, keys, options)
-                                                 : cumulative_probe(family, keys, options);
+  if (family.name == families::Tcb::info.name) return slerp_probe(family, keys, options);
+  if (family.name == families::HermiteCumulative::info.name) return hermite_probe(keys, options);
+  return cumulative_probe(family, keys, options);
 }
 
 /// What unit changes of a candidate do to the second derivative of a segment, squared and summed over its Bernstein
@@ -210,11 +233,12 @@ TensionModel model_of(Probe segments, const Candidates& candidates) {
 
 }  // namespace
 
-TensionSegment slerp_segment(double start, double step, const Eigen::Quaterniond& from, const Eigen::Quaterniond& to,
-                             const Eigen::Vector3d& leaving, const Eigen::Vector3d& arriving) {
+TensionSegment handle_segment(TensionSegment::Product product, double start, double step,
+                              const Eigen::Quaterniond& from, const Eigen::Quaterniond& to,
+                              const Eigen::Vector3d& leaving, const Eigen::Vector3d& arriving) {
   // In the tangent space the cubic's control points are 0, the first handle, the increment less the second one, and the
   // increment.
-  return {.product = TensionSegment::Product::slerps,
+  return {.product = product,
           .start = start,
           .step = step,
           .from = from,
@@ -245,6 +269,9 @@ Expected<TensionModel> tension_model(const FamilyInfo& family, const Keyframes& 
   if (!settings) return tl::unexpected(settings.error());
   if (settings->start.rule == EndRule::handle || settings->end.rule == EndRule::handle)
     return failure(ErrorCode::bad_argument, "tcb: tensions are not tuned with the end rule handle, wanted natural");
+  if (const auto order = order_of(family, *settings); order > 3)
+    return failure(ErrorCode::bad_argument,
+                   formatted("uniform: tensions of order {} are not tuned, wanted order 1, 2 or 3", order));
   const Candidates candidates(family, *settings, options, keys.size(), parameters);
   auto segments = probe_of(family, keys, candidates.at_zero());
   if (!segments) return tl::unexpected(std::move(segments.error()));

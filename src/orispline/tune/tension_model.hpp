@@ -21,10 +21,11 @@ struct TensionSegment {
   enum class Product {
     cumulative,  ///< from ∏ exp(β̃_k(u) φ_k)
     slerps,      ///< a cubic of slerps with the handles β̃_1'(0) φ_1/3 and β̃_3'(1) φ_3/3 at its two keys
+    bezier,      ///< a cumulative cubic with the same handles
   };
   Product product = Product::cumulative;
   double start = 0.0, step = 0.0;  ///< [s]
-  Eigen::Quaterniond from, to;     ///< the base of the product; of slerps the two keys
+  Eigen::Quaterniond from, to;     ///< the base of the product; of handles the two keys
   Increments increments;
   BlendingRows constant;                 ///< with all variables zero
   std::vector<std::size_t> variables{};  ///< that it depends on, increasing
@@ -48,10 +49,10 @@ struct TensionModel {
   [[nodiscard]] CurveOptions with(const std::vector<double>& values) const;
 };
 
-/// A cubic of slerps between two keys with the given handles [rad] on leaving and on arriving, without variables.
-[[nodiscard]] TensionSegment slerp_segment(double start, double step, const Eigen::Quaterniond& from,
-                                           const Eigen::Quaterniond& to, const Eigen::Vector3d& leaving,
-                                           const Eigen::Vector3d& arriving);
+/// A cubic between two keys with the given handles [rad] on leaving and on arriving, without variables.
+[[nodiscard]] TensionSegment handle_segment(TensionSegment::Product product, double start, double step,
+                                            const Eigen::Quaterniond& from, const Eigen::Quaterniond& to,
+                                            const Eigen::Vector3d& leaving, const Eigen::Vector3d& arriving);
 
 /// The parameters of a family that tuning can free, in the order of the family; empty for other families.
 [[nodiscard]] std::vector<std::string> tunable_parameters(std::string_view method);
@@ -60,7 +61,7 @@ struct TensionModel {
 ///
 /// It is read off the family itself: a function that is affine is known from its values at 0 and at 1. The tensions of
 /// an end key that is clamped or at rest stay as they are, for there the ghost key follows them.
-/// Errors: those of make_curve(); bad_argument for `tcb` with the end rule `handle`.
+/// Errors: those of make_curve(); bad_argument for `tcb` with the end rule `handle`, and for `uniform` of order 4 or 5.
 [[nodiscard]] Expected<TensionModel> tension_model(const FamilyInfo& family, const Keyframes& keys,
                                                    const CurveOptions& options,
                                                    const std::vector<std::string>& parameters);

@@ -169,14 +169,14 @@ Expected<Tuning> tuned(const FamilyInfo& family, const TensionModel& model, cons
 Expected<Tuning> tuned_affine(const FamilyInfo& family, const Keyframes& keys, const TensionModel& model,
                               const Goal& goal, const TuneOptions& options, OpenEndedWork& work) {
   TensionSum sum(model, goal);
-  const Search search{sum, bounds_of(model, options.bounds), rounding_of(goal, keys.times()), work};
+  const Search search{sum, bounds_of(model, options.bounds), rounding_of(goal, keys), work};
   return tuned(family, model, search, closed_form(model, search.bounds, work), goal.objective);
 }
 
 Expected<Tuning> tuned_nu(const FamilyInfo& family, const Keyframes& keys, const TensionModel& model, const Goal& goal,
                           const TuneOptions& options, OpenEndedWork& work) {
   NuSum sum(keys, model, goal);
-  const Search search{sum, bounds_of(model, options.bounds), rounding_of(goal, keys.times()), work};
+  const Search search{sum, bounds_of(model, options.bounds), rounding_of(goal, keys), work};
   return tuned(family, model, search, least_nu(search.bounds), goal.objective);
 }
 

@@ -32,6 +32,8 @@ std::string_view unit_of(Objective objective) noexcept {
       return "N^2 m^2 s";
     case Objective::jerk:
       return "rad^2/s^5";
+    case Objective::curvature:
+      return "1/rad";
     case Objective::fit:
       return "rad^2";
     default:

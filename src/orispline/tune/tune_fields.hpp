@@ -13,6 +13,8 @@ inline constexpr std::array words<Objective>{
     word("acceleration", Objective::acceleration, "∫|α|² dt, α the angular acceleration"),
     word("torque", Objective::torque, "∫|Jα + ω × Jω|² dt for a body of the inertia J"),
     word("jerk", Objective::jerk, "∫|dα/dt|² dt"),
+    word("curvature", Objective::curvature,
+         "∫|κ|² ds, κ the change of the direction of the turn by the angle s travelled, whatever the speed"),
     word("fit", Objective::fit, "mean square of the angle to the reference, at its times between the end keys")};
 
 /// In which the energies of an objective are.
