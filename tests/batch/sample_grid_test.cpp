@@ -59,6 +59,65 @@ TEST(SampleGrid, FillsWithTheTimesThatItHasOneByOne) {
   for (std::uint64_t k = 0; k < 10; ++k) EXPECT_EQ(times[k], steps[5 + k].t);
 }
 
+TEST(SampleGrid, FillsDecimalsOfFewAndOfManyDigitsWithTheTimesThatItHasOneByOne) {
+  std::mt19937_64 random(43);
+  const auto any = [&](std::uint64_t most) { return std::uniform_int_distribution<std::uint64_t>(0, most)(random); };
+  const std::vector<Rate> rates{{1.0},
+                                {2.5},
+                                {8.0},
+                                {10.0},
+                                {12.5},
+                                {30.0},
+                                {50.0},
+                                {64.0},
+                                {100.0},
+                                {1000.0},
+                                {1024.0},
+                                {29.97},
+                                {30000.0, 1001.0},
+                                {0.5},
+                                {0.1},
+                                {1.0, 3600.0},
+                                {3.0, 7.0},
+                                {1e6},
+                                {1e9},
+                                {4e5, 3.0},
+                                {44100.0},
+                                {200.0, 0.25},
+                                {7e15},
+                                {1.0, 1e15}};
+  for (int i = 0; i < 20000; ++i) {
+    const Rate rate = rates[any(rates.size() - 1)];
+    const auto places = static_cast<int>(any(12));
+    const auto digits = static_cast<int>(any(17));
+    std::uint64_t most = 1;
+    for (int k = 0; k < digits; ++k) most *= 10;
+    Decimal start = Decimal::parse(std::to_string(any(most - 1))).value() * Decimal::power_of_ten(-places);
+    if (i % 3 == 0) start = -start;
+    const SampleGrid open = SampleGrid::make({.spacing = rate, .start = start}, 0.0, {}).value();
+    // Indices of any size, at and beside those where the digits become too many.
+    std::uint64_t first = any(std::uint64_t{1} << any(52));
+    if (i % 5 == 0) first = static_cast<std::uint64_t>(std::min(1e15 * rate.per_second() / 1e3, 8e15)) - 10;
+    if (i % 7 == 0) first = 0;
+    std::vector<double> times(20);
+    open.fill(first, times);
+    for (std::uint64_t k = 0; k < times.size(); ++k)
+      ASSERT_EQ(times[k], open[first + k].t)
+          << start.to_string() << ' ' << rate.hertz << '/' << rate.seconds << ' ' << first + k;
+  }
+}
+
+TEST(SampleGrid, FillsTheEndOfDecimalsWithTheEnd) {
+  for (const char* start : {"0", "0.1", "-7.25", "1311868163.8697"})
+    for (const char* length : {"10", "10.0000000001", "9.9999999999", "10.004", "9.9999999999999999"}) {
+      const Decimal begin = decimal(start), end = begin + decimal(length);
+      const SampleGrid grid = SampleGrid::make({.spacing = Rate{100.0}, .start = begin, .end = end}, 0.0, {}).value();
+      std::vector<double> times(*grid.size());
+      grid.fill(0, times);
+      for (std::uint64_t k = 0; k < times.size(); ++k) ASSERT_EQ(times[k], grid[k].t) << start << ' ' << length;
+    }
+}
+
 TEST(SampleGrid, MeetsAnEndThatRoundingHides) {
   const auto sizes = [](double hertz, const char* end) {
     return *SampleGrid::make({.spacing = Rate{hertz}, .end = decimal(end)}, 0.1, {}).value().size();

@@ -142,6 +142,7 @@ Expected<void> sample_at_of(const Source& source, std::span<const double> times,
 
 /// The first time that is less than one before it.
 std::optional<Error> decrease(std::span<const double> times) {
+  if (batch::kernels().are_in_order(times.data(), times.size())) return std::nullopt;
   double latest = -std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < times.size(); ++k) {
     if (times[k] >= latest) latest = times[k];

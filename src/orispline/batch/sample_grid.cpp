@@ -6,12 +6,19 @@
 #include <limits>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/batch/kernel/dispatch.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr auto most = static_cast<std::uint64_t>(SampleGrid::most_samples);
+
+constexpr double exact_until = 0x1p53;  // sums and products of whole numbers are doubles as long as they stay below
+constexpr double digits_until = 1e15;   // whole numbers below have 15 digits at most
+constexpr int most_places = 22;         // 10^22 is the last power of ten that is a double
+
+bool is_whole(double x) { return std::abs(x) < exact_until && x == std::nearbyint(x); }
 
 /// How far from the end, in intervals, a sample is the one at the end that many intervals behind the start.
 double end_tolerance(double intervals) {
@@ -79,26 +86,53 @@ Instant SampleGrid::operator[](std::uint64_t k) const {
   return {std::isfinite(behind) ? start_.nearest_plus(behind) : behind, behind};
 }
 
-void SampleGrid::fill(std::uint64_t first, std::span<double> times) const {
-  const auto write = [&](const auto& time_of) {
-    for (std::size_t i = 0; i < times.size(); ++i) times[i] = time_of(first + i);
-  };
-  const auto* const rate = std::get_if<Rate>(&spacing_);
-  const auto* const count = std::get_if<Count>(&spacing_);
-  const auto steps_of = [](std::uint64_t k) { return static_cast<double>(static_cast<std::int64_t>(k)); };
-  const bool is_plain = start_.time() == Decimal() && end_ && end_->time == end_->span;
-  if (is_plain && rate) {  // times are offsets: loops without calls, which compilers turn into vectors
-    write([&steps_of, seconds = rate->seconds, hertz = rate->hertz](std::uint64_t k) {
-      return steps_of(k) * seconds / hertz;
-    });
-  } else if (is_plain && count && count->samples > 1) {
-    write([&steps_of, span = end_->span, intervals = static_cast<double>(count->samples - 1)](std::uint64_t k) {
-      return span * steps_of(k) / intervals;
-    });
-  } else {
-    return write([this](std::uint64_t k) { return (*this)[k].t; });
+std::optional<SampleGrid::Decimals> SampleGrid::decimals_of(const Spacing& spacing, const Decimal& start) {
+  const auto* const rate = std::get_if<Rate>(&spacing);
+  if (!rate || !(rate->hertz > 0.0 && rate->seconds > 0.0)) return std::nullopt;
+  constexpr double finest = 0x1p10;
+  double doubled = 1.0;  // 12.5 Hz are 25 in 2 s
+  while (doubled < finest && !(is_whole(doubled * rate->hertz) && is_whole(doubled * rate->seconds))) doubled *= 2.0;
+  const double hertz = doubled * rate->hertz, seconds = doubled * rate->seconds;
+  if (!is_whole(hertz) || !is_whole(seconds)) return std::nullopt;
+  double power = 1.0;
+  for (int places = 0; places <= most_places && is_whole(power * seconds); ++places, power *= 10.0) {
+    const Decimal shifted = start * Decimal::power_of_ten(places);
+    if (!shifted.is_whole() || std::fmod(power * seconds, hertz) != 0.0) continue;
+    return Decimals{shifted.to_double(), power * seconds / hertz, power, seconds};
   }
-  if (end_->index && first <= *end_->index && *end_->index - first < times.size())
+  return std::nullopt;
+}
+
+/// How the samples up to this one are computed without a look at each; absent where they are not.
+///
+/// By definition sample k is at the double nearest to the sum of the start and the shortest decimal of its offset. Of
+/// decimals the offset is the double nearest to k step / 10^places: the quotient k seconds / hertz is rounded once
+/// where k seconds is exact. Up to 15 digits different decimals have different doubles, so that this decimal, if it has
+/// no more, is itself the shortest one. The sum is then (start + k step) / 10^places, rounded once where all of that is
+/// exact.
+std::optional<batch::EvenTimes> SampleGrid::even_until(std::uint64_t last) const {
+  const auto k = static_cast<double>(last);
+  if (decimals_ && k * decimals_->seconds < exact_until && k * decimals_->step < digits_until &&
+      std::abs(decimals_->start) + k * decimals_->step < exact_until)
+    return batch::EvenTimes{decimals_->step, decimals_->start, decimals_->power_of_ten};
+  if (start_.time() != Decimal() || !end_ || end_->time != end_->span) return std::nullopt;
+  // Times are offsets.
+  if (const auto* const rate = std::get_if<Rate>(&spacing_)) return batch::EvenTimes{rate->seconds, 0.0, rate->hertz};
+  const auto* const count = std::get_if<Count>(&spacing_);
+  if (!count || count->samples < 2) return std::nullopt;
+  return batch::EvenTimes{end_->span, 0.0, static_cast<double>(count->samples - 1)};
+}
+
+void SampleGrid::fill(std::uint64_t first, std::span<double> times) const {
+  const std::size_t size = times.size();
+  if (size == 0) return;
+  const auto even = even_until(first + size - 1);
+  if (!even) {
+    for (std::size_t i = 0; i < size; ++i) times[i] = (*this)[first + i].t;
+    return;
+  }
+  batch::kernels().write_even_times(*even, static_cast<double>(first), size, times.data());
+  if (end_ && end_->index && first <= *end_->index && *end_->index - first < size)
     times[static_cast<std::size_t>(*end_->index - first)] = (*this)[*end_->index].t;
 }
 

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include <orispline/base/time_origin.hpp>
+#include <orispline/batch/kernel/record.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
 
@@ -86,18 +87,26 @@ class ORISPLINE_EXPORT SampleGrid {
     std::optional<std::uint64_t> index{};  // of the sample that stands there, if one does
   };
   using Spacing = std::variant<Step, Rate, Count>;
+  /// A start and a rate whose times are decimals of few digits: sample k is at (start + k step) / 10^places [s].
+  struct Decimals {
+    double start, step, power_of_ten;  // whole numbers
+    double seconds;                    // of the rate, which is a quotient of whole numbers
+  };
 
   SampleGrid(Spacing spacing, const Decimal& start, double seconds)
-      : spacing_(spacing), start_(start), start_seconds_(seconds) {}
+      : spacing_(spacing), start_(start), start_seconds_(seconds), decimals_(decimals_of(spacing, start)) {}
+  [[nodiscard]] static std::optional<Decimals> decimals_of(const Spacing& spacing, const Decimal& start);
   [[nodiscard]] static Expected<End> end_of(const Request& request, const Decimal& start, const Decimal& end);
   [[nodiscard]] std::uint64_t guess(double t, std::uint64_t limit) const noexcept;
   template <class Reached>
   [[nodiscard]] std::uint64_t first_that(double t, Reached reached) const;
+  [[nodiscard]] std::optional<batch::EvenTimes> even_until(std::uint64_t last) const;
 
   Spacing spacing_;
   TimeOrigin start_;      // of the keys' epoch
   double start_seconds_;  // the same to a double
   std::optional<End> end_{};
+  std::optional<Decimals> decimals_;
 };
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -7,6 +7,7 @@
 #include <limits>
 #include <span>
 
+#include <orispline/batch/kernel/dispatch.hpp>
 #include <orispline/batch/kernel/record.hpp>
 #include <orispline/curve/knots.hpp>
 
@@ -57,18 +58,36 @@ void sample_part(Sampler& sampler, double t0, double dt, std::size_t from, std::
   if (to > end) sampler.hold(Held::last, end, to - end);
 }
 
-/// Times `from` … `to - 1`, in any order and NaN among them: successive ones of one segment are a run.
+/// How many of the times from `k` on belong together, the first of them at least.
+template <class Belongs>
+[[nodiscard]] std::size_t run_of(std::span<const double> times, std::size_t k, Belongs belongs) {
+  std::size_t end = k + 1;
+  while (end < times.size() && belongs(times[end])) ++end;
+  return end - k;
+}
+
+/// The same of times in order, of which none belongs behind one that does not: in steps that double, then halve.
+template <class Belongs>
+[[nodiscard]] std::size_t run_in_order(std::span<const double> times, std::size_t k, Belongs belongs) {
+  const std::size_t size = times.size();
+  std::size_t inside = k, step = 1;
+  while (step < size - inside && belongs(times[inside + step])) {
+    inside += step;
+    step *= 2;
+  }
+  const auto rest = times.subspan(inside + 1, std::min(step, size - inside) - 1);
+  return inside + 1 - k + static_cast<std::size_t>(std::ranges::partition_point(rest, belongs) - rest.begin());
+}
+
+/// Times from `k` on, in any order and NaN among them: successive ones of one segment are a run. `segment` is one that
+/// may be the first time's.
 template <RunSampler Sampler>
-void sample_part(Sampler& sampler, std::span<const double> times, std::size_t from, std::size_t to) {
+void sample_runs(Sampler& sampler, std::span<const double> times, std::size_t k, std::size_t& segment) {
   const Knots& all = sampler.knots();
   const auto knots = all.times();
-  std::size_t k = from, segment = 0;
-  const auto run = [&](auto belongs) {  // of samples from k on
-    std::size_t end = k + 1;
-    while (end < to && belongs(times[end])) ++end;
-    return end - k;
-  };
-  while (k < to) {
+  const bool in_order = kernels().are_in_order(times.data() + k, times.size() - k);
+  const auto run = [&](auto belongs) { return in_order ? run_in_order(times, k, belongs) : run_of(times, k, belongs); };
+  while (k < times.size()) {
     const double t = times[k];
     std::size_t count = 0;
     if (std::isnan(t)) {
@@ -87,6 +106,17 @@ void sample_part(Sampler& sampler, std::span<const double> times, std::size_t fr
     }
     k += count;
   }
+}
+
+/// Times that are looked at once for their order and, while they are near, once more for their samples.
+inline constexpr std::size_t times_at_a_time = 2048;
+
+/// Times `from` … `to - 1`, in any order and NaN among them.
+template <RunSampler Sampler>
+void sample_part(Sampler& sampler, std::span<const double> times, std::size_t from, std::size_t to) {
+  std::size_t segment = 0;
+  for (; from < to; from = std::min(to, from + times_at_a_time))
+    sample_runs(sampler, times.first(std::min(to, from + times_at_a_time)), from, segment);
 }
 
 /// Sample `at`, at any time.

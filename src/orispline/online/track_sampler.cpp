@@ -61,7 +61,7 @@ Expected<void> sample_part(const PoseCurve& curve, const SampleGrid& grid, std::
     const std::size_t from = i * samples_of_a_block, count = std::min(samples_of_a_block, out.size() - from);
     std::array<double, samples_of_a_block> own;
     const auto here = times.empty() ? std::span(own).first(count) : times.subspan(from, count);
-    for (std::size_t k = 0; k < count; ++k) here[k] = grid[first + from + k].t;
+    grid.fill(first + from, here);
     outcomes[i] = sample_at<double>(curve, here, part_of(out, from, count));
   });
   for (Expected<void>& outcome : outcomes)

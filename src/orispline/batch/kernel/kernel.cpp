@@ -4,6 +4,7 @@
 // give the same bits.
 #include <orispline/batch/kernel/chart_kernel.hpp>
 #include <orispline/batch/kernel/cumulative_kernel.hpp>
+#include <orispline/batch/kernel/times_kernel.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::batch {
 namespace {
@@ -64,6 +65,8 @@ const Kernels ORISPLINE_KERNELS{ORISPLINE_TEXT(ORISPLINE_KERNELS),
                                 &chart<float>,
                                 &bundle<double>,
                                 &bundle<float>,
+                                &are_in_order,
+                                &write_even_times,
                                 &ORISPLINE_POLYNOMIAL_KERNELS};
 
 }  // namespace orispline::inline ORISPLINE_ABI::batch

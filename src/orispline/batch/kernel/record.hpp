@@ -71,6 +71,11 @@ struct BundleSegment {
   T factors[3];       ///< s_a, s_b, s_c at the time of the samples; all angles stay within 1 rad
 };
 
+/// Sample k is at (k * factor + offset) / divisor.
+struct EvenTimes {
+  double factor, offset, divisor;
+};
+
 struct PolynomialKernels;
 
 /// The loops of one instruction set. Each writes `count` samples, of one segment or of as many curves.
@@ -82,6 +87,9 @@ struct Kernels {
   void (*chart_float)(const ChartRecord<float>&, const Clock&, std::size_t count, const Target<float>&);
   void (*bundle)(const BundleSegment<double>&, std::size_t count, const Target<double>&);
   void (*bundle_float)(const BundleSegment<float>&, std::size_t count, const Target<float>&);
+  bool (*are_in_order)(const double* times, std::size_t count);  ///< whether they rise or stay, none being NaN
+  /// From sample `first` on, a whole number like all k: exact up to 2⁵³.
+  void (*write_even_times)(const EvenTimes&, double first, std::size_t count, double* times);
   const PolynomialKernels* polynomials;
 };
 

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// Loops over times: by every instruction set, and through blocks of which some are in order and some are not.
+#include <algorithm>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <batch/every_kernel.hpp>
+#include <batch/sampled.hpp>
+#include <batch/specimen_curves.hpp>
+
+namespace orispline {
+namespace {
+
+using namespace testing_support;
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+TEST(TimesKernel, TellsWhetherTimesAreInOrder) {
+  for (const batch::Kernels* kernels : all_kernels()) {
+    SCOPED_TRACE(kernels->name);
+    const auto are_in_order = [&](const std::vector<double>& times) {
+      return kernels->are_in_order(times.data(), times.size());
+    };
+    EXPECT_TRUE(are_in_order({}));
+    EXPECT_TRUE(are_in_order({3.0}));
+    EXPECT_FALSE(are_in_order({not_a_number}));
+    EXPECT_TRUE(are_in_order({-infinity, -0.0, 0.0, -0.0, 1.0, 1.0, infinity, infinity}));
+    for (const std::size_t size : {2U, 7U, 8U, 9U, 40U}) {
+      std::vector<double> rising(size);
+      for (std::size_t k = 0; k < size; ++k) rising[k] = static_cast<double>(k / 2);
+      EXPECT_TRUE(are_in_order(rising));
+      for (std::size_t k = 0; k < size; ++k)
+        for (const double wrong : {not_a_number, k == 0 ? 1e9 : -1.0}) {
+          std::vector<double> times = rising;
+          times[k] = wrong;
+          EXPECT_FALSE(are_in_order(times)) << wrong << " at " << k << " of " << size;
+        }
+    }
+  }
+}
+
+TEST(TimesKernel, WritesEvenTimesAsTheirFormulaSays) {
+  for (const batch::Kernels* kernels : all_kernels())
+    for (const batch::EvenTimes& even : {batch::EvenTimes{1001.0, 0.0, 30000.0}, batch::EvenTimes{7.3, 0.0, 999.0},
+                                         batch::EvenTimes{25.0, -1311868163869.0, 1e4}})
+      for (const double first : {0.0, 5.0, 123456789012.0})
+        for (const std::size_t count : {1U, 7U, 8U, 1000U}) {
+          std::vector<double> times(count);
+          kernels->write_even_times(even, first, count, times.data());
+          for (std::size_t k = 0; k < count; ++k) {
+            const double product = (first + static_cast<double>(k)) * even.factor, sum = product + even.offset;
+            ASSERT_EQ(times[k], sum / even.divisor) << kernels->name << ' ' << first << ' ' << k;
+          }
+        }
+}
+
+/// Each as if it were the only time.
+void expect_the_samples_of_single_times(const AnyCurve& curve, const std::vector<double>& times) {
+  Sampled<double> together(times.size(), Wanted::jerk);
+  ASSERT_TRUE(sample_at<double>(curve, times, together.spans()));
+  Sampled<double> alone(times.size(), Wanted::jerk);
+  const Samples<double> all = alone.spans();
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const auto at = [i](std::span<double> numbers, std::size_t columns) {
+      return numbers.subspan(columns * i, columns);
+    };
+    ASSERT_TRUE(sample_at<double>(curve, {&times[i], 1},
+                                  {.orientations = at(all.orientations, 4),
+                                   .angular_velocities = at(all.angular_velocities, 3),
+                                   .angular_accelerations = at(all.angular_accelerations, 3),
+                                   .angular_jerks = at(all.angular_jerks, 3)}));
+  }
+  EXPECT_TRUE(together.same_bits(alone));
+}
+
+TEST(TimesKernel, BlocksInOrderAndOthersGiveTheSamplesOfSingleTimes) {
+  std::mt19937_64 random(83);
+  for (const char* kind : kinds_of_curves) {
+    SCOPED_TRACE(kind);
+    const AnyCurve curve = specimen_curve(kind);
+    const Domain domain = curve.domain();
+    std::uniform_real_distribution<double> anywhere(domain.start - 0.3, domain.end + 0.3);
+    std::vector<double> times(7000);  // three blocks and a part of one
+    for (double& t : times) t = anywhere(random);
+    const auto knots = curve.knots().times();
+    std::copy(knots.begin(), knots.end(), times.begin());
+    std::copy(knots.begin(), knots.end(), times.begin() + 1000);
+    std::ranges::sort(times);
+    expect_the_samples_of_single_times(curve, times);
+    std::swap(times[2500], times[2700]);
+    times[6999] = not_a_number;
+    expect_the_samples_of_single_times(curve, times);
+    std::ranges::reverse(times);
+    expect_the_samples_of_single_times(curve, times);
+  }
+}
+
+}  // namespace
+}  // namespace orispline
