@@ -83,25 +83,6 @@ nb::list rates_before(const PythonCurve& curve, double t, bool world) {
   return arrays;
 }
 
-/// All of a sample that is asked for, at times that do not decrease, into memory of NumPy.
-template <class T>
-void fill(const PythonCurve& curve, const Numbers& numbers, const Memory<T>& orientations,
-          const std::optional<Memory<T>>& angular_velocities, const std::optional<Memory<T>>& angular_accelerations,
-          const std::optional<Memory<T>>& angular_jerks, const std::optional<Memory<T>>& positions,
-          const std::optional<Memory<T>>& velocities, const std::optional<Memory<T>>& accelerations, bool world,
-          int beyond, unsigned threads) {
-  const Samples<T> out = samples_in<T>(orientations, angular_velocities, angular_accelerations, angular_jerks, positions,
-                                        velocities, accelerations);
-  Expected<void> done;
-  {
-    const nb::gil_scoped_release release;
-    const std::span<const double> times = span_of(numbers);
-    done = sample_into<T>(curve, times, out, Extrapolation{beyond}, threads, are_in_order(times));
-    if (done && world) turn_to_world(out, times.size());
-  }
-  value_of(std::move(done));
-}
-
 }  // namespace
 
 void add_curve(nb::module_& module) {
@@ -111,7 +92,7 @@ void add_curve(nb::module_& module) {
     return list;
   });
   auto curve_class = nb::class_<PythonCurve>(module, "Curve");
-  add_grids(curve_class);
+  add_grids(module, curve_class);
   add_analysis(module, curve_class);
   add_baked(module, curve_class);
   add_pictures(module, curve_class);
@@ -129,15 +110,8 @@ void add_curve(nb::module_& module) {
       .def("one", &one, "what"_a, "t"_a, "world"_a, "beyond"_a)
       .def("rates_before", &rates_before, "t"_a, "world"_a)
       .def("many", &many<double>, "what"_a, "times"_a, "out"_a.noconvert(), "world"_a, "beyond"_a, "threads"_a)
-      .def("many", &many<float>, "what"_a, "times"_a, "out"_a.noconvert(), "world"_a, "beyond"_a, "threads"_a)
-      .def("fill", &fill<double>, "times"_a, "orientations"_a.noconvert(), "angular_velocities"_a.noconvert().none(),
-           "angular_accelerations"_a.noconvert().none(), "angular_jerks"_a.noconvert().none(),
-           "positions"_a.noconvert().none(), "velocities"_a.noconvert().none(), "accelerations"_a.noconvert().none(),
-           "world"_a, "beyond"_a, "threads"_a)
-      .def("fill", &fill<float>, "times"_a, "orientations"_a.noconvert(), "angular_velocities"_a.noconvert().none(),
-           "angular_accelerations"_a.noconvert().none(), "angular_jerks"_a.noconvert().none(),
-           "positions"_a.noconvert().none(), "velocities"_a.noconvert().none(), "accelerations"_a.noconvert().none(),
-           "world"_a, "beyond"_a, "threads"_a);
+      .def("many", &many<float>, "what"_a, "times"_a, "out"_a.noconvert(), "world"_a, "beyond"_a, "threads"_a);
+  add_fills(curve_class);
 }
 
 }  // namespace orispline::python

@@ -46,30 +46,22 @@ Expected<SampleGrid> GridText::grid(double first, double last) const {
 
 namespace {
 
-SampleGrid grid_of(const PythonCurve& curve, const GridText& text) {
-  return value_of(text.grid(curve.domain().start, curve.domain().end));
-}
-
-FloatArray grid(const PythonCurve& curve, const std::optional<std::string>& rate, std::optional<std::size_t> count,
+SampleGrid grid(const PythonCurve& curve, const std::optional<std::string>& rate, std::optional<std::size_t> count,
                 const std::optional<std::string>& start, const std::optional<std::string>& end, bool include_end) {
-  const SampleGrid made = grid_of(curve, {rate, count, start, end, include_end});
-  const auto size = static_cast<std::size_t>(*made.size());
-  const nb::object array = nb::module_::import_("numpy").attr("empty")(size);
-  const auto memory = nb::cast<nb::ndarray<double, nb::ndim<1>, nb::c_contig, nb::device::cpu>>(array);
-  made.fill(0, {memory.data(), size});
-  return nb::borrow<FloatArray>(array);
-}
-
-std::size_t grid_size(const PythonCurve& curve, const std::string& rate, const std::optional<std::string>& start,
-                      const std::optional<std::string>& end, bool include_end) {
-  return static_cast<std::size_t>(*grid_of(curve, {rate, {}, start, end, include_end}).size());
+  const GridText text{rate, count, start, end, include_end};
+  return value_of(text.grid(curve.domain().start, curve.domain().end));
 }
 
 }  // namespace
 
-void add_grids(nb::class_<PythonCurve>& curve_class) {
-  curve_class.def("grid", &grid, "rate"_a.none(), "count"_a.none(), "start"_a.none(), "end"_a.none(), "include_end"_a)
-      .def("grid_size", &grid_size, "rate"_a, "start"_a.none(), "end"_a.none(), "include_end"_a);
+void add_grids(nb::module_& module, nb::class_<PythonCurve>& curve_class) {
+  nb::class_<SampleGrid>(module, "Grid")
+      .def("__len__", [](const SampleGrid& grid) { return *grid.size(); })
+      .def(
+          "fill",
+          [](const SampleGrid& grid, const WritableNumbers& times) { grid.fill(0, {times.data(), times.size()}); },
+          "times"_a.noconvert());
+  curve_class.def("grid", &grid, "rate"_a.none(), "count"_a.none(), "start"_a.none(), "end"_a.none(), "include_end"_a);
 }
 
 }  // namespace orispline::python

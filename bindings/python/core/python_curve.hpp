@@ -43,7 +43,9 @@ class PythonCurve {
 };
 
 /// The even times of a rate or a count.
-void add_grids(nanobind::class_<PythonCurve>& curve_class);
+void add_grids(nanobind::module_& module, nanobind::class_<PythonCurve>& curve_class);
+/// Its samples, at those or at any times.
+void add_fills(nanobind::class_<PythonCurve>& curve_class);
 /// What it is worth: energies, peaks, distances.
 void add_analysis(nanobind::module_& module, nanobind::class_<PythonCurve>& curve_class);
 /// Curves turned into polynomials.

@@ -2,14 +2,17 @@
 #include "quantity.hpp"
 
 #include <algorithm>
+#include <thread>
 #include <type_traits>
+
+#include <orispline/batch/kernel/dispatch.hpp>
 
 #include "errors.hpp"
 
 namespace orispline::python {
 namespace {
 
-constexpr std::size_t samples_at_a_time = std::size_t{1} << 15;  // of scratch memory, that of a thread's cache
+constexpr std::size_t samples_of_a_cache = std::size_t{1} << 13, samples_of_a_thread = std::size_t{1} << 16;
 
 template <class T>
 std::span<T>& target_of(Samples<T>& samples, What what) {
@@ -33,20 +36,20 @@ std::span<T>& target_of(Samples<T>& samples, What what) {
 
 }  // namespace
 
-bool are_in_order(std::span<const double> times) {
-  return std::ranges::is_sorted(times) && std::ranges::none_of(times, [](double t) { return t != t; });
+std::size_t samples_at_a_time(unsigned threads) {
+  if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
+  return threads == 1 ? samples_of_a_cache : samples_of_a_thread * threads;
 }
 
 template <class T>
 Expected<void> sample_into(const PythonCurve& curve, std::span<const double> times, const Samples<T>& out,
-                           Extrapolation beyond, unsigned threads, bool sorted) {
+                           Extrapolation beyond, unsigned threads) {
   const auto made = [&]() -> Expected<void> {
-    if (wants_positions(out))
-      return sorted ? sample<T>(curve.pose(), times, out, {.threads = threads})
-                    : sample_at<T>(curve.pose(), times, out, {.threads = threads});
-    if (sorted) return sample<T>(curve.pose().orientation, times, out, {.threads = threads});
-    if constexpr (std::is_same_v<T, double>) return sample_at<T>(curve.compiled(), times, out, {.threads = threads});
-    else return sample_at<T>(curve.pose().orientation, times, out, {.threads = threads});
+    if (wants_positions(out)) return sample_at<T>(curve.pose(), times, out, {.threads = threads});
+    if constexpr (std::is_same_v<T, double>)
+      if (!batch::kernels().are_in_order(times.data(), times.size()))
+        return sample_at<T>(curve.compiled(), times, out, {.threads = threads});
+    return sample_at<T>(curve.pose().orientation, times, out, {.threads = threads});
   };
   return made().and_then([&] { return extrapolate<T>(curve.pose(), times, beyond, out, {.threads = threads}); });
 }
@@ -82,17 +85,15 @@ template <class T>
 Expected<void> Quantity<T>::at(std::span<const double> times, T* memory) {
   if (beyond_ == Extrapolation::error)
     if (auto inside = check_inside(curve_.pose().orientation, times); !inside) return inside;
-  const bool sorted = are_in_order(times);
-  const std::size_t most = samples_at_a_time * std::max(threads_, 1u);
+  const std::size_t most = samples_at_a_time(threads_);
   for (std::size_t begin = 0; begin < times.size(); begin += most)
-    if (auto done = part(times.subspan(begin, std::min(most, times.size() - begin)), memory + width() * begin, sorted);
-        !done)
+    if (auto done = part(times.subspan(begin, std::min(most, times.size() - begin)), memory + width() * begin); !done)
       return done;
   return {};
 }
 
 template <class T>
-Expected<void> Quantity<T>::part(std::span<const double> times, T* memory, bool sorted) {
+Expected<void> Quantity<T>::part(std::span<const double> times, T* memory) {
   const auto room = [count = times.size()](std::vector<T>& numbers, std::size_t columns) {
     numbers.resize(columns * count);
     return std::span<T>(numbers);
@@ -104,15 +105,15 @@ Expected<void> Quantity<T>::part(std::span<const double> times, T* memory, bool 
     out.angular_velocities = room(angular_velocities_, 3);
     out.angular_accelerations = room(angular_accelerations_, 3);
   }
-  auto done = sample_into<T>(curve_, times, out, beyond_, threads_, sorted);
+  auto done = sample_into<T>(curve_, times, out, beyond_, threads_);
   if (done && turns_) turn_to_world(out, times.size());
   return done;
 }
 
 template Expected<void> sample_into(const PythonCurve&, std::span<const double>, const Samples<double>&, Extrapolation,
-                                    unsigned, bool);
+                                    unsigned);
 template Expected<void> sample_into(const PythonCurve&, std::span<const double>, const Samples<float>&, Extrapolation,
-                                    unsigned, bool);
+                                    unsigned);
 template void turn_to_world(const Samples<double>&, std::size_t);
 template void turn_to_world(const Samples<float>&, std::size_t);
 template class Quantity<double>;

@@ -13,13 +13,14 @@ namespace orispline::python {
 /// What is asked of a curve at a time, in the order that the face numbers it.
 enum class What { orientation, angular_velocity, angular_acceleration, angular_jerk, position, velocity, acceleration };
 
-/// Whether times rise or stay, none being NaN.
-[[nodiscard]] bool are_in_order(std::span<const double> times);
+/// Samples that are made together: so many as are still in the cache of a thread when they are looked at again, or as keep
+/// all threads busy. 0 threads: one per core.
+[[nodiscard]] std::size_t samples_at_a_time(unsigned threads);
 
-/// Samples at times that are `sorted`, or in any order; outside the curve as asked for.
+/// Samples at times in any order; outside the curve as asked for.
 template <class T>
 [[nodiscard]] Expected<void> sample_into(const PythonCurve& curve, std::span<const double> times, const Samples<T>& out,
-                                         Extrapolation beyond, unsigned threads, bool sorted);
+                                         Extrapolation beyond, unsigned threads);
 
 /// Turns rates of the body into those of the world, as math/frames has it.
 template <class T>
@@ -39,7 +40,7 @@ class Quantity {
   [[nodiscard]] Expected<void> at(std::span<const double> times, T* memory);
 
  private:
-  [[nodiscard]] Expected<void> part(std::span<const double> times, T* memory, bool sorted);
+  [[nodiscard]] Expected<void> part(std::span<const double> times, T* memory);
 
   const PythonCurve& curve_;
   What what_;

@@ -33,4 +33,19 @@ template <class T>
           .accelerations = span(accelerations)};
 }
 
+/// `count` of the samples from one on.
+template <class T>
+[[nodiscard]] Samples<T> part_of(const Samples<T>& all, std::size_t from, std::size_t count) {
+  const auto part = [&](std::span<T> numbers, std::size_t columns) {
+    return numbers.empty() ? numbers : numbers.subspan(columns * from, columns * count);
+  };
+  return {.orientations = part(all.orientations, 4),
+          .angular_velocities = part(all.angular_velocities, 3),
+          .angular_accelerations = part(all.angular_accelerations, 3),
+          .angular_jerks = part(all.angular_jerks, 3),
+          .positions = part(all.positions, 3),
+          .velocities = part(all.velocities, 3),
+          .accelerations = part(all.accelerations, 3)};
+}
+
 }  // namespace orispline::python

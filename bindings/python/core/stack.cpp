@@ -46,8 +46,7 @@ class Part {
                              .angular_accelerations = rows[2],
                              .angular_jerks = rows[3]};
     for (std::size_t joint = 0; joint < curves_.size(); ++joint) {
-      if (auto done = sample_into<T>(*curves_[joint], times, samples, beyond_, 1, are_in_order(times)); !done)
-        return done;
+      if (auto done = sample_into<T>(*curves_[joint], times, samples, beyond_, 1); !done) return done;
       if (world_) turn_to_world(samples, times.size());
       for (std::size_t i = 0; i < quantities; ++i)
         for (std::size_t k = 0; out_[i] && k < times.size(); ++k)

@@ -16,8 +16,7 @@ from ._baked import BakedCurve
 from ._curve import Curve
 from ._errors import AccessError, ArgumentError, ConvergenceError, DataError, Error, ShapeWarning
 from ._files import read, write
-from ._keys import Keys, KeyStatistics, Spread
-from ._measures import DistanceStatistics, Energies, HandleTurn, Peak, Peaks
+from ._keys import Keys
 from ._online import OnlineCurve
 from ._pictures import plot_comparison, plot_sphere
 from ._samples import Motion, Samples
@@ -26,6 +25,7 @@ from ._stack import CurveStack
 
 if TYPE_CHECKING:
     from ._comparison import Comparison, compare
+    from ._measures import DistanceStatistics, Energies, HandleTurn, KeyStatistics, Peak, Peaks, Spread
     from ._results import Certificate, Reduction, Retiming, Smoothing, Tuning
     from ._tasks import reduce, reduce_tracks, retime, smooth, tune
 
@@ -36,8 +36,10 @@ __all__ = ["AccessError", "ArgumentError", "BakedCurve", "Certificate", "Compari
            "smooth", "tune", "write"]
 __version__: str = _core.version
 
-# Tasks are imported when they are first asked for, so that a curve does not wait for them.
-_ROOMS = {"_comparison": ("Comparison", "compare"), "_results": ("Certificate", "Reduction", "Retiming", "Smoothing", "Tuning"),
+# Tasks and measures are imported when they are first asked for, so that a curve does not wait for them.
+_ROOMS = {"_comparison": ("Comparison", "compare"),
+          "_measures": ("DistanceStatistics", "Energies", "HandleTurn", "KeyStatistics", "Peak", "Peaks", "Spread"),
+          "_results": ("Certificate", "Reduction", "Retiming", "Smoothing", "Tuning"),
           "_tasks": ("reduce", "reduce_tracks", "retime", "smooth", "tune")}
 
 

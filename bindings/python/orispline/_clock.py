@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import decimal
 from typing import Any
 
 import numpy as np
@@ -27,6 +26,7 @@ class Clock:
     @property
     def epoch(self) -> str:
         """What seconds count from [s], exact: of a calendar since 1970-01-01."""
+        import decimal
         return f"{decimal.Decimal(self.origin).scaleb(-DIGITS[self.unit]):f}"
 
     def seconds(self, name: str, times: Any) -> Array:

@@ -201,28 +201,46 @@ class Curve(CurveAnalysis, CurvePictures):
         are the same on any.
         """
         world = _index("frame", frame, FRAMES) == 1
-        seconds = self._times_wanted(rate, count, times, start, end, include_end, derivatives)
+        even = self._grid_wanted(rate, count, times, start, end, include_end, derivatives)
+        seconds = np.empty(len(even)) if even is not None else self._given(times)
         rows = [output("dtype", None, (len(seconds), 4), dtype), *self._room(derivatives, len(seconds), dtype)]
-        linear = self._room(min(derivatives, 2) + 1 if self._core.has_positions else 0, len(seconds), dtype)
-        self._core.fill(seconds, *rows, *linear, world=world, beyond=self._beyond, threads=thread_count(threads))
+        rows += self._room(min(derivatives, 2) + 1 if self._core.has_positions else 0, len(seconds), dtype)
+        how = {"world": world, "beyond": self._beyond, "threads": thread_count(threads)}
+        if even is None:
+            self._core.fill(seconds, *rows, **how)
+        else:
+            self._core.fill_even(even, seconds, *rows, **how)
         if self._scalar_first:
             rows[0] = np.ascontiguousarray(rows[0][:, [3, 0, 1, 2]])
-        grid = None if times is not None else (rate, count, *self._bounds(start, end), include_end, *self._core.domain)
-        return samples_of(self._keys, seconds, [*rows, *linear], frame, grid)
+        grid = None if even is None else (rate, count, *self._bounds(start, end), include_end, *self._core.domain)
+        return samples_of(self._keys, seconds, rows, frame, grid)
 
     @staticmethod
     def _room(wanted: int, count: int, dtype: Any) -> list[Any]:
         return [np.empty((count, 3), dtype) if k < wanted else None for k in range(3)]
 
-    def _times_wanted(self, rate: Any, count: int | None, times: Any, start: Any, end: Any, include_end: bool,
-                      derivatives: int) -> NDArray[np.float64]:
-        """The times of samples [s]."""
+    def _grid_wanted(self, rate: Any, count: int | None, times: Any, start: Any, end: Any, include_end: bool,
+                     derivatives: int) -> Any:
+        """The grid of the samples, None where their times are given."""
         if sum(given is not None for given in (rate, count, times)) != 1:
             raise ArgumentError("sample: wanted one of rate, count and times")
         if derivatives not in (0, 1, 2, 3):
             raise ArgumentError(f"derivatives: found {derivatives!r}, wanted 0, 1, 2 or 3")
-        seconds = self._clock.seconds("times", times) if times is not None else self._grid(rate, count, start, end,
-                                                                                             include_end)
+        if times is not None:
+            return None
+        include_end = flag("include_end", include_end)
+        bounds = self._bounds(start, end)
+        if count is not None and (isinstance(count, bool) or not isinstance(count, (int, np.integer)) or count < 1):
+            raise ArgumentError(f"count: found {count!r}, wanted a whole number from 1 on")
+        if count is not None:
+            _check_number(count)
+        text, number = (rate_text(rate), None) if count is None else (None, int(count))
+        grid = self._core.grid(text, number, *bounds, include_end)
+        _check_number(len(grid))
+        return grid
+
+    def _given(self, times: Any) -> NDArray[np.float64]:
+        seconds = self._clock.seconds("times", times)
         if seconds.ndim != 1:
             raise ArgumentError(f"times: found the shape {seconds.shape}, wanted (k,)")
         return seconds
@@ -230,18 +248,6 @@ class Curve(CurveAnalysis, CurvePictures):
     def _bounds(self, start: Any, end: Any) -> list[str | None]:
         return [None if t is None else repr(float(self._clock.seconds(name, t))) for name, t in
                 (("start", start), ("end", end))]
-
-    def _grid(self, rate: Any, count: int | None, start: Any, end: Any, include_end: bool) -> NDArray[np.float64]:
-        include_end = flag("include_end", include_end)
-        bounds = self._bounds(start, end)
-        if count is not None:
-            if isinstance(count, bool) or not isinstance(count, (int, np.integer)) or count < 1:
-                raise ArgumentError(f"count: found {count!r}, wanted a whole number from 1 on")
-            _check_number(count)
-            return self._core.grid(None, int(count), *bounds, include_end)  # type: ignore[no-any-return]
-        text = rate_text(rate)
-        _check_number(self._core.grid_size(text, *bounds, include_end))
-        return self._core.grid(text, None, *bounds, include_end)  # type: ignore[no-any-return]
 
     def _at(self, what: int, t: Any, frame: str, out: Any, dtype: Any, threads: int) -> NDArray[Any]:
         world = _index("frame", frame, FRAMES) == 1

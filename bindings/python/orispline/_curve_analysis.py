@@ -10,12 +10,12 @@ from numpy.typing import NDArray
 from . import _core
 from ._arrays import Array, numbers, quaternions
 from ._errors import ArgumentError, DataError
-from ._measures import DistanceStatistics, Energies, HandleTurn, Peak, Peaks
 from ._warnings import tell
 
 if TYPE_CHECKING:
     from ._baked import BakedCurve
     from ._clock import Clock
+    from ._measures import DistanceStatistics, Energies, HandleTurn, Peaks
 
 
 def checked_inertia(inertia: Any) -> Array:
@@ -74,6 +74,7 @@ class CurveAnalysis:
         >>> round(curve.energies().acceleration, 4)
         0.1294
         """
+        from ._measures import Energies
         return Energies(**self._core.energies(None if inertia is None else checked_inertia(inertia)))
 
     def peaks(self, inertia: Any = None) -> Peaks:
@@ -86,6 +87,7 @@ class CurveAnalysis:
         >>> round(peak.value, 12), peak.time
         (1.287002217587, 0.0)
         """
+        from ._measures import Peak, Peaks
         found = self._core.peaks(None if inertia is None else checked_inertia(inertia))
         return Peaks(**{name: Peak(value, self._time(time)) for name, (value, time) in found.items()})
 
@@ -176,6 +178,7 @@ class CurveAnalysis:
         >>> curve.leave_out().count
         1
         """
+        from ._measures import DistanceStatistics
         return DistanceStatistics(**self._core.leave_out())
 
     def overwound_tangent(self) -> HandleTurn | None:
@@ -185,6 +188,7 @@ class CurveAnalysis:
         >>> import orispline as ori
         >>> ori.Curve([0, 1, 3], [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 1, 0]], "tcb").overwound_tangent()
         """
+        from ._measures import HandleTurn
         found = self._core.overwound_tangent()
         return None if found is None else HandleTurn(*found)
 
@@ -215,6 +219,7 @@ class CurveAnalysis:
         return seconds, rows
 
     def _statistics(self, found: dict[str, Any]) -> DistanceStatistics:
+        from ._measures import DistanceStatistics
         if found["count"] == 0:
             first, last = self._clock.back(np.array(self._core.domain))
             raise DataError(f"times: found none from {first} to {last}, where the curve is, wanted one at least")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import datetime
-import fractions
 import os
 from typing import TYPE_CHECKING, Any, Mapping, Union
 
@@ -17,10 +16,13 @@ from ._samples import Samples
 from ._warnings import tell
 
 if TYPE_CHECKING:
+    import fractions
+
     from ._curve import Curve
 
+    Number = Union[float, str, fractions.Fraction]
+
 Path = Union[str, "os.PathLike[str]"]
-Number = Union[float, str, fractions.Fraction]
 
 
 def read(path: Path, *, input_format: str | None = None, columns: Mapping[str, str] | None = None, order: str | None = None,
@@ -156,6 +158,7 @@ def _stated(options: Mapping[str, Any]) -> list[tuple[str, str]]:
 
 
 def _text(name: str, value: Any) -> str:
+    import fractions
     if isinstance(value, fractions.Fraction):
         return f"{value.numerator}/{value.denominator}"
     if isinstance(value, (datetime.date, np.datetime64)):

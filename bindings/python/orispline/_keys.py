@@ -2,8 +2,6 @@
 """Keyframes."""
 from __future__ import annotations
 
-import dataclasses
-import decimal
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -18,7 +16,10 @@ from ._texts import method_text
 from ._warnings import tell
 
 if TYPE_CHECKING:
+    import decimal
+
     from ._curve import Curve
+    from ._measures import KeyStatistics
 
 SIGNS = ("shortest", "as-given")
 SIGNS_AS_GIVEN = 6  # of origin_of_keys()
@@ -156,6 +157,7 @@ class Keys:
     def epoch(self) -> decimal.Decimal:
         """[s], exact: what the times count from. Of keys from a file the time of its first key, of dates the seconds
         since 1970-01-01; 0 where times are seconds of their own."""
+        import decimal
         return decimal.Decimal(_core.epoch_of_keys(self._core))
 
     @property
@@ -174,6 +176,7 @@ class Keys:
         >>> keys.statistics().spacing
         Spread(smallest=1.0, median=1.5, largest=2.0, largest_at=1)
         """
+        from ._measures import KeyStatistics, Spread
         span, spacing, step, near_half_turns = _core.key_statistics(self._core)
         return KeyStatistics(span, Spread(*spacing) if spacing else None, Spread(*step) if step else None,
                              tuple(near_half_turns))
@@ -225,27 +228,6 @@ class Keys:
                 "angular_accelerations": c.angular_accelerations, "angular_jerks": c.angular_jerks}
         return _restored, (c.times, c.orientations, rows, c.settings, self._clock, self._scalar_first,
                            _core.origin_of_keys(c), getattr(self, "_source", {}))
-
-
-@dataclasses.dataclass(frozen=True)
-class Spread:
-    """Smallest, median and largest of some figures, and the index of the largest."""
-
-    smallest: float
-    median: float
-    largest: float
-    largest_at: int
-
-
-@dataclasses.dataclass(frozen=True)
-class KeyStatistics:
-    """What keys are like: `span`, last time minus first [s]; `spacing`, times between neighbours [s], and `step`, angles
-    between them [rad], None for one key; `near_half_turns`, the keys from which a step is within 1° of 180°."""
-
-    span: float
-    spacing: Spread | None
-    step: Spread | None
-    near_half_turns: tuple[int, ...]
 
 
 def _values_per_key(settings: Any) -> dict[str, list[float]]:

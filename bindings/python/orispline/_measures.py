@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is measured of curves. The names are those of the library."""
+"""What is measured of keys and of curves. The names are those of the library."""
 from __future__ import annotations
 
 import dataclasses
@@ -68,3 +68,24 @@ class HandleTurn:
 
     key: int
     turn: float
+
+
+@dataclasses.dataclass(frozen=True)
+class Spread:
+    """Smallest, median and largest of some figures, and the index of the largest."""
+
+    smallest: float
+    median: float
+    largest: float
+    largest_at: int
+
+
+@dataclasses.dataclass(frozen=True)
+class KeyStatistics:
+    """What keys are like: `span`, last time minus first [s]; `spacing`, times between neighbours [s], and `step`, angles
+    between them [rad], None for one key; `near_half_turns`, the keys from which a step is within 1° of 180°."""
+
+    span: float
+    spacing: Spread | None
+    step: Spread | None
+    near_half_turns: tuple[int, ...]

@@ -2,7 +2,6 @@
 """Curves whose keys arrive one by one."""
 from __future__ import annotations
 
-import threading
 from typing import Any
 
 import numpy as np
@@ -67,6 +66,7 @@ class OnlineCurve:
         stated = {name: value for name, value in settings.items() if value is not None}
         text = method_text(method, ends, start_rate, end_rate, False, None, stated)
         self._core = _core.OnlineCurve(text, with_keys, int(capacity), signs)
+        import threading
         self._lock = threading.Lock()
         self._clock: Clock | None = None
         self._scalar_first, self._time_unit = scalar_first, time_unit

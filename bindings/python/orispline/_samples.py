@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import decimal
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,6 +14,8 @@ from ._clock import Clock
 from ._texts import rate_text
 
 if TYPE_CHECKING:
+    import decimal
+
     from ._keys import Keys
 
 
@@ -67,6 +68,7 @@ class Samples:
     @property
     def epoch(self) -> decimal.Decimal:
         """[s], exact: what times count from, of a file or since 1970-01-01; 0 where they are seconds of their own."""
+        import decimal
         return decimal.Decimal(self._from.epoch)
 
     def write(self, path: Any, **options: Any) -> None:

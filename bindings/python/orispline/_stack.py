@@ -128,7 +128,11 @@ class CurveStack:
                threads: int = 1) -> Samples:
         """Samples at even times or at given ones, as of `Curve.sample`: (k,) times, (k, m, 4) orientations and (k, m, 3)
         rates."""
-        seconds = self._curves[0]._times_wanted(rate, count, times, start, end, include_end, derivatives)
+        first = self._curves[0]
+        even = first._grid_wanted(rate, count, times, start, end, include_end, derivatives)
+        seconds = np.empty(len(even)) if even is not None else first._given(times)
+        if even is not None:
+            even.fill(seconds)
         rows: list[Any] = [output("dtype", None, (len(seconds), len(self), width), dtype)
                            for width in (4, 3, 3, 3)[:derivatives + 1]]
         self._fill(seconds, rows, frame, threads)

@@ -2,7 +2,6 @@
 """Arguments as the texts in which the library reads them: a number has one way of being read."""
 from __future__ import annotations
 
-import fractions
 from typing import Any, Mapping
 
 import numpy as np
@@ -13,6 +12,7 @@ from ._errors import ArgumentError
 
 def rate_text(rate: Any) -> str:
     """A number, or a fraction such as `30000/1001`."""
+    import fractions
     if isinstance(rate, fractions.Fraction):
         return f"{rate.numerator}/{rate.denominator}"
     if isinstance(rate, str):

@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 import contextlib
+import contextvars
 import sys
-import threading
 import warnings
 from collections.abc import Iterable, Iterator
 from typing import Any
 
 from ._errors import ShapeWarning
 
-_thread = threading.local()
+_collection: contextvars.ContextVar[list[ShapeWarning] | None] = contextvars.ContextVar("collection", default=None)
 
 
 def tell(found: Iterable[tuple[Any, ...]]) -> None:
     """Warns where the caller of the package stands: of messages, with their codes and numbers."""
-    collection: list[ShapeWarning] | None = getattr(_thread, "collection", None)
+    collection = _collection.get()
     if collection is not None:
         collection += [ShapeWarning(*warning) for warning in found]
         return
@@ -30,12 +30,12 @@ def tell(found: Iterable[tuple[Any, ...]]) -> None:
 @contextlib.contextmanager
 def collected() -> Iterator[list[ShapeWarning]]:
     """Those of this thread, as a list instead of warnings."""
-    before = getattr(_thread, "collection", None)
-    _thread.collection = []
+    found: list[ShapeWarning] = []
+    before = _collection.set(found)
     try:
-        yield _thread.collection
+        yield found
     finally:
-        _thread.collection = before
+        _collection.reset(before)
 
 
 def _is_ours(package: str | None) -> bool:
