@@ -119,6 +119,9 @@ TEST(Compare, MeasuresNoMoreOnceItIsStopped) {
       compare(candidates, motion.recording(), {}, 1, {.stop = source.get_token(), .show = stop_after_one});
   EXPECT_TRUE(comparison.measures[0]);
   for (const std::size_t i : {1u, 2u}) EXPECT_EQ(comparison.measures[i].error().code, ErrorCode::cancelled);
+  const auto stopped = measure(candidates[0], motion.recording(), {}, {.stop = source.get_token()});
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().code, ErrorCode::cancelled);
 }
 
 TEST(LeaveOut, IsTheDistanceOfSlerpsToTheKeysThatTheySkip) {

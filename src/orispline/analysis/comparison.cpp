@@ -50,17 +50,19 @@ void measure_errors(Measures& measures, const SampledCurve& samples, const Overl
   measures.rate_error = distance_statistics(std::move(distances), truth.first);
 }
 
-void measure_shape(Measures& measures, const AnyCurve& curve, const MeasureOptions& options) {
-  measures.continuity = continuity_at_keys(curve);
-  measures.shape = shape_continuity_at_keys(curve);
-  measures.energies = energies(curve, options.inertia);
-  measures.peaks = peaks(curve, options.inertia);
-  measures.angle_travelled = AngleTravelled(curve).total();
+/// Each of the measures takes long for many keys.
+void measure_shape(Measures& measures, const AnyCurve& curve, const MeasureOptions& options, const Progress& progress) {
+  if (!progress.stopped()) measures.continuity = continuity_at_keys(curve);
+  if (!progress.stopped()) measures.shape = shape_continuity_at_keys(curve);
+  if (!progress.stopped()) measures.energies = energies(curve, options.inertia);
+  if (!progress.stopped()) measures.peaks = peaks(curve, options.inertia);
+  if (!progress.stopped()) measures.angle_travelled = AngleTravelled(curve).total();
 }
 
 }  // namespace
 
-Expected<Measures> measure(const Candidate& candidate, const RecordedMotion& recording, const MeasureOptions& options) {
+Expected<Measures> measure(const Candidate& candidate, const RecordedMotion& recording, const MeasureOptions& options,
+                           const Progress& progress) {
   ORISPLINE_EXPECT(recording.times.size() == recording.orientations.size());
   if (candidate.keys.size() == 0) return failure(ErrorCode::bad_data, "empty: no keys");
   const auto truth = overlap_of(recording, {candidate.keys.times().front(), candidate.keys.times().back()});
@@ -69,15 +71,17 @@ Expected<Measures> measure(const Candidate& candidate, const RecordedMotion& rec
   const Clock::time_point start = Clock::now();
   const auto curve = make_curve(candidate.method, candidate.keys);
   if (!curve) return tl::unexpected(curve.error());
+  if (progress.stopped()) return cancellation();
   measures.build_seconds = seconds_since(start);
   const bool has_rates = !truth->angular_velocities.empty();
   const auto samples =
       sampled(*curve, truth->times, has_rates ? Sampled::orientations_and_rates : Sampled::orientations);
   measures.seconds = seconds_since(start);
   measure_errors(measures, samples, *truth);
-  measure_shape(measures, *curve, options);
-  if (options.leave_out == LeaveOut::yes)
+  measure_shape(measures, *curve, options, progress);
+  if (options.leave_out == LeaveOut::yes && !progress.stopped())
     if (const auto error = leave_out_error(candidate.keys, candidate.method)) measures.leave_out = *error;
+  if (progress.stopped()) return cancellation();
   return measures;
 }
 
@@ -92,7 +96,8 @@ Comparison compare(std::span<const Candidate> candidates, const RecordedMotion& 
   CountedWork work(progress, candidates.size());
   parallel_for(candidates.size(), threads, [&](std::size_t i) {
     comparison.measures[i] =
-        progress.stopped() ? Expected<Measures>(cancellation()) : measure(candidates[i], recording, options);
+        progress.stopped() ? Expected<Measures>(cancellation())
+                           : measure(candidates[i], recording, options, {.stop = progress.stop});
     work.add_part();
   });
   return comparison;

@@ -57,9 +57,10 @@ struct Measures {
 };
 
 /// Builds the curve and measures it. Errors: those of make_curve(); bad_data where no time of the recording lies
-/// between the first and the last key.
+/// between the first and the last key; cancelled where a stop is asked for meanwhile.
 [[nodiscard]] ORISPLINE_EXPORT Expected<Measures> measure(const Candidate& candidate, const RecordedMotion& recording,
-                                                          const MeasureOptions& options = {});
+                                                          const MeasureOptions& options = {},
+                                                          const Progress& progress = {});
 
 /// The measures of each candidate, or why it has none: one that fails does not hinder the others.
 struct ORISPLINE_EXPORT Comparison {

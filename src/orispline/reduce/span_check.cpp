@@ -82,7 +82,7 @@ void SpanTest::add_level(std::size_t intervals) {
   for (std::size_t b = 0; b < level.blocks.size(); ++b) {
     const bool halves_known =
         levels_.empty() || (levels_.back().blocks[2 * b].known && levels_.back().blocks[2 * b + 1].known);
-    if (!halves_known) continue;
+    if (!halves_known || recording_.stopped()) continue;
     const std::size_t first = b * intervals, last = first + intervals;
     level.blocks[b] = fitted(first, last);
     const std::vector<Miss> found = misses(level.blocks[b], first, last);

@@ -84,7 +84,7 @@ std::vector<std::size_t> farthest_of_spans(const ToleranceCheck& recording, cons
   const std::size_t last = recording.size() - 1;
   std::vector<std::size_t> farthest(recording.size(), reach.sample(last));
   Barrier found{last, last, last + 1};
-  for (std::size_t i = last; i-- > 0;) {
+  for (std::size_t i = last; i-- > 0 && !recording.stopped();) {
     if (!reach.still_holds(found, i)) found = reach.barrier(i);
     farthest[reach.sample(i)] = reach.sample(std::max(found.barred - 1, i + 1));
   }

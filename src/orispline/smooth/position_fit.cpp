@@ -70,14 +70,14 @@ class PositionSpline {
   void solve(SmoothingFit& fit) {
     chain_.start(problem_.size());
     const double root = std::sqrt(objective_.lambda);
-    for (std::size_t i = 0; i < problem_.size(); ++i) {
+    for (std::size_t i = 0; i < problem_.size() && !objective_.stopped(); ++i) {
       typename Chain::Low low = Chain::Low::Zero();
       low(0, 0) = std::sqrt(problem_.weights[i] * fit.loss_weights[i]);
       low.template block<1, 3>(0, 2 * P) = low(0, 0) * problem_.positions[i].transpose();
       if (i + 1 < problem_.size()) low.template bottomLeftCorner<P, 2 * P>() = root * link(i);
       static_cast<void>(chain_.add(low));
     }
-    std::vector<Node> nodes(problem_.size());
+    std::vector<Node> nodes(problem_.size(), Node::Zero());
     for (Eigen::Index axis = 0; axis < 3; ++axis)
       chain_.solve(Eigen::Vector3d::Unit(axis), [&](std::size_t i, const auto& x) { nodes[i].col(axis) = x; });
     fit.nodes.positions.clear();

@@ -166,8 +166,10 @@ Expected<Smoothing> smooth(const Track& recording, const SmoothOptions& options,
         if (!made) return tl::unexpected(std::move(made.error()));
         smoothing.track = recording.at(smoothing.keys).with_keys(std::move(*made));
         smoothing.track.recipe = recipe_for(smoothing.method, recording);
+        if (progress.stopped()) return cancellation();
         smoothing.distances = distances_of(smoothing, keys, CountedSamples::all);
         smoothing.accepted_distances = distances_of(smoothing, keys, CountedSamples::accepted);
+        if (progress.stopped()) return cancellation();
         measure_positions(smoothing, keys);
         smoothing.warnings = warnings_of(smoothing);
         progress.at(1.0);

@@ -44,6 +44,7 @@ class Minimisation {
     double turn_before = std::numeric_limits<double>::infinity();
     for (fit.iterations = 1;; ++fit.iterations) {
       const Step step = proposed(now);
+      if (objective_.stopped()) break;
       fit.last_step = step.largest_turn;
       if (!std::isfinite(step.size)) break;
       const double cost_before = now.cost;
@@ -208,6 +209,7 @@ class Minimisation {
         return length;
       }
       if (length == 1.0 && std::isfinite(there.cost) && passes_watchdog(now, step, std::move(there))) return length;
+      if (objective_.stopped()) return length;
     }
   }
 
@@ -216,6 +218,7 @@ class Minimisation {
     double size = first.size;
     for (int k = 0; k < most_steps_across; ++k) {
       const Step next = proposed(there);
+      if (objective_.stopped()) return false;
       if (!(next.size <= contraction * size)) return false;
       state_ = state_.after(next, 1.0);
       there = evaluated(state_);
@@ -227,18 +230,18 @@ class Minimisation {
     return false;
   }
 
-  /// Leaves the factor in the chain.
+  /// Leaves the factor in the chain, of a part of it where the work is stopped.
   BiasRows eliminated(const Evaluation& now) {
     chain_.start(problem_.size());
     BiasRows bias_rows;
-    for (std::size_t i = 0; i < problem_.size(); ++i) {
+    for (std::size_t i = 0; i < problem_.size() && !objective_.stopped(); ++i) {
       const auto remainder = chain_.add(rows_of(now, i));
       if constexpr (Gyro) bias_rows.add(remainder);
     }
     return bias_rows;
   }
 
-  /// The Gauss–Newton step from the present state.
+  /// The Gauss–Newton step from the present state; not to be made where the work is stopped.
   [[nodiscard]] Step proposed(const Evaluation& now) {
     [[maybe_unused]] const BiasRows bias_rows = eliminated(now);
     Step step;

@@ -114,11 +114,13 @@ Expected<void> SmoothingSearch::find_outliers() {
   const double noise = std::max(plan_.noise, noise_of_most());
   const auto errors = [&] { return prediction_errors(problems_, fits_, objective_, noise); };
   const FarSamples candidates = far_candidates(errors(), stretches_);
+  if (objective_.stopped()) return cancellation();
   readmit(problems_, plan_.noise);
   auto far = reject(problems_, stretches_, candidates, plan_.penalty);
   if (!far) return tl::unexpected(std::move(far.error()));
   if (!far->single.empty()) {
     refit(roughly());
+    if (objective_.stopped()) return cancellation();
     far = judged(*far, errors(), stretches_);
     readmit(problems_, plan_.noise);
     if (far = reject(problems_, stretches_, *far, plan_.penalty); !far) return tl::unexpected(std::move(far.error()));

@@ -13,11 +13,11 @@ constexpr double smallest_share = 1e-6;
 
 BandedSystem normal_equations(const SumOfSquares& sum, std::size_t variables) {
   std::size_t band = 0;
-  for (std::size_t block = 0; block < sum.blocks(); ++block)
+  for (std::size_t block = 0; block < sum.blocks() && !sum.stopped(); ++block)
     if (const auto of_block = sum.variables(block); !of_block.empty())
       band = std::max(band, of_block.back() - of_block.front());
   BandedSystem system(variables, band);
-  for (std::size_t block = 0; block < sum.blocks(); ++block)
+  for (std::size_t block = 0; block < sum.blocks() && !sum.stopped(); ++block)
     if (const auto of_block = sum.variables(block); !of_block.empty())
       system.add(of_block, sum.residuals(block), sum.jacobian(block));
   return system;
@@ -27,7 +27,7 @@ BandedSystem normal_equations(const SumOfSquares& sum, std::size_t variables) {
 
 double value_of(const SumOfSquares& sum) {
   double value = 0.0;
-  for (std::size_t block = 0; block < sum.blocks(); ++block) value += sum.residuals(block).squaredNorm();
+  for (std::size_t block = 0; block < sum.blocks() && !sum.stopped(); ++block) value += sum.residuals(block).squaredNorm();
   return value;
 }
 
@@ -58,7 +58,7 @@ Minimum minimised(SumOfSquares& sum, std::vector<double> start, std::span<const 
     if (!(found.decrease > at_rest * value)) break;
     double lower = value;
     std::vector<double> next;
-    for (double share = 1.0; share > smallest_share && !(lower < value); share *= 0.5) {
+    for (double share = 1.0; share > smallest_share && !(lower < value) && !work.stopped(); share *= 0.5) {
       next = minimum.values;
       for (std::size_t v = 0; v < next.size(); ++v)
         next[v] = std::clamp(next[v] + share * found.step[v], bounds[v].lowest, bounds[v].highest);

@@ -14,7 +14,10 @@ namespace orispline::inline ORISPLINE_ABI {
 /// A sum of squares that falls into blocks, each of which depends on few variables near to each other.
 class SumOfSquares {
  public:
+  explicit SumOfSquares(const OpenEndedWork* work = nullptr) : work_(work) {}
   virtual ~SumOfSquares() = default;
+  /// Whether the work that the sum is for is stopped. What is made of the sum from then on is of a part of it.
+  [[nodiscard]] bool stopped() const noexcept { return work_ && work_->stopped(); }
   /// Brings the state to these values. Where there is none, as for equations without a solution, residuals are NaN.
   virtual void move_to(const std::vector<double>& values) = 0;
   [[nodiscard]] virtual std::size_t blocks() const noexcept = 0;
@@ -24,6 +27,9 @@ class SumOfSquares {
   /// At the present state.
   [[nodiscard]] virtual Eigen::VectorXd residuals(std::size_t block) const = 0;
   [[nodiscard]] virtual Eigen::MatrixXd jacobian(std::size_t block) const = 0;
+
+ private:
+  const OpenEndedWork* work_;
 };
 
 /// The sum at the present state.

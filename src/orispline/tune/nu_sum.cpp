@@ -81,8 +81,8 @@ Handles handles(const Controls& d, const NuRatios<Slope>& ratios, std::span<cons
 
 }  // namespace
 
-NuSum::NuSum(const Keyframes& keys, const TensionModel& model, const Goal& goal)
-    : keys_(keys), model_(model), goal_(goal), variables_(keys.size() - 1) {
+NuSum::NuSum(const Keyframes& keys, const TensionModel& model, const Goal& goal, const OpenEndedWork* work)
+    : SumOfSquares(work), keys_(keys), model_(model), goal_(goal), variables_(keys.size() - 1) {
   for (std::size_t i = 0; i < variables_.size(); ++i)
     for (std::size_t v = i > reach ? i - reach : 0; v < std::min(model.variables.size(), i + reach); ++v)
       variables_[i].push_back(v);
@@ -112,6 +112,7 @@ void NuSum::move_to(const std::vector<double>& values) {
                                        values_of(h.leaving), values_of(h.arriving)));
   }
   for (std::size_t v = 0; v < values.size(); ++v) {
+    if (stopped()) return segments_.clear();
     const NuRule<Slope> rule{ratios_along(step, nu, model_.variables[v].key), made->rule.start, made->rule.end};
     Eigen::VectorXd change = Eigen::VectorXd::Zero(size);
     for (std::size_t i = 0; i < q.size(); ++i)

@@ -14,7 +14,7 @@ class NuSum final : public SumOfSquares {
  public:
   static constexpr std::size_t reach = 20;
 
-  NuSum(const Keyframes& keys, const TensionModel& model, const Goal& goal);
+  NuSum(const Keyframes& keys, const TensionModel& model, const Goal& goal, const OpenEndedWork* work = nullptr);
 
   void move_to(const std::vector<double>& values) override;
   [[nodiscard]] std::size_t blocks() const noexcept override { return variables_.size(); }

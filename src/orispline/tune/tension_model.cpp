@@ -87,10 +87,12 @@ int order_of(const FamilyInfo& family, const FamilySettings& settings) {
 /// The segments of one curve without any variable.
 using Probe = std::vector<TensionSegment>;
 
-Expected<Probe> cumulative_probe(const FamilyInfo& family, const Keyframes& keys, const CurveOptions& options) {
-  return make_curve({family.name, options}, keys).map([&](const AnyCurve& curve) {
+Expected<Probe> cumulative_probe(const FamilyInfo& family, const Keyframes& keys, const CurveOptions& options,
+                                 const OpenEndedWork& work) {
+  return make_curve({family.name, options}, keys).and_then([&](const AnyCurve& curve) -> Expected<Probe> {
     Probe probe;
     for (std::size_t i = 0; i < curve.knots().segments(); ++i) {
+      if (work.stopped()) return cancellation();
       const SegmentForm segment_form = curve.form(i);
       const auto& form = std::get<CumulativeForm>(segment_form);
       const KnotSpan span = curve.knots().span(i);
@@ -141,10 +143,11 @@ Probe hermite_probe(const Keyframes& keys, const CurveOptions& options) {
                       options.parameters.at("tension"));
 }
 
-Expected<Probe> probe_of(const FamilyInfo& family, const Keyframes& keys, const CurveOptions& options) {
+Expected<Probe> probe_of(const FamilyInfo& family, const Keyframes& keys, const CurveOptions& options,
+                         const OpenEndedWork& work) {
   if (family.name == families::Tcb::info.name) return slerp_probe(family, keys, options);
   if (family.name == families::HermiteCumulative::info.name) return hermite_probe(keys, options);
-  return cumulative_probe(family, keys, options);
+  return cumulative_probe(family, keys, options, work);
 }
 
 /// What unit changes of a candidate do to the second derivative of a segment, squared and summed over its Bernstein
@@ -217,7 +220,7 @@ TensionSegment renumbered(TensionSegment segment, const Candidates& candidates, 
   return result;
 }
 
-TensionModel model_of(Probe segments, const Candidates& candidates) {
+Expected<TensionModel> model_of(Probe segments, const Candidates& candidates, const OpenEndedWork& work) {
   const std::vector<bool> counts = influential(segments, candidates.size());
   TensionModel model{.variables = {}, .segments = {}, .options = candidates.options()};
   std::vector<std::size_t> numbers(candidates.size());
@@ -226,8 +229,10 @@ TensionModel model_of(Probe segments, const Candidates& candidates) {
       numbers[c] = model.variables.size();
       model.variables.push_back(candidates.variable(c));
     }
-  for (TensionSegment& segment : segments)
+  for (TensionSegment& segment : segments) {
+    if (work.stopped()) return cancellation();
     model.segments.push_back(renumbered(std::move(segment), candidates, counts, numbers));
+  }
   return model;
 }
 
@@ -264,7 +269,7 @@ std::vector<std::string> tunable_parameters(std::string_view method) {
 }
 
 Expected<TensionModel> tension_model(const FamilyInfo& family, const Keyframes& keys, const CurveOptions& options,
-                                     const std::vector<std::string>& parameters) {
+                                     const std::vector<std::string>& parameters, const OpenEndedWork& work) {
   const auto settings = settle(family, options, keys.size());
   if (!settings) return tl::unexpected(settings.error());
   if (settings->start.rule == EndRule::handle || settings->end.rule == EndRule::handle)
@@ -273,15 +278,15 @@ Expected<TensionModel> tension_model(const FamilyInfo& family, const Keyframes& 
     return failure(ErrorCode::bad_argument,
                    formatted("uniform: tensions of order {} are not tuned, wanted order 1, 2 or 3", order));
   const Candidates candidates(family, *settings, options, keys.size(), parameters);
-  auto segments = probe_of(family, keys, candidates.at_zero());
+  auto segments = probe_of(family, keys, candidates.at_zero(), work);
   if (!segments) return tl::unexpected(std::move(segments.error()));
   for (std::size_t p = 0; p < parameters.size(); ++p)
     for (const std::size_t parity : {0u, 1u}) {
-      const auto probe = probe_of(family, keys, candidates.with(p, parity));
+      const auto probe = probe_of(family, keys, candidates.with(p, parity), work);
       if (!probe) return tl::unexpected(probe.error());
       add_slopes(*segments, *probe, candidates, p, parity);
     }
-  return model_of(std::move(*segments), candidates);
+  return model_of(std::move(*segments), candidates, work);
 }
 
 }  // namespace orispline::inline ORISPLINE_ABI

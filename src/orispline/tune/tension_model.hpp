@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <orispline/base/progress.hpp>
 #include <orispline/curve/family.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/segment_form.hpp>
@@ -61,9 +62,11 @@ struct TensionModel {
 ///
 /// It is read off the family itself: a function that is affine is known from its values at 0 and at 1. The tensions of
 /// an end key that is clamped or at rest stay as they are, for there the ghost key follows them.
-/// Errors: those of make_curve(); bad_argument for `tcb` with the end rule `handle`, and for `uniform` of order 4 or 5.
+/// Errors: those of make_curve(); bad_argument for `tcb` with the end rule `handle`, and for `uniform` of order 4 or 5;
+/// cancelled where the work is stopped.
 [[nodiscard]] Expected<TensionModel> tension_model(const FamilyInfo& family, const Keyframes& keys,
                                                    const CurveOptions& options,
-                                                   const std::vector<std::string>& parameters);
+                                                   const std::vector<std::string>& parameters,
+                                                   const OpenEndedWork& work);
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -11,7 +11,8 @@ namespace orispline::inline ORISPLINE_ABI {
 /// An objective as a function of the tensions of a model: one block per segment.
 class TensionSum final : public SumOfSquares {
  public:
-  TensionSum(const TensionModel& model, const Goal& goal) : model_(model), goal_(goal) {
+  TensionSum(const TensionModel& model, const Goal& goal, const OpenEndedWork* work = nullptr)
+      : SumOfSquares(work), model_(model), goal_(goal) {
     for (const Variable& variable : model.variables) values_.push_back(variable.initial);
   }
 

@@ -108,7 +108,7 @@ struct Search {
 /// The least linearised energy within the bounds.
 std::vector<double> closed_form(const TensionModel& model, std::span<const Interval> bounds, OpenEndedWork& work) {
   const Goal linearised{.objective = Objective::linearised};
-  TensionSum sum(model, linearised);
+  TensionSum sum(model, linearised, &work);
   std::vector<double> values = initial_values(model);
   const std::vector<double> step = newton_step(sum, values.size());
   for (std::size_t v = 0; v < values.size(); ++v) values[v] += step[v];
@@ -154,6 +154,7 @@ Expected<Tuning> tuned(const FamilyInfo& family, const TensionModel& model, cons
   tuning.energy_after = value_of(search.sum);
   if (!is_least && objective != Objective::linearised)
     tuning.stationarity = stationarity_of(search, minimum.values, tuning);
+  if (search.work.stopped()) return cancellation();
   tuning.iterations = minimum.iterations;
   tuning.method = {family.name, model.with(minimum.values)};
   if (tuning.stationarity <= wanted_stationarity) return tuning;
@@ -168,14 +169,14 @@ Expected<Tuning> tuned(const FamilyInfo& family, const TensionModel& model, cons
 
 Expected<Tuning> tuned_affine(const FamilyInfo& family, const Keyframes& keys, const TensionModel& model,
                               const Goal& goal, const TuneOptions& options, OpenEndedWork& work) {
-  TensionSum sum(model, goal);
+  TensionSum sum(model, goal, &work);
   const Search search{sum, bounds_of(model, options.bounds), rounding_of(goal, keys), work};
   return tuned(family, model, search, closed_form(model, search.bounds, work), goal.objective);
 }
 
 Expected<Tuning> tuned_nu(const FamilyInfo& family, const Keyframes& keys, const TensionModel& model, const Goal& goal,
                           const TuneOptions& options, OpenEndedWork& work) {
-  NuSum sum(keys, model, goal);
+  NuSum sum(keys, model, goal, &work);
   const Search search{sum, bounds_of(model, options.bounds), rounding_of(goal, keys), work};
   return tuned(family, model, search, least_nu(search.bounds), goal.objective);
 }
@@ -216,9 +217,10 @@ Expected<Tuning> tune(const Track& track, const Method& given, const TuneOptions
   const auto goal = goal_of(keys, options);
   if (!goal) return tl::unexpected(goal.error());
   const bool is_nu = (*info)->name == families::Nu::info.name;
-  const auto model = is_nu ? nu_model(keys, method.options) : tension_model(**info, keys, method.options, *parameters);
-  if (!model) return tl::unexpected(model.error());
   OpenEndedWork work(progress, expected_steps);
+  const auto model =
+      is_nu ? nu_model(keys, method.options) : tension_model(**info, keys, method.options, *parameters, work);
+  if (!model) return tl::unexpected(model.error());
   return (is_nu ? tuned_nu(**info, keys, *model, *goal, options, work)
                 : tuned_affine(**info, keys, *model, *goal, options, work))
       .map([&](Tuning tuning) {
