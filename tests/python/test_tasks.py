@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tasks find what the command finds, bit for bit."""
 import json
+import pickle
 import re
 
 import numpy as np
@@ -94,6 +95,59 @@ def test_reduction_is_that_of_the_command(words, options, tmp_path):
     q, p = recording.rotations, reduction.curve(recording.times)
     chords = np.linalg.norm(q - np.sign(np.sum(p * q, axis=1, keepdims=True)) * p, axis=1)
     assert 4 * np.arcsin(chords.max() / 2) == pytest.approx(reduction.error_max, abs=1e-12)
+
+
+SMOOTHED = {"--smooth": {"smooth": True}, "--noise 0.5deg --method auto --refit": {"noise": "0.5deg", "method": "auto", "values": "refit"},
+            "--smoothing-time 0.05": {"smoothing_time": 0.05}}
+
+
+@pytest.mark.parametrize("words", SMOOTHED)
+def test_reduction_of_what_was_smoothed_first_is_that_of_the_command(words, tmp_path):
+    noisy, out = noisy_file(tmp_path / "noisy.csv", outliers=[50, 140]), tmp_path / "keys.csv"
+    told = json_of("reduce", noisy, "--tolerance", "1deg", *words.split(), "--quiet", "-o", out)
+    recording = keys_in(noisy)
+    reduction = ori.reduce(recording, "1deg", **SMOOTHED[words])
+    expect_members(reduction, told, "tolerance_deg", "refitted")
+    expect_keys(reduction.keys, out)
+    options = {name: value for name, value in SMOOTHED[words].items() if name in ("noise", "smoothing_time")}
+    alone = ori.smooth(recording, **options)
+    assert reduction.smoothing.as_dict() == alone.as_dict()
+    assert np.array_equal(reduction.smoothing.keys.rotations, alone.keys.rotations)
+    assert reduction.raw_error_rms == pytest.approx(np.radians(told["smoothing"]["raw_error_rms_deg"]), rel=1e-15)
+    assert reduction.raw_error_max > reduction.error_max and reduction.raw_position_error_max is None
+    again = pickle.loads(pickle.dumps(reduction))
+    assert again.as_dict() == reduction.as_dict() and again.smoothing.noise == alone.noise
+
+
+def test_positions_are_smoothed_before_a_reduction_as_by_the_command(tmp_path):
+    truth, out = EXAMPLES / "flight_truth.csv", tmp_path / "keys.csv"
+    told = json_of("reduce", truth, "--tolerance", "1deg", "--position-tolerance", "1m", "--position-noise", "2cm", "--quiet", "-o", out)
+    with pytest.warns(ori.ShapeWarning) as caught:
+        reduction = ori.reduce(keys_in(truth), "1deg", position_tolerance=1, position_noise="2cm")
+    assert caught[0].filename == __file__
+    expect_members(reduction, told, "tolerance_deg", "refitted", "position_tolerance_m")
+    expect_keys(reduction.keys, out)
+    assert reduction.raw_position_error_max == told["smoothing"]["raw_position_error_max_m"]
+
+
+def test_the_keys_file_and_the_page_of_a_smoothed_reduction_are_those_of_the_command(tmp_path):
+    noisy, out = noisy_file(tmp_path / "noisy.csv"), tmp_path / "keys.csv"
+    run("reduce", noisy, "--tolerance", "1deg", "--smooth", "-o", out, "--report", tmp_path / "by_command.html")
+    reduction = ori.reduce(ori.read(noisy), "1deg", smooth=True)
+    reduction.keys.write(tmp_path / "by_python.csv")
+    assert (tmp_path / "by_python.csv").read_bytes() == out.read_bytes()
+    reduction.report(tmp_path / "by_python.html")
+    pages = [(tmp_path / name).read_text("utf-8") for name in ("by_command.html", "by_python.html")]
+    assert all("smoothing time" in page for page in pages) and abs(len(pages[0]) - len(pages[1])) < 1000
+
+
+def test_tracks_are_smoothed_each_before_they_are_reduced(tmp_path):
+    recording = keys_in(noisy_file(tmp_path / "noisy.csv"))
+    parts = [recording[:150], recording[150:]]
+    for part, reduction in zip(parts, ori.reduce_tracks(parts, "1deg", smooth=True)):
+        assert reduction.as_dict() == ori.reduce(part, "1deg", smooth=True, threads=1).as_dict()
+    with pytest.raises(ori.DataError, match="curve 1: "):
+        ori.reduce_tracks([parts[0], recording[:2]], "1deg", smooth=True)
 
 
 def test_many_tracks_are_each_reduced(tmp_path):

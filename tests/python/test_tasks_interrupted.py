@@ -20,12 +20,16 @@ def motion(n, noise=0.0, rate=100):
     return ori.Keys(t, q, normalize=True)
 """
 TASKS = {
-    "smooth": ("motion(30_000, 0.01)", "ori.smooth(keys, loss='tukey')"),
+    "smooth": ("motion(200_000, 0.01)", "ori.smooth(keys)"),
+    "smooth, tukey": ("motion(200_000, 0.01)", "ori.smooth(keys, loss='tukey')"),
     "reduce": ("motion(200_000, 0.001)", "ori.reduce(keys, 0.003, method='timed-c2', values='refit', threads=1)"),
+    "reduce, slerp": ("motion(400_000, 0.001)", "ori.reduce(keys, 0.003, method='slerp')"),
+    "reduce, smooth": ("motion(200_000, 0.01)", "ori.reduce(keys, 0.003, smooth=True)"),
     "reduce_tracks": ("motion(15_000, 0.001)", "ori.reduce_tracks([keys] * 4, 0.003, threads=1)"),
     "retime": ("motion(5_000, 0.01, 10)", "ori.retime(keys, max_rate=0.01, per_interval=True, method='timed-c2')"),
-    "tune": ("motion(4_000, 0.05, 10)", "ori.tune(keys, 'timed-c2', objective='jerk')"),
-    "compare": ("motion(5_000, 0.01)", "ori.compare(keys, tune=True, threads=1)"),
+    "tune": ("motion(200_000, 0.05, 10)", "ori.tune(keys, 'quintic', objective='jerk')"),
+    "tune, nu": ("motion(5_000, 0.05, 10)", "ori.tune(keys, 'nu', objective='jerk')"),
+    "compare": ("motion(100_000, 0.01)", "ori.compare(keys, tune=True, leave_out=True, threads=1)"),
 }
 INTERRUPTED = """
 def handler(number, frame):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import inspect
-from typing import Any, Callable, Mapping, TypeVar
+from typing import Any, Callable, Mapping, Sequence, TypeVar
 
 import numpy as np
 
@@ -87,9 +87,9 @@ def _unit(field: dict[str, Any]) -> str:
     return f" [{field['unit']}]" if field["unit"] else ""
 
 
-def _option_lines(table: str) -> str:
+def _option_lines(fields: list[dict[str, Any]]) -> str:
     lines = []
-    for field in FIELDS[table]:
+    for field in fields:
         if field["words"]:
             kind = "{" + ", ".join(f'"{word}"' for word in field["words"]) + "}"
         else:
@@ -101,15 +101,17 @@ def _option_lines(table: str) -> str:
     return "\n".join(lines).strip()
 
 
-def takes(table: str, *others: str) -> Callable[[Task], Task]:
-    """Lets a function's help and signature state the options of a table in the place of `{options}`."""
+def takes(table: str, *others: str, also: Mapping[str, Sequence[str]] | None = None) -> Callable[[Task], Task]:
+    """Lets a function's help and signature state the options of a table, and some of others, in the place of `{options}`."""
+    fields = FIELDS[table] + [field for more, names in (also or {}).items() for field in FIELDS[more] if field["name"] in names]
+
     def documented(task: Task) -> Task:
-        task.__doc__ = (task.__doc__ or "").replace("{options}", _option_lines(table))
+        task.__doc__ = (task.__doc__ or "").replace("{options}", _option_lines(fields))
         signature = inspect.signature(task)
         stated = [p for p in signature.parameters.values() if p.kind is not p.VAR_KEYWORD]
         names = {p.name for p in stated} | set(others)
         stated += [inspect.Parameter(field["name"], inspect.Parameter.KEYWORD_ONLY, default=field["default"])
-                   for field in FIELDS[table] if field["name"] not in names]
+                   for field in fields if field["name"] not in names]
         task.__signature__ = signature.replace(parameters=stated)  # type: ignore[attr-defined]
         return task
     return documented

@@ -171,6 +171,12 @@ class Reduction(Reported):
     samples
         Indices of the samples at whose times the keys stand.
     {fields}
+    smoothing
+        What was done to the recording before, with `smooth=True`, a `Smoothing`; else None, as all that follows.
+    raw_error_rms, raw_error_max
+        How far the curve is from the samples as they were, rejected ones apart [rad].
+    raw_position_error_rms, raw_position_error_max
+        How far its path is from their positions [m]; None without any.
     """
 
     samples: Indices
@@ -178,7 +184,19 @@ class Reduction(Reported):
     error_max_time: Any
     position_error_max: float | None
     position_error_max_time: Any
+    raw_error_rms: float | None
+    raw_error_max: float | None
+    raw_position_error_rms: float | None
+    raw_position_error_max: float | None
+    smoothing: Smoothing | None = None
     _table: ClassVar[str] = "Reduction"
+
+    @classmethod
+    def _of(cls: type[Found], core: Any, given: Keys, arguments: tuple[Any, ...]) -> Found:
+        found = super()._of(core, given, arguments)
+        if core.smoothing is not None:
+            object.__setattr__(found, "smoothing", Smoothing._of(core.smoothing, given, (arguments[2],)))
+        return found
 
     @classmethod
     def _work(cls, given: Keys, *arguments: Any) -> Any:

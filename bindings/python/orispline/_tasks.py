@@ -5,11 +5,14 @@ from __future__ import annotations
 from typing import Any, Iterable, Sequence
 
 from . import _core
+from ._checks import flag
 from ._errors import ArgumentError
 from ._keys import Keys
 from ._options import checked_keys, checked_threads, method_words, plain, takes, times_beside
 from ._results import Reduction, Retiming, Smoothing, Tuning
 from ._warnings import tell
+
+SMOOTHNESS = ("noise", "smoothing_time", "position_noise")  # options of smoothing that reducing takes too
 
 
 @takes("SmoothOptions")
@@ -63,7 +66,15 @@ def smooth(keys: Keys, **options: Any) -> Smoothing:
     return Smoothing._of(core, keys, (stated,))
 
 
-def _reduced(tracks: Sequence[Keys], tolerance: Any, method: Any, threads: int, options: dict[str, Any]) -> list[Reduction]:
+def _smoothing_wanted(smooth: bool, options: dict[str, Any]) -> dict[str, Any] | None:
+    """The options of smoothing, taken out of all; None where nothing is to be smoothed."""
+    stated = {name: value for name in SMOOTHNESS if (value := options.pop(name, None)) is not None}
+    return plain(stated) if flag("smooth", smooth) or stated else None
+
+
+def _reduced(tracks: Sequence[Keys], tolerance: Any, method: Any, smooth: bool, threads: int,
+             options: dict[str, Any]) -> list[Reduction]:
+    smoothing = _smoothing_wanted(smooth, options)
     methods = None
     if method is not None:
         several = method if isinstance(method, (list, tuple)) else [method]
@@ -71,13 +82,16 @@ def _reduced(tracks: Sequence[Keys], tolerance: Any, method: Any, threads: int, 
     if methods == []:
         raise ArgumentError("method: found none, wanted one at least")
     stated = plain({"tolerance": tolerance, **options})
-    arguments = (methods, stated, checked_threads(threads))
+    arguments = (methods, stated, smoothing, checked_threads(threads))
     cores = _core.reduce([keys._core for keys in tracks], *arguments)
+    for core in cores:
+        tell(core.smoothing.warnings if core.smoothing else [])
     return [Reduction._of(core, keys, arguments) for core, keys in zip(cores, tracks)]
 
 
-@takes("ReduceOptions")
-def reduce(keys: Keys, tolerance: Any, *, method: Any = None, threads: int = 0, **options: Any) -> Reduction:
+@takes("ReduceOptions", also={"SmoothOptions": SMOOTHNESS})
+def reduce(keys: Keys, tolerance: Any, *, method: Any = None, smooth: bool = False, threads: int = 0,
+           **options: Any) -> Reduction:
     """The fewest keys whose curve is within a tolerance of every sample of a recording.
 
     Parameters
@@ -87,6 +101,9 @@ def reduce(keys: Keys, tolerance: Any, *, method: Any = None, threads: int = 0, 
     method : str, Curve or a list of them, optional
         The method of the curve, in its text form: a local one through its keys. Of several the one with the fewest
         keys is taken. Without it `auto`, `timed-c2` and `slerp` are tried.
+    smooth : bool
+        Smooth the recording first, as `orispline.smooth` does, whose options `noise`, `smoothing_time` and
+        `position_noise` imply it. The tolerance is then about the smooth motion.
     threads : int
         At most so many at work, 0 means one for each core. The result is the same on any.
     {options}
@@ -102,6 +119,8 @@ def reduce(keys: Keys, tolerance: Any, *, method: Any = None, threads: int = 0, 
         An option or a method that there is not or that does not suit.
     DataError
         Fewer than two samples, or a position tolerance for a recording without positions.
+    ConvergenceError
+        No smooth motion was found.
 
     Examples
     --------
@@ -112,11 +131,11 @@ def reduce(keys: Keys, tolerance: Any, *, method: Any = None, threads: int = 0, 
     >>> len(reduction.keys), bool(reduction.error_max < np.radians(0.1))
     (2, True)
     """
-    return _reduced([checked_keys(keys)], tolerance, method, threads, options)[0]
+    return _reduced([checked_keys(keys)], tolerance, method, smooth, threads, options)[0]
 
 
-@takes("ReduceOptions")
-def reduce_tracks(tracks: Iterable[Keys], tolerance: Any, *, method: Any = None, threads: int = 0,
+@takes("ReduceOptions", also={"SmoothOptions": SMOOTHNESS})
+def reduce_tracks(tracks: Iterable[Keys], tolerance: Any, *, method: Any = None, smooth: bool = False, threads: int = 0,
                   **options: Any) -> list[Reduction]:
     """`reduce` for many recordings at once, in their order.
 
@@ -124,7 +143,7 @@ def reduce_tracks(tracks: Iterable[Keys], tolerance: Any, *, method: Any = None,
     ----------
     tracks : iterable of Keys
         The recordings.
-    method, threads
+    method, smooth, threads
         As of `reduce`. The threads share the recordings.
     {options}
 
@@ -141,7 +160,7 @@ def reduce_tracks(tracks: Iterable[Keys], tolerance: Any, *, method: Any = None,
     [2, 2]
     """
     listed = [checked_keys(keys, f"tracks[{i}]") for i, keys in enumerate(tracks)]
-    return _reduced(listed, tolerance, method, threads, options) if listed else []
+    return _reduced(listed, tolerance, method, smooth, threads, options) if listed else []
 
 
 @takes("RetimeOptions")
