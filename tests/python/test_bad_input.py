@@ -6,6 +6,7 @@ import pytest
 
 Q = [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 1, 0]]
 T = [0, 1, 3]
+SHARED = np.linspace(0, 3, 20)
 READ_ONLY = np.empty((3, 4))
 READ_ONLY.flags.writeable = False
 KEYS = [
@@ -67,6 +68,12 @@ ASKED = [
     ("short out", lambda: CURVE(T, out=np.empty((2, 4))), "out: found an array (2, 4)"),
     ("read-only out", lambda: CURVE(T, out=READ_ONLY), "may be written to"),
     ("strided out", lambda: CURVE(T, out=np.empty((3, 8))[:, ::2]), "C-contiguous"),
+    ("out over the times", lambda: CURVE(SHARED[:3], out=SHARED[:12].reshape(3, 4)), "out: found the memory of the times"),
+    ("out of samples over the times", lambda: CURVE.sample(times=SHARED[:3], out=SHARED[:12].reshape(3, 4)), "memory of the times"),
+    ("out of samples over each other", lambda: CURVE.sample(times=T, derivatives=1, out=[SHARED[:12].reshape(3, 4), SHARED[11:].reshape(3, 3)]),
+     "out: found arrays that share memory, wanted each apart"),
+    ("too few arrays of samples", lambda: CURVE.sample(times=T, derivatives=1, out=[np.empty((3, 4))]), "out: found 1, wanted 2: an array for"),
+    ("short out of samples", lambda: CURVE.sample(count=5, out=np.empty((4, 4))), "out: found an array (4, 4) of float64, wanted (5, 4)"),
     ("out of another type", lambda: CURVE(T, out=np.empty((3, 4), "float32")), "wanted (3, 4) of float64"),
     ("dtype", lambda: CURVE(T, dtype=int), "dtype: found int64, wanted float64 or float32"),
     ("motion of times", lambda: CURVE.motion(T), "wanted one time"),

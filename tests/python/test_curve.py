@@ -80,6 +80,24 @@ def test_motion_has_all_at_one_time(curve):
         assert np.array_equal(getattr(motion, name), getattr(curve, name)(7.25))
 
 
+@pytest.mark.parametrize("scalar_first", [False, True])
+@pytest.mark.parametrize("positions", [None, [[0, 0, 0], [1, 2, 3], [2, 2, 2]]])
+@pytest.mark.parametrize("dtype", ["float64", "float32"])
+def test_samples_fill_arrays(dtype, positions, scalar_first):
+    curve = ori.Curve([0, 1, 3], [[0.1, 0.1, 0.1, 0.985], [0, 0, 0.6, 0.8], [0, 0.6, 0.8, 0]], positions=positions, normalize=True,
+                      scalar_first=scalar_first)
+    wanted = curve.sample(rate=7, derivatives=1, dtype=dtype)
+    rows = [row for row in (wanted.orientations, wanted.angular_velocities, wanted.positions, wanted.velocities) if row is not None]
+    out = [np.full_like(row, np.nan) for row in rows]
+    found = curve.sample(rate=7, derivatives=1, dtype=dtype, out=out)
+    assert found.orientations is out[0] and found.angular_velocities is out[1] and found.angular_jerks is None
+    assert all(np.array_equal(a, b) for a, b in zip(out, rows))
+    if positions is None:
+        alone = np.empty_like(rows[0])
+        assert curve.sample(rate=7, dtype=dtype, out=alone).orientations is alone and np.array_equal(alone, rows[0])
+        assert curve.angular_velocity(0.5, "world").tolist() == curve.angular_velocity(0.5, frame="world").tolist()
+
+
 def test_samples_of_a_rate_a_count_and_times(curve):
     first, last = curve.domain
     samples = curve.sample(rate=8, derivatives=2)

@@ -91,22 +91,46 @@ def test_types_of_the_package():
     assert code == 0, text
 
 
+SCALAR, ARRAY = "ndarray[tuple[int], dtype[float64]]", "ndarray[tuple[Any, ...], dtype[float64]]"
+STACK = "ndarray[tuple[int, int], dtype[float64]]"
+TYPES = {"curve(0.5)": SCALAR, "curve(np.float64(0.5))": SCALAR, "curve(1)": SCALAR, "curve(t)": ARRAY, "curve([0.1, 0.2])": ARRAY,
+         "curve.angular_velocity(0.5)": SCALAR, "curve.angular_jerk(t, 'world')": ARRAY, "curve.position(t, threads=0)": ARRAY,
+         "curve(t, out=np.empty((5, 4)))": STACK, "curve.angular_velocity(t, 'body', np.empty((5, 3)))": STACK,
+         "curve.angle_travelled()": "float", "curve.angle_travelled(0.5)": "float", "curve.angle_travelled(t)": ARRAY,
+         "curve.motion(0.5, 'left').angular_velocity": ARRAY, "curve.bake(1e-9)(0.5)": "ndarray[tuple[int], dtype[Any]]",
+         "stack(0.5)": STACK, "stack.angular_velocity(t)": ARRAY, "online(0.5)": SCALAR, "online(t)": ARRAY,
+         "spline(0.5, 1)": SCALAR, "spline(t, 2)": ARRAY, "curve.sample(rate=100).times": "ndarray[Any, Any]"}
 USE = """
 import numpy as np
 import orispline as ori
-curve = ori.Curve([0.0, 1.0], [[0.0, 0.0, 0.0, 1.0], [0.0, 0.0, 1.0, 0.0]])
-reveal_type(curve(0.5))
-reveal_type(curve.sample(rate=100).times)
-curve.sampel(rate=1)
-curve.angular_velocity(0.5, frame=3)
+
+t = np.linspace(0, 1, 5)
+
+
+def use(curve: ori.Curve, stack: ori.CurveStack, online: ori.OnlineCurve, spline: ori.RotationSpline) -> None:
 """
 
 
-def test_a_users_mistakes_are_seen_by_the_types(tmp_path):
-    (tmp_path / "use.py").write_text(USE, "utf-8")
-    code, text = mypy(tmp_path / "use.py")
-    assert code == 1 and '"Curve" has no attribute "sampel"' in text and 'Argument "frame"' in text, text
-    assert text.count("numpy.ndarray[") >= 2 and "2 errors" in text, text
+def revealed(path, code):
+    """What mypy says of the code, with short names and without lines."""
+    path.write_text(USE + "".join(f"    {line}\n" for line in code), "utf-8")
+    code, text = mypy(path)
+    return code, text.replace("numpy.", "").replace("builtins.", "").splitlines()
+
+
+def test_times_of_one_kind_give_results_of_one_kind(tmp_path):
+    _, lines = revealed(tmp_path / "use.py", [f"reveal_type({expression})" for expression in TYPES])
+    told = [line.partition("Revealed type is ")[2].strip('"') for line in lines if "Revealed" in line]
+    assert dict(zip(TYPES, told)) == TYPES
+
+
+@pytest.mark.parametrize("mistake, told", [
+    ("curve.sampel(rate=1)", '"Curve" has no attribute "sampel"'), ("curve.motion(0.5, 'before')", 'Argument 2 to "motion"'),
+    ("curve.angular_velocity(0.5, frame='camera')", 'No overload variant of "__call__" of "Rate"'),
+    ("ori.tune(1, 'quintic')", 'Argument 1 to "tune"'), ("spline(t, 4)", 'No overload variant of "__call__"')])
+def test_a_users_mistakes_are_seen_by_the_types(mistake, told, tmp_path):
+    code, lines = revealed(tmp_path / "use.py", [mistake])
+    assert code == 1 and told in lines[0] and "Found 1 error" in lines[-1], lines
 
 
 if __name__ == "__main__":

@@ -41,6 +41,9 @@ def test_samples_threads_outputs_and_single_precision(figure):
     k = len(samples)
     assert samples.orientations.shape == (k, 5, 4) and samples.angular_accelerations.shape == (k, 5, 3)
     assert samples.angular_jerks is None
+    out = [np.empty((k, 5, width)) for width in (4, 3, 3)]
+    assert stack.sample(rate=200, derivatives=2, frame="world", out=out).angular_accelerations is out[2]
+    assert np.array_equal(out[0], samples.orientations) and np.array_equal(out[2], samples.angular_accelerations)
     one = stack[2].sample(rate=200, derivatives=2, frame="world")
     assert np.array_equal(samples.times, one.times)
     assert np.array_equal(samples.orientations[:, 2], one.orientations)

@@ -58,8 +58,8 @@ def _of_matrices(name: str, matrices: Array) -> Array:
     return np.ascontiguousarray(rows / np.linalg.norm(rows, axis=1, keepdims=True))
 
 
-def output(name: str, out: Any, shape: tuple[int, ...], dtype: Any) -> NDArray[Any]:
-    """The array to fill: `out` if it fits, else a new one."""
+def output(name: str, out: Any, shape: tuple[int, ...], dtype: Any, times: Array | None = None) -> NDArray[Any]:
+    """The array to fill: `out` if it fits and has none of the memory of `times`, else a new one."""
     dtype = np.dtype(dtype)
     if dtype not in (np.dtype("float64"), np.dtype("float32")):
         raise ArgumentError(f"dtype: found {dtype}, wanted float64 or float32")
@@ -71,4 +71,20 @@ def output(name: str, out: Any, shape: tuple[int, ...], dtype: Any) -> NDArray[A
         raise ArgumentError(f"{name}: found an array {out.shape} of {out.dtype}, wanted {shape} of {dtype}")
     if not out.flags.c_contiguous or not out.flags.writeable:
         raise ArgumentError(f"{name}: wanted a C-contiguous array that may be written to")
+    if times is not None and np.may_share_memory(out, times):
+        raise ArgumentError(f"{name}: found the memory of the times, wanted an array of its own")
     return out
+
+
+def sample_rows(out: Any, lead: tuple[int, ...], derivatives: int, linear: int, dtype: Any, times: Array) -> list[Any]:
+    """The arrays of samples to fill, those of `out` or new ones: orientations, three rates and three of the path, where None
+    is what was not asked for."""
+    shapes = [(*lead, 4), *[(*lead, 3)] * (derivatives + linear)]
+    given = [None] * len(shapes) if out is None else [out] if isinstance(out, np.ndarray) else list(out)
+    if len(given) != len(shapes):
+        raise ArgumentError(f"out: found {len(given)}, wanted {len(shapes)}: an array for the orientations, and one for each rate "
+                            "and each row of the path")
+    rows: list[Any] = [output("out", array, shape, dtype, times) for array, shape in zip(given, shapes)]
+    if out is not None and any(np.may_share_memory(a, b) for k, a in enumerate(rows) for b in rows[:k]):
+        raise ArgumentError("out: found arrays that share memory, wanted each apart")
+    return [*rows[:derivatives + 1], *[None] * (3 - derivatives), *rows[derivatives + 1:], *[None] * (3 - linear)]

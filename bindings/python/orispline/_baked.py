@@ -2,7 +2,7 @@
 """Curves turned into polynomials."""
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +12,10 @@ from ._arrays import output
 from ._clock import Clock
 from ._errors import ArgumentError
 from ._keys import _span
+from ._types import baked_quantity, baked_rate
+
+if TYPE_CHECKING:
+    from scipy.spatial.transform import Rotation
 
 FRAMES = ("body", "world")
 
@@ -67,6 +71,7 @@ class BakedCurve:
         """The number of its pieces."""
         return len(self._core)
 
+    @baked_quantity
     def __call__(self, t: Any, *, out: Any = None) -> NDArray[Any]:
         """(..., 4) orientations, in the order of the curve's keys."""
         result = self._at(0, t, "body", None if self._scalar_first else out)
@@ -76,20 +81,23 @@ class BakedCurve:
         turned[...] = result[..., [3, 0, 1, 2]]
         return turned
 
-    def rotation(self, t: Any) -> Any:
+    def rotation(self, t: Any) -> Rotation:
         """A SciPy Rotation at a time, or at the times of a one-dimensional array."""
         from scipy.spatial.transform import Rotation
         return Rotation.from_quat(self._at(0, t, "body", None))
 
-    def angular_velocity(self, t: Any, *, frame: str = "body", out: Any = None) -> NDArray[Any]:
+    @baked_rate
+    def angular_velocity(self, t: Any, frame: str = "body", out: Any = None) -> NDArray[Any]:
         """(..., 3) [rad/s]."""
         return self._at(1, t, frame, out)
 
-    def angular_acceleration(self, t: Any, *, frame: str = "body", out: Any = None) -> NDArray[Any]:
+    @baked_rate
+    def angular_acceleration(self, t: Any, frame: str = "body", out: Any = None) -> NDArray[Any]:
         """(..., 3) [rad/s²]."""
         return self._at(2, t, frame, out)
 
-    def angular_jerk(self, t: Any, *, frame: str = "body", out: Any = None) -> NDArray[Any]:
+    @baked_rate
+    def angular_jerk(self, t: Any, frame: str = "body", out: Any = None) -> NDArray[Any]:
         """(..., 3) [rad/s³]."""
         return self._at(3, t, frame, out)
 
@@ -97,7 +105,7 @@ class BakedCurve:
         if frame not in FRAMES:
             raise ArgumentError(f"frame: found {frame!r}, wanted 'body' or 'world'")
         seconds = self._clock.seconds("t", t)
-        result = output("out", out, (*seconds.shape, 3 if order else 4), self._dtype)
+        result = output("out", out, (*seconds.shape, 3 if order else 4), self._dtype, seconds)
         self._core.many(order, seconds.reshape(-1), result.reshape(-1, result.shape[-1]), frame == "world")
         return result
 

@@ -2,13 +2,13 @@
 """Curves through keyframes, and their samples."""
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._arrays import output
+from ._arrays import output, sample_rows
 from ._checks import flag, thread_count
 from ._curve_analysis import CurveAnalysis
 from ._errors import ArgumentError
@@ -16,6 +16,12 @@ from ._keys import Keys, _span
 from ._pictures import CurvePictures
 from ._samples import Motion, Samples, samples_of
 from ._texts import rate_text
+from ._types import quantity, rate
+
+if TYPE_CHECKING:
+    from scipy.spatial.transform import Rotation
+
+    from ._types import Frame, Side, Time
 
 BEYOND = tuple(_core.extrapolations())
 FRAMES = ("body", "world")
@@ -126,6 +132,7 @@ class Curve(CurveAnalysis, CurvePictures):
 
     # What it is at times.
 
+    @quantity
     def __call__(self, t: Any, *, out: Any = None, dtype: Any = np.float64, threads: int = 1) -> NDArray[Any]:
         """(..., 4) unit quaternions, x, y, z, w, or w, x, y, z where the keys were given so."""
         if isinstance(t, float) and self._plain and out is None and dtype is np.float64:
@@ -137,39 +144,45 @@ class Curve(CurveAnalysis, CurvePictures):
         result[...] = q[..., [3, 0, 1, 2]]
         return result
 
-    def rotation(self, t: Any) -> Any:
+    def rotation(self, t: Any) -> Rotation:
         """A SciPy Rotation, of a time or of (k,) times."""
         from scipy.spatial.transform import Rotation
         return Rotation.from_quat(self._at(ORIENTATION, t, "body", None, np.float64, 1))
 
-    def angular_velocity(self, t: Any, *, frame: str = "body", out: Any = None, dtype: Any = np.float64,
+    @rate
+    def angular_velocity(self, t: Any, frame: str = "body", out: Any = None, *, dtype: Any = np.float64,
                          threads: int = 1) -> NDArray[Any]:
         """(..., 3) [rad/s]."""
         return self._at(VELOCITY, t, frame, out, dtype, threads)
 
-    def angular_acceleration(self, t: Any, *, frame: str = "body", out: Any = None, dtype: Any = np.float64,
+    @rate
+    def angular_acceleration(self, t: Any, frame: str = "body", out: Any = None, *, dtype: Any = np.float64,
                              threads: int = 1) -> NDArray[Any]:
         """(..., 3) [rad/s²]."""
         return self._at(ACCELERATION, t, frame, out, dtype, threads)
 
-    def angular_jerk(self, t: Any, *, frame: str = "body", out: Any = None, dtype: Any = np.float64,
+    @rate
+    def angular_jerk(self, t: Any, frame: str = "body", out: Any = None, *, dtype: Any = np.float64,
                      threads: int = 1) -> NDArray[Any]:
         """(..., 3) [rad/s³]."""
         return self._at(JERK, t, frame, out, dtype, threads)
 
+    @quantity
     def position(self, t: Any, *, out: Any = None, dtype: Any = np.float64, threads: int = 1) -> NDArray[Any]:
         """(..., 3) [m], world frame."""
         return self._at(POSITION, t, "body", out, dtype, threads)
 
+    @quantity
     def velocity(self, t: Any, *, out: Any = None, dtype: Any = np.float64, threads: int = 1) -> NDArray[Any]:
         """(..., 3) [m/s], world frame."""
         return self._at(LINEAR_VELOCITY, t, "body", out, dtype, threads)
 
+    @quantity
     def acceleration(self, t: Any, *, out: Any = None, dtype: Any = np.float64, threads: int = 1) -> NDArray[Any]:
         """(..., 3) [m/s²], world frame."""
         return self._at(LINEAR_ACCELERATION, t, "body", out, dtype, threads)
 
-    def motion(self, t: Any, *, frame: str = "body", side: str = "right") -> Motion:
+    def motion(self, t: Time, side: Side = "right", *, frame: Frame = "body") -> Motion:
         """All of these at one time; rates in that frame. Where rates jump at a key, `side="left"` has those before it.
 
         >>> import orispline as ori
@@ -177,7 +190,7 @@ class Curve(CurveAnalysis, CurvePictures):
         >>> [round(float(curve.motion(1.0, side=side).angular_velocity[2]), 4) for side in ("left", "right")]
         [1.287, 0.9273]
         """
-        if np.ndim(t) != 0:
+        if np.asarray(t).ndim:
             raise ArgumentError("t: found an array, wanted one time")
         if _index("side", side, SIDES) == 1:
             q = self(t)  # with what a time outside gets
@@ -192,32 +205,29 @@ class Curve(CurveAnalysis, CurvePictures):
 
     def sample(self, rate: Any = None, *, count: int | None = None, times: Any = None, start: Any = None, end: Any = None,
                include_end: bool = False, derivatives: int = 0, frame: str = "body", dtype: Any = np.float64,
-               threads: int = 1) -> Samples:
+               threads: int = 1, out: Any = None) -> Samples:
         """Samples at even times, or at given ones: at `rate` per second (a number, or a fraction such as `"30000/1001"`),
         `count` of them with both ends, or at `times`.
 
         `derivatives` is the highest order of the rates, 0 to 3. `start` and `end` are times of the curve's own kind.
         `include_end` makes the end a sample too where a rate does not meet it. `threads=0` uses all cores; the numbers
-        are the same on any.
+        are the same on any. `out` is filled: an array for the orientations, or a list of all that is asked for, in the order
+        of `Samples`.
         """
         world = _index("frame", frame, FRAMES) == 1
         even = self._grid_wanted(rate, count, times, start, end, include_end, derivatives)
         seconds = np.empty(len(even)) if even is not None else self._given(times)
-        rows = [output("dtype", None, (len(seconds), 4), dtype), *self._room(derivatives, len(seconds), dtype)]
-        rows += self._room(min(derivatives, 2) + 1 if self._core.has_positions else 0, len(seconds), dtype)
+        linear = min(derivatives, 2) + 1 if self._core.has_positions else 0
+        rows = sample_rows(out, (len(seconds),), derivatives, linear, dtype, seconds)
         how = {"world": world, "beyond": self._beyond, "threads": thread_count(threads)}
         if even is None:
             self._core.fill(seconds, *rows, **how)
         else:
             self._core.fill_even(even, seconds, *rows, **how)
         if self._scalar_first:
-            rows[0] = np.ascontiguousarray(rows[0][:, [3, 0, 1, 2]])
+            rows[0][...] = rows[0][:, [3, 0, 1, 2]]
         grid = None if even is None else (rate, count, *self._bounds(start, end), include_end, *self._core.domain)
         return samples_of(self._keys, seconds, rows, frame, grid)
-
-    @staticmethod
-    def _room(wanted: int, count: int, dtype: Any) -> list[Any]:
-        return [np.empty((count, 3), dtype) if k < wanted else None for k in range(3)]
 
     def _grid_wanted(self, rate: Any, count: int | None, times: Any, start: Any, end: Any, include_end: bool,
                      derivatives: int) -> Any:
@@ -254,7 +264,7 @@ class Curve(CurveAnalysis, CurvePictures):
         if isinstance(t, float) and self._plain and out is None and dtype is np.float64:
             return self._core.one(what, t, world, self._beyond)  # type: ignore[no-any-return]
         seconds = self._clock.seconds("t", t)
-        result = output("out", out, (*seconds.shape, 4 if what == ORIENTATION else 3), dtype)
+        result = output("out", out, (*seconds.shape, 4 if what == ORIENTATION else 3), dtype, seconds)
         self._core.many(what, seconds.reshape(-1), result.reshape(-1, result.shape[-1]), world, self._beyond,
                         thread_count(threads))
         return result

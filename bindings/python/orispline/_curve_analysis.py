@@ -2,7 +2,7 @@
 """What a curve is worth: the part of `Curve` that measures it."""
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,9 +13,12 @@ from ._errors import ArgumentError, DataError
 from ._warnings import tell
 
 if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
     from ._baked import BakedCurve
     from ._clock import Clock
     from ._measures import DistanceStatistics, Energies, HandleTurn, Peaks
+    from ._types import Rate, Time, Vector
 
 
 def checked_inertia(inertia: Any) -> Array:
@@ -91,6 +94,11 @@ class CurveAnalysis:
         found = self._core.peaks(None if inertia is None else checked_inertia(inertia))
         return Peaks(**{name: Peak(value, self._time(time)) for name, (value, time) in found.items()})
 
+    @overload
+    def angle_travelled(self, t: Time | None = None) -> float: ...
+    @overload
+    def angle_travelled(self, t: ArrayLike) -> Array: ...
+
     def angle_travelled(self, t: Any = None) -> Any:
         """∫|ω| dt [rad]: of the whole curve, or from its start to the times `t`, which are held to its domain: a float for
         one time, else an array of their shape.
@@ -106,6 +114,11 @@ class CurveAnalysis:
         angles = np.empty(seconds.shape)
         self._core.angles_at(seconds.reshape(-1), angles.reshape(-1))
         return angles if angles.ndim else float(angles)
+
+    @overload
+    def time_at_angle(self, angle: float) -> Any: ...
+    @overload
+    def time_at_angle(self, angle: ArrayLike) -> NDArray[Any]: ...
 
     def time_at_angle(self, angle: Any) -> Any:
         """The first times at which the curve has travelled these angles [rad], which are held to 0 and `angle_travelled()`:

@@ -2,7 +2,7 @@
 """Curves whose keys arrive one by one."""
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
@@ -13,6 +13,11 @@ from ._errors import ArgumentError
 from ._keys import SIGNS
 from ._samples import Motion
 from ._texts import method_text
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from ._types import Time, Vector
 
 
 class OnlineCurve:
@@ -133,7 +138,12 @@ class OnlineCurve:
         with self._lock:
             return len(self._core)
 
-    def __call__(self, t: Any) -> Array:
+    @overload
+    def __call__(self, t: Time) -> Vector: ...
+    @overload
+    def __call__(self, t: ArrayLike) -> Array: ...
+
+    def __call__(self, t: Any) -> Any:
         """(..., 4) unit quaternions, x, y, z, w, or w, x, y, z with `scalar_first`."""
         with self._lock:
             seconds = self._seconds(t)
@@ -141,9 +151,9 @@ class OnlineCurve:
             self._core.fill(seconds.reshape(-1), q.reshape(-1, 4))
         return self._ordered(q)
 
-    def motion(self, t: Any) -> Motion:
+    def motion(self, t: Time) -> Motion:
         """Orientation and position with their rates at one time; angular rates in the body frame."""
-        if np.ndim(t) != 0:
+        if np.asarray(t).ndim:
             raise ArgumentError("t: found an array, wanted one time")
         q, again, rates, linear = np.empty((1, 4)), np.empty((1, 4)), np.empty((3, 1, 3)), np.empty((3, 1, 3))
         with self._lock:

@@ -2,13 +2,21 @@
 """`RotationSpline` and `Slerp` as SciPy has them: the same calls, the same numbers."""
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
 from ._arrays import Array
 from ._curve import ACCELERATION, JERK, ORIENTATION, VELOCITY, Curve
 from ._errors import ArgumentError, DataError
+
+if TYPE_CHECKING:
+    from typing import Literal
+
+    from numpy.typing import ArrayLike
+    from scipy.spatial.transform import Rotation
+
+    from ._types import Time, Vector
 
 ORDERS = (ORIENTATION, VELOCITY, ACCELERATION, JERK)
 
@@ -40,9 +48,16 @@ class _Twin:
         return self._times
 
     @property
-    def rotations(self) -> Any:
+    def rotations(self) -> Rotation:
         """The keys, a SciPy Rotation."""
         return self._rotations
+
+    @overload
+    def __call__(self, times: ArrayLike, order: Literal[0] = 0) -> Rotation: ...
+    @overload
+    def __call__(self, times: Time, order: Literal[1, 2, 3]) -> Vector: ...
+    @overload
+    def __call__(self, times: ArrayLike, order: Literal[1, 2, 3]) -> Array: ...
 
     def __call__(self, times: Any, order: int = 0) -> Any:
         """At times (a scalar, or one dimension): of order 0 a SciPy Rotation, of 1, 2 and 3 the angular velocity [rad/s],
@@ -145,6 +160,6 @@ class Slerp(_Twin):
         super().__init__(times, rotations, "slerp", extrapolate)
 
     @property
-    def rotations(self) -> Any:
+    def rotations(self) -> Rotation:
         """Where the segments begin: all keys but the last, as SciPy has it."""
         return self._rotations[:-1]

@@ -8,12 +8,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._arrays import output
+from ._arrays import output, sample_rows
 from ._checks import thread_count
 from ._curve import FRAMES, Curve, _index
 from ._errors import ArgumentError, DataError, Error
 from ._keys import Keys, _span
 from ._samples import Samples
+from ._types import stacked_quantity, stacked_rate
 
 
 class CurveStack:
@@ -104,28 +105,32 @@ class CurveStack:
         """The first and the last time."""
         return self._curves[0].domain
 
+    @stacked_quantity
     def __call__(self, t: Any, *, out: Any = None, dtype: Any = np.float64, threads: int = 1) -> NDArray[Any]:
         """(..., m, 4) unit quaternions."""
         return self._at(0, t, "body", out, dtype, threads)
 
-    def angular_velocity(self, t: Any, *, frame: str = "body", out: Any = None, dtype: Any = np.float64,
+    @stacked_rate
+    def angular_velocity(self, t: Any, frame: str = "body", out: Any = None, *, dtype: Any = np.float64,
                          threads: int = 1) -> NDArray[Any]:
         """(..., m, 3) [rad/s]."""
         return self._at(1, t, frame, out, dtype, threads)
 
-    def angular_acceleration(self, t: Any, *, frame: str = "body", out: Any = None, dtype: Any = np.float64,
+    @stacked_rate
+    def angular_acceleration(self, t: Any, frame: str = "body", out: Any = None, *, dtype: Any = np.float64,
                              threads: int = 1) -> NDArray[Any]:
         """(..., m, 3) [rad/s²]."""
         return self._at(2, t, frame, out, dtype, threads)
 
-    def angular_jerk(self, t: Any, *, frame: str = "body", out: Any = None, dtype: Any = np.float64,
+    @stacked_rate
+    def angular_jerk(self, t: Any, frame: str = "body", out: Any = None, *, dtype: Any = np.float64,
                      threads: int = 1) -> NDArray[Any]:
         """(..., m, 3) [rad/s³]."""
         return self._at(3, t, frame, out, dtype, threads)
 
     def sample(self, rate: Any = None, *, count: int | None = None, times: Any = None, start: Any = None, end: Any = None,
                include_end: bool = False, derivatives: int = 0, frame: str = "body", dtype: Any = np.float64,
-               threads: int = 1) -> Samples:
+               threads: int = 1, out: Any = None) -> Samples:
         """Samples at even times or at given ones, as of `Curve.sample`: (k,) times, (k, m, 4) orientations and (k, m, 3)
         rates."""
         first = self._curves[0]
@@ -133,18 +138,17 @@ class CurveStack:
         seconds = np.empty(len(even)) if even is not None else first._given(times)
         if even is not None:
             even.fill(seconds)
-        rows: list[Any] = [output("dtype", None, (len(seconds), len(self), width), dtype)
-                           for width in (4, 3, 3, 3)[:derivatives + 1]]
+        rows = sample_rows(out, (len(seconds), len(self)), derivatives, 0, dtype, seconds)[:derivatives + 1]
         self._fill(seconds, rows, frame, threads)
         if self._curves[0]._scalar_first:
-            rows[0] = np.ascontiguousarray(rows[0][..., [3, 0, 1, 2]])
+            rows[0][...] = rows[0][..., [3, 0, 1, 2]]
         return Samples(self._curves[0]._clock.back(seconds), *rows)
 
     def _at(self, order: int, t: Any, frame: str, out: Any, dtype: Any, threads: int) -> NDArray[Any]:
         """Orientations, or rates of that order."""
         seconds = self._curves[0]._clock.seconds("t", t)
         width = 3 if order else 4
-        result = output("out", out, (*seconds.shape, len(self), width), dtype)
+        result = output("out", out, (*seconds.shape, len(self), width), dtype, seconds)
         reordered = order == 0 and self._curves[0]._scalar_first
         room = np.empty_like(result) if reordered else result
         self._fill(seconds.reshape(-1), [*[None] * order, room.reshape(-1, len(self), width)], frame, threads)

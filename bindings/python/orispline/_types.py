@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Types of functions of time, for readers of type hints: one time gives one vector, an array of times an array of them."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Callable
+
+if TYPE_CHECKING:
+    import datetime
+    from typing import Literal, Protocol, TypeVar, Union, overload
+
+    import numpy as np
+    from numpy.typing import ArrayLike, DTypeLike, NDArray
+
+    Time = Union[float, np.floating[Any], np.integer[Any], np.datetime64, datetime.datetime]  # one
+    Frame = Literal["body", "world"]
+    Side = Literal["right", "left"]
+    Vector = np.ndarray[tuple[int], np.dtype[np.float64]]  # (3,) or (4,)
+    Vectors = np.ndarray[tuple[int, int], np.dtype[np.float64]]  # one for each joint
+    Real = TypeVar("Real", bound=np.floating[Any])
+    One = TypeVar("One", covariant=True)
+    Out = TypeVar("Out", bound=NDArray[Any])
+
+    class Quantity(Protocol[One]):
+        """Of scalar or array times, at which it is `One` or an array of one axis more."""
+
+        @overload
+        def __call__(self, t: Time, *, out: None = None, threads: int = ...) -> One: ...
+        @overload
+        def __call__(self, t: ArrayLike, *, out: None = None, threads: int = ...) -> NDArray[np.float64]: ...
+        @overload
+        def __call__(self, t: ArrayLike, *, out: None = None, dtype: type[Real] | np.dtype[Real], threads: int = ...) -> NDArray[Real]: ...
+        @overload
+        def __call__(self, t: ArrayLike, *, out: None = None, dtype: DTypeLike, threads: int = ...) -> NDArray[Any]: ...
+        @overload
+        def __call__(self, t: ArrayLike, *, out: Out, dtype: DTypeLike = ..., threads: int = ...) -> Out: ...
+
+    class Rate(Protocol[One]):
+        """Likewise, in the body or the world frame."""
+
+        @overload
+        def __call__(self, t: Time, frame: Frame = ..., out: None = None, *, threads: int = ...) -> One: ...
+        @overload
+        def __call__(self, t: ArrayLike, frame: Frame = ..., out: None = None, *, threads: int = ...) -> NDArray[np.float64]: ...
+        @overload
+        def __call__(self, t: ArrayLike, frame: Frame = ..., out: None = None, *, dtype: type[Real] | np.dtype[Real],
+                     threads: int = ...) -> NDArray[Real]: ...
+        @overload
+        def __call__(self, t: ArrayLike, frame: Frame = ..., out: None = None, *, dtype: DTypeLike,
+                     threads: int = ...) -> NDArray[Any]: ...
+        @overload
+        def __call__(self, t: ArrayLike, frame: Frame = ..., *, out: Out, dtype: DTypeLike = ..., threads: int = ...) -> Out: ...
+        @overload
+        def __call__(self, t: ArrayLike, frame: Frame, out: Out, *, dtype: DTypeLike = ..., threads: int = ...) -> Out: ...
+
+    class BakedQuantity(Protocol):
+        """Of a baked curve, which has a dtype of its own."""
+
+        @overload
+        def __call__(self, t: Time, *, out: None = None) -> np.ndarray[tuple[int], np.dtype[Any]]: ...
+        @overload
+        def __call__(self, t: ArrayLike, *, out: None = None) -> NDArray[Any]: ...
+        @overload
+        def __call__(self, t: ArrayLike, *, out: Out) -> Out: ...
+
+    class BakedRate(Protocol):
+        """Likewise, in the body or the world frame."""
+
+        @overload
+        def __call__(self, t: Time, frame: Frame = ..., out: None = None) -> np.ndarray[tuple[int], np.dtype[Any]]: ...
+        @overload
+        def __call__(self, t: ArrayLike, frame: Frame = ..., out: None = None) -> NDArray[Any]: ...
+        @overload
+        def __call__(self, t: ArrayLike, frame: Frame = ..., *, out: Out) -> Out: ...
+        @overload
+        def __call__(self, t: ArrayLike, frame: Frame, out: Out) -> Out: ...
+
+
+def quantity(method: Callable[..., Any]) -> Quantity[Vector]:
+    """Says to type checkers that a method is one of a curve."""
+    return method
+
+
+def rate(method: Callable[..., Any]) -> Rate[Vector]:
+    """Likewise."""
+    return method
+
+
+def stacked_quantity(method: Callable[..., Any]) -> Quantity[Vectors]:
+    """Likewise, of a stack of curves."""
+    return method
+
+
+def stacked_rate(method: Callable[..., Any]) -> Rate[Vectors]:
+    """Likewise."""
+    return method
+
+
+def baked_quantity(method: Callable[..., Any]) -> BakedQuantity:
+    """Likewise, of a baked curve."""
+    return method
+
+
+def baked_rate(method: Callable[..., Any]) -> BakedRate:
+    """Likewise."""
+    return method
