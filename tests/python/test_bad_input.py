@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Bad input has one line that says what was found and what was wanted, and never crashes."""
+import datetime
+
 import numpy as np
 import orispline as ori
 import pytest
@@ -31,6 +33,12 @@ KEYS = [
     ("complex", lambda: ori.Keys(T, np.array(Q, complex)), ori.ArgumentError, "complex128", None),
     ("objects", lambda: ori.Keys(T, np.array(Q, object)), ori.ArgumentError, "object", None),
     ("strings", lambda: ori.Keys(["a", "b", "c"], Q), ori.ArgumentError, "wanted real numbers", None),
+    ("no rotations", lambda: ori.Keys(T, None), ori.ArgumentError, "rotations: found an object of type NoneType", None),
+    ("Euler angles", lambda: ori.Keys(T, [[0, 0, 1]] * 3), ori.ArgumentError,
+     "rotations: found the shape (3, 3), wanted (n, 4) quaternions, (n, 3, 3) matrices or a SciPy Rotation", None),
+    ("ragged rows", lambda: ori.Keys(T, [[0, 0, 0, 1], [0, 0, 1]]), ori.ArgumentError, "rotations: found rows of different lengths", None),
+    ("masked rows", lambda: ori.Keys(T, np.ma.array(Q, mask=np.eye(3, 4))), ori.ArgumentError, "rotations: found masked values", None),
+    ("norm 0 to be normalized", lambda: ori.Keys(T, [Q[0], [0] * 4, Q[2]], normalize=True), ori.DataError, "the quaternion has norm 0", 1),
     ("no keys", lambda: ori.Keys([], np.empty((0, 4))), ori.DataError, "no keys", None),
     ("no dates", lambda: ori.Keys(np.array([], "datetime64[ns]"), np.empty((0, 4))), ori.DataError, "no keys", None),
     ("signs", lambda: ori.Keys(T, Q, signs="long"), ori.ArgumentError, "signs: found 'long'", None),
@@ -45,9 +53,12 @@ CURVES = [
     ("ends", lambda: ori.Curve(T, Q, "timed-c2", ends="soft"), ori.ArgumentError, "soft"),
     ("rate of an end", lambda: ori.Curve(T, Q, "timed-c2", start_rate=1), ori.ArgumentError, "start_rate: found the shape ()"),
     ("extrapolate", lambda: ori.Curve(T, Q, extrapolate="far"), ori.ArgumentError, "extrapolate: found 'far'"),
+    ("rate that is NaN", lambda: ori.Curve(T, Q, "timed-c2", start_rate=[0, np.nan, 0]), ori.ArgumentError,
+     "start_rate: found [0.0, nan, 0.0], wanted three finite numbers"),
     ("few keys", lambda: ori.Curve(T[:2], Q[:2], "beta-g2"), ori.DataError, "beta-g2"),
 ]
 CURVE = ori.Curve(T, Q)
+DATED = ori.Curve(np.datetime64("2024-01-01", "s") + np.array(T), Q)
 ASKED = [
     ("rate 0", lambda: CURVE.sample(rate=0), "rate: found 0, wanted a number of samples per second greater than 0"),
     ("rate below 0", lambda: CURVE.sample(rate=-1), "rate: found -1"),
@@ -76,6 +87,18 @@ ASKED = [
     ("short out of samples", lambda: CURVE.sample(count=5, out=np.empty((4, 4))), "out: found an array (4, 4) of float64, wanted (5, 4)"),
     ("out of another type", lambda: CURVE(T, out=np.empty((3, 4), "float32")), "wanted (3, 4) of float64"),
     ("dtype", lambda: CURVE(T, dtype=int), "dtype: found int64, wanted float64 or float32"),
+    ("no times", lambda: CURVE(None), "t: found an object of type NoneType, wanted real numbers"),
+    ("objects as times", lambda: CURVE([1, None]), "t: found objects of type NoneType, int, wanted real numbers"),
+    ("ragged times", lambda: CURVE([[1, 2], [3]]), "t: found rows of different lengths"),
+    ("masked times", lambda: CURVE(np.ma.array(T, mask=[0, 1, 0])), "t: found masked values"),
+    ("date", lambda: CURVE(datetime.datetime(2024, 1, 1)), "t: found an array of datetime64[ns], wanted numbers, as the times of the keys are"),
+    ("no date", lambda: DATED([1.0]), "t: found an array of float64, wanted datetime64, as the times of the keys are"),
+    ("date of a zone", lambda: DATED(datetime.datetime(2024, 1, 1, tzinfo=datetime.timezone.utc)), "t: found dates with a time zone"),
+    ("1e9 on dates", lambda: DATED.sample(times=np.full(2, 10**9)), "times: found an array of int64, wanted datetime64"),
+    ("date outside", lambda: DATED.keys.curve(extrapolate="error")(np.array(["2024-01-01T00:00:01", "2024-01-01T00:00:04"], "datetime64[s]")),
+     "time 1: time 2024-01-01T00:00:04.000000000 is outside the curve, wanted 2024-01-01T00:00:00.000000000 to "),
+    ("milliseconds outside", lambda: ori.Curve(T, Q, time_unit="ms", extrapolate="error").sample(times=[1, 4]),
+     "time 1: time 4.0 is outside the curve, wanted 0.0 to 3.0"),
     ("motion of times", lambda: CURVE.motion(T), "wanted one time"),
 ]
 

@@ -2,6 +2,7 @@
 """Curves: shapes, orders, frames, bits, and SciPy beside."""
 import concurrent.futures
 import copy
+import datetime
 import fractions
 import pickle
 import sys
@@ -146,6 +147,24 @@ def test_matrices_and_rotations_are_the_same_keys(keys):
         turn = Rotation.from_rotvec(np.pi * axis)
         key = ori.Keys([0, 1], np.stack([np.eye(3), turn.as_matrix()])).rotations[1]
         assert np.allclose(np.abs(key), np.abs(turn.as_quat()), atol=1e-15)
+
+
+def test_datetimes_and_timestamps_are_dates():
+    pandas = pytest.importorskip("pandas")
+    stamps = pandas.date_range("2026-11-22T12:00:00.000000007", periods=3, freq="s")
+    q = [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 1, 0]]
+    curve = ori.Curve(stamps, q)
+    for same in (list(stamps), pandas.Series(stamps), stamps.to_numpy()):
+        assert ori.Curve(same, q).times.tolist() == curve.times.tolist() == stamps.astype("int64").tolist()
+    one = stamps[1]
+    assert np.array_equal(curve(one), curve(one.to_datetime64())) and curve(one).shape == (4,)
+    assert curve([one, pandas.NaT]).shape == (2, 4) and np.isnan(curve(pandas.NaT)).all()
+    plain = datetime.datetime(2026, 11, 22, 12, 0, 1)
+    assert np.array_equal(curve(plain), curve(np.datetime64(plain, "ns")))
+    assert curve.sample(rate=4, start=plain).times[0] == np.datetime64(plain, "ns")
+    assert curve.angle_travelled(one) == curve.angle_travelled(one.to_datetime64())
+    with pytest.raises(ori.ArgumentError, match=r"times: found dates with a time zone, wanted .*tz_convert\(None\)"):
+        ori.Curve(stamps.tz_localize("UTC"), q)
 
 
 def test_calendars_are_differenced_as_integers(keys):

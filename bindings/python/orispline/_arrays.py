@@ -2,6 +2,7 @@
 """Arguments as the arrays that the library takes: C-contiguous float64, without a copy where they are that already."""
 from __future__ import annotations
 
+import datetime
 from typing import Any
 
 import numpy as np
@@ -12,14 +13,44 @@ from ._errors import ArgumentError, DataError
 Array = NDArray[np.float64]
 
 
-def numbers(name: str, values: Any, shape: tuple[int | None, ...]) -> Array:
+def array_of(name: str, values: Any) -> np.ndarray[Any, Any]:
+    """What NumPy makes of them, of datetimes and pandas' timestamps datetime64; nothing of what is masked or of no shape."""
+    if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
+        raise ArgumentError(f"{name}: found masked values, wanted a value everywhere, such as of .filled(numpy.nan)")
+    try:
+        array = np.asarray(values)
+    except ValueError:
+        raise ArgumentError(f"{name}: found rows of different lengths, wanted an array") from None
+    return _dates(name, array) if array.dtype.kind == "O" else array
+
+
+def _dates(name: str, array: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
+    dates = array.reshape(-1)
+    if not len(dates) or not all(isinstance(date, datetime.datetime) for date in dates):
+        return array
+    if any(date.tzinfo is not None for date in dates):
+        raise ArgumentError(f"{name}: found dates with a time zone, wanted dates without one: pandas' .tz_convert(None) has those of UTC")
+    stamps = [date.to_datetime64() if hasattr(date, "to_datetime64") else date for date in dates]  # pandas' have nanoseconds
+    return np.array(stamps, "datetime64[ns]").reshape(array.shape)
+
+
+def found(array: np.ndarray[Any, Any]) -> str:
+    """What an array of another kind is."""
+    if array.dtype.kind != "O":
+        return f"an array of {array.dtype}"
+    kinds = sorted({type(thing).__name__ for thing in array.reshape(-1)})
+    return f"{'an object' if array.ndim == 0 else 'objects'} of type {', '.join(kinds)}" if kinds else "no objects"
+
+
+def numbers(name: str, values: Any, shape: tuple[int | None, ...], wanted: str | None = None) -> Array:
     """Real numbers of that shape; None is any length."""
-    array = np.asarray(values)
+    array = array_of(name, values)
     if array.dtype.kind not in "fiu" or array.dtype.itemsize > 8:
-        raise ArgumentError(f"{name}: found an array of {array.dtype}, wanted real numbers")
+        raise ArgumentError(f"{name}: found {found(array)}, wanted real numbers")
     if array.ndim != len(shape) or any(want is not None and got != want for got, want in zip(array.shape, shape)):
-        wanted = ", ".join("n" if want is None else str(want) for want in shape)
-        raise ArgumentError(f"{name}: found the shape {array.shape}, wanted ({wanted}{',' if len(shape) == 1 else ''})")
+        sizes = ", ".join("n" if want is None else str(want) for want in shape)
+        sizes = f"({sizes},)" if len(shape) == 1 else f"({sizes})"
+        raise ArgumentError(f"{name}: found the shape {array.shape}, wanted {wanted or sizes}")
     return np.ascontiguousarray(array, dtype=np.float64)
 
 
@@ -27,10 +58,10 @@ def quaternions(name: str, rotations: Any, *, scalar_first: bool) -> Array:
     """(n, 4) quaternions x, y, z, w of quaternions, of (n, 3, 3) matrices or of a SciPy Rotation."""
     if hasattr(rotations, "as_quat"):
         rotations, scalar_first = rotations.as_quat(), False
-    array = np.asarray(rotations)
+    array = array_of(name, rotations)
     if array.ndim == 3 and array.shape[1:] == (3, 3):
         return _of_matrices(name, numbers(name, array, (None, 3, 3)))
-    array = numbers(name, array, (None, 4))
+    array = numbers(name, array, (None, 4), "(n, 4) quaternions, (n, 3, 3) matrices or a SciPy Rotation")
     return np.ascontiguousarray(array[:, [1, 2, 3, 0]]) if scalar_first else array
 
 

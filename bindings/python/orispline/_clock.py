@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from ._arrays import Array, numbers
+from ._arrays import Array, array_of, found, numbers
 from ._errors import ArgumentError, DataError
 
 DIGITS = {"s": 0, "ms": 3, "us": 6, "ns": 9}
@@ -31,15 +31,15 @@ class Clock:
 
     def seconds(self, name: str, times: Any) -> Array:
         """Times to ask for, of any shape. NaT becomes NaN."""
-        array = np.asarray(times)
+        array = array_of(name, times)
         if self.is_calendar != (array.dtype.kind == "M"):
             wanted = "datetime64" if self.is_calendar else "numbers"
-            raise ArgumentError(f"{name}: found {array.dtype}, wanted {wanted}, as the times of the keys are")
+            raise ArgumentError(f"{name}: found {found(array)}, wanted {wanted}, as the times of the keys are")
         if self.is_calendar:
             stamps = array.astype("datetime64[ns]")
             return np.where(np.isnat(stamps), np.nan, self._counted(stamps.astype(np.int64)))
         if array.dtype.kind not in "fiu" or array.dtype.itemsize > 8:
-            raise ArgumentError(f"{name}: found an array of {array.dtype}, wanted real numbers")
+            raise ArgumentError(f"{name}: found {found(array)}, wanted real numbers")
         return np.asarray(self._counted(array), order="C")
 
     def back(self, seconds: Array) -> np.ndarray[Any, Any]:
@@ -50,6 +50,15 @@ class Clock:
         if self.unit == "ns":
             units = np.rint(units).astype(np.int64)
         return (units + self.origin).astype("datetime64[ns]") if self.is_calendar else units + self.origin
+
+    def check_inside(self, seconds: Array, domain: tuple[float, float]) -> None:
+        """Raises an error about the first time outside, where times are not seconds: about those the library has one."""
+        outside = np.flatnonzero((seconds < domain[0]) | (seconds > domain[1])) if self.unit != "s" else []
+        if len(outside):
+            time, first, last = self.back(np.array([seconds.reshape(-1)[outside[0]], *domain]))
+            error = ArgumentError(f"time {outside[0]}: time {time} is outside the curve, wanted {first} to {last}")
+            error.time_index = int(outside[0])
+            raise error
 
     def _counted(self, array: np.ndarray[Any, Any]) -> Array:
         if self.unit == "s":
@@ -63,7 +72,7 @@ def times_of_keys(times: Any, unit: str | None) -> tuple[Array, Clock]:
     """The times of keys [s], and the clock by which the caller has them."""
     if unit is not None and unit not in PER_SECOND:
         raise ArgumentError(f"time_unit: found {unit!r}, wanted one of {', '.join(map(repr, PER_SECOND))}")
-    array = np.asarray(times)
+    array = array_of("times", times)
     if array.dtype.kind == "M":
         if unit is not None:
             raise ArgumentError("time_unit: found it with datetime64, which has a unit of its own")

@@ -250,9 +250,16 @@ class Curve(CurveAnalysis, CurvePictures):
         return grid
 
     def _given(self, times: Any) -> NDArray[np.float64]:
-        seconds = self._clock.seconds("times", times)
+        seconds = self._asked("times", times)
         if seconds.ndim != 1:
             raise ArgumentError(f"times: found the shape {seconds.shape}, wanted (k,)")
+        return seconds
+
+    def _asked(self, name: str, times: Any) -> NDArray[np.float64]:
+        """Times to ask for [s]. Those outside are named as the caller has times, where that is an error."""
+        seconds = self._clock.seconds(name, times)
+        if BEYOND[self._beyond] == "error":
+            self._clock.check_inside(seconds, self._core.domain)
         return seconds
 
     def _bounds(self, start: Any, end: Any) -> list[str | None]:
@@ -263,7 +270,7 @@ class Curve(CurveAnalysis, CurvePictures):
         world = _index("frame", frame, FRAMES) == 1
         if isinstance(t, float) and self._plain and out is None and dtype is np.float64:
             return self._core.one(what, t, world, self._beyond)  # type: ignore[no-any-return]
-        seconds = self._clock.seconds("t", t)
+        seconds = self._asked("t", t)
         result = output("out", out, (*seconds.shape, 4 if what == ORIENTATION else 3), dtype, seconds)
         self._core.many(what, seconds.reshape(-1), result.reshape(-1, result.shape[-1]), world, self._beyond,
                         thread_count(threads))

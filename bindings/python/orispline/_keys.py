@@ -244,7 +244,7 @@ def _normalized(orientations: Array) -> Array:
     norms = np.linalg.norm(orientations, axis=1, keepdims=True)
     with np.errstate(invalid="ignore", divide="ignore"):
         # A quaternion of norm 1 but for rounding keeps its digits.
-        return np.where(np.abs(norms - 1) <= 1e-12, orientations, orientations / norms)
+        return np.where((np.abs(norms - 1) <= 1e-12) | (norms == 0), orientations, orientations / norms)
 
 
 def _span(clock: Clock, seconds: Array) -> str:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, overload
 import numpy as np
 
 from . import _core
-from ._arrays import Array, numbers, quaternions
+from ._arrays import Array, array_of, numbers, quaternions
 from ._clock import Clock, times_of_keys
 from ._errors import ArgumentError
 from ._keys import SIGNS
@@ -90,13 +90,13 @@ class OnlineCurve:
             first = False
         else:
             first = self._scalar_first
-        row = quaternions("q", np.asarray(q)[None], scalar_first=first)[0]
+        row = quaternions("q", array_of("q", q)[None], scalar_first=first)[0]
         p, w, a, j = [None if vector is None else numbers(name, vector, (3,)) for name, vector in
                       (("position", position), ("angular_velocity", angular_velocity),
                        ("angular_acceleration", angular_acceleration), ("angular_jerk", angular_jerk))]
         with self._lock:
             if self._clock is None:
-                seconds, clock = times_of_keys(np.asarray(t)[None], self._time_unit)
+                seconds, clock = times_of_keys(array_of("t", t)[None], self._time_unit)
                 time = float(seconds[0])
             else:
                 clock = self._clock

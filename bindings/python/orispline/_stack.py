@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._arrays import output, sample_rows
+from ._arrays import array_of, output, sample_rows
 from ._checks import thread_count
 from ._curve import FRAMES, Curve, _index
 from ._errors import ArgumentError, DataError, Error
@@ -55,7 +55,7 @@ class CurveStack:
     def __init__(self, times: Any, rotations: Any, method: str = "auto", *, extrapolate: str = "hold",
                  scalar_first: bool = False, normalize: bool = False, time_unit: str | None = None, signs: str = "shortest",
                  **options: Any) -> None:
-        array = np.asarray(rotations)
+        array = array_of("rotations", rotations)
         if array.shape[2:] not in ((4,), (3, 3)):
             raise ArgumentError(f"rotations: found the shape {array.shape}, wanted (n, m, 4) or (n, m, 3, 3)")
         if array.shape[1] == 0:
@@ -146,7 +146,7 @@ class CurveStack:
 
     def _at(self, order: int, t: Any, frame: str, out: Any, dtype: Any, threads: int) -> NDArray[Any]:
         """Orientations, or rates of that order."""
-        seconds = self._curves[0]._clock.seconds("t", t)
+        seconds = self._curves[0]._asked("t", t)
         width = 3 if order else 4
         result = output("out", out, (*seconds.shape, len(self), width), dtype, seconds)
         reordered = order == 0 and self._curves[0]._scalar_first

@@ -59,6 +59,8 @@ def method_text(method: str, ends: Any, start_rate: Any, end_rate: Any, closed: 
         if rate is not None:
             if np.shape(rate) != (3,):
                 raise ArgumentError(f"{name}: found the shape {np.shape(rate)}, wanted (3,)")
+            if np.asarray(rate).dtype.kind not in "fiu" or not np.isfinite(rate).all():
+                raise ArgumentError(f"{name}: found {np.asarray(rate).tolist()}, wanted three finite numbers")
             pieces.append(f"{name}={_value_text(name, rate)}")
     if flag("closed", closed):
         pieces.append("closed")
