@@ -53,8 +53,8 @@ class Clock:
 
     def check_inside(self, seconds: Array, domain: tuple[float, float]) -> None:
         """Raises an error about the first time outside, where times are not seconds: about those the library has one."""
-        outside = np.flatnonzero((seconds < domain[0]) | (seconds > domain[1])) if self.unit != "s" else []
-        if len(outside):
+        outside = np.flatnonzero((seconds < domain[0]) | (seconds > domain[1]))
+        if self.unit != "s" and len(outside):
             time, first, last = self.back(np.array([seconds.reshape(-1)[outside[0]], *domain]))
             error = ArgumentError(f"time {outside[0]}: time {time} is outside the curve, wanted {first} to {last}")
             error.time_index = int(outside[0])
