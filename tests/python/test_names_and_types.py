@@ -71,6 +71,12 @@ def test_examples_of_the_docstrings(module, tmp_path, monkeypatch):
     assert found.attempted or module not in {"orispline", "orispline._keys", "orispline._curve"}
 
 
+def test_the_reference_has_every_public_name():
+    text = (ROOT / "bindings/python/reference/index.rst").read_text("utf-8")
+    told = {line.partition(":: ")[2] for line in text.splitlines() if line.startswith(".. auto")}
+    assert {f"orispline.{name}" for name in ori.__all__} | {"orispline.tables", "orispline.spark"} == told
+
+
 def test_the_stub_is_that_of_the_module():
     """Write it anew by bindings/python/build.py FOLDER PREFIX --stub."""
     spec = importlib.util.spec_from_file_location("make_python_stub", ROOT / "tools/make_python_stub.py")

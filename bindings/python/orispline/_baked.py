@@ -54,7 +54,7 @@ class BakedCurve:
 
     @property
     def dtype(self) -> np.dtype[Any]:
-        """Of its polynomials and of what it gives: float64 or float32."""
+        """float64 or float32, of its polynomials and of what it gives."""
         return self._dtype
 
     @property

@@ -47,7 +47,7 @@ class CurveAnalysis:
 
     @property
     def settings(self) -> dict[str, Any]:
-        """The parameters and choices of the method that shape the curve, defaults too: a number, an array with one for each
+        """The parameters and choices of the method that shape the curve, defaults too, each a number, an array with one for each
         key, or a word. `Curve(keys, curve.info["name"], **curve.settings)` has the same.
 
         >>> import orispline as ori

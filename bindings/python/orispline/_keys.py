@@ -114,7 +114,7 @@ class Keys:
 
     @property
     def times(self) -> np.ndarray[Any, Any]:
-        """(n,) as they were given: seconds, another unit, or datetime64."""
+        """(n,) as they were given, in seconds, in another unit or as datetime64."""
         return self._clock.back(self._core.times)
 
     @property
@@ -150,19 +150,19 @@ class Keys:
 
     @property
     def report(self) -> dict[str, float]:
-        """What was noticed: `sign_flips`, `non_unit_keys`, `largest_norm_error`, `near_half_turns`."""
+        """What was noticed, `sign_flips`, `non_unit_keys`, `largest_norm_error`, `near_half_turns`."""
         return dict(self._core.report)
 
     @property
     def epoch(self) -> decimal.Decimal:
-        """[s], exact: what the times count from. Of keys from a file the time of its first key, of dates the seconds
+        """What the times count from, exact [s]. Of keys from a file the time of its first key, of dates the seconds
         since 1970-01-01; 0 where times are seconds of their own."""
         import decimal
         return decimal.Decimal(_core.epoch_of_keys(self._core))
 
     @property
     def repairs(self) -> dict[str, Any]:
-        """What reading touched: `duplicates_dropped`, `invalid_dropped`, `rows_moved` and `normalised` count rows;
+        """What reading touched. `duplicates_dropped`, `invalid_dropped`, `rows_moved` and `normalised` count rows;
         `largest_norm_error` is that of the quaternions that were scaled to 1. Empty for keys that are not from a file."""
         return dict(self._read("repairs", {}))
 

@@ -67,7 +67,7 @@ class Samples:
 
     @property
     def epoch(self) -> decimal.Decimal:
-        """[s], exact: what times count from, of a file or since 1970-01-01; 0 where they are seconds of their own."""
+        """What times count from, exact [s], of a file or since 1970-01-01; 0 where they are seconds of their own."""
         import decimal
         return decimal.Decimal(self._from.epoch)
 

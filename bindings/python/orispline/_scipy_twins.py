@@ -161,5 +161,5 @@ class Slerp(_Twin):
 
     @property
     def rotations(self) -> Rotation:
-        """Where the segments begin: all keys but the last, as SciPy has it."""
+        """Where the segments begin, at all keys but the last, as SciPy has it."""
         return self._rotations[:-1]

@@ -9,6 +9,7 @@ extensions = ["sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinx.ext.viewcode"
 autodoc_default_options = {"members": True, "inherited-members": "BaseException", "member-order": "bysource"}
 autodoc_typehints = "none"  # the docstrings say shapes and units, which types do not
 napoleon_google_docstring = False
+smartquotes = False  # texts have code in them
 html_theme = "furo"
 html_title = f"orispline {release}"
 html_show_copyright = False
