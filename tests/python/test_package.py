@@ -3,6 +3,7 @@
 import importlib.metadata
 import importlib.resources
 import json
+import re
 import shutil
 import subprocess
 import sys
@@ -10,7 +11,7 @@ import zipfile
 
 import orispline as ori
 import pytest
-from conftest import wheel
+from conftest import ROOT, wheel
 
 OPTIONAL = {"scipy", "matplotlib", "pandas", "pyarrow", "duckdb", "polars", "pyspark", "IPython"}
 
@@ -54,6 +55,15 @@ def test_the_files_of_the_package():
     files = {str(file) for file in importlib.metadata.files("orispline") or []}
     assert {"orispline/py.typed", "orispline/_core.pyi", "orispline/__init__.py", "orispline/_core.abi3.so"} <= files
     assert any(name.endswith("licenses/LICENSE") for name in files) and any(name.endswith("licenses/NOTICE") for name in files)
+
+
+def test_what_the_examples_import_comes_with_all():
+    """Importing needs names of modules, installing those of packages: here they are the same."""
+    extras = [word for word in importlib.metadata.requires("orispline") if 'extra == "all"' in word or "extra == 'all'" in word]
+    installed = {re.match(r"[\w-]+", word)[0] for word in extras} | {"numpy", "orispline", *sys.stdlib_module_names}
+    for example in (ROOT / "examples/python").glob("*.py"):
+        imported = {name.split(".")[0] for name in re.findall(r"^(?:from|import) ([\w.]+)", example.read_text("utf-8"), re.M)}
+        assert imported <= installed | {path.stem for path in example.parent.glob("*.py")}, example.name
 
 
 def test_the_metadata():
