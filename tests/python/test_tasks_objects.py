@@ -92,7 +92,7 @@ def test_times_and_orders_are_those_of_the_keys():
     rows = ori.compare(calendar[::40], "auto", reference=calendar[3:]).table()
     assert rows[0]["rms_deg"] == pytest.approx(
         ori.compare(seconds[::40], "auto", reference=seconds[3:]).table()[0]["rms_deg"], rel=1e-6)
-    with pytest.raises(ori.ArgumentError, match="reference: found float64, wanted datetime64"):
+    with pytest.raises(ori.ArgumentError, match="reference: found an array of float64, wanted datetime64"):
         ori.tune(calendar[::40], "tcb", objective="fit", reference=seconds)
 
 
