@@ -2,7 +2,6 @@
 """Arguments as the arrays that the library takes: C-contiguous float64, without a copy where they are that already."""
 from __future__ import annotations
 
-import datetime
 from typing import Any
 
 import numpy as np
@@ -25,6 +24,7 @@ def array_of(name: str, values: Any) -> np.ndarray[Any, Any]:
 
 
 def _dates(name: str, array: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
+    import datetime
     dates = array.reshape(-1)
     if not len(dates) or not all(isinstance(date, datetime.datetime) for date in dates):
         return array

@@ -10,6 +10,7 @@ import numpy as np
 from ._errors import ArgumentError
 
 MOST_THREADS = 4096
+MOST_SAMPLES = 10**9
 
 
 def wrong_type(name: str, value: Any, wanted: str) -> TypeError:
@@ -50,3 +51,9 @@ def whole(name: str, value: Any, least: int, most: int) -> int:
 def thread_count(threads: Any) -> int:
     """Of the library: 0 is one for each core."""
     return whole("threads", threads, 0, MOST_THREADS)
+
+
+def check_number(samples: int) -> None:
+    """Before memory is asked for."""
+    if samples > MOST_SAMPLES:
+        raise ArgumentError(f"found {samples} samples, wanted 1e9 at most: sample the curve in parts, by start and end")

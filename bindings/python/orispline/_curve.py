@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from . import _core
 from ._arrays import output, sample_rows
-from ._checks import flag, thread_count
+from ._checks import check_number, flag, thread_count
 from ._curve_analysis import CurveAnalysis
 from ._errors import ArgumentError
 from ._keys import Keys, _span
@@ -27,7 +27,6 @@ BEYOND = tuple(_core.extrapolations())
 FRAMES = ("body", "world")
 SIDES = ("right", "left")
 ORIENTATION, VELOCITY, ACCELERATION, JERK, POSITION, LINEAR_VELOCITY, LINEAR_ACCELERATION = range(7)
-MOST_SAMPLES = 10**9
 
 
 class Curve(CurveAnalysis, CurvePictures):
@@ -243,10 +242,10 @@ class Curve(CurveAnalysis, CurvePictures):
         if count is not None and (isinstance(count, bool) or not isinstance(count, (int, np.integer)) or count < 1):
             raise ArgumentError(f"count: found {count!r}, wanted a whole number from 1 on")
         if count is not None:
-            _check_number(count)
+            check_number(count)
         text, number = (rate_text(rate), None) if count is None else (None, int(count))
         grid = self._core.grid(text, number, *bounds, include_end)
-        _check_number(len(grid))
+        check_number(len(grid))
         return grid
 
     def _given(self, times: Any) -> NDArray[np.float64]:
@@ -296,8 +295,3 @@ def _index(name: str, word: str, words: tuple[str, ...]) -> int:
     if word not in words:
         raise ArgumentError(f"{name}: found {word!r}, wanted {', '.join(repr(w) for w in words[:-1])} or {words[-1]!r}")
     return words.index(word)
-
-
-def _check_number(samples: int) -> None:
-    if samples > MOST_SAMPLES:
-        raise ArgumentError(f"found {samples} samples, wanted 1e9 at most: sample the curve in parts, by start and end")

@@ -95,9 +95,8 @@ Comparison compare(std::span<const Candidate> candidates, const RecordedMotion& 
                         .warnings = warnings_of(options.inertia)};
   CountedWork work(progress, candidates.size());
   parallel_for(candidates.size(), threads, [&](std::size_t i) {
-    comparison.measures[i] =
-        progress.stopped() ? Expected<Measures>(cancellation())
-                           : measure(candidates[i], recording, options, {.stop = progress.stop});
+    comparison.measures[i] = progress.stopped() ? Expected<Measures>(cancellation())
+                                                : measure(candidates[i], recording, options, {.stop = progress.stop});
     work.add_part();
   });
   return comparison;

@@ -27,7 +27,8 @@ BandedSystem normal_equations(const SumOfSquares& sum, std::size_t variables) {
 
 double value_of(const SumOfSquares& sum) {
   double value = 0.0;
-  for (std::size_t block = 0; block < sum.blocks() && !sum.stopped(); ++block) value += sum.residuals(block).squaredNorm();
+  for (std::size_t block = 0; block < sum.blocks() && !sum.stopped(); ++block)
+    value += sum.residuals(block).squaredNorm();
   return value;
 }
 
