@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include <orispline/math/quaternion.hpp>
+#include <orispline/math/so3.hpp>
 #include <orispline/tune/tune.hpp>
 
 namespace orispline {
