@@ -78,6 +78,7 @@ template <class T, int Components, int Length>
   }
   T* out = to + Components * at;
   if (count == Length) {
+#pragma GCC unroll 1  // a short loop too is to be vectorised as one
     for (int i = 0; i < Length; ++i)
       for (int k = 0; k < Components; ++k) out[Components * i + k] = from[k][i];
   } else {

@@ -188,6 +188,7 @@ void rational_block(const RationalRecord<T>& record, const Clock& clock, std::si
       count, [&](std::size_t at, int here, int) __attribute__((always_inline)) {
         local_times<T>(r, clock, at, here, (here + part - 1) / part * part, s);
         for (int from = 0; from < here; from += part) {
+#pragma GCC unroll 1  // as in lay_out()
           for (int i = 0; i < part; ++i) {
             T c[4];
 #pragma GCC unroll 4
