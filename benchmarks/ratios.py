@@ -107,6 +107,17 @@ def construction(run):
     }
 
 
+def rational(run):
+    """A sample of `rational` beside that of the fastest other kernel for double."""
+    usual = max((n for n in run.sizes("one_curve/ours/double") if n <= 1_000_000), default=0)
+    most = max(run.sizes("many/ours bundled/double"), default=0)
+    others = ("baked/timed-c2/itself", "baked/timed-c2/baked", "baked/squad/baked", "auto/ours",
+              f"one_curve/ours/double/{usual}", f"many/ours bundled/double/{most}")
+    ours = run.ns("baked/rational/itself")
+    return {"rational_ns": ours,
+            "rational_vs_fastest": divided(ours, min((ns for name in others if (ns := run.ns(name))), default=None))}
+
+
 def fits(run, scipy):
     """Making SciPy's curve, by the number of keys."""
     return {f"rotation_spline_vs_scipy_{count}": divided(scipy.get(str(count)), run.ns(f"setup/rotation-spline/{count}"))
@@ -118,7 +129,7 @@ def ratios_of(run, scipy):
     results = {"machine": machine(), "date": datetime.date.today().isoformat(), "compiler": context["compiler"],
                "load": context.get("load_avg", [None])[0], "isa": context["isa"],
                "contraction": context["contraction"] == "true"}
-    results |= resampling(run) | across_curves(run) | construction(run) | fits(run, fit_ns)
+    results |= resampling(run) | across_curves(run) | construction(run) | rational(run) | fits(run, fit_ns)
     results |= {"random_access_ns": run.ns("random/ours"),
                 "random_access_vs_libm": divided(run.ns("random/Eigen product"), run.ns("random/ours")),
                 "online_append_ns_p999": run.counter("online/append", "p999"),

@@ -81,6 +81,8 @@ def families(command):
         "auto5": [arcs, curve("auto"), curve("auto5")],
         "timed": [arcs, *map(curve, TIMED)],
         "global-c2": [arcs, curve("global-c2"), curve("timed-c2")],
+        "rational": [arcs, curve("rational"), curve("global-c2")],
+        "biarcs": [arcs, curve("biarcs"), curve("timed-c1")],
         "nu-exact": [arcs, curve("ν = 0", method="nu-exact"),
                      curve("ν = 16/s at key 2", "--set", "nu=0,0,16,0,0", method="nu-exact"), curve("timed-c2")],
         "nu": [arcs, *(curve(f"ν = {x}" + "/s" * (x > 0), "--set", f"nu={x}", method="nu") for x in (0, 2, 8, 32))],

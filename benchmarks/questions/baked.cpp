@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What does a sample of a baked curve cost, beside the curve itself?
+// What does a sample of a baked curve cost, beside the curve itself? That of rational is made of polynomials already.
 #include <benchmark/benchmark.h>
 
 #include <memory>
@@ -33,7 +33,7 @@ void enter(const std::string& name, const AnyCurve& truth, const Curve& curve, c
 void ask_baked(const Sizes& sizes) {
   const Track track = random_track(sizes.keys, 42);
   const EvenTimes t = even_times(track, std::min<std::size_t>(sizes.samples.back(), 1'000'000));
-  for (const char* method : {"timed-c2", "squad"}) {
+  for (const char* method : {"rational", "timed-c2", "squad"}) {
     const std::string name = std::string("baked/") + method;
     const AnyCurve curve = curve_through(track, method);
     const auto baked = bake(curve, tolerance);

@@ -32,6 +32,10 @@ void run(const batch::Kernels& k, const batch::SegmentRecord<T>& record, const b
     if constexpr (is_double) k.chart(*chart, clock, count, to);
     else k.chart_float(*chart, clock, count, to);
   }
+  if (const auto* rational = std::get_if<batch::RationalRecord<T>>(&record)) {
+    if constexpr (is_double) k.polynomials->rational(*rational, clock, count, to);
+    else k.polynomials->rational_float(*rational, clock, count, to);
+  }
 }
 
 }  // namespace orispline::testing_support

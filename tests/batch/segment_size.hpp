@@ -5,6 +5,7 @@
 #include <limits>
 #include <variant>
 
+#include <orispline/batch/compile_segment.hpp>
 #include <orispline/curve/curve.hpp>
 
 namespace orispline::testing_support {
@@ -56,6 +57,16 @@ void add_factor(SegmentSize& size, double h, Bound bound) {
                 chart->rotation_vector[2].coefficients[i]};
     const auto norm = [](const Eigen::Vector3d& c) { return c.norm(); };
     add_factor(size, h, [&](std::size_t order) { return largest_derivative(psi, chart->degree, order, norm); });
+  } else if (const auto* rational = std::get_if<RationalForm>(&form)) {
+    std::array<Eigen::Vector4d, 4> c;
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t k = 0; k < 4; ++k) c[i][static_cast<Eigen::Index>(k)] = rational->components[k].coefficients[i];
+    const Eigen::Vector4d along = (c[0] + c[3]).normalized();
+    const double least = std::min({c[0].dot(along), c[1].dot(along), c[2].dot(along), c[3].dot(along)});
+    const auto norm = [](const Eigen::Vector4d& v) { return v.norm(); };
+    const auto bound = [&](std::size_t order) { return largest_derivative(c, 3, order, norm) / least; };
+    if (!(least > 0.0 && bound(0) <= batch::largest_rational_spread)) return size;
+    add_factor(size, h, [&](std::size_t order) { return order == 0 ? bound(0) : 2.0 * bound(order); });
   }
   size.jerk += size.velocity * (3.0 * size.acceleration + size.velocity * size.velocity);
   size.acceleration += size.velocity * size.velocity;

@@ -26,8 +26,8 @@ struct NamedCurve {
   return curves;
 }
 
-/// Cumulative with three factors, with one, a chart, and two that only the scalar evaluator knows.
-inline constexpr const char* kinds_of_curves[] = {"timed-c2", "slerp", "auto", "squad", "barry-goldman"};
+/// Cumulative with three factors, with one, a chart, a cubic of R⁴, and two that only the scalar evaluator knows.
+inline constexpr const char* kinds_of_curves[] = {"timed-c2", "slerp", "auto", "rational", "squad", "barry-goldman"};
 
 [[nodiscard]] inline AnyCurve specimen_curve(const char* family, std::uint64_t seed = 51, std::size_t keys = 9) {
   return make_curve(family, keyframes(random_walk(seed, keys, Spacing::uneven, 0.7))).value();

@@ -85,7 +85,7 @@ class Methods(CommandTest):
         self.assertIn(" settings tension=0.5, tension2=1 ", self.entry_of("timed-c2"))
 
     def test_global_methods_depend_on_all_keys(self):
-        for name in ("global-c2", "rotation-spline", "bspline-through", "nu", "nu-exact"):
+        for name in ("global-c2", "rational", "rotation-spline", "bspline-through", "nu", "nu-exact"):
             with self.subTest(name):
                 self.assertIsNone(self.methods[name]["support_keys"])
                 self.assertIn(" depends on all keys", self.entry_of(name))
@@ -106,8 +106,8 @@ class Methods(CommandTest):
     def test_the_local_four_key_methods_and_global_ones_can_be_closed(self):
         closing = {name for name, method in self.methods.items() if method["closes"]}
         self.assertLessEqual({"quintic", "sextic", "atbi", "timed-c1", "timed-c2", "timed-c3", "timed-sextic",
-                              "xing-quartic", "xing-quintic", "uniform", "global-c2", "nu-exact", "rotation-spline",
-                              "bspline-through"}, closing)
+                              "xing-quartic", "xing-quintic", "uniform", "biarcs", "global-c2", "nu-exact", "rational",
+                              "rotation-spline", "bspline-through"}, closing)
         self.assertFalse({"auto", "slerp", "squad", "bezier", "bspline", "nu"} & closing)
 
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every family against 60-digit values: tests/data/golden, made by tools/make_golden.py.
+// Every family against 60-digit values: tests/data/golden, made by tools/make_golden.py and, for
+// rational and biarcs, tools/make_rational_golden.py and tools/make_biarcs_golden.py.
 #include <numbers>
 #include <ostream>
 
@@ -22,6 +23,7 @@ struct GoldenFamily {
   const char* name;
   std::size_t cases, rows;  ///< as many as the reference has: none may get lost on the way
   MotionTolerance tolerance = tolerance::golden;
+  const char* table = "golden/cases.csv";
 };
 
 void PrintTo(const GoldenFamily& test, std::ostream* out) { *out << test.name; }
@@ -59,7 +61,7 @@ class Golden : public testing::TestWithParam<GoldenFamily> {};
 
 TEST_P(Golden, EveryRowAgreesWithTheReference) {
   const std::string family = GetParam().name;
-  const DataTable keys("golden/keys.csv"), all_cases("golden/cases.csv"), rows("golden/" + family + ".csv");
+  const DataTable keys("golden/keys.csv"), all_cases(GetParam().table), rows("golden/" + family + ".csv");
   const auto cases = cases_of(all_cases, family);
   ASSERT_EQ(cases.size(), GetParam().cases);
   ASSERT_EQ(rows.size(), GetParam().rows);
@@ -111,6 +113,15 @@ constexpr GoldenFamily hermite(const char* name, std::size_t cases, std::size_t 
 INSTANTIATE_TEST_SUITE_P(ChartHermite, Golden,
                          testing::Values(hermite("hermite-c1", 20, 384), hermite("hermite-c2", 37, 672),
                                          hermite("hermite-c3", 20, 384)),
+                         name_of_test);
+
+constexpr GoldenFamily with_table(const char* name, std::size_t cases, std::size_t rows, const char* table) {
+  return {name, cases, rows, tolerance::golden_wider, table};
+}
+
+INSTANTIATE_TEST_SUITE_P(InR4, Golden,
+                         testing::Values(with_table("rational", 29, 604, "golden/rational_cases.csv"),
+                                         with_table("biarcs", 16, 292, "golden/biarcs_cases.csv")),
                          name_of_test);
 
 }  // namespace

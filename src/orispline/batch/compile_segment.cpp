@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <orispline/math/so3.hpp>
 
@@ -208,6 +209,34 @@ CompiledSegment<ChartRecord<T>> compile_segment(const ChartForm& form, const Kno
   return compiled;
 }
 
+template <class T>
+CompiledRational<T> compile_segment(const RationalForm& form, const KnotSpan& span) noexcept {
+  constexpr std::size_t degree = RationalForm::degree;
+  const Place place = place_of(span);
+  CompiledRational<T> compiled{};
+  compiled.record.middle = place.middle;
+  compiled.record.per_step = place.per_step;
+  std::array<Eigen::Vector4d, degree + 1> controls;
+  for (std::size_t k = 0; k < form.components.size(); ++k) {
+    Powers powers = centred<degree>(form.components[k]);
+    shift_to<degree>(place, powers);
+    for (std::size_t i = 0; i <= degree; ++i) {
+      compiled.record.coefficients[k][i] = static_cast<T>(powers[i]);
+      controls[i][static_cast<Eigen::Index>(k)] = form.components[k].coefficients[i];
+    }
+  }
+  double longest = 0.0, shortest = std::numeric_limits<double>::infinity();
+  const Eigen::Vector4d along = (controls.front() + controls.back()).stableNormalized();
+  for (const Eigen::Vector4d& c : controls) {
+    longest = std::max(longest, c.stableNorm());
+    shortest = std::min(shortest, c.dot(along));
+  }
+  compiled.spread = shortest > 0.0 ? longest / shortest : std::numeric_limits<double>::infinity();
+  return compiled;
+}
+
+template CompiledRational<double> compile_segment<double>(const RationalForm&, const KnotSpan&) noexcept;
+template CompiledRational<float> compile_segment<float>(const RationalForm&, const KnotSpan&) noexcept;
 template CompiledSegment<CumulativeRecord<double>> compile_segment<double>(const CumulativeForm&,
                                                                            const KnotSpan&) noexcept;
 template CompiledSegment<CumulativeRecord<float>> compile_segment<float>(const CumulativeForm&,

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include <orispline/batch/kernel/record.hpp>
+#include <orispline/batch/kernel/polynomial_record.hpp>
 #include <orispline/curve/knots.hpp>
 #include <orispline/curve/segment_form.hpp>
 
@@ -12,6 +12,10 @@ namespace orispline::inline ORISPLINE_ABI::batch {
 /// Half angles of a segment beyond this [rad] are left to the scalar evaluator: the kernel's series end there, or it
 /// would take off quarter turns that its numbers cannot tell any more.
 inline constexpr double largest_chart_half_angle = 1.0, largest_cumulative_half_angle = 1e5;
+
+/// Where the control points of a rational segment are so many times as long as the segment is near to 0, its powers
+/// about the middle would lose digits.
+inline constexpr double largest_rational_spread = 2.0;
 
 /// A segment taken apart: q(s) = middle ∏ exp(vectors_k f_k(s)), the constant parts of the factors gone into the
 /// middle.
@@ -42,5 +46,14 @@ template <class T>
 /// A segment of a chart curve.
 template <class T>
 [[nodiscard]] CompiledSegment<ChartRecord<T>> compile_segment(const ChartForm& form, const KnotSpan& span) noexcept;
+
+/// A rational segment for the kernel, with the length of its longest control point over a bound of the least |s|.
+template <class T>
+struct CompiledRational {
+  RationalRecord<T> record;
+  double spread;
+};
+template <class T>
+[[nodiscard]] CompiledRational<T> compile_segment(const RationalForm& form, const KnotSpan& span) noexcept;
 
 }  // namespace orispline::inline ORISPLINE_ABI::batch

@@ -11,6 +11,8 @@ const auto& cumulative_kernel(const Kernels& k, double) noexcept { return k.cumu
 const auto& cumulative_kernel(const Kernels& k, float) noexcept { return k.cumulative_float; }
 const auto& chart_kernel(const Kernels& k, double) noexcept { return k.chart; }
 const auto& chart_kernel(const Kernels& k, float) noexcept { return k.chart_float; }
+const auto& rational_kernel(const Kernels& k, double) noexcept { return k.polynomials->rational; }
+const auto& rational_kernel(const Kernels& k, float) noexcept { return k.polynomials->rational_float; }
 
 template <class T>
 bool write(std::monostate, const Clock&, std::size_t, const Target<T>&) noexcept {
@@ -26,6 +28,11 @@ bool write(const ChartRecord<T>& record, const Clock& clock, std::size_t count, 
   chart_kernel(kernels(), T())(record, clock, count, target);
   return true;
 }
+template <class T>
+bool write(const RationalRecord<T>& record, const Clock& clock, std::size_t count, const Target<T>& target) noexcept {
+  rational_kernel(kernels(), T())(record, clock, count, target);
+  return true;
+}
 
 /// What `use` makes of a segment's record, which stays where it was made: a copy takes as long as some samples.
 template <class T, class Use>
@@ -39,6 +46,9 @@ auto with_record(const AnyCurve& curve, std::size_t segment, Use use) noexcept {
       return use(compiled.record);
   if (const auto* chart = std::get_if<ChartForm>(&form))
     if (const auto compiled = compile_segment<T>(*chart, span); compiled.half_angle <= largest_chart_half_angle)
+      return use(compiled.record);
+  if (const auto* rational = std::get_if<RationalForm>(&form))
+    if (const auto compiled = compile_segment<T>(*rational, span); compiled.spread <= largest_rational_spread)
       return use(compiled.record);
   return use(std::monostate());
 }

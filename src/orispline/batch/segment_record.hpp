@@ -3,14 +3,14 @@
 
 #include <variant>
 
-#include <orispline/batch/kernel/record.hpp>
+#include <orispline/batch/kernel/polynomial_record.hpp>
 #include <orispline/curve/curve.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::batch {
 
 /// A segment ready for the kernel; empty: left to the scalar evaluator.
 template <class T>
-using SegmentRecord = std::variant<std::monostate, CumulativeRecord<T>, ChartRecord<T>>;
+using SegmentRecord = std::variant<std::monostate, CumulativeRecord<T>, ChartRecord<T>, RationalRecord<T>>;
 
 template <class T>
 [[nodiscard]] ORISPLINE_EXPORT SegmentRecord<T> record_of(const AnyCurve& curve, std::size_t segment) noexcept;

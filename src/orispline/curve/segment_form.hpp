@@ -31,7 +31,13 @@ struct ChartForm {
   std::array<BernsteinForm, 3> rotation_vector;
 };
 
+/// A segment q(u) = s(u)/|s(u)|, s a cubic of R⁴; by component: qx, qy, qz, qw.
+struct RationalForm {
+  static constexpr std::size_t degree = 3;
+  std::array<BernsteinForm, 4> components{};
+};
+
 /// What a segment is made of, where it is made of polynomials: for evaluation in bulk.
-using SegmentForm = std::variant<std::monostate, CumulativeForm, ChartForm>;
+using SegmentForm = std::variant<std::monostate, CumulativeForm, ChartForm, RationalForm>;
 
 }  // namespace orispline::inline ORISPLINE_ABI

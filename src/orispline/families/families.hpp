@@ -11,6 +11,7 @@
 #include <orispline/families/beta_g2.hpp>
 #include <orispline/families/beta_through.hpp>
 #include <orispline/families/bezier.hpp>
+#include <orispline/families/biarcs.hpp>
 #include <orispline/families/blend.hpp>
 #include <orispline/families/bspline.hpp>
 #include <orispline/families/bspline_through.hpp>
@@ -19,6 +20,7 @@
 #include <orispline/families/hermite_cumulative.hpp>
 #include <orispline/families/nu.hpp>
 #include <orispline/families/quintic.hpp>
+#include <orispline/families/rational.hpp>
 #include <orispline/families/rotation_spline.hpp>
 #include <orispline/families/sextic.hpp>
 #include <orispline/families/shoemake.hpp>
@@ -38,8 +40,8 @@ using Families =
                families::Quintic, families::Sextic, families::TimedC1, families::TimedC2, families::TimedC3,
                families::TimedSextic, families::XingQuartic, families::XingQuintic, families::UniformFamily,
                families::Atbi, families::HermiteC1, families::HermiteC2, families::HermiteC3,
-               families::HermiteCumulative, families::GlobalC2, families::RotationSpline, families::Nu,
-               families::NuExact, families::Bezier, families::BSpline, families::BSplineThrough, families::Averages,
-               families::Beta, families::BetaThrough, families::BetaG2>;
+               families::HermiteCumulative, families::GlobalC2, families::Rational, families::RotationSpline,
+               families::Nu, families::NuExact, families::Biarcs, families::Bezier, families::BSpline,
+               families::BSplineThrough, families::Averages, families::Beta, families::BetaThrough, families::BetaG2>;
 
 }  // namespace orispline::inline ORISPLINE_ABI

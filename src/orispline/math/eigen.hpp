@@ -42,6 +42,8 @@ namespace orispline::inline ORISPLINE_ABI {
 template <Number T>
 using Vector3 = Eigen::Matrix<T, 3, 1>;
 template <Number T>
+using Vector4 = Eigen::Matrix<T, 4, 1>;
+template <Number T>
 using Matrix3 = Eigen::Matrix<T, 3, 3>;
 template <Number T>
 using Quaternion = Eigen::Quaternion<T>;

@@ -153,8 +153,8 @@ class SegmentSearch {
 /// Whether the segments of the curve, as far as they are asked for, are stated as polynomials.
 bool is_of_polynomials(const PoseCurve& curve, std::span<const LimitedQuantity> quantities) {
   const bool moves = std::ranges::any_of(quantities, &LimitedQuantity::is_of_position);
-  if (curve.orientation.knots().segments() > 0 && std::holds_alternative<std::monostate>(curve.orientation.form(0)))
-    return false;
+  const Knots& knots = curve.orientation.knots();
+  if (knots.segments() > 0 && !SegmentHull::of(curve.orientation.form(0), knots.span(0).step())) return false;
   return !moves || (curve.position && curve.position->degree() > 0 &&
                     curve.position->knots().segments() == curve.orientation.knots().segments());
 }

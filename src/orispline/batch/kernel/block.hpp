@@ -65,9 +65,9 @@ template <class T, class Record>
   }
 }
 
-/// From planes to the caller's layout.
-template <class T, int Components>
-[[gnu::always_inline]] inline void lay_out(const Plane<T> (&from)[Components], int count, T* to, std::size_t at,
+/// From planes of one length to the caller's layout.
+template <class T, int Components, int Length>
+[[gnu::always_inline]] inline void lay_out(const T (&from)[Components][Length], int count, T* to, std::size_t at,
                                            std::ptrdiff_t planes) {
   if (planes != 0) {
     for (int k = 0; k < Components; ++k) {
@@ -77,8 +77,9 @@ template <class T, int Components>
     return;
   }
   T* out = to + Components * at;
-  if (count == block) {
-    for (int i = 0; i < block; ++i)
+  if (count == Length) {
+#pragma GCC unroll 1  // a short loop too is to be vectorised as one
+    for (int i = 0; i < Length; ++i)
       for (int k = 0; k < Components; ++k) out[Components * i + k] = from[k][i];
   } else {
     for (int i = 0; i < count; ++i)

@@ -25,6 +25,10 @@ inline constexpr int baked_degree<float> = 5;
 template <class T>
 using BakedRecord = PolynomialRecord<T, 4, baked_degree<T>>;
 
+/// A cubic segment of R⁴, to be normalised: qx, qy, qz, qw; s in [-1/2, 1/2].
+template <class T>
+using RationalRecord = PolynomialRecord<T, 4, 3>;
+
 /// A segment of a path: x, y, z [m]; s in [-1, 1].
 template <class T>
 using PathRecord = PolynomialRecord<T, 3, 7>;
@@ -43,6 +47,8 @@ struct PathTarget {
 struct PolynomialKernels {
   void (*baked)(const BakedRecord<double>&, const Clock&, std::size_t count, const Target<double>&);
   void (*baked_float)(const BakedRecord<float>&, const Clock&, std::size_t count, const Target<float>&);
+  void (*rational)(const RationalRecord<double>&, const Clock&, std::size_t count, const Target<double>&);
+  void (*rational_float)(const RationalRecord<float>&, const Clock&, std::size_t count, const Target<float>&);
   void (*path)(const PathRecord<double>&, const Clock&, std::size_t count, const PathTarget<double>&);
   void (*path_float)(const PathRecord<float>&, const Clock&, std::size_t count, const PathTarget<float>&);
 };
