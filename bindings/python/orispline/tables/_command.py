@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import os
+import re
 import shutil
 import sys
 import time
@@ -19,6 +20,7 @@ from ._files import written
 
 WIDTH = 30  # of the bar
 BETWEEN_SHOWS = 0.2  # s
+_ARGUMENT = re.compile(r"(?<![\w'])([a-z_]+)=(?=[, ]|$)")  # as messages for Python name an argument
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -53,7 +55,7 @@ def _say(message: Any, *_: Any, **__: Any) -> None:
 
 
 def _failed(why: Any, code: int | None = None) -> int:
-    print(f"orispline-tables: {why}", file=sys.stderr)
+    _say(_ARGUMENT.sub(lambda name: "--" + name[1].replace("_", "-"), str(why)))
     if code is not None:
         return code
     return 2 if isinstance(why, ArgumentError) else 3 if isinstance(why, AccessError) else 1
