@@ -7,7 +7,7 @@
 #include <orispline/analysis/angle_travelled.hpp>
 #include <orispline/analysis/leave_out.hpp>
 #include <orispline/analysis/sampled.hpp>
-#include <orispline/analysis/torque.hpp>
+#include <orispline/curve/torque.hpp>
 #include <orispline/base/counted_work.hpp>
 #include <orispline/base/expect.hpp>
 #include <orispline/base/formatted.hpp>

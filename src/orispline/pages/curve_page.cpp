@@ -5,7 +5,7 @@
 #include <utility>
 
 #include <orispline/analysis/sampled.hpp>
-#include <orispline/analysis/torque.hpp>
+#include <orispline/curve/torque.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/version.hpp>
 #include <orispline/math/degrees.hpp>

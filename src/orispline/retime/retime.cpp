@@ -6,7 +6,7 @@
 #include <cmath>
 #include <iterator>
 
-#include <orispline/analysis/torque.hpp>
+#include <orispline/curve/torque.hpp>
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/method_warnings.hpp>

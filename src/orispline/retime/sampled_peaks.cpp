@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <orispline/analysis/torque.hpp>
+#include <orispline/curve/torque.hpp>
 #include <orispline/batch/sample.hpp>
 #include <orispline/retime/rate_bounds.hpp>
 

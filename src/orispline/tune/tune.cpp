@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include <orispline/analysis/torque.hpp>
+#include <orispline/curve/torque.hpp>
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/method_warnings.hpp>
