@@ -3,24 +3,10 @@
 
 #include <array>
 
-#include <orispline/curve/chart_curve.hpp>
-
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 using Derivative = Jet<double, 1>;
-
-/// What the chart's motion adds to α besides J_r ÿ: the α of exp(y(t)) where ÿ = 0.
-template <Number T>
-Vector3<T> transport(const Vector3<T>& y, const Vector3<T>& velocity) {
-  Vector3<Jet<T, 2>> path;
-  for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    path[axis].c[0] = y[axis];
-    path[axis].c[1] = velocity[axis];
-  }
-  const auto rate = chart_rate<T, 2>(path);
-  return {rate.x().c[1], rate.y().c[1], rate.z().c[1]};
-}
 
 /// ∂transport/∂y and ∂transport/∂velocity
 std::array<Eigen::Matrix3d, 2> transport_slopes(const Eigen::Vector3d& y, const Eigen::Vector3d& velocity) {

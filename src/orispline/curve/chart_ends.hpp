@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <orispline/math/so3.hpp>
+#include <orispline/curve/chart_curve.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
 
@@ -36,6 +36,18 @@ class InverseJacobian {
 /// For InverseJacobian: the coefficient at |y|² with its slope.
 [[nodiscard]] inline Jet<double, 1> inverse_coefficient(double squared_angle) {
   return series::cotangent_defect_ratio(Jet<double, 1>::variable(squared_angle));
+}
+
+/// What the chart's motion adds to α besides J_r ÿ: the α of exp(y(t)) where ÿ = 0.
+template <Number T>
+[[nodiscard]] Vector3<T> transport(const Vector3<T>& y, const Vector3<T>& velocity) {
+  Vector3<Jet<T, 2>> path;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    path[axis].c[0] = y[axis];
+    path[axis].c[1] = velocity[axis];
+  }
+  const auto rate = chart_rate<T, 2>(path);
+  return {rate.x().c[1], rate.y().c[1], rate.z().c[1]};
 }
 
 /// Body rates at an end of a segment, ω and for P = 3 also α, and in the same form what they make of the path ψ in the

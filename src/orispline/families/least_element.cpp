@@ -68,12 +68,17 @@ Vector3<T> integrand(const Derivatives<F, T>& psi, const Eigen::Matrix3d& inerti
   else return derivative(order<F> - 1);
 }
 
-template <LeastOf F>
-Derivatives<F, double> derivatives_at(const GaussPoint& point, const std::array<Eigen::Vector3d, parts>& values) {
-  Derivatives<F, double> psi;
+template <Number T>
+using Parts = std::array<Vector3<T>, parts>;
+
+template <LeastOf F, Number T>
+Derivatives<F, T> derivatives_at(const GaussPoint& point, const Parts<T>& values) {
+  Derivatives<F, T> psi;
   for (std::size_t k = 0; k <= order<F>; ++k) {
-    psi[k].setZero();
-    for (std::size_t part = 0; part < parts; ++part) psi[k] += point.functions[k][part] * values[part];
+    psi[k].setConstant(T(0.0));
+    for (std::size_t part = 0; part < parts; ++part)
+      for (Eigen::Index axis = 0; axis < 3; ++axis)
+        psi[k][axis] += values[part][axis] * Plain<T>(point.functions[k][part]);
   }
   return psi;
 }
@@ -84,9 +89,37 @@ double scale_of(double h) {
   return F == LeastOf::jerk ? 1.0 / (h * h * root) : 1.0 / (h * root);
 }
 
-std::array<Eigen::Vector3d, parts> parts_of(const Eigen::Vector3d& step, const ChartEnd<3>& start,
-                                            const ChartEnd<3>& end) {
+Parts<double> parts_of(const Eigen::Vector3d& step, const ChartEnd<3>& start, const ChartEnd<3>& end) {
   return {step, start.head<3>(), start.tail<3>(), end.head<3>(), end.tail<3>()};
+}
+
+/// Over any numbers what chart_end() is over doubles: ψ' and ψ'' at y.
+template <Number T>
+std::array<Vector3<T>, 2> end_over(const Vector3<T>& y, const Vector3<T>& omega, const Vector3<T>& alpha, double h) {
+  const Matrix3<T> inverse = right_jacobian_inverse<T>(y);
+  const Vector3<T> velocity = inverse * omega, rest = alpha - transport<T>(y, velocity);
+  const Vector3<T> acceleration = inverse * rest;
+  return {velocity * T(h), acceleration * T(h * h)};
+}
+
+/// Two variables at once of the eighteen: each in the duals, one of them in the jet as well.
+using Twice = Jet<Dual<18>, 1>;
+
+/// Half the energy as a function of the unknowns, about turns of zero.
+template <LeastOf F>
+Twice half_energy(const Eigen::Quaterniond& step, const std::array<Twice, 18>& x, double h,
+                  const Eigen::Matrix3d& inertia) {
+  const auto vector = [&x](std::size_t first) -> Vector3<Twice> { return {x[first], x[first + 1], x[first + 2]}; };
+  const Vector3<Twice> phi = log<Twice>(exp<Twice>(-vector(0)) * constant<Twice>(step) * exp<Twice>(vector(9)));
+  const Vector3<Twice> half = phi * Twice(0.5);
+  const auto start = end_over<Twice>(-half, vector(3), vector(6), h), end = end_over<Twice>(half, vector(12), vector(15), h);
+  const Parts<Twice> values{phi, start[0], start[1], end[0], end[1]};
+  Twice sum(0.0);
+  for (const GaussPoint& point : gauss) {
+    const Vector3<Twice> f = integrand<F, Twice>(derivatives_at<F, Twice>(point, values), inertia);
+    sum += f.squaredNorm() * (0.5 * point.root_weight * point.root_weight);
+  }
+  return sum * (scale_of<F>(h) * scale_of<F>(h));
 }
 
 /// The integrand at one point, and its derivatives by ψ and those of ψ that it has.
@@ -125,7 +158,7 @@ typename LeastElement<F>::Residual LeastElement<F>::residual(const Eigen::Vector
   Residual e;
   for (std::size_t g = 0; g < gauss.size(); ++g)
     e.template segment<3>(3 * static_cast<Eigen::Index>(g)) =
-        scale * gauss[g].root_weight * integrand<F, double>(derivatives_at<F>(gauss[g], values), inertia);
+        scale * gauss[g].root_weight * integrand<F, double>(derivatives_at<F, double>(gauss[g], values), inertia);
   return e;
 }
 
@@ -144,7 +177,7 @@ typename LeastElement<F>::Linearised LeastElement<F>::linearised(const Eigen::Ve
   for (std::size_t g = 0; g < gauss.size(); ++g) {
     const auto row = 3 * static_cast<Eigen::Index>(g);
     const double weight = scale * gauss[g].root_weight;
-    const Slopes<F> slopes(derivatives_at<F>(gauss[g], values), inertia);
+    const Slopes<F> slopes(derivatives_at<F, double>(gauss[g], values), inertia);
     e.residual.template segment<3>(row) = weight * slopes.value;
     for (std::size_t part = 0; part < parts; ++part) {
       Eigen::Matrix3d sum = gauss[g].functions[0][part] * slopes.by[0];
@@ -162,6 +195,29 @@ typename LeastElement<F>::Linearised LeastElement<F>::linearised(const Eigen::Ve
   e.jacobian.template middleCols<3>(unknowns).noalias() = by_step * step_by_turn;
   e.jacobian.template rightCols<6>().noalias() = by_end * end.by_rates;
   return e;
+}
+
+template <LeastOf F>
+typename LeastElement<F>::Curved LeastElement<F>::curved(const Eigen::Vector3d& step, const Rates& leaving,
+                                                         const Rates& arriving, double h,
+                                                         const Eigen::Matrix3d& inertia) {
+  std::array<double, 18> values{};
+  for (std::size_t k = 0; k < 6; ++k) {
+    values[3 + k] = leaving[static_cast<Eigen::Index>(k)];
+    values[12 + k] = arriving[static_cast<Eigen::Index>(k)];
+  }
+  const Eigen::Quaterniond between = exp<double>(step);
+  Curved curved;
+  for (std::size_t row = 0; row < 18; ++row) {
+    std::array<Twice, 18> x;
+    for (std::size_t k = 0; k < 18; ++k) x[k].c[0] = Dual<18>::variable(values[k], k);
+    x[row].c[1] = Dual<18>(1.0);
+    const Twice energy = half_energy<F>(between, x, h, inertia);
+    const auto i = static_cast<Eigen::Index>(row);
+    curved.gradient[i] = energy.c[1].value;
+    for (std::size_t k = 0; k < 18; ++k) curved.hessian(i, static_cast<Eigen::Index>(k)) = energy.c[1].slope[k];
+  }
+  return curved;
 }
 
 template struct LeastElement<LeastOf::acceleration>;

@@ -26,11 +26,20 @@ struct LeastElement {
     Jacobian jacobian;  ///< by turn, ω and α of the first node, then of the second; turns as q exp(x)
   };
 
+  /// Half the energy's derivatives of both orders by the same unknowns.
+  struct Curved {
+    Eigen::Matrix<double, 2 * unknowns, 1> gradient;
+    Eigen::Matrix<double, 2 * unknowns, 2 * unknowns> hessian;
+  };
+
   /// Of the step φ [rad] with these rates at its ends, which take h [s]. `inertia` [kg m²] is for the torque.
   [[nodiscard]] static Residual residual(const Eigen::Vector3d& step, const Rates& leaving, const Rates& arriving,
                                          double h, const Eigen::Matrix3d& inertia);
   [[nodiscard]] static Linearised linearised(const Eigen::Vector3d& step, const Rates& leaving, const Rates& arriving,
                                              double h, const Eigen::Matrix3d& inertia);
+  /// Costs fifty times as much.
+  [[nodiscard]] static Curved curved(const Eigen::Vector3d& step, const Rates& leaving, const Rates& arriving, double h,
+                                     const Eigen::Matrix3d& inertia);
 };
 
 extern template struct LeastElement<LeastOf::acceleration>;
