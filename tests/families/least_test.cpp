@@ -56,7 +56,7 @@ double energy_of(const AnyCurve& curve, const DataTable::Row& row) {
 TEST(Least, EnergiesAreThoseOfMultipleShooting) {
   const DataTable cases("golden/least_energies.csv");
   ASSERT_EQ(cases.size(), 10u);
-  for (const auto& row : cases) {
+  for (const auto& row : cases.rows()) {
     SCOPED_TRACE(row.text("sequence") + " " + row.text("energy") + " " + row.text("ends"));
     const auto curve = make_curve({"least", options_of(row)}, keys_named(row.text("sequence")));
     ASSERT_TRUE(curve) << describe(curve.error());
@@ -66,7 +66,7 @@ TEST(Least, EnergiesAreThoseOfMultipleShooting) {
 
 TEST(Least, MotionsAreThoseOfMultipleShooting) {
   const DataTable cases("golden/least_energies.csv"), motions("golden/least_motions.csv");
-  for (const auto& row : cases) {
+  for (const auto& row : cases.rows()) {
     SCOPED_TRACE(row.text("sequence") + " " + row.text("energy") + " " + row.text("ends"));
     const AnyCurve curve = make_curve({"least", options_of(row)}, keys_named(row.text("sequence"))).value();
     const auto expected = motions.rows_where("case", row.text("case"));

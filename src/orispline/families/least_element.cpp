@@ -129,6 +129,30 @@ struct Slopes {
   std::array<Eigen::Matrix3d, order<F> + 1> by;
 
   Slopes(const Derivatives<F, double>& psi, const Eigen::Matrix3d& inertia) {
+    if constexpr (F == LeastOf::acceleration) in_closed_form(psi[0], psi[1], psi[2]);
+    else differentiate(psi, inertia);
+  }
+
+ private:
+  /// α = J_r(p) a + N(p, v) term by term, with A, B the ratios of versine and sine defect and their slopes by |p|².
+  void in_closed_form(const Eigen::Vector3d& p, const Eigen::Vector3d& v, const Eigen::Vector3d& a) {
+    const auto x = Jet<double, 2>::variable(p.squaredNorm());
+    const auto versine = series::versine_ratio(x), defect = series::sine_defect_ratio(x);
+    const double A = versine.c[0], A1 = versine.c[1], A2 = 2.0 * versine.c[2];
+    const double B = defect.c[0], B1 = defect.c[1], B2 = 2.0 * defect.c[2], s = p.dot(v);
+    const Eigen::Matrix3d P = skew<double>(p), V = skew<double>(v), PP = P * P;
+    const Eigen::Vector3d pv = p.cross(v), pa = p.cross(a), ppv = p.cross(pv), ppa = p.cross(pa), vpv = v.cross(pv);
+    const Eigen::Matrix3d PV = skew<double>(pv), turning = B1 * PP - A1 * P;
+    const Eigen::Vector3d changing = B1 * ppv - A1 * pv;
+    by[2] = Eigen::Matrix3d::Identity() - A * P + B * PP;
+    value = by[2] * a + 2.0 * s * changing + B * vpv;
+    by[1] = 2.0 * changing * p.transpose() + 2.0 * s * turning + B * (V * P - PV);
+    by[0] = 2.0 * (B1 * ppa - A1 * pa + 2.0 * s * (B2 * ppv - A2 * pv) + B1 * vpv) * p.transpose();
+    by[0] += 2.0 * changing * v.transpose() + A * skew<double>(a) - B * (skew<double>(pa) + P * skew<double>(a));
+    by[0] += 2.0 * s * (A1 * V - B1 * (PV + P * V)) - B * V * V;
+  }
+
+  void differentiate(const Derivatives<F, double>& psi, const Eigen::Matrix3d& inertia) {
     using D = Dual<3 * (order<F> + 1)>;
     Derivatives<F, D> variables;
     for (std::size_t k = 0; k < psi.size(); ++k)

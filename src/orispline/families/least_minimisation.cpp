@@ -8,11 +8,12 @@
 namespace orispline::inline ORISPLINE_ABI::families {
 namespace {
 
-constexpr int most_steps = 200;
+constexpr int most_steps = 100;
 constexpr int first_steps = 8;        // of Gauss and Newton, before what they gain is asked
-constexpr double contraction = 0.5;   // of their steps, that tells that they converge
+constexpr double contraction = 0.8;   // of their steps, that tells that they converge
 constexpr double energy_rounding = 1e-12;  // an energy that rises by no more than this share has not risen
 constexpr double step_rounding = 1e-12;    // [rad]; shorter steps are made whatever they do to the energy
+constexpr double step_floor = 1e-14;       // [rad]; a next step as short, at the present pace, is left out
 constexpr double first_damping = 1e-3, least_damping = 1e-6, most_damping = 1e8;
 
 template <LeastOf F>
@@ -58,8 +59,10 @@ LeastOutcome minimised(LeastProblem& problem) {
       problem.nodes = std::move(before);
       break;
     }
+    const bool exact = settled && step->size * step->size < step_floor * outcome.last_step;
     now = there;
     outcome = {.converged = settled, .last_step = step->size, .widest = step->widest};
+    if (exact) break;
     damping = damping > least_damping ? 0.1 * damping : 0.0;
   }
   return outcome;
