@@ -31,7 +31,8 @@ Keyframes keys_named(const std::string& sequence) {
 }
 
 CurveOptions options_of(const DataTable::Row& row) {
-  CurveOptions options{.parameters = {{"inertia", row.numbers("inertia")}}, .choices = {{"energy", row.text("energy")}}};
+  CurveOptions options{.parameters = {{"inertia", row.numbers("inertia")}},
+                       .choices = {{"energy", row.text("energy")}}};
   const FamilyInfo& family = *find_family("least").value();
   options.start.rule = options.end.rule = end_rule_by_name(family, row.text("ends")).value();
   if (row.text("ends") == "clamped") {
@@ -75,7 +76,8 @@ TEST(Least, MotionsAreThoseOfMultipleShooting) {
       const Motion ours = curve.motion(motion.number("t"));
       EXPECT_TRUE(near(ours.orientation, motion.quaternion("qw", "qx", "qy", "qz"), motion_agreement.orientation));
       EXPECT_TRUE(near(ours.angular_velocity, motion.vector("wx", "wy", "wz"), motion_agreement.angular_velocity));
-      EXPECT_TRUE(near(ours.angular_acceleration, motion.vector("ax", "ay", "az"), motion_agreement.angular_acceleration));
+      EXPECT_TRUE(
+          near(ours.angular_acceleration, motion.vector("ax", "ay", "az"), motion_agreement.angular_acceleration));
     }
   }
 }
@@ -134,7 +136,8 @@ TEST(Least, IsTheSameWhenTimeRunsBackwards) {
   const KeyframeData data = random_walk(7, 6, Spacing::uneven, 1.0);
   KeyframeData back{.times = {}, .orientations = {data.orientations.rbegin(), data.orientations.rend()}};
   for (auto t = data.times.rbegin(); t != data.times.rend(); ++t) back.times.push_back(-*t);
-  const AnyCurve curve = make_curve("least", keyframes(data)).value(), mirror = make_curve("least", keyframes(back)).value();
+  const AnyCurve curve = make_curve("least", keyframes(data)).value(),
+                 mirror = make_curve("least", keyframes(back)).value();
   for (const double t : sample_times(data.times, 7)) EXPECT_TRUE(near(mirror(-t), curve(t), tolerance::rates)) << t;
 }
 
@@ -144,7 +147,8 @@ TEST(Least, RefusesAnInertiaThatNoBodyHas) {
   EXPECT_EQ(curve.error().code, ErrorCode::bad_argument);
   const auto four = make_curve({"least", {.parameters = {{"inertia", {1.0, 2.0, 1.0, 0.0}}}}}, keys_named("five"));
   ASSERT_FALSE(four);
-  EXPECT_EQ(four.error().message, "least: found 4 values of inertia, wanted 1, 3 (its diagonal) or 6 (xx,yy,zz,xy,xz,yz)");
+  EXPECT_EQ(four.error().message,
+            "least: found 4 values of inertia, wanted 1, 3 (its diagonal) or 6 (xx,yy,zz,xy,xz,yz)");
 }
 
 TEST(Least, RefusesNodesThatAreNoWholeNumber) {

@@ -37,7 +37,7 @@ ChartEnd<P> chart_end(const InverseJacobian& inverse, const Eigen::Vector3d& y, 
 
 template <int P>
 ChartEndSlopes<P> chart_end_slopes(const InverseJacobian& inverse, const Eigen::Vector3d& y, double side,
-                        const ChartEnd<P>& rates, double h) {
+                                   const ChartEnd<P>& rates, double h) {
   ChartEndSlopes<P> end;
   const Eigen::Matrix3d matrix = inverse.matrix();
   const Eigen::Vector3d omega = rates.template head<3>();
@@ -60,10 +60,10 @@ ChartEndSlopes<P> chart_end_slopes(const InverseJacobian& inverse, const Eigen::
 
 template ChartEnd<2> chart_end<2>(const InverseJacobian&, const Eigen::Vector3d&, const ChartEnd<2>&, double);
 template ChartEndSlopes<2> chart_end_slopes<2>(const InverseJacobian&, const Eigen::Vector3d&, double,
-                                                 const ChartEnd<2>&, double);
+                                               const ChartEnd<2>&, double);
 
 template ChartEnd<3> chart_end<3>(const InverseJacobian&, const Eigen::Vector3d&, const ChartEnd<3>&, double);
 template ChartEndSlopes<3> chart_end_slopes<3>(const InverseJacobian&, const Eigen::Vector3d&, double,
-                                                 const ChartEnd<3>&, double);
+                                               const ChartEnd<3>&, double);
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -43,9 +43,9 @@ std::string wanted_values(const Parameter& parameter, std::size_t keys, std::siz
 std::optional<Error> check_values(const FamilyInfo& family, const Parameter& parameter,
                                   const std::vector<double>& values, std::size_t keys) {
   const std::size_t with_ghosts = keys + 2 * static_cast<std::size_t>(parameter.ghosts);
-  const bool right_count =
-      values.size() == 1 || (parameter.per_key && (values.size() == keys || values.size() == with_ghosts)) ||
-      (parameter.tensor && (values.size() == 3 || values.size() == 6));
+  const bool right_count = values.size() == 1 ||
+                           (parameter.per_key && (values.size() == keys || values.size() == with_ghosts)) ||
+                           (parameter.tensor && (values.size() == 3 || values.size() == 6));
   if (!right_count)
     return argument_error(formatted("{}: found {} values of {}, wanted {}", family.name, values.size(), parameter.name,
                                     wanted_values(parameter, keys, with_ghosts)));

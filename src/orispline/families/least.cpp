@@ -77,8 +77,7 @@ LeastProblem stated(const Keyframes& keys, const FamilySettings& settings, const
     }
   }
   at_keys.push_back(problem.nodes.size());
-  problem.nodes.push_back(
-      node_of(keys.orientations().back(), start.motion_on(knots.segments() - 1, knots.back())));
+  problem.nodes.push_back(node_of(keys.orientations().back(), start.motion_on(knots.segments() - 1, knots.back())));
   problem.fixed.resize(problem.nodes.size());
   for (std::size_t i = 0; i < keys.size(); ++i) {
     for (std::size_t k = 0; k < omega; ++k) problem.fixed[at_keys[i]].set(k);

@@ -31,7 +31,8 @@ struct Least {
                                    .choices = choices,
                                    .ends = ends,
                                    .rate_orders = 2};
-  /// Errors: not_converged; bad_argument for nodes that are no whole number and an inertia that is not positive definite.
+  /// Errors: not_converged; bad_argument for nodes that are no whole number and an inertia that is not positive
+  /// definite.
   [[nodiscard]] static Expected<RefinedChartCurve<5>> curve(const Keyframes& keys, const FamilySettings& settings);
   /// Through the positions: the spline with the least ∫|p̈|² dt, of the jerk that with the least ∫|p⃛|² dt.
   [[nodiscard]] static Expected<HermitePath<5>> path(const Keyframes& keys, const FamilySettings& settings);

@@ -112,7 +112,8 @@ Twice half_energy(const Eigen::Quaterniond& step, const std::array<Twice, 18>& x
   const auto vector = [&x](std::size_t first) -> Vector3<Twice> { return {x[first], x[first + 1], x[first + 2]}; };
   const Vector3<Twice> phi = log<Twice>(exp<Twice>(-vector(0)) * constant<Twice>(step) * exp<Twice>(vector(9)));
   const Vector3<Twice> half = phi * Twice(0.5);
-  const auto start = end_over<Twice>(-half, vector(3), vector(6), h), end = end_over<Twice>(half, vector(12), vector(15), h);
+  const auto start = end_over<Twice>(-half, vector(3), vector(6), h),
+             end = end_over<Twice>(half, vector(12), vector(15), h);
   const Parts<Twice> values{phi, start[0], start[1], end[0], end[1]};
   Twice sum(0.0);
   for (const GaussPoint& point : gauss) {

@@ -8,8 +8,8 @@ namespace orispline::inline ORISPLINE_ABI::families {
 /// What a curve is to have the least of.
 enum class LeastOf { acceleration, torque, jerk };
 
-/// One piece of a curve of least energy: the quintic ψ in the chart at its middle, from -φ/2 to φ/2, that has ω and α of
-/// both ends.
+/// One piece of a curve of least energy: the quintic ψ in the chart at its middle, from -φ/2 to φ/2, that has ω and α
+/// of both ends.
 ///
 /// Its residual e has |e|² = ∫|f|² dt by a Gauss rule, f the body's α, its torque or its jerk.
 template <LeastOf F>

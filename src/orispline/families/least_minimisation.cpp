@@ -8,9 +8,9 @@
 namespace orispline::inline ORISPLINE_ABI::families {
 namespace {
 
-constexpr int most_steps = 100;
-constexpr int first_steps = 8;        // of Gauss and Newton, before what they gain is asked
-constexpr double contraction = 0.8;   // of their steps, that tells that they converge
+constexpr int most_steps = 100, most_newton_steps = 25;
+constexpr int first_steps = 8;             // of Gauss and Newton, before what they gain is asked
+constexpr double contraction = 0.8;        // of their steps, that tells that they converge
 constexpr double energy_rounding = 1e-12;  // an energy that rises by no more than this share has not risen
 constexpr double step_rounding = 1e-12;    // [rad]; shorter steps are made whatever they do to the energy
 constexpr double step_floor = 1e-14;       // [rad]; a next step as short, at the present pace, is left out
@@ -40,7 +40,9 @@ LeastOutcome minimised(LeastProblem& problem) {
   LeastOutcome outcome{.converged = false, .last_step = std::numeric_limits<double>::infinity(), .widest = 0};
   double now = energy<F>(problem), damping = 0.0;
   bool newton = false;
+  int newton_steps = 0;
   for (int i = 0; i < most_steps && std::isfinite(now) && damping < most_damping; ++i) {
+    if (newton && ++newton_steps > most_newton_steps) break;
     const std::optional<LeastStep> step =
         newton ? newton_step<F>(problem, damping) : gauss_newton_step<F>(problem, damping);
     newton = newton || (i >= first_steps && !(step->size < least_tolerance) &&

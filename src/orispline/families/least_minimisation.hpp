@@ -18,8 +18,8 @@ inline constexpr double least_tolerance = 1e-9;
 /// The energy of the curve through the nodes, by the rule of the elements.
 [[nodiscard]] double energy_of(const LeastProblem& problem);
 
-/// Moves the nodes to a minimum of the energy, in linear time: by steps of Gauss and Newton, where these do not soon get
-/// shorter by those of Newton; damped where a step does not make the energy less.
+/// Moves the nodes to a minimum of the energy, in linear time: by steps of Gauss and Newton, where these do not soon
+/// get shorter by those of Newton; damped where a step does not make the energy less.
 [[nodiscard]] LeastOutcome minimise(LeastProblem& problem);
 
 }  // namespace orispline::inline ORISPLINE_ABI::families

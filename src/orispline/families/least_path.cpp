@@ -57,8 +57,7 @@ std::vector<Derivatives> cubic_derivatives(const Knots& knots, std::span<const E
   double before = 0.0;
   for (std::size_t i = 0; i < knots.segments(); ++i) {
     const double h = knots.span(i).step();
-    const auto [start, end] =
-        bends(positions[i + 1] - positions[i], derivatives[i][0], derivatives[i + 1][0], h);
+    const auto [start, end] = bends(positions[i + 1] - positions[i], derivatives[i][0], derivatives[i + 1][0], h);
     if (h > before) derivatives[i][1] = start;
     derivatives[i + 1][1] = end;
     before = h;

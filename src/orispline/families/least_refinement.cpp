@@ -9,9 +9,9 @@
 namespace orispline::inline ORISPLINE_ABI::families {
 namespace {
 
-constexpr double excess_share = 2e-9;       // of the energy, that is let be
-constexpr std::size_t most_pieces = 256;    // of an interval
-constexpr double rounding_of_turns = 1e-11; // [rad]; so little within a piece is no excess
+constexpr double excess_share = 2e-9;        // of the energy, that is let be
+constexpr std::size_t most_pieces = 256;     // of an interval
+constexpr double rounding_of_turns = 1e-11;  // [rad]; so little within a piece is no excess
 /// Of the excess by the change of momentum, measured against twice as many pieces.
 constexpr double scale_of_excess = 1e-4, scale_of_jerk_excess = 1e-5;
 

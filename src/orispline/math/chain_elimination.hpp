@@ -18,9 +18,9 @@ namespace orispline::inline ORISPLINE_ABI {
 template <int M, int Data, int Sides, int Link = M>
 class ChainElimination {
  public:
-  static constexpr int columns = 2 * M + Sides;              ///< this node, the next one, right-hand sides
-  using Row = Eigen::Matrix<double, M, columns>;             ///< of the triangular factor; its lower triangle is unused
-  using Low = Eigen::Matrix<double, Data + Link, columns>;      ///< the data rows, then the link rows
+  static constexpr int columns = 2 * M + Sides;             ///< this node, the next one, right-hand sides
+  using Row = Eigen::Matrix<double, M, columns>;            ///< of the triangular factor; its lower triangle is unused
+  using Low = Eigen::Matrix<double, Data + Link, columns>;  ///< the data rows, then the link rows
   using Remainder = Eigen::Matrix<double, Data + Link, Sides>;  ///< rows of right-hand sides that no unknown can meet
 
   /// Forgets the nodes of a chain before.
