@@ -40,8 +40,7 @@ struct CompareTask {
 
 Request request_in(const std::optional<std::vector<std::string>>& texts, bool tune, const std::string& sort,
                    const nb::dict& measured, unsigned threads) {
-  Request request{
-      .tune = tune, .sort = value_of(measure_of_word(sort)), .measured = options_in<MeasureOptions>(measured)};
+  Request request{.tune = tune, .sort = value_of(measure_of_word(sort)), .measured = options_in<MeasureOptions>(measured)};
   request.threads = threads;
   value_of(check(request.measured));
   if (measured.contains("inertia") && !nb::object(measured["inertia"]).is_none())
@@ -54,8 +53,7 @@ Request request_in(const std::optional<std::vector<std::string>>& texts, bool tu
 }
 
 ComparedData data_of(const Keys& keys, const std::optional<Keys>& reference,
-                     const std::optional<Numbers>& reference_times,
-                     const std::vector<nb::typed<nb::dict, nb::str, nb::any>>& decimations) {
+                     const std::optional<Numbers>& reference_times, const std::vector<nb::typed<nb::dict, nb::str, nb::any>>& decimations) {
   if (reference) return value_of(beside_recording(*keys.track, at_times(*reference, reference_times)));
   std::vector<Decimation> each;
   for (const nb::dict& stated : decimations) {
@@ -110,14 +108,14 @@ void measure_all(CompareTask& task, const std::vector<std::pair<ComparedMethod, 
     ComparedMethod& method = task.methods[i];
     if (!method.measures) continue;  // it could not be tuned
     const Track& track = task.data.key_sets[method.key_set].track;
-    method.measures =
-        std::move(comparison.measures[i]).map_error([&](Error error) { return track.located(std::move(error)); });
+    method.measures = std::move(comparison.measures[i]).map_error([&](Error error) {
+      return track.located(std::move(error));
+    });
   }
 }
 
 CompareTask compared(const Keys& keys, const std::optional<Keys>& reference,
-                     const std::optional<Numbers>& reference_times,
-                     const std::vector<nb::typed<nb::dict, nb::str, nb::any>>& decimations,
+                     const std::optional<Numbers>& reference_times, const std::vector<nb::typed<nb::dict, nb::str, nb::any>>& decimations,
                      const std::optional<std::vector<std::string>>& texts, bool tune, const std::string& sort,
                      const nb::dict& measured, unsigned threads) {
   Request request = request_in(texts, tune, sort, measured, threads);
@@ -129,11 +127,10 @@ CompareTask compared(const Keys& keys, const std::optional<Keys>& reference,
   const auto measures = task.measures();
   if (std::ranges::find(measures, task.request.sort.word, &MeasureInfo::word) == measures.end()) {
     const bool wants_inertia = task.request.sort.group == MeasureGroup::torque;
-    raise(
-        {ErrorCode::bad_argument,
-         "found '" + sort + "', wanted " + (wants_inertia ? "`inertia` as well" : "angular velocities to compare with"),
-         {},
-         "sort"});
+    raise({ErrorCode::bad_argument,
+           "found '" + sort + "', wanted " + (wants_inertia ? "`inertia` as well" : "angular velocities to compare with"),
+           {},
+           "sort"});
   }
   const auto methods = methods_of(task);
   run_interruptibly([&](const Progress& progress) { measure_all(task, methods, progress); });
@@ -206,8 +203,10 @@ void add_compare(nb::module_& module) {
       .def("rows", &table_of)
       .def("measures", &infos_of)
       .def("texts", &texts_of)
-      .def("keys_of", [](const CompareTask& task,
-                         std::size_t row) { return shared(task.data.key_sets[task.methods.at(row).key_set].track); })
+      .def("keys_of",
+           [](const CompareTask& task, std::size_t row) {
+             return shared(task.data.key_sets[task.methods.at(row).key_set].track);
+           })
       .def_prop_ro("warnings", [](const CompareTask& task) { return warnings_of(task.warnings); })
       .def("report", &write_report, "path"_a, "date"_a);
   module.def("compare", &compared, "keys"_a, "reference"_a.none(), "reference_times"_a.none(), "decimations"_a,
