@@ -81,6 +81,7 @@ def families(command):
         "auto5": [arcs, curve("auto"), curve("auto5")],
         "timed": [arcs, *map(curve, TIMED)],
         "global-c2": [arcs, curve("global-c2"), curve("timed-c2")],
+        "least": [arcs, curve("least"), curve("timed-c2")],
         "rational": [arcs, curve("rational"), curve("global-c2")],
         "biarcs": [arcs, curve("biarcs"), curve("timed-c1")],
         "nu-exact": [arcs, curve("ν = 0", method="nu-exact"),

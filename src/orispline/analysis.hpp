@@ -12,4 +12,4 @@
 #include <orispline/analysis/leave_out.hpp>
 #include <orispline/analysis/measure_info.hpp>
 #include <orispline/analysis/spread.hpp>
-#include <orispline/analysis/torque.hpp>
+#include <orispline/curve/torque.hpp>

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <orispline/analysis/torque.hpp>
+#include <orispline/curve/torque.hpp>
 #include <orispline/families/registry.hpp>
 
 namespace orispline {

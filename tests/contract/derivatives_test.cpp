@@ -14,7 +14,7 @@ TEST_P(DerivativeContract, RatesAreCentralDifferencesOfTheOrderBelow) {
   for (const Spacing spacing : {Spacing::even, Spacing::uneven}) {
     const AnyCurve c = curve(keyframes(walk(41, 7, spacing)));
     for (std::size_t i = 0; i < c.knots().segments(); ++i)
-      for (const double u : {0.15, 0.5, 0.85}) {
+      for (const double u : {0.15, 0.55, 0.85}) {  // not where `least` joins its pieces, whose jerk jumps there
         const KnotSpan span = c.knots().span(i);
         const double h = tolerance::difference_step * span.step(), t = span.start() + u * span.step();
         const Motion before = c.motion(t - h), here = c.motion(t), after = c.motion(t + h);

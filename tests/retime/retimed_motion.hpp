@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include <orispline/analysis/torque.hpp>
+#include <orispline/curve/torque.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/retime/retime.hpp>
 

@@ -5,7 +5,7 @@
 
 #include <orispline/analysis/energy.hpp>
 #include <orispline/analysis/shape_continuity.hpp>
-#include <orispline/analysis/torque.hpp>
+#include <orispline/curve/torque.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/math/gauss_legendre.hpp>
 #include <orispline/tune/nu_sum.hpp>

@@ -12,7 +12,7 @@
 #include <orispline/analysis/angle_travelled.hpp>
 #include <orispline/analysis/comparison.hpp>
 #include <orispline/analysis/leave_out.hpp>
-#include <orispline/analysis/torque.hpp>
+#include <orispline/curve/torque.hpp>
 #include <orispline/families/registry.hpp>
 
 #include "arrays.hpp"

@@ -26,6 +26,7 @@ nb::list parameters_of(const FamilyInfo& family) {
     entry["lowest"] = parameter.lowest;
     entry["highest"] = parameter.highest;
     entry["per_key"] = parameter.per_key;
+    entry["tensor"] = parameter.tensor;
     entry["tunable"] = parameter.tunable;
     list.append(entry);
   }

@@ -40,7 +40,8 @@ std::string steadiness_of(const FamilyInfo& family) {
 
 std::string parameter_text(const Parameter& p) {
   std::string text = formatted("{}={:.6g}, from {:g} to {:g}, ", p.name, p.initial, p.lowest, p.highest);
-  text += !p.per_key ? "one for all keys"
+  text += p.tensor     ? "one, or the diagonal of a symmetric matrix (3), or that and xy, xz, yz (6)"
+          : !p.per_key ? "one for all keys"
           : p.ghosts > 0
               ? formatted("one for all keys, or one per key, or those of {} ghost keys at either end as well", p.ghosts)
               : "one for all keys or one per key";

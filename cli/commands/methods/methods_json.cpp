@@ -14,7 +14,8 @@ Json parameters_of(const FamilyInfo& family) {
                           {"min", p.lowest},
                           {"max", p.highest},
                           {"per_key", p.per_key},
-                          {"ghosts", p.ghosts}});
+                          {"ghosts", p.ghosts},
+                          {"tensor", p.tensor}});
   return parameters;
 }
 

@@ -7,11 +7,11 @@
 #include <orispline/analysis/angle_travelled.hpp>
 #include <orispline/analysis/leave_out.hpp>
 #include <orispline/analysis/sampled.hpp>
-#include <orispline/analysis/torque.hpp>
 #include <orispline/base/counted_work.hpp>
 #include <orispline/base/expect.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/parallel.hpp>
+#include <orispline/curve/torque.hpp>
 #include <orispline/families/registry.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {

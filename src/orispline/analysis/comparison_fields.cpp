@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include <orispline/analysis/torque.hpp>
+#include <orispline/curve/torque.hpp>
 #include <orispline/fields/field_codec.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {

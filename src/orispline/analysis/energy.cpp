@@ -3,7 +3,7 @@
 
 #include <orispline/analysis/quadrature.hpp>
 #include <orispline/analysis/rounding.hpp>
-#include <orispline/analysis/torque.hpp>
+#include <orispline/curve/torque.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
 namespace {

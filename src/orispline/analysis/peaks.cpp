@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/analysis/peaks.hpp>
 
-#include <orispline/analysis/torque.hpp>
+#include <orispline/curve/torque.hpp>
 
 #include <algorithm>
 #include <array>

@@ -65,6 +65,28 @@ struct ChartPiece {
   std::array<Eigen::Vector3d, Degree + 1> coefficients;
 };
 
+/// ψ(u) of a piece.
+template <std::size_t Degree, Number T>
+[[nodiscard]] Vector3<T> rotation_vector(const ChartPiece<Degree>& piece, const T& u) noexcept {
+  const auto basis = bernstein_basis<Degree>(u);
+  Vector3<T> sum = Vector3<T>::Constant(T(0.0));
+  for (std::size_t i = 0; i <= Degree; ++i)
+    for (Eigen::Index axis = 0; axis < 3; ++axis) sum[axis] += basis[i] * Plain<T>(piece.coefficients[i][axis]);
+  return sum;
+}
+
+/// The motion base · exp(p(t)).
+[[nodiscard]] inline Motion chart_motion(const Eigen::Quaterniond& base, const Vector3<Jet<double, 3>>& p) noexcept {
+  const auto omega = chart_rate<double, 3>(p);
+  const auto order = [&omega](std::size_t k) {
+    return Eigen::Vector3d(omega.x().derivative(k), omega.y().derivative(k), omega.z().derivative(k));
+  };
+  return {.orientation = base * exp<double>({p.x().c[0], p.y().c[0], p.z().c[0]}),
+          .angular_velocity = order(0),
+          .angular_acceleration = order(1),
+          .angular_jerk = order(2)};
+}
+
 /// A curve that is one exponential of a vector polynomial on every interval.
 template <std::size_t Degree>
 class ChartCurve {
@@ -82,15 +104,7 @@ class ChartCurve {
   }
 
   [[nodiscard]] Motion motion(double t, std::size_t segment) const noexcept {
-    const auto p = rotation_vector(Jet<double, 3>::variable(t), segment);
-    const auto omega = chart_rate<double, 3>(p);
-    const auto order = [&omega](std::size_t k) {
-      return Eigen::Vector3d(omega.x().derivative(k), omega.y().derivative(k), omega.z().derivative(k));
-    };
-    return {.orientation = pieces_[segment].base * exp<double>({p.x().c[0], p.y().c[0], p.z().c[0]}),
-            .angular_velocity = order(0),
-            .angular_acceleration = order(1),
-            .angular_jerk = order(2)};
+    return chart_motion(pieces_[segment].base, rotation_vector(Jet<double, 3>::variable(t), segment));
   }
 
   /// The segment as polynomials.
@@ -106,12 +120,7 @@ class ChartCurve {
  private:
   template <Number T>
   [[nodiscard]] Vector3<T> rotation_vector(const T& t, std::size_t segment) const noexcept {
-    const auto basis = bernstein_basis<Degree>(knots_.span(segment).normalised(t));
-    Vector3<T> sum = Vector3<T>::Constant(T(0.0));
-    for (std::size_t i = 0; i <= Degree; ++i)
-      for (Eigen::Index axis = 0; axis < 3; ++axis)
-        sum[axis] += basis[i] * Plain<T>(pieces_[segment].coefficients[i][axis]);
-    return sum;
+    return orispline::rotation_vector(pieces_[segment], knots_.span(segment).normalised(t));
   }
 
   Knots knots_;

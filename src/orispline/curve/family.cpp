@@ -34,6 +34,7 @@ Error unknown_end_rule(const FamilyInfo& family, std::string_view name) {
 }
 
 std::string wanted_values(const Parameter& parameter, std::size_t keys, std::size_t with_ghosts) {
+  if (parameter.tensor) return "1, 3 (its diagonal) or 6 (xx,yy,zz,xy,xz,yz)";
   if (!parameter.per_key) return "1";
   if (with_ghosts == keys) return formatted("1 or one per key ({})", keys);
   return formatted("1, one per key ({}) or one per key and ghost key ({})", keys, with_ghosts);
@@ -42,8 +43,9 @@ std::string wanted_values(const Parameter& parameter, std::size_t keys, std::siz
 std::optional<Error> check_values(const FamilyInfo& family, const Parameter& parameter,
                                   const std::vector<double>& values, std::size_t keys) {
   const std::size_t with_ghosts = keys + 2 * static_cast<std::size_t>(parameter.ghosts);
-  const bool right_count =
-      values.size() == 1 || (parameter.per_key && (values.size() == keys || values.size() == with_ghosts));
+  const bool right_count = values.size() == 1 ||
+                           (parameter.per_key && (values.size() == keys || values.size() == with_ghosts)) ||
+                           (parameter.tensor && (values.size() == 3 || values.size() == 6));
   if (!right_count)
     return argument_error(formatted("{}: found {} values of {}, wanted {}", family.name, values.size(), parameter.name,
                                     wanted_values(parameter, keys, with_ghosts)));
@@ -51,7 +53,7 @@ std::optional<Error> check_values(const FamilyInfo& family, const Parameter& par
     if (!(parameter.lowest <= values[i] && values[i] <= parameter.highest)) {
       Error error = argument_error(formatted("{}: {} is {}, wanted {} to {}", family.name, parameter.name, values[i],
                                              parameter.lowest, parameter.highest));
-      return values.size() == 1 ? error : at_value(std::move(error), i, values.size(), keys);
+      return values.size() == 1 || parameter.tensor ? error : at_value(std::move(error), i, values.size(), keys);
     }
   return std::nullopt;
 }

@@ -25,11 +25,18 @@ struct Parameter {
   bool per_key = true;     ///< one value for all keys or one per key; else one value only
   int ghosts = 0;  ///< keys beyond either end that may be given values of their own, before and after the others
   bool tunable = false;
+  bool tensor = false;  ///< or a symmetric matrix in the body frame: its diagonal, or that and xy, xz, yz
 };
 
 /// One whose values tuning can choose.
 [[nodiscard]] constexpr Parameter tunable(Parameter parameter) {
   parameter.tunable = true;
+  return parameter;
+}
+
+/// One that may be a symmetric matrix; one value is that multiple of the identity.
+[[nodiscard]] constexpr Parameter tensor(Parameter parameter) {
+  parameter.tensor = true;
   return parameter;
 }
 

@@ -18,6 +18,7 @@
 #include <orispline/families/global_c2.hpp>
 #include <orispline/families/hermite.hpp>
 #include <orispline/families/hermite_cumulative.hpp>
+#include <orispline/families/least.hpp>
 #include <orispline/families/nu.hpp>
 #include <orispline/families/quintic.hpp>
 #include <orispline/families/rational.hpp>
@@ -42,6 +43,7 @@ using Families =
                families::Atbi, families::HermiteC1, families::HermiteC2, families::HermiteC3,
                families::HermiteCumulative, families::GlobalC2, families::Rational, families::RotationSpline,
                families::Nu, families::NuExact, families::Biarcs, families::Bezier, families::BSpline,
-               families::BSplineThrough, families::Averages, families::Beta, families::BetaThrough, families::BetaG2>;
+               families::BSplineThrough, families::Averages, families::Beta, families::BetaThrough, families::BetaG2,
+               families::Least>;
 
 }  // namespace orispline::inline ORISPLINE_ABI

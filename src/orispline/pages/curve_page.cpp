@@ -5,9 +5,9 @@
 #include <utility>
 
 #include <orispline/analysis/sampled.hpp>
-#include <orispline/analysis/torque.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/version.hpp>
+#include <orispline/curve/torque.hpp>
 #include <orispline/math/degrees.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::pages {

@@ -99,7 +99,7 @@ struct Page {
 /// The page as one HTML file that needs nothing else, no network either.
 ///
 /// Numbers are rounded to 7 significant digits. The text may hold any characters; what is not UTF-8 shows as U+FFFD.
-/// The content of the embedded JSON is described in studio/report/README.md. 37 methods of 600 samples make about 4 MB.
+/// The content of the embedded JSON is described in studio/report/README.md. 38 methods of 600 samples make about 4 MB.
 /// Not in a build without ORISPLINE_PAGE; the JSON alone (page_json.hpp) is in every build.
 [[nodiscard]] ORISPLINE_EXPORT std::string document(const Page& page);
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include <orispline/analysis/torque.hpp>
+#include <orispline/curve/torque.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
 namespace {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <iterator>
 
-#include <orispline/analysis/torque.hpp>
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
+#include <orispline/curve/torque.hpp>
 #include <orispline/families/method_warnings.hpp>
 #include <orispline/families/recipe.hpp>
 #include <orispline/families/registry.hpp>

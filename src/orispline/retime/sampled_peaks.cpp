@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <orispline/analysis/torque.hpp>
 #include <orispline/batch/sample.hpp>
+#include <orispline/curve/torque.hpp>
 #include <orispline/retime/rate_bounds.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include <orispline/smooth/chain_elimination.hpp>
-#include <orispline/smooth/scalar_link.hpp>
+#include <orispline/math/chain_elimination.hpp>
+#include <orispline/math/scalar_link.hpp>
 #include <orispline/smooth/smoothing_loss.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {

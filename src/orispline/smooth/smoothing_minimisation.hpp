@@ -8,8 +8,8 @@
 #include <vector>
 
 #include <orispline/base/expect.hpp>
+#include <orispline/math/chain_elimination.hpp>
 #include <orispline/smooth/bias_rows.hpp>
-#include <orispline/smooth/chain_elimination.hpp>
 #include <orispline/smooth/smoothing_element.hpp>
 #include <orispline/smooth/smoothing_loss.hpp>
 

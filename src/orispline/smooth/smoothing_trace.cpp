@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numeric>
 
-#include <orispline/smooth/chain_elimination.hpp>
-#include <orispline/smooth/scalar_link.hpp>
+#include <orispline/math/chain_elimination.hpp>
+#include <orispline/math/scalar_link.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include <orispline/analysis/torque.hpp>
 #include <orispline/curve/cumulative_bezier.hpp>
 #include <orispline/curve/slerp_bezier.hpp>
+#include <orispline/curve/torque.hpp>
 #include <orispline/math/bernstein.hpp>
 #include <orispline/math/gauss_legendre.hpp>
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <iterator>
 
-#include <orispline/analysis/torque.hpp>
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
+#include <orispline/curve/torque.hpp>
 #include <orispline/families/method_warnings.hpp>
 #include <orispline/families/nu.hpp>
 #include <orispline/families/recipe.hpp>

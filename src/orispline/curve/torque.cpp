@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/analysis/torque.hpp>
+#include <orispline/curve/torque.hpp>
 
 #include <Eigen/Eigenvalues>
 

@@ -14,14 +14,14 @@ namespace orispline::inline ORISPLINE_ABI {
 /// Linear least squares along a chain: rows about one node, and rows that link it to the next, by Householder QR from
 /// node to node. Linear time; the normal matrix RᵀR is never formed, so its condition number is square-rooted.
 ///
-/// M unknowns per node, `Data` rows about each node alone, `Sides` right-hand sides.
-template <int M, int Data, int Sides>
+/// M unknowns per node, `Data` rows about each node alone, `Sides` right-hand sides, `Link` rows from node to node.
+template <int M, int Data, int Sides, int Link = M>
 class ChainElimination {
  public:
-  static constexpr int columns = 2 * M + Sides;              ///< this node, the next one, right-hand sides
-  using Row = Eigen::Matrix<double, M, columns>;             ///< of the triangular factor; its lower triangle is unused
-  using Low = Eigen::Matrix<double, Data + M, columns>;      ///< the data rows, then the link rows
-  using Remainder = Eigen::Matrix<double, Data + M, Sides>;  ///< rows of right-hand sides that no unknown can meet
+  static constexpr int columns = 2 * M + Sides;             ///< this node, the next one, right-hand sides
+  using Row = Eigen::Matrix<double, M, columns>;            ///< of the triangular factor; its lower triangle is unused
+  using Low = Eigen::Matrix<double, Data + Link, columns>;  ///< the data rows, then the link rows
+  using Remainder = Eigen::Matrix<double, Data + Link, Sides>;  ///< rows of right-hand sides that no unknown can meet
 
   /// Forgets the nodes of a chain before.
   void start(std::size_t nodes) {
@@ -29,6 +29,9 @@ class ChainElimination {
     rows_.reserve(nodes);
     carried_.setZero();
   }
+
+  /// An unknown of the node that comes next is zero. The columns of it must be.
+  void fix(int unknown) { carried_(unknown, unknown) = 1.0; }
 
   /// Eliminates the next node. At the last one the link rows are zero.
   Remainder add(Low low) {
@@ -79,7 +82,7 @@ class ChainElimination {
       if (square == 0.0) continue;
       const double pivot = top(k, column), norm = std::sqrt(pivot * pivot + square);
       const double diagonal = pivot > 0.0 ? -norm : norm, head = pivot - diagonal;
-      const Eigen::Matrix<double, Data + M, 1> v = low.col(column) / head;
+      const Eigen::Matrix<double, Data + Link, 1> v = low.col(column) / head;
       const double factor = -head / diagonal;
       top(k, column) = diagonal;
       for (int j = column + 1; j < columns; ++j) {
