@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "papers/reproduce.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <iterator>
 
@@ -9,10 +10,12 @@
 #include <orispline/base/suggestion.hpp>
 #include <orispline/io/output_file.hpp>
 #include <orispline/io/track_file.hpp>
+#include <orispline/pages/motion_page.hpp>
 
 #include "options/option_text.hpp"
 #include "output/noted_output.hpp"
 #include "output/output_folder.hpp"
+#include "output/report_file.hpp"
 #include "output/standard_output.hpp"
 #include "papers/reproduce_report.hpp"
 
@@ -103,19 +106,52 @@ Expected<void> write_pictures(std::vector<ExperimentReport>& reports, const std:
   return {};
 }
 
+/// Of how many experiments there are motions to look at.
+std::ptrdiff_t with_motions(const std::vector<ExperimentReport>& reports) {
+  return std::ranges::count_if(reports, [](const ExperimentReport& r) { return !r.findings.motions.empty(); });
+}
+
+/// The page with all their motions; with a truth, if it is that of all.
+Expected<void> write_page(const std::vector<ExperimentReport>& reports, const ReportOptions& options) {
+  const auto showing = with_motions(reports);
+  if (showing == 0) return wanted({"--report", *options.path}, "it with an experiment that has motions");
+  std::vector<pages::NamedCurve> curves;
+  Keyframes truth;
+  std::string title;
+  for (const ExperimentReport& report : reports)
+    for (pages::NamedCurve curve : report.findings.motions) {
+      title = showing > 1 ? "Motions of the papers' experiments" : report.title;
+      if (showing > 1) curve.name = formatted("{}: {}", report.name, curve.name);
+      if (showing == 1) truth = report.findings.truth;
+      curves.push_back(std::move(curve));
+    }
+  return ReportFile::open(options).and_then([&](ReportFile file) {
+    return file
+        .write([&](auto head) {
+          head.title = title;
+          return pages::curves_page(curves, head, truth);
+        })
+        .and_then([&] { return file.finish(); });
+  });
+}
+
 }  // namespace
 
 Expected<void> reproduce(const ReproduceOptions& options) {
   if (!options.experiment) {
     if (options.pictures) return wanted({"--pictures", *options.pictures}, "an EXPERIMENT as well");
     if (options.keys) return wanted({"--keys", *options.keys}, "an EXPERIMENT as well");
+    if (options.report.path) return wanted({"--report", *options.report.path}, "an EXPERIMENT as well");
     return print_document(options.json ? json_of(experiments()) : text_of(experiments()));
   }
   if (options.pictures && options.pictures->empty()) return wanted({"--pictures", ""}, "a folder");
+  if (auto checked = check_report(options.report, {{"--keys", options.keys.value_or("")}}); !checked) return checked;
   auto reports = chosen(*options.experiment).and_then([&](std::vector<Experiment> selected) {
     return run_on(std::move(selected), options.keys);
   });
   if (!reports) return tl::unexpected(std::move(reports.error()));
+  if (options.report.path)
+    if (auto written = write_page(*reports, options.report); !written) return written;
   if (options.pictures)
     if (auto written = write_pictures(*reports, *options.pictures); !written) return written;
   return print_document(options.json ? json_of(*reports) : text_of(*reports));
