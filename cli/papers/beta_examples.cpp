@@ -208,8 +208,8 @@ Expected<Findings> experiment::beta_example2() {
     std::vector<pages::NamedCurve> motions;
     for (const Variant& variant : all)
       for (const auto& [signs, example] : variant.examples)
-        motions.push_back({formatted("example 2, {}, β₁,₂ = {:g}", signs, variant.beta2_of_point1), example.keys,
-                           {example.curve}});
+        motions.push_back(
+            {formatted("example 2, {}, β₁,₂ = {:g}", signs, variant.beta2_of_point1), example.keys, {example.curve}});
     return Findings{{residuals_table("Example 2", all[0].examples), effect_table(all)}, {effect_picture(all)}, motions};
   });
 }

@@ -48,9 +48,9 @@ std::vector<Face> cup() {
   for (int k = 0; k < walls; ++k) {
     const double from = 2.0 * pi * k / walls, to = 2.0 * pi * (k + 1) / walls;
     faces[0].corners.push_back(around(from, narrow, bottom));
-    faces.push_back({{around(from, narrow, bottom), around(to, narrow, bottom), around(to, wide, top),
-                      around(from, wide, top)},
-                     0.4 + 0.3 * std::sin(0.5 * (from + to))});
+    faces.push_back(
+        {{around(from, narrow, bottom), around(to, narrow, bottom), around(to, wide, top), around(from, wide, top)},
+         0.4 + 0.3 * std::sin(0.5 * (from + to))});
   }
   for (int k = 0; k < bows; ++k) {
     const double from = pi * k / bows, to = pi * (k + 1) / bows;

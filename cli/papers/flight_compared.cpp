@@ -80,20 +80,21 @@ void add_printed_figures(report::Table& table) {
       "not."};
 }
 
-/// Ends at rest, as the aircraft is, and tensions that were found: without the truth by the least energy, with it by the
-/// least distance.
+/// Ends at rest, as the aircraft is, and tensions that were found: without the truth by the least energy, with it by
+/// the least distance.
 Expected<std::vector<Recipe>> better_methods(const Flight& flight) {
-  std::vector<Recipe> recipes{{.label = "global-c2", .method = "global-c2", .ends = "rest"},
-                              {.label = "Tan, α = 0.45", .method = "quintic", .tension = {0.45}, .ends = "rest"},
-                              {.label = "Tan, α = 0.6", .method = "quintic", .tension = {0.6}, .ends = "rest"},
-                              {.label = "6th degree, β = 0.025", .method = "sextic", .tension = {0.025}, .ends = "rest"},
-                              {.label = "6th degree, β = 1/12", .method = "sextic", .tension = {1.0 / 12.0}, .ends = "rest"}};
+  std::vector<Recipe> recipes{
+      {.label = "global-c2", .method = "global-c2", .ends = "rest"},
+      {.label = "Tan, α = 0.45", .method = "quintic", .tension = {0.45}, .ends = "rest"},
+      {.label = "Tan, α = 0.6", .method = "quintic", .tension = {0.6}, .ends = "rest"},
+      {.label = "6th degree, β = 0.025", .method = "sextic", .tension = {0.025}, .ends = "rest"},
+      {.label = "6th degree, β = 1/12", .method = "sextic", .tension = {1.0 / 12.0}, .ends = "rest"}};
   const TuneOptions by_fit{.objective = Objective::fit, .reference = {flight.times, flight.orientations}};
   for (const auto& [found_by, options] : {std::pair{"by energy", TuneOptions{}}, std::pair{"by fit", by_fit}})
     for (const auto& [name, method] : {std::pair{"Tan", "quintic"}, std::pair{"6th degree", "sextic"}})
       for (const char* ends : {"repeat", "rest"}) {
-        auto recipe = tuned({.label = formatted("{}, {}", name, found_by), .method = method, .ends = ends}, flight.keys,
-                            options);
+        auto recipe =
+            tuned({.label = formatted("{}, {}", name, found_by), .method = method, .ends = ends}, flight.keys, options);
         if (!recipe) return tl::unexpected(std::move(recipe.error()));
         recipes.push_back(std::move(*recipe));
       }
@@ -133,12 +134,9 @@ std::vector<Recipe> drawn_methods() {
 
 /// (c) to (h) of figure 1.
 std::vector<Recipe> framed_methods() {
-  return {{"Tan, α = 0.6", "quintic", {0.6}},
-          {"Xing, quartic", "xing-quartic"},
-          {"β = 0.025", "sextic", {0.025}},
-          {"β = 0.05", "sextic", {0.05}},
-          {"β = 5/96", "sextic", {5.0 / 96.0}},
-          {"β = 1/12", "sextic", {1.0 / 12.0}}};
+  return {{"Tan, α = 0.6", "quintic", {0.6}},   {"Xing, quartic", "xing-quartic"},
+          {"β = 0.025", "sextic", {0.025}},     {"β = 0.05", "sextic", {0.05}},
+          {"β = 5/96", "sextic", {5.0 / 96.0}}, {"β = 1/12", "sextic", {1.0 / 12.0}}};
 }
 
 }  // namespace

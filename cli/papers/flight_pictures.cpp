@@ -90,8 +90,10 @@ Picture orientations(const Flight& flight, const std::vector<Served>& curves) {
   constexpr FrameColors colors{.key = color::red, .between = color::gold};
   const auto keys = flight.keys.times();
   const auto times = even_times({keys.front(), keys.back()}, 17);
-  const auto truth = [&](double t) { return flight.orientations[static_cast<std::size_t>(
-                                         std::ranges::lower_bound(flight.times, t - 1e-9) - flight.times.begin())]; };
+  const auto truth = [&](double t) {
+    return flight.orientations[static_cast<std::size_t>(std::ranges::lower_bound(flight.times, t - 1e-9) -
+                                                        flight.times.begin())];
+  };
   std::vector<FrameRow> rows{frames_of("(a) keyframes", truth, keys, keys, colors),
                              frames_of("(b) truth", truth, times, keys, colors)};
   for (const auto& [recipe, curve] : curves) {

@@ -30,9 +30,9 @@ std::vector<Recipe> methods() {
 double jump_of_acceleration(const AnyCurve& curve, std::span<const double> knots) {
   double largest = 0.0;
   for (const double t : knots.subspan(1, knots.size() - 2))
-    largest = std::max(largest, (curve.motion(t, Side::right).angular_acceleration -
-                                 curve.motion(t, Side::left).angular_acceleration)
-                                    .norm());
+    largest = std::max(
+        largest,
+        (curve.motion(t, Side::right).angular_acceleration - curve.motion(t, Side::left).angular_acceleration).norm());
   return largest;
 }
 
@@ -52,7 +52,8 @@ report::Table table_of(const std::vector<Served>& curves, const KeysInstead& key
                           jump_of_acceleration(curve, keys.keys.times()),
                           degrees * largest_distance(curve, curves[0].curve, times)});
   table.notes = {
-      "The Hermite curve has at a key the rate of the parabola through three keys, which is half the quintic's with α = "
+      "The Hermite curve has at a key the rate of the parabola through three keys, which is half the quintic's with α "
+      "= "
       "1. The paper does not state its rates.",
       "The curves look alike and are not: only the quintic has a continuous acceleration.", keys.note};
   return table;
@@ -76,8 +77,8 @@ Picture picture(const std::vector<Served>& curves, const Keyframes& keys) {
   report::draw(drawing, report::facing(sphere.paths[0].directions), {205.0, 212.0}, 165.0, sphere);
   report::draw_legend(drawing, {440.0, 60.0}, chart.series);
   report::draw(drawing, {440.0, 100.0, 395.0, 240.0}, chart);
-  const std::vector<std::pair<std::string, const AnyCurve*>> motions{
-      {"(c) cubic Hermite", &paper[1].curve}, {"(d) quintic, α = 1", &paper[0].curve}};
+  const std::vector<std::pair<std::string, const AnyCurve*>> motions{{"(c) cubic Hermite", &paper[1].curve},
+                                                                     {"(d) quintic, α = 1", &paper[0].curve}};
   const FrameColors colors{.key = color::green, .between = color::red};
   std::vector<FrameRow> rows{frames_of("(b) keyframes", paper[0].curve, keys.times(), keys.times(), colors)};
   for (const auto& [label, curve] : motions)

@@ -28,8 +28,8 @@ struct Model {
 };
 
 Expected<std::vector<Model>> models(const Keyframes& keys) {
-  std::vector<Model> models{{{"Kim's B-spline", "bspline-through"}}, {{"Nielson's ν-spline", "nu"}},
-                            {{"Su's ATBI, its type", "atbi"}}};
+  std::vector<Model> models{
+      {{"Kim's B-spline", "bspline-through"}}, {{"Nielson's ν-spline", "nu"}}, {{"Su's ATBI, its type", "atbi"}}};
   for (Model& model : models) {
     const auto curve = curve_of(model.recipe, keys);
     if (!curve) return tl::unexpected(curve.error());
@@ -56,8 +56,8 @@ Expected<report::Table> approximations(const Keyframes& keys) {
   if (!all) return tl::unexpected(all.error());
   if (!before) return tl::unexpected(before.error());
   for (const Model& model : *all) {
-    const auto recipe = tuned(quintic, keys,
-                              {.objective = Objective::fit, .reference = {model.times, model.orientations}});
+    const auto recipe =
+        tuned(quintic, keys, {.objective = Objective::fit, .reference = {model.times, model.orientations}});
     if (!recipe) return tl::unexpected(recipe.error());
     const auto curve = curve_of(*recipe, keys);
     if (!curve) return tl::unexpected(curve.error());
@@ -80,8 +80,7 @@ Expected<report::Table> best_tensions(const Keyframes& keys) {
                                   {"∫|α|² dt [rad²/s³]", Notation::fixed, 3},
                                   {"∫|torque|² dt [N² m² s]", Notation::fixed, 3}}};
   std::vector<std::pair<std::string, Recipe>> candidates;
-  for (const double tension : {0.35, 0.5, 0.6, 1.0})
-    candidates.push_back({"the paper's", {"", "quintic", {tension}}});
+  for (const double tension : {0.35, 0.5, 0.6, 1.0}) candidates.push_back({"the paper's", {"", "quintic", {tension}}});
   candidates[1].first = "our default";
   for (const auto& [which, options] :
        {std::pair{"closed form", TuneOptions{.objective = Objective::linearised}},

@@ -106,33 +106,40 @@ Expected<void> write_pictures(std::vector<ExperimentReport>& reports, const std:
   return {};
 }
 
-/// Of how many experiments there are motions to look at.
-std::ptrdiff_t with_motions(const std::vector<ExperimentReport>& reports) {
-  return std::ranges::count_if(reports, [](const ExperimentReport& r) { return !r.findings.motions.empty(); });
+/// What a page shows: the motions of all experiments; with a truth, if it is that of all.
+struct Shown {
+  std::string title = "Motions of the papers' experiments";
+  std::vector<pages::NamedCurve> curves{};
+  Keyframes truth{};
+};
+
+Shown shown_of(std::vector<ExperimentReport> reports) {
+  std::erase_if(reports, [](const ExperimentReport& report) { return report.findings.motions.empty(); });
+  if (reports.size() == 1)
+    return {reports.front().title, std::move(reports.front().findings.motions), reports.front().findings.truth};
+  Shown shown;
+  for (ExperimentReport& report : reports)
+    for (pages::NamedCurve& curve : report.findings.motions) {
+      curve.name = formatted("{}: {}", report.name, curve.name);
+      shown.curves.push_back(std::move(curve));
+    }
+  return shown;
 }
 
-/// The page with all their motions; with a truth, if it is that of all.
-Expected<void> write_page(const std::vector<ExperimentReport>& reports, const ReportOptions& options) {
-  const auto showing = with_motions(reports);
-  if (showing == 0) return wanted({"--report", *options.path}, "it with an experiment that has motions");
-  std::vector<pages::NamedCurve> curves;
-  Keyframes truth;
-  std::string title;
-  for (const ExperimentReport& report : reports)
-    for (pages::NamedCurve curve : report.findings.motions) {
-      title = showing > 1 ? "Motions of the papers' experiments" : report.title;
-      if (showing > 1) curve.name = formatted("{}: {}", report.name, curve.name);
-      if (showing == 1) truth = report.findings.truth;
-      curves.push_back(std::move(curve));
-    }
-  return ReportFile::open(options).and_then([&](ReportFile file) {
-    return file
-        .write([&](auto head) {
-          head.title = title;
-          return pages::curves_page(curves, head, truth);
-        })
-        .and_then([&] { return file.finish(); });
+Expected<void> write_page(ReportFile file, std::vector<ExperimentReport> reports) {
+  const Shown shown = shown_of(std::move(reports));
+  const auto made = file.write([&](auto head) {
+    head.title = shown.title;
+    return pages::curves_page(shown.curves, head, shown.truth);
   });
+  return made.and_then([&] { return file.finish(); });
+}
+
+/// Error (bad_argument): there is nothing to show on a page.
+Expected<void> check_motions(const std::vector<ExperimentReport>& reports, const ReportOptions& options) {
+  const auto moves = [](const ExperimentReport& report) { return !report.findings.motions.empty(); };
+  if (!options.path || std::ranges::any_of(reports, moves)) return {};
+  return wanted({"--report", *options.path}, "it with an experiment that has motions, such as 000-figure3");
 }
 
 }  // namespace
@@ -146,15 +153,18 @@ Expected<void> reproduce(const ReproduceOptions& options) {
   }
   if (options.pictures && options.pictures->empty()) return wanted({"--pictures", ""}, "a folder");
   if (auto checked = check_report(options.report, {{"--keys", options.keys.value_or("")}}); !checked) return checked;
-  auto reports = chosen(*options.experiment).and_then([&](std::vector<Experiment> selected) {
-    return run_on(std::move(selected), options.keys);
-  });
+  auto selected = chosen(*options.experiment);
+  if (!selected) return tl::unexpected(std::move(selected.error()));
+  auto page = ReportFile::open(options.report);
+  if (!page) return tl::unexpected(std::move(page.error()));
+  auto reports = run_on(std::move(*selected), options.keys);
   if (!reports) return tl::unexpected(std::move(reports.error()));
-  if (options.report.path)
-    if (auto written = write_page(*reports, options.report); !written) return written;
+  if (auto checked = check_motions(*reports, options.report); !checked) return checked;
   if (options.pictures)
     if (auto written = write_pictures(*reports, *options.pictures); !written) return written;
-  return print_document(options.json ? json_of(*reports) : text_of(*reports));
+  return print_document(options.json ? json_of(*reports) : text_of(*reports)).and_then([&] {
+    return write_page(std::move(*page), std::move(*reports));
+  });
 }
 
 }  // namespace orispline::cli

@@ -67,8 +67,7 @@ report::Table iterations_table(const Keyframes& keys) {
                                   {"paper"}}};
   const auto add = [&](const char* scheme, const char* iteration, const char* ends, const Sweeps& sweeps,
                        const char* printed) {
-    table.rows.push_back(
-        {scheme, iteration, ends, text_of(sweeps.until_near), text_of(sweeps.until_still), printed});
+    table.rows.push_back({scheme, iteration, ends, text_of(sweeps.until_near), text_of(sweeps.until_still), printed});
   };
   const auto by_error = "every control turns by the error at its key", by_more = "by 1.5 times the error",
              by_neighbours = "every control from its neighbours";

@@ -163,9 +163,8 @@ Expected<Findings> experiment::one_tension() {
     report::draw(drawing, view, {x, 240.0}, 175.0, paths_of(*curves, *keys));
     x += 430.0;
   }
-  return Findings{{one_tension_table(all, upper->front().curve)},
-                  {{"000-figure2", std::move(drawing)}},
-                  motions_of(all, *keys)};
+  return Findings{
+      {one_tension_table(all, upper->front().curve)}, {{"000-figure2", std::move(drawing)}}, motions_of(all, *keys)};
 }
 
 Expected<Findings> experiment::rigid_motions() {
@@ -174,7 +173,8 @@ Expected<Findings> experiment::rigid_motions() {
 
 Expected<Findings> experiment::rigid_motions_of(const KeysInstead& keys) {
   return curves_through(keys.keys, schemes_of_figure3(keys.keys.size())).map([&](const std::vector<Served>& curves) {
-    return Findings{{motions_table(curves, keys)}, {frames(curves, keys.keys), rates(curves, keys.keys.times())},
+    return Findings{{motions_table(curves, keys)},
+                    {frames(curves, keys.keys), rates(curves, keys.keys.times())},
                     motions_of(curves, keys.keys)};
   });
 }
