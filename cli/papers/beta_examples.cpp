@@ -199,7 +199,7 @@ Expected<Findings> experiment::beta_example1() {
     const BetaExample& given = examples[0].example;
     return Findings{{control_points_table(given), residuals_table("Example 1", examples)},
                     example1_pictures(given),
-                    {{"example 1", given.keys, {given.curve}}}};
+                    {{"signs as given", given.keys, {given.curve}}}};
   });
 }
 
@@ -209,7 +209,7 @@ Expected<Findings> experiment::beta_example2() {
     for (const Variant& variant : all)
       for (const auto& [signs, example] : variant.examples)
         motions.push_back(
-            {formatted("example 2, {}, β₁,₂ = {:g}", signs, variant.beta2_of_point1), example.keys, {example.curve}});
+            {formatted("β₁,₂ = {:g}, signs {}", variant.beta2_of_point1, signs), example.keys, {example.curve}});
     return Findings{{residuals_table("Example 2", all[0].examples), effect_table(all)}, {effect_picture(all)}, motions};
   });
 }

@@ -52,10 +52,10 @@ report::Table table_of(const std::vector<Served>& curves, const KeysInstead& key
                           jump_of_acceleration(curve, keys.keys.times()),
                           degrees * largest_distance(curve, curves[0].curve, times)});
   table.notes = {
-      "The Hermite curve has at a key the rate of the parabola through three keys, which is half the quintic's with α "
-      "= "
-      "1. The paper does not state its rates.",
-      "The curves look alike and are not: only the quintic has a continuous acceleration.", keys.note};
+      "The Hermite curve has at a key the rate of the parabola through three keys: at even times half the quintic's "
+      "with α = 1.",
+      "The paper does not state its rates.",
+      "The curves look alike and are not: at even times only the quintic has a continuous acceleration.", keys.note};
   return table;
 }
 

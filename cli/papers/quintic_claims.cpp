@@ -65,8 +65,7 @@ Expected<report::Table> approximations(const Keyframes& keys) {
     table.rows.push_back({model.recipe.label, degrees * distance_to(model, *before).rms, degrees * after.rms,
                           degrees * after.largest, text_of(recipe->tension)});
   }
-  table.notes = {"The tensions are those of the least mean square of the angle to the curve, at 401 times.",
-                 "The claim is weakly true: the nearest quintic is a little more than half as far away."};
+  table.notes = {"The tensions are those of the least mean square of the angle to the curve, at 401 times."};
   return table;
 }
 

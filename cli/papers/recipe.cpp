@@ -47,6 +47,8 @@ std::string text_of(const std::vector<double>& tension) {
   if (tension.empty()) return "–";
   const bool same = std::ranges::all_of(tension, [&](double value) { return value == tension.front(); });
   if (same) return formatted("{:.4g}", tension.front());
+  const auto [least, most] = std::ranges::minmax(tension);
+  if (tension.size() > 8) return formatted("{:.4g} to {:.4g}", least, most);
   return formatted("({})", joined(tension, ", ", "{:.4g}"));
 }
 

@@ -34,7 +34,7 @@ struct Served {
 /// The recipe with the tensions that make an objective least on these keys. Errors: those of tune().
 [[nodiscard]] Expected<Recipe> tuned(Recipe recipe, const Keyframes& keys, const TuneOptions& options);
 
-/// `(0.1, 0.6, 0, 0.6, 0.1)`, or `0.35` where all are the same; a dash for none.
+/// `(0.1, 0.6, 0, 0.6, 0.1)`, or `0.35` where all are the same, or `0.1 to 0.6` of more than eight; a dash for none.
 [[nodiscard]] std::string text_of(const std::vector<double>& tension);
 
 /// `C2`: the order of continuity in time, measured at the keys.

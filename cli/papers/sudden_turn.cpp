@@ -27,6 +27,12 @@ std::vector<Recipe> methods() {
           {"timed-sextic", "timed-sextic", {}, {color::green, 1.8}}};
 }
 
+/// A dash where both are at rest.
+report::Cell ratio_of(double before, double after) {
+  if (before == 0.0 && after == 0.0) return "–";
+  return before / after;
+}
+
 report::Table jumps(const std::vector<Served>& curves, std::span<const double> knots, const std::string& title,
                     const std::string& note) {
   report::Table table{.title = title,
@@ -42,7 +48,8 @@ report::Table jumps(const std::vector<Served>& curves, std::span<const double> k
     for (std::size_t i = 1; i + 1 < knots.size(); ++i) {
       const Motion before = curve.motion(knots[i], Side::left), after = curve.motion(knots[i], Side::right);
       table.rows.push_back({recipe.label, measured_continuity(curve), knots[i], speed(before), speed(after),
-                            speed(before) / speed(after), (knots[i + 1] - knots[i]) / (knots[i] - knots[i - 1]),
+                            ratio_of(speed(before), speed(after)),
+                            (knots[i + 1] - knots[i]) / (knots[i] - knots[i - 1]),
                             (before.angular_velocity - after.angular_velocity).norm()});
     }
   table.notes = {
