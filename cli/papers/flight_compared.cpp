@@ -49,7 +49,8 @@ Expected<report::Table> comparison(const std::string& title, const Flight& fligh
                       .columns = {{"curve"},
                                   {"method"},
                                   {"degree"},
-                                  {"continuity"},
+                                  {"in time"},
+                                  {"in shape"},
                                   {"MSE [rad²]", Notation::fixed, 6},
                                   {"maximum [rad]", Notation::fixed, 6},
                                   {"time [ms]", Notation::fixed, 3}}};
@@ -58,7 +59,8 @@ Expected<report::Table> comparison(const std::string& title, const Flight& fligh
     if (!curve) return tl::unexpected(curve.error());
     const DistanceStatistics distance = distance_to_reference(*curve, {flight.times, flight.orientations});
     table.rows.push_back({method.recipe.label, method.recipe.method, method.degree, measured_continuity(*curve),
-                          distance.mean_square(), distance.largest, 1e3 * seconds_for(method.recipe, flight)});
+                          measured_shape(*curve), distance.mean_square(), distance.largest,
+                          1e3 * seconds_for(method.recipe, flight)});
   }
   return table;
 }
@@ -71,7 +73,8 @@ void add_printed_figures(report::Table& table) {
   table.notes = {
       "The error is the angle between curve and truth, at the 961 times of the truth. The degree is that of the "
       "blending.",
-      "Continuity is in time and measured at the keys. Times are those of the curve and 961 orientations on this "
+      "Continuity is measured at the keys, C in time and G of the path. Times are those of the curve and 961 "
+      "orientations on this "
       "machine.",
       "Figures on the right are of the paper's own flight, which is not published; this is the bundled simulation.",
       "The paper says C3 for the quartic, which is C2, and gives the quartic's name to the quintic, its own curve at β "
@@ -154,7 +157,7 @@ Expected<Findings> experiment::flight_compared() {
   for (const auto* curves : {&drawn, &framed})
     if (!*curves) return tl::unexpected(curves->error());
   add_printed_figures(*even);
-  uneven->notes = {"This is not in the paper. On uneven knots its curves are continuous in shape (G), not in time."};
+  uneven->notes = {"This is not in the paper. On uneven knots its curves are continuous in shape, not in time."};
   return Findings{{std::move(*even), std::move(*better), std::move(*uneven)},
                   flight_pictures(*five, *drawn, *framed),
                   motions_of(*drawn, five->keys),

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <orispline/analysis/continuity.hpp>
+#include <orispline/analysis/shape_continuity.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/method_text.hpp>
 
@@ -53,6 +54,11 @@ std::string text_of(const std::vector<double>& tension) {
 }
 
 std::string measured_continuity(const AnyCurve& curve) { return formatted("C{}", continuity_at_keys(curve).order()); }
+
+std::string measured_shape(const AnyCurve& curve) {
+  const auto order = shape_continuity_at_keys(curve).order();
+  return order ? formatted("G{}", *order) : "–";
+}
 
 std::vector<pages::NamedCurve> motions_of(const std::vector<Served>& curves, const Keyframes& keys) {
   std::vector<pages::NamedCurve> motions;

@@ -40,6 +40,9 @@ struct Served {
 /// `C2`: the order of continuity in time, measured at the keys.
 [[nodiscard]] std::string measured_continuity(const AnyCurve& curve);
 
+/// `G2`: that of the path in shape, whatever its speed; a dash where the curve rests at a key.
+[[nodiscard]] std::string measured_shape(const AnyCurve& curve);
+
 /// The curves for a page to look at.
 [[nodiscard]] std::vector<pages::NamedCurve> motions_of(const std::vector<Served>& curves, const Keyframes& keys);
 

@@ -37,7 +37,8 @@ report::Table jumps(const std::vector<Served>& curves, std::span<const double> k
                     const std::string& note) {
   report::Table table{.title = title,
                       .columns = {{"curve"},
-                                  {"continuity"},
+                                  {"in time"},
+                                  {"in shape"},
                                   {"knot [s]"},
                                   {"before", Notation::fixed, 6},
                                   {"after", Notation::fixed, 6},
@@ -47,8 +48,8 @@ report::Table jumps(const std::vector<Served>& curves, std::span<const double> k
   for (const auto& [recipe, curve] : curves)
     for (std::size_t i = 1; i + 1 < knots.size(); ++i) {
       const Motion before = curve.motion(knots[i], Side::left), after = curve.motion(knots[i], Side::right);
-      table.rows.push_back({recipe.label, measured_continuity(curve), knots[i], speed(before), speed(after),
-                            ratio_of(speed(before), speed(after)),
+      table.rows.push_back({recipe.label, measured_continuity(curve), measured_shape(curve), knots[i], speed(before),
+                            speed(after), ratio_of(speed(before), speed(after)),
                             (knots[i + 1] - knots[i]) / (knots[i] - knots[i - 1]),
                             (before.angular_velocity - after.angular_velocity).norm()});
     }
