@@ -2,10 +2,12 @@
 // Tan et al. 2018: a claim of section 4, and the first question of section 5.
 #include "papers/experiment.hpp"
 
-#include <array>
+#include <cmath>
 #include <utility>
 
 #include <orispline/analysis/energy.hpp>
+#include <orispline/analysis/quadrature.hpp>
+#include <orispline/analysis/shape_continuity.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/math/degrees.hpp>
 
@@ -71,32 +73,72 @@ Expected<report::Table> approximations(const Keyframes& keys) {
 
 const Eigen::Matrix3d inertia = Eigen::Vector3d(1.0, 2.0, 2.5).asDiagonal();  // [kg m²]
 
+/// ∫|κ|² ds [1/rad].
+double curvature_energy(const AnyCurve& curve) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < curve.knots().segments(); ++i) {
+    const KnotSpan span = curve.knots().span(i);
+    const auto integrand = [&](double t) {
+      const Motion motion = curve.motion_on(i, t);
+      return Figures<1>(path_shape(motion).curvature.squaredNorm() * speed(motion));
+    };
+    sum += adaptive_integral<1>(integrand, span.start(), span.start() + span.step(), Figures<1>::Zero())[0];
+  }
+  return sum;
+}
+
+/// Tensions to compare, and where they are from.
+struct Candidate {
+  std::string which;
+  Recipe recipe;
+};
+
+struct Candidates {
+  std::vector<Candidate> all{};
+  std::vector<std::string> notes{};  ///< of the least curvature, where these keys have none
+};
+
+/// Those of the paper, ours, and those of least energy.
+Expected<Candidates> candidates(const Keyframes& keys) {
+  Candidates found;
+  for (const double tension : {0.35, 0.5, 0.6, 1.0})
+    found.all.push_back({tension == 0.5 ? "our default" : "the paper's", {"", "quintic", {tension}}});
+  for (const auto& [which, options] :
+       {std::pair{"closed form", TuneOptions{.objective = Objective::linearised}},
+        std::pair{"least ∫|α|² dt", TuneOptions{.objective = Objective::acceleration}},
+        std::pair{"least ∫|torque|² dt", TuneOptions{.objective = Objective::torque, .inertia = inertia}},
+        std::pair{"least ∫|κ|² ds", TuneOptions{.objective = Objective::curvature}}}) {
+    auto recipe = tuned(quintic, keys, options);
+    if (recipe) found.all.push_back({which, std::move(*recipe)});
+    else if (options.objective == Objective::curvature) found.notes.push_back("κ: " + describe(recipe.error()) + ".");
+    else return tl::unexpected(std::move(recipe.error()));
+  }
+  return found;
+}
+
 /// "How to choose the tension parameters to achieve an optimal curve in the sense of curvature/torque energy."
 Expected<report::Table> best_tensions(const Keyframes& keys) {
   report::Table table{.title = "Future work: the tensions of the least energy",
                       .columns = {{"tensions"},
                                   {"which"},
                                   {"∫|α|² dt [rad²/s³]", Notation::fixed, 3},
-                                  {"∫|torque|² dt [N² m² s]", Notation::fixed, 3}}};
-  std::vector<std::pair<std::string, Recipe>> candidates;
-  for (const double tension : {0.35, 0.5, 0.6, 1.0}) candidates.push_back({"the paper's", {"", "quintic", {tension}}});
-  candidates[1].first = "our default";
-  for (const auto& [which, options] :
-       {std::pair{"closed form", TuneOptions{.objective = Objective::linearised}},
-        std::pair{"least ∫|α|² dt", TuneOptions{.objective = Objective::acceleration}},
-        std::pair{"least ∫|torque|² dt", TuneOptions{.objective = Objective::torque, .inertia = inertia}}}) {
-    auto recipe = tuned(quintic, keys, options);
-    if (!recipe) return tl::unexpected(std::move(recipe.error()));
-    candidates.push_back({which, std::move(*recipe)});
-  }
-  for (const auto& [which, recipe] : candidates) {
+                                  {"∫|torque|² dt [N² m² s]", Notation::fixed, 3},
+                                  {"∫|κ|² ds [1/rad]", Notation::fixed, 3}}};
+  table.notes = {
+      "The torque is that of a body with the principal moments 1, 2 and 2.5 kg m². κ is the curvature of the "
+      "path, whatever the speed.",
+      "`orispline tune` finds such tensions for keys of yours: docs/tune.md."};
+  const auto found = candidates(keys);
+  if (!found) return tl::unexpected(found.error());
+  table.notes.insert(table.notes.end(), found->notes.begin(), found->notes.end());
+  for (const auto& [which, recipe] : found->all) {
     const auto curve = curve_of(recipe, keys);
     if (!curve) return tl::unexpected(curve.error());
     const Energies energy = energies(*curve, inertia);
-    table.rows.push_back({text_of(recipe.tension), which, energy.acceleration, energy.torque});
+    const double curvature = curvature_energy(*curve);
+    table.rows.push_back({text_of(recipe.tension), which, energy.acceleration, energy.torque,
+                          std::isfinite(curvature) ? report::Cell(curvature) : report::Cell("–")});
   }
-  table.notes = {"The torque is that of a body with the principal moments 1, 2 and 2.5 kg m².",
-                 "`orispline tune` finds such tensions for keys of yours: docs/tune.md."};
   return table;
 }
 

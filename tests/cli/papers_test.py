@@ -80,7 +80,8 @@ class Quintic(Reproduced):
 
     def test_the_tensions_of_least_energy_have_the_least_energy(self):
         rows = {row["which"]: row for row in self.rows_of("000-claims", 1)}
-        for which, energy in (("least ∫|α|² dt", "∫|α|² dt [rad²/s³]"), ("least ∫|torque|² dt", "∫|torque|² dt [N² m² s]")):
+        for which, energy in (("least ∫|α|² dt", "∫|α|² dt [rad²/s³]"), ("least ∫|torque|² dt", "∫|torque|² dt [N² m² s]"),
+                              ("least ∫|κ|² ds", "∫|κ|² ds [1/rad]")):
             self.assertEqual(min(self.rows_of("000-claims", 1), key=lambda row: row[energy])["which"], which)
         self.assertLess(rows["closed form"]["∫|α|² dt [rad²/s³]"], 1.01 * rows["least ∫|α|² dt"]["∫|α|² dt [rad²/s³]"])
 
