@@ -55,6 +55,7 @@ constexpr auto reproduce_footer = R"(Examples:
   orispline reproduce 000-table1
   orispline reproduce tan-table1 --keys keys.csv
   orispline reproduce 003 --pictures pictures
+  orispline reproduce 003-table1 --report flight.html
 
 Name a paper by its number or its author: 000 or tan is Tan et al. 2018, 001 or he is He et al. 2022, 002 or eberly is
 Eberly, and 003 or sextic is the paper on the 6th degree, whose authors our copy does not name.)";
@@ -176,7 +177,8 @@ class CommandLine {
     try {
       const std::span arguments(argv, static_cast<std::size_t>(argc));
       if (arguments.size() < 2) return tell(first_steps), ExitCode::bad_usage;
-      for (ReportOptions* report : {&compare_.report, &smooth_.report, &reduce_.report, &retime_.report})
+      for (ReportOptions* report :
+           {&compare_.report, &smooth_.report, &reduce_.report, &retime_.report, &reproduce_.report})
         report->command_line = command_line(arguments.subspan(1));
       const auto words = arguments.subspan(1);
       const auto done =
@@ -219,6 +221,8 @@ class CommandLine {
         ->type_name(file_type);
     app.add_option("--pictures", reproduce_.pictures, "Write the pictures as SVG into this folder")
         ->type_name(folder_type);
+    app.add_option("--report", reproduce_.report.path, "Write a page to look at in a browser: the motions in space")
+        ->type_name(file_type);
     app.add_flag("--json", reproduce_.json, "Print one JSON array");
   }
 

@@ -14,22 +14,23 @@ DOCS = Path(__file__).resolve().parent.parent / "docs"
 BLOCK = re.compile(r"```text\n\$ orispline reproduce (\S+)\n.*?```", re.S)
 
 
+def block(experiment, output):
+    """What the page shows of the output: without its head and the names of files."""
+    tables = output.split("\n\npicture: ")[0].split("\n", 2)[2].rstrip()
+    return f"```text\n$ orispline reproduce {experiment}\n{tables}\n```"
+
+
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
     command = str(Path(sys.argv[1]).resolve())
 
-    def output_of(experiment, *options):
-        return subprocess.run([command, "reproduce", experiment, *options], check=True, capture_output=True,
-                              encoding="utf-8").stdout
-
-    def block(match):
-        output = output_of(match[1], "--pictures", str(DOCS / "papers"))
-        tables = output.split("\n\npicture: ")[0].split("\n", 2)[2].rstrip()  # without the head and the names of files
-        return f"```text\n$ orispline reproduce {match[1]}\n{tables}\n```"
+    def new_block(match):
+        arguments = [command, "reproduce", match[1], "--pictures", str(DOCS / "papers")]
+        return block(match[1], subprocess.run(arguments, check=True, capture_output=True, encoding="utf-8").stdout)
 
     page = DOCS / "papers.md"
-    page.write_text(BLOCK.sub(block, page.read_text("utf-8")), "utf-8")
+    page.write_text(BLOCK.sub(new_block, page.read_text("utf-8")), "utf-8")
 
 
 if __name__ == "__main__":

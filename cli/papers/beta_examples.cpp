@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // He et al. 2022, examples 1 and 2.
-#include "papers/experiment.hpp"
-
-#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/beta.hpp>
 #include <orispline/math/degrees.hpp>
-#include <orispline/report/sphere.hpp>
 
+#include "papers/beta_example.hpp"
 #include "papers/papers_algebra.hpp"
 #include "papers/sampling.hpp"
 
@@ -42,14 +39,6 @@ Points printed_control_points() {
           quaternion_wxyz(-0.5263, -0.1607, -0.7619, -0.3415), quaternion_wxyz(-0.5474, -0.3901, -0.6038, -0.4284),
           quaternion_wxyz(-0.3509, -0.7065, -0.5548, -0.2642)};
 }
-
-constexpr double beta1 = 1.0, beta2 = 0.5;  // of both examples, at every point
-
-/// The Beta curve of an example; times and local parameters have the same scale.
-struct BetaExample {
-  Keyframes keys;
-  CubicBezierCurve curve;
-};
 
 Expected<BetaExample> beta_example(Points points, Signs signs, double beta2_of_point1 = beta2) {
   KeyframeData data{.times = {0.0, 1.0, 2.0, 3.0, 4.0}, .orientations = std::move(points)};
@@ -134,11 +123,6 @@ report::Table control_points_table(const BetaExample& example) {
   return table;
 }
 
-struct NamedExample {
-  std::string signs;
-  BetaExample example;
-};
-
 Expected<std::vector<NamedExample>> with_both_signs(const Points& points, double beta2_of_point1 = beta2) {
   std::vector<NamedExample> examples;
   for (const auto& [name, signs] : {std::pair{"as given", Signs::as_given}, std::pair{"shortest", Signs::shortest}}) {
@@ -174,38 +158,6 @@ report::Table residuals_table(const std::string& title, const std::vector<NamedE
   return table;
 }
 
-report::SpherePath path_of(const CubicBezierCurve& curve, std::string_view stroke) {
-  const AnyCurve any(curve);
-  return {axis_path(any, even_times(any.domain(), 401), Eigen::Vector3d::UnitX()), {stroke, 2.0}};
-}
-
-std::vector<report::SphereDot> dots(const BetaExample& example) {
-  std::vector<report::SphereDot> dots;
-  for (const Eigen::Vector3d& x : axis_path(example.keys.orientations(), Eigen::Vector3d::UnitX()))
-    dots.push_back({x, formatted("P{}", dots.size())});
-  return dots;
-}
-
-Picture path_picture(const BetaExample& example) {
-  report::Drawing drawing(860, 400);
-  report::SpherePicture picture{{path_of(example.curve, color::blue)}, dots(example)};
-  report::draw(drawing, report::facing(picture.paths[0].directions), {215.0, 205.0}, 165.0, picture);
-  drawing.text({215.0, 24.0}, "example 1: path of the body's x axis");
-  report::Chart chart{.title = "angular acceleration |α| [rad/s²]: it jumps at the joint",
-                      .series = {over_time(AnyCurve(example.curve), acceleration)},
-                      .marks = marks_at(example.curve.knots().times())};
-  chart.series[0].stroke = {color::blue, 2.0};
-  report::draw(drawing, {475.0, 90.0, 355.0, 220.0}, chart);
-  return {"001-example1", std::move(drawing)};
-}
-
-/// Example 2 with one value of β₂ at point 1.
-struct Variant {
-  double beta2_of_point1;
-  std::string_view color;
-  std::vector<NamedExample> examples;  ///< signs as given, shortest signs
-};
-
 Expected<std::vector<Variant>> variants() {
   std::vector<Variant> result;
   for (const auto& [value, name] :
@@ -240,35 +192,25 @@ report::Table effect_table(const std::vector<Variant>& all) {
   return table;
 }
 
-Picture effect_picture(const std::vector<Variant>& all) {
-  report::Drawing drawing(860, 430);
-  for (const std::size_t signs : {0U, 1U}) {
-    report::SpherePicture picture{{}, dots(all[0].examples[signs].example)};
-    std::vector<report::Series> legend;
-    for (const Variant& variant : all) {
-      picture.paths.push_back(path_of(variant.examples[signs].example.curve, variant.color));
-      legend.push_back({formatted("β₁,₂ = {:g}", variant.beta2_of_point1), {}, {}, {variant.color}});
-    }
-    const double x = signs == 0 ? 215.0 : 645.0;
-    report::draw(drawing, report::facing(picture.paths[0].directions), {x, 250.0}, 165.0, picture);
-    drawing.text({x, 60.0}, "signs " + all[0].examples[signs].signs);
-    if (signs == 0) report::draw_legend(drawing, {50.0, 20.0}, legend);
-  }
-  return {"001-example2", std::move(drawing)};
-}
-
 }  // namespace
 
 Expected<Findings> experiment::beta_example1() {
   return with_both_signs(example1()).map([](const std::vector<NamedExample>& examples) {
-    return Findings{{control_points_table(examples[0].example), residuals_table("Example 1", examples)},
-                    {path_picture(examples[0].example)}};
+    const BetaExample& given = examples[0].example;
+    return Findings{{control_points_table(given), residuals_table("Example 1", examples)},
+                    example1_pictures(given),
+                    {{"signs as given", given.keys, {given.curve}}}};
   });
 }
 
 Expected<Findings> experiment::beta_example2() {
   return variants().map([](const std::vector<Variant>& all) {
-    return Findings{{residuals_table("Example 2", all[0].examples), effect_table(all)}, {effect_picture(all)}};
+    std::vector<pages::NamedCurve> motions;
+    for (const Variant& variant : all)
+      for (const auto& [signs, example] : variant.examples)
+        motions.push_back(
+            {formatted("β₁,₂ = {:g}, signs {}", variant.beta2_of_point1, signs), example.keys, {example.curve}});
+    return Findings{{residuals_table("Example 2", all[0].examples), effect_table(all)}, {effect_picture(all)}, motions};
   });
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/quintic.hpp>
@@ -13,15 +14,13 @@
 namespace orispline::cli {
 namespace {
 
-using report::Box;
 using report::Chart;
-using report::Column;
 using report::Notation;
 using report::Series;
 namespace color = report::color;
 
 constexpr std::array colors{color::blue, color::red, color::green, color::purple};
-constexpr std::array letters{"C0", "C1", "C2", "C3"};
+constexpr std::array letters{"C0", "C1", "C2", "C3"}, sum_letters{"S0", "S1", "S2", "S3"};
 
 /// The tensions of the keys at the two ends of a segment.
 struct Tensions {
@@ -62,10 +61,11 @@ report::Table table(const Tensions& tensions) {
   return table;
 }
 
-Chart chart(const Tensions& tensions, std::array<double, 4> Blending::*which, const std::string& title) {
+Chart chart(const Tensions& tensions, std::array<double, 4> Blending::*which, std::span<const char* const> names,
+            const std::string& title) {
   Chart chart{.title = title, .series = {}, .y = report::Range{-0.2, 1.1}};
   for (std::size_t j = 0; j < 4; ++j) {
-    Series series{.label = letters[j], .x = {}, .y = {}, .stroke = {colors[j], 2.0}};
+    Series series{.label = names[j], .x = {}, .y = {}, .stroke = {colors[j], 2.0}};
     for (int k = 0; k <= 100; ++k) {
       series.x.push_back(k / 100.0);
       series.y.push_back((blending(tensions, k / 100.0).*which)[j]);
@@ -76,16 +76,19 @@ Chart chart(const Tensions& tensions, std::array<double, 4> Blending::*which, co
 }
 
 Picture picture() {
-  report::Drawing drawing(860, 560);
+  report::Drawing drawing(860, 570);
   double top = 52.0;
   for (const Tensions& tensions : figure) {
     const std::string values = formatted("α = {:g}, {:g}", tensions.start, tensions.end);
-    const Chart functions = chart(tensions, &Blending::functions, "blending functions, " + values);
-    report::draw_legend(drawing, {50.0, 16.0}, functions.series);
-    report::draw(drawing, {50.0, top, 360.0, 200.0}, functions);
-    report::draw(drawing, {475.0, top, 360.0, 200.0},
-                 chart(tensions, &Blending::sums, "their sums from j = 0, 1, 2, 3 to 3, " + values));
-    top += 270.0;
+    double left = 50.0;
+    for (const Chart& drawn :
+         {chart(tensions, &Blending::functions, letters, "blending functions C_j, " + values),
+          chart(tensions, &Blending::sums, sum_letters, "their sums S_j = C_j + … + C_3, " + values)}) {
+      report::draw_legend(drawing, {left, top - 36.0}, drawn.series);
+      report::draw(drawing, {left, top, 360.0, 200.0}, drawn);
+      left += 425.0;
+    }
+    top += 280.0;
   }
   return {"000-figure1", std::move(drawing)};
 }

@@ -8,6 +8,7 @@
 
 #include <orispline/base/expected.hpp>
 #include <orispline/curve/keyframe.hpp>
+#include <orispline/pages/motion_page.hpp>
 #include <orispline/report/svg.hpp>
 #include <orispline/report/table.hpp>
 
@@ -22,6 +23,8 @@ struct Picture {
 struct Findings {
   std::vector<report::Table> tables;
   std::vector<Picture> pictures{};
+  std::vector<pages::NamedCurve> motions{};  ///< to look at on a page
+  Keyframes truth{};                         ///< what they are compared with; without keys: nothing
 };
 
 /// Keys in the place of the paper's, which are not published, and what is said of them.
@@ -55,8 +58,12 @@ namespace experiment {
 [[nodiscard]] Expected<Findings> one_tension();
 [[nodiscard]] Expected<Findings> rigid_motions();
 [[nodiscard]] Expected<Findings> rigid_motions_of(const KeysInstead& keys);
+[[nodiscard]] Expected<Findings> hermite_compared();
+[[nodiscard]] Expected<Findings> hermite_compared_on(const KeysInstead& keys);
 [[nodiscard]] Expected<Findings> schemes_compared();
 [[nodiscard]] Expected<Findings> schemes_compared_on(const KeysInstead& keys);
+[[nodiscard]] Expected<Findings> quintic_claims();
+[[nodiscard]] Expected<Findings> quintic_claims_on(const KeysInstead& keys);
 // He et al. 2022, Beta curves.
 [[nodiscard]] Expected<Findings> beta_example1();
 [[nodiscard]] Expected<Findings> beta_example2();
@@ -67,6 +74,7 @@ namespace experiment {
 [[nodiscard]] Expected<Findings> flight_compared();
 [[nodiscard]] Expected<Findings> sudden_turn();
 [[nodiscard]] Expected<Findings> turns_of(const KeysInstead& keys);
+[[nodiscard]] Expected<Findings> sextic_claims();
 }  // namespace experiment
 
 }  // namespace orispline::cli

@@ -13,19 +13,25 @@ constexpr std::array list{
     Experiment{"000-figure2", "Tan et al. 2018, figure 2: the effect of one tension", experiment::one_tension},
     Experiment{"000-figure3", "Tan et al. 2018, figure 3: rigid motions by four schemes and six tension vectors",
                experiment::rigid_motions, experiment::rigid_motions_of},
+    Experiment{"000-figure4", "Tan et al. 2018, figure 4: the quintic beside a C1 cubic Hermite curve",
+               experiment::hermite_compared, experiment::hermite_compared_on},
     Experiment{"000-table1", "Tan et al. 2018, table 1: four schemes compared", experiment::schemes_compared,
                experiment::schemes_compared_on},
-    Experiment{"001-example1", "He et al. 2022, example 1: control points of a Beta curve, its G1 and G2 residuals",
+    Experiment{"000-claims", "Tan et al. 2018, claims and future work: other curves approximated, the best tensions",
+               experiment::quintic_claims, experiment::quintic_claims_on},
+    Experiment{"001-example1", "He et al. 2022, example 1 and figures 1 to 3: a Beta curve, its G1 and G2 residuals",
                experiment::beta_example1},
     Experiment{"001-example2", "He et al. 2022, example 2 and figure 4: the effect of the shape parameter beta2",
                experiment::beta_example2},
     Experiment{"002-identities", "Eberly, sections 1 to 6: the identities on random quaternions",
                experiment::quaternion_identities},
     Experiment{"002-example", "Eberly, section 6: the angular cubic of squad", experiment::angular_cubic},
-    Experiment{"003-table1", "The 6th degree, table 1 and figures 2 to 6: a flight interpolated",
+    Experiment{"003-table1", "The 6th degree, table 1 and figures 1 to 6: a flight interpolated",
                experiment::flight_compared},
     Experiment{"003-figure7", "The 6th degree, figure 7: a sudden turn on uneven knots", experiment::sudden_turn,
-               experiment::turns_of}};
+               experiment::turns_of},
+    Experiment{"003-claims", "The 6th degree, claims and future work: its time, the best tensions",
+               experiment::sextic_claims}};
 
 struct Author {
   std::string_view paper, word;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "papers/reproduce.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <iterator>
 
@@ -9,10 +10,12 @@
 #include <orispline/base/suggestion.hpp>
 #include <orispline/io/output_file.hpp>
 #include <orispline/io/track_file.hpp>
+#include <orispline/pages/motion_page.hpp>
 
 #include "options/option_text.hpp"
 #include "output/noted_output.hpp"
 #include "output/output_folder.hpp"
+#include "output/report_file.hpp"
 #include "output/standard_output.hpp"
 #include "papers/reproduce_report.hpp"
 
@@ -103,22 +106,65 @@ Expected<void> write_pictures(std::vector<ExperimentReport>& reports, const std:
   return {};
 }
 
+/// What a page shows: the motions of all experiments; with a truth, if it is that of all.
+struct Shown {
+  std::string title = "Motions of the papers' experiments";
+  std::vector<pages::NamedCurve> curves{};
+  Keyframes truth{};
+};
+
+Shown shown_of(std::vector<ExperimentReport> reports) {
+  std::erase_if(reports, [](const ExperimentReport& report) { return report.findings.motions.empty(); });
+  if (reports.size() == 1)
+    return {reports.front().title, std::move(reports.front().findings.motions), reports.front().findings.truth};
+  Shown shown;
+  for (ExperimentReport& report : reports)
+    for (pages::NamedCurve& curve : report.findings.motions) {
+      curve.name = formatted("{}: {}", report.name, curve.name);
+      shown.curves.push_back(std::move(curve));
+    }
+  return shown;
+}
+
+Expected<void> write_page(ReportFile file, std::vector<ExperimentReport> reports) {
+  const Shown shown = shown_of(std::move(reports));
+  const auto made = file.write([&](auto head) {
+    head.title = shown.title;
+    return pages::curves_page(shown.curves, head, shown.truth);
+  });
+  return made.and_then([&] { return file.finish(); });
+}
+
+/// Error (bad_argument): there is nothing to show on a page.
+Expected<void> check_motions(const std::vector<ExperimentReport>& reports, const ReportOptions& options) {
+  const auto moves = [](const ExperimentReport& report) { return !report.findings.motions.empty(); };
+  if (!options.path || std::ranges::any_of(reports, moves)) return {};
+  return wanted({"--report", *options.path}, "it with an experiment that has motions, such as 000-figure3");
+}
+
 }  // namespace
 
 Expected<void> reproduce(const ReproduceOptions& options) {
   if (!options.experiment) {
     if (options.pictures) return wanted({"--pictures", *options.pictures}, "an EXPERIMENT as well");
     if (options.keys) return wanted({"--keys", *options.keys}, "an EXPERIMENT as well");
+    if (options.report.path) return wanted({"--report", *options.report.path}, "an EXPERIMENT as well");
     return print_document(options.json ? json_of(experiments()) : text_of(experiments()));
   }
   if (options.pictures && options.pictures->empty()) return wanted({"--pictures", ""}, "a folder");
-  auto reports = chosen(*options.experiment).and_then([&](std::vector<Experiment> selected) {
-    return run_on(std::move(selected), options.keys);
-  });
+  if (auto checked = check_report(options.report, {{"--keys", options.keys.value_or("")}}); !checked) return checked;
+  auto selected = chosen(*options.experiment);
+  if (!selected) return tl::unexpected(std::move(selected.error()));
+  auto page = ReportFile::open(options.report);
+  if (!page) return tl::unexpected(std::move(page.error()));
+  auto reports = run_on(std::move(*selected), options.keys);
   if (!reports) return tl::unexpected(std::move(reports.error()));
+  if (auto checked = check_motions(*reports, options.report); !checked) return checked;
   if (options.pictures)
     if (auto written = write_pictures(*reports, *options.pictures); !written) return written;
-  return print_document(options.json ? json_of(*reports) : text_of(*reports));
+  return print_document(options.json ? json_of(*reports) : text_of(*reports)).and_then([&] {
+    return write_page(std::move(*page), std::move(*reports));
+  });
 }
 
 }  // namespace orispline::cli

@@ -6,11 +6,14 @@
 
 #include <orispline/base/expected.hpp>
 
+#include "options/report_options.hpp"
+
 namespace orispline::cli {
 
 /// `orispline reproduce`, as typed.
 struct ReproduceOptions {
   std::optional<std::string> experiment, keys, pictures;
+  ReportOptions report;
   bool json = false;
 };
 

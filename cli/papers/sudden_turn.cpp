@@ -4,7 +4,9 @@
 
 #include <orispline/report/chart.hpp>
 
+#include "papers/bodies.hpp"
 #include "papers/example_data.hpp"
+#include "papers/frames.hpp"
 #include "papers/recipe.hpp"
 #include "papers/sampling.hpp"
 
@@ -25,11 +27,18 @@ std::vector<Recipe> methods() {
           {"timed-sextic", "timed-sextic", {}, {color::green, 1.8}}};
 }
 
+/// A dash where both are at rest.
+report::Cell ratio_of(double before, double after) {
+  if (before == 0.0 && after == 0.0) return "–";
+  return before / after;
+}
+
 report::Table jumps(const std::vector<Served>& curves, std::span<const double> knots, const std::string& title,
                     const std::string& note) {
   report::Table table{.title = title,
                       .columns = {{"curve"},
-                                  {"continuity"},
+                                  {"in time"},
+                                  {"in shape"},
                                   {"knot [s]"},
                                   {"before", Notation::fixed, 6},
                                   {"after", Notation::fixed, 6},
@@ -39,8 +48,9 @@ report::Table jumps(const std::vector<Served>& curves, std::span<const double> k
   for (const auto& [recipe, curve] : curves)
     for (std::size_t i = 1; i + 1 < knots.size(); ++i) {
       const Motion before = curve.motion(knots[i], Side::left), after = curve.motion(knots[i], Side::right);
-      table.rows.push_back({recipe.label, measured_continuity(curve), knots[i], speed(before), speed(after),
-                            speed(before) / speed(after), (knots[i + 1] - knots[i]) / (knots[i] - knots[i - 1]),
+      table.rows.push_back({recipe.label, measured_continuity(curve), measured_shape(curve), knots[i], speed(before),
+                            speed(after), ratio_of(speed(before), speed(after)),
+                            (knots[i + 1] - knots[i]) / (knots[i] - knots[i - 1]),
                             (before.angular_velocity - after.angular_velocity).norm()});
     }
   table.notes = {
@@ -68,21 +78,50 @@ Picture picture(const std::vector<Served>& curves, std::span<const double> knots
   return {"003-figure7", std::move(drawing)};
 }
 
+/// (a) and (b) of the figure: the body at 17 even times, and the angle from the start, with the paper's own curve.
+Picture body_and_angle(const std::vector<Served>& curves, const Keyframes& keys) {
+  const auto paper = std::span(curves).first(2);
+  std::vector<FrameRow> rows;
+  report::Chart angle{
+      .title = "(b) angle from the start [rad]: continuous", .series = {}, .marks = marks_at(keys.times())};
+  for (const auto& [recipe, curve] : paper) {
+    rows.push_back(frames_of(recipe.label, curve, even_times(curve.domain(), 17), keys.times(),
+                             {.key = color::green, .between = recipe.stroke.color}));
+    const Eigen::Quaterniond start = keys.orientations()[0];
+    angle.series.push_back(
+        over_time(curve, [start](const Motion& m) { return angular_distance(start, m.orientation); }));
+    angle.series.back().stroke = recipe.stroke;
+    angle.series.back().label = recipe.label;
+  }
+  report::Drawing drawing(860, 430);
+  drawing.text({50.0, 24.0}, "(a) the body at 17 even times; at a key it is green", {report::Anchor::start});
+  draw_frames(drawing, 36.0, rows, cup());
+  report::draw_legend(drawing, {50.0, 194.0}, angle.series);
+  report::draw(drawing, {50.0, 228.0, 780.0, 165.0}, angle);
+  return {"003-figure7-body", std::move(drawing)};
+}
+
+Findings findings_of(const std::vector<Served>& curves, const Keyframes& keys, const std::string& title,
+                     const std::string& note) {
+  return {{jumps(curves, keys.times(), title, note)},
+          {body_and_angle(curves, keys), picture(curves, keys.times())},
+          motions_of(curves, keys)};
+}
+
 }  // namespace
 
 Expected<Findings> experiment::sudden_turn() {
-  return five_keys_at(paper_knots)
-      .and_then([](const Keyframes& keys) { return curves_through(keys, methods()); })
-      .map([](const std::vector<Served>& curves) {
-        const auto title = "|ω| [rad/s] before and after each inner knot of 0, 0.5, 1.5, 2.25, 4 s";
-        return Findings{{jumps(curves, paper_knots, title, paper_note)}, {picture(curves, paper_knots)}};
-      });
+  return five_keys_at(paper_knots).and_then([](const Keyframes& keys) {
+    return curves_through(keys, methods()).map([&](const std::vector<Served>& curves) {
+      return findings_of(curves, keys, "|ω| [rad/s] before and after each inner knot of 0, 0.5, 1.5, 2.25, 4 s",
+                         paper_note);
+    });
+  });
 }
 
 Expected<Findings> experiment::turns_of(const KeysInstead& keys) {
   return curves_through(keys.keys, methods()).map([&](const std::vector<Served>& curves) {
-    const auto title = "|ω| [rad/s] before and after each inner key";
-    return Findings{{jumps(curves, keys.keys.times(), title, keys.note)}, {picture(curves, keys.keys.times())}};
+    return findings_of(curves, keys.keys, "|ω| [rad/s] before and after each inner key", keys.note);
   });
 }
 

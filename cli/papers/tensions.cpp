@@ -2,7 +2,6 @@
 // Tan et al. 2018, figures 2 and 3.
 #include "papers/experiment.hpp"
 
-#include <algorithm>
 #include <array>
 
 #include <orispline/base/formatted.hpp>
@@ -11,6 +10,7 @@
 #include <orispline/report/sphere.hpp>
 
 #include "papers/example_data.hpp"
+#include "papers/frames.hpp"
 #include "papers/recipe.hpp"
 #include "papers/sampling.hpp"
 
@@ -18,7 +18,6 @@ namespace orispline::cli {
 namespace {
 
 using report::Notation;
-using report::Point;
 namespace color = report::color;
 
 const std::vector<double> even{0.0, 1.0, 2.0, 3.0, 4.0};
@@ -102,19 +101,12 @@ report::Table motions_table(const std::vector<Served>& curves, const KeysInstead
 
 /// Figure 3: 17 bodies on a straight line per curve, the keys green and the new ones red.
 Picture frames(const std::vector<Served>& curves, const Keyframes& keys) {
-  constexpr double row_height = 66.0, left = 205.0, spacing = 39.5;
-  report::Drawing drawing(860, 20.0 + row_height * static_cast<double>(curves.size()));
-  const report::View view({1.0, -0.9, 0.8});
-  const auto is_key = [&](double t) { return std::ranges::find(keys.times(), t) != keys.times().end(); };
-  double y = 44.0;
-  for (const Served& served : curves) {
-    drawing.text({14.0, y + 4.0}, served.recipe.label, {report::Anchor::start});
-    const auto times = even_times(served.curve.domain(), 17);
-    for (std::size_t k = 0; k < times.size(); ++k)
-      report::draw_body(drawing, view, {left + spacing * static_cast<double>(k), y}, 23.0, served.curve(times[k]),
-                        is_key(times[k]) ? color::green : color::red);
-    y += row_height;
-  }
+  std::vector<FrameRow> rows;
+  for (const auto& [recipe, curve] : curves)
+    rows.push_back(frames_of(recipe.label, curve, even_times(curve.domain(), 17), keys.times(),
+                             {.key = color::green, .between = color::red}));
+  report::Drawing drawing(860, 20.0 + frame_row_height * static_cast<double>(rows.size()));
+  draw_frames(drawing, 11.0, rows);
   return {"000-figure3", std::move(drawing)};
 }
 
@@ -171,7 +163,8 @@ Expected<Findings> experiment::one_tension() {
     report::draw(drawing, view, {x, 240.0}, 175.0, paths_of(*curves, *keys));
     x += 430.0;
   }
-  return Findings{{one_tension_table(all, upper->front().curve)}, {{"000-figure2", std::move(drawing)}}};
+  return Findings{
+      {one_tension_table(all, upper->front().curve)}, {{"000-figure2", std::move(drawing)}}, motions_of(all, *keys)};
 }
 
 Expected<Findings> experiment::rigid_motions() {
@@ -180,7 +173,9 @@ Expected<Findings> experiment::rigid_motions() {
 
 Expected<Findings> experiment::rigid_motions_of(const KeysInstead& keys) {
   return curves_through(keys.keys, schemes_of_figure3(keys.keys.size())).map([&](const std::vector<Served>& curves) {
-    return Findings{{motions_table(curves, keys)}, {frames(curves, keys.keys), rates(curves, keys.keys.times())}};
+    return Findings{{motions_table(curves, keys)},
+                    {frames(curves, keys.keys), rates(curves, keys.keys.times())},
+                    motions_of(curves, keys.keys)};
   });
 }
 

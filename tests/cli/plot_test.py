@@ -55,6 +55,14 @@ class Plot(CommandTest):
         for color in ("#0072b2", "#d55e00", "#009e73"):
             self.assertGreaterEqual(len(self.lines(picture, color)), 5)
 
+    def test_ghosts_are_bodies_in_a_row_for_each_method(self):
+        self.assertEqual(len(list(self.picture("keys.csv").iter(f"{SVG}polygon"))), 0)
+        picture = self.picture("keys.csv --method slerp,auto --ghosts 7")
+        faces = [face.get("fill") for face in picture.iter(f"{SVG}polygon")]
+        self.assertEqual([faces.count(color) for color in ("#0072b2", "#d55e00")], [3 * 7] * 2)
+        self.assertIn("the body at 7 even times", self.words(picture))
+        self.assertEqual(len(list(self.picture("- --ghosts 2", input="t,qw,qx,qy,qz\n5,1,0,0,0\n").iter(f"{SVG}polygon"))), 6)
+
     def test_one_key_is_a_picture_too(self):
         picture = self.picture("-", input="t,qw,qx,qy,qz\n5,1,0,0,0\n")
         self.assertIn("standard input: 1 key, t = 0 at 5 s", self.words(picture))
@@ -66,6 +74,8 @@ class Plot(CommandTest):
         seven = "auto,slerp,squad,quintic,sextic,tcb,nu"
         self.assert_fails(f"plot keys.csv --method {seven}", BAD_USAGE, "--method: found 7 methods, wanted at most 6")
         self.assert_fails("plot keys.csv --axis w", BAD_USAGE, "--axis: found 'w', wanted x|y|z")
+        self.assert_fails("plot keys.csv --ghosts 1", BAD_USAGE, "--ghosts: found '1', wanted a whole number from 2 on")
+        self.assert_fails("plot keys.csv --ghosts 61", BAD_USAGE, "--ghosts: found '61', wanted at most 60")
         self.assert_fails("plot none.csv", BAD_ACCESS, "none.csv: cannot open: No such file or directory")
         self.write("empty.csv", "t,qw,qx,qy,qz\n")
         done = self.run_command("plot empty.csv -o motion.svg")

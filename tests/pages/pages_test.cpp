@@ -54,6 +54,38 @@ void expect_columns(const report::Page& page) {
   }
 }
 
+TEST(CurvesPage, ShowsEachCurveWithItsOwnKeysAndItsAnglesToTheTruth) {
+  const Keyframes truth = noisy(201).keys;
+  const std::vector<std::size_t> few{0, 100, 200}, more{0, 50, 100, 150, 200};
+  std::vector<pages::NamedCurve> curves;
+  for (const auto& [name, kept] : {std::pair{"few", &few}, std::pair{"more", &more}}) {
+    const Keyframes keys = truth.at(*kept);
+    curves.push_back({name, keys, make_pose_curve(default_method, keys).value()});
+  }
+  const report::Page page = pages::curves_page(curves, head, truth);
+  expect_head(page);
+  expect_columns(page);
+  EXPECT_EQ(page.reference.value().times.size(), 201U);
+  ASSERT_EQ(page.methods.size(), 2U);
+  EXPECT_EQ(page.methods[0].keys.value().path.times, (std::vector<double>{0.0, 1.0, 2.0}));
+  EXPECT_EQ(page.methods[1].keys.value().path.times.size(), 5U);
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const DistanceStatistics distance =
+        distance_to_reference(curves[i].curve.orientation, {truth.times(), truth.orientations()});
+    EXPECT_DOUBLE_EQ(page.methods[i].measures.at("rms_deg"), distance.rms * degrees);
+    EXPECT_DOUBLE_EQ(std::ranges::max(page.methods[i].samples.errors), distance.largest * degrees);
+  }
+}
+
+TEST(CurvesPage, HasNoAnglesToATruthThatThereIsNot) {
+  const Keyframes keys = noisy(5).keys;
+  const std::vector<pages::NamedCurve> curves{{"it", keys, make_pose_curve(default_method, keys).value()}};
+  const report::Page page = pages::curves_page(curves, head);
+  EXPECT_FALSE(page.reference.has_value());
+  EXPECT_TRUE(page.methods[0].samples.errors.empty());
+  EXPECT_EQ(page.methods[0].measures.count("rms_deg"), 0U);
+}
+
 TEST(MotionPage, ShowsOneCurveWithItsKeysAndItsShape) {
   Track track = Keyframes::make(testing_support::random_walk(3, 8, testing_support::Spacing::uneven)).value();
   const Method method{"quintic", {.parameters = {{"tension", {0.4}}}}};

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <orispline/math/so3.hpp>
+#include <orispline/report/view.hpp>
 #include <support/counted.hpp>
 
 namespace orispline::report {
@@ -68,6 +69,29 @@ TEST(MotionDrawing, LeavesOutTheMarksOfVeryManyKeys) {
       motion_drawing({.title = "", .keys = keys_of(201), .methods = {turning("m", 1.0)}}).document();
   EXPECT_EQ(count_of("stroke=\"#bbbbbb\" stroke-width=\"1\" stroke-dasharray=\"3 3\"", svg), 0U);
   EXPECT_EQ(count_of("r=\"4\"", svg), 0U);
+}
+
+TEST(MotionDrawing, DrawsNoGhostsUnlessAskedTo) {
+  const std::string svg = motion_drawing({.title = "", .keys = keys_of(3), .methods = {turning("m", 1.0)}}).document();
+  EXPECT_EQ(count_of("<polygon", svg), 0U);
+  EXPECT_EQ(count_of("height=\"825\"", svg), 2U);  // of the file and of its white ground
+}
+
+TEST(MotionDrawing, DrawsARowOfGhostsPerMethodWhereTheirTimesAre) {
+  MotionPicture picture{.title = "", .keys = keys_of(3), .methods = {turning("one", 1.0), turning("two", 2.0)}};
+  picture.ghosts = 5;
+  const std::string svg = motion_drawing(picture).document();
+  EXPECT_EQ(count_of("<polygon", svg), 2U * 5U * 3U);  // an aircraft has three faces
+  EXPECT_EQ(count_of("the body at 5 even times", svg), 1U);
+  // The body at 1 s, in the middle of 660 px from 70 px on, of both methods.
+  const View view({1.0, -0.9, 0.8});
+  for (const auto& [turn, y] : {std::pair{1.0, 864.4}, std::pair{2.0, 923.2}}) {
+    Drawing body(1180, 900);
+    draw_body(body, view, {400.0, y}, 24.0, exp<double>({0.0, 0.0, turn}), color::blue);
+    const std::string alone = body.document();
+    const std::size_t from = alone.find("points=\""), to = alone.find('"', from + 8);
+    EXPECT_EQ(count_of(alone.substr(from, to - from), svg), 1U) << turn;
+  }
 }
 
 TEST(MotionDrawing, SaysWhatItsChartsShow) {

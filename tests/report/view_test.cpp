@@ -60,5 +60,16 @@ TEST(View, PaintsTheNearerFacesLast) {
   EXPECT_GT(svg.find("fill-opacity=\"0.35\""), svg.find("fill-opacity=\"0.85\""));  // the fin is on top
 }
 
+TEST(View, ShowsAFaceOfASolidFromOutsideOnly) {
+  const std::vector<Face> square{{{{1, 1, 0}, {-1, 1, 0}, {-1, -1, 0}, {1, -1, 0}}, 1.0, Sides::outside}};
+  const auto faces_from = [&](const Vector3d& eye) {
+    Drawing drawing(100, 100);
+    draw_body(drawing, View(eye), {50, 50}, 10, Eigen::Quaterniond::Identity(), color::blue, square);
+    return count_of("<polygon", drawing.document());
+  };
+  EXPECT_EQ(faces_from({0.3, 0.2, 1.0}), 1U);
+  EXPECT_EQ(faces_from({0.3, 0.2, -1.0}), 0U);
+}
+
 }  // namespace
 }  // namespace orispline::report

@@ -25,6 +25,7 @@ struct Request {
   std::vector<Method> methods;  ///< none: the one that the file names
   MethodOptions shape;          ///< of that one
   BodyAxis axis = BodyAxis::x;
+  std::size_t ghosts = 0;
 };
 
 Expected<std::vector<Method>> methods_in(const PlotOptions& options) {
@@ -33,6 +34,13 @@ Expected<std::vector<Method>> methods_in(const PlotOptions& options) {
     return usage_failure(
         formatted("--method: found {} methods, wanted at most {}", methods->size(), report::most_drawn_methods));
   return methods;
+}
+
+Expected<std::size_t> ghosts_in(OptionText option) {
+  return count_in(option, 2).and_then([&](std::size_t count) -> Expected<std::size_t> {
+    if (count <= report::most_ghosts) return count;
+    return wanted(option, formatted("at most {}", report::most_ghosts));
+  });
 }
 
 Expected<Request> request_in(const PlotOptions& options) {
@@ -44,7 +52,8 @@ Expected<Request> request_in(const PlotOptions& options) {
   Request request{.input = checked(input_request(options.input)),
                   .methods = checked(methods_in(options)),
                   .shape = options.shape,
-                  .axis = checked(if_given("--axis", options.axis, choice_of(axis_choices))).value_or(BodyAxis::x)};
+                  .axis = checked(if_given("--axis", options.axis, choice_of(axis_choices))).value_or(BodyAxis::x),
+                  .ghosts = checked(if_given("--ghosts", options.ghosts, ghosts_in)).value_or(0)};
   return std::move(checked).or_else(std::move(request));
 }
 
@@ -73,7 +82,8 @@ Expected<report::MotionPicture> picture_of(Request request) {
   report::MotionPicture picture{.title = title_of(track),
                                 .keys = report::page_keys(track.keys),
                                 .body_axis = Eigen::Vector3d::Unit(axis),
-                                .axis_name = std::string(axis_choices[static_cast<std::size_t>(axis)].first)};
+                                .axis_name = std::string(axis_choices[static_cast<std::size_t>(axis)].first),
+                                .ghosts = request.ghosts};
   std::vector<Warning> warnings = file->warnings;
   for (const Method& method : request.methods) {
     const auto curve = shaped_curve(method, track);

@@ -17,7 +17,7 @@ struct PlotOptions {
   std::vector<std::string> methods;  ///< names, or lists of names with commas between them
   MethodOptions shape;
   std::string path{io::standard_stream};
-  std::optional<std::string> axis;
+  std::optional<std::string> axis, ghosts;
 };
 
 /// Keyframes in, a picture of the curves through them out.

@@ -10,9 +10,10 @@ constexpr auto plot_footer = R"(Examples:
   orispline plot keys.csv -o motion.svg
   orispline plot keys.csv --method auto,quintic --method slerp -o methods.svg
   orispline plot robot.csv --set hold=1 --axis z -o tool.svg
+  orispline plot flight.csv --ghosts 20 -o flight.svg
 
 The picture shows the angle from the start, |w|, |alpha| and |jerk| over time, with the keys marked, and the path of a
-body axis on the unit sphere. It shows 6 methods at most, each in its own colour.)";
+body axis on the unit sphere. It shows 6 methods at most, each in its own colour. --ghosts adds the body itself.)";
 
 }  // namespace
 
@@ -32,6 +33,9 @@ void add_plot_options(Command& app, PlotOptions& o) {
       ->group(group);
   app.add_option("--axis", o.axis, "Body axis whose path on the sphere is drawn [x]")
       ->type_name(one_of(axis_choices))
+      ->group(group);
+  app.add_option("--ghosts", o.ghosts, "Draw the body at N even times too, a row per method [none]")
+      ->type_name("N")
       ->group(group);
   app.footer = plot_footer;
 }

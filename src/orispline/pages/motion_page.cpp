@@ -19,8 +19,7 @@ std::string title_of(const Track& track, const Method& method) {
   return track.name.empty() ? keys : formatted("{}: {}", file_name_of(track.name), keys);
 }
 
-Measures shape_of(const AnyCurve& curve, const Method& method, const Eigen::Matrix3d& inertia) {
-  const Seam seam = method.options.loop ? Seam::closed : Seam::open;
+Measures shape_of(const AnyCurve& curve, Seam seam, const Eigen::Matrix3d& inertia) {
   return {.continuity = continuity_at_keys(curve, seam),
           .shape = shape_continuity_at_keys(curve, seam),
           .energies = energies(curve, inertia),
@@ -36,12 +35,31 @@ Expected<report::Page> motion_page(const Track& track, const Method& method, con
     const CurvePage curves{.measures = inertia ? measures_of({MeasureGroup::shape, MeasureGroup::torque})
                                                : measures_of({MeasureGroup::shape}),
                            .inertia = inertia};
-    Measures measures = shape_of(curve.orientation, method, inertia.value_or(Eigen::Matrix3d::Identity()));
+    Measures measures = shape_of(curve.orientation, method.options.loop ? Seam::closed : Seam::open,
+                                 inertia.value_or(Eigen::Matrix3d::Identity()));
     report::Page page = begun_page(title_of(track, method), head, track.epoch, track.keys);
     page.columns = measure_columns(curves.measures);
     page.methods.push_back(method_of(curves, {text_of(method), track.keys, curve, std::move(measures)}));
     return page;
   });
+}
+
+report::Page curves_page(std::span<const NamedCurve> curves, const PageHead& head, const Keyframes& truth) {
+  const bool compared = truth.size() > 0;
+  const CurvePage page_of_all{.recording = truth,
+                              .measures = compared ? measures_of({MeasureGroup::distance, MeasureGroup::shape})
+                                                   : measures_of({MeasureGroup::shape})};
+  report::Page page = begun_page("", head, Decimal(), curves.front().keys);
+  if (compared) page.reference = report::thinned(path_of(truth), samples_of_few);
+  page.columns = measure_columns(page_of_all.measures);
+  for (const auto& [name, keys, curve] : curves) {
+    Measures measures = shape_of(curve.orientation, Seam::open, Eigen::Matrix3d::Identity());
+    if (compared) measures.distance = distance_to_reference(curve.orientation, {truth.times(), truth.orientations()});
+    const report::PageMethod method = method_of(page_of_all, {name, keys, curve, std::move(measures)});
+    page.methods.push_back(compared ? with_errors(method, errors_at(curve, path_of(truth)), [](double) { return true; })
+                                    : method);
+  }
+  return page;
 }
 
 }  // namespace orispline::inline ORISPLINE_ABI::pages

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
+#include <orispline/base/formatted.hpp>
 #include <orispline/math/degrees.hpp>
 #include <orispline/math/so3.hpp>
 #include <orispline/report/chart.hpp>
@@ -76,12 +78,45 @@ void draw_sphere(Drawing& drawing, const MotionPicture& picture) {
   draw(drawing, facing(keys), sphere_center, sphere_radius, sphere);
 }
 
+/// How large the bodies are of which so many stand in a row [px].
+double ghost_size(std::size_t count) { return std::min(24.0, 0.55 * charts_width / static_cast<double>(count)); }
+
+double ghost_row(std::size_t count) { return 2.2 * ghost_size(count) + 6.0; }
+
+/// The orientation of a densely sampled motion at a time [s] of its path.
+const Eigen::Quaterniond& orientation_at(const PagePath& path, double time) {
+  const auto after = std::ranges::lower_bound(path.times, time);
+  const auto i = std::min(after - path.times.begin(), std::ssize(path.times) - 1);
+  const bool earlier = i > 0 && time - path.times[static_cast<std::size_t>(i - 1)] < *(path.times.begin() + i) - time;
+  return path.orientations[static_cast<std::size_t>(earlier ? i - 1 : i)];
+}
+
+void draw_ghosts(Drawing& drawing, const MotionPicture& picture, double top) {
+  const View view({1.0, -0.9, 0.8});
+  drawing.text({charts_left, top}, formatted("the body at {} even times", picture.ghosts), {Anchor::start});
+  double y = top + 10.0 + 0.5 * ghost_row(picture.ghosts);
+  for (std::size_t i = 0; i < picture.methods.size(); ++i) {
+    const PagePath& path = picture.methods[i].samples.path;
+    for (std::size_t k = 0; k < picture.ghosts; ++k) {
+      const double share = static_cast<double>(k) / static_cast<double>(picture.ghosts - 1);
+      draw_body(drawing, view, {charts_left + share * charts_width, y}, ghost_size(picture.ghosts),
+                orientation_at(path, std::lerp(path.times.front(), path.times.back(), share)), colors[i]);
+    }
+    y += ghost_row(picture.ghosts);
+  }
+}
+
+double ghosts_height(const MotionPicture& picture) {
+  return picture.ghosts == 0 ? 0.0 : 20.0 + static_cast<double>(picture.methods.size()) * ghost_row(picture.ghosts);
+}
+
 }  // namespace
 
 std::span<const DrawnQuantity> drawn_quantities() noexcept { return quantities; }
 
 Drawing motion_drawing(const MotionPicture& picture) {
-  Drawing drawing(width, charts_top + chart_pitch * static_cast<double>(quantities.size()));
+  const double charts_bottom = charts_top + chart_pitch * static_cast<double>(quantities.size());
+  Drawing drawing(width, charts_bottom + ghosts_height(picture));
   drawing.text({charts_left, 28.0}, picture.title, {Anchor::start, color::ink, 16.0});
   std::vector<Series> legend;
   for (std::size_t i = 0; i < picture.methods.size(); ++i)
@@ -93,6 +128,7 @@ Drawing motion_drawing(const MotionPicture& picture) {
     top += chart_pitch;
   }
   draw_sphere(drawing, picture);
+  if (picture.ghosts > 1) draw_ghosts(drawing, picture, charts_bottom);
   return drawing;
 }
 

@@ -17,6 +17,9 @@ inline constexpr std::size_t most_drawn_methods = 6;
 /// More marks of keys would be a grey field: then none are drawn.
 inline constexpr std::size_t most_marked_keys = 200;
 
+/// More ghosts in a row would hide each other.
+inline constexpr std::size_t most_ghosts = 60;
+
 /// To sample curves for a drawing: with one column for each unit of the charts' width.
 inline constexpr std::size_t samples_to_draw = 9 * 660;
 
@@ -37,10 +40,12 @@ struct MotionPicture {
   std::vector<PageMethod> methods{};                     ///< sampled, at most `most_drawn_methods`
   Eigen::Vector3d body_axis = Eigen::Vector3d::UnitX();  ///< whose way over the unit sphere is drawn
   std::string axis_name = "x";
+  std::size_t ghosts = 0;  ///< bodies per method at even times from start to end, below the charts; 0, or from 2 on
 };
 
 /// Charts over time [s] of the angle from the start [deg], |ω| [rad/s], |α| [rad/s²] and |jerk| [rad/s³], the keys
-/// marked, and beside them the path of a body axis on the unit sphere.
+/// marked, and beside them the path of a body axis on the unit sphere. Ghosts stand below at their times, a row per
+/// method.
 [[nodiscard]] ORISPLINE_EXPORT Drawing motion_drawing(const MotionPicture& picture);
 
 }  // namespace orispline::inline ORISPLINE_ABI::report

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/report/sphere.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include <orispline/math/degrees.hpp>
+#include <orispline/report/characters.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::report {
 namespace {
@@ -50,6 +54,46 @@ struct Globe {
   }
 };
 
+/// Finds places for the labels of dots where no line runs and nothing else stands.
+class LabelPlaces {
+ public:
+  LabelPlaces(const Globe& sphere, const SpherePicture& picture) : sphere_(sphere) {
+    for (const SpherePath& path : picture.paths)
+      for (const Eigen::Vector3d& direction : path.directions) taken_.push_back(sphere.at(direction));
+    for (const SphereDot& dot : picture.dots) taken_.push_back(sphere.at(dot.direction));
+  }
+
+  /// The middle of the label: above the dot where there is room, else the roomiest of the places around it.
+  Point beside(Point dot, std::string_view label) {
+    const double half = 3.5 * static_cast<double>(characters(label)), aside = half + 9.0, high = 13.0;
+    const std::array around{Point{0.0, -high},  Point{aside, -9.0}, Point{-aside, -9.0}, Point{aside, 0.0},
+                            Point{-aside, 0.0}, Point{aside, 9.0},  Point{-aside, 9.0},  Point{0.0, high}};
+    Point best{};
+    double most = -std::numeric_limits<double>::infinity();
+    for (const Point& from_dot : around) {
+      const Point place{dot.x + from_dot.x, dot.y + from_dot.y};
+      const double room = std::min(enough, room_at(place, half));
+      if (room > most) best = place, most = room;
+    }
+    for (const double x : {best.x - half, best.x, best.x + half}) taken_.push_back({x, best.y});
+    return best;
+  }
+
+ private:
+  static constexpr double enough = 9.0;  // [px], of half a letter's height and a little air
+
+  /// From the line in the middle of a label to the nearest thing drawn.
+  [[nodiscard]] double room_at(Point middle, double half) const {
+    double room = std::abs(std::hypot(middle.x - sphere_.center.x, middle.y - sphere_.center.y) - sphere_.radius);
+    for (const Point& p : taken_)
+      room = std::min(room, std::hypot(std::max(0.0, std::abs(p.x - middle.x) - half), p.y - middle.y));
+    return room;
+  }
+
+  const Globe& sphere_;
+  std::vector<Point> taken_;
+};
+
 }  // namespace
 
 void draw(Drawing& drawing, const View& view, Point center, double radius, const SpherePicture& picture) {
@@ -59,11 +103,14 @@ void draw(Drawing& drawing, const View& view, Point center, double radius, const
     sphere.draw_side(drawing, path.directions, -1.0, {path.stroke.color, pale * path.stroke.width, "3 3"});
   for (const auto& circle : graticule()) sphere.draw_side(drawing, circle, 1.0, {graticule_color, 1.0});
   for (const SpherePath& path : picture.paths) sphere.draw_side(drawing, path.directions, 1.0, path.stroke);
+  LabelPlaces places(sphere, picture);
   for (const SphereDot& dot : picture.dots) {
     const Point p = sphere.at(dot.direction);
     const bool behind = view.depth(dot.direction) < 0.0;
     drawing.circle(p, 4.0, {behind ? color::white : dot.color}, {dot.color, 1.0});
-    drawing.text({p.x, p.y - 8.0}, dot.label, {Anchor::middle, dot.color});
+    if (dot.label.empty()) continue;
+    const Point label = places.beside(p, dot.label);
+    drawing.text({label.x, label.y + 4.0}, dot.label, {Anchor::middle, dot.color});
   }
 }
 

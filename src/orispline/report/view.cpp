@@ -2,37 +2,43 @@
 #include <orispline/report/view.hpp>
 
 #include <algorithm>
-#include <array>
 
 #include <orispline/math/so3.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::report {
 namespace {
 
-struct Face {
-  std::array<Eigen::Vector3d, 3> corners;
-  double opacity;
-};
+Eigen::Vector3d middle_of(const Face& face) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& corner : face.corners) sum += corner;
+  return sum / static_cast<double>(face.corners.size());
+}
 
-const std::array<Face, 3> aircraft{Face{{{{1.0, 0.0, 0.0}, {-0.6, 0.8, 0.0}, {-0.4, 0.0, 0.0}}}, 0.85},
-                                   Face{{{{1.0, 0.0, 0.0}, {-0.6, -0.8, 0.0}, {-0.4, 0.0, 0.0}}}, 0.6},
-                                   Face{{{{0.1, 0.0, 0.0}, {-0.6, 0.0, 0.0}, {-0.6, 0.0, 0.55}}}, 0.35}};
+bool is_seen(const Face& face, const View& view) {
+  if (face.sides == Sides::both) return true;
+  const auto& corner = face.corners;
+  return view.depth((corner[1] - corner[0]).cross(corner[2] - corner[1])) > 0.0;
+}
 
 }  // namespace
 
+std::span<const Face> aircraft() noexcept {
+  static const std::vector<Face> faces{{{{1.0, 0.0, 0.0}, {-0.6, 0.8, 0.0}, {-0.4, 0.0, 0.0}}, 0.85},
+                                       {{{1.0, 0.0, 0.0}, {-0.6, -0.8, 0.0}, {-0.4, 0.0, 0.0}}, 0.6},
+                                       {{{0.1, 0.0, 0.0}, {-0.6, 0.0, 0.0}, {-0.6, 0.0, 0.55}}, 0.35}};
+  return faces;
+}
+
 void draw_body(Drawing& drawing, const View& view, Point center, double size, const Eigen::Quaterniond& orientation,
-               std::string_view color) {
-  std::array<Face, 3> faces = aircraft;
+               std::string_view color, std::span<const Face> body) {
+  std::vector<Face> faces(body.begin(), body.end());
   for (Face& face : faces)
     for (Eigen::Vector3d& corner : face.corners) corner = to_world<double>(orientation, corner);
-  const auto depth = [&view](const Face& face) {
-    return view.depth(face.corners[0] + face.corners[1] + face.corners[2]);
-  };
-  std::ranges::sort(faces, {}, depth);
+  std::erase_if(faces, [&view](const Face& face) { return !is_seen(face, view); });
+  std::ranges::stable_sort(faces, {}, [&view](const Face& face) { return view.depth(middle_of(face)); });
   for (const Face& face : faces) {
-    std::array<Point, 3> corners{};
-    std::ranges::transform(face.corners, corners.begin(),
-                           [&](const Eigen::Vector3d& corner) { return view.at(corner, center, size); });
+    std::vector<Point> corners;
+    for (const Eigen::Vector3d& corner : face.corners) corners.push_back(view.at(corner, center, size));
     drawing.polygon(corners, {color, face.opacity}, {color, 0.8});
   }
 }

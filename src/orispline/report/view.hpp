@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include <orispline/math/eigen.hpp>
 #include <orispline/report/svg.hpp>
@@ -28,8 +30,22 @@ class View {
   Eigen::Vector3d eye_, right_, up_;
 };
 
-/// Draws a small aircraft: its nose along the body's x axis, the left wing along y, the fin along z.
+/// From where a face of a body is seen.
+enum class Sides { both, outside };
+
+/// A flat piece of a body.
+struct Face {
+  std::vector<Eigen::Vector3d> corners;  ///< in the body's frame; seen from outside they go round counterclockwise
+  double opacity = 1.0;
+  Sides sides = Sides::both;
+};
+
+/// A small aircraft: its nose along the body's x axis, the left wing along y, the fin along z.
+[[nodiscard]] ORISPLINE_EXPORT std::span<const Face> aircraft() noexcept;
+
+/// Draws a body, its nearer faces on top; one unit of the body is `size` [px].
 ORISPLINE_EXPORT void draw_body(Drawing& drawing, const View& view, Point center, double size,
-                                const Eigen::Quaterniond& orientation, std::string_view color);
+                                const Eigen::Quaterniond& orientation, std::string_view color,
+                                std::span<const Face> body = aircraft());
 
 }  // namespace orispline::inline ORISPLINE_ABI::report

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tan et al. 2018, figure 4.
+#include "papers/experiment.hpp"
+
+#include <orispline/base/formatted.hpp>
+#include <orispline/math/degrees.hpp>
+#include <orispline/report/chart.hpp>
+#include <orispline/report/sphere.hpp>
+
+#include "papers/bodies.hpp"
+#include "papers/example_data.hpp"
+#include "papers/frames.hpp"
+#include "papers/recipe.hpp"
+#include "papers/sampling.hpp"
+
+namespace orispline::cli {
+namespace {
+
+using report::Notation;
+namespace color = report::color;
+
+/// The paper's two curves in its colours, and the Hermite curve with the rates that the quintic has at even keys.
+std::vector<Recipe> methods() {
+  return {{"quintic, α = 1", "quintic", {1.0}, {color::ink, 2.0}},
+          {"cubic Hermite", "hermite-cumulative", {}, {color::gold, 2.0}},
+          {"cubic Hermite, double rates", "hermite-cumulative", {2.0}, {color::sky, 1.5}}};
+}
+
+/// The largest jump of α at a key between the ends [rad/s²].
+double jump_of_acceleration(const AnyCurve& curve, std::span<const double> knots) {
+  double largest = 0.0;
+  for (const double t : knots.subspan(1, knots.size() - 2))
+    largest = std::max(
+        largest,
+        (curve.motion(t, Side::right).angular_acceleration - curve.motion(t, Side::left).angular_acceleration).norm());
+  return largest;
+}
+
+report::Table table_of(const std::vector<Served>& curves, const KeysInstead& keys) {
+  report::Table table{.title = "Figure 4: the quintic beside cubic Hermite curves",
+                      .columns = {{"curve"},
+                                  {"method"},
+                                  {"continuity"},
+                                  {"|ω| at key 2 [rad/s]", Notation::fixed, 4},
+                                  {"largest |α| [rad/s²]", Notation::fixed, 3},
+                                  {"largest jump of α at a key", Notation::scientific, 1},
+                                  {"farthest from the quintic [degrees]", Notation::fixed, 3}}};
+  const auto times = even_times(curves[0].curve.domain(), 401);
+  for (const auto& [recipe, curve] : curves)
+    table.rows.push_back({recipe.label, recipe.method, measured_continuity(curve),
+                          speed(curve.motion(keys.keys.times()[1])), largest_over_time(curve, acceleration),
+                          jump_of_acceleration(curve, keys.keys.times()),
+                          degrees * largest_distance(curve, curves[0].curve, times)});
+  table.notes = {
+      "The Hermite curve has at a key the rate of the parabola through three keys: at even times half the quintic's "
+      "with α = 1.",
+      "The paper does not state its rates.",
+      "The curves look alike and are not: at even times only the quintic has a continuous acceleration.", keys.note};
+  return table;
+}
+
+Picture picture(const std::vector<Served>& curves, const Keyframes& keys) {
+  report::Drawing drawing(860, 640);
+  report::SpherePicture sphere;
+  report::Chart chart{.title = "angular acceleration |α| [rad/s²]", .series = {}, .marks = marks_at(keys.times())};
+  const auto paper = std::span(curves).first(2);
+  for (const auto& [recipe, curve] : paper) {
+    const auto path = axis_path(curve, even_times(curve.domain(), 401), Eigen::Vector3d::UnitX());
+    sphere.paths.push_back({path, recipe.stroke});
+    chart.series.push_back(over_time(curve, acceleration));
+    chart.series.back().label = recipe.label;
+    chart.series.back().stroke = recipe.stroke;
+  }
+  for (const Eigen::Vector3d& x : axis_path(keys.orientations(), Eigen::Vector3d::UnitX()))
+    sphere.dots.push_back({x, std::to_string(sphere.dots.size() + 1)});
+  drawing.text({20.0, 24.0}, "(a) path of the body's x axis", {report::Anchor::start});
+  report::draw(drawing, report::facing(sphere.paths[0].directions), {205.0, 212.0}, 165.0, sphere);
+  report::draw_legend(drawing, {440.0, 60.0}, chart.series);
+  report::draw(drawing, {440.0, 100.0, 395.0, 240.0}, chart);
+  const std::vector<std::pair<std::string, const AnyCurve*>> motions{{"(c) cubic Hermite", &paper[1].curve},
+                                                                     {"(d) quintic, α = 1", &paper[0].curve}};
+  const FrameColors colors{.key = color::green, .between = color::red};
+  std::vector<FrameRow> rows{frames_of("(b) keyframes", paper[0].curve, keys.times(), keys.times(), colors)};
+  for (const auto& [label, curve] : motions)
+    rows.push_back(frames_of(label, *curve, even_times(curve->domain(), 17), keys.times(), colors));
+  draw_frames(drawing, 410.0, rows, cup());
+  return {"000-figure4", std::move(drawing)};
+}
+
+}  // namespace
+
+Expected<Findings> experiment::hermite_compared() {
+  return five_keys_at({0.0, 1.0, 2.0, 3.0, 4.0}).and_then([](const Keyframes& keys) {
+    return hermite_compared_on({keys, five_keys_note});
+  });
+}
+
+Expected<Findings> experiment::hermite_compared_on(const KeysInstead& keys) {
+  return curves_through(keys.keys, methods()).map([&](const std::vector<Served>& curves) {
+    return Findings{{table_of(curves, keys)}, {picture(curves, keys.keys)}, motions_of(curves, keys.keys)};
+  });
+}
+
+}  // namespace orispline::cli

@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The papers' experiments, for their tests."""
+import json
+
+from command import CommandTest
+
+PARTS = ["000-figure1", "000-figure2", "000-figure3", "000-figure4", "000-table1", "000-claims", "001-example1",
+         "001-example2", "002-identities", "002-example", "003-table1", "003-figure7", "003-claims"]
+TAKING_KEYS = ["000-figure3", "000-figure4", "000-table1", "000-claims", "003-figure7"]
+AUTHORS = {"000": "tan", "001": "he", "002": "eberly", "003": "sextic"}
+
+
+class Reproduced(CommandTest):
+    def tables_of(self, experiment):
+        """The tables of one experiment; a row is a dictionary by column."""
+        [report] = json.loads(self.output_of(f"reproduce {experiment} --json"))
+        for table in report["tables"]:
+            table["rows"] = [dict(zip(table["columns"], row)) for row in table["rows"]]
+        return report["tables"]
+
+    def rows_of(self, experiment, table=0):
+        return self.tables_of(experiment)[table]["rows"]
