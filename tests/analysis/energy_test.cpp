@@ -121,11 +121,13 @@ TEST(Energies, OfEveryMethodAreTheSameAtTheTimesOfTodayAsAtTheStartOfTime) {
       const auto early = make_curve(family.name, keys_from(0.0, step, 8));
       const auto late = make_curve(family.name, keys_from(today, step, 8));
       if (!early || !late) continue;
+      // The arcs of biarcs meet within a segment, at a time that is rounded to 2.4e-7 s today; α jumps there.
+      const double limit = family.name == "biarcs" ? 1e-4 : 1e-8;
       const Energies wanted = energies(*early, inertia), found = energies(*late, inertia);
-      expect_relative(found.acceleration, wanted.acceleration, 1e-8, std::string(family.name));
-      expect_relative(found.jerk, wanted.jerk, 1e-8, std::string(family.name));
-      expect_relative(found.torque, wanted.torque, 1e-8, std::string(family.name));
-      expect_relative(AngleTravelled(*late).total(), AngleTravelled(*early).total(), 1e-8, std::string(family.name));
+      expect_relative(found.acceleration, wanted.acceleration, limit, std::string(family.name));
+      expect_relative(found.jerk, wanted.jerk, limit, std::string(family.name));
+      expect_relative(found.torque, wanted.torque, limit, std::string(family.name));
+      expect_relative(AngleTravelled(*late).total(), AngleTravelled(*early).total(), limit, std::string(family.name));
     }
 }
 

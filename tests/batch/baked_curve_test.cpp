@@ -238,8 +238,10 @@ TEST(BakedCurve, IsAtRestBeyondItsEndsAndHasNoRatesAtTimesThatAreNoNumbers) {
 }
 
 template <class T>
-void expect_rates(const AnyCurve& curve, double tolerance) {
-  const Eigen::Array3d found = largest_rate_differences<T>(curve, tolerance), allowed = allowed_rate_differences<T>();
+void expect_rates(const AnyCurve& curve, double tolerance, bool jerk_jumps_inside) {
+  const Eigen::Array3d found = largest_rate_differences<T>(curve, tolerance);
+  Eigen::Array3d allowed = allowed_rate_differences<T>();
+  if (jerk_jumps_inside) allowed[2] = infinity;
   EXPECT_TRUE((found <= allowed).all()) << found.transpose() << " at " << tolerance;
 }
 
@@ -247,8 +249,9 @@ TEST(BakedCurve, HasRatesAsFarFromTheCurvesOwnAsItsToleranceAndItsPiecesLet) {
   for (const std::uint64_t seed : {111U, 116U})
     for (const auto& [name, curve] : curve_of_every_family(seed)) {
       SCOPED_TRACE(name);
-      for (const double tolerance : {1e-6, 1e-9, 1e-12}) expect_rates<double>(curve, tolerance);
-      for (const double tolerance : {1e-6, 1e-4}) expect_rates<float>(curve, tolerance);
+      const bool in_pieces = name == "least";  // which join within a segment, C²
+      for (const double tolerance : {1e-6, 1e-9, 1e-12}) expect_rates<double>(curve, tolerance, in_pieces);
+      for (const double tolerance : {1e-6, 1e-4}) expect_rates<float>(curve, tolerance, in_pieces);
     }
 }
 

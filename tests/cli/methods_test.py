@@ -21,7 +21,7 @@ class Methods(CommandTest):
         for method in self.methods.values():
             self.assertEqual(list(method), FIELDS)
             for parameter in method["parameters"]:
-                self.assertEqual(list(parameter), ["name", "default", "min", "max", "per_key", "ghosts"])
+                self.assertEqual(list(parameter), ["name", "default", "min", "max", "per_key", "ghosts", "tensor"])
             for choice in method["choices"]:
                 self.assertEqual(list(choice), ["name", "default", "words"])
 
@@ -57,7 +57,8 @@ class Methods(CommandTest):
                          f" C{method['continuity_uneven']} ", f" It needs {method['min_keys']} keys at least"):
                 self.assertIn(word, page)
             for parameter in method["parameters"]:
-                self.assertRegex(page, rf" {parameter['name']}=\S+, from \S+ to \S+, one for all keys")
+                values = "one, or the diagonal of a symmetric matrix" if parameter["tensor"] else "one for all keys"
+                self.assertRegex(page, rf" {parameter['name']}=\S+, from \S+ to \S+, {values}")
             for choice in method["choices"]:
                 self.assertIn(f" {choice['name']}={'|'.join(choice['words'])}, ", page)
             self.assertIn(" --closed" if method["closes"] else " It cannot be a loop", page)

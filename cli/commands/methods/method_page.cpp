@@ -70,7 +70,7 @@ std::string ends_of(const FamilyInfo& family) {
 
 std::string rates_of(const FamilyInfo& family) {
   if (family.rate_orders == 0) return "It reads no rates from the file.";
-  return formatted("It reads {} where the file has them, and estimates the others.", rate_columns_of(family));
+  return formatted("It reads {} where the file has them, and finds the others itself.", rate_columns_of(family));
 }
 
 }  // namespace

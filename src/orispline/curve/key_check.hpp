@@ -23,7 +23,7 @@ namespace orispline::inline ORISPLINE_ABI {
 
 /// Whether times are finite and all steps between them in range and comparable: then no time is wrong, which is seen at
 /// a glance. Otherwise one may be.
-[[nodiscard]] bool have_comparable_steps(std::span<const double> times) noexcept;
+[[nodiscard]] ORISPLINE_EXPORT bool have_comparable_steps(std::span<const double> times) noexcept;
 
 /// The first time of keys in a row that cannot follow those before it.
 [[nodiscard]] ORISPLINE_EXPORT std::optional<Error> check_times(std::span<const double> times);

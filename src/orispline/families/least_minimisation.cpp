@@ -8,7 +8,7 @@
 namespace orispline::inline ORISPLINE_ABI::families {
 namespace {
 
-constexpr int most_steps = 100, most_newton_steps = 25;
+constexpr int most_steps = 100, most_newton_steps = 60;
 constexpr int first_steps = 8;             // of Gauss and Newton, before what they gain is asked
 constexpr double contraction = 0.8;        // of their steps, that tells that they converge
 constexpr double energy_rounding = 1e-12;  // an energy that rises by no more than this share has not risen
