@@ -12,6 +12,9 @@
 namespace orispline::inline ORISPLINE_ABI::report {
 namespace {
 
+/// Not std::hypot, whose version of glibc 2.35 would keep programs from older systems.
+double length(double x, double y) { return std::sqrt(x * x + y * y); }
+
 constexpr std::string_view globe = "#f7f9fb", graticule_color = "#dde3e8";
 constexpr double pale = 0.45;
 
@@ -84,9 +87,9 @@ class LabelPlaces {
 
   /// From the line in the middle of a label to the nearest thing drawn.
   [[nodiscard]] double room_at(Point middle, double half) const {
-    double room = std::abs(std::hypot(middle.x - sphere_.center.x, middle.y - sphere_.center.y) - sphere_.radius);
+    double room = std::abs(length(middle.x - sphere_.center.x, middle.y - sphere_.center.y) - sphere_.radius);
     for (const Point& p : taken_)
-      room = std::min(room, std::hypot(std::max(0.0, std::abs(p.x - middle.x) - half), p.y - middle.y));
+      room = std::min(room, length(std::max(0.0, std::abs(p.x - middle.x) - half), p.y - middle.y));
     return room;
   }
 
