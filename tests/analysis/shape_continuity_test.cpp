@@ -1,36 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/analysis/shape_continuity.hpp>
 
-#include <cmath>
-
 #include <gtest/gtest.h>
 
 #include <orispline/families/registry.hpp>
 
+#include "tumbling_keys.hpp"
+
 namespace orispline {
 namespace {
-
-/// Orientations that turn about changing axes by up to 50°, at the given spacings [s].
-Keyframes turning_keys(const std::vector<double>& spacings) {
-  KeyframeData data{.times = {0.0}, .orientations = {Eigen::Quaterniond::Identity()}};
-  for (std::size_t i = 0; i < spacings.size(); ++i) {
-    const double x = static_cast<double>(i);
-    data.times.push_back(data.times.back() + spacings[i]);
-    data.orientations.push_back(
-        data.orientations.back() *
-        exp<double>({0.5 * std::cos(2.1 * x), 0.5 * std::sin(1.3 * x), 0.4 * std::cos(0.7 * x + 1.0)}));
-  }
-  return Keyframes::make(std::move(data)).value();
-}
 
 ShapeContinuity shape_of(std::string_view method, const Keyframes& keys) {
   return shape_continuity_at_keys(make_curve(method, keys).value());
 }
 
-const std::vector<double> uneven{0.1, 1.0, 0.1, 1.0, 1.0, 0.1, 0.1, 1.0, 0.1};
-
 TEST(ShapeContinuity, OfThePapersSplinesIsWhatTheyAreNamedByOnUnevenKeys) {
-  const Keyframes keys = turning_keys(uneven);
+  const Keyframes keys = tumbling_keys(uneven_spacings);
   EXPECT_EQ(continuity_at_keys(make_curve("quintic", keys).value()).order(), 0);
   EXPECT_EQ(shape_of("quintic", keys).order(), 2);  // Tan et al. 2018
   EXPECT_EQ(shape_of("sextic", keys).order(), 3);
@@ -38,7 +23,7 @@ TEST(ShapeContinuity, OfThePapersSplinesIsWhatTheyAreNamedByOnUnevenKeys) {
 }
 
 TEST(ShapeContinuity, IsAtLeastThatInTimeWhereTheBodyMoves) {
-  const Keyframes keys = turning_keys(uneven);
+  const Keyframes keys = tumbling_keys(uneven_spacings);
   for (const FamilyInfo& family : families_info()) {
     const auto curve = make_curve(family.name, keys);
     ASSERT_TRUE(curve) << family.name;
@@ -87,7 +72,7 @@ TEST(ShapeContinuity, OfOnePathAtTwoSpeedsIsTheSame) {
 }
 
 TEST(ShapeContinuity, IsUndefinedWhereTheBodyRests) {
-  auto keys = turning_keys({1.0, 1.0, 1.0, 1.0});
+  auto keys = tumbling_keys({1.0, 1.0, 1.0, 1.0});
   KeyframeData data{.times = {0.0, 1.0, 2.0, 3.0, 4.0}};
   for (const std::size_t i : {0, 1, 1, 2, 3}) data.orientations.push_back(keys.orientations()[i]);
   const ShapeContinuity shape = shape_continuity_at_keys(
@@ -107,9 +92,9 @@ TEST(ShapeContinuity, OfACurveThatNeverMovesIsUndefined) {
 }
 
 TEST(ShapeContinuity, OfALoopIncludesItsSeam) {
-  const auto curve = make_curve(Method{"timed-c2", {.loop = Loop{.period = 6.0}}}, turning_keys(uneven));
+  const auto curve = make_curve(Method{"timed-c2", {.loop = Loop{.period = 6.0}}}, tumbling_keys(uneven_spacings));
   ASSERT_TRUE(curve);
-  EXPECT_EQ(shape_continuity_at_keys(*curve, Seam::closed).joints, uneven.size() + 1);
+  EXPECT_EQ(shape_continuity_at_keys(*curve, Seam::closed).joints, uneven_spacings.size() + 1);
   EXPECT_GE(*shape_continuity_at_keys(*curve, Seam::closed).order(), 2);
 }
 
