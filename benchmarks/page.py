@@ -2,6 +2,8 @@
 """The tables of docs/benchmarks.md."""
 import re
 
+from page_block import fill_block
+
 # What contraction into fused multiply-adds would give is left out by default: ratios may be that much smaller.
 WITHOUT_CONTRACTION = {"v4": 0.88, "v3": 0.75}
 # text, member of ratios.json, target on v4, target on v3, unit, whether contraction matters
@@ -160,6 +162,4 @@ def page_text(results, runs, scipy):
 
 def fill(page, results, runs, scipy):
     start, end = "<!-- measured: written by benchmarks/ratios.py -->\n", "<!-- end of what is measured -->"
-    before, rest = page.read_text("utf-8").split(start)
-    after = rest.split(end)[1]
-    page.write_text(before + start + "\n".join(page_text(results, runs, scipy)) + end + after, "utf-8")
+    fill_block(page, start, end, page_text(results, runs, scipy))

@@ -23,6 +23,7 @@ import numpy as np  # noqa: E402
 import pyarrow as pa  # noqa: E402
 import scipy  # noqa: E402
 from orispline import tables  # noqa: E402
+from page_block import fill_block  # noqa: E402
 from ratios import machine  # noqa: E402
 
 START, END = "<!-- many tracks: written by benchmarks/python/many_tracks.py -->\n", "<!-- end of many tracks -->"
@@ -187,8 +188,7 @@ def main() -> None:
     lines = list(text(SIZES[chosen.sizes]))
     print("\n".join(lines))
     if chosen.document:
-        before, rest = chosen.document.read_text("utf-8").split(START)
-        chosen.document.write_text(before + START + "\n".join(lines) + END + rest.split(END)[1], "utf-8")
+        fill_block(chosen.document, START, END, lines)
 
 
 if __name__ == "__main__":

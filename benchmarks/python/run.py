@@ -19,6 +19,7 @@ os.environ |= {name: "1" for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS",
 sys.path.insert(1, str(pathlib.Path(__file__).resolve().parents[1]))
 import numpy as np  # noqa: E402
 import scipy  # noqa: E402
+from page_block import fill_block  # noqa: E402
 from questions import SIZES, questions  # noqa: E402
 from ratios import machine  # noqa: E402
 
@@ -88,8 +89,7 @@ def main():
     lines = list(text(rows, medians, SIZES[chosen.sizes][0], load, importing(rounds)))
     print("\n".join(lines))
     if chosen.document:
-        before, rest = chosen.document.read_text("utf-8").split(START)
-        chosen.document.write_text(before + START + "\n".join(lines) + END + rest.split(END)[1], "utf-8")
+        fill_block(chosen.document, START, END, lines)
 
 
 if __name__ == "__main__":
