@@ -9,8 +9,8 @@ of the quaternion at a precision that leaves them exact in double. Every double 
 """
 import csv
 import pathlib
-import sys
 
+from golden_files import write_or_check
 from mpmath import acos, atan2, cos, diff, mp, mpf, sin, sqrt
 
 FOLDER = pathlib.Path(__file__).resolve().parent.parent / "tests" / "data" / "golden"
@@ -200,17 +200,5 @@ def tables():
     return {"biarcs_cases.csv": HEAD + CASES_NOTE + "\n".join(cases) + "\n", "biarcs.csv": HEAD + ROWS_NOTE + "\n".join(rows) + "\n"}
 
 
-def main():
-    stale = []
-    for name, text in tables().items():
-        path = FOLDER / name
-        if "--check" not in sys.argv:
-            path.write_text(text, "utf-8")
-        elif not path.exists() or path.read_text("utf-8") != text:
-            stale.append(name)
-    if stale:
-        sys.exit(f"{', '.join(stale)}: not what tools/make_biarcs_golden.py makes; run it")
-
-
 if __name__ == "__main__":
-    main()
+    write_or_check(FOLDER, tables())

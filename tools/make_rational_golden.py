@@ -11,7 +11,8 @@ repr, so it reads back exactly.
 import csv
 import decimal
 import pathlib
-import sys
+
+from golden_files import write_or_check
 
 FOLDER = pathlib.Path(__file__).resolve().parent.parent / "tests" / "data" / "golden"
 HEAD = ("# Made by tools/make_rational_golden.py.\n"
@@ -196,17 +197,5 @@ def tables():
     return {"rational_cases.csv": HEAD + CASES_NOTE + "\n".join(cases) + "\n", "rational.csv": HEAD + ROWS_NOTE + "\n".join(rows) + "\n"}
 
 
-def main():
-    stale = []
-    for name, text in tables().items():
-        path = FOLDER / name
-        if "--check" not in sys.argv:
-            path.write_text(text, "utf-8")
-        elif not path.exists() or path.read_text("utf-8") != text:
-            stale.append(name)
-    if stale:
-        sys.exit(f"{', '.join(stale)}: not what tools/make_rational_golden.py makes; run it")
-
-
 if __name__ == "__main__":
-    main()
+    write_or_check(FOLDER, tables())
