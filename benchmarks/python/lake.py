@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Many tracks to measure with, and what a user of SciPy would write for them."""
+"""Many tracks to measure with, and what a user of SciPy would write for them.
+
+SciPy is imported where it is called: a process whose memory is measured does not load it.
+"""
 import multiprocessing
 import os
 import pathlib
@@ -9,7 +12,6 @@ import time
 import numpy as np
 import pyarrow as pa
 import pyarrow.parquet as pq
-from scipy.spatial.transform import Rotation, RotationSpline
 
 QUATERNION = ["qx", "qy", "qz", "qw"]
 BAD_EVERY = 1000
@@ -17,6 +19,7 @@ BAD_EVERY = 1000
 
 def tracks(count: int, keys: int = 50, seed: int = 7) -> dict[str, np.ndarray]:
     """Columns of so many tracks in order, of about so many keys, 0.05 to 0.15 s apart; some have two keys at the same time."""
+    from scipy.spatial.transform import Rotation
     dice = np.random.default_rng(seed)
     sizes = dice.integers(4 * keys // 5, 6 * keys // 5 + 1, count)
     ids = np.repeat(np.arange(count), sizes)
@@ -44,6 +47,7 @@ def one_track(keys: int) -> pa.Table:
 
 def scipy_loop(columns: dict[str, np.ndarray], count: int, rate: float) -> list[tuple[np.ndarray, ...]]:
     """Even samples with ω of the first tracks that are sound, a spline for each."""
+    from scipy.spatial.transform import Rotation, RotationSpline
     ends = np.searchsorted(columns["track"], np.arange(count + 1))
     q = np.column_stack([columns[name] for name in QUATERNION])
     found = []

@@ -21,6 +21,7 @@ from .._errors import AccessError, ArgumentError, DataError, Error
 from ._layout import plain, plain_type
 from ._tracks import ROWS_AT_A_TIME, in_order
 
+ROWS_OF_DUCKDB = 1 << 14  # in a batch: what it holds of them lies beyond its memory_limit
 WANTED = "Parquet files, a pyarrow table, dataset or reader, or what has __arrow_c_stream__"
 
 
@@ -186,8 +187,8 @@ def _by_duckdb(source: Source, order: Sequence[str], threads: int, memory_limit:
         connection.register("given", reader)
         keys = ", ".join(f"c{source.schema.names.index(name)} ASC NULLS LAST" for name in order)
         result = connection.sql(f"SELECT * FROM given ORDER BY {keys}")
-        rows = result.to_arrow_reader(ROWS_AT_A_TIME) if hasattr(result, "to_arrow_reader") else result.fetch_record_batch(
-            ROWS_AT_A_TIME)
+        rows = result.to_arrow_reader(ROWS_OF_DUCKDB) if hasattr(result, "to_arrow_reader") else result.fetch_record_batch(
+            ROWS_OF_DUCKDB)
         for batch in rows:
             yield pa.RecordBatch.from_arrays([column.cast(field.type) for column, field in zip(batch.columns, source.schema)],
                                              schema=source.schema)
