@@ -20,7 +20,7 @@ struct Softness {
   double stiffness, gain;
 };
 
-constexpr std::array softnesses{Softness{32.0, 0.05}, Softness{8.0, 0.1}, Softness{2.0, 0.15}};
+constexpr std::array softnesses{Softness{32.0, 0.05}, Softness{8.0, 0.1}, Softness{2.0, 0.15}, Softness{0.5, 0.15}};
 constexpr int most_updates = 10;
 constexpr double settled = 0.1;             // of log λ, in one update
 constexpr double scan_tolerance = 1e-3;     // of the iteration, in units of the noise
