@@ -79,7 +79,9 @@ TEST(Page, HasNotesLimitsMarksAndKeysOfAMethod) {
   EXPECT_EQ(count_of(R"("limits":{"error":0.1,"w":1.5},"units":{"w":{"unit":"°/s","size":0.01745329}})", json), 1U);
   EXPECT_EQ(count_of(R"("torque":[1,2,3],"p":[],"error_t":[0.5],"error_deg":[4]})", json), 1U);
   EXPECT_EQ(count_of(R"("keys":{"t":[2],"q":[1,0,0,0],"p":[]},)"
-                     R"("bands":{"w":{"label":"σ","t":[0.5,1],"low":[0,null],"high":[0.25,null]}}})", json), 1U);
+                     R"("bands":{"w":{"label":"σ","t":[0.5,1],"low":[0,null],"high":[0.25,null]}}})",
+                     json),
+            1U);
 }
 
 TEST(Page, NamesColumnsBodiesAndFailures) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Smoothing that adapts in time beside one smoothing time for the whole recording, against the truth: of simulated gaits,
-// of joints, and of recordings. ORISPLINE_SWEEP=all in the environment takes every track and seed, else a few.
+// Smoothing that adapts in time beside one smoothing time for the whole recording, against the truth: of simulated
+// gaits, of joints, and of recordings. ORISPLINE_SWEEP=all in the environment takes every track and seed, else a few.
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -141,8 +141,8 @@ TEST(Adaptation, TellsItsSmoothingTimesWhichAreShortWhereTheMotionIsQuick) {
 TEST(Adaptation, IsForEveryPenaltyLossAndKnowledge) {
   const Truth truth = gait(3, Strike::ring, 600);
   const Keyframes keys = Keyframes::make(disturbed(truth.data, 0.3 * degree, 3)).value();
-  for (SmoothOptions options :
-       {SmoothOptions{.penalty = Penalty::jerk}, SmoothOptions{.loss = Loss::l2}, SmoothOptions{.noise = 0.3 * degree}}) {
+  for (SmoothOptions options : {SmoothOptions{.penalty = Penalty::jerk}, SmoothOptions{.loss = Loss::l2},
+                                SmoothOptions{.noise = 0.3 * degree}}) {
     const double usual = distance(truth, keys, options);
     options.adapt = true;
     EXPECT_LT(distance(truth, keys, options), 0.95 * usual);

@@ -19,7 +19,7 @@ using testing_support::relative_error;
 using testing_support::SmoothingCase;
 
 constexpr double golden = 1e-9;
-constexpr double within_90 = 1.6448536269514722;  // standard deviations, of nine in ten normal values
+constexpr double within_90 = 1.6448536269514722;        // standard deviations, of nine in ten normal values
 constexpr double angle_within_90 = 2.5002777108094975;  // likewise of a vector of three
 
 TEST(NodeSigmas, AreThoseOfTheInverseOfTheWholeMatrix) {
@@ -138,8 +138,7 @@ TEST(NodeSigmas, AreGivenOnlyWhereTheyAreAskedForAndChangeNothingElse) {
 
 TEST(NodeSigmas, AreLargerAtTheEndsAndWhereSamplesAreRejected) {
   Recording recording = recorded(300, degree);
-  recording.noisy.orientations[150] =
-      recording.noisy.orientations[150] * exp<double>(Eigen::Vector3d(0.0, 0.5, 0.0));
+  recording.noisy.orientations[150] = recording.noisy.orientations[150] * exp<double>(Eigen::Vector3d(0.0, 0.5, 0.0));
   const Smoothing smoothing = smooth(Keyframes::make(recording.noisy).value(), {.sigma = true}).value();
   ASSERT_EQ(smoothing.rejected, std::vector<std::size_t>{150});
   const auto& sigmas = smoothing.sigmas->orientations;

@@ -110,11 +110,6 @@ class Smoothing(Reported):
         The smooth motion at the times of the recording, with angular velocities and accelerations.
     method
         The method whose curve through the keys is the smooth motion.
-    sigma
-        One standard deviation of every orientation along the axes of the body [rad], of the shape (n, 3). None: without the
-        option `sigma`.
-    sigma_of_rates
-        Of every angular velocity [rad/s], likewise.
     {fields}
     """
 
@@ -162,13 +157,13 @@ class Smoothing(Reported):
 
     @property
     def sigma(self) -> NDArray[np.float64] | None:
-        """One standard deviation of every orientation along the axes of the body [rad]."""
+        """One standard deviation of every orientation along the axes of the body [rad], of the shape (n, 3); with the option."""
         found: NDArray[np.float64] | None = self._task().sigma
         return found
 
     @property
     def sigma_of_rates(self) -> NDArray[np.float64] | None:
-        """One standard deviation of every angular velocity along the axes of the body [rad/s]."""
+        """One standard deviation of every angular velocity along the axes of the body [rad/s], likewise."""
         found: NDArray[np.float64] | None = self._task().sigma_of_rates
         return found
 

@@ -108,7 +108,8 @@ Expected<std::size_t> write(const std::string& path, const Request& request, con
   io::SampleColumns columns = request.columns;
   columns.derivatives = columns.format->holds.rates ? 2 : 0;
   columns.positions = !smoothed.track.keys.positions().empty();
-  if (!request.times) return write_keys(path, written_keys(smoothed), columns).map([&] { return smoothed.track.keys.size(); });
+  if (!request.times)
+    return write_keys(path, written_keys(smoothed), columns).map([&] { return smoothed.track.keys.size(); });
   return open_samples(path, columns, smoothed.track.keys.size()).and_then([&](Noted<io::SampleWriter> output) {
     return write_samples(output.file, smoothed, *request.times).and_then([&](std::size_t count) {
       return put_in_place(std::move(output)).map([count] { return count; });

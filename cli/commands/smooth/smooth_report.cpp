@@ -114,7 +114,8 @@ std::string text_of(const SmoothReport& report) {
   if (smoothing.degrees_of_freedom)
     text += formatted("freedom         {:.4g} effective parameters of {}\n", *smoothing.degrees_of_freedom,
                       3 * smoothing.nodes.orientations.size());
-  text += sigma_line(smoothing) + gyro_lines(smoothing) + outlier_lines(report) + position_lines(report) + stretch_lines(report);
+  text += sigma_line(smoothing) + gyro_lines(smoothing) + outlier_lines(report) + position_lines(report) +
+          stretch_lines(report);
   return text + formatted("{} written to {}\n", counted(report.rows, report.samples ? "sample" : "key"),
                           destination(report.output));
 }

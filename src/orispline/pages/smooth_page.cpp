@@ -120,8 +120,9 @@ std::map<std::string, report::PageBand, std::less<>> bands_of(const Source& sour
     const double t = source.smoothed().times()[key];
     const Eigen::Vector3d& w = source.smoothed().angular_velocities()[key];
     const double speed = w.norm(), angle = sigmas.orientations[key].norm() * degrees;
-    const double spread = sigmas.angular_velocities[key].cwiseProduct(speed > 0.0 ? Eigen::Vector3d(w / speed)
-                                                                                  : Eigen::Vector3d::Ones()).norm();
+    const double spread = sigmas.angular_velocities[key]
+                              .cwiseProduct(speed > 0.0 ? Eigen::Vector3d(w / speed) : Eigen::Vector3d::Ones())
+                              .norm();
     const double before = turn.times.empty() ? t : turn.times.back();
     if (!source.smoothing.covers(0.5 * (before + t)))
       for (auto& [id, band] : bands) add(band, t, std::nan(""), std::nan(""));
@@ -171,8 +172,9 @@ std::vector<std::string> notes_of(const Smoothing& smoothing) {
                               counted(rejected, "sample") + (rejected == 1 ? " is rejected" : " are rejected"),
                               rejected > samples_of_few ? formatted(", {} of them", samples_of_few) : ""));
   if (smoothing.sigmas)
-    notes.emplace_back("Bands are one standard deviation of the smoothed motion: of its angle from the truth, where "
-                       "errors are plotted, and of the length of its angular velocity.");
+    notes.emplace_back(
+        "Bands are one standard deviation of the smoothed motion: of its angle from the truth, where "
+        "errors are plotted, and of the length of its angular velocity.");
   if (const std::size_t kept = smoothing.retained_outlier_runs.size(); kept > 0)
     notes.push_back(
         formatted("{} far from what the others predict, and so are the samples beside: they are kept as motion.",

@@ -8,11 +8,11 @@ namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 constexpr int most_steps = 20;
-constexpr double longest_step = 3.0;    // of log λ, beyond which the exponential is not to be trusted
-constexpr double farthest = 18.0;       // from the first value, which is a hundred times as long a τ
-constexpr double tolerance = 1e-4;      // of log λ
-constexpr double least_share = 1e-3;    // of a step
-constexpr double least_diagonal = 1e-9; // for knots about which nothing is said
+constexpr double longest_step = 3.0;     // of log λ, beyond which the exponential is not to be trusted
+constexpr double farthest = 18.0;        // from the first value, which is a hundred times as long a τ
+constexpr double tolerance = 1e-4;       // of log λ
+constexpr double least_share = 1e-3;     // of a step
+constexpr double least_diagonal = 1e-9;  // for knots about which nothing is said
 
 /// The solution of a symmetric tridiagonal system with a positive diagonal that outweighs the rest.
 std::vector<double> solved(std::vector<double> diagonal, const std::vector<double>& beside, std::vector<double> right) {

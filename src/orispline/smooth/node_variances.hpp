@@ -24,9 +24,8 @@ class NodeVariances {
     for (Eigen::Index k = 0; k < 3; ++k) {
       Eigen::Matrix<double, Sides, 1> combination = Eigen::Matrix<double, Sides, 1>::Zero();
       combination.template tail<3>() = root.col(k);
-      chain.solve(combination, [this](std::size_t i, const auto& x) {
-        values_[i] += x.template head<6>().cwiseAbs2();
-      });
+      chain.solve(combination,
+                  [this](std::size_t i, const auto& x) { values_[i] += x.template head<6>().cwiseAbs2(); });
     }
   }
 

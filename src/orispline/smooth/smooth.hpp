@@ -30,7 +30,7 @@ struct SmoothOptions {
   std::optional<double> position_noise{};  ///< σ of the positions per axis [m], 1e-12 to 1e12
   bool adapt = false;  ///< let τ vary in time where that predicts the samples clearly better; not with `smoothing_time`
                        ///< or `gyro`, and not of positions
-  bool sigma = false;                      ///< find the standard deviations of the smoothed orientations and rates too
+  bool sigma = false;  ///< find the standard deviations of the smoothed orientations and rates too
 };
 
 /// Errors (bad_argument): numbers that are out of their range whatever the recording is, and options that contradict

@@ -22,8 +22,8 @@ struct Softness {
 
 constexpr std::array softnesses{Softness{32.0, 0.05}, Softness{8.0, 0.1}, Softness{2.0, 0.15}, Softness{0.5, 0.15}};
 constexpr int most_updates = 10;
-constexpr double settled = 0.1;             // of log λ, in one update
-constexpr double scan_tolerance = 1e-3;     // of the iteration, in units of the noise
+constexpr double settled = 0.1;          // of log λ, in one update
+constexpr double scan_tolerance = 1e-3;  // of the iteration, in units of the noise
 constexpr std::size_t samples_per_knot = 3;
 
 /// One try: λ as a curve of each stretch, and the fits with it.
@@ -33,8 +33,8 @@ class Adaptation {
              SmoothingCriterion criterion, double noise)
       : problems_(problems), objective_(objective), fits_(fits), criterion_(criterion), noise_(noise) {
     for (std::size_t k = 0; k < problems.size(); ++k) {
-      const double trace = hat_trace(StretchProblems{problems[k]}, StretchFits{{fits.fits[k]}}, objective.penalty,
-                                     objective.lambda);
+      const double trace =
+          hat_trace(StretchProblems{problems[k]}, StretchFits{{fits.fits[k]}}, objective.penalty, objective.lambda);
       const std::size_t most = std::max<std::size_t>(2, problems[k].size() / samples_per_knot);
       const auto knots = std::clamp(static_cast<std::size_t>(std::max(0.0, trace)), std::size_t{2}, most);
       curves_.emplace_back(problems[k].times, knots, elementary::natural_logarithm(objective.lambda));

@@ -48,9 +48,9 @@ struct ORISPLINE_EXPORT Smoothing {
   std::optional<NodeSigmas> sigmas{};                     ///< of these nodes, where they were asked for
   std::vector<Stretch> stretches{};                       ///< one, without gaps
   std::vector<std::size_t> samples_in_short_stretches{};  ///< keys of stretches too short to tell noise from motion
-  double smoothing_time = 0.0;                            ///< τ [s]; where it varies, its geometric mean over intervals
-  std::vector<double> smoothing_times{};                  ///< τ at every key [s], where it varies in time; else empty
-  double lambda = 0.0;                                    ///< weight of the penalty against |r|²/σ²
+  double smoothing_time = 0.0;            ///< τ [s]; where it varies, its geometric mean over intervals
+  std::vector<double> smoothing_times{};  ///< τ at every key [s], where it varies in time; else empty
+  double lambda = 0.0;                    ///< weight of the penalty against |r|²/σ²
   double noise = 0.0;        ///< σ of the orientations per axis [rad], estimated from the residuals, or as stated
   double local_noise = 0.0;  ///< estimated from neighbouring samples [rad]
   std::optional<double> degrees_of_freedom{};         ///< effective ones of the curve, 3 tr; absent with a gyro

@@ -64,8 +64,8 @@ std::vector<double> SmoothingSearch::smoothing_times() const {
     for (std::size_t i = 0; i < problem.size(); ++i) {
       const double before = problem.relative_lambda(i == 0 ? 0 : i - 1),
                    after = problem.relative_lambda(std::min(i, problem.size() - 2));
-      times.push_back(smoothing_time_of(objective_.lambda * std::sqrt(before * after), plan_.penalty, plan_.noise,
-                                        plan_.interval));
+      times.push_back(
+          smoothing_time_of(objective_.lambda * std::sqrt(before * after), plan_.penalty, plan_.noise, plan_.interval));
     }
   }
   return times;

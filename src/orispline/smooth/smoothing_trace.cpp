@@ -28,9 +28,8 @@ ChainElimination<P, 1, 1> eliminated(const ScalarSmoother& smoother) {
 template <int P>
 std::vector<double> variances(const ScalarSmoother& smoother) {
   std::vector<double> result(smoother.times.size());
-  for_each_covariance(eliminated<P>(smoother), [&](std::size_t i, const auto& covariance, const auto&) {
-    result[i] = covariance(0, 0);
-  });
+  for_each_covariance(eliminated<P>(smoother),
+                      [&](std::size_t i, const auto& covariance, const auto&) { result[i] = covariance(0, 0); });
   return result;
 }
 

@@ -8,8 +8,8 @@
 
 namespace orispline::inline ORISPLINE_ABI {
 
-/// The smoother of one axis, which that of orientations is to second order in the angles of the steps, for the transport
-/// from node to node is a rotation.
+/// The smoother of one axis, which that of orientations is to second order in the angles of the steps, for the
+/// transport from node to node is a rotation.
 struct ScalarSmoother {
   std::span<const double> times;    ///< [s]
   std::span<const double> weights;  ///< [1/rad²]
