@@ -85,7 +85,7 @@ sweep:
 	tools/setup.sh build test
 	cmake --preset dev
 	cmake --build --preset dev -j $(JOBS) --target smooth_tests
-	ORISPLINE_SWEEP=all ctest --test-dir build/dev -R '^smooth_tests\.(NeverWorse|Strikes)\.' -j $(JOBS) --output-on-failure
+	ORISPLINE_SWEEP=all ctest --test-dir build/dev -R '^smooth_tests\.(NeverWorse|Strikes|Adaptation)\.' -j $(JOBS) --output-on-failure
 
 # Small faults in the library, and whether the tests find them: hours.
 mutants:

@@ -42,9 +42,12 @@ std::string places_text(const std::vector<std::size_t>& samples, const std::vect
 }
 
 std::string choice_line(const Smoothing& smoothing) {
-  return formatted("smoothing time  {}\n",
-                   choice_text(smoothing.smoothing_time, smoothing.cutoff(), smoothing.criterion, smoothing.chosen_on,
-                               smoothing.keys.size()));
+  const std::string line =
+      formatted("smoothing time  {}\n", choice_text(smoothing.smoothing_time, smoothing.cutoff(), smoothing.criterion,
+                                                    smoothing.chosen_on, smoothing.keys.size()));
+  if (smoothing.smoothing_times.empty()) return line;
+  return line + formatted("  in time       it varies from {:.4g} s to {:.4g} s about this mean\n",
+                          *smoothing.shortest_smoothing_time(), *smoothing.longest_smoothing_time());
 }
 
 std::string position_choice_line(const Smoothing& smoothing) {

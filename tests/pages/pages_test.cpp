@@ -123,6 +123,26 @@ TEST(SmoothPage, ShowsTheSmoothedMotionBesideTheRecording) {
   EXPECT_EQ(json_of(page), json_of(pages::smooth_page(recording, smoothing, head)));
 }
 
+TEST(SmoothPage, DrawsStandardDeviationsAsBandsThatEndAtGaps) {
+  Track recording = noisy(300);
+  EXPECT_TRUE(pages::smooth_page(recording, smooth(recording).value(), head).methods[0].bands.empty());
+  std::vector<double> times(recording.keys.times().begin(), recording.keys.times().end());
+  for (std::size_t i = 150; i < 300; ++i) times[i] += 5.0;
+  recording = recording.with_times(times).value();
+  const Smoothing smoothing = smooth(recording, {.gap = 1.0, .sigma = true}).value();
+  const report::Page page = pages::smooth_page(recording, smoothing, head);
+  ASSERT_EQ(page.methods[0].bands.size(), 2u);
+  const report::PageBand& turn = page.methods[0].bands.at("error");
+  ASSERT_EQ(turn.times.size(), 301u);  // the keys, and one that ends the band
+  EXPECT_TRUE(std::isnan(turn.high[150]));
+  EXPECT_DOUBLE_EQ(turn.high[0], smoothing.sigmas->orientations[0].norm() * degrees);
+  const report::PageBand& rate = page.methods[0].bands.at("w");
+  const double speed = smoothing.nodes.angular_velocities[10].norm();
+  EXPECT_LT(rate.low[10], speed);
+  EXPECT_NEAR(rate.low[10] + rate.high[10], 2.0 * speed, 1e-12);
+  EXPECT_TRUE(page.methods[1].bands.empty());
+}
+
 TEST(ReducePage, PutsTheSmallestReductionFirst) {
   const Track recording = noisy(200);
   const ReduceOptions options{.tolerance = {.angle = 2.0 / degrees}};

@@ -33,7 +33,7 @@ def expect_keys(keys, path, rates=()):
 
 
 SMOOTHINGS = {"": {}, "--noise 0.5deg --penalty jerk": {"noise": "0.5deg", "penalty": "jerk"},
-              "--smoothing-time 0.05 --loss l2": {"smoothing_time": 0.05, "loss": "l2"}}
+              "--smoothing-time 0.05 --loss l2": {"smoothing_time": 0.05, "loss": "l2"}, "--adapt": {"adapt": True}}
 
 
 @pytest.mark.parametrize("words", SMOOTHINGS)
@@ -61,6 +61,19 @@ def test_smoothing_of_positions_and_with_a_gyro_is_that_of_the_command(tmp_path)
     flagged = re.sub("`(.*?)`", lambda name: "--" + name[1].replace("_", "-"), str(caught[0].message))
     assert f"warning: {flagged}\n" in run("smooth", truth, "--gyro", "-o", out)[1]
     assert caught[0].filename == __file__
+
+
+def test_standard_deviations_are_those_of_the_command(tmp_path):
+    noisy, out = noisy_file(tmp_path / "noisy.csv"), tmp_path / "keys.csv"
+    told = json_of("smooth", noisy, "--sigma", "-o", out)
+    smoothing = ori.smooth(keys_in(noisy), sigma=True)
+    expect_members(smoothing, told, "samples", "rows_written", "penalty", "loss")
+    columns = columns_of(out)
+    for found, names in ((smoothing.sigma, "sigma_x sigma_y sigma_z"), (smoothing.sigma_of_rates, "sigma_wx sigma_wy sigma_wz")):
+        assert found is not None and np.array_equal(found, group(columns, names))
+    assert pickle.loads(pickle.dumps(smoothing)).sigma.tolist() == smoothing.sigma.tolist()
+    without = ori.smooth(keys_in(noisy))
+    assert without.sigma is None and without.sigma_of_rates is None and without.rms_sigma is None
 
 
 def test_smooth_motion_is_near_to_the_truth(tmp_path):

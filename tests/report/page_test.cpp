@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/report/page.hpp>
 
+#include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -62,11 +63,12 @@ TEST(Page, HasNotesLimitsMarksAndKeysOfAMethod) {
   const std::string empty = json_of({.methods = {{.name = "m"}}});
   EXPECT_EQ(count_of(R"("notes":[],)", empty), 1U);
   EXPECT_EQ(count_of(R"("marks":null,"limits":{},"units":{},)", empty), 1U);
-  EXPECT_EQ(count_of(R"("torque":[],"p":[],"error_t":[],"error_deg":[]},"keys":null})", empty), 1U);
+  EXPECT_EQ(count_of(R"("torque":[],"p":[],"error_t":[],"error_deg":[]},"keys":null,"bands":{}})", empty), 1U);
   PageMethod method{.name = "m", .keys = PageKeys{.path = {{2.0}, {one}}}};
   method.samples.torques = {{1.0, 2.0, 3.0}};
   method.samples.error_times = {0.5};
   method.samples.errors = {4.0};
+  method.bands["w"] = {"σ", {0.5, 1.0}, {0.0, std::nan("")}, {0.25, std::nan("")}};
   const std::string json = json_of({.notes = {"a", "b"},
                                     .marks = PageMarks{"odd ones", {{1.0}, {one}}, {30.0}},
                                     .limits = {{"w", 1.5}, {"error", 0.1}},
@@ -76,7 +78,10 @@ TEST(Page, HasNotesLimitsMarksAndKeysOfAMethod) {
   EXPECT_EQ(count_of(R"("marks":{"label":"odd ones","t":[1],"q":[1,0,0,0],"error_deg":[30]})", json), 1U);
   EXPECT_EQ(count_of(R"("limits":{"error":0.1,"w":1.5},"units":{"w":{"unit":"°/s","size":0.01745329}})", json), 1U);
   EXPECT_EQ(count_of(R"("torque":[1,2,3],"p":[],"error_t":[0.5],"error_deg":[4]})", json), 1U);
-  EXPECT_EQ(count_of(R"("keys":{"t":[2],"q":[1,0,0,0],"p":[]}})", json), 1U);
+  EXPECT_EQ(count_of(R"("keys":{"t":[2],"q":[1,0,0,0],"p":[]},)"
+                     R"("bands":{"w":{"label":"σ","t":[0.5,1],"low":[0,null],"high":[0.25,null]}}})",
+                     json),
+            1U);
 }
 
 TEST(Page, NamesColumnsBodiesAndFailures) {

@@ -3,30 +3,14 @@
 // recordings that are taken for the truth. ORISPLINE_SWEEP=all in the environment takes every track and seed, which is
 // hours of work; else a few that are hard.
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 
 #include <gtest/gtest.h>
 
-#include "smooth/known_truth.hpp"
+#include "smooth/safety_net.hpp"
 
 namespace orispline::known_truth {
 namespace {
-
-constexpr double allowed = 1.02;   // of the distance of the samples to the truth
-constexpr double own_share = 3.0;  // the noise is at least so many times that of the recording itself
-constexpr const char* data = ORISPLINE_SHARED_DATA;
-
-bool sweeps() {
-  const char* const asked = std::getenv("ORISPLINE_SWEEP");
-  return asked && std::string_view(asked) == "all";
-}
-
-/// Per axis, in degrees.
-std::vector<double> noises() { return sweeps() ? std::vector{0.03, 0.1, 0.3, 1.0, 3.0} : std::vector{0.1, 1.0}; }
-
-/// How many of every case.
-std::uint64_t seeds() { return sweeps() ? 5 : 1; }
 
 struct Errors {
   double samples, robust, l2;
@@ -41,10 +25,6 @@ Errors errors_of(const Truth& truth, const KeyframeData& noisy) {
           rms_between(l2.nodes.orientations, wanted), robust.rejected.size()};
 }
 
-/// Captures that jump by up to 13° for one sample and back, which no noise explains and no smooth motion does: as a
-/// truth they hold the very faults that smoothing is to reject.
-bool is_faulty(const Truth& truth) { return truth.name == "bvh/LeftHand" || truth.name == "bvh/RightHand"; }
-
 /// The truth comes nearer by the default options, or stays as far; a truth that is too noisy or faulty itself is
 /// reported only.
 void expect_no_worse(const Truth& truth, double noise_deg, std::uint64_t seed) {
@@ -55,7 +35,7 @@ void expect_no_worse(const Truth& truth, double noise_deg, std::uint64_t seed) {
   ASSERT_TRUE(smoothing) << truth.name << ": " << describe(smoothing.error());
   const double before = rms_between(noisy.orientations, truth.data.orientations),
                after = rms_between(smoothing->nodes.orientations, truth.data.orientations);
-  if (own_share * own > noise_deg * degree || is_faulty(truth)) {
+  if (!is_judged(truth, noise_deg)) {
     std::printf("not judged: %s has noise of %.3g°%s, with %.3g° more %.4f° become %.4f°\n", truth.name.c_str(),
                 own / degree, is_faulty(truth) ? " and single samples that jump" : "", noise_deg, before / degree,
                 after / degree);

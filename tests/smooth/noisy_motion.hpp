@@ -26,9 +26,9 @@ struct Recording {
 };
 
 /// Turns about two axes at 100 Hz with noise of σ per axis.
-inline Recording recorded(std::size_t count, double noise) {
+inline Recording recorded(std::size_t count, double noise, std::uint64_t seed = 7) {
   Recording recording;
-  Dice dice(7);
+  Dice dice(seed);
   for (std::size_t i = 0; i < count; ++i) {
     const double t = 0.01 * static_cast<double>(i);
     const Eigen::Quaterniond q = exp<double>(Eigen::Vector3d(0.0, 0.0, std::sin(2.0 * t))) *

@@ -56,7 +56,7 @@ TEST(SmoothingGolden, FiguresAreThoseOfTheReference) {
     expect_figure(fit.penalty, test.row, "penalty");
     const auto& problem = test.problem;
     expect_figure(log_determinant(problem, test.objective, fit.nodes), test.row, "log_determinant");
-    expect_figure(hat_trace(problem.times, problem.weights, test.objective.penalty, test.objective.lambda), test.row,
+    expect_figure(hat_trace({problem.times, problem.weights, test.objective.penalty, test.objective.lambda}), test.row,
                   "trace");
   }
 }
@@ -81,7 +81,7 @@ TEST(SmoothingGolden, PositionsAreThoseOfExactSplines) {
           << i;
     expect_figure(fit.penalty, rows[0], "penalty");
     EXPECT_NEAR(fit.cost, fit.data + lambda * fit.penalty, 1e-12 * fit.cost);
-    expect_figure(hat_trace(problem.times, problem.weights, penalty, lambda), rows[0], "trace");
+    expect_figure(hat_trace({problem.times, problem.weights, penalty, lambda}), rows[0], "trace");
   }
 }
 

@@ -147,7 +147,7 @@ TEST(SmoothingTrace, IsThatOfTheSplineFilter) {
   std::vector<double> times, weights(4000, 1.0);
   for (int i = 0; i < 4000; ++i) times.push_back(i);
   const double trace =
-      hat_trace(times, weights, Penalty::acceleration, lambda_of(10.0, Penalty::acceleration, 1.0, 1.0));
+      hat_trace({times, weights, Penalty::acceleration, lambda_of(10.0, Penalty::acceleration, 1.0, 1.0)});
   EXPECT_NEAR(trace / 4000.0, 1.0 / (20.0 * std::sqrt(2.0)), 0.001);
 }
 

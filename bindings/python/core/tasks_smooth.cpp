@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 
 #include <orispline/smooth.hpp>
@@ -26,6 +31,13 @@ nb::dict members_of(const Task& task) {
   return members;
 }
 
+/// Three columns; nothing where they were not asked for.
+std::optional<FloatArray> sigmas_of(const Task& task, std::vector<Eigen::Vector3d> NodeSigmas::* which) {
+  if (!task.result.sigmas) return std::nullopt;
+  const std::vector<Eigen::Vector3d>& rows = (*task.result.sigmas).*which;
+  return array_of(rows.front().data(), rows.size(), 3);
+}
+
 void write_report(const Task& task, const std::string& path, const std::string& date) {
   write_page(path, pages::smooth_page(task.track(), task.result, {.date = date}));
 }
@@ -39,6 +51,8 @@ void add_smooth(nb::module_& module) {
       .def("attributes", [](const Task& task) { return attributes_of(task.result); })
       .def("members", &members_of)
       .def_prop_ro("warnings", [](const Task& task) { return warnings_of(task.result.warnings); })
+      .def_prop_ro("sigma", [](const Task& task) { return sigmas_of(task, &NodeSigmas::orientations); })
+      .def_prop_ro("sigma_of_rates", [](const Task& task) { return sigmas_of(task, &NodeSigmas::angular_velocities); })
       .def("covers", [](const Task& task, double t) { return task.result.covers(t); }, "t"_a)
       .def("report", &write_report, "path"_a, "date"_a);
   module.def("smooth", &smoothed, "keys"_a, "options"_a);

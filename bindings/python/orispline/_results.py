@@ -114,6 +114,8 @@ class Smoothing(Reported):
     """
 
     smoothing_time: float
+    shortest_smoothing_time: float | None
+    longest_smoothing_time: float | None
     cutoff: float
     lambda_: float
     criterion: str | None
@@ -121,6 +123,8 @@ class Smoothing(Reported):
     noise: float
     local_noise: float
     degrees_of_freedom: float | None
+    rms_sigma: float | None
+    rms_sigma_of_rates: float | None
     gyro_noise: float | None
     gyro_correction: NDArray[np.float64] | None
     rms_distance: float
@@ -150,6 +154,18 @@ class Smoothing(Reported):
     @classmethod
     def _work(cls, given: Keys, *arguments: Any) -> Any:
         return _core.smooth(given._core, *arguments)
+
+    @property
+    def sigma(self) -> NDArray[np.float64] | None:
+        """One standard deviation of every orientation along the axes of the body [rad], of the shape (n, 3); with the option."""
+        found: NDArray[np.float64] | None = self._task().sigma
+        return found
+
+    @property
+    def sigma_of_rates(self) -> NDArray[np.float64] | None:
+        """One standard deviation of every angular velocity along the axes of the body [rad/s], likewise."""
+        found: NDArray[np.float64] | None = self._task().sigma_of_rates
+        return found
 
     def covers(self, t: Any) -> NDArray[np.bool_]:
         """Whether the curve stands for the recording at times of any shape: neither over a gap nor beside it."""

@@ -44,6 +44,8 @@ Expected<void> agree(const SmoothOptions& options) {
 Expected<Request> request_in(const SmoothOptions& options) {
   if (auto agreed = agree(options); !agreed) return tl::unexpected(std::move(agreed.error()));
   if (options.include_end && !options.rate) return usage_failure("--include-end: wanted --rate as well");
+  if (options.rate && is_given(options.smoothness.fields, "sigma"))
+    return usage_failure("--sigma: found --rate as well, wanted keys: standard deviations are those of keys");
   FirstError checked;
   Request request{.input = checked(input_request(options.input)),
                   .smoothing = checked(smoothing_in(options.smoothness)),
@@ -80,11 +82,34 @@ Expected<std::size_t> write_samples(io::SampleWriter& writer, const orispline::S
   return count;
 }
 
+/// The keys, with their standard deviations behind all other columns.
+Track written_keys(const orispline::Smoothing& smoothed) {
+  Track track = smoothed.track;
+  if (!smoothed.sigmas) return track;
+  const auto add = [&track](std::string_view letters, const std::vector<Eigen::Vector3d>& vectors) {
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      std::vector<double>& column = track.settings[formatted("sigma_{}{}", letters, "xyz"[axis])];
+      column.clear();
+      for (const Eigen::Vector3d& v : vectors) column.push_back(v[axis]);
+    }
+  };
+  add("", smoothed.sigmas->orientations);
+  add("w", smoothed.sigmas->angular_velocities);
+  return track;
+}
+
+/// Whether the file can hold what was asked for.
+Expected<void> check_format(const io::FormatInfo& format, const orispline::SmoothOptions& smoothing) {
+  if (!smoothing.sigma || format.holds.settings) return {};
+  return bad_option("sigma", formatted("{} has no columns for standard deviations, wanted a CSV file", format.file));
+}
+
 Expected<std::size_t> write(const std::string& path, const Request& request, const orispline::Smoothing& smoothed) {
   io::SampleColumns columns = request.columns;
   columns.derivatives = columns.format->holds.rates ? 2 : 0;
   columns.positions = !smoothed.track.keys.positions().empty();
-  if (!request.times) return write_keys(path, smoothed.track, columns).map([&] { return smoothed.track.keys.size(); });
+  if (!request.times)
+    return write_keys(path, written_keys(smoothed), columns).map([&] { return smoothed.track.keys.size(); });
   return open_samples(path, columns, smoothed.track.keys.size()).and_then([&](Noted<io::SampleWriter> output) {
     return write_samples(output.file, smoothed, *request.times).and_then([&](std::size_t count) {
       return put_in_place(std::move(output)).map([count] { return count; });
@@ -102,6 +127,7 @@ Expected<void> smooth_one(const SmoothOptions& options) {
   warn(file->warnings);
   const Track& recording = file->track;
   request->columns = columns_like(*file->format, request->columns, options.output);
+  if (auto fits = check_format(*request->columns.format, request->smoothing); !fits) return fits;
   auto smoothing = orispline::smooth(recording, request->smoothing);
   if (!smoothing)
     return tl::unexpected(said_of_cutoff(options.smoothness, placed(recording, std::move(smoothing.error()))));

@@ -36,6 +36,12 @@ std::string distance_lines(const Smoothing& smoothing) {
   return text + "\n";
 }
 
+std::string sigma_line(const Smoothing& smoothing) {
+  if (!smoothing.sigmas) return "";
+  return formatted("deviations      RMS {:.4g}° and {:.4g} °/s per axis\n", *smoothing.rms_sigma() * degrees,
+                   *smoothing.rms_sigma_of_rates() * degrees);
+}
+
 std::string gyro_lines(const Smoothing& smoothing) {
   if (!smoothing.gyro_noise) return "";
   const Eigen::Vector3d bias = smoothing.nodes.gyro_correction * degrees;
@@ -108,7 +114,8 @@ std::string text_of(const SmoothReport& report) {
   if (smoothing.degrees_of_freedom)
     text += formatted("freedom         {:.4g} effective parameters of {}\n", *smoothing.degrees_of_freedom,
                       3 * smoothing.nodes.orientations.size());
-  text += gyro_lines(smoothing) + outlier_lines(report) + position_lines(report) + stretch_lines(report);
+  text += sigma_line(smoothing) + gyro_lines(smoothing) + outlier_lines(report) + position_lines(report) +
+          stretch_lines(report);
   return text + formatted("{} written to {}\n", counted(report.rows, report.samples ? "sample" : "key"),
                           destination(report.output));
 }

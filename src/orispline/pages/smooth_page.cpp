@@ -13,6 +13,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/parallel.hpp>
 #include <orispline/families/registry.hpp>
+#include <orispline/math/degrees.hpp>
 #include <orispline/pages/curve_page.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::pages {
@@ -94,6 +95,43 @@ report::PageMethod method_of(const Source& source, const CurvePage& page, ShownC
   return result;
 }
 
+/// At most so many of the keys, evenly picked.
+std::vector<std::size_t> picked(std::size_t keys) {
+  std::vector<std::size_t> indices;
+  const std::size_t count = std::min(keys, samples_of_few);
+  for (std::size_t k = 0; k < count; ++k) indices.push_back(k * (keys - 1) / std::max<std::size_t>(count - 1, 1));
+  return indices;
+}
+
+/// One standard deviation: of the turn from the truth, and of |ω| about itself; ended where a gap begins.
+std::map<std::string, report::PageBand, std::less<>> bands_of(const Source& source) {
+  std::map<std::string, report::PageBand, std::less<>> bands;
+  if (!source.smoothing.sigmas) return bands;
+  const NodeSigmas& sigmas = *source.smoothing.sigmas;
+  report::PageBand& turn = bands["error"];
+  report::PageBand& rate = bands["w"];
+  turn.label = rate.label = "one standard deviation";
+  const auto add = [](report::PageBand& band, double t, double low, double high) {
+    band.times.push_back(t);
+    band.low.push_back(low);
+    band.high.push_back(high);
+  };
+  for (const std::size_t key : picked(source.smoothed().size())) {
+    const double t = source.smoothed().times()[key];
+    const Eigen::Vector3d& w = source.smoothed().angular_velocities()[key];
+    const double speed = w.norm(), angle = sigmas.orientations[key].norm() * degrees;
+    const double spread = sigmas.angular_velocities[key]
+                              .cwiseProduct(speed > 0.0 ? Eigen::Vector3d(w / speed) : Eigen::Vector3d::Ones())
+                              .norm();
+    const double before = turn.times.empty() ? t : turn.times.back();
+    if (!source.smoothing.covers(0.5 * (before + t)))
+      for (auto& [id, band] : bands) add(band, t, std::nan(""), std::nan(""));
+    add(turn, t, 0.0, angle);
+    add(rate, t, std::max(0.0, speed - spread), speed + spread);
+  }
+  return bands;
+}
+
 report::PageMethod smoothed_one(const Source& source, const PoseCurve& curve) {
   const Keyframes& samples = source.curves.recording;
   const auto errors = errors_at(curve, path_of(samples));
@@ -103,6 +141,7 @@ report::PageMethod smoothed_one(const Source& source, const PoseCurve& curve) {
   report::PageMethod method =
       method_of(source, source.curves, {"smoothed", source.smoothed(), curve, distances}, smoothed_method);
   method.measures.emplace(rms_of_accepted, root_mean_square(accepted.values));
+  method.bands = bands_of(source);
   return with_errors(std::move(method), accepted, source.coverage());
 }
 
@@ -132,6 +171,10 @@ std::vector<std::string> notes_of(const Smoothing& smoothing) {
     notes.push_back(formatted("{} as outliers and marked with a cross{}; the line of errors leaves them out.",
                               counted(rejected, "sample") + (rejected == 1 ? " is rejected" : " are rejected"),
                               rejected > samples_of_few ? formatted(", {} of them", samples_of_few) : ""));
+  if (smoothing.sigmas)
+    notes.emplace_back(
+        "Bands are one standard deviation of the smoothed motion: of its angle from the truth, where "
+        "errors are plotted, and of the length of its angular velocity.");
   if (const std::size_t kept = smoothing.retained_outlier_runs.size(); kept > 0)
     notes.push_back(
         formatted("{} far from what the others predict, and so are the samples beside: they are kept as motion.",

@@ -57,6 +57,13 @@ struct PageSamples {
   std::vector<double> errors{};  ///< [deg], angle to the reference; none or as many as times; NaN where it has no value
 };
 
+/// A band in a plot, behind its lines: from `low` to `high`, as many as times. One of NaN ends the band before it.
+struct PageBand {
+  std::string label;            ///< such as `one standard deviation`
+  std::vector<double> times{};  ///< [s]
+  std::vector<double> low{}, high{};
+};
+
 /// What one method did.
 struct PageMethod {
   std::string name;
@@ -65,6 +72,7 @@ struct PageMethod {
   std::map<std::string, double, std::less<>> measures{};  ///< by the id of the column; absent or not finite: a dash
   PageSamples samples{};                                  ///< empty where the method failed
   std::optional<PageKeys> keys{};                         ///< its own; absent: those of the page
+  std::map<std::string, PageBand, std::less<>> bands{};  ///< in the plots, by the words of Page::limits, in their units
 };
 
 /// Orientations that stand out, such as outliers: marked on the sphere and in the plots of angles.

@@ -113,6 +113,13 @@ std::string json_of(const PageUnit& unit) {
   return object_of({{"unit", text_of(unit.name)}, {"size", json_of(unit.size)}});
 }
 
+std::string json_of(const PageBand& band) {
+  return object_of({{"label", text_of(band.label)},
+                    {"t", list_of(band.times)},
+                    {"low", list_of(band.low)},
+                    {"high", list_of(band.high)}});
+}
+
 std::string json_of(const PageColumn& column) {
   return object_of({{"id", text_of(column.id)},
                     {"label", text_of(column.label)},
@@ -151,7 +158,8 @@ std::string json_of(const PageMethod& method) {
                     {"failure", text_of(method.failure)},
                     {"measures", json_of(method.measures)},
                     {"samples", json_of(method.samples)},
-                    {"keys", json_or_null(method.keys)}});
+                    {"keys", json_or_null(method.keys)},
+                    {"bands", json_of(method.bands)}});
 }
 
 }  // namespace

@@ -25,6 +25,13 @@ class BiasRows {
 
   [[nodiscard]] Eigen::Vector3d solved() const { return decomposed().solve(factor_.col(0)); }
 
+  /// A matrix whose product with its transpose is the covariance of the shared unknowns: the inverse of their normal
+  /// matrix.
+  [[nodiscard]] Eigen::Matrix3d inverse_root() const {
+    const auto decomposition = decomposed();
+    return decomposition.matrixV() * decomposition.singularValues().cwiseInverse().asDiagonal();
+  }
+
   /// log det of the normal matrix of the shared unknowns.
   [[nodiscard]] double log_determinant() const {
     return 2.0 * elementary::natural_logarithm(decomposed().singularValues().prod());

@@ -42,7 +42,10 @@ class PositionSpline {
   using Node = Eigen::Matrix<double, P, 3>;
   using Chain = ChainElimination<P, 1, 3>;
 
-  [[nodiscard]] auto link(std::size_t i) const { return scalar_link<P>(problem_.times[i + 1] - problem_.times[i]); }
+  /// With the root of its share of λ.
+  [[nodiscard]] Eigen::Matrix<double, P, 2 * P> link(std::size_t i) const {
+    return std::sqrt(problem_.relative_lambda(i)) * scalar_link<P>(problem_.times[i + 1] - problem_.times[i]);
+  }
 
   static double largest_move(const std::vector<Eigen::Vector3d>& from, const std::vector<Eigen::Vector3d>& to) {
     double largest = 0.0;

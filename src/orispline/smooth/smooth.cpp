@@ -51,6 +51,7 @@ class Smoother {
             .smoothing_time = options_.smoothing_time,
             .noise = options_.noise.value_or(scale_.noise),
             .interval = scale_.interval,
+            .adapt = options_.adapt,
             .unit = "°",
             .unit_size = degrees};
   }
@@ -81,8 +82,10 @@ class Smoother {
     result_.chosen_on = found.chosen_on;
     result_.lambda = search_.lambda();
     result_.smoothing_time = search_.smoothing_time();
+    result_.smoothing_times = search_.smoothing_times();
     result_.interval = scale_.interval;
     result_.local_noise = scale_.noise;
+    if (options_.sigma) result_.sigmas = search_.sigmas(options_.noise.value_or(result_.noise));
     for (const SmoothingFit& fit : search_.fits().fits) {
       const auto append = [](auto& all, const auto& part) { all.insert(all.end(), part.begin(), part.end()); };
       append(result_.nodes.orientations, fit.nodes.orientations);

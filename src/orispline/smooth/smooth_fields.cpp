@@ -84,6 +84,12 @@ std::span<const FieldInfo> fields_of<SmoothOptions>() noexcept {
                                   .quantity = &quantities::time,
                                   .range = positive,
                                   .absent = "all are bridged"}),
+      field<&SmoothOptions::adapt>({.name = "adapt",
+                                    .sentence = "Let the smoothing time of the orientations vary in time, where that "
+                                                "predicts the samples clearly better"}),
+      field<&SmoothOptions::sigma>(
+          {.name = "sigma",
+           .sentence = "Add one standard deviation of every orientation and rate, along the axes of the body"}),
   };
   return fields;
 }
@@ -93,6 +99,14 @@ namespace {
 constexpr std::array of_orientations{
     field<&Smoothing::smoothing_time>(
         {.name = "smoothing_time", .sentence = "Smoothing time τ", .quantity = &quantities::time}),
+    field<&Smoothing::shortest_smoothing_time>({.name = "shortest_smoothing_time",
+                                                .sentence = "The shortest τ, where it varies in time",
+                                                .quantity = &quantities::time,
+                                                .absent = "τ is the same everywhere"}),
+    field<&Smoothing::longest_smoothing_time>({.name = "longest_smoothing_time",
+                                               .sentence = "The longest τ, where it varies in time",
+                                               .quantity = &quantities::time,
+                                               .absent = "τ is the same everywhere"}),
     field<&Smoothing::cutoff>(
         {.name = "cutoff", .sentence = "Cut-off frequency 1/(2πτ)", .quantity = &quantities::frequency}),
     field<&Smoothing::lambda>({.name = "lambda", .sentence = "Weight λ of the penalty"}),
@@ -108,6 +122,16 @@ constexpr std::array of_orientations{
         {.name = "degrees_of_freedom",
          .sentence = "Effective number of the curve's parameters, out of three for each key",
          .absent = "with a gyro"}),
+    field<&Smoothing::rms_sigma>(
+        {.name = "rms_sigma",
+         .sentence = "Root mean square of the standard deviations of the orientations per axis",
+         .quantity = &quantities::angle,
+         .absent = "without `sigma`"}),
+    field<&Smoothing::rms_sigma_of_rates>(
+        {.name = "rms_sigma_of_rates",
+         .sentence = "Root mean square of the standard deviations of the angular velocities per axis",
+         .quantity = &quantities::rate,
+         .absent = "without `sigma`"}),
     field<&Smoothing::gyro_noise>({.name = "gyro_noise",
                                    .sentence = "σ of the noise of the gyro per axis",
                                    .quantity = &quantities::rate,

@@ -33,8 +33,12 @@ struct SmoothingProblem {
   std::vector<double> weights{};                   ///< 1/σ² [1/rad²], σ per axis; 0 where there is no sample
   std::vector<Eigen::Vector3d> gyro{};             ///< [rad/s], body frame; empty without a gyro
   std::vector<double> gyro_weights{};              ///< 1/σ² [s²/rad²] per axis; 0 where there is no rate
+  std::vector<double> relative_lambdas{};          ///< λ of each interval over that of the objective; empty: all 1
 
   [[nodiscard]] std::size_t size() const noexcept { return times.size(); }
+  [[nodiscard]] double relative_lambda(std::size_t interval) const noexcept {
+    return relative_lambdas.empty() ? 1.0 : relative_lambdas[interval];
+  }
 };
 
 /// What is to be made least.
@@ -70,8 +74,9 @@ struct SmoothingFit {
   SmoothedNodes nodes{};
   std::vector<Eigen::Vector3d> residuals{};  ///< log(q⁻¹ Q) to the recording [rad], body frame of the node; P - p
   std::vector<double> loss_weights{};        ///< ρ' of every residual: what is left of its weight
-  double data = 0.0, penalty = 0.0, gyro = 0.0;  ///< terms of the cost, the penalty without λ
+  double data = 0.0, penalty = 0.0, gyro = 0.0;  ///< terms of the cost, the penalty without the objective's λ
   double cost = 0.0;                             ///< data + λ penalty + gyro
+  std::vector<double> interval_penalties{};      ///< of each interval, without any λ
   int iterations = 0;
   double last_step = 0.0;  ///< largest turn of a node in the last step [rad], or move of it
 };
@@ -93,6 +98,17 @@ struct SmoothingFit {
                                                           const SmoothingObjective& objective,
                                                           const SmoothingIteration& iteration = {},
                                                           const SmoothedNodes* start = nullptr);
+
+/// What the samples leave open of nodes: one standard deviation along each axis of the body.
+struct NodeSigmas {
+  std::vector<Eigen::Vector3d> orientations{};        ///< [rad], of a turn about that axis
+  std::vector<Eigen::Vector3d> angular_velocities{};  ///< [rad/s]
+};
+
+/// Of a fit of orientations, by Laplace's method: from the inverse of the normal matrix at the fit, with the weights
+/// that the loss leaves, where 1/σ² are the weights of samples and λ that of the motion. Linear time.
+[[nodiscard]] ORISPLINE_EXPORT NodeSigmas node_sigmas(const SmoothingProblem& problem,
+                                                      const SmoothingObjective& objective, const SmoothedNodes& nodes);
 
 /// log det of the normal matrix at a fit, with the weights that the loss leaves.
 [[nodiscard]] ORISPLINE_EXPORT double log_determinant(const SmoothingProblem& problem,

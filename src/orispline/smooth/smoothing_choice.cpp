@@ -42,16 +42,6 @@ double restricted_likelihood(const StretchProblems& stretches, const StretchFits
   return sum;
 }
 
-double criterion_value(const StretchProblems& stretches, const StretchFits& fits, SmoothingCriterion criterion,
-                       const SmoothingObjective& objective) {
-  if (criterion == SmoothingCriterion::reml) return restricted_likelihood(stretches, fits, objective);
-  const double trace = hat_trace(stretches, fits, objective.penalty, objective.lambda);
-  if (criterion == SmoothingCriterion::ubre) return fits.data() + 6.0 * trace;
-  const auto count = static_cast<double>(observations(stretches));
-  const double freedom = 1.0 - trace / count;
-  return fits.data() / (3.0 * count) / (freedom * freedom);
-}
-
 /// Where the parabola through three equally spaced values has its minimum, in steps from the middle one.
 double parabola_minimum(double before, double middle, double after) {
   const double curvature = before - 2.0 * middle + after;
@@ -181,14 +171,33 @@ std::size_t observations(const StretchProblems& stretches) {
   return count;
 }
 
+std::vector<double> weights_left(const SmoothingProblem& problem, const SmoothingFit& fit) {
+  std::vector<double> weights = problem.weights;
+  for (std::size_t k = 0; k < weights.size(); ++k) weights[k] *= fit.loss_weights[k];
+  return weights;
+}
+
 double hat_trace(const StretchProblems& stretches, const StretchFits& fits, Penalty penalty, double lambda) {
   double sum = 0.0;
   for (std::size_t i = 0; i < stretches.size(); ++i) {
-    std::vector<double> weights = stretches[i].weights;
-    for (std::size_t k = 0; k < weights.size(); ++k) weights[k] *= fits.fits[i].loss_weights[k];
-    sum += hat_trace(stretches[i].times, weights, penalty, lambda);
+    const std::vector<double> weights = weights_left(stretches[i], fits.fits[i]);
+    sum += hat_trace({.times = stretches[i].times,
+                      .weights = weights,
+                      .penalty = penalty,
+                      .lambda = lambda,
+                      .relative_lambdas = stretches[i].relative_lambdas});
   }
   return sum;
+}
+
+double criterion_value(const StretchProblems& stretches, const StretchFits& fits, SmoothingCriterion criterion,
+                       const SmoothingObjective& objective) {
+  if (criterion == SmoothingCriterion::reml) return restricted_likelihood(stretches, fits, objective);
+  const double trace = hat_trace(stretches, fits, objective.penalty, objective.lambda);
+  if (criterion == SmoothingCriterion::ubre) return fits.data() + 6.0 * trace;
+  const auto count = static_cast<double>(observations(stretches));
+  const double freedom = 1.0 - trace / count;
+  return fits.data() / (3.0 * count) / (freedom * freedom);
 }
 
 LambdaChoice chosen_lambda(const StretchProblems& stretches, const SmoothingObjective& objective,
@@ -213,7 +222,8 @@ StretchProblems representative_parts(const StretchProblems& stretches, std::size
                        .positions = part_of(stretch.positions, first, size),
                        .weights = part_of(stretch.weights, first, size),
                        .gyro = part_of(stretch.gyro, first, size),
-                       .gyro_weights = part_of(stretch.gyro_weights, first, size)});
+                       .gyro_weights = part_of(stretch.gyro_weights, first, size),
+                       .relative_lambdas = part_of(stretch.relative_lambdas, first, size - 1)});
     }
   }
   return parts;

@@ -47,6 +47,15 @@ struct ORISPLINE_EXPORT StretchFits {
 [[nodiscard]] ORISPLINE_EXPORT double hat_trace(const StretchProblems& stretches, const StretchFits& fits,
                                                 Penalty penalty, double lambda);
 
+/// The weights of the samples that the loss leaves at a fit.
+[[nodiscard]] ORISPLINE_EXPORT std::vector<double> weights_left(const SmoothingProblem& problem,
+                                                                const SmoothingFit& fit);
+
+/// What is to be least; by REML one λ for all intervals is meant.
+[[nodiscard]] ORISPLINE_EXPORT double criterion_value(const StretchProblems& stretches, const StretchFits& fits,
+                                                      SmoothingCriterion criterion,
+                                                      const SmoothingObjective& objective);
+
 /// λ of least criterion.
 struct LambdaChoice {
   double lambda = 0.0;

@@ -7,11 +7,11 @@
 #include <optional>
 #include <vector>
 
-#include <orispline/base/expect.hpp>
-#include <orispline/math/chain_elimination.hpp>
 #include <orispline/smooth/bias_rows.hpp>
+#include <orispline/smooth/node_variances.hpp>
 #include <orispline/smooth/smoothing_element.hpp>
 #include <orispline/smooth/smoothing_loss.hpp>
+#include <orispline/smooth/smoothing_start.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
 
@@ -25,17 +25,24 @@ template <int P, bool Gyro>
 class Minimisation {
  public:
   Minimisation(const SmoothingProblem& problem, const SmoothingObjective& objective, const SmoothedNodes* start)
-      : problem_(problem), objective_(objective), state_(start ? taken_from(*start) : initial()) {}
+      : problem_(problem), objective_(objective), state_(taken_from(start ? *start : recorded_nodes(problem))) {}
 
   /// Of the majorising normal matrix.
   [[nodiscard]] double log_determinant() {
-    Evaluation now = evaluated(state_);
-    std::ranges::fill(now.curvatures, 1.0);
-    [[maybe_unused]] const BiasRows bias_rows = eliminated(now);
+    [[maybe_unused]] const BiasRows bias_rows = eliminated_majorant();
     double sum = chain_.log_determinant();
     if constexpr (Gyro)
       if (objective_.bias == SmoothingObjective::Bias::constant) sum += bias_rows.log_determinant();
     return sum;
+  }
+
+  /// By the inverse of that matrix.
+  [[nodiscard]] NodeSigmas sigmas() {
+    [[maybe_unused]] const BiasRows bias_rows = eliminated_majorant();
+    NodeVariances variances(chain_);
+    if constexpr (Gyro)
+      if (objective_.bias == SmoothingObjective::Bias::constant) variances.add_shared(chain_, bias_rows.inverse_root());
+    return variances.roots();
   }
 
   [[nodiscard]] SmoothingFit run(const SmoothingIteration& iteration) {
@@ -97,7 +104,7 @@ class Minimisation {
 
   struct Evaluation {
     std::vector<Eigen::Vector3d> residuals, steps;
-    std::vector<double> loss_weights, curvatures;
+    std::vector<double> loss_weights, curvatures, interval_penalties;
     double data = 0.0, penalty = 0.0, gyro = 0.0, cost = 0.0;
   };
 
@@ -105,27 +112,6 @@ class Minimisation {
 
   [[nodiscard]] Eigen::Vector3d gyro_residual(const State& state, std::size_t i) const {
     return state.rates[i].template head<3>() - problem_.gyro[i] - state.bias;
-  }
-
-  /// The recording itself, with the mean rates about each time; times without an orientation take the nearest earlier
-  /// one.
-  [[nodiscard]] State initial() const {
-    const auto first = std::ranges::find_if(problem_.weights, [](double w) { return w > 0.0; });
-    ORISPLINE_EXPECT(first != problem_.weights.end());
-    auto latest = static_cast<std::size_t>(first - problem_.weights.begin());
-    State state{{}, std::vector<Rates>(problem_.size(), Rates::Zero())};
-    for (std::size_t i = 0; i < problem_.size(); ++i) {
-      if (problem_.weights[i] > 0.0) latest = i;
-      state.orientations.push_back(problem_.orientations[latest]);
-    }
-    for (std::size_t i = 0; i < problem_.size(); ++i) {
-      const std::size_t before = i == 0 ? 0 : i - 1, after = std::min(i + 1, problem_.size() - 1);
-      Eigen::Vector3d way = Eigen::Vector3d::Zero();
-      for (std::size_t k = before; k < after; ++k)
-        way += shortest_increment(state.orientations[k], state.orientations[k + 1]);
-      state.rates[i].template head<3>() = way / (problem_.times[after] - problem_.times[before]);
-    }
-    return state;
   }
 
   [[nodiscard]] static State taken_from(const SmoothedNodes& nodes) {
@@ -152,7 +138,9 @@ class Minimisation {
       if constexpr (Gyro) e.gyro += problem_.gyro_weights[i] * gyro_residual(state, i).squaredNorm();
       if (i + 1 == problem_.size()) break;
       e.steps.push_back(shortest_increment(state.orientations[i], state.orientations[i + 1]));
-      e.penalty += Element::residual(e.steps[i], state.rates[i], state.rates[i + 1], duration(i)).squaredNorm();
+      e.interval_penalties.push_back(
+          Element::residual(e.steps[i], state.rates[i], state.rates[i + 1], duration(i)).squaredNorm());
+      e.penalty += problem_.relative_lambda(i) * e.interval_penalties[i];
     }
     e.cost = e.data + objective_.lambda * e.penalty + e.gyro;
     return e;
@@ -181,7 +169,7 @@ class Minimisation {
     }
     if (i + 1 < problem_.size()) {
       const auto e = Element::linearised(now.steps[i], state_.rates[i], state_.rates[i + 1], duration(i));
-      const double penalty_root = std::sqrt(objective_.lambda);
+      const double penalty_root = std::sqrt(objective_.lambda * problem_.relative_lambda(i));
       low.template bottomLeftCorner<unknowns, 2 * unknowns>() = penalty_root * e.jacobian;
       low.template block<unknowns, 1>(data_rows, side) = -penalty_root * e.residual;
     }
@@ -228,6 +216,12 @@ class Minimisation {
       return true;
     }
     return false;
+  }
+
+  BiasRows eliminated_majorant() {
+    Evaluation now = evaluated(state_);
+    std::ranges::fill(now.curvatures, 1.0);
+    return eliminated(now);
   }
 
   /// Leaves the factor in the chain, of a part of it where the work is stopped.
@@ -277,6 +271,7 @@ class Minimisation {
     fit.nodes.gyro_correction = state_.bias;
     fit.residuals = std::move(now.residuals);
     fit.loss_weights = std::move(now.loss_weights);
+    fit.interval_penalties = std::move(now.interval_penalties);
     fit.data = now.data;
     fit.penalty = now.penalty;
     fit.gyro = now.gyro;

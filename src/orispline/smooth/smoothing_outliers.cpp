@@ -31,7 +31,11 @@ std::vector<double> errors_of(const SmoothingProblem& problem, const SmoothingFi
     full = std::max(full, weights[i]);
     weights[i] *= fit.loss_weights[i];
   }
-  const auto variances = node_variances(problem.times, weights, objective.penalty, objective.lambda);
+  const auto variances = node_variances({.times = problem.times,
+                                         .weights = weights,
+                                         .penalty = objective.penalty,
+                                         .lambda = objective.lambda,
+                                         .relative_lambdas = problem.relative_lambdas});
   for (std::size_t i = 0; i < weights.size(); ++i) {
     const double left = 1.0 - weights[i] * variances[i];  // 1 - h
     const double distance = distance_at(problem, fit.nodes, i);

@@ -70,6 +70,13 @@ Warning many_rejected(std::string_view code, std::string_view what, std::size_t 
           .numbers = {{"samples", static_cast<double>(rejected)}}};
 }
 
+/// Over all axes.
+double root_mean_square(const std::vector<Eigen::Vector3d>& vectors) {
+  double sum = 0.0;
+  for (const Eigen::Vector3d& v : vectors) sum += v.squaredNorm();
+  return std::sqrt(sum / (3.0 * static_cast<double>(vectors.size())));
+}
+
 bool are_many(std::size_t rejected, std::size_t all) {
   return static_cast<double>(rejected) > many * static_cast<double>(all);
 }
@@ -81,6 +88,22 @@ std::optional<double> PositionSmoothing::cutoff() const noexcept {
 }
 
 double Smoothing::cutoff() const noexcept { return cutoff_of(smoothing_time); }
+
+std::optional<double> Smoothing::shortest_smoothing_time() const {
+  return smoothing_times.empty() ? std::nullopt : std::optional(std::ranges::min(smoothing_times));
+}
+
+std::optional<double> Smoothing::longest_smoothing_time() const {
+  return smoothing_times.empty() ? std::nullopt : std::optional(std::ranges::max(smoothing_times));
+}
+
+std::optional<double> Smoothing::rms_sigma() const {
+  return sigmas ? std::optional(root_mean_square(sigmas->orientations)) : std::nullopt;
+}
+
+std::optional<double> Smoothing::rms_sigma_of_rates() const {
+  return sigmas ? std::optional(root_mean_square(sigmas->angular_velocities)) : std::nullopt;
+}
 
 bool Smoothing::covers(double t) const {
   const auto times = track.keys.times();

@@ -45,10 +45,12 @@ struct ORISPLINE_EXPORT Smoothing {
   Method method{smoothed_method};
   std::vector<std::size_t> keys{};                        ///< of the recording, increasing: all but those left out
   SmoothedNodes nodes{};                                  ///< at the times of these keys
+  std::optional<NodeSigmas> sigmas{};                     ///< of these nodes, where they were asked for
   std::vector<Stretch> stretches{};                       ///< one, without gaps
   std::vector<std::size_t> samples_in_short_stretches{};  ///< keys of stretches too short to tell noise from motion
-  double smoothing_time = 0.0;                            ///< τ [s]
-  double lambda = 0.0;                                    ///< weight of the penalty against |r|²/σ²
+  double smoothing_time = 0.0;            ///< τ [s]; where it varies, its geometric mean over intervals
+  std::vector<double> smoothing_times{};  ///< τ at every key [s], where it varies in time; else empty
+  double lambda = 0.0;                    ///< weight of the penalty against |r|²/σ²
   double noise = 0.0;        ///< σ of the orientations per axis [rad], estimated from the residuals, or as stated
   double local_noise = 0.0;  ///< estimated from neighbouring samples [rad]
   std::optional<double> degrees_of_freedom{};         ///< effective ones of the curve, 3 tr; absent with a gyro
@@ -68,6 +70,13 @@ struct ORISPLINE_EXPORT Smoothing {
 
   /// The frequency at which the smoother's gain is one half [Hz].
   [[nodiscard]] double cutoff() const noexcept;
+  /// The shortest and the longest τ [s]; absent where it is the same everywhere.
+  [[nodiscard]] std::optional<double> shortest_smoothing_time() const;
+  [[nodiscard]] std::optional<double> longest_smoothing_time() const;
+  /// Root mean square over all keys and axes of the standard deviations of the orientations [rad]; absent without them.
+  [[nodiscard]] std::optional<double> rms_sigma() const;
+  /// Of the angular velocities [rad/s].
+  [[nodiscard]] std::optional<double> rms_sigma_of_rates() const;
   /// Whether the curve through the keys is one through a stretch at this time [s], and neither over a gap nor beside
   /// all of them. Logarithmic time.
   [[nodiscard]] bool covers(double t) const;

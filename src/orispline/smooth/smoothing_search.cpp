@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/smooth/smoothing_adaptation.hpp>
 #include <orispline/smooth/smoothing_outliers.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
@@ -31,6 +32,7 @@ Expected<void> SmoothingSearch::run() {
   if (objective_.stopped()) return cancellation();
   if (plan_.loss == Loss::robust)
     if (auto done = fit_without_outliers(); !done) return done;
+  adapt();
   return check();
 }
 
@@ -53,6 +55,20 @@ Expected<void> SmoothingSearch::run_with_gyro(const Keyframes& recording, double
 
 double SmoothingSearch::smoothing_time() const {
   return smoothing_time_of(objective_.lambda, plan_.penalty, plan_.noise, plan_.interval);
+}
+
+std::vector<double> SmoothingSearch::smoothing_times() const {
+  std::vector<double> times;
+  for (const SmoothingProblem& problem : problems_) {
+    if (problem.relative_lambdas.empty()) return {};
+    for (std::size_t i = 0; i < problem.size(); ++i) {
+      const double before = problem.relative_lambda(i == 0 ? 0 : i - 1),
+                   after = problem.relative_lambda(std::min(i, problem.size() - 2));
+      times.push_back(
+          smoothing_time_of(objective_.lambda * std::sqrt(before * after), plan_.penalty, plan_.noise, plan_.interval));
+    }
+  }
+  return times;
 }
 
 /// As well as finding outliers takes.
@@ -80,6 +96,12 @@ void SmoothingSearch::choose(SmoothingCriterion criterion) {
   finding_.edge = choice.edge;
   finding_.chosen_on = 0;
   for (const SmoothingProblem& part : parts) finding_.chosen_on += part.size();
+}
+
+/// Where hardly any noise was found the samples are followed as they are.
+void SmoothingSearch::adapt() {
+  if (!plan_.adapt || !finding_.criterion || finding_.edge == LambdaChoice::Edge::shortest) return;
+  adapt_lambda(problems_, objective_, fits_, *finding_.criterion, plan_.noise, plan_.interval);
 }
 
 void SmoothingSearch::refit(const SmoothingIteration& iteration) {
@@ -175,6 +197,17 @@ double SmoothingSearch::noise_of_most() const {
 double SmoothingSearch::residual_noise() const {
   const Freedom of = freedom();
   return of.rest > 0.0 ? plan_.noise * std::sqrt(fits_.data() / (3.0 * of.rest)) : 0.0;
+}
+
+NodeSigmas SmoothingSearch::sigmas(double noise) const {
+  const double ratio = noise / plan_.noise;
+  NodeSigmas all;
+  for (std::size_t k = 0; k < problems_.size(); ++k) {
+    const NodeSigmas part = node_sigmas(problems_[k], objective_, fits_.fits[k].nodes);
+    for (const Eigen::Vector3d& sigma : part.orientations) all.orientations.emplace_back(ratio * sigma);
+    for (const Eigen::Vector3d& sigma : part.angular_velocities) all.angular_velocities.emplace_back(ratio * sigma);
+  }
+  return all;
 }
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -13,6 +13,7 @@ struct SearchPlan {
   std::optional<double> smoothing_time{};  ///< τ [s], where it is stated
   double noise = 1.0;                      ///< σ per axis that the weights stand for, in the unit of the samples
   double interval = 0.0;                   ///< median one [s]
+  bool adapt = false;                      ///< let λ vary in time, where τ is chosen
   std::string_view unit{};                 ///< of people, as it stands behind a number
   double unit_size = 1.0;                  ///< the samples' unit in that of people
 };
@@ -49,15 +50,20 @@ class SmoothingSearch {
   [[nodiscard]] const Finding& finding() const noexcept { return finding_; }
   [[nodiscard]] double lambda() const noexcept { return objective_.lambda; }
   [[nodiscard]] double smoothing_time() const;
+  /// τ at the nodes of all stretches [s], where λ varies; else empty.
+  [[nodiscard]] std::vector<double> smoothing_times() const;
   [[nodiscard]] Freedom freedom() const;
   /// σ per axis of the residuals, in the unit of the samples.
   [[nodiscard]] double residual_noise() const;
+  /// Standard deviations at the nodes of all stretches, where samples have that σ per axis.
+  [[nodiscard]] NodeSigmas sigmas(double noise) const;
 
  private:
   [[nodiscard]] SmoothingIteration roughly() const;
   void fit(const SmoothingIteration& iteration = {});
   void set_lambda(SmoothingCriterion criterion);
   void choose(SmoothingCriterion criterion);
+  void adapt();
   void refit(const SmoothingIteration& iteration = {});
   void fit_with_tukey();
   [[nodiscard]] Expected<void> fit_without_outliers();

@@ -56,6 +56,11 @@ SmoothingFit fit_smoothing(const SmoothingProblem& problem, const SmoothingObjec
   return with_minimisation(problem, objective, start, [&](auto&& minimisation) { return minimisation.run(iteration); });
 }
 
+NodeSigmas node_sigmas(const SmoothingProblem& problem, const SmoothingObjective& objective,
+                       const SmoothedNodes& nodes) {
+  return with_minimisation(problem, objective, &nodes, [](auto&& minimisation) { return minimisation.sigmas(); });
+}
+
 double log_determinant(const SmoothingProblem& problem, const SmoothingObjective& objective,
                        const SmoothedNodes& nodes) {
   return with_minimisation(problem, objective, &nodes,

@@ -4,47 +4,70 @@
 #include <cmath>
 #include <numeric>
 
-#include <orispline/math/chain_elimination.hpp>
+#include <orispline/math/chain_covariance.hpp>
 #include <orispline/math/scalar_link.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
+/// The eliminated chain of the scalar smoother.
 template <int P>
-std::vector<double> variances(std::span<const double> times, std::span<const double> weights, double lambda) {
+ChainElimination<P, 1, 1> eliminated(const ScalarSmoother& smoother) {
   using Chain = ChainElimination<P, 1, 1>;
   Chain chain;
-  chain.start(times.size());
-  for (std::size_t i = 0; i < times.size(); ++i) {
+  chain.start(smoother.times.size());
+  for (std::size_t i = 0; i < smoother.times.size(); ++i) {
     typename Chain::Low low = Chain::Low::Zero();
-    low(0, 0) = std::sqrt(weights[i]);
-    if (i + 1 < times.size())
-      low.template bottomLeftCorner<P, 2 * P>() = std::sqrt(lambda) * scalar_link<P>(times[i + 1] - times[i]);
+    low(0, 0) = std::sqrt(smoother.weights[i]);
+    if (i + 1 < smoother.times.size()) low.template bottomLeftCorner<P, 2 * P>() = smoother.template link<P>(i);
     static_cast<void>(chain.add(low));
   }
-  using Block = Eigen::Matrix<double, P, P>;
-  Block covariance = Block::Zero();  // of the node behind
-  std::vector<double> result(times.size());
-  for (std::size_t i = times.size(); i-- > 0;) {
-    const auto factor = chain.rows()[i].template leftCols<P>().template triangularView<Eigen::Upper>();
-    const Block inverse = factor.solve(Block::Identity());
-    const Block gain = factor.solve(Block(chain.rows()[i].template middleCols<P>(P)));
-    covariance = (inverse * inverse.transpose() + gain * covariance * gain.transpose()).eval();
-    result[i] = covariance(0, 0);
-  }
+  return chain;
+}
+
+template <int P>
+std::vector<double> variances(const ScalarSmoother& smoother) {
+  std::vector<double> result(smoother.times.size());
+  for_each_covariance(eliminated<P>(smoother),
+                      [&](std::size_t i, const auto& covariance, const auto&) { result[i] = covariance(0, 0); });
+  return result;
+}
+
+template <int P>
+std::vector<double> freedoms(const ScalarSmoother& smoother) {
+  std::vector<double> result(smoother.times.size() - 1);
+  Eigen::Matrix<double, P, P> next;
+  for_each_covariance(eliminated<P>(smoother), [&](std::size_t i, const auto& covariance, const auto& gain) {
+    if (i < result.size()) {
+      Eigen::Matrix<double, 2 * P, 2 * P> both;
+      both << covariance, -gain * next, -(gain * next).transpose(), next;
+      const Eigen::Matrix<double, P, 2 * P> link = smoother.template link<P>(i);
+      result[i] = P - (link * both * link.transpose()).trace();
+    }
+    next = covariance;
+  });
   return result;
 }
 
 }  // namespace
 
-std::vector<double> node_variances(std::span<const double> times, std::span<const double> weights, Penalty penalty,
-                                   double lambda) {
-  return penalty == Penalty::acceleration ? variances<2>(times, weights, lambda) : variances<3>(times, weights, lambda);
+template <int P>
+Eigen::Matrix<double, P, 2 * P> ScalarSmoother::link(std::size_t interval) const {
+  const double share = relative_lambdas.empty() ? 1.0 : relative_lambdas[interval];
+  return std::sqrt(lambda * share) * scalar_link<P>(times[interval + 1] - times[interval]);
 }
 
-double hat_trace(std::span<const double> times, std::span<const double> weights, Penalty penalty, double lambda) {
-  const std::vector<double> variances = node_variances(times, weights, penalty, lambda);
-  return std::inner_product(variances.begin(), variances.end(), weights.begin(), 0.0);
+std::vector<double> node_variances(const ScalarSmoother& smoother) {
+  return smoother.penalty == Penalty::acceleration ? variances<2>(smoother) : variances<3>(smoother);
+}
+
+std::vector<double> interval_freedoms(const ScalarSmoother& smoother) {
+  return smoother.penalty == Penalty::acceleration ? freedoms<2>(smoother) : freedoms<3>(smoother);
+}
+
+double hat_trace(const ScalarSmoother& smoother) {
+  const std::vector<double> variances = node_variances(smoother);
+  return std::inner_product(variances.begin(), variances.end(), smoother.weights.begin(), 0.0);
 }
 
 }  // namespace orispline::inline ORISPLINE_ABI

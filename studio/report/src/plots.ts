@@ -7,7 +7,7 @@ import { element, place } from './element';
 import { spanAt } from './motion';
 import { chosen, shown, tick } from './number';
 import { quantities, type Line, type Points, type Quantity } from './quantities';
-import { keysOf, methodNamed, report, timeEnd, timeStart } from './report';
+import { keysOf, methodNamed, report, timeEnd, timeStart, type Band } from './report';
 import { choose, current, moveTo, subscribe, type State } from './state';
 import { coloursOf, type Colours } from './theme';
 
@@ -55,6 +55,28 @@ function drawLimit({ ctx, bbox, valToPos }: uPlot, limit: number, colours: Colou
   ctx.restore();
 }
 
+/** Between its edges, piece by piece. */
+function drawBand({ ctx, bbox, valToPos }: uPlot, { t, low, high }: Band, colours: Colours): void {
+  ctx.save();
+  ctx.beginPath();
+  ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+  ctx.clip();
+  ctx.globalAlpha = 0.2;
+  ctx.fillStyle = colours.first;
+  const point = (i: number, edge: (number | null)[]): [number, number] => [valToPos(t[i], 'x', true), valToPos(edge[i]!, 'y', true)];
+  for (let from = 0; from < t.length; from++) {
+    if (low[from] === null) continue;
+    let to = from;
+    while (to + 1 < t.length && low[to + 1] !== null) to++;
+    ctx.beginPath();
+    for (let i = from; i <= to; i++) ctx.lineTo(...point(i, high));
+    for (let i = to; i >= from; i--) ctx.lineTo(...point(i, low));
+    ctx.fill();
+    from = to;
+  }
+  ctx.restore();
+}
+
 /** Crosses; at the upper edge where they would be above it. */
 function drawMarks({ ctx, bbox, valToPos }: uPlot, { t, values }: Points, colours: Colours): void {
   const size = 4 * devicePixelRatio;
@@ -90,14 +112,21 @@ function aligned(lines: Line[]): uPlot.AlignedData {
 /** With 0, and a range where all is 0 too. */
 const rangeOf = (low: number, high: number) => uPlot.rangeNum(low < -rounding ? low : 0, high > rounding || low < -rounding ? Math.max(high, 0) : 1, 0.06, true);
 
-function optionsOf(lines: Line[], { limit, marks }: { limit?: number; marks?: Points }, width: number, colours: Colours): uPlot.Options {
+interface Beside {
+  limit?: number;
+  marks?: Points;
+  band?: Band;
+}
+
+function optionsOf(lines: Line[], { limit, marks, band }: Beside, width: number, colours: Colours): uPlot.Options {
+  const reach = Math.max(limit ?? 0, ...(band?.high.map((value) => value ?? 0) ?? []));
   const axis = { stroke: colours.faint, font, ticks: { stroke: colours.grid, size: 4 } };
   return {
     width,
     height,
     padding: [10, 12, 0, 0],
     legend: { show: false },
-    scales: { x: { time: false }, y: { range: (_, low, high) => rangeOf(low ?? 0, Math.max(high ?? 0, limit ?? 0)) } },
+    scales: { x: { time: false }, y: { range: (_, low, high) => rangeOf(low ?? 0, Math.max(high ?? 0, reach)) } },
     axes: [
       { ...axis, grid: { show: false }, size: 28, values: (_, ticks) => momentTicks(ticks) },
       { ...axis, grid: { stroke: colours.grid, width: 1 }, size: 52, values: (_, ticks) => ticks.map(tick) },
@@ -105,7 +134,7 @@ function optionsOf(lines: Line[], { limit, marks }: { limit?: number; marks?: Po
     series: [{}, ...lines.map(({ label, colour, width, dashes }) => ({ label, stroke: colour, width, dash: dashes, spanGaps: false, points: { show: false } }))],
     cursor: { y: false, points: { size: 7 }, drag: { x: true, y: false, setScale: true }, bind: { mouseleave: () => null } },
     hooks: {
-      drawClear: [(plot) => markKeys(plot, colours)],
+      drawClear: [(plot) => markKeys(plot, colours), (plot) => band && drawBand(plot, band, colours)],
       draw: [(plot) => limit !== undefined && drawLimit(plot, limit, colours), (plot) => marks && drawMarks(plot, marks, colours)],
       setCursor: [(plot) => plot.cursor.event && !current().playing && moveTo(plot.posToVal(plot.cursor.left!, 'x'))],
       setScale: [(plot, key) => key === 'x' && chooseWindow(plot)],
@@ -139,6 +168,7 @@ class Plot {
   private plot?: uPlot;
   private lines: Line[] = [];
   private rounding = 0;
+  private band?: Band;
 
   constructor(private readonly quantity: Quantity) {
     this.figure = element('figure', { attributes: { 'data-quantity': quantity.id } }, this.caption, this.frame);
@@ -152,7 +182,9 @@ class Plot {
     this.lines = this.quantity.lines(state, colours);
     this.figure.hidden = this.lines.length === 0;
     this.rounding = rounding * largestOf(this.lines);
-    this.plot = new uPlot(optionsOf(this.lines, { limit: this.quantity.limit, marks: this.quantity.marks }, this.frame.clientWidth, colours), aligned(this.lines), this.frame);
+    const { limit, marks } = this.quantity;
+    this.band = this.quantity.band?.(state);
+    this.plot = new uPlot(optionsOf(this.lines, { limit, marks, band: this.band }, this.frame.clientWidth, colours), aligned(this.lines), this.frame);
     followFinger(this.plot);
     this.showWindow(state);
     this.showTime(state);
@@ -186,6 +218,7 @@ class Plot {
     const { limit } = this.quantity;
     return [
       ...(limit !== undefined ? [element('span', {}, sign('╌╌', colours.limit), ' limit ', element('b', {}, chosen(limit)))] : []),
+      ...(this.band ? [element('span', {}, sign('▮', colours.first), ` ${this.band.label}`)] : []),
       ...(this.quantity.marks ? [element('span', {}, sign('×', colours.mark), ` ${report.marks!.label}`)] : []),
     ];
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the plots show: each quantity as lines over the times of the methods that are shown.
 import { anglesApart, anglesFromStart, component, magnitudes } from './motion';
-import { methodNamed, report, shownMethods, type Path, type Samples } from './report';
+import { methodNamed, report, shownMethods, type Band, type Path, type Samples } from './report';
 import type { State } from './state';
 import type { Colours } from './theme';
 
@@ -27,6 +27,7 @@ export interface Quantity {
   limit?: number; // in that unit
   lines: (state: State, colours: Colours) => Line[];
   marks?: Points;
+  band?: (state: State) => Band | undefined;
 }
 
 type Rate = 'w' | 'a' | 'j' | 'torque';
@@ -43,6 +44,12 @@ const inUnitOf = (id: string, values: (number | null)[]) => {
 };
 
 const limitOf = (id: string) => (id in report.limits ? report.limits[id] / unitOf(id, '').size : undefined);
+
+/** That of the first method. */
+const bandOf = (id: string) => (state: State) => {
+  const band = methodNamed(state.first)?.bands[id];
+  return band && { ...band, low: inUnitOf(id, band.low), high: inUnitOf(id, band.high) };
+};
 
 const remembered = new WeakMap<object, Map<string, (number | null)[]>>();
 
@@ -83,7 +90,7 @@ function rate(id: Rate, title: string, ownUnit: string): Quantity {
     ...components(state, colours, id),
     ...ofBoth(state, colours, id, (samples) => inUnitOf(id, magnitudes(samples[id]))),
   ];
-  return { id, title, unit: unitOf(id, ownUnit).unit, limit: limitOf(id), lines };
+  return { id, title, unit: unitOf(id, ownUnit).unit, limit: limitOf(id), lines, band: bandOf(id) };
 }
 
 function referenceAngle(reference: Path | null, colours: Colours): Line[] {
@@ -111,6 +118,7 @@ const error: Quantity = {
       ({ values }) => values.length > 0,
     ),
   marks: marks ? { t: marks.t, values: inUnitOf('error', marks.error_deg) } : undefined,
+  band: bandOf('error'),
 };
 
 const apart: Quantity = {

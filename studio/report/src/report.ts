@@ -36,6 +36,14 @@ export interface Samples extends Path {
 
 export type Keys = Path & { p: number[] };
 
+/** Drawn behind the lines of a plot. */
+export interface Band {
+  label: string;
+  t: number[];
+  low: (number | null)[]; // null ends it
+  high: (number | null)[];
+}
+
 export interface Method {
   name: string;
   continuity: string;
@@ -43,6 +51,7 @@ export interface Method {
   measures: Record<string, number | null>;
   samples: Samples;
   keys: Keys | null; // null: those of the report
+  bands: Record<string, Band>; // by the id of the quantity
 }
 
 /** Orientations that stand out. */

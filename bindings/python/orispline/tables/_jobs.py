@@ -191,6 +191,8 @@ def resampling(columns: Layout, rate: Any, align: str, method: str, derivatives:
 
 def smoothing(columns: Layout, rate: Any, derivatives: int, frame: str, errors: str, threads: int, options: dict[str, Any]) -> PerTrack:
     """The job of these arguments."""
+    if options.get("sigma"):
+        raise ArgumentError("sigma: a table of tracks has no columns for it, wanted orispline.smooth for each track")
     work = Smoothing(None if rate is None else rate_text(rate), _derivatives(derivatives), FRAMES[_index("frame", frame, FRAMES)],
                      options)
     return PerTrack(columns, work, _errors(errors), thread_count(threads))

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <orispline/base/abi.hpp>
+
+namespace orispline::inline ORISPLINE_ABI {
+
+/// log λ of one stretch, piecewise linear over evenly spaced knots.
+///
+/// The values at the knots are those of the restricted likelihood with a penalty μ/2 Σ(difference of neighbours)² on
+/// them: a random walk, so that few of them are free. What the likelihood asks of λ in an interval at a given fit is
+/// λ E - d log λ, with E the squared penalty there in units of the noise and d how many values of it the samples
+/// determine (MacKay's update); its minimum over all knots is found by Newton steps, each one tridiagonal system.
+class LogLambdaCurve {
+ public:
+  /// One value for all of the intervals between these times [s]. `knots`: at least 2.
+  LogLambdaCurve(std::span<const double> times, std::size_t knots, double log_lambda);
+
+  /// The next values. `energies`: E; `freedoms`: d; both of every interval. The largest change of a value is returned.
+  double update(std::span<const double> energies, std::span<const double> freedoms, double stiffness);
+
+  /// Of an interval.
+  [[nodiscard]] double operator()(std::size_t interval) const {
+    const auto& [knot, share] = places_[interval];
+    return values_[knot] + share * (values_[knot + 1] - values_[knot]);
+  }
+
+ private:
+  struct Place {
+    std::size_t knot;
+    double share;  ///< of the next knot
+  };
+
+  [[nodiscard]] double cost(std::span<const double> energies, std::span<const double> freedoms, double stiffness) const;
+  [[nodiscard]] std::vector<double> newton_step(std::span<const double> energies, std::span<const double> freedoms,
+                                                double stiffness) const;
+
+  std::vector<Place> places_;
+  std::vector<double> values_;
+  double least_, most_;
+};
+
+}  // namespace orispline::inline ORISPLINE_ABI
