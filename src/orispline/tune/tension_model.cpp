@@ -9,6 +9,7 @@
 #include <orispline/families/tcb.hpp>
 #include <orispline/families/uniform.hpp>
 #include <orispline/math/bernstein.hpp>
+#include <orispline/math/geodesic.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
@@ -251,6 +252,18 @@ TensionSegment handle_segment(TensionSegment::Product product, double start, dou
           .increments = {leaving, increment<double>(from, to), arriving},
           .constant = {elevated(BernsteinForm{{0.0, 1.0}}, 3), elevated(BernsteinForm{{0.0, 0.0, 1.0, 1.0}}, 3),
                        elevated(BernsteinForm{{0.0, 0.0, -1.0}}, 3)}};
+}
+
+TensionSegment cumulative_segment(double start, double step, const Eigen::Quaterniond& from,
+                                  const Increments& increments) {
+  return {.product = TensionSegment::Product::cumulative,
+          .start = start,
+          .step = step,
+          .from = from,
+          .to = displaced_in_turn(from, increments),
+          .increments = increments,
+          .constant = {elevated(BernsteinForm{{0.0, 1.0, 1.0, 1.0}}, 3), elevated(BernsteinForm{{0.0, 0.0, 1.0, 1.0}}, 3),
+                       elevated(BernsteinForm{{0.0, 0.0, 0.0, 1.0}}, 3)}};
 }
 
 CurveOptions TensionModel::with(const std::vector<double>& values) const {

@@ -55,10 +55,14 @@ struct TensionModel {
                                             const Eigen::Quaterniond& from, const Eigen::Quaterniond& to,
                                             const Eigen::Vector3d& leaving, const Eigen::Vector3d& arriving);
 
+/// A cumulative cubic with these increments between its control points, without variables.
+[[nodiscard]] TensionSegment cumulative_segment(double start, double step, const Eigen::Quaterniond& from,
+                                                const Increments& increments);
+
 /// The parameters of a family that tuning can free, in the order of the family; empty for other families.
 [[nodiscard]] std::vector<std::string> tunable_parameters(std::string_view method);
 
-/// The model of a family that is affine in the parameters named, as all tunable ones but those of `nu` are.
+/// The model of a family that is affine in the parameters named, as all are that are not constructed.
 ///
 /// It is read off the family itself: a function that is affine is known from its values at 0 and at 1. The tensions of
 /// an end key that is clamped or at rest stay as they are, for there the ghost key follows them.
