@@ -269,6 +269,13 @@ const std::vector<MovedCurve> moved_curves{
     {"beta",
      {.parameters = {{"beta1", {1.1, 0.8, 1.3, 0.9, 1.2, 1.0}}, {"beta2", {0.5, -0.4, 2.0, 0.1, -1.0, 0.3}}}},
      {"beta1", "beta2"}},
+    {"beta-g2",
+     {.parameters = {{"beta1", {1.1, 0.8, 1.3, 0.9, 1.2, 1.0}}, {"beta2", {0.5, -0.4, 2.0, 0.1, -1.0, 0.3}}}},
+     {"beta1", "beta2"}},
+    {"beta-g2",
+     {.parameters = {{"beta1", {1.1, 0.8, 1.3, 0.9, 1.2, 1.0}}, {"beta2", {0.5, -0.4, 2.0, 0.1, -1.0, 0.3}}},
+      .choices = {{"form", "global"}}},
+     {"beta1", "beta2"}},
     {"beta-through", {.parameters = {{"beta1", {1.1, 0.8, 1.3, 0.9, 1.2, 1.0}}, {"beta2", {0.5}}}}, {"beta1"}},
     {"beta-through", {.parameters = {{"beta2", {0.5, -0.4, 2.0, 0.1, -1.0, 0.3}}}}, {"beta2"}}};
 

@@ -6,6 +6,7 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/beta.hpp>
+#include <orispline/families/beta_g2.hpp>
 #include <orispline/families/beta_through.hpp>
 #include <orispline/families/global_c2.hpp>
 #include <orispline/families/nu.hpp>
@@ -17,7 +18,7 @@ namespace {
 /// A family that is constructed.
 struct Constructed {
   std::string_view name;
-  std::unique_ptr<Construction> (*make)(const Keyframes&, const std::vector<Variable>&);
+  MakeConstruction* make;
   std::size_t ends;  ///< so many keys at either end have no influence
   /// ν = 0 is the cubic spline, and no curve through the keys has a smaller ∫|x''|² (Holladay 1957).
   std::optional<double> closed_form{};
@@ -26,7 +27,8 @@ struct Constructed {
 constexpr std::array constructed{Constructed{families::Nu::info.name, nu_construction, 1, 0.0},
                                  Constructed{families::NuExact::info.name, nu_exact_construction, 1, 0.0},
                                  Constructed{families::Beta::info.name, beta_construction, 0},
-                                 Constructed{families::BetaThrough::info.name, beta_through_construction, 0}};
+                                 Constructed{families::BetaThrough::info.name, beta_through_construction, 0},
+                                 Constructed{families::BetaG2::info.name, beta_g2_construction, 0}};
 
 Expected<void> check_count(const FamilyInfo& family, const FamilySettings& settings, std::size_t keys) {
   for (const Parameter& parameter : family.parameters)
@@ -73,7 +75,7 @@ Expected<ConstructionModel> construction_model(const FamilyInfo& family, const K
       if (std::ranges::find(parameters, parameter.name) != parameters.end())
         found.model.variables.push_back({std::string(parameter.name), key, values.find(parameter.name)->second[key],
                                          parameter.lowest, parameter.highest});
-  found.construction = kind.make(keys, found.model.variables);
+  found.construction = kind.make(keys, *settings, found.model.variables);
   return found;
 }
 

@@ -52,13 +52,9 @@ inline constexpr std::size_t construction_reach = 20;
                                                                        std::size_t segments);
 
 /// How the control orientations or the rates of each kind of curve follow from what is varied.
-[[nodiscard]] std::unique_ptr<Construction> nu_construction(const Keyframes& keys,
-                                                            const std::vector<Variable>& variables);
-[[nodiscard]] std::unique_ptr<Construction> nu_exact_construction(const Keyframes& keys,
-                                                                  const std::vector<Variable>& variables);
-[[nodiscard]] std::unique_ptr<Construction> beta_construction(const Keyframes& keys,
-                                                              const std::vector<Variable>& variables);
-[[nodiscard]] std::unique_ptr<Construction> beta_through_construction(const Keyframes& keys,
-                                                                      const std::vector<Variable>& variables);
+using MakeConstruction = std::unique_ptr<Construction>(const Keyframes& keys, const FamilySettings& settings,
+                                                       const std::vector<Variable>& variables);
+MakeConstruction nu_construction, nu_exact_construction, beta_construction, beta_through_construction,
+    beta_g2_construction, beta_g2_global_construction;
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -162,11 +162,13 @@ class NuExactConstruction final : public NuVariables {
 
 }  // namespace
 
-std::unique_ptr<Construction> nu_construction(const Keyframes& keys, const std::vector<Variable>& variables) {
+std::unique_ptr<Construction> nu_construction(const Keyframes& keys, const FamilySettings&,
+                                              const std::vector<Variable>& variables) {
   return std::make_unique<NuConstruction>(keys, variables);
 }
 
-std::unique_ptr<Construction> nu_exact_construction(const Keyframes& keys, const std::vector<Variable>& variables) {
+std::unique_ptr<Construction> nu_exact_construction(const Keyframes& keys, const FamilySettings&,
+                                                    const std::vector<Variable>& variables) {
   return std::make_unique<NuExactConstruction>(keys, variables);
 }
 

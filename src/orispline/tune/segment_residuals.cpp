@@ -61,7 +61,14 @@ struct Shape {
   RowsOver<T> rows;
   std::array<Vector3<T>, 3> increments;
   Quaternion<T> from;
+  Vector3<T> correction = Vector3<T>::Zero();  ///< where the segment has one
 };
+
+/// Of all corrections.
+std::span<const double, form_degree + 1> correction_row() {
+  static const BernsteinForm form = correction_form();
+  return form.coefficients;
+}
 
 template <Number T>
 RowsOver<T> constant_rows(const BlendingRows& rows) {
@@ -101,12 +108,12 @@ RowsOver<Jet<double, 1>> along(const BlendingRows& rows, const BlendingRows& slo
 }
 
 /// β̃ in time, from the Taylor series of the Bernstein polynomials in u.
-template <Number T>
-Jet<T, 3> blending(const std::array<T, form_degree + 1>& row, const BasisAt& basis, double step) {
+template <Number T, class Row>
+Jet<T, 3> blending(const Row& row, const BasisAt& basis, double step) {
   Jet<T, 3> b;
   double scale = 1.0;
   for (std::size_t m = 0; m < 4; ++m) {
-    for (std::size_t j = 0; j <= form_degree; ++j) b.c[m] += row[j] * (basis[j].c[m] * scale);
+    for (std::size_t j = 0; j <= form_degree; ++j) b.c[m] += T(row[j]) * (basis[j].c[m] * scale);
     scale /= step;
   }
   return b;
@@ -152,13 +159,14 @@ MotionOver<T> motion_at(const TensionSegment& s, const Shape<T>& shape, const Ba
   MotionOver<T> m{.orientation = shape.from};
   for (std::size_t k = 0; k < shape.rows.size(); ++k)
     m = with_factor<T>(m, shape.increments[k], blending<T>(shape.rows[k], basis, s.step));
+  if (s.correction) m = with_factor<T>(m, shape.correction, blending<T>(correction_row(), basis, s.step));
   return m;
 }
 
 /// Σ β̃_k'' φ_k.
 template <Number T>
 Vector3<T> linearised(const Shape<T>& shape, const BasisAt& basis, double step) {
-  Vector3<T> sum = Vector3<T>::Zero();
+  Vector3<T> sum = shape.correction * T(blending<double>(correction_row(), basis, step).derivative(2));
   for (std::size_t k = 0; k < shape.rows.size(); ++k) {
     T second(0.0);
     for (std::size_t j = 0; j <= form_degree; ++j) second += shape.rows[k][j] * basis[j].c[2];
@@ -238,7 +246,7 @@ Eigen::VectorXd residual_values(const TensionSegment& segment, const Goal& goal,
   each_residual<double>(
       segment, goal, index,
       Shape<double>{constant_rows<double>(rows_at(segment, values)), constant_increments<double>(segment),
-                    segment.from},
+                    segment.from, segment.correction.value_or(Eigen::Vector3d::Zero())},
       [&](std::size_t i, const Eigen::Vector3d& r) { result.segment<3>(first_of(i)) = r; });
   return result;
 }
@@ -256,8 +264,9 @@ Eigen::MatrixXd residual_jacobian(const TensionSegment& segment, const Goal& goa
                                   std::span<const SegmentSlope> slopes) {
   const auto rows = constant_rows<Jet<double, 1>>(segment.constant);
   return jacobian_of(segment, goal, index, slopes.size(), [&](std::size_t v) {
-    return Shape<Jet<double, 1>>{rows, along(segment.increments, slopes[v].increments),
-                                 along(segment.from, slopes[v].from)};
+    return Shape<Jet<double, 1>>{
+        rows, along(segment.increments, slopes[v].increments), along(segment.from, slopes[v].from),
+        along(segment.correction.value_or(Eigen::Vector3d::Zero()), slopes[v].correction)};
   });
 }
 

@@ -24,8 +24,9 @@ namespace orispline::inline ORISPLINE_ABI {
 
 /// What of a segment changes per unit of a variable that leaves its blending functions as they are.
 struct SegmentSlope {
-  Increments increments;                              ///< [rad]
-  Eigen::Vector3d from = Eigen::Vector3d::Zero();     ///< how the base turns [rad], in its own frame
+  Increments increments;                                 ///< [rad]
+  Eigen::Vector3d from = Eigen::Vector3d::Zero();        ///< how the base turns [rad], in its own frame
+  Eigen::Vector3d correction = Eigen::Vector3d::Zero();  ///< where the segment has one
 };
 
 /// The Jacobian of the residuals by such variables.

@@ -266,6 +266,8 @@ TensionSegment cumulative_segment(double start, double step, const Eigen::Quater
                        elevated(BernsteinForm{{0.0, 0.0, 0.0, 1.0}}, 3)}};
 }
 
+BernsteinForm correction_form() { return elevated(BernsteinForm{{0.0, 0.0, 0.05}}, 5); }  // u² (1-u)³ / 2
+
 CurveOptions TensionModel::with(const std::vector<double>& values) const {
   CurveOptions changed = options;
   for (std::size_t v = 0; v < variables.size(); ++v)

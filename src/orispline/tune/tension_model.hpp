@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,7 @@ struct TensionSegment {
   Eigen::Quaterniond from, to;     ///< the base of the product; of handles the two keys
   Increments increments;
   BlendingRows constant;                 ///< with all variables zero
+  std::optional<Eigen::Vector3d> correction{};  ///< of `beta-g2`: a factor behind a cumulative cubic
   std::vector<std::size_t> variables{};  ///< that it depends on, increasing
   std::vector<BlendingRows> slopes{};    ///< what a unit of each of them adds
 };
@@ -58,6 +60,9 @@ struct TensionModel {
 /// A cumulative cubic with these increments between its control points, without variables.
 [[nodiscard]] TensionSegment cumulative_segment(double start, double step, const Eigen::Quaterniond& from,
                                                 const Increments& increments);
+
+/// The blending function of a correction.
+[[nodiscard]] BernsteinForm correction_form();
 
 /// The parameters of a family that tuning can free, in the order of the family; empty for other families.
 [[nodiscard]] std::vector<std::string> tunable_parameters(std::string_view method);
