@@ -15,7 +15,7 @@ import pathlib
 import sys
 
 import numpy as np
-from scipy.optimize import least_squares
+from scipy.optimize import least_squares, root
 from scipy.spatial.transform import Rotation
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
@@ -74,10 +74,10 @@ class Curves:
             for i in range(n - 1):
                 yield product_rates(*self.tensions.seg(i, per_key[i], per_key[i + 1]))
         elif self.family == "nu-exact":
-            rates = np.array([[float(x) for x in w] for w in rm.bmv_spline(self.keys, self.times, values["nu"]).aux["omega"]])
             keys = np.array([[float(x) for x in q] for q in self.keys])
-            for i in range(n - 1):
-                yield slerp_rates(float(self.times[i + 1] - self.times[i]), keys[i], keys[i + 1], rates[i], rates[i + 1])
+            steps = np.diff(np.array([float(t) for t in self.times]))
+            rates = rates_of(keys, steps, np.array([float(x) for x in values["nu"]]))
+            yield from zip(steps, *slerp_segments(keys, steps, rates, SHARES), strict=True)
         else:
             points, betas, times = self.keys, values, self.times[1:-1]
             if self.family == "beta-through":
@@ -109,7 +109,7 @@ def product_rates(h, half_increments, polynomials):
 
 def series(*values):
     """Coefficients of 1, x, x² of a number that depends on x, at every node."""
-    return np.array([np.broadcast_to(v, (NODES,)) for v in values], dtype=float)
+    return np.array(np.broadcast_arrays(*values), dtype=float)
 
 
 def times(a, b):
@@ -139,31 +139,55 @@ def slerp(a, b, share):
     turn = product(conjugate(a), b)
     sine = of(lambda x: (np.sqrt(x), 0.5 / np.sqrt(x), -0.25 / x**1.5), sum(times(turn[i], turn[i]) for i in (1, 2, 3)))
     angle = of(lambda x: (np.arcsin(x), 1 / np.sqrt(1 - x**2), x / (1 - x**2) ** 1.5), sine)
-    angle = np.where(turn[0][0] > 0, angle, series(np.pi, 0, 0) - angle)
+    angle = np.where(turn[0][0] > 0, angle, series(np.pi + 0 * sine[0], 0, 0) - angle)
     part = times(angle, share)
     ratio = times(of(lambda x: (np.sin(x), np.cos(x), -np.sin(x)), part), of(lambda x: (1 / x, -1 / x**2, 2 / x**3), sine))
     cosine = of(lambda x: (np.cos(x), -np.sin(x), -np.cos(x)), part)
     return product(a, np.array([cosine, *(times(ratio, turn[i]) for i in (1, 2, 3))]))
 
 
-def slerp_rates(h, start, end, leaving, arriving):
-    """Of the cubic by de Casteljau's algorithm with slerps, whose handles are a third of the rates."""
+def slerp_rates(h, start, end, leaving, arriving, share):
+    """Of cubics by de Casteljau's algorithm with slerps, whose handles are a third of the rates: one per row."""
     def still(q):
-        return np.array([series(x, 0, 0) for x in q])
+        return np.array([series(x, 0, 0) for x in q.T])
 
     def handle(q, rate):
-        x, y, z, w = (Rotation.from_quat([*q[1:], q[0]]) * Rotation.from_rotvec(rate * h / 3)).as_quat()
-        near = np.array([w, x, y, z])
-        return still(near if near @ q > 0 else -near)
+        moved = (Rotation.from_quat(q[:, [1, 2, 3, 0]]) * Rotation.from_rotvec(rate * h[:, None] / 3)).as_quat()[:, [3, 0, 1, 2]]
+        return still(np.where(np.sum(moved * q, axis=1, keepdims=True) > 0, moved, -moved))
 
-    share = series(SHARES, 1 / h, 0)
+    share = series(share, 1 / h, 0)
     points = [still(start), handle(start, leaving), handle(end, -arriving), still(end)]
     while len(points) > 1:
         points = [slerp(a, b, share) for a, b in zip(points, points[1:])]
     q = points[0]
     rate = np.array([q[:, 1], 2 * q[:, 2], 0 * q[:, 2]]).transpose(1, 0, 2)
     body = 2 * product(conjugate(q), rate)[1:]
-    return h, body[:, 0].T, body[:, 1].T
+    return body[:, 0].T, body[:, 1].T
+
+
+def slerp_segments(keys, steps, rates, shares):
+    """ω and α at these shares of every segment (segments, shares, 3)."""
+    each = np.repeat(np.arange(len(steps)), len(shares))
+    omega, alpha = slerp_rates(steps[each], keys[each], keys[each + 1], rates[each], rates[each + 1], np.tile(shares, len(steps)))
+    return omega.reshape(len(steps), len(shares), 3), alpha.reshape(len(steps), len(shares), 3)
+
+
+def rates_of(keys, steps, nu):
+    """Those of nu-exact: no acceleration at the ends, at inner keys a jump of ν times the rate."""
+    n = len(keys)
+    turns = [Rotation.from_quat(keys[i][[1, 2, 3, 0]]).inv() * Rotation.from_quat(keys[i + 1][[1, 2, 3, 0]]) for i in range(n - 1)]
+    mean = np.array([turn.as_rotvec() / h for turn, h in zip(turns, steps, strict=True)])
+    first = np.array([mean[0], *(0.5 * (mean[:-1] + mean[1:])), mean[-1]])
+
+    def missing(x):
+        rates = x.reshape(n, 3)
+        ends = slerp_segments(keys, steps, rates, np.array([0.0, 1.0]))[1]
+        inner = [ends[i][0] - ends[i - 1][1] - nu[i] * rates[i] for i in range(1, n - 1)]
+        return np.concatenate([ends[0][0], *inner, ends[-1][1]])
+
+    found = root(missing, first.ravel(), method="hybr", options={"xtol": 1e-14})
+    assert np.abs(found.fun).max() < 1e-9, found
+    return found.x.reshape(n, 3)
 
 
 def solved(case, rq, rm):
@@ -180,8 +204,8 @@ def solved(case, rq, rm):
         return named
 
     first = np.array([start[name][key] for name, key in places])
-    found = least_squares(lambda x: curves.residuals(parameters(x), objective), first, jac="3-point", x_scale=1.0, ftol=1e-15,
-                          xtol=1e-13, gtol=1e-13, max_nfev=60)
+    found = least_squares(lambda x: curves.residuals(parameters(x), objective), first, jac="3-point", x_scale=1.0, ftol=1e-14,
+                          xtol=1e-10, gtol=1e-12, max_nfev=60)
     before = float(np.sum(curves.residuals(start, objective) ** 2))
     text = ";".join(f"{name}={' '.join(f'{x:.9g}' for x in values)}" for name, values in parameters(found.x).items())
     initial = ";".join(f"{name}={value!r}" for name, value in curves.initial.items())
