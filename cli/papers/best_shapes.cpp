@@ -72,9 +72,10 @@ Expected<report::Table> best_by_energy(const Keyframes& keys) {
                             energies(*curve, Eigen::Matrix3d::Identity()).acceleration});
     }
   }
-  table.notes = {"The energies are of curves that begin and end elsewhere: `beta` and `beta-g2` run from near the "
-                 "second key to near the last but one.",
-                 "β₁ stays 1: it is the ratio of the speeds after and before a key, and such jumps cost no energy."};
+  table.notes = {
+      "The energies are of curves that begin and end elsewhere: `beta` and `beta-g2` run from near the "
+      "second key to near the last but one.",
+      "β₁ stays 1: it is the ratio of the speeds after and before a key, and such jumps cost no energy."};
   return table;
 }
 

@@ -80,7 +80,9 @@ TEST(RateBounds, HoldOnIntervalsThatAreNotHalved) {
   constexpr double any = std::numeric_limits<double>::infinity();
   for (unsigned seed = 0; seed < 40; ++seed)
     for (const std::string_view method : {"auto", "timed-c2", "timed-c1", "bspline", "rational"}) {
-      const AnyCurve curve = make_curve(method, random_keys(seed, {5, method == "rational" ? 1.5 : 3.0, seed % 2 == 0 ? 1.0 : 10.0})).value();
+      const AnyCurve curve =
+          make_curve(method, random_keys(seed, {5, method == "rational" ? 1.5 : 3.0, seed % 2 == 0 ? 1.0 : 10.0}))
+              .value();
       const auto peaks = certified(curve, inertia, {any, any, any, any}).value();
       for (std::size_t s = 0; s < peaks.size(); ++s) {
         const MotionSizes sampled = densely_sampled(curve, s, 200);

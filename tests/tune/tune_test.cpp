@@ -8,16 +8,18 @@
 #include <orispline/curve/torque.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/math/gauss_legendre.hpp>
-#include <orispline/tune/construction_sum.hpp>
 #include <support/data_table.hpp>
 #include <support/follower.hpp>
 #include <support/golden_case.hpp>
 #include <support/random_motion.hpp>
+#include "tune/some_keys.hpp"
 
 namespace orispline {
 namespace {
 
 using testing_support::DataTable;
+using testing_support::some_keys;
+using testing_support::turned;
 
 const Eigen::Matrix3d inertia = Eigen::Vector3d(1.0, 2.0, 4.0).asDiagonal();
 
@@ -73,16 +75,6 @@ TEST(Tune, FindsTheLeastTorqueOfTheReference) {
     EXPECT_NEAR(found.energy_before / rows[0].number("torque"), 1.0, 1e-9);
     EXPECT_NEAR(found.energy_after / rows[3].number("torque"), 1.0, 1e-9);
   }
-}
-
-Eigen::Quaterniond turned(double x, double y, double z) { return exp<double>(Eigen::Vector3d(x, y, z)); }
-
-Keyframes some_keys() {
-  KeyframeData data{.times = {0.0, 0.8, 1.5, 2.9, 3.6, 4.0}, .orientations = {turned(0.1, 0.2, -0.3)}};
-  for (const auto& step : {turned(0.5, 0.3, 0.1), turned(0.2, -0.6, 0.4), turned(-0.1, 0.7, 0.9),
-                           turned(0.6, 0.1, -0.5), turned(0.3, 0.3, 0.2)})
-    data.orientations.push_back(data.orientations.back() * step);
-  return Keyframes::make(std::move(data)).value();
 }
 
 double energy_of(std::string_view family, const CurveOptions& options, Objective objective) {
@@ -259,79 +251,6 @@ TEST(Tune, RefusesWhatItCannotTune) {
             "inertia: found the principal moments -2, 1, 3, wanted all of them greater than 0");
   EXPECT_FALSE(is_physical_inertia(inertia));  // 4 > 1 + 2
   EXPECT_TRUE(is_physical_inertia(Eigen::Matrix3d::Identity()));
-}
-
-/// Constructed families, their parameters away from their defaults, and what is sought.
-struct MovedCurve {
-  std::string_view family;
-  CurveOptions options;
-  std::vector<std::string> parameters;
-};
-
-const std::vector<MovedCurve> moved_curves{
-    {"nu", {.parameters = {{"nu", {0.0, 0.4, -0.3, 0.8, 0.1, 0.0}}}}, {"nu"}},
-    {"nu-exact", {.parameters = {{"nu", {0.0, 0.4, -0.3, 0.8, 0.1, 0.0}}}}, {"nu"}},
-    {"beta",
-     {.parameters = {{"beta1", {1.1, 0.8, 1.3, 0.9, 1.2, 1.0}}, {"beta2", {0.5, -0.4, 2.0, 0.1, -1.0, 0.3}}}},
-     {"beta1", "beta2"}},
-    {"beta-g2",
-     {.parameters = {{"beta1", {1.1, 0.8, 1.3, 0.9, 1.2, 1.0}}, {"beta2", {0.5, -0.4, 2.0, 0.1, -1.0, 0.3}}}},
-     {"beta1", "beta2"}},
-    {"beta-g2",
-     {.parameters = {{"beta1", {1.1, 0.8, 1.3, 0.9, 1.2, 1.0}}, {"beta2", {0.5, -0.4, 2.0, 0.1, -1.0, 0.3}}},
-      .choices = {{"form", "global"}}},
-     {"beta1", "beta2"}},
-    {"beta-through", {.parameters = {{"beta1", {1.1, 0.8, 1.3, 0.9, 1.2, 1.0}}, {"beta2", {0.5}}}}, {"beta1"}},
-    {"beta-through", {.parameters = {{"beta2", {0.5, -0.4, 2.0, 0.1, -1.0, 0.3}}}}, {"beta2"}}};
-
-/// A recording that no curve follows, for the segments of a curve.
-Goal fit_to_something(std::size_t segments) {
-  Goal goal{.objective = Objective::fit, .reference_samples = {}, .sample_count = 3 * segments};
-  for (std::size_t i = 0; i < segments; ++i)
-    goal.reference_samples.push_back({{0.1, turned(0.3, 0.2, 0.1)}, {0.5, turned(0.5, -0.4, 0.2)}, {0.9, turned(0, 1, 0)}});
-  return goal;
-}
-
-TEST(Tune, KnowsHowAConstructionChangesWithItsParameters) {
-  const Keyframes keys = some_keys();
-  for (const auto& [family, options, parameters] : moved_curves) {
-    const auto model = construction_model(*find_family(family).value(), keys, options, parameters).value();
-    for (const Objective objective : {Objective::acceleration, Objective::jerk, Objective::linearised, Objective::fit}) {
-      const Goal goal = objective == Objective::fit ? fit_to_something(model.construction->variables().size())
-                                                    : Goal{.objective = objective};
-      ConstructionSum sum(model, goal);
-      std::vector<double> start;
-      for (const Variable& variable : model.model.variables) start.push_back(variable.initial);
-      constexpr double h = 1e-5;
-      for (std::size_t block = 0; block < sum.blocks(); ++block) {
-        sum.move_to(start);
-        const auto variables = sum.variables(block);
-        const Eigen::MatrixXd exact = sum.jacobian(block);
-        for (std::size_t v = 0; v < variables.size(); ++v) {
-          const auto at = [&](double move) {
-            std::vector<double> values = start;
-            values[variables[v]] += move;
-            sum.move_to(values);
-            return sum.residuals(block);
-          };
-          const Eigen::VectorXd slope = (at(h) - at(-h)) / (2.0 * h);
-          const Eigen::VectorXd column = exact.col(static_cast<Eigen::Index>(v));
-          EXPECT_NEAR((slope - column).norm(), 0.0, 1e-7 * (1.0 + column.norm())) << family << " " << v << " " << block;
-        }
-      }
-    }
-  }
-}
-
-TEST(Tune, SegmentsOfAConstructionAreThoseOfTheCurve) {
-  for (const auto& [family, options, parameters] : moved_curves) {
-    const auto model = construction_model(*find_family(family).value(), some_keys(), options, parameters).value();
-    for (const Objective objective : {Objective::acceleration, Objective::jerk}) {
-      const Goal goal{.objective = objective};
-      const double wanted = energy_of(family, options, objective);
-      EXPECT_NEAR(value_of(ConstructionSum(model, goal)) / wanted, 1.0, 1e-10) << family;
-    }
-  }
 }
 
 TEST(Tune, IsFollowedAndStopped) {

@@ -16,7 +16,8 @@ using Values = std::map<std::string, std::vector<double>, std::less<>>;
 Values values_of(const std::string& text) {
   Values values;
   for (const auto& [name, list] : named_texts(text))
-    for (const std::string& value : testing_support::fields_of(list, ' ')) values[name].push_back(testing_support::number_of(value));
+    for (const std::string& value : testing_support::fields_of(list, ' '))
+      values[name].push_back(testing_support::number_of(value));
   return values;
 }
 

@@ -9,10 +9,10 @@ import numpy as np
 
 from . import _core
 from ._arrays import Array, numbers
-from ._checks import whole
 from ._clock import PER_SECOND, Clock
 from ._curve_analysis import checked_inertia
 from ._errors import ArgumentError, DataError
+from ._ghosts import draw_ghosts, ghost_count
 from ._keys import Keys, _span
 
 if TYPE_CHECKING:
@@ -23,7 +23,6 @@ if TYPE_CHECKING:
 AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 CHART = (8.0, 2.1)  # inches
 GREY, INK = "0.75", "0.2"
-GHOST = 0.33  # inches, of a body where there is room for it
 Curves = Any  # a Curve, several, or a mapping from names to curves
 
 
@@ -187,7 +186,7 @@ def _charts(named: dict[str, Any], reference: Any, axes: Any, quantities: str | 
             raise ArgumentError(f"quantities: found {word!r}, wanted some of {', '.join(map(repr, titles))}")
     if not words and reference is None:
         raise ArgumentError("quantities: found none, wanted one at least")
-    count = _ghost_count(ghosts)
+    count = ghost_count(ghosts)
     labels = [*(["angle to the reference [deg]"] if reference is not None else []), *(titles[word] for word in words)]
     axes = _axes(axes, len(labels) + (1 if count else 0))
     for label, chart in zip(labels, axes):
@@ -202,7 +201,7 @@ def _charts(named: dict[str, Any], reference: Any, axes: Any, quantities: str | 
         for word, chart in zip(words, axes[len(labels) - len(words):]):
             chart.plot(times, values[word], label=name)
     if count:
-        _draw_ghosts(axes[-1], list(named.values()), [line.get_color() for line in axes[0].get_lines()[-len(named):]], count)
+        draw_ghosts(axes[-1], list(named.values()), [line.get_color() for line in axes[0].get_lines()[-len(named):]], count)
     clock = next(iter(named.values()))._clock
     axes[-1].set_xlabel("time" if clock.is_calendar else f"time [{clock.unit}]")
     if clock.is_calendar:
@@ -210,34 +209,6 @@ def _charts(named: dict[str, Any], reference: Any, axes: Any, quantities: str | 
     if len(named) > 1:
         axes[0].legend()
     return axes
-
-
-def _ghost_count(ghosts: int) -> int:
-    """As many bodies per curve; none, or from 2 on."""
-    count = whole("ghosts", ghosts, 0, _core.most_ghosts)
-    if count == 1:
-        raise ArgumentError(f"ghosts: found 1, wanted a whole number from 2 to {_core.most_ghosts}, or 0 for none")
-    return count
-
-
-def _draw_ghosts(chart: Any, curves: Sequence[Any], colors: Sequence[Any], count: int) -> None:
-    """The body of each curve at even times, a row per curve, all of one size whatever the scales of the chart."""
-    from matplotlib.collections import PolyCollection
-    from matplotlib.colors import to_rgba
-    size = min(GHOST, 0.55 * chart.bbox.width / chart.figure.dpi / count)
-    for row, (curve, color) in enumerate(zip(curves, colors)):
-        seconds, faces, opacities = curve._core.ghosts(count)
-        times = curve._clock.back(seconds)
-        chart.xaxis.update_units(times)
-        places = np.column_stack([chart.convert_xunits(times), np.full(len(times), -float(row))])
-        bodies = PolyCollection(faces.reshape(-1, 3, 2) * (size, -size), facecolors=[to_rgba(color, o) for o in opacities],
-                                edgecolors=color, linewidths=0.6, offsets=places, offset_transform=chart.transData,
-                                clip_on=False, zorder=2)
-        bodies.set_transform(chart.figure.dpi_scale_trans)
-        chart.add_collection(bodies, autolim=False)
-        chart.update_datalim(places)
-    chart.autoscale_view(scaley=False)
-    chart.set(yticks=[], ylim=(0.5 - len(curves), 0.5), ylabel=f"the body at\n{count} even times")
 
 
 def _date(axes: Any) -> None:

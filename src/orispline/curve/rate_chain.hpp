@@ -210,9 +210,8 @@ template <class Piece>
   std::vector<double> steps;
   for (std::size_t i = 0; i < knots.segments(); ++i) steps.push_back(knots.span(i).step());
   using Chain = RateChain<Piece>;
-  return solve_chain(method, [&](double share, const Chain* before) {
-    return Chain(increments, steps, conditions, share, before);
-  });
+  return solve_chain(
+      method, [&](double share, const Chain* before) { return Chain(increments, steps, conditions, share, before); });
 }
 
 /// The rates at the keys, at a loop's return too. Errors: not_converged.
@@ -220,12 +219,11 @@ template <class Piece>
 [[nodiscard]] Expected<std::vector<Eigen::Vector3d>> solve_rates(std::string_view method,
                                                                  std::span<const Eigen::Vector3d> increments,
                                                                  const Knots& knots, const RateConditions& conditions) {
-  return solved_rate_chain<Piece>(method, increments, knots, conditions)
-      .map([](const RateChain<Piece>& chain) {
-        std::vector<Eigen::Vector3d> rates = chain.rates();
-        if (chain.closed()) rates.push_back(rates.front());
-        return rates;
-      });
+  return solved_rate_chain<Piece>(method, increments, knots, conditions).map([](const RateChain<Piece>& chain) {
+    std::vector<Eigen::Vector3d> rates = chain.rates();
+    if (chain.closed()) rates.push_back(rates.front());
+    return rates;
+  });
 }
 
 /// The conditions that the settings ask for; a secant end has the rate of its increment.

@@ -23,8 +23,7 @@ std::vector<Eigen::Vector3d> corrections(const ControlPolygon<>& published, cons
   };
   std::vector<Eigen::Vector3d> lacking{Eigen::Vector3d::Zero()};
   for (std::size_t i = 1; i < published.bases.size(); ++i)
-    lacking.push_back(
-        lacking_acceleration<double>(cubic(i - 1), cubic(i), betas.beta1[i + 1], betas.beta2[i + 1]));
+    lacking.push_back(lacking_acceleration<double>(cubic(i - 1), cubic(i), betas.beta1[i + 1], betas.beta2[i + 1]));
   return lacking;
 }
 

@@ -31,8 +31,9 @@ template <CurvePoint P, Number T>
   else return increment;
 }
 
-/// What the acceleration of a cubic lacks at its left joint: β₁² α + β₂ ω of the cubic before less its own α, rates in the
-/// local parameter. At its ends a cubic has ω = 3 φ₁ and 3 φ₃, α = 6 (φ₂ - φ₁) and 6 (φ₃ - φ₂), this φ₂ seen behind φ₃.
+/// What the acceleration of a cubic lacks at its left joint: β₁² α + β₂ ω of the cubic before less its own α, rates in
+/// the local parameter. At its ends a cubic has ω = 3 φ₁ and 3 φ₃, α = 6 (φ₂ - φ₁) and 6 (φ₃ - φ₂), this φ₂ seen behind
+/// φ₃.
 template <Number T>
 [[nodiscard]] Vector3<T> lacking_acceleration(const std::array<Vector3<T>, 3>& before,
                                               const std::array<Vector3<T>, 3>& after, const T& beta1, const T& beta2) {

@@ -7,8 +7,8 @@ namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 using families::BetaG2;
-using families::BetaThrough;
 using families::betas_of;
+using families::BetaThrough;
 using families::JointToKey;
 
 /// The ghosts have the betas of the end keys.

@@ -45,8 +45,8 @@ std::vector<TensionSegment> slerp_segments(const Keyframes& keys, HandlesAfter h
   std::vector<TensionSegment> segments;
   for (std::size_t i = 0; i + 1 < q.size(); ++i) {
     const auto [leaving, arriving] = handles_after(i);
-    segments.push_back(handle_segment(TensionSegment::Product::slerps, t[i], t[i + 1] - t[i], q[i], q[i + 1], leaving,
-                                      arriving));
+    segments.push_back(
+        handle_segment(TensionSegment::Product::slerps, t[i], t[i + 1] - t[i], q[i], q[i + 1], leaving, arriving));
   }
   return segments;
 }
@@ -140,8 +140,7 @@ class NuExactConstruction final : public NuVariables {
     const auto third = [t](std::size_t i) { return (t[i + 1] - t[i]) / 3.0; };
     const std::vector<Eigen::Vector3d>& rates = chain->rates();
     ConstructedCurve curve{
-        slerp_segments(
-            keys(), [&](std::size_t i) { return TwoHandles(third(i) * rates[i], third(i) * rates[i + 1]); }),
+        slerp_segments(keys(), [&](std::size_t i) { return TwoHandles(third(i) * rates[i], third(i) * rates[i + 1]); }),
         {}};
     auto all = slopes(work, [&](std::size_t v) {
       const std::size_t key = list()[v].key;

@@ -245,8 +245,8 @@ Eigen::VectorXd residual_values(const TensionSegment& segment, const Goal& goal,
   Eigen::VectorXd result(static_cast<Eigen::Index>(residual_count(goal, index)));
   each_residual<double>(
       segment, goal, index,
-      Shape<double>{constant_rows<double>(rows_at(segment, values)), constant_increments<double>(segment),
-                    segment.from, segment.correction.value_or(Eigen::Vector3d::Zero())},
+      Shape<double>{constant_rows<double>(rows_at(segment, values)), constant_increments<double>(segment), segment.from,
+                    segment.correction.value_or(Eigen::Vector3d::Zero())},
       [&](std::size_t i, const Eigen::Vector3d& r) { result.segment<3>(first_of(i)) = r; });
   return result;
 }
@@ -264,9 +264,9 @@ Eigen::MatrixXd residual_jacobian(const TensionSegment& segment, const Goal& goa
                                   std::span<const SegmentSlope> slopes) {
   const auto rows = constant_rows<Jet<double, 1>>(segment.constant);
   return jacobian_of(segment, goal, index, slopes.size(), [&](std::size_t v) {
-    return Shape<Jet<double, 1>>{
-        rows, along(segment.increments, slopes[v].increments), along(segment.from, slopes[v].from),
-        along(segment.correction.value_or(Eigen::Vector3d::Zero()), slopes[v].correction)};
+    return Shape<Jet<double, 1>>{rows, along(segment.increments, slopes[v].increments),
+                                 along(segment.from, slopes[v].from),
+                                 along(segment.correction.value_or(Eigen::Vector3d::Zero()), slopes[v].correction)};
   });
 }
 

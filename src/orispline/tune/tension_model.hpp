@@ -29,10 +29,10 @@ struct TensionSegment {
   double start = 0.0, step = 0.0;  ///< [s]
   Eigen::Quaterniond from, to;     ///< the base of the product; of handles the two keys
   Increments increments;
-  BlendingRows constant;                 ///< with all variables zero
+  BlendingRows constant;                        ///< with all variables zero
   std::optional<Eigen::Vector3d> correction{};  ///< of `beta-g2`: a factor behind a cumulative cubic
-  std::vector<std::size_t> variables{};  ///< that it depends on, increasing
-  std::vector<BlendingRows> slopes{};    ///< what a unit of each of them adds
+  std::vector<std::size_t> variables{};         ///< that it depends on, increasing
+  std::vector<BlendingRows> slopes{};           ///< what a unit of each of them adds
 };
 
 /// What tuning varies: one of the family's parameters at one key.
@@ -51,6 +51,9 @@ struct TensionModel {
   /// The options with other values of the variables.
   [[nodiscard]] CurveOptions with(const std::vector<double>& values) const;
 };
+
+/// The same polynomial with coefficients of degree `form_degree`.
+[[nodiscard]] BernsteinForm elevated(BernsteinForm form, std::size_t degree);
 
 /// A cubic between two keys with the given handles [rad] on leaving and on arriving, without variables.
 [[nodiscard]] TensionSegment handle_segment(TensionSegment::Product product, double start, double step,

@@ -157,13 +157,11 @@ Expected<Tuning> tuned(const FamilyInfo& family, const TensionModel& model, cons
   const bool is_least = tuning.energy_before <= search.rounding && inside(minimum.values, search.bounds);
   const bool is_closed = closed && objective == Objective::linearised;
   if (!is_least && is_closed) minimum.values = *closed;
-  else if (!is_least)
-    minimum = refined(search, closed.value_or(minimum.values), minimum.values, tuning.energy_before);
+  else if (!is_least) minimum = refined(search, closed.value_or(minimum.values), minimum.values, tuning.energy_before);
   if (search.work.stopped()) return cancellation();
   search.sum.move_to(minimum.values);
   tuning.energy_after = value_of(search.sum);
-  if (!is_least && !is_closed)
-    tuning.stationarity = stationarity_of(search, minimum.values, tuning);
+  if (!is_least && !is_closed) tuning.stationarity = stationarity_of(search, minimum.values, tuning);
   if (search.work.stopped()) return cancellation();
   tuning.iterations = minimum.iterations;
   tuning.method = {family.name, model.with(minimum.values)};
@@ -241,19 +239,18 @@ Expected<Tuning> tune(const Track& track, const Method& given, const TuneOptions
   if (!goal) return tl::unexpected(goal.error());
   OpenEndedWork work(progress, expected_steps);
   const Problem problem{**info, keys, method.options, *parameters, *goal, options, work};
-  return (is_constructed((*info)->name) ? tuned_construction(problem) : tuned_affine(problem))
-      .map([&](Tuning tuning) {
-        tuning.parameters = *parameters;
-        tuning.track = track;
-        for (auto& [name, values] : settings_per_key(tuning.method, keys.size()))
-          tuning.track.settings[name] = std::move(values);
-        tuning.track.recipe = recipe_for(tuning.method, tuning.track);
-        if (options.objective == Objective::torque)
-          std::ranges::move(warnings_of(goal->inertia), std::back_inserter(tuning.warnings));
-        std::ranges::move(warnings_of(tuning.method, track), std::back_inserter(tuning.warnings));
-        work.finish();
-        return tuning;
-      });
+  return (is_constructed((*info)->name) ? tuned_construction(problem) : tuned_affine(problem)).map([&](Tuning tuning) {
+    tuning.parameters = *parameters;
+    tuning.track = track;
+    for (auto& [name, values] : settings_per_key(tuning.method, keys.size()))
+      tuning.track.settings[name] = std::move(values);
+    tuning.track.recipe = recipe_for(tuning.method, tuning.track);
+    if (options.objective == Objective::torque)
+      std::ranges::move(warnings_of(goal->inertia), std::back_inserter(tuning.warnings));
+    std::ranges::move(warnings_of(tuning.method, track), std::back_inserter(tuning.warnings));
+    work.finish();
+    return tuning;
+  });
 }
 
 }  // namespace orispline::inline ORISPLINE_ABI
