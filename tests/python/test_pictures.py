@@ -61,6 +61,29 @@ def test_charts_hold_what_the_curve_is(curve):
         assert np.array_equal(np.array(marks.get_segments())[:, 0, 0], curve.times)
 
 
+def test_ghosts_are_the_bodies_of_the_command_below_the_charts(keys, curve):
+    charts = curve.plot(ghosts=7)
+    assert len(charts) == 5 and charts[-1].get_ylabel() == "the body at\n7 even times" and charts[-1].get_xlabel() == "time [s]"
+    bodies, = (c for c in charts[-1].collections if type(c).__name__ == "PolyCollection")
+    places = np.asarray(bodies.get_offsets())
+    assert places.shape == (21, 2) and np.allclose(places[:, 0], np.repeat(np.linspace(*curve.domain, 7), 3), atol=1e-12)
+    corners = np.array([path.vertices[:3] for path in bodies.get_paths()]).reshape(7, 9, 2)
+    eye = np.array([1, -0.9, 0.8]) / np.linalg.norm([1, -0.9, 0.8])
+    right = np.cross([0, 0, 1], eye) / np.linalg.norm(np.cross([0, 0, 1], eye))
+    nose = curve.rotation(np.linspace(*curve.domain, 7)).apply([1, 0, 0]) @ np.stack([right, np.cross(eye, right)], axis=1)
+    size = min(0.33, 0.55 * charts[-1].bbox.width / charts[-1].figure.dpi / 7)
+    for body, tip in zip(corners, nose):
+        assert np.abs(body / size - tip).max(axis=1).min() < 1e-12
+    two = ori.plot_comparison([curve, ori.Curve(*keys, "slerp")], quantities="rate", ghosts=3)
+    assert len(two) == 2 and two[-1].get_ylim() == (-1.5, 0.5)
+    dates = ori.Curve(np.datetime64("2026-11-22T12:00") + (keys[0] * 1e9).astype("timedelta64[ns]"), keys[1], extrapolate="error")
+    assert dates.plot(quantities="rate", ghosts=2)[-1].get_xlabel() == "time"
+    for wrong, told in ((1, "ghosts: found 1, wanted a whole number from 2 to 60, or 0 for none"),
+                        (61, "ghosts: found 61, wanted a whole number from 0 to 60")):
+        with pytest.raises(ori.ArgumentError, match=told):
+            curve.plot(ghosts=wrong)
+
+
 def test_both_sides_of_a_jump_are_drawn(keys):
     curve = ori.Curve(*keys, "slerp")
     chart, = curve.plot(quantities="rate")

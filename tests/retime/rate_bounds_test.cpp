@@ -79,8 +79,10 @@ TEST(RateBounds, HoldEverywhereAndAreNearForEveryMethodOfPolynomialsWithRatesOfI
 TEST(RateBounds, HoldOnIntervalsThatAreNotHalved) {
   constexpr double any = std::numeric_limits<double>::infinity();
   for (unsigned seed = 0; seed < 40; ++seed)
-    for (const std::string_view method : {"auto", "timed-c2", "timed-c1", "bspline"}) {
-      const AnyCurve curve = make_curve(method, random_keys(seed, {5, 3.0, seed % 2 == 0 ? 1.0 : 10.0})).value();
+    for (const std::string_view method : {"auto", "timed-c2", "timed-c1", "bspline", "rational"}) {
+      const AnyCurve curve =
+          make_curve(method, random_keys(seed, {5, method == "rational" ? 1.5 : 3.0, seed % 2 == 0 ? 1.0 : 10.0}))
+              .value();
       const auto peaks = certified(curve, inertia, {any, any, any, any}).value();
       for (std::size_t s = 0; s < peaks.size(); ++s) {
         const MotionSizes sampled = densely_sampled(curve, s, 200);
@@ -94,8 +96,8 @@ TEST(RateBounds, HoldOnIntervalsThatAreNotHalved) {
 
 TEST(RateBounds, OfTheSnapIsAboveThatOfTheCurve) {
   for (unsigned seed = 0; seed < 20; ++seed)
-    for (const std::string_view method : {"auto", "timed-c2", "timed-sextic", "bspline"}) {
-      const AnyCurve curve = make_curve(method, random_keys(seed, {5, 3.0, 10.0})).value();
+    for (const std::string_view method : {"auto", "timed-c2", "timed-sextic", "bspline", "rational"}) {
+      const AnyCurve curve = make_curve(method, random_keys(seed, {5, method == "rational" ? 1.5 : 3.0, 10.0})).value();
       for (std::size_t s = 0; s < curve.knots().segments(); ++s) {
         const KnotSpan span = curve.knots().span(s);
         const double bound = snap_bound(curve.form(s), span.step()).value();

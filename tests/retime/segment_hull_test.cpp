@@ -38,6 +38,12 @@ Motion motion_of(const SegmentForm& form, double u) {
       p[static_cast<Eigen::Index>(axis)] = value(chart->rotation_vector[axis], chart->degree, u);
     return motion_from_jet(exp<Time>(p));
   }
+  if (const auto* rational = std::get_if<RationalForm>(&form)) {
+    Vector4<Time> s;
+    for (std::size_t k = 0; k < 4; ++k)
+      s[static_cast<Eigen::Index>(k)] = value(rational->components[k], RationalForm::degree, u);
+    return motion_from_jet(Quaternion<Time>(Vector4<Time>(s / sqrt_of(Time(s.squaredNorm())))));
+  }
   const auto& product = std::get<CumulativeForm>(form);
   for (std::size_t k = 0; k < 3; ++k) {
     const Time b = value(product.blending[k], product.degree, u);
@@ -61,6 +67,13 @@ class Forms {
     for (auto& row : form.rotation_vector) row = polynomial(5, turn);
     return form;
   }
+  /// Of a curve of R⁴ that winds about a point at distance 1.
+  SegmentForm rational(double size) {
+    RationalForm form;
+    for (auto& row : form.components) row = polynomial(RationalForm::degree, size);
+    for (std::size_t i = 0; i <= RationalForm::degree; ++i) form.components[3].coefficients[i] += 1.0;
+    return form;
+  }
 
  private:
   double number() { return symmetric_(generator_); }
@@ -81,6 +94,7 @@ void expect_above(const SegmentForm& form, const std::string& what) {
       const Motion m = motion_of(form, std::lerp(start, end, i / 200.0));
       ASSERT_LE(m.angular_velocity.norm(), bounds.rate * (1.0 + 1e-9)) << what << start;
       ASSERT_LE(m.angular_acceleration.norm(), bounds.acceleration * (1.0 + 1e-9)) << what << start;
+      ASSERT_LE(m.angular_jerk.norm(), bounds.jerk * (1.0 + 1e-9)) << what << start;
     }
   }
 }
@@ -92,6 +106,28 @@ TEST(SegmentHull, IsAboveTheMotionOnEveryPart) {
       expect_above(forms.product(turn), "product of " + std::to_string(turn) + " from ");
       expect_above(forms.chart(turn), "chart of " + std::to_string(turn) + " from ");
     }
+}
+
+TEST(SegmentHull, IsAboveTheMotionOfACurveOfR4) {
+  Forms forms(4);
+  for (const double size : {0.01, 0.3, 0.9})
+    for (int i = 0; i < 20; ++i) expect_above(forms.rational(size), "rational of " + std::to_string(size) + " from ");
+}
+
+TEST(SegmentHull, IsNearToTheRateOfAShortPartOfACurveOfR4) {
+  Forms forms(5);
+  for (int i = 0; i < 10; ++i) {
+    const SegmentForm form = forms.rational(0.3);
+    const HullBounds bounds = SegmentHull::of(form, duration).value().on(0.5, 0.5 + 1e-6);
+    const auto& s = std::get<RationalForm>(form);
+    Eigen::Vector4d point, rate;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Time component = value(s.components[k], RationalForm::degree, 0.5);
+      point[static_cast<Eigen::Index>(k)] = component.c[0];
+      rate[static_cast<Eigen::Index>(k)] = component.c[1];
+    }
+    EXPECT_NEAR(bounds.rate / (2.0 * rate.norm() / point.norm()), 1.0, 1e-4);
+  }
 }
 
 TEST(SegmentHull, IsNearToTheRateWhereTheBodyWhirlsAboutTheSecondIncrement) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -82,6 +83,23 @@ nb::object directions(const Rows4& orientations, const Vector& axis) {
   return array_of(found.empty() ? nullptr : found.front().data(), found.size(), 3);
 }
 
+/// The faces of the body at even times from start to end, in the order of drawing: the time of each [s], its three
+/// corners as x and y, which is down, and its opacity.
+nb::tuple ghosts(const PythonCurve& curve, std::size_t count) {
+  const report::View view = report::view_of_ghosts();
+  std::vector<double> times, corners, opacities;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double share = static_cast<double>(k) / static_cast<double>(count - 1);
+    const double t = std::lerp(curve.domain().start, curve.domain().end, share);
+    for (const report::SeenFace& face : report::seen_faces(view, curve.pose().orientation(t))) {
+      times.push_back(t);
+      opacities.push_back(face.opacity);
+      for (const report::Point& corner : face.corners) corners.insert(corners.end(), {corner.x, corner.y});
+    }
+  }
+  return nb::make_tuple(numbers(times), array_of(corners.data(), times.size(), 6), numbers(opacities));
+}
+
 /// Writes the page; `start` is the caller's own time at 0 s.
 void write_page(const PythonCurve& curve, const std::string& path, const std::string& title, const std::string& date,
                 const std::string& start, const std::optional<Inertia>& inertia) {
@@ -106,9 +124,11 @@ void write_page(const PythonCurve& curve, const std::string& path, const std::st
 void add_pictures(nb::module_& module, nb::class_<PythonCurve>& curve_class) {
   module.attr("titles_of_charts") = titles_of_charts();
   module.attr("most_marked_keys") = report::most_marked_keys;
+  module.attr("most_ghosts") = report::most_ghosts;
   module.def("drawn_errors", &drawn_errors, "times"_a, "one"_a, "other"_a);
   module.def("directions", &directions, "orientations"_a, "axis"_a);
   curve_class.def("drawn", &drawn)
+      .def("ghosts", &ghosts, "count"_a)
       .def("svg", &svg, "title"_a)
       .def("write_page", &write_page, "path"_a, "title"_a, "date"_a, "start"_a, "inertia"_a.none());
 }

@@ -12,6 +12,7 @@ from ._arrays import Array, numbers
 from ._clock import PER_SECOND, Clock
 from ._curve_analysis import checked_inertia
 from ._errors import ArgumentError, DataError
+from ._ghosts import draw_ghosts, ghost_count
 from ._keys import Keys, _span
 
 if TYPE_CHECKING:
@@ -35,20 +36,26 @@ class CurvePictures:
         _clock: Clock
         _keys: Keys
 
-    def plot(self, axes: Any = None, quantities: str | Sequence[str] = ("angle", "rate", "acceleration", "jerk")) -> Any:
+    def plot(self, axes: Any = None, quantities: str | Sequence[str] = ("angle", "rate", "acceleration", "jerk"), *,
+             ghosts: int = 0) -> Any:
         """Charts over time by matplotlib: the angle from the start [deg], |ω| [rad/s], |α| [rad/s²] and |jerk| [rad/s³], the
         keys marked, and both sides of every jump. The peaks of a long curve are not missed.
 
-        `axes` are as many matplotlib Axes as quantities, or None for a new figure. Returns an array of these Axes; nothing
-        is shown. Raises ArgumentError for a quantity that there is not and for another number of axes.
+        With `ghosts`, 2 to 60, the body itself stands below at so many even times from start to end, as `orispline plot
+        --ghosts` draws it: that is one more chart.
+
+        `axes` are as many matplotlib Axes as charts, or None for a new figure. Returns an array of these Axes; nothing is
+        shown. Raises ArgumentError for a quantity that there is not, for another number of axes and of ghosts.
 
         >>> import matplotlib, orispline as ori
         >>> matplotlib.use("Agg")
         >>> curve = ori.Curve([0, 1, 3], [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 1, 0]])
         >>> [axes.get_ylabel() for axes in curve.plot(quantities="rate")]
         ['angular velocity |ω|\\n[rad/s]']
+        >>> len(curve.plot(ghosts=12))
+        5
         """
-        return _charts(_named(self), None, axes, quantities)
+        return _charts(_named(self), None, axes, quantities, ghosts)
 
     def plot_sphere(self, axis: Any = "x", axes: Any = None) -> Any:
         """The path of a body axis over the unit sphere, with the keys: `orispline.plot_sphere` of this curve."""
@@ -93,9 +100,10 @@ class CurvePictures:
 
 
 def plot_comparison(curves: Curves, reference: Curve | Keys | None = None, *, axes: Any = None,
-                    quantities: str | Sequence[str] = ("angle", "rate", "acceleration")) -> Any:
+                    quantities: str | Sequence[str] = ("angle", "rate", "acceleration"), ghosts: int = 0) -> Any:
     """Curves over time in the same charts: several, or a mapping from names to curves. With a reference, another curve or
-    keys such as a recording, the first chart is of the angles to it [deg], where both have a time.
+    keys such as a recording, the first chart is of the angles to it [deg], where both have a time. With `ghosts` the last
+    one has the bodies of every curve in a row, as `Curve.plot` has.
 
     `axes` are as many Axes as charts, or None for a new figure. Returns an array of these Axes; nothing is shown. Raises
     ArgumentError as `Curve.plot` does, and for curves whose times are of different kinds.
@@ -106,7 +114,7 @@ def plot_comparison(curves: Curves, reference: Curve | Keys | None = None, *, ax
     >>> len(ori.plot_comparison([keys.curve("auto"), keys.curve("slerp")], keys.curve("timed-c2")))
     4
     """
-    return _charts(_named(curves), reference, axes, quantities)
+    return _charts(_named(curves), reference, axes, quantities, ghosts)
 
 
 def plot_sphere(curves: Curves, axis: Any = "x", axes: Any = None) -> Any:
@@ -168,7 +176,7 @@ def _named(curves: Curves) -> dict[str, Any]:
     return named
 
 
-def _charts(named: dict[str, Any], reference: Any, axes: Any, quantities: str | Sequence[str]) -> Any:
+def _charts(named: dict[str, Any], reference: Any, axes: Any, quantities: str | Sequence[str], ghosts: int) -> Any:
     if reference is not None:
         _check_reference(reference, next(iter(named.values()))._clock)
     words = [quantities] if isinstance(quantities, str) else list(quantities)
@@ -178,18 +186,22 @@ def _charts(named: dict[str, Any], reference: Any, axes: Any, quantities: str | 
             raise ArgumentError(f"quantities: found {word!r}, wanted some of {', '.join(map(repr, titles))}")
     if not words and reference is None:
         raise ArgumentError("quantities: found none, wanted one at least")
+    count = ghost_count(ghosts)
     labels = [*(["angle to the reference [deg]"] if reference is not None else []), *(titles[word] for word in words)]
-    axes = _axes(axes, len(labels))
+    axes = _axes(axes, len(labels) + (1 if count else 0))
     for label, chart in zip(labels, axes):
         chart.set_ylabel(label.replace(" [", "\n["))
+    for chart in axes:
         _mark_keys(chart, named.values())
     for name, curve in named.items():
         seconds, orientations, values = curve._core.drawn()
         times = curve._clock.back(seconds)
         if reference is not None:
             axes[0].plot(*_errors(name, curve, times, orientations, reference), label=name)
-        for word, chart in zip(words, axes[-len(words):] if words else []):
+        for word, chart in zip(words, axes[len(labels) - len(words):]):
             chart.plot(times, values[word], label=name)
+    if count:
+        draw_ghosts(axes[-1], list(named.values()), [line.get_color() for line in axes[0].get_lines()[-len(named):]], count)
     clock = next(iter(named.values()))._clock
     axes[-1].set_xlabel("time" if clock.is_calendar else f"time [{clock.unit}]")
     if clock.is_calendar:

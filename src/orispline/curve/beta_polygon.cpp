@@ -7,8 +7,6 @@ namespace orispline::inline ORISPLINE_ABI {
 
 Expected<BetaShape> beta_shape(std::string_view method, const std::vector<double>& beta1,
                                const std::vector<double>& beta2) {
-  std::vector<double> gamma;
-  BetaShape shape;
   for (std::size_t i = 0; i < beta1.size(); ++i) {
     const double b1 = beta1[i], b2 = beta2[i], pole = -2.0 * b1 * (1.0 + b1);
     if (!(b2 > pole))
@@ -17,31 +15,16 @@ Expected<BetaShape> beta_shape(std::string_view method, const std::vector<double
                                "points of the construction meet a pole or fold back",
                                method, b2, pole),
                      {.key = i});
-    gamma.push_back(2.0 * (1.0 + b1) / (b2 - pole));
-    shape.joint.push_back(1.0 / (1.0 + b1));
   }
-  for (std::size_t i = 0; i + 1 < beta1.size(); ++i) {
-    const double delta = gamma[i] + 1.0 + beta1[i + 1] * beta1[i + 1] * gamma[i + 1];
-    shape.inner1.push_back(gamma[i] / delta);
-    shape.inner2.push_back((gamma[i] + 1.0) / delta);
-  }
-  return shape;
+  return beta_shape_over(beta1, beta2);
 }
 
 ControlPolygon<Eigen::Quaterniond> beta_polygon(std::span<const Eigen::Quaterniond> points, const BetaShape& shape) {
-  std::vector<Eigen::Quaterniond> inner1, inner2;  // q_{i,1}, q_{i,2} of the paper
-  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    inner1.push_back(on_geodesic(points[i], points[i + 1], shape.inner1[i]));
-    inner2.push_back(on_geodesic(points[i], points[i + 1], shape.inner2[i]));
-  }
   ControlPolygon<Eigen::Quaterniond> polygon;
   for (std::size_t i = 1; i + 2 < points.size(); ++i) {
-    const Eigen::Vector3d in = displacement(inner2[i - 1], inner1[i]);
-    const Eigen::Vector3d out = displacement(inner2[i], inner1[i + 1]);
-    const double before = shape.joint[i];
-    polygon.bases.push_back(displaced(inner2[i - 1], before * in));
-    polygon.increments.insert(polygon.increments.end(),
-                              {(1.0 - before) * in, displacement(inner1[i], inner2[i]), shape.joint[i + 1] * out});
+    const BetaSegment<double> segment = beta_segment<double>(points, shape, i);
+    polygon.bases.push_back(segment.base);
+    polygon.increments.insert(polygon.increments.end(), segment.increments.begin(), segment.increments.end());
   }
   return polygon;
 }

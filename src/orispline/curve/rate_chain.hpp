@@ -147,6 +147,9 @@ class RateChain {
     }
   }
 
+  /// How equation i changes per unit of the ν of its key, at rates that solve it.
+  [[nodiscard]] Eigen::Vector3d residual_per_nu(std::size_t i) const { return equations_[i].arriving * rates_[i]; }
+
   void move(std::span<const Eigen::Vector3d> by) {
     for (std::size_t i = 0; i < by.size(); ++i) rates_[i] += by[i];
   }
@@ -199,21 +202,28 @@ class RateChain {
   std::vector<Eigen::Vector3d> rates_;
 };
 
+/// The chain with rates that solve it. Errors: not_converged.
+template <class Piece>
+[[nodiscard]] Expected<RateChain<Piece>> solved_rate_chain(std::string_view method,
+                                                           std::span<const Eigen::Vector3d> increments,
+                                                           const Knots& knots, const RateConditions& conditions) {
+  std::vector<double> steps;
+  for (std::size_t i = 0; i < knots.segments(); ++i) steps.push_back(knots.span(i).step());
+  using Chain = RateChain<Piece>;
+  return solve_chain(
+      method, [&](double share, const Chain* before) { return Chain(increments, steps, conditions, share, before); });
+}
+
 /// The rates at the keys, at a loop's return too. Errors: not_converged.
 template <class Piece>
 [[nodiscard]] Expected<std::vector<Eigen::Vector3d>> solve_rates(std::string_view method,
                                                                  std::span<const Eigen::Vector3d> increments,
                                                                  const Knots& knots, const RateConditions& conditions) {
-  std::vector<double> steps;
-  for (std::size_t i = 0; i < knots.segments(); ++i) steps.push_back(knots.span(i).step());
-  using Chain = RateChain<Piece>;
-  return solve_chain(method, [&](double share,
-                                 const Chain* before) { return Chain(increments, steps, conditions, share, before); })
-      .map([](const Chain& chain) {
-        std::vector<Eigen::Vector3d> rates = chain.rates();
-        if (chain.closed()) rates.push_back(rates.front());
-        return rates;
-      });
+  return solved_rate_chain<Piece>(method, increments, knots, conditions).map([](const RateChain<Piece>& chain) {
+    std::vector<Eigen::Vector3d> rates = chain.rates();
+    if (chain.closed()) rates.push_back(rates.front());
+    return rates;
+  });
 }
 
 /// The conditions that the settings ask for; a secant end has the rate of its increment.

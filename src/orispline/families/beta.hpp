@@ -12,7 +12,7 @@ namespace orispline::inline ORISPLINE_ABI::families {
 /// Control point i sits at time t_i; the curve runs from t_1 to t_{n-2}, joint k at t_{k+1}. G1 at the joints with
 /// velocity ratio β₁ (in the local parameter); not G2, whatever the paper says: docs/families/beta.md.
 struct Beta {
-  static constexpr std::array parameters{Parameter{"beta1", 1.0, 1e-6, 1e6}, Parameter{"beta2", 0.0, -1e6, 1e6}};
+  static constexpr std::array parameters{tunable({"beta1", 1.0, 1e-6, 1e6}), tunable({"beta2", 0.0, -1e6, 1e6})};
   static constexpr FamilyInfo info{.name = "beta",
                                    .title = "Beta quaternion spline",
                                    .source = "He et al. 2022, section 3.1, (4) (errata: docs/families/beta.md)",

@@ -4,6 +4,7 @@
 #include <orispline/curve/cumulative_bezier.hpp>
 #include <orispline/curve/family.hpp>
 #include <orispline/curve/keyframe.hpp>
+#include <orispline/families/beta_g2_handles.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::families {
 
@@ -12,12 +13,13 @@ namespace orispline::inline ORISPLINE_ABI::families {
 /// `local` is the published curve with every segment corrected from its left joint, near its keys as `beta` is;
 /// `global` passes through its keys with handles solved for. Derivation: docs/families/beta-g2.md.
 struct BetaG2 {
-  static constexpr std::array parameters{Parameter{"beta1", 1.0, 1e-6, 1e6}, Parameter{"beta2", 0.0, -1e6, 1e6}};
+  static constexpr std::array parameters{tunable({"beta1", 1.0, 1e-6, 1e6}), tunable({"beta2", 0.0, -1e6, 1e6})};
   static constexpr std::array<std::string_view, 2> forms{"local", "global"};
   static constexpr std::array choices{Choice{"form", forms}};
+  [[nodiscard]] static bool is_global(const FamilySettings& settings) { return settings.choice("form") == "global"; }
   /// A correction of the acceleration needs the segment before, but not its keys.
   [[nodiscard]] static std::optional<std::size_t> keys_beside(const FamilySettings& settings) {
-    return settings.choice("form") == "global" ? std::nullopt : std::optional<std::size_t>(2);
+    return is_global(settings) ? std::nullopt : std::optional<std::size_t>(2);
   }
   static constexpr FamilyInfo info{.name = "beta-g2",
                                    .title = "Beta quaternion spline, truly G2",
@@ -46,6 +48,9 @@ struct BetaG2 {
     }
   };
 
+  /// The handles of the form `global`, with the equations that they solve. Errors: not_converged.
+  [[nodiscard]] static Expected<HandleChain<Eigen::Quaterniond>> handles(const Keyframes& keys,
+                                                                         const FamilySettings& settings);
   /// Errors: bad_argument with the key index where β₂ ≤ -2β₁(1+β₁); not_converged.
   [[nodiscard]] static Expected<CumulativeCurve<Basis>> curve(const Keyframes& keys, const FamilySettings& settings);
   /// In space the published curve is G2 by itself and needs no corrections.

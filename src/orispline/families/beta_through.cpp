@@ -2,7 +2,6 @@
 #include <orispline/families/beta_through.hpp>
 
 #include <algorithm>
-#include <numbers>
 
 #include <orispline/curve/beta_polygon.hpp>
 #include <orispline/curve/key_knots.hpp>
@@ -11,17 +10,6 @@
 
 namespace orispline::inline ORISPLINE_ABI::families {
 namespace {
-
-/// What the joint of a key misses it by; auxiliary point i + 1 belongs to key i.
-struct JointToKey {
-  static constexpr double forbidden_turn = std::numbers::pi;
-  const BetaShape* shape;
-
-  template <class P>
-  [[nodiscard]] auto operator()(std::size_t i, const P& before, const P& at, const P& after, const P& key) const {
-    return displacement(shape->joint_at(i + 1, before, at, after), key);
-  }
-};
 
 Expected<BetaShape> shape_of(std::size_t keys, const FamilySettings& settings) {
   const PerKey beta1 = settings.per_key("beta1"), beta2 = settings.per_key("beta2");
@@ -38,7 +26,7 @@ Expected<BetaShape> shape_of(std::size_t keys, const FamilySettings& settings) {
 /// The polygon of the curve whose joints are the keys.
 template <CurvePoint P>
 Expected<ControlPolygon<P>> polygon_through_joints(std::span<const P> keys, const BetaShape& shape) {
-  return control_points_through(keys, BetaThrough::info.name, JointToKey{&shape})
+  return control_points_through(keys, BetaThrough::info.name, JointToKey<double>{&shape})
       .map([&](const std::vector<P>& solved) {
         const auto points = reflected(std::span<const P>(solved));
         std::vector<P> with_ghosts{points[-1]};
@@ -49,6 +37,14 @@ Expected<ControlPolygon<P>> polygon_through_joints(std::span<const P> keys, cons
 }
 
 }  // namespace
+
+Expected<BetaThrough::Construction> BetaThrough::construction(const Keyframes& keys, const FamilySettings& settings) {
+  return shape_of(keys.size(), settings).and_then([&](const BetaShape& shape) {
+    return control_points_through(keys.orientations(), info.name, JointToKey<double>{&shape}).map([&](auto&& points) {
+      return Construction{shape, std::move(points)};
+    });
+  });
+}
 
 template <CurvePoint P>
 Expected<CumulativeCurve<CubicBezierBasis, P>> BetaThrough::curve(const Keyframes& keys,

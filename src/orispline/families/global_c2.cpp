@@ -28,6 +28,12 @@ Expected<SlerpBezierCurve> GlobalC2::curve(const Keyframes& keys, const FamilySe
 Expected<HermitePath<3>> GlobalC2::path(const Keyframes& keys, const FamilySettings& settings) {
   return cubic_spline_path(info.name, keys, settings);
 }
+Expected<RateChain<SlerpBezierPiece>> NuExact::rates(const Keyframes& keys, const FamilySettings& settings) {
+  const Knots knots = four_key_knots(keys, settings);
+  const std::vector<Eigen::Vector3d> increments = increments_between(joint_orientations(keys, settings));
+  return solved_rate_chain<SlerpBezierPiece>(info.name, increments, knots,
+                                             rate_conditions(settings, increments, knots));
+}
 Expected<SlerpBezierCurve> NuExact::curve(const Keyframes& keys, const FamilySettings& settings) {
   return solved_curve(info.name, keys, settings);
 }

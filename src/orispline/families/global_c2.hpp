@@ -4,6 +4,7 @@
 #include <orispline/curve/family.hpp>
 #include <orispline/curve/hermite_path.hpp>
 #include <orispline/curve/keyframe.hpp>
+#include <orispline/curve/rate_chain.hpp>
 #include <orispline/curve/slerp_bezier.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::families {
@@ -37,6 +38,7 @@ struct GlobalC2 {
 ///
 /// The curve of global-c2 under its tension: at ν = 0 they are the same and C2, else C1.
 struct NuExact {
+  static constexpr std::array parameters{tunable(GlobalC2::parameters.front())};
   static constexpr FamilyInfo info{.name = "nu-exact",
                                    .title = "Nu-spline, exact on the sphere",
                                    .source = "orispline, docs/families/nu-exact.md; the condition is of Nielson 1974",
@@ -45,10 +47,13 @@ struct NuExact {
                                    .keeps_constant_rate_uniform = true,
                                    .keeps_constant_rate_uneven = true,
                                    .support_keys = all_keys,
-                                   .parameters = GlobalC2::parameters,
+                                   .parameters = parameters,
                                    .ends = GlobalC2::ends,
                                    .closes = true,
                                    .key_use = {.smoothest_with_parameters = 1}};
+  /// The rates at the keys, with the equations that they solve. Errors: not_converged.
+  [[nodiscard]] static Expected<RateChain<SlerpBezierPiece>> rates(const Keyframes& keys,
+                                                                   const FamilySettings& settings);
   /// Errors: not_converged.
   [[nodiscard]] static Expected<SlerpBezierCurve> curve(const Keyframes& keys, const FamilySettings& settings);
   /// The cubic spline: in space the equations are linear in the velocities.

@@ -92,7 +92,7 @@ const Eigen::Quaterniond& orientation_at(const PagePath& path, double time) {
 }
 
 void draw_ghosts(Drawing& drawing, const MotionPicture& picture, double top) {
-  const View view({1.0, -0.9, 0.8});
+  const View view = view_of_ghosts();
   drawing.text({charts_left, top}, formatted("the body at {} even times", picture.ghosts), {Anchor::start});
   double y = top + 10.0 + 0.5 * ghost_row(picture.ghosts);
   for (std::size_t i = 0; i < picture.methods.size(); ++i) {

@@ -8,6 +8,7 @@
 
 #include <orispline/report/page.hpp>
 #include <orispline/report/svg.hpp>
+#include <orispline/report/view.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::report {
 
@@ -19,6 +20,9 @@ inline constexpr std::size_t most_marked_keys = 200;
 
 /// More ghosts in a row would hide each other.
 inline constexpr std::size_t most_ghosts = 60;
+
+/// From where ghosts are seen.
+[[nodiscard]] inline View view_of_ghosts() { return View({1.0, -0.9, 0.8}); }
 
 /// To sample curves for a drawing: with one column for each unit of the charts' width.
 inline constexpr std::size_t samples_to_draw = 9 * 660;

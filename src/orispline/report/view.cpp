@@ -29,17 +29,25 @@ std::span<const Face> aircraft() noexcept {
   return faces;
 }
 
-void draw_body(Drawing& drawing, const View& view, Point center, double size, const Eigen::Quaterniond& orientation,
-               std::string_view color, std::span<const Face> body) {
+std::vector<SeenFace> seen_faces(const View& view, const Eigen::Quaterniond& orientation, std::span<const Face> body) {
   std::vector<Face> faces(body.begin(), body.end());
   for (Face& face : faces)
     for (Eigen::Vector3d& corner : face.corners) corner = to_world<double>(orientation, corner);
   std::erase_if(faces, [&view](const Face& face) { return !is_seen(face, view); });
   std::ranges::stable_sort(faces, {}, [&view](const Face& face) { return view.depth(middle_of(face)); });
+  std::vector<SeenFace> seen;
   for (const Face& face : faces) {
-    std::vector<Point> corners;
-    for (const Eigen::Vector3d& corner : face.corners) corners.push_back(view.at(corner, center, size));
-    drawing.polygon(corners, {color, face.opacity}, {color, 0.8});
+    seen.push_back({{}, face.opacity});
+    for (const Eigen::Vector3d& corner : face.corners) seen.back().corners.push_back(view.at(corner, {0.0, 0.0}, 1.0));
+  }
+  return seen;
+}
+
+void draw_body(Drawing& drawing, const View& view, Point center, double size, const Eigen::Quaterniond& orientation,
+               std::string_view color, std::span<const Face> body) {
+  for (SeenFace& face : seen_faces(view, orientation, body)) {
+    for (Point& corner : face.corners) corner = {center.x + size * corner.x, center.y + size * corner.y};
+    drawing.polygon(face.corners, {color, face.opacity}, {color, 0.8});
   }
 }
 

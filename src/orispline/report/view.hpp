@@ -43,6 +43,16 @@ struct Face {
 /// A small aircraft: its nose along the body's x axis, the left wing along y, the fin along z.
 [[nodiscard]] ORISPLINE_EXPORT std::span<const Face> aircraft() noexcept;
 
+/// A face of a body as it is seen, one unit of the body long, its center at the origin.
+struct SeenFace {
+  std::vector<Point> corners;
+  double opacity;
+};
+
+/// The faces of a body that are seen, the nearer ones later.
+[[nodiscard]] ORISPLINE_EXPORT std::vector<SeenFace> seen_faces(const View& view, const Eigen::Quaterniond& orientation,
+                                                                std::span<const Face> body = aircraft());
+
 /// Draws a body, its nearer faces on top; one unit of the body is `size` [px].
 ORISPLINE_EXPORT void draw_body(Drawing& drawing, const View& view, Point center, double size,
                                 const Eigen::Quaterniond& orientation, std::string_view color,

@@ -20,7 +20,9 @@ HullPolynomial sum_of(const Three& p, const std::array<double, 3>& weights) {
   return sum;
 }
 
-Three restricted(const std::array<HullDerivatives, 3>& parts, std::size_t order, double start, double end) {
+using Parts = std::array<HullDerivatives, 4>;
+
+Three restricted(const Parts& parts, std::size_t order, double start, double end) {
   return {restricted(parts[0][order], start, end), restricted(parts[1][order], start, end),
           restricted(parts[2][order], start, end)};
 }
@@ -40,6 +42,36 @@ HullBounds bounds_of(double rate, double acceleration, const Orders& a) {
           .crackle = 2.0 * (q5 + 5.0 * q1 * q4 + 10.0 * q2 * q3)};
 }
 
+Eigen::Vector4d control(const std::array<HullPolynomial, 4>& s, std::size_t i) {
+  return {s[0].form.coefficients[i], s[1].form.coefficients[i], s[2].form.coefficients[i], s[3].form.coefficients[i]};
+}
+
+std::array<HullPolynomial, 4> restricted_in_space(const Parts& parts, std::size_t order, double start, double end) {
+  return {restricted(parts[0][order], start, end), restricted(parts[1][order], start, end),
+          restricted(parts[2][order], start, end), restricted(parts[3][order], start, end)};
+}
+
+/// The length that no point of a curve of R⁴ exceeds.
+double longest_in_space(const std::array<HullPolynomial, 4>& s) {
+  double length = 0.0;
+  for (std::size_t i = 0; i <= s[0].degree; ++i) length = std::max(length, control(s, i).norm());
+  return length;
+}
+
+/// The length that no point of it falls below, by the direction in which all control points lie, on parts where they do
+/// not; 0 where none is found.
+double shortest_in_space(const Parts& parts, double start, double end, int cuts = 8) {
+  const auto s = restricted_in_space(parts, 0, start, end);
+  Eigen::Vector4d direction = Eigen::Vector4d::Zero();
+  for (std::size_t i = 0; i <= s[0].degree; ++i) direction += control(s, i);
+  direction.stableNormalize();
+  double length = control(s, 0).dot(direction);
+  for (std::size_t i = 1; i <= s[0].degree; ++i) length = std::min(length, control(s, i).dot(direction));
+  if (length > 0.0 || cuts == 0) return std::max(length, 0.0);
+  const double middle = 0.5 * (start + end);
+  return std::min(shortest_in_space(parts, start, middle, cuts - 1), shortest_in_space(parts, middle, end, cuts - 1));
+}
+
 /// √(a² + b²). Not std::hypot, whose version of glibc 2.35 would keep programs from older systems.
 double hypotenuse(double a, double b) { return norm_of(Eigen::Vector3d(a, b, 0.0)); }
 
@@ -52,9 +84,15 @@ std::optional<SegmentHull> SegmentHull::of(const SegmentForm& form, double durat
   SegmentHull hull;
   hull.duration_ = duration;
   if (const auto* chart = std::get_if<ChartForm>(&form)) {
-    hull.is_chart_ = true;
+    hull.kind_ = Kind::chart;
     for (std::size_t axis = 0; axis < 3; ++axis)
       hull.parts_[axis] = derivatives_of(chart->rotation_vector[axis], chart->degree, duration);
+    return hull;
+  }
+  if (const auto* rational = std::get_if<RationalForm>(&form)) {
+    hull.kind_ = Kind::rational;
+    for (std::size_t k = 0; k < hull.parts_.size(); ++k)
+      hull.parts_[k] = derivatives_of(rational->components[k], RationalForm::degree, duration);
     return hull;
   }
   const auto* product = std::get_if<CumulativeForm>(&form);
@@ -71,14 +109,18 @@ std::optional<SegmentHull> SegmentHull::of(const SegmentForm& form, double durat
 }
 
 HullBounds SegmentHull::on(double start, double end) const {
-  const HullBounds b = is_chart_ ? chart_on(start, end) : product_on(start, end);
+  const HullBounds b = kind_ == Kind::product ? product_on(start, end)
+                       : kind_ == Kind::chart ? chart_on(start, end)
+                                              : rational_on(start, end);
   return {b.rate * rounded_up, b.acceleration * rounded_up, b.jerk * rounded_up, b.snap * rounded_up,
           b.crackle * rounded_up};
 }
 
 HullBounds SegmentHull::rounding() const {
   double size = 0.0;  // of coefficients, which are not differences yet
-  for (std::size_t k = 0; k < parts_.size(); ++k) size += (is_chart_ ? 1.0 : lengths_[k]) * largest(parts_[k][0]);
+  for (std::size_t k = 0; k < lengths_.size(); ++k)
+    size += (kind_ == Kind::product ? lengths_[k] : 1.0) * largest(parts_[k][0]);
+  if (kind_ == Kind::rational) size += largest(parts_[3][0]);
   const double per_time = 2.0 * static_cast<double>(parts_[0][0].degree) / duration_;
   const HullBounds whole = on(0.0, 1.0);
   return {rounding_share * (size * per_time + whole.rate),
@@ -102,6 +144,23 @@ HullBounds SegmentHull::product_on(double start, double end) const {
   return bounds_of(rate, acceleration,
                    {0.0, size_of(first), size_of(second), size_of(restricted(parts_, 3, start, end)),
                     size_of(restricted(parts_, 4, start, end)), size_of(restricted(parts_, 5, start, end))});
+}
+
+HullBounds SegmentHull::rational_on(double start, double end) const {
+  // With n = |s|² and w = 2 vec(s̄ s'), n ω = w and its derivatives: n α = w' - n' ω, n j = w'' - 2 n' α - n'' ω and on.
+  std::array<double, 4> d{};
+  for (std::size_t order = 0; order < d.size(); ++order)
+    d[order] = longest_in_space(restricted_in_space(parts_, order, start, end));
+  const double shortest = shortest_in_space(parts_, start, end), n = shortest * shortest;
+  const double n1 = 2.0 * d[0] * d[1], n2 = 2.0 * (d[1] * d[1] + d[0] * d[2]);
+  const double n3 = 2.0 * (3.0 * d[1] * d[2] + d[0] * d[3]), n4 = 2.0 * (3.0 * d[2] * d[2] + 4.0 * d[1] * d[3]);
+  const double rate = 2.0 * d[1] / shortest;
+  const double acceleration = (2.0 * d[0] * d[2] + n1 * rate) / n;
+  const double jerk = (2.0 * (d[0] * d[3] + d[1] * d[2]) + 2.0 * n1 * acceleration + n2 * rate) / n;
+  const double snap = (4.0 * d[1] * d[3] + 3.0 * n1 * jerk + 3.0 * n2 * acceleration + n3 * rate) / n;
+  const double crackle =
+      (4.0 * d[2] * d[3] + 4.0 * n1 * snap + 6.0 * n2 * jerk + 4.0 * n3 * acceleration + n4 * rate) / n;
+  return {rate, acceleration, jerk, snap, crackle};
 }
 
 HullBounds SegmentHull::chart_on(double start, double end) const {

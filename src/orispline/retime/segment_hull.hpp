@@ -29,10 +29,12 @@ class SegmentHull {
  private:
   [[nodiscard]] HullBounds product_on(double start, double end) const;
   [[nodiscard]] HullBounds chart_on(double start, double end) const;
+  [[nodiscard]] HullBounds rational_on(double start, double end) const;
 
-  bool is_chart_ = false;
+  enum class Kind { product, chart, rational } kind_ = Kind::product;
   double duration_ = 0.0;
-  std::array<HullDerivatives, 3> parts_{};  ///< the blending functions of a product, the components of a chart
+  /// The blending functions of a product, the components of a chart, those of a curve of R⁴.
+  std::array<HullDerivatives, 4> parts_{};
   // Of a product: lengths of the increments, and of what they have along the second one and across it.
   std::array<double, 3> lengths_{}, along_{}, across_{};
 };

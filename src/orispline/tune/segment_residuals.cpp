@@ -60,7 +60,15 @@ template <Number T>
 struct Shape {
   RowsOver<T> rows;
   std::array<Vector3<T>, 3> increments;
+  Quaternion<T> from;
+  Vector3<T> correction = Vector3<T>::Zero();  ///< where the segment has one
 };
+
+/// Of all corrections.
+std::span<const double, form_degree + 1> correction_row() {
+  static const BernsteinForm form = correction_form();
+  return form.coefficients;
+}
 
 template <Number T>
 RowsOver<T> constant_rows(const BlendingRows& rows) {
@@ -75,10 +83,20 @@ std::array<Vector3<T>, 3> constant_increments(const TensionSegment& s) {
   return {constant<T>(s.increments[0]), constant<T>(s.increments[1]), constant<T>(s.increments[2])};
 }
 
+Vector3<Jet<double, 1>> along(const Eigen::Vector3d& value, const Eigen::Vector3d& slope) {
+  Vector3<Jet<double, 1>> result;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) result[axis].c = {value[axis], slope[axis]};
+  return result;
+}
+
+/// An orientation that turns by this rotation vector per unit of a variable.
+Quaternion<Jet<double, 1>> along(const Eigen::Quaterniond& q, const Eigen::Vector3d& turn) {
+  return constant<Jet<double, 1>>(q) * exp<Jet<double, 1>>(along(Eigen::Vector3d::Zero(), turn));
+}
+
 std::array<Vector3<Jet<double, 1>>, 3> along(const Increments& increments, const Increments& slope) {
   std::array<Vector3<Jet<double, 1>>, 3> result;
-  for (std::size_t k = 0; k < increments.size(); ++k)
-    for (Eigen::Index axis = 0; axis < 3; ++axis) result[k][axis].c = {increments[k][axis], slope[k][axis]};
+  for (std::size_t k = 0; k < increments.size(); ++k) result[k] = along(increments[k], slope[k]);
   return result;
 }
 
@@ -90,12 +108,12 @@ RowsOver<Jet<double, 1>> along(const BlendingRows& rows, const BlendingRows& slo
 }
 
 /// β̃ in time, from the Taylor series of the Bernstein polynomials in u.
-template <Number T>
-Jet<T, 3> blending(const std::array<T, form_degree + 1>& row, const BasisAt& basis, double step) {
+template <Number T, class Row>
+Jet<T, 3> blending(const Row& row, const BasisAt& basis, double step) {
   Jet<T, 3> b;
   double scale = 1.0;
   for (std::size_t m = 0; m < 4; ++m) {
-    for (std::size_t j = 0; j <= form_degree; ++j) b.c[m] += row[j] * (basis[j].c[m] * scale);
+    for (std::size_t j = 0; j <= form_degree; ++j) b.c[m] += T(row[j]) * (basis[j].c[m] * scale);
     scale /= step;
   }
   return b;
@@ -138,16 +156,17 @@ MotionOver<T> motion_at(const TensionSegment& s, const Shape<T>& shape, const Ba
     return s.product == TensionSegment::Product::slerps ? slerp_motion<T>(s, shape, time)
                                                         : bezier_motion<T>(s, shape, time);
   }
-  MotionOver<T> m{.orientation = constant<T>(s.from)};
+  MotionOver<T> m{.orientation = shape.from};
   for (std::size_t k = 0; k < shape.rows.size(); ++k)
     m = with_factor<T>(m, shape.increments[k], blending<T>(shape.rows[k], basis, s.step));
+  if (s.correction) m = with_factor<T>(m, shape.correction, blending<T>(correction_row(), basis, s.step));
   return m;
 }
 
 /// Σ β̃_k'' φ_k.
 template <Number T>
 Vector3<T> linearised(const Shape<T>& shape, const BasisAt& basis, double step) {
-  Vector3<T> sum = Vector3<T>::Zero();
+  Vector3<T> sum = shape.correction * T(blending<double>(correction_row(), basis, step).derivative(2));
   for (std::size_t k = 0; k < shape.rows.size(); ++k) {
     T second(0.0);
     for (std::size_t j = 0; j <= form_degree; ++j) second += shape.rows[k][j] * basis[j].c[2];
@@ -226,7 +245,8 @@ Eigen::VectorXd residual_values(const TensionSegment& segment, const Goal& goal,
   Eigen::VectorXd result(static_cast<Eigen::Index>(residual_count(goal, index)));
   each_residual<double>(
       segment, goal, index,
-      Shape<double>{constant_rows<double>(rows_at(segment, values)), constant_increments<double>(segment)},
+      Shape<double>{constant_rows<double>(rows_at(segment, values)), constant_increments<double>(segment), segment.from,
+                    segment.correction.value_or(Eigen::Vector3d::Zero())},
       [&](std::size_t i, const Eigen::Vector3d& r) { result.segment<3>(first_of(i)) = r; });
   return result;
 }
@@ -235,15 +255,18 @@ Eigen::MatrixXd residual_jacobian(const TensionSegment& segment, const Goal& goa
                                   std::span<const double> values) {
   const BlendingRows rows = rows_at(segment, values);
   return jacobian_of(segment, goal, index, values.size(), [&](std::size_t v) {
-    return Shape<Jet<double, 1>>{along(rows, segment.slopes[v]), constant_increments<Jet<double, 1>>(segment)};
+    return Shape<Jet<double, 1>>{along(rows, segment.slopes[v]), constant_increments<Jet<double, 1>>(segment),
+                                 constant<Jet<double, 1>>(segment.from)};
   });
 }
 
 Eigen::MatrixXd residual_jacobian(const TensionSegment& segment, const Goal& goal, std::size_t index,
-                                  std::span<const Increments> slopes) {
+                                  std::span<const SegmentSlope> slopes) {
   const auto rows = constant_rows<Jet<double, 1>>(segment.constant);
   return jacobian_of(segment, goal, index, slopes.size(), [&](std::size_t v) {
-    return Shape<Jet<double, 1>>{rows, along(segment.increments, slopes[v])};
+    return Shape<Jet<double, 1>>{rows, along(segment.increments, slopes[v].increments),
+                                 along(segment.from, slopes[v].from),
+                                 along(segment.correction.value_or(Eigen::Vector3d::Zero()), slopes[v].correction)};
   });
 }
 

@@ -22,9 +22,15 @@ namespace orispline::inline ORISPLINE_ABI {
 [[nodiscard]] Eigen::MatrixXd residual_jacobian(const TensionSegment& segment, const Goal& goal, std::size_t index,
                                                 std::span<const double> values);
 
-/// The Jacobian of the residuals by variables that change the increments and not the blending functions: how, per unit
-/// of each.
+/// What of a segment changes per unit of a variable that leaves its blending functions as they are.
+struct SegmentSlope {
+  Increments increments;                                 ///< [rad]
+  Eigen::Vector3d from = Eigen::Vector3d::Zero();        ///< how the base turns [rad], in its own frame
+  Eigen::Vector3d correction = Eigen::Vector3d::Zero();  ///< where the segment has one
+};
+
+/// The Jacobian of the residuals by such variables.
 [[nodiscard]] Eigen::MatrixXd residual_jacobian(const TensionSegment& segment, const Goal& goal, std::size_t index,
-                                                std::span<const Increments> slopes);
+                                                std::span<const SegmentSlope> slopes);
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -16,17 +16,6 @@ namespace {
 /// Influences below this share of the largest possible one are rounding.
 constexpr double no_influence = 1e-12;
 
-/// The same polynomial with coefficients of degree `form_degree`.
-BernsteinForm elevated(BernsteinForm form, std::size_t degree) {
-  auto& c = form.coefficients;
-  for (std::size_t n = degree + 1; n <= form_degree; ++n)
-    for (std::size_t j = n; j > 0; --j) {
-      const double share = static_cast<double>(j) / static_cast<double>(n);
-      c[j] = share * c[j - 1] + (1.0 - share) * c[j];
-    }
-  return form;
-}
-
 BlendingRows combined(const BlendingRows& a, double factor, const BlendingRows& b) {
   BlendingRows rows = a;
   for (std::size_t k = 0; k < rows.size(); ++k)
@@ -237,21 +226,6 @@ Expected<TensionModel> model_of(Probe segments, const Candidates& candidates, co
 }
 
 }  // namespace
-
-TensionSegment handle_segment(TensionSegment::Product product, double start, double step,
-                              const Eigen::Quaterniond& from, const Eigen::Quaterniond& to,
-                              const Eigen::Vector3d& leaving, const Eigen::Vector3d& arriving) {
-  // In the tangent space the cubic's control points are 0, the first handle, the increment less the second one, and the
-  // increment.
-  return {.product = product,
-          .start = start,
-          .step = step,
-          .from = from,
-          .to = to,
-          .increments = {leaving, increment<double>(from, to), arriving},
-          .constant = {elevated(BernsteinForm{{0.0, 1.0}}, 3), elevated(BernsteinForm{{0.0, 0.0, 1.0, 1.0}}, 3),
-                       elevated(BernsteinForm{{0.0, 0.0, -1.0}}, 3)}};
-}
 
 CurveOptions TensionModel::with(const std::vector<double>& values) const {
   CurveOptions changed = options;

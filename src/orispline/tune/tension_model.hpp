@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,9 +29,10 @@ struct TensionSegment {
   double start = 0.0, step = 0.0;  ///< [s]
   Eigen::Quaterniond from, to;     ///< the base of the product; of handles the two keys
   Increments increments;
-  BlendingRows constant;                 ///< with all variables zero
-  std::vector<std::size_t> variables{};  ///< that it depends on, increasing
-  std::vector<BlendingRows> slopes{};    ///< what a unit of each of them adds
+  BlendingRows constant;                        ///< with all variables zero
+  std::optional<Eigen::Vector3d> correction{};  ///< of `beta-g2`: a factor behind a cumulative cubic
+  std::vector<std::size_t> variables{};         ///< that it depends on, increasing
+  std::vector<BlendingRows> slopes{};           ///< what a unit of each of them adds
 };
 
 /// What tuning varies: one of the family's parameters at one key.
@@ -50,15 +52,25 @@ struct TensionModel {
   [[nodiscard]] CurveOptions with(const std::vector<double>& values) const;
 };
 
+/// The same polynomial with coefficients of degree `form_degree`.
+[[nodiscard]] BernsteinForm elevated(BernsteinForm form, std::size_t degree);
+
 /// A cubic between two keys with the given handles [rad] on leaving and on arriving, without variables.
 [[nodiscard]] TensionSegment handle_segment(TensionSegment::Product product, double start, double step,
                                             const Eigen::Quaterniond& from, const Eigen::Quaterniond& to,
                                             const Eigen::Vector3d& leaving, const Eigen::Vector3d& arriving);
 
+/// A cumulative cubic with these increments between its control points, without variables.
+[[nodiscard]] TensionSegment cumulative_segment(double start, double step, const Eigen::Quaterniond& from,
+                                                const Increments& increments);
+
+/// The blending function of a correction.
+[[nodiscard]] BernsteinForm correction_form();
+
 /// The parameters of a family that tuning can free, in the order of the family; empty for other families.
 [[nodiscard]] std::vector<std::string> tunable_parameters(std::string_view method);
 
-/// The model of a family that is affine in the parameters named, as all tunable ones but those of `nu` are.
+/// The model of a family that is affine in the parameters named, as all are that are not constructed.
 ///
 /// It is read off the family itself: a function that is affine is known from its values at 0 and at 1. The tensions of
 /// an end key that is clamped or at rest stay as they are, for there the ghost key follows them.

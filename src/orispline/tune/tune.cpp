@@ -8,10 +8,9 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/curve/torque.hpp>
 #include <orispline/families/method_warnings.hpp>
-#include <orispline/families/nu.hpp>
 #include <orispline/families/recipe.hpp>
 #include <orispline/families/registry.hpp>
-#include <orispline/tune/nu_sum.hpp>
+#include <orispline/tune/construction_sum.hpp>
 #include <orispline/tune/tension_sum.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
@@ -41,10 +40,7 @@ Expected<std::vector<std::string>> parameters_of(const FamilyInfo& family, const
 }
 
 /// Where the reference's orientations lie on the segments; those beyond the ends are left out.
-Expected<Goal> goal_of(const Keyframes& keys, const TuneOptions& options) {
-  Goal goal{.objective = options.objective, .inertia = options.inertia.value_or(Eigen::Matrix3d::Identity())};
-  if (options.objective != Objective::fit) return goal;
-  const Knots knots({keys.times().begin(), keys.times().end()});
+Expected<Goal> with_reference(Goal goal, const Knots& knots, const TuneOptions& options) {
   goal.reference_samples.resize(knots.segments());
   for (std::size_t i = 0; i < options.reference.times.size(); ++i) {
     const double t = options.reference.times[i];
@@ -57,6 +53,15 @@ Expected<Goal> goal_of(const Keyframes& keys, const TuneOptions& options) {
   return failure(ErrorCode::bad_data,
                  formatted("the reference has no time between the first and the last key, wanted some from {} to {} s",
                            knots.front(), knots.back()));
+}
+
+/// The knots are those of the curve, which does not begin at the first key where the family approximates.
+Expected<Goal> goal_of(const Method& method, const Keyframes& keys, const TuneOptions& options) {
+  Goal goal{.objective = options.objective, .inertia = options.inertia.value_or(Eigen::Matrix3d::Identity())};
+  if (options.objective != Objective::fit) return goal;
+  return make_curve(method, keys).and_then([&](const AnyCurve& curve) {
+    return with_reference(std::move(goal), curve.knots(), options);
+  });
 }
 
 Expected<void> check_keys(const FamilyInfo& family, const Keyframes& keys, const CurveOptions& curve) {
@@ -89,11 +94,14 @@ bool inside(std::span<const double> values, std::span<const Interval> bounds) {
   return true;
 }
 
-/// The closed form of `nu` is ν = 0: no curve through the keys has a smaller ∫|x''|² than the cubic spline (Holladay
-/// 1957).
-std::vector<double> least_nu(std::span<const Interval> bounds) {
+/// The values of the least linearised energy, where that is known.
+using ClosedForm = std::optional<std::vector<double>>;
+
+/// Everywhere the same one within the bounds.
+ClosedForm closed_form(const std::optional<double>& value, std::span<const Interval> bounds) {
+  if (!value) return std::nullopt;
   std::vector<double> values;
-  for (const Interval& b : bounds) values.push_back(std::clamp(0.0, b.lowest, b.highest));
+  for (const Interval& b : bounds) values.push_back(std::clamp(*value, b.lowest, b.highest));
   return values;
 }
 
@@ -141,19 +149,19 @@ double stationarity_of(const Search& search, std::span<const double> values, con
   return decrease <= negligible ? 0.0 : decrease / std::max(tuning.energy_after, negligible);
 }
 
-/// From the closed form on, where the energy before is more than rounding.
+/// From the closed form on, if there is one, where the energy before is more than rounding.
 Expected<Tuning> tuned(const FamilyInfo& family, const TensionModel& model, const Search& search,
-                       const std::vector<double>& closed, Objective objective) {
+                       const ClosedForm& closed, Objective objective) {
   Minimum minimum{initial_values(model), 0};
   Tuning tuning{.energy_before = value_of(search.sum)};
   const bool is_least = tuning.energy_before <= search.rounding && inside(minimum.values, search.bounds);
-  if (!is_least && objective == Objective::linearised) minimum.values = closed;
-  else if (!is_least) minimum = refined(search, closed, minimum.values, tuning.energy_before);
+  const bool is_closed = closed && objective == Objective::linearised;
+  if (!is_least && is_closed) minimum.values = *closed;
+  else if (!is_least) minimum = refined(search, closed.value_or(minimum.values), minimum.values, tuning.energy_before);
   if (search.work.stopped()) return cancellation();
   search.sum.move_to(minimum.values);
   tuning.energy_after = value_of(search.sum);
-  if (!is_least && objective != Objective::linearised)
-    tuning.stationarity = stationarity_of(search, minimum.values, tuning);
+  if (!is_least && !is_closed) tuning.stationarity = stationarity_of(search, minimum.values, tuning);
   if (search.work.stopped()) return cancellation();
   tuning.iterations = minimum.iterations;
   tuning.method = {family.name, model.with(minimum.values)};
@@ -167,18 +175,31 @@ Expected<Tuning> tuned(const FamilyInfo& family, const TensionModel& model, cons
                                                      family.name, tuning.stationarity, wanted_stationarity));
 }
 
-Expected<Tuning> tuned_affine(const FamilyInfo& family, const Keyframes& keys, const TensionModel& model,
-                              const Goal& goal, const TuneOptions& options, OpenEndedWork& work) {
-  TensionSum sum(model, goal, &work);
-  const Search search{sum, bounds_of(model, options.bounds), rounding_of(goal, keys), work};
-  return tuned(family, model, search, closed_form(model, search.bounds, work), goal.objective);
+/// What is tuned, with all that it needs.
+struct Problem {
+  const FamilyInfo& family;
+  const Keyframes& keys;
+  const CurveOptions& curve;
+  const std::vector<std::string>& parameters;
+  const Goal& goal;
+  const TuneOptions& options;
+  OpenEndedWork& work;
+};
+
+Expected<Tuning> tuned_affine(const Problem& p) {
+  return tension_model(p.family, p.keys, p.curve, p.parameters, p.work).and_then([&](const TensionModel& model) {
+    TensionSum sum(model, p.goal, &p.work);
+    const Search search{sum, bounds_of(model, p.options.bounds), rounding_of(p.goal, p.keys), p.work};
+    return tuned(p.family, model, search, closed_form(model, search.bounds, p.work), p.goal.objective);
+  });
 }
 
-Expected<Tuning> tuned_nu(const FamilyInfo& family, const Keyframes& keys, const TensionModel& model, const Goal& goal,
-                          const TuneOptions& options, OpenEndedWork& work) {
-  NuSum sum(keys, model, goal, &work);
-  const Search search{sum, bounds_of(model, options.bounds), rounding_of(goal, keys), work};
-  return tuned(family, model, search, least_nu(search.bounds), goal.objective);
+Expected<Tuning> tuned_construction(const Problem& p) {
+  return construction_model(p.family, p.keys, p.curve, p.parameters).and_then([&](const ConstructionModel& made) {
+    ConstructionSum sum(made, p.goal, &p.work);
+    const Search search{sum, bounds_of(made.model, p.options.bounds), rounding_of(p.goal, p.keys), p.work};
+    return tuned(p.family, made.model, search, closed_form(made.closed_form, search.bounds), p.goal.objective);
+  });
 }
 
 }  // namespace
@@ -214,27 +235,22 @@ Expected<Tuning> tune(const Track& track, const Method& given, const TuneOptions
   if (!parameters) return tl::unexpected(parameters.error());
   if (auto checked = check_keys(**info, keys, method.options); !checked)
     return tl::unexpected(std::move(checked.error()));
-  const auto goal = goal_of(keys, options);
+  const auto goal = goal_of(method, keys, options);
   if (!goal) return tl::unexpected(goal.error());
-  const bool is_nu = (*info)->name == families::Nu::info.name;
   OpenEndedWork work(progress, expected_steps);
-  const auto model =
-      is_nu ? nu_model(keys, method.options) : tension_model(**info, keys, method.options, *parameters, work);
-  if (!model) return tl::unexpected(model.error());
-  return (is_nu ? tuned_nu(**info, keys, *model, *goal, options, work)
-                : tuned_affine(**info, keys, *model, *goal, options, work))
-      .map([&](Tuning tuning) {
-        tuning.parameters = *parameters;
-        tuning.track = track;
-        for (auto& [name, values] : settings_per_key(tuning.method, keys.size()))
-          tuning.track.settings[name] = std::move(values);
-        tuning.track.recipe = recipe_for(tuning.method, tuning.track);
-        if (options.objective == Objective::torque)
-          std::ranges::move(warnings_of(goal->inertia), std::back_inserter(tuning.warnings));
-        std::ranges::move(warnings_of(tuning.method, track), std::back_inserter(tuning.warnings));
-        work.finish();
-        return tuning;
-      });
+  const Problem problem{**info, keys, method.options, *parameters, *goal, options, work};
+  return (is_constructed((*info)->name) ? tuned_construction(problem) : tuned_affine(problem)).map([&](Tuning tuning) {
+    tuning.parameters = *parameters;
+    tuning.track = track;
+    for (auto& [name, values] : settings_per_key(tuning.method, keys.size()))
+      tuning.track.settings[name] = std::move(values);
+    tuning.track.recipe = recipe_for(tuning.method, tuning.track);
+    if (options.objective == Objective::torque)
+      std::ranges::move(warnings_of(goal->inertia), std::back_inserter(tuning.warnings));
+    std::ranges::move(warnings_of(tuning.method, track), std::back_inserter(tuning.warnings));
+    work.finish();
+    return tuning;
+  });
 }
 
 }  // namespace orispline::inline ORISPLINE_ABI

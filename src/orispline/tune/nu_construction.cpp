@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/families/global_c2.hpp>
+#include <orispline/families/nu.hpp>
+#include <orispline/tune/construction.hpp>
+#include <orispline/tune/moving_controls.hpp>
+
+namespace orispline::inline ORISPLINE_ABI {
+namespace {
+
+using families::Nu;
+using families::NuExact;
+using families::NuRatios;
+using families::NuRule;
+using families::NuSteps;
+
+/// The ratios as functions of the ν of one key.
+NuRatios<Slope> ratios_along(NuSteps step, const std::vector<double>& nu, std::size_t key) {
+  std::vector<Slope> gamma;
+  for (std::size_t i = 0; i < nu.size(); ++i)
+    gamma.push_back(families::nu_gamma<Slope>(step, i, i == key ? Slope::variable(nu[i]) : Slope(nu[i])));
+  return families::nu_ratios<Slope>(step, gamma);
+}
+
+/// The handles of the cubic after key i.
+struct Handles {
+  Vector3<Slope> leaving, arriving;
+};
+
+Handles handles(const std::vector<Quaternion<Slope>>& d, const NuRatios<Slope>& ratios,
+                std::span<const Eigen::Quaterniond> keys, std::size_t i) {
+  return {increment<Slope>(constant<Slope>(keys[i]), slerp<Slope>(d[i], d[i + 1], ratios.after[i])),
+          increment<Slope>(slerp<Slope>(d[i], d[i + 1], ratios.before[i + 1]), constant<Slope>(keys[i + 1]))};
+}
+
+/// Of a curve through its keys, whose handles change.
+SegmentSlope slope_of_handles(const Eigen::Vector3d& leaving, const Eigen::Vector3d& arriving) {
+  return {.increments = {leaving, Eigen::Vector3d::Zero(), arriving}};
+}
+
+/// A cubic of slerps with these handles after every key.
+template <class HandlesAfter>
+std::vector<TensionSegment> slerp_segments(const Keyframes& keys, HandlesAfter handles_after) {
+  const auto q = keys.orientations();
+  const auto t = keys.times();
+  std::vector<TensionSegment> segments;
+  for (std::size_t i = 0; i + 1 < q.size(); ++i) {
+    const auto [leaving, arriving] = handles_after(i);
+    segments.push_back(
+        handle_segment(TensionSegment::Product::slerps, t[i], t[i + 1] - t[i], q[i], q[i + 1], leaving, arriving));
+  }
+  return segments;
+}
+
+using TwoHandles = std::pair<Eigen::Vector3d, Eigen::Vector3d>;
+
+/// What both have: the ν of the inner keys, each of which reaches all segments.
+class NuVariables : public Construction {
+ public:
+  NuVariables(const Keyframes& keys, std::vector<Variable> variables)
+      : keys_(keys), list_(std::move(variables)), variables_(variables_in_reach(list_, keys.size() - 1)) {}
+  [[nodiscard]] const std::vector<std::vector<std::size_t>>& variables() const noexcept override { return variables_; }
+
+ protected:
+  [[nodiscard]] const Keyframes& keys() const noexcept { return keys_; }
+  [[nodiscard]] const std::vector<Variable>& list() const noexcept { return list_; }
+
+  /// The slopes that `along(v)` gives for variable v as a function of the segment.
+  template <class Along>
+  [[nodiscard]] std::optional<std::vector<std::vector<SegmentSlope>>> slopes(const OpenEndedWork* work,
+                                                                             Along along) const {
+    std::vector<std::vector<SegmentSlope>> all(variables_.size());
+    for (std::size_t v = 0; v < list_.size(); ++v) {
+      if (work && work->stopped()) return std::nullopt;
+      const auto slope_of = along(v);
+      for (std::size_t i = 0; i < all.size(); ++i)
+        if (!variables_[i].empty() && variables_[i].front() <= v && v <= variables_[i].back())
+          all[i].push_back(slope_of(i));
+    }
+    return all;
+  }
+
+ private:
+  const Keyframes& keys_;
+  std::vector<Variable> list_;
+  std::vector<std::vector<std::size_t>> variables_;
+};
+
+class NuConstruction final : public NuVariables {
+ public:
+  using NuVariables::NuVariables;
+
+  [[nodiscard]] std::optional<ConstructedCurve> at(const CurveOptions& options,
+                                                   const OpenEndedWork* work) const override {
+    const auto made = settle(Nu::info, options, keys().size()).and_then([&](const FamilySettings& settings) {
+      return Nu::construction(keys(), settings);
+    });
+    if (!made) return std::nullopt;
+    const auto q = keys().orientations();
+    const NuSteps step{keys().times()};
+    const std::vector<double>& nu = options.parameters.find("nu")->second;
+    const MovingControls controls(made->rule, q, made->controls);
+    if (!controls.regular()) return std::nullopt;
+    const NuRatios<Slope> still = ratios_along(step, nu, 0);
+    ConstructedCurve curve{slerp_segments(keys(),
+                                          [&](std::size_t i) {
+                                            const Handles h = handles(controls.still(), still, q, i);
+                                            return TwoHandles(value_part(h.leaving), value_part(h.arriving));
+                                          }),
+                           {}};
+    auto all = slopes(work, [&](std::size_t v) {
+      const NuRule<Slope> rule{ratios_along(step, nu, list()[v].key), made->rule.start, made->rule.end};
+      return [d = controls.along(rule), ratios = rule.ratios, q](std::size_t i) {
+        const Handles h = handles(d, ratios, q, i);
+        return slope_of_handles(slope_part(h.leaving), slope_part(h.arriving));
+      };
+    });
+    if (!all) return std::nullopt;
+    curve.slopes = std::move(*all);
+    return curve;
+  }
+};
+
+class NuExactConstruction final : public NuVariables {
+ public:
+  using NuVariables::NuVariables;
+
+  [[nodiscard]] std::optional<ConstructedCurve> at(const CurveOptions& options,
+                                                   const OpenEndedWork* work) const override {
+    const auto chain = settle(NuExact::info, options, keys().size()).and_then([&](const FamilySettings& settings) {
+      return NuExact::rates(keys(), settings);
+    });
+    if (!chain) return std::nullopt;
+    BandedMatrix matrix(3 * chain->size(), 5);
+    chain->jacobian([&](std::size_t equation, std::size_t rate, const Eigen::Matrix3d& block) {
+      matrix.add(3 * equation, 3 * rate, block);
+    });
+    const BandedLu equations(std::move(matrix));
+    if (!equations.regular()) return std::nullopt;
+    const auto t = keys().times();
+    const auto third = [t](std::size_t i) { return (t[i + 1] - t[i]) / 3.0; };
+    const std::vector<Eigen::Vector3d>& rates = chain->rates();
+    ConstructedCurve curve{
+        slerp_segments(keys(), [&](std::size_t i) { return TwoHandles(third(i) * rates[i], third(i) * rates[i + 1]); }),
+        {}};
+    auto all = slopes(work, [&](std::size_t v) {
+      const std::size_t key = list()[v].key;
+      Eigen::VectorXd change = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(chain->size()));
+      change.segment<3>(3 * static_cast<Eigen::Index>(key)) = -chain->residual_per_nu(key);
+      return [turned = equations.solve(std::move(change)), third](std::size_t i) {
+        const auto of = [&](std::size_t k) -> Eigen::Vector3d {
+          return third(i) * turned.segment<3>(3 * static_cast<Eigen::Index>(k));
+        };
+        return slope_of_handles(of(i), of(i + 1));
+      };
+    });
+    if (!all) return std::nullopt;
+    curve.slopes = std::move(*all);
+    return curve;
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Construction> nu_construction(const Keyframes& keys, const FamilySettings&,
+                                              const std::vector<Variable>& variables) {
+  return std::make_unique<NuConstruction>(keys, variables);
+}
+
+std::unique_ptr<Construction> nu_exact_construction(const Keyframes& keys, const FamilySettings&,
+                                                    const std::vector<Variable>& variables) {
+  return std::make_unique<NuExactConstruction>(keys, variables);
+}
+
+}  // namespace orispline::inline ORISPLINE_ABI
