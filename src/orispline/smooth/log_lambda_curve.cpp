@@ -7,12 +7,12 @@
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
-constexpr int most_steps = 20;
-constexpr double longest_step = 3.0;     // of log λ, beyond which the exponential is not to be trusted
-constexpr double farthest = 18.0;        // from the first value, which is a hundred times as long a τ
-constexpr double tolerance = 1e-4;       // of log λ
-constexpr double least_share = 1e-3;     // of a step
-constexpr double least_diagonal = 1e-9;  // for knots about which nothing is said
+constexpr int most_newton_steps = 20;
+constexpr double longest_newton_step = 3.0;  // of log λ, beyond which the exponential is not to be trusted
+constexpr double farthest = 18.0;            // from the first value, which is a hundred times as long a τ
+constexpr double newton_tolerance = 1e-4;    // of log λ
+constexpr double least_newton_share = 1e-3;  // of a step
+constexpr double least_diagonal = 1e-9;      // for knots about which nothing is said
 
 /// The solution of a symmetric tridiagonal system with a positive diagonal that outweighs the rest.
 std::vector<double> solved(std::vector<double> diagonal, const std::vector<double>& beside, std::vector<double> right) {
@@ -48,15 +48,16 @@ double LogLambdaCurve::update(std::span<const double> energies, std::span<const 
     for (std::size_t k = 0; k < from.size(); ++k) largest = std::max(largest, std::abs(values_[k] - from[k]));
     return largest;
   };
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < most_newton_steps; ++step) {
     const std::vector<double> from = values_, move = newton_step(energies, freedoms, stiffness);
     const double cost_before = cost(energies, freedoms, stiffness);
-    for (double share = 1.0; share > least_share; share *= 0.5) {
+    for (double share = 1.0; share > least_newton_share; share *= 0.5) {
       for (std::size_t k = 0; k < from.size(); ++k)
-        values_[k] = std::clamp(from[k] + share * std::clamp(move[k], -longest_step, longest_step), least_, most_);
+        values_[k] =
+            std::clamp(from[k] + share * std::clamp(move[k], -longest_newton_step, longest_newton_step), least_, most_);
       if (cost(energies, freedoms, stiffness) <= cost_before) break;
     }
-    if (largest_change(from) < tolerance) break;
+    if (largest_change(from) < newton_tolerance) break;
   }
   return largest_change(before);
 }

@@ -22,8 +22,8 @@ struct Softness {
 
 constexpr std::array softnesses{Softness{32.0, 0.05}, Softness{8.0, 0.1}, Softness{2.0, 0.15}, Softness{0.5, 0.15}};
 constexpr int most_updates = 10;
-constexpr double settled = 0.1;          // of log λ, in one update
-constexpr double scan_tolerance = 1e-3;  // of the iteration, in units of the noise
+constexpr double settled = 0.1;           // of log λ, in one update
+constexpr double rough_tolerance = 1e-3;  // of the iteration, in units of the noise
 constexpr std::size_t samples_per_knot = 3;
 
 /// One try: λ as a curve of each stretch, and the fits with it.
@@ -111,7 +111,7 @@ class Adaptation {
     }
   }
 
-  void refit() { fits_ = fit_stretches(problems_, objective_, {.tolerance = scan_tolerance * noise_}, fits_); }
+  void refit() { fits_ = fit_stretches(problems_, objective_, {.tolerance = rough_tolerance * noise_}, fits_); }
 
   StretchProblems problems_;
   SmoothingObjective objective_;
