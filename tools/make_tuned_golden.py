@@ -35,8 +35,7 @@ def cases():
     for family in ("quintic", "sextic", "timed-c2"):
         for sequence in SEQUENCES:
             yield family, sequence, "torque", ("tension", "tension2") if family == "timed-c2" else ("tension",)
-    for family, free, sequences in (("nu-exact", ("nu",), SEQUENCES), ("beta-through", ("beta2",), SEQUENCES[:2]),
-                                    ("beta", ("beta2",), SEQUENCES[:2])):
+    for family, free, sequences in (("nu-exact", ("nu",), SEQUENCES), ("beta-through", ("beta2",), SEQUENCES[:2])):
         for sequence in sequences:
             for objective in ("acceleration", "torque"):
                 yield family, sequence, objective, free
@@ -77,11 +76,9 @@ class Curves:
             rates = rates_of(keys, steps, np.array([float(x) for x in values["nu"]]))
             yield from zip(steps, *slerp_segments(keys, steps, rates, SHARES), strict=True)
         else:
-            points, betas, times = self.keys, values, self.times[1:-1]
-            if self.family == "beta-through":
-                betas = {name: [list_[0], *list_, list_[-1]] for name, list_ in values.items()}
-                points, times = rq.beta_interp_points(self.keys, betas["beta1"], betas["beta2"], tol=rq.mpf("1e-20"))[0], self.times
-            for segment in rq.beta_spline(points, betas["beta1"], betas["beta2"], times).segs:
+            betas = {name: [list_[0], *list_, list_[-1]] for name, list_ in values.items()}
+            points = rq.beta_interp_points(self.keys, betas["beta1"], betas["beta2"], tol=rq.mpf("1e-20"))[0]
+            for segment in rq.beta_spline(points, betas["beta1"], betas["beta2"], self.times).segs:
                 yield product_rates(segment.h, segment.ds, segment.polys)
 
     def residuals(self, parameters, objective):

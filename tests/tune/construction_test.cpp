@@ -6,6 +6,7 @@
 
 #include <orispline/analysis/energy.hpp>
 #include <orispline/families/registry.hpp>
+#include <orispline/tune/tune.hpp>
 #include "tune/some_keys.hpp"
 
 namespace orispline {
@@ -80,13 +81,32 @@ TEST(Construction, KnowsHowAConstructionChangesWithItsParameters) {
 
 TEST(Construction, SegmentsOfAConstructionAreThoseOfTheCurve) {
   for (const auto& [family, options, parameters] : moved_curves) {
-    const auto model = construction_model(*find_family(family).value(), some_keys(), options, parameters).value();
+    const Keyframes keys = some_keys();
+    const auto model = construction_model(*find_family(family).value(), keys, options, parameters).value();
     for (const Objective objective : {Objective::acceleration, Objective::jerk}) {
       const Goal goal{.objective = objective};
       const Energies energy = energies(make_curve({family, options}, some_keys()).value(), Eigen::Matrix3d::Identity());
       const double wanted = objective == Objective::jerk ? energy.jerk : energy.acceleration;
       EXPECT_NEAR(value_of(ConstructionSum(model, goal)) / wanted, 1.0, 1e-10) << family;
     }
+  }
+}
+
+TEST(Construction, FitsTheParametersThatMadeTheReference) {
+  const Keyframes keys = some_keys();
+  for (const auto& [family, options, parameters] : moved_curves) {
+    const AnyCurve curve = make_curve({family, options}, keys).value();
+    std::vector<double> times;
+    std::vector<Eigen::Quaterniond> orientations;
+    for (double t = -0.5; t < 5.0; t += 0.02) {
+      times.push_back(t);
+      orientations.emplace_back(-curve(t).coeffs());
+    }
+    const Method plain{family, {.choices = options.choices}};
+    const auto found = tune(keys, plain, {.objective = Objective::fit, .reference = {times, orientations}});
+    ASSERT_TRUE(found) << family << ": " << describe(found.error());
+    EXPECT_GT(found->energy_before, 1e-6) << family;
+    EXPECT_LT(found->energy_after, 1e-18) << family;
   }
 }
 
