@@ -8,6 +8,7 @@ void add_repairs(Json& json, const io::RepairReport& repairs) {
   json["invalid_dropped"] = repairs.invalid_dropped;
   json["rows_moved"] = repairs.rows_moved;
   json["normalised"] = repairs.normalised;
+  json["rates_left_free"] = repairs.rates_left_free;
 }
 
 }  // namespace orispline::cli

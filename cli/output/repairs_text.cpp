@@ -17,6 +17,8 @@ std::string text_of(const io::RepairReport& repairs) {
   if (repairs.normalised > 0)
     clauses.push_back(formatted("made {} unit: norms up to {:.3g} off", counted(repairs.normalised, "quaternion"),
                                 repairs.largest_norm_error));
+  if (repairs.rates_left_free > 0)
+    clauses.push_back(formatted("left rates of {} free", counted(repairs.rates_left_free, "key")));
   if (repairs.rows_moved > 0) clauses.push_back(formatted("sorted {}", counted(repairs.rows_moved, "row")));
   return joined(clauses, "; ");
 }

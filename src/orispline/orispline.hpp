@@ -5,6 +5,7 @@
 
 #include <orispline/base/version.hpp>
 #include <orispline/curve/extrapolation.hpp>
+#include <orispline/curve/free_rate.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/pose_curve.hpp>
 #include <orispline/curve/track.hpp>

@@ -40,7 +40,8 @@ class BadContent(CommandTest):
         self.write("rates.csv", "t,qw,qx,qy,qz,wx,wy,wz\n0,1,0,0,0,nan,0,0\n1,1,0,0,0,0,0,0\n")
         self.output_of("sample rates.csv --method timed-c2 --count 2")
         self.assert_fails("sample rates.csv --method hermite-cumulative --count 2", BAD_DATA,
-                          "rates.csv:2:6: key 0: found 'nan', wanted a finite number (--drop-invalid drops such rows)")
+                          "rates.csv:2:6: key 0: found 'nan', wanted a finite number, or none in all three cells of the rate to leave "
+                          "it free (--drop-invalid drops such rows)")
 
     def test_a_stray_time_is_the_fault_of_the_times_file(self):
         self.write("times.csv", "t\n1\n3.5\n")

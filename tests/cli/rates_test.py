@@ -44,6 +44,38 @@ class Rates(CommandTest):
         for found, wanted in zip(rows_of(self.read("out.csv"))[0][5:], (1, 2, 3)):
             self.assertAlmostEqual(found, wanted, delta=1e-14)
 
+    def test_rates_may_be_left_free_at_some_keys(self):
+        rows = ["t,qw,qx,qy,qz,wx,wy,wz", "0,1,0,0,0,0.3,0,0", "1,0.96,0.28,0,0,,,", "2,0.8,0.6,0,0,nan,nan,nan",
+                "3,0.96,0.28,0,0,0,-0.4,0"]
+        self.write("keys.csv", "\n".join(rows) + "\n")
+        self.write("none.csv", "\n".join(row.split(",w")[0] if row[0] == "t" else ",".join(row.split(",")[:5])
+                                         for row in rows) + "\n")
+        for method in ("hermite-c1", "hermite-cumulative", "least"):
+            done = self.run_command(f"sample keys.csv --method {method} --count 4 --derivatives 1 -o out.csv")
+            self.assertIn("left rates of 2 keys free\n", done.stderr)
+            found = rows_of(self.read("out.csv"))
+            for row, wanted in ((0, [0.3, 0, 0]), (3, [0, -0.4, 0])):
+                for value, rate in zip(found[row][5:], wanted):
+                    self.assertAlmostEqual(value, rate, delta=1e-12)
+            if method != "least":
+                estimated = rows_of(self.output_of(f"sample none.csv --method {method} --count 4 --derivatives 1"))
+                for row in (1, 2):
+                    for value, rate in zip(found[row][5:], estimated[row][5:]):
+                        self.assertAlmostEqual(value, rate, delta=1e-12)
+        self.run_command("convert keys.csv -o again.csv")
+        one, two = (self.output_of(f"sample {name} --method hermite-c1 --count 9") for name in ("keys.csv", "again.csv"))
+        self.assertEqual(one, two)
+        self.assert_fails("smooth keys.csv --gyro -o out.csv", BAD_DATA, "keys.csv:3:6: key 1: found an empty cell, "
+                          "wanted a finite number (--drop-invalid drops such rows)")
+
+    def test_the_optimum_is_a_file_of_keys_with_rates(self):
+        self.write("keys.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n1,0.96,0.28,0,0\n2.5,0.8,0,0.6,0\n3,0.6,0,0,0.8\n")
+        self.run_command("sample keys.csv --method least --times keys.csv -o optimum.csv")
+        again = rows_of(self.output_of("sample optimum.csv --method least --count 21"))
+        for row, wanted in zip(again, rows_of(self.output_of("sample keys.csv --method least --count 21"))):
+            for value, number in zip(row, wanted):
+                self.assertAlmostEqual(value, number, delta=1e-6)
+
 
 if __name__ == "__main__":
     main()

@@ -121,7 +121,11 @@ TEST(BadFile, WithHalfOfItsRatesSaysWhichHalfIsMissing) {
       refusal("wx,wy,wz,ax,ax_deg_s2,ay,az",
               "'ax' and 'ax_deg_s2' could both be ax, wanted one of them (option columns)"),
       {"t,qw,qx,qy,qz,wx,wy,wz,ax,ay,az\n0,1,0,0,0,1,2,3,4,five,6\n", not_a_number("2:10", "five"), "keys.csv", all},
-      {"t,qw,qx,qy,qz,wx,wy,wz,ax,ay,az\n0,1,0,0,0,1,2,3,4,5,\n", not_finite("2:11", "an empty cell"), "keys.csv", all},
+      {"t,qw,qx,qy,qz,wx,wy,wz,ax,ay,az\n0,1,0,0,0,1,2,3,4,5,\n",
+       "keys.csv:2:11: key 0: found an empty cell, wanted a finite number, or none in all three cells of the rate to "
+       "leave "
+       "it free (option drop_invalid)",
+       "keys.csv", all},
   });
 }
 

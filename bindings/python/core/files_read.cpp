@@ -116,6 +116,7 @@ nb::dict repairs_of(const io::RepairReport& repairs) {
   result["invalid_dropped"] = repairs.invalid_dropped;
   result["rows_moved"] = repairs.rows_moved;
   result["normalised"] = repairs.normalised;
+  result["rates_left_free"] = repairs.rates_left_free;
   result["largest_norm_error"] = repairs.largest_norm_error;
   return result;
 }

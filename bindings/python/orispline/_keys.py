@@ -37,7 +37,8 @@ class Keys:
     positions : (n, 3) array, optional
         [m], world frame.
     angular_velocities, angular_accelerations, angular_jerks : (n, 3) arrays, optional
-        Rates at the keys [rad/s], [rad/s²], [rad/s³], body frame, for methods that take them.
+        Rates at the keys [rad/s], [rad/s²], [rad/s³], body frame, for methods that take them. A row of NaN leaves the
+        rate of its key free: `least` chooses it, the others estimate it.
     settings : mapping of (n,) arrays, optional
         Values of a method's parameters with one for each key, such as `{"tension": ...}`.
     signs : {"shortest", "as-given"}
@@ -52,7 +53,7 @@ class Keys:
     Raises
     ------
     DataError
-        Times that do not increase, numbers that are not finite, norms too far from 1, lengths that differ; with `key`.
+        Times that do not increase, numbers that are not finite (but whole rows of rates), norms too far from 1, lengths that differ; with `key`.
     ArgumentError
         Arrays of another shape or kind.
 
@@ -162,8 +163,8 @@ class Keys:
 
     @property
     def repairs(self) -> dict[str, Any]:
-        """What reading touched. `duplicates_dropped`, `invalid_dropped`, `rows_moved` and `normalised` count rows;
-        `largest_norm_error` is that of the quaternions that were scaled to 1. Empty for keys that are not from a file."""
+        """What reading touched. `duplicates_dropped`, `invalid_dropped`, `rows_moved` and `normalised` count rows,
+        `rates_left_free` keys; `largest_norm_error` is that of the quaternions that were scaled to 1. Empty for keys that are not from a file."""
         return dict(self._read("repairs", {}))
 
     def statistics(self) -> KeyStatistics:

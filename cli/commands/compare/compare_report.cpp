@@ -8,6 +8,7 @@
 #include <orispline/base/file_name.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
+#include <orispline/curve/free_rate.hpp>
 #include <orispline/report/table.hpp>
 
 #include "output/repairs_text.hpp"
@@ -32,7 +33,7 @@ report::Cell cell_of(const ComparedMethod& method, const MeasureInfo& measure, c
 /// Methods that are told the rates at the keys.
 std::vector<std::string> methods_with_rates(const CompareReport& report, std::size_t key_set) {
   std::vector<std::string> names;
-  if (report.data.key_sets[key_set].track.keys.angular_velocities().empty()) return names;
+  if (!orispline::any_given(report.data.key_sets[key_set].track.keys.angular_velocities())) return names;
   for (const ComparedMethod& method : report.methods)
     if (method.key_set == key_set && method.measures &&
         find_family(method.candidate.method.name).value()->rate_orders > 0)

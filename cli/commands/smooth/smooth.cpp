@@ -58,6 +58,7 @@ Expected<Request> request_in(const SmoothOptions& options) {
   }
   request.input.read.rate_orders = request.smoothing.gyro ? 1 : 0;
   request.input.read.world_rates = true;
+  request.input.read.free_rates = io::FreeRates::refused;
   request.input.read.keep_exact_times = true;
   return std::move(checked).or_else(std::move(request));
 }

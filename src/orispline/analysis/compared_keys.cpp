@@ -5,6 +5,7 @@
 
 #include <orispline/analysis/sampled.hpp>
 #include <orispline/base/formatted.hpp>
+#include <orispline/curve/free_rate.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
@@ -61,7 +62,7 @@ Warning not_denser(const Track& recording) {
 std::vector<MeasureInfo> ComparedData::measures(LeaveOut leave_out,
                                                 const std::optional<Eigen::Matrix3d>& inertia) const {
   std::vector groups{MeasureGroup::distance, MeasureGroup::shape, MeasureGroup::cost};
-  if (!samples.angular_velocities().empty()) groups.push_back(MeasureGroup::rate);
+  if (any_given(samples.angular_velocities())) groups.push_back(MeasureGroup::rate);
   if (leave_out == LeaveOut::yes) groups.push_back(MeasureGroup::leave_out);
   if (inertia) groups.push_back(MeasureGroup::torque);
   return measures_of(groups);

@@ -11,6 +11,7 @@
 #include <orispline/base/expect.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/parallel.hpp>
+#include <orispline/curve/free_rate.hpp>
 #include <orispline/curve/torque.hpp>
 #include <orispline/families/registry.hpp>
 
@@ -43,11 +44,9 @@ void measure_errors(Measures& measures, const SampledCurve& samples, const Overl
   std::vector<double> distances(truth.times.size());
   for (std::size_t i = 0; i < distances.size(); ++i)
     distances[i] = angular_distance(samples.orientations[i], truth.orientations[i]);
-  measures.distance = distance_statistics(distances, truth.first);
-  if (truth.angular_velocities.empty()) return;
-  for (std::size_t i = 0; i < distances.size(); ++i)
-    distances[i] = (samples.angular_velocities[i] - truth.angular_velocities[i]).norm();
-  measures.rate_error = distance_statistics(std::move(distances), truth.first);
+  measures.distance = distance_statistics(std::move(distances), truth.first);
+  if (any_given(truth.angular_velocities))
+    measures.rate_error = rate_statistics(samples.angular_velocities, truth.angular_velocities, truth.first);
 }
 
 /// Each of the measures takes long for many keys.

@@ -6,6 +6,7 @@
 
 #include <orispline/analysis/sampled.hpp>
 #include <orispline/base/expect.hpp>
+#include <orispline/curve/free_rate.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
@@ -54,14 +55,25 @@ DistanceStatistics distance_to_reference(const AnyCurve& curve, OrientationSerie
   return distance_statistics(std::move(distances), first);
 }
 
+DistanceStatistics rate_statistics(std::span<const Eigen::Vector3d> found, std::span<const Eigen::Vector3d> logged,
+                                   std::size_t first) {
+  std::vector<double> errors;
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (is_free(logged[i])) continue;
+    errors.push_back((found[i] - logged[i]).norm());
+    places.push_back(first + i);
+  }
+  DistanceStatistics statistics = distance_statistics(std::move(errors));
+  if (!places.empty()) statistics.largest_at = places[statistics.largest_at];
+  return statistics;
+}
+
 DistanceStatistics rate_error(const AnyCurve& curve, RateSeries logged) {
   ORISPLINE_EXPECT(logged.times.size() == logged.angular_velocities.size());
   const auto [first, count] = times_within(logged.times, curve.domain());
   const auto samples = sampled(curve, logged.times.subspan(first, count), Sampled::orientations_and_rates);
-  std::vector<double> errors(count);
-  for (std::size_t i = 0; i < count; ++i)
-    errors[i] = (samples.angular_velocities[i] - logged.angular_velocities[first + i]).norm();
-  return distance_statistics(std::move(errors), first);
+  return rate_statistics(samples.angular_velocities, logged.angular_velocities.subspan(first, count), first);
 }
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -45,7 +45,12 @@ struct OrientationSeries {
 [[nodiscard]] ORISPLINE_EXPORT DistanceStatistics distance_to_reference(const AnyCurve& curve,
                                                                         OrientationSeries reference, Domain stretch);
 
-/// Angular velocities that were logged at times [s] of the curve.
+/// How far angular velocities are from the logged ones [rad/s], one each, where those are not free; the first of them
+/// at index `first` of the reference.
+[[nodiscard]] DistanceStatistics rate_statistics(std::span<const Eigen::Vector3d> found,
+                                                 std::span<const Eigen::Vector3d> logged, std::size_t first);
+
+/// Angular velocities that were logged at times [s] of the curve. Free ones are not compared.
 struct RateSeries {
   std::span<const double> times;                        ///< they do not decrease
   std::span<const Eigen::Vector3d> angular_velocities;  ///< [rad/s], body frame, one per time

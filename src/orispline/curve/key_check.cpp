@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/curve/free_rate.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
@@ -92,6 +93,14 @@ std::optional<Error> check_vector(std::size_t key, const char* what, const Eigen
     return key_error(key, formatted("the {} has a component that is not finite, wanted finite numbers", what));
   return key_error(key, formatted("the {} has a component of {:g}, wanted {:g} at most", what, v.cwiseAbs().maxCoeff(),
                                   largest_component));
+}
+
+std::optional<Error> check_rate(std::size_t key, const char* what, const Eigen::Vector3d& rate) {
+  if (is_free(rate)) return std::nullopt;
+  if (const auto missing = rate.array().isNaN().count(); missing > 0)
+    return key_error(key, formatted("the {} lacks {} of its 3 components, wanted all of them, or none to leave it free",
+                                    what, missing));
+  return check_vector(key, what, rate);
 }
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -65,4 +65,8 @@ class RecentTimes {
 [[nodiscard]] ORISPLINE_EXPORT std::optional<Error> check_vector(std::size_t key, const char* what,
                                                                  const Eigen::Vector3d& v);
 
+/// The same of a rate, which may be free; one of which only some components are NaN is an error.
+[[nodiscard]] ORISPLINE_EXPORT std::optional<Error> check_rate(std::size_t key, const char* what,
+                                                               const Eigen::Vector3d& rate);
+
 }  // namespace orispline::inline ORISPLINE_ABI

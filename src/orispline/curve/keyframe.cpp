@@ -12,16 +12,18 @@
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
-/// What a key may have besides its time and orientation, with its name in the singular and in the plural.
+/// What a key may have besides its time and orientation, with its name in the singular and in the plural, and what it
+/// must be.
 struct Optional {
   std::vector<Eigen::Vector3d> KeyframeData::*values;
   const char *one, *many;
+  std::optional<Error> (*check)(std::size_t, const char*, const Eigen::Vector3d&);
 };
 constexpr std::array optional_data{
-    Optional{&KeyframeData::positions, "position", "positions"},
-    Optional{&KeyframeData::angular_velocities, "angular velocity", "angular velocities"},
-    Optional{&KeyframeData::angular_accelerations, "angular acceleration", "angular accelerations"},
-    Optional{&KeyframeData::angular_jerks, "angular jerk", "angular jerks"}};
+    Optional{&KeyframeData::positions, "position", "positions", check_vector},
+    Optional{&KeyframeData::angular_velocities, "angular velocity", "angular velocities", check_rate},
+    Optional{&KeyframeData::angular_accelerations, "angular acceleration", "angular accelerations", check_rate},
+    Optional{&KeyframeData::angular_jerks, "angular jerk", "angular jerks", check_rate}};
 
 std::optional<Error> check_lengths(const KeyframeData& data) {
   const std::size_t n = data.times.size();
@@ -38,7 +40,7 @@ std::optional<Error> check_lengths(const KeyframeData& data) {
 std::optional<Error> check_vectors(const KeyframeData& data, std::size_t i) {
   for (const Optional& some : optional_data)
     if (const auto& values = data.*some.values; !values.empty())
-      if (auto error = check_vector(i, some.one, values[i])) return error;
+      if (auto error = some.check(i, some.one, values[i])) return error;
   return std::nullopt;
 }
 

@@ -18,7 +18,7 @@ enum class Signs {
   as_given,  ///< the signs say which way round the motion goes, up to 2π per step
 };
 
-/// What the caller holds: one entry per key in every vector that is not empty.
+/// What the caller holds: one entry per key in every vector that is not empty. A rate may be free_rate(), three NaN.
 struct KeyframeData {
   std::vector<double> times{};                           ///< [s], finite, strictly increasing
   std::vector<Eigen::Quaterniond> orientations{};        ///< body to world, norm within 1e-3 of 1
@@ -78,8 +78,8 @@ class ORISPLINE_EXPORT Keyframes {
   /// Validates, normalises, aligns the signs.
   ///
   /// Errors (bad_data, with the key index): no keys, vectors of different length, a time that is not finite or does not
-  /// increase or steps out of range, steps too uneven, a component that is not finite or too large, a norm farther than
-  /// `norm_error_limit` from 1.
+  /// increase or steps out of range, steps too uneven, a component that is too large or not finite and not of a
+  /// free rate, a norm farther than `norm_error_limit` from 1.
   [[nodiscard]] static Expected<Keyframes> make(KeyframeData data, Signs signs = Signs::shortest);
 
   /// The first `count` of these keys, 1 ≤ count ≤ size().

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/curve/free_rate.hpp>
 #include <orispline/curve/key_knots.hpp>
 #include <orispline/curve/window.hpp>
 
@@ -35,13 +36,14 @@ std::array<Displacement<P>, 3> stencil_derivatives(const Keyframes& keys, std::s
       [p = keys.points<P>()](std::size_t from, std::size_t to) { return displacement<double>(p[from], p[to]); }));
 }
 
-/// The key's orientation with its own rates where it has them, else with those of the stencil.
+/// The key's orientation with its own rates where it has them, else, and where they are free, with those of the
+/// stencil.
 KeyMotion motion_at(const Keyframes& keys, std::size_t i, std::size_t reach) {
   KeyMotion key{keys.orientations()[i],
                 body_rates(Eigen::Vector3d::Zero(), stencil_derivatives<Eigen::Quaterniond>(keys, i, reach))};
   const std::array given{keys.angular_velocities(), keys.angular_accelerations(), keys.angular_jerks()};
   for (std::size_t k = 0; k < given.size(); ++k)
-    if (!given[k].empty()) key.rates[k] = given[k][i];
+    if (!given[k].empty() && !is_free(given[k][i])) key.rates[k] = given[k][i];
   return key;
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/families/hermite_cumulative.hpp>
 
+#include <algorithm>
+
+#include <orispline/curve/free_rate.hpp>
 #include <orispline/curve/increments.hpp>
 #include <orispline/curve/key_knots.hpp>
 #include <orispline/curve/three_key_rates.hpp>
@@ -8,8 +11,12 @@
 namespace orispline::inline ORISPLINE_ABI::families {
 
 std::vector<Eigen::Vector3d> HermiteCumulative::key_rates(const Keyframes& keys) {
-  if (const auto given = keys.angular_velocities(); !given.empty()) return {given.begin(), given.end()};
-  return three_key_rates(keys.times(), increments_between(keys.orientations()));
+  const auto given = keys.angular_velocities();
+  if (!given.empty() && std::ranges::none_of(given, is_free)) return {given.begin(), given.end()};
+  std::vector<Eigen::Vector3d> rates = three_key_rates(keys.times(), increments_between(keys.orientations()));
+  for (std::size_t i = 0; i < given.size(); ++i)
+    if (!is_free(given[i])) rates[i] = given[i];
+  return rates;
 }
 
 Expected<CubicBezierCurve> HermiteCumulative::curve(const Keyframes& keys, const FamilySettings& settings) {

@@ -24,7 +24,8 @@ struct HermiteCumulative {
                                    .support_keys = 4,
                                    .parameters = parameters,
                                    .rate_orders = 1};
-  /// The rates [rad/s] that a tension of 1 has at the keys: those given, else estimated from three keys.
+  /// The rates [rad/s] that a tension of 1 has at the keys: those given, else, and where they are free,
+  /// estimated from three keys.
   [[nodiscard]] static std::vector<Eigen::Vector3d> key_rates(const Keyframes& keys);
   [[nodiscard]] static Expected<CubicBezierCurve> curve(const Keyframes& keys, const FamilySettings& settings);
   /// Catmull–Rom in time: the angular rates of the keys say nothing about positions.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/curve/curve.hpp>
@@ -120,25 +122,65 @@ Found found(const LeastProblem& problem, const Counts& counts) {
   return found;
 }
 
-/// The problem that begins on a curve that is near: `global-c2` or `rotation-spline`, whichever has less of the energy;
-/// where neither can be made `auto`.
-Expected<LeastProblem> begun(const Keyframes& keys, const FamilySettings& settings, const Knots& knots,
-                             const Counts& counts) {
+/// Minima that the iteration comes to, the best of them.
+class Descents {
+ public:
+  Descents(const Keyframes& keys, const FamilySettings& settings, const Knots& knots, const Counts& counts)
+      : keys_(keys), settings_(settings), knots_(knots), counts_(counts) {}
+
+  /// Begins on that curve.
+  void from(const AnyCurve& start) {
+    LeastProblem problem = stated(keys_, settings_, knots_, start, counts_);
+    const LeastOutcome outcome = minimise(problem);
+    if (!first_) first_ = outcome;
+    if (!outcome.converged) return;
+    const double energy = energy_of(problem);
+    if (best_ && !(energy < energy_)) return;
+    best_ = std::move(problem);
+    energy_ = energy;
+  }
+
+  /// Whether the first one was found without Newton's method: such keys have one minimum.
+  [[nodiscard]] bool easy() const { return first_ && first_->easy && first_->converged; }
+  [[nodiscard]] const LeastOutcome& first() const { return *first_; }
+  [[nodiscard]] std::optional<LeastProblem>& best() { return best_; }
+
+ private:
+  const Keyframes& keys_;
+  const FamilySettings& settings_;
+  const Knots& knots_;
+  const Counts& counts_;
+  std::optional<LeastOutcome> first_;
+  std::optional<LeastProblem> best_;
+  double energy_ = 0.0;
+};
+
+/// The descents from `global-c2` and `rotation-spline`, first from that which has less of the energy, and from `auto`:
+/// after the first one only where keys are hard.
+Expected<Descents> descents(const Keyframes& keys, const FamilySettings& settings, const Knots& knots,
+                            const Counts& counts) {
   FamilySettings with = settings;
   with.parameters.emplace("nu", PerKey({0.0}));
   with.parameters.emplace("hold", PerKey({0.0}));
-  std::optional<LeastProblem> least;
+  std::vector<std::pair<double, AnyCurve>> starts;
   const auto take = [&](auto curve) {
     if (!curve) return;
-    LeastProblem problem = stated(keys, settings, knots, AnyCurve(std::move(*curve)), counts);
-    if (!least || energy_of(problem) < energy_of(*least)) least = std::move(problem);
+    AnyCurve start(std::move(*curve));
+    const double energy = energy_of(stated(keys, settings, knots, start, counts));
+    starts.emplace_back(energy, std::move(start));
   };
   take(GlobalC2::curve(keys, with));
   take(RotationSpline::curve(keys, with));
-  if (least) return std::move(*least);
-  return Auto::curve(keys, with).map([&](auto curve) {
-    return stated(keys, settings, knots, AnyCurve(std::move(curve)), counts);
-  });
+  if (starts.size() == 2 && starts[1].first < starts[0].first) std::swap(starts[0], starts[1]);
+  Descents all(keys, settings, knots, counts);
+  for (const auto& [energy, start] : starts) {
+    all.from(start);
+    if (all.easy()) return all;
+  }
+  auto local = Auto::curve(keys, with);
+  if (!local && starts.empty()) return tl::unexpected(std::move(local.error()));
+  if (local) all.from(AnyCurve(std::move(*local)));
+  return all;
 }
 
 /// The key at a node, or before it.
@@ -166,17 +208,19 @@ Expected<RefinedChartCurve<5>> Least::curve(const Keyframes& keys, const FamilyS
   if (auto inertia = checked_inertia(inertia_of(settings)); !inertia) return tl::unexpected(std::move(inertia.error()));
   const Knots knots = key_knots(keys);
   Counts counts(knots.segments(), static_cast<std::size_t>(*nodes));
-  Expected<LeastProblem> problem = begun(keys, settings, knots, counts);
-  if (!problem) return tl::unexpected(std::move(problem.error()));
+  auto all = descents(keys, settings, knots, counts);
+  if (!all) return tl::unexpected(std::move(all.error()));
+  if (!all->best()) return tl::unexpected(not_converged(all->first(), counts));
+  LeastProblem problem = std::move(*all->best());
   for (int round = 0;; ++round) {
-    const LeastOutcome outcome = minimise(*problem);
-    if (!outcome.converged) return tl::unexpected(not_converged(outcome, counts));
-    Found least = found(*problem, counts);
-    const Counts more = refined(counts, least.excesses, energy_of(*problem));
+    Found least = found(problem, counts);
+    const Counts more = refined(counts, least.excesses, energy_of(problem));
     RefinedChartCurve<5> curve(knots, std::move(least.pieces));
     if (more.empty() || round == most_refinements) return curve;
     counts = more;
     problem = stated(keys, settings, knots, AnyCurve(std::move(curve)), counts);
+    if (const LeastOutcome outcome = minimise(problem); !outcome.converged)
+      return tl::unexpected(not_converged(outcome, counts));
   }
 }
 

@@ -10,6 +10,7 @@ struct LeastOutcome {
   bool converged;
   double last_step;    ///< LeastStep::size [rad]
   std::size_t widest;  ///< the node that has it
+  bool easy = true;    ///< steps of Gauss and Newton were enough
 };
 
 /// Steps below this end the iteration [rad]; it goes on while they get shorter.
@@ -19,7 +20,7 @@ inline constexpr double least_tolerance = 1e-9;
 [[nodiscard]] double energy_of(const LeastProblem& problem);
 
 /// Moves the nodes to a minimum of the energy, in linear time: by steps of Gauss and Newton, where these do not soon
-/// get shorter by those of Newton; damped where a step does not make the energy less.
+/// get shorter by those of Newton in a region of trust.
 [[nodiscard]] LeastOutcome minimise(LeastProblem& problem);
 
 }  // namespace orispline::inline ORISPLINE_ABI::families

@@ -52,20 +52,30 @@ struct LeastStep {
   }
 };
 
-/// Sums of squares of the columns of turn, ω and α of a node: what damping is relative to, whatever the frame.
-template <class Columns>
-[[nodiscard]] Eigen::Array3d damping_weights(const Columns& columns) {
-  return {columns.template middleCols<3>(0).squaredNorm(), columns.template middleCols<3>(3).squaredNorm(),
-          columns.template middleCols<3>(6).squaredNorm()};
-}
-
-/// The step of Gauss and Newton from the present nodes, by elimination from node to node; damped as by Levenberg and
-/// Marquardt.
+/// The step of Gauss and Newton from the present nodes, by elimination from node to node.
 template <LeastOf F>
-[[nodiscard]] LeastStep gauss_newton_step(const LeastProblem& problem, double damping);
+[[nodiscard]] LeastStep gauss_newton_step(const LeastProblem& problem);
 
-/// That of Newton with all second derivatives. Absent where the damped Hessian is not positive definite.
-template <LeastOf F>
-[[nodiscard]] std::optional<LeastStep> newton_step(const LeastProblem& problem, double damping);
+/// The equations of Newton's method with all second derivatives at the present nodes, damped as by
+/// Levenberg and Marquardt: symmetric, with a block for each node and one to the next.
+class LeastNewton {
+ public:
+  template <LeastOf F>
+  [[nodiscard]] static LeastNewton at(const LeastProblem& problem);
+
+  struct Step {
+    LeastStep step;
+    double gain;  ///< by which the energy would fall if it were of second order
+  };
+  /// Absent where the damped Hessian is not positive definite.
+  [[nodiscard]] std::optional<Step> step(const LeastProblem& problem, double damping) const;
+
+ private:
+  using Block = Eigen::Matrix<double, 9, 9>;
+  using Move = Eigen::Matrix<double, 9, 1>;
+  std::vector<Block> blocks_{}, links_{};
+  std::vector<Move> sides_{};
+  std::vector<Eigen::Array3d> weights_{};
+};
 
 }  // namespace orispline::inline ORISPLINE_ABI::families

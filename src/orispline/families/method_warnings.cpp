@@ -7,6 +7,7 @@
 
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
+#include <orispline/curve/free_rate.hpp>
 #include <orispline/curve/increments.hpp>
 #include <orispline/curve/rate_comparison.hpp>
 #include <orispline/curve/three_key_rates.hpp>
@@ -52,9 +53,19 @@ constexpr double misfit_of_opposed_rates = 1.2;  // beyond that of rests, 1; ind
 
 /// Rates that turn otherwise than the keys do.
 std::optional<Warning> contradicting_rates(const FamilyInfo& family, const Keyframes& keys) {
-  if (family.rate_orders == 0 || keys.angular_velocities().empty() || keys.size() < fewest_keys) return std::nullopt;
-  const auto turned = three_key_rates(keys.times(), increments_between(keys.orientations()));
-  const RateComparison comparison{keys.orientations(), keys.angular_velocities(), turned};
+  const auto rates = keys.angular_velocities();
+  if (family.rate_orders == 0 || rates.empty() || keys.size() < fewest_keys) return std::nullopt;
+  const auto all_turned = three_key_rates(keys.times(), increments_between(keys.orientations()));
+  std::vector<Eigen::Quaterniond> orientations;
+  std::vector<Eigen::Vector3d> given, turned;  // where they are not free
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (is_free(rates[i])) continue;
+    orientations.push_back(keys.orientations()[i]);
+    given.push_back(rates[i]);
+    turned.push_back(all_turned[i]);
+  }
+  if (given.size() < fewest_keys) return std::nullopt;
+  const RateComparison comparison{orientations, given, turned};
   const double misfit = comparison.misfit();
   const auto meaning = comparison.better_meaning();
   if (!meaning && misfit <= misfit_of_opposed_rates) return std::nullopt;
@@ -73,13 +84,17 @@ constexpr double largest_sum = 10.0;
 std::optional<Warning> contradicting_accelerations(const FamilyInfo& family, const Keyframes& keys) {
   const auto times = keys.times();
   const auto rates = keys.angular_velocities(), accelerations = keys.angular_accelerations();
-  if (family.rate_orders < 2 || accelerations.empty() || keys.size() < fewest_keys) return std::nullopt;
+  if (family.rate_orders < 2 || !any_given(rates) || accelerations.empty() || keys.size() < fewest_keys)
+    return std::nullopt;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();  // of the trapezia: ∫α dt is the change of ω, both of the body
-  double largest_change = 0.0, largest_rate = rates.front().norm();
-  for (std::size_t i = 1; i < keys.size(); ++i) {
-    sum += 0.5 * (times[i] - times[i - 1]) * (accelerations[i - 1] + accelerations[i]);
+  double largest_change = 0.0, largest_rate = 0.0;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (!is_free(rates[i])) largest_rate = std::max(largest_rate, rates[i].norm());
+    if (i == 0) continue;
+    const Eigen::Vector3d both = accelerations[i - 1] + accelerations[i];
+    if (both.hasNaN()) sum.setZero();  // one is free
+    else sum += 0.5 * (times[i] - times[i - 1]) * both;
     largest_change = std::max(largest_change, sum.norm());
-    largest_rate = std::max(largest_rate, rates[i].norm());
   }
   if (largest_change <= largest_sum * largest_rate) return std::nullopt;
   return Warning{
@@ -104,7 +119,7 @@ bool moves_between(const AnyCurve& curve, std::size_t segment) {
 
 /// Equal keys between which the curve does not stand still.
 std::optional<Warning> moving_rests(const Method& method, const FamilyInfo& family, const Keyframes& keys) {
-  const bool has_rates = family.rate_orders > 0 && !keys.angular_velocities().empty();  // which say how it moves
+  const bool has_rates = family.rate_orders > 0 && any_given(keys.angular_velocities());  // which say how it moves
   if (!family.interpolates || family.key_use.stride > 1 || has_rates) return std::nullopt;
   std::vector<std::size_t> rests = keys.rests();
   if (rests.empty()) return std::nullopt;

@@ -57,9 +57,10 @@ struct ReadOptions {
   int rate_orders = 1;
   /// Read `wx_world,…` where there are none in the body frame, and turn them into it.
   bool world_rates = false;
-  bool drop_duplicates = false;  ///< of equal times keep the first
-  bool drop_invalid = false;     ///< drop rows where a cell that is needed is empty, NaN or infinite
-  bool sort = false;             ///< by time; rows of equal time keep their order
+  FreeRates free_rates = FreeRates::allowed;  ///< what a rate without numbers in its cells is
+  bool drop_duplicates = false;               ///< of equal times keep the first
+  bool drop_invalid = false;                  ///< drop rows where a cell that is needed is empty, NaN or infinite
+  bool sort = false;                          ///< by time; rows of equal time keep their order
   bool keep_exact_times = false;
   bool keep_as_read = false;  ///< orientations with the norms and signs of the file, for read_track()
   bool keep_table = false;
@@ -76,6 +77,7 @@ struct RepairReport {
   std::size_t rows_moved = 0;
   std::size_t normalised = 0;       ///< quaternions farther than `norm_error_limit` from norm 1
   double largest_norm_error = 0.0;  ///< of those
+  std::size_t rates_left_free = 0;  ///< keys of which a rate that is read has no numbers; nothing is changed there
 };
 
 /// What a file of keyframes holds.

@@ -9,6 +9,7 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
+#include <orispline/curve/free_rate.hpp>
 #include <orispline/curve/motion.hpp>
 #include <orispline/io/iso_time.hpp>
 #include <orispline/io/row_reader.hpp>
@@ -53,6 +54,16 @@ std::array<Eigen::Vector3d, 3> body_rates(const KeyRow& key, const RateColumns& 
   return rates;
 }
 
+/// A jerk in the frame of the world is turned into the body's by the rates of lower orders, which must not be free.
+Expected<void> check_turned_jerk(const KeyRow& key, const RateColumns& columns, const TextTable& table) {
+  if (!columns[2] || columns[2]->frame != Frame::world || is_free(key.rates[2])) return {};
+  if (!is_free(key.rates[0]) && !is_free(key.rates[1])) return {};
+  return failure(ErrorCode::bad_data,
+                 "found an angular jerk in the frame of the world without the angular velocity and acceleration of its "
+                 "key, wanted them as well, or the jerk left free",
+                 table.here(columns[2]->columns[0].index));
+}
+
 /// Rows that stand after a row of later time.
 std::size_t late_rows(const std::vector<Decimal>& times) {
   std::size_t late = 0;
@@ -84,7 +95,7 @@ Expected<void> KeyRows::add(const TextTable& table) {
     return tl::unexpected(std::move(error));
   };
   if (auto checked = check_width(table, columns_.width); !checked) return refused(std::move(checked.error()));
-  RowReader row(table, options_.clock);
+  RowReader row(table, options_.clock, options_.free_rates);
   const KeyRow key = row.key(columns_);
   if (row.refused()) return refused(*row.refused());
   if (auto error = row.not_finite()) {
@@ -96,6 +107,7 @@ Expected<void> KeyRows::add(const TextTable& table) {
   const auto unit = normalised(key.orientation, table.here());
   if (!unit) return refused(unit.error());
   const Eigen::Quaterniond orientation = options_.conjugate ? unit->conjugate() : *unit;
+  if (auto turned = check_turned_jerk(key, columns_.rates, table); !turned) return refused(std::move(turned.error()));
   if (options_.sort) {
     times_.push_back(key.time);
   } else {
@@ -114,6 +126,7 @@ Expected<void> KeyRows::add(const TextTable& table) {
   const auto rates = body_rates(key, columns_.rates, orientation);
   for (std::size_t k = 0; k < rates.size(); ++k)
     if (columns_.rates[k]) (file_.data.*rates_of_keys[k]).push_back(rates[k]);
+  if (std::ranges::any_of(rates, is_free)) ++file_.repairs.rates_left_free;
   for (std::size_t i = 0; i < key.parameters.size(); ++i)
     file_.parameters[columns_.parameters[i].name].push_back(key.parameters[i]);
   return {};

@@ -11,6 +11,12 @@
 
 namespace orispline::inline ORISPLINE_ABI::io {
 
+/// What a rate without a number in its three cells is.
+enum class FreeRates {
+  allowed,  ///< left free: NaN
+  refused,  ///< not finite
+};
+
 /// Which angular rates are read.
 struct RateReading {
   int orders = 1;      ///< highest order: 0 none, 1 angular velocities, 2 and accelerations, 3 and jerks

@@ -6,6 +6,7 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
+#include <orispline/curve/free_rate.hpp>
 #include <orispline/io/iso_time.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::io {
@@ -15,7 +16,7 @@ KeyRow RowReader::key(const KeyColumns& columns) {
   set_orientation(key, columns);
   if (columns.position) key.position = vector(*columns.position);
   for (std::size_t k = 0; k < columns.rates.size(); ++k)
-    if (columns.rates[k]) key.rates[k] = vector(columns.rates[k]->columns);
+    if (columns.rates[k]) key.rates[k] = rate(columns.rates[k]->columns);
   for (const ParameterColumn& column : columns.parameters) key.parameters.push_back(number({column.index}));
   return key;
 }
@@ -24,7 +25,8 @@ std::optional<Error> RowReader::not_finite() const {
   if (!not_finite_) return std::nullopt;
   const std::string_view cell = table_.cells()[*not_finite_];
   return mended_by("drop_invalid",
-                   formatted("found {}, wanted a finite number", cell.empty() ? "an empty cell" : in_quotes(cell)),
+                   formatted("found {}, wanted a finite number{}", cell.empty() ? "an empty cell" : in_quotes(cell),
+                             not_finite_in_rate_ ? ", or none in all three cells of the rate to leave it free" : ""),
                    table_.here(not_finite_))
       .value();
 }
@@ -57,6 +59,15 @@ double RowReader::number(const NumberColumn& column) {
 Eigen::Vector3d RowReader::vector(const VectorColumns& columns) {
   const double x = number(columns[0]), y = number(columns[1]), z = number(columns[2]);
   return {x, y, z};
+}
+
+Eigen::Vector3d RowReader::rate(const VectorColumns& columns) {
+  if (free_rates_ == FreeRates::refused) return vector(columns);
+  const auto before = not_finite_;
+  const Eigen::Vector3d rate = vector(columns);
+  if (is_free(rate)) not_finite_ = before;
+  else if (!before && rate.hasNaN()) not_finite_in_rate_ = true;
+  return rate;
 }
 
 void RowReader::set_orientation(KeyRow& key, const KeyColumns& columns) {

@@ -24,7 +24,8 @@ struct KeyRow {
 /// Reads the cells of one row; remembers the first that is no number and the first that is not finite.
 class RowReader {
  public:
-  RowReader(const TextTable& table, const Clock& clock) : table_(table), clock_(clock) {}
+  RowReader(const TextTable& table, const Clock& clock, FreeRates free_rates)
+      : table_(table), clock_(clock), free_rates_(free_rates) {}
 
   [[nodiscard]] KeyRow key(const KeyColumns& columns);
 
@@ -38,14 +39,17 @@ class RowReader {
   [[nodiscard]] Decimal iso_time(const KeyColumns& columns);
   [[nodiscard]] double number(const NumberColumn& column);
   [[nodiscard]] Eigen::Vector3d vector(const VectorColumns& columns);
+  [[nodiscard]] Eigen::Vector3d rate(const VectorColumns& columns);
   void set_orientation(KeyRow& key, const KeyColumns& columns);
   void refuse(std::optional<std::size_t> index, Error error);
   void note_not_finite(std::size_t index);
 
   const TextTable& table_;
   const Clock& clock_;
+  FreeRates free_rates_;
   std::optional<Error> refused_;
   std::optional<std::size_t> not_finite_;
+  bool not_finite_in_rate_ = false;  // which could be free
 };
 
 }  // namespace orispline::inline ORISPLINE_ABI::io

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/io/sample_rows.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 #include <orispline/base/formatted.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::io {
@@ -44,7 +47,12 @@ Expected<void> SampleRows::append(const TimeOrigin& origin, double offset, const
 }
 
 bool SampleRows::may_write(const RowNumbers& numbers, const Sample& sample) const noexcept {
-  return numbers.are_finite() || (missing_ == MissingSamples::written && sample.motion.orientation.coeffs().hasNaN());
+  if (numbers.are_finite()) return true;
+  const bool has_orientation = !sample.motion.orientation.coeffs().hasNaN();
+  if (missing_ == MissingSamples::written) return !has_orientation;
+  const auto is_infinite = [](double number) { return std::isinf(number); };
+  return missing_ == MissingSamples::free_rates && has_orientation &&
+         std::ranges::none_of(numbers.values(), is_infinite);
 }
 
 /// The time in whole units of the format, which no two neighbours may share.

@@ -12,8 +12,12 @@ namespace orispline::inline ORISPLINE_ABI::io {
 
 inline constexpr std::size_t written_block = std::size_t{256} << 10;  ///< [bytes] of rows, best written at a time
 
-/// Samples that are NaN, at times for which there are none.
-enum class MissingSamples { refused, written };
+/// What may be NaN in rows.
+enum class MissingSamples {
+  refused,
+  written,    ///< samples at times for which there are none
+  free_rates  ///< rates that keys leave free
+};
 
 /// Rows of samples as their file holds them, gathered in memory: several threads may each make some.
 class ORISPLINE_EXPORT SampleRows {
@@ -23,8 +27,8 @@ class ORISPLINE_EXPORT SampleRows {
       : columns_(columns), missing_(missing) {}
 
   /// Appends the sample at a time [s]. Errors (bad_data), after which nothing is appended: a number that is not finite,
-  /// unless it is a missing sample's; two samples in succession that fall on the same time, where the format rounds
-  /// times.
+  /// unless it is that of a sample or a rate which may be missing; two samples in succession that fall on the same
+  /// time, where the format rounds times.
   [[nodiscard]] Expected<void> append(const Decimal& time, const Sample& sample);
   /// Appends a sample at an offset [s] from an origin.
   [[nodiscard]] Expected<void> append(const TimeOrigin& origin, double offset, const Sample& sample);

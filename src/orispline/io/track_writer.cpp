@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/curve/free_rate.hpp>
 #include <orispline/io/key_table.hpp>
 #include <orispline/io/recipe_line.hpp>
 #include <orispline/io/sample_rows.hpp>
@@ -14,9 +15,16 @@
 namespace orispline::inline ORISPLINE_ABI::io {
 namespace {
 
+/// The highest order that there is.
 int rate_orders_of(const Keyframes& keys) {
-  const std::array rates{keys.angular_velocities(), keys.angular_accelerations(), keys.angular_jerks()};
-  return static_cast<int>(std::ranges::count_if(rates, [](const auto& values) { return !values.empty(); }));
+  if (!keys.angular_jerks().empty()) return 3;
+  if (!keys.angular_accelerations().empty()) return 2;
+  return keys.angular_velocities().empty() ? 0 : 1;
+}
+
+/// A rate that the keys of this track may not have.
+Eigen::Vector3d rate_at(std::span<const Eigen::Vector3d> rates, std::size_t key) {
+  return rates.empty() ? free_rate() : rates[key];
 }
 
 /// Those that the keys of a track fill.
@@ -33,9 +41,9 @@ Sample sample_at(const Track& track, const SampleColumns& columns, std::size_t k
   const Keyframes& keys = track.keys;
   Sample sample{.motion = {.orientation = track.written(key)}};
   if (columns.positions) sample.linear_motion.position = keys.positions()[key];
-  if (columns.derivatives > 0) sample.motion.angular_velocity = keys.angular_velocities()[key];
-  if (columns.derivatives > 1) sample.motion.angular_acceleration = keys.angular_accelerations()[key];
-  if (columns.derivatives > 2) sample.motion.angular_jerk = keys.angular_jerks()[key];
+  if (columns.derivatives > 0) sample.motion.angular_velocity = rate_at(keys.angular_velocities(), key);
+  if (columns.derivatives > 1) sample.motion.angular_acceleration = rate_at(keys.angular_accelerations(), key);
+  if (columns.derivatives > 2) sample.motion.angular_jerk = rate_at(keys.angular_jerks(), key);
   return sample;
 }
 
@@ -52,7 +60,7 @@ std::optional<std::string_view> lacking_for_recipe(const Track& track, const Sam
 }
 
 Expected<void> write_rows(OutputFile& file, const Track& track, const SampleColumns& columns) {
-  SampleRows rows(columns);
+  SampleRows rows(columns, MissingSamples::free_rates);
   std::vector<double> settings(track.settings.size());
   for (std::size_t key = 0; key < track.keys.size(); ++key) {
     std::ranges::transform(track.settings, settings.begin(), [key](const auto& column) { return column.second[key]; });

@@ -13,13 +13,15 @@ struct Part {
   std::optional<Eigen::Vector3d> StreamKey::*value;
   bool KeyParts::*wanted;
   const char *name, *one;
+  std::optional<Error> (*check)(std::size_t, const char*, const Eigen::Vector3d&);
 };
 constexpr std::array parts{
-    Part{&StreamKey::position, &KeyParts::position, "position", "a position"},
-    Part{&StreamKey::angular_velocity, &KeyParts::angular_velocity, "angular velocity", "an angular velocity"},
+    Part{&StreamKey::position, &KeyParts::position, "position", "a position", check_vector},
+    Part{&StreamKey::angular_velocity, &KeyParts::angular_velocity, "angular velocity", "an angular velocity",
+         check_rate},
     Part{&StreamKey::angular_acceleration, &KeyParts::angular_acceleration, "angular acceleration",
-         "an angular acceleration"},
-    Part{&StreamKey::angular_jerk, &KeyParts::angular_jerk, "angular jerk", "an angular jerk"}};
+         "an angular acceleration", check_rate},
+    Part{&StreamKey::angular_jerk, &KeyParts::angular_jerk, "angular jerk", "an angular jerk", check_rate}};
 
 }  // namespace
 
@@ -45,7 +47,7 @@ Expected<Eigen::Quaterniond> checked_orientation(std::uint64_t index, const Stre
                            : formatted("found no {}, wanted one as the keys before have", part.name),
                      {.key = place});
     if (value)
-      if (auto error = check_vector(place, part.name, *value)) return tl::unexpected(std::move(*error));
+      if (auto error = part.check(place, part.name, *value)) return tl::unexpected(std::move(*error));
   }
   const auto norm = checked_norm(place, key.orientation);
   if (!norm) return tl::unexpected(norm.error());

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/curve/free_rate.hpp>
 #include <orispline/smooth/smooth_fields.hpp>
 #include <orispline/smooth/smoothing_stretches.hpp>
 
@@ -43,6 +44,11 @@ Expected<void> check_recording(const Keyframes& recording, const SmoothOptions& 
   }
   if (options.gyro && recording.angular_velocities().empty())
     return failure(ErrorCode::bad_data, "found no angular velocities of the body, wanted wx,wy,wz of the gyro");
+  if (options.gyro)
+    if (const auto free = std::ranges::find_if(recording.angular_velocities(), is_free);
+        free != recording.angular_velocities().end())
+      return failure(ErrorCode::bad_data, "the angular velocity is left free, wanted that of the gyro at every sample",
+                     {.key = static_cast<std::size_t>(free - recording.angular_velocities().begin())});
   if (options.position_noise && recording.positions().empty())
     return failure(ErrorCode::bad_data, "found no positions, wanted px,py,pz for `position_noise`");
   return {};
