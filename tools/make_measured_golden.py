@@ -4,7 +4,7 @@
 
 Keys, their rates, samples and bands are those of golden_measured.json (by default in ../shared/math beside the
 checkout), which its reference computed in double precision. What is found of the keys is computed here with 40 digits,
-by solving the models' eleven equations of docs/families/measured.md as they stand: half an hour on one processor.
+by solving the models' eleven equations of docs/families/measured.md as they stand: five minutes.
 
     tools/make_measured_golden.py [--source FOLDER]            write the tables
     tools/make_measured_golden.py [--source FOLDER] --check    compare with the committed tables, write nothing

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <string>
 
-#include <orispline/families/key_findings.hpp>
 #include <orispline/families/key_windows.hpp>
 #include <orispline/math/median.hpp>
 

@@ -8,12 +8,10 @@
 #include <orispline/curve/family.hpp>
 #include <orispline/curve/hermite_path.hpp>
 #include <orispline/curve/keyframe.hpp>
-#include <orispline/curve/method.hpp>
-#include <orispline/families/model_weights.hpp>
+#include <orispline/families/auto_rates.hpp>
+#include <orispline/families/key_findings.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
-
-namespace families {
+namespace orispline::inline ORISPLINE_ABI::families {
 
 /// The curve of `auto` with rates that are fitted to what the keys say about themselves: how smooth, how noisy and how
 /// certain the motion is.
@@ -49,22 +47,7 @@ struct Measured {
   [[nodiscard]] static Expected<HermitePath<5>> path(const Keyframes& keys, const FamilySettings& settings);
 };
 
-}  // namespace families
+/// What the keys say, or the settings instead. At least `least_window` keys.
+[[nodiscard]] KeyFindings findings_of(const Keyframes& keys, Through through, const FamilySettings& settings);
 
-/// What the keys of a track say about the motion that they are of, by the method `measured`.
-struct KeyFindings {
-  double interval = 0.0;         ///< median time between keys [s], the unit of the models' lengths
-  families::ModelBelief belief;  ///< the models' shares and how far polynomials are to be believed
-  double trust = 0.0;            ///< mean share of a key's window that counts: less across gaps and large turns
-  bool given = false;            ///< all by settings of the method, none found
-};
-
-/// By the orientations of the keys, or by the settings as far as these give the numbers. Fewer than nine keys say
-/// nothing. Error: bad_argument for settings that the method does not accept.
-[[nodiscard]] ORISPLINE_EXPORT Expected<std::optional<KeyFindings>> key_findings(const Method& method,
-                                                                                 const Keyframes& keys);
-
-/// The method with these findings as settings: a segment of its curve depends on ten keys.
-[[nodiscard]] ORISPLINE_EXPORT Method with_findings(Method method, const KeyFindings& findings);
-
-}  // namespace orispline::inline ORISPLINE_ABI
+}  // namespace orispline::inline ORISPLINE_ABI::families

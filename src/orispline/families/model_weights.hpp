@@ -5,16 +5,10 @@
 #include <cstddef>
 #include <vector>
 
+#include <orispline/families/key_findings.hpp>
 #include <orispline/families/motion_models.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::families {
-
-/// What the keys say about the motion that they are of.
-struct ModelBelief {
-  std::array<double, model_count> models{1.0};  ///< shares of the models, 1 together
-  double polynomial = 1.0;                      ///< how far the polynomial of `auto` is to be believed
-  double polynomial9 = 0.0;                     ///< how far the one through nine keys is to be believed instead
-};
 
 /// Squared misses of one key, when it is predicted from its neighbours, and how much each comparison heeds them.
 struct KeyMisses {

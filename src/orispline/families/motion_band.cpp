@@ -7,8 +7,8 @@
 #include <numeric>
 
 #include <orispline/base/formatted.hpp>
-#include <orispline/families/key_findings.hpp>
 #include <orispline/families/key_windows.hpp>
+#include <orispline/families/measured.hpp>
 #include <orispline/math/elementary.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {

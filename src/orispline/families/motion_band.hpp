@@ -6,9 +6,7 @@
 
 #include <orispline/base/expected.hpp>
 #include <orispline/curve/keyframe.hpp>
-#include <orispline/curve/knots.hpp>
 #include <orispline/curve/method.hpp>
-#include <orispline/families/measured.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
 
