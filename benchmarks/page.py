@@ -35,6 +35,8 @@ AT_MOST = [
 STATED = [("a sample with its angular velocity and acceleration", "rates_ns", "ns"),
           ("… times an Eigen product with the same rates", "vs_eigen_rates", "×"),
           ("compiling all records, per key (not needed for sampling)", "compile_ns_per_key", "ns"),
+          ("making `measured`, per key", "measured_ns", "ns"),
+          ("… times making `rotation-spline` of 10000 keys", "measured_vs_rotation_spline", "×"),
           ("a sample of `auto`", "auto_sample_ns", "ns"),
           ("a sample of `rational`", "rational_ns", "ns")]
 

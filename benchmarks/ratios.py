@@ -103,6 +103,8 @@ def construction(run):
         "setup_ns_per_key": added(part("keyframes"), part("timed-c2")),
         "compile_ns_per_key": part("compile"),
         "auto_ns": added(part("keyframes"), part("auto")),
+        "measured_ns": added(part("keyframes"), part("measured")),
+        "measured_vs_rotation_spline": divided(part("measured"), run.ns("setup/rotation-spline/10000")),
         "auto_sample_ns": run.ns("auto/ours"),
     }
 

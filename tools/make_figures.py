@@ -10,6 +10,7 @@ import sys
 from pathlib import Path
 from typing import NamedTuple
 
+from band_figure import band_figure
 from rotations import DEGREE, conjugate, norm, times, to_world, turn
 from sampled_motion import Motion, sampled
 from sphere_view import sphere
@@ -282,6 +283,7 @@ def main():
                for name, curves in families(command).items()}
     figures["families/beta-parameters"] = beta_parameters_figure(command)
     figures["families/auto-distance"] = auto_distance_figure(command)
+    figures["families/measured"] = band_figure(command, Motion(text_of("flight_truth.csv")), table)
     figures["closed"] = closed_figure(command)
     figures["flight"] = flight_figure(command)
     for name, figure in figures.items():

@@ -39,7 +39,7 @@ void ask_setup(const Sizes& sizes) {
   data.orientations.assign(keys.orientations().begin(), keys.orientations().end());
   const AnyCurve curve = value_or_give_up(make_curve("timed-c2", keys));
   measure_these("keyframes", [data] { return value_or_give_up(Keyframes::make(data)); });
-  for (const char* method : {"timed-c2", "quintic", "auto", "auto5"})
+  for (const char* method : {"timed-c2", "quintic", "auto", "auto5", "measured"})
     measure_these(method, [keys, method] { return value_or_give_up(make_curve(method, keys)); });
   measure_these("compile", [curve] { return CompiledCurve<double>(curve); });
   for (const std::size_t count : {10u, 1000u, 10000u})  // as SciPy's makes them

@@ -7,6 +7,7 @@
 
 #include <orispline/analysis/key_statistics.hpp>
 #include <orispline/analysis/leave_out.hpp>
+#include <orispline/families/motion_band.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/math/slerp.hpp>
 
@@ -51,6 +52,20 @@ TEST(Comparison, OfACandidateWithoutKeysSaysSo) {
   EXPECT_EQ(measures.error().message, "empty: no keys");
   EXPECT_EQ(key_statistics(none.keys).span, 0.0);
   EXPECT_FALSE(leave_out_error(none.keys));
+}
+
+TEST(Measure, TellsTheShareInsideTheBandOfAMethodThatHasOne) {
+  const Motions motion = cubic_motion();
+  const Keyframes keys = motion.every(2);
+  const auto banded = measure({.method = "measured", .keys = keys}, motion.recording());
+  ASSERT_TRUE(banded && banded->inside_band);
+  const MotionBand band = MotionBand::make("measured", keys, 0.9).value();
+  const AnyCurve curve = make_curve("measured", keys).value();
+  int inside = 0;
+  for (std::size_t i = 0; i < motion.times.size(); ++i)
+    inside += angular_distance(curve(motion.times[i]), motion.orientations[i]) <= band(motion.times[i]) ? 1 : 0;
+  EXPECT_EQ(*banded->inside_band, inside / 41.0);
+  EXPECT_FALSE(measure({.method = "auto", .keys = keys}, motion.recording())->inside_band);
 }
 
 TEST(Measure, FindsAMethodThatReproducesTheMotionWithoutError) {

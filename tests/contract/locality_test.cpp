@@ -38,6 +38,11 @@ class LocalityContract : public FamilyContract {
   [[nodiscard]] static std::size_t key_at_start(std::size_t segment) { return use().first + segment * use().stride; }
   [[nodiscard]] static std::size_t key_at_end(std::size_t segment) { return key_at_start(segment) + use().stride; }
 
+  /// Weights of models that depend on all keys are not felt everywhere: only where what is found is given as settings
+  /// is there a support, to which tests of the family hold it.
+  static constexpr const char* by_settings = "local only where settings give what it finds of the keys";
+  [[nodiscard]] static bool is_local_by_settings() { return GetParam().is_global() && GetParam().keys_beside; }
+
   /// Keys that a segment may depend on, as many on either side, and so many more.
   [[nodiscard]] static bool within_support(std::size_t key, std::size_t segment, std::size_t more = 0) {
     if (GetParam().is_global()) return true;
@@ -54,6 +59,7 @@ class LocalityContract : public FamilyContract {
 };
 
 TEST_P(LocalityContract, SegmentFeelsTheKeysOfItsSupportAndNoOthers) {
+  if (is_local_by_settings()) GTEST_SKIP() << by_settings;
   const KeyframeData data = walk(34, segment_count, Spacing::uneven);  // no turn is so sharp that biarcs stop
   const AnyCurve before = curve(keyframes(data));
   for (std::size_t moved = 0; moved < data.times.size(); ++moved) {
@@ -67,6 +73,7 @@ TEST_P(LocalityContract, SegmentFeelsTheKeysOfItsSupportAndNoOthers) {
 }
 
 TEST_P(LocalityContract, KeyTimesBeyondTheSupportDoNotMatter) {
+  if (is_local_by_settings()) GTEST_SKIP() << by_settings;
   const KeyframeData data = walk(32, segment_count, Spacing::uneven);
   const AnyCurve before = curve(keyframes(data));
   for (std::size_t moved = 0; moved < data.times.size(); ++moved) {
@@ -150,7 +157,7 @@ TEST_P(InfluenceContract, OfAKeyDiesAwayWithTheKeysBetween) {
 
 std::vector<FamilyInfo> solved_families() {
   std::vector<FamilyInfo> families(families_info().begin(), families_info().end());
-  std::erase_if(families, [](const FamilyInfo& family) { return !family.is_global(); });
+  std::erase_if(families, [](const FamilyInfo& family) { return !family.is_global() || family.keys_beside; });
   return families;
 }
 

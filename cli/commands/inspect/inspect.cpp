@@ -11,6 +11,7 @@
 
 #include "commands/inspect/inspect_report.hpp"
 #include "options/reading_flags.hpp"
+#include "output/findings_text.hpp"
 #include "output/standard_output.hpp"
 
 namespace orispline::cli {
@@ -78,7 +79,7 @@ Expected<InspectReport> inspected(const InputRequest& input, const std::vector<M
     if (!curve) return tl::unexpected(curve.error());
     const Seam seam = method.options.loop ? Seam::closed : Seam::open;
     report.methods.push_back({method.name, continuity_at_keys(curve->orientation, seam),
-                              shape_continuity_at_keys(curve->orientation, seam)});
+                              shape_continuity_at_keys(curve->orientation, seam), findings_by(method, track.keys)});
     std::ranges::move(warnings_of(method, track), std::back_inserter(warnings));
   }
   warn(warnings);

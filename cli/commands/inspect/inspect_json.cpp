@@ -4,6 +4,7 @@
 #include <orispline/math/degrees.hpp>
 
 #include "options/input_options.hpp"
+#include "output/findings_text.hpp"
 #include "output/json_document.hpp"
 
 namespace orispline::cli {
@@ -58,12 +59,13 @@ void add_shape(Json& method, const ShapeContinuity& shape) {
 
 Json methods(const InspectReport& report) {
   Json methods = Json::array();
-  for (const auto& [name, continuity, shape] : report.methods) {
+  for (const auto& [name, continuity, shape, findings] : report.methods) {
     Json method{{"method", name}, {"continuity_order", continuity.order()}};
     add_jump(method, "angular_velocity", "rad_s", continuity.angular_velocity);
     add_jump(method, "angular_acceleration", "rad_s2", continuity.angular_acceleration);
     add_jump(method, "angular_jerk", "rad_s3", continuity.angular_jerk);
     add_shape(method, shape);
+    method["findings"] = findings_json(findings);
     methods.push_back(std::move(method));
   }
   return methods;

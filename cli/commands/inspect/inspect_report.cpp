@@ -3,7 +3,10 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
+#include <orispline/families/method_text.hpp>
 #include <orispline/math/degrees.hpp>
+
+#include "output/findings_text.hpp"
 
 namespace orispline::cli {
 namespace {
@@ -69,7 +72,7 @@ std::string methods_table(const InspectReport& report) {
       "\nLargest jumps at the keys, absolute and relative to the largest rate\n{:20}{:>5}  "
       "{:>20}  {:>20}  {:>20}\n",
       "method", "order", "ω [rad/s]", "α [rad/s²]", "jerk [rad/s³]");
-  for (const auto& [method, c, _] : report.methods)
+  for (const auto& [method, c, shape, findings] : report.methods)
     table += formatted("{:20}{:>5}  {}  {}  {}\n", method, formatted("C{}", c.order()), jump_cell(c.angular_velocity),
                        jump_cell(c.angular_acceleration), jump_cell(c.angular_jerk));
   return table;
@@ -94,11 +97,20 @@ std::string shapes_table(const InspectReport& report) {
       "\nThe same of the shape, whatever the speed: how the path turns by the angle travelled\n{:20}{:>5}  "
       "{:>20}  {:>20}  {:>20}\n",
       "method", "shape", "direction", "curvature [1/rad]", "its change [1/rad²]");
-  for (const auto& [method, _, s] : report.methods)
+  for (const auto& [method, continuity, s, findings] : report.methods)
     table += formatted("{:20}{:>5}  {}  {}  {}\n", method, order_cell(s.order()), jump_cell(s.direction),
                        jump_cell(s.curvature), jump_cell(s.curvature_rate));
   for (const MethodReport& method : report.methods) table += rest_line(report, method);
   return table;
+}
+
+std::string findings_lines(const InspectReport& report) {
+  std::string lines;
+  for (const MethodReport& method : report.methods)
+    if (method.findings)
+      lines += formatted("\nThe keys say to {}: {}\nwhich as settings are '{}'\n", method.name,
+                         text_of(*method.findings), text_of(with_findings(method.name, *method.findings)));
+  return lines;
 }
 
 }  // namespace
@@ -107,7 +119,7 @@ std::string text_of(const InspectReport& report) {
   std::string text =
       keys_lines(report) + recipe_line(report.file.track.recipe) + half_turn_line(report) + quality_lines(report);
   if (report.defect) text += formatted("defect        {}\n", *report.defect);
-  return text + methods_table(report) + shapes_table(report);
+  return text + methods_table(report) + shapes_table(report) + findings_lines(report);
 }
 
 }  // namespace orispline::cli

@@ -8,6 +8,7 @@
 #include <orispline/analysis/continuity.hpp>
 #include <orispline/analysis/key_statistics.hpp>
 #include <orispline/analysis/shape_continuity.hpp>
+#include <orispline/families/measured.hpp>
 #include <orispline/io/track_file.hpp>
 
 namespace orispline::cli {
@@ -17,6 +18,7 @@ struct MethodReport {
   std::string name;
   Continuity continuity;  ///< in time
   ShapeContinuity shape;
+  std::optional<KeyFindings> findings{};  ///< by the method measured
 };
 
 /// What `orispline inspect` found. Places are indices of keys.

@@ -12,6 +12,7 @@
 #include "commands/sample/sample_stream.hpp"
 #include "commands/sample/sampling.hpp"
 #include "output/each_input.hpp"
+#include "output/findings_text.hpp"
 #include "output/gathered_output.hpp"
 #include "output/noted_output.hpp"
 #include "output/standard_output.hpp"
@@ -24,6 +25,8 @@ struct Source {
   io::TrackFile file;
   PoseCurve curve;
   SampleTimes times;
+  std::optional<MotionBand> band;
+  std::optional<KeyFindings> findings;
 };
 
 std::size_t rate_orders_of(const Keyframes& keys) {
@@ -56,7 +59,15 @@ Expected<Source> open_source(const SampleRequest& request, io::KeyReader keys) {
   if (request.extrapolation == Extrapolation::hold) warn(range_warnings(wanted, track.epoch, domain));
   if (request.extrapolation == Extrapolation::error)
     if (auto stray = times->outside(domain)) return tl::unexpected(std::move(*stray));
-  return Source{std::move(*file), std::move(*curve), std::move(*times)};
+  Source source{std::move(*file), std::move(*curve), std::move(*times), {}, {}};
+  const Keyframes& through = source.file.track.keys;
+  if (request.band) {
+    auto band = MotionBand::make(request.method, through, *request.band);
+    if (!band) return bad_option("band", band.error().message);
+    source.band = std::move(*band);
+  }
+  if (auto findings = findings_by(request.method, through)) source.findings = std::move(*findings);
+  return source;
 }
 
 Expected<TruthReport> truth_report(const std::string& path, const Source& source, const io::ReadOptions& options) {
@@ -89,6 +100,8 @@ SampleReport report_on(const Source& source, const SampleRequest& request, const
           .rate_orders = rate_orders_of(track.keys),
           .start = track.epoch + Decimal::from_double(domain.start),
           .end = track.epoch + Decimal::from_double(domain.end),
+          .findings = source.findings,
+          .band = request.band,
           .keys_held = true};
 }
 
@@ -103,7 +116,8 @@ Expected<SampleReport> sample_whole(const SampleRequest& request, io::KeyReader 
     if (!truth) return tl::unexpected(std::move(truth.error()));
     report.truth = std::move(*truth);
   }
-  const Sampling sampling{source->curve, source->times, columns, request.extrapolation, request.threads};
+  const Sampling sampling{source->curve,         source->times,   columns,
+                          request.extrapolation, request.threads, source->band ? &*source->band : nullptr};
   return open_samples(request.output, columns, source->times.size())
       .and_then([&](Noted<io::SampleWriter> output) {
         return write_samples(output.file, sampling, request.progress).and_then([&](std::size_t held) {

@@ -21,7 +21,7 @@ struct SampleOptions {
   MethodOptions shape;
   TimeOptions times;
   OutputOptions output;
-  std::optional<std::string> derivatives, frame, extrapolate, truth;
+  std::optional<std::string> derivatives, frame, extrapolate, truth, band;
   SummaryOptions summary;
 };
 

@@ -18,6 +18,7 @@ void SampleBuffer::resize(std::size_t size) {
   times_.resize(size);
   offsets_.resize(size);
   orientations_.resize(4 * size);
+  bands_.resize(columns_.band ? size : 0);
   room(angular_velocities_, derivatives >= 1);
   room(angular_accelerations_, derivatives >= 2);
   room(angular_jerks_, derivatives >= 3);
@@ -41,6 +42,7 @@ io::Sample SampleBuffer::sample(std::size_t k) const {
                                .angular_velocity = vector_of(angular_velocities_, k),
                                .angular_acceleration = vector_of(angular_accelerations_, k),
                                .angular_jerk = vector_of(angular_jerks_, k)}};
+  if (columns_.band) sample.band = bands_[k];
   if (columns_.positions)
     sample.linear_motion = LinearMotion{.position = vector_of(positions_, k),
                                         .velocity = vector_of(velocities_, k),

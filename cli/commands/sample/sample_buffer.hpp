@@ -22,6 +22,7 @@ class SampleBuffer {
   [[nodiscard]] Samples<double> room() noexcept;
   [[nodiscard]] std::span<double> times() noexcept { return times_; }      ///< on the curve [s]
   [[nodiscard]] std::span<double> offsets() noexcept { return offsets_; }  ///< as written, from the origin [s]
+  [[nodiscard]] std::span<double> bands() noexcept { return bands_; }      ///< [rad]
 
   [[nodiscard]] double time(std::size_t k) const noexcept { return times_[k]; }
   [[nodiscard]] double offset(std::size_t k) const noexcept { return offsets_[k]; }
@@ -30,7 +31,7 @@ class SampleBuffer {
  private:
   io::SampleColumns columns_;
   std::vector<double> times_, offsets_, orientations_, angular_velocities_, angular_accelerations_, angular_jerks_,
-      positions_, velocities_, accelerations_;
+      positions_, velocities_, accelerations_, bands_;
 };
 
 /// Rows of some samples of a buffer, as one thread makes them.

@@ -4,6 +4,7 @@
 #include <orispline/math/degrees.hpp>
 
 #include "commands/sample/sample.hpp"
+#include "output/findings_text.hpp"
 #include "output/json_document.hpp"
 #include "output/repairs_json.hpp"
 
@@ -45,6 +46,8 @@ Json json_of(const SampleReport& report) {
             {"sign_flips", report.keyframes.sign_flips},
             {"non_unit_keys", report.keyframes.non_unit_keys}};
   add_repairs(json, report.repairs);
+  json["findings"] = findings_json(report.findings);
+  json["band"] = report.band ? Json(*report.band) : Json(nullptr);
   json["truth"] = report.truth ? truth(*report.truth) : Json(nullptr);
   return json;
 }

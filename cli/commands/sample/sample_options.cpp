@@ -20,19 +20,20 @@ constexpr auto sample_footer = R"(Examples:
   orispline sample data.csv --rate 200 --output-orientation euler -o motion.csv
   orispline sample keys.csv --rate 100000 -o motion.npy
   orispline sample joints --rate 100 --output-folder motions
+  orispline sample recording.csv --method measured --band 0.9 --rate 100 -o motion.csv
   orispline sample ck.csv --columns t=sclk,qw=q0,qx=q1,qy=q2,qz=q3 --conjugate --rate 10 --frame world
 
 INPUT has the columns t,qw,qx,qy,qz and optionally px,py,pz, wx,wy,wz[,ax,ay,az[,jx,jy,jz]] (for methods that take
 rates) and one column per parameter of the method (a value per key); a parameter on the command line wins over its
 column. Instead of the quaternion: roll,pitch,yaw; e1,e2,e3 with --euler; r11,r12,...,r33; rx,ry,rz.
 '-' is standard input or output.
-Columns out: t,qw,qx,qy,qz[,px,py,pz][,wx,wy,wz[,ax,ay,az[,jx,jy,jz]]][,vx,vy,vz[,apx,apy,apz]]
+Columns out: t,qw,qx,qy,qz[,px,py,pz][,wx,wy,wz[,ax,ay,az[,jx,jy,jz]]][,vx,vy,vz[,apx,apy,apz]][,band]
 in s, m, rad/s, rad/s^2, rad/s^3, m/s, m/s^2; angular rates in the body frame, positions and theirs in the world frame.
 TUM and EuRoC files always have positions: zeros when the keys have none.
 At a --rate a method whose segments depend on a few keys is sampled while INPUT is read: memory grows neither with the
 keys nor with the samples, and rows before a bad one are on standard output before it is found. All keys are held for
-the other methods and for squad-timed, shoemake and tcb, with --count, --times, --truth, --sort, --closed or --period,
-and for NumPy into a pipe.
+the other methods and for squad-timed, shoemake and tcb, with --count, --times, --truth, --band, --sort, --closed or
+--period, and for NumPy into a pipe.
 A NumPy file (-o motion.npy) is one array of doubles, shape (samples, columns), with the columns of the CSV.
 Without -o the samples go to standard output as CSV; summaries and warnings go to standard error.)";
 
@@ -79,6 +80,11 @@ void add_sample_options(Command& app, SampleOptions& o) {
       ->group(group);
   app.add_option("--frame", o.frame, "Frame of the angular rates [body]")
       ->type_name(one_of(frame_choices))
+      ->group(group);
+  app.add_option("--band", o.band,
+                 "Column band [rad]: the radius about the curve of 'measured' that is meant to hold this share of the "
+                 "true motion, such as 0.9")
+      ->type_name("SHARE")
       ->group(group);
   app.add_option("--threads", o.inputs.threads,
                  "Threads that make the samples, which are the same on any number [all cores]")

@@ -11,6 +11,7 @@
 #include <orispline/base/quoted.hpp>
 #include <orispline/math/degrees.hpp>
 
+#include "output/findings_text.hpp"
 #include "output/repairs_text.hpp"
 #include "output/summary.hpp"
 
@@ -58,6 +59,8 @@ std::string text_of(const SampleReport& report) {
   text += rates_lines(report);
   text += formatted("{} with {} written to {}\n", counted(report.samples, "sample"), report.method_text,
                     destination(report.output));
+  if (report.findings) text += "the keys say: " + text_of(*report.findings) + "\n";
+  if (report.band) text += formatted("the band is meant to hold {:.4g} % of the true motion\n", 100.0 * *report.band);
   if (report.held_samples > 0) text += outside_text(report) + "\n";
   if (report.truth) text += truth_line(*report.truth);
   if (report.keys_held && report.keys >= many_keys)

@@ -7,6 +7,7 @@
 
 #include <orispline/analysis/distance.hpp>
 #include <orispline/curve/extrapolation.hpp>
+#include <orispline/families/measured.hpp>
 #include <orispline/io/key_file.hpp>
 #include <orispline/io/sample_writer.hpp>
 
@@ -33,7 +34,9 @@ struct SampleReport {
   std::size_t rate_orders = 0;  ///< of the keys' own rates that the curve has
   Decimal start{}, end{};       ///< of the curve, in the file's own time [s]
   std::optional<TruthReport> truth{};
-  bool keys_held = false;  ///< all at once, in memory
+  std::optional<KeyFindings> findings{};  ///< by the method measured
+  std::optional<double> band{};           ///< the share that the column is meant to hold
+  bool keys_held = false;                 ///< all at once, in memory
 };
 
 /// A few lines for people.

@@ -20,6 +20,14 @@ Expected<int> derivatives_in(OptionText option) {
   return static_cast<int>(*order);
 }
 
+Expected<double> share_in(OptionText option) {
+  constexpr std::string_view what = "a number between 0 and 1";
+  return positive_in(option, what).and_then([&](double share) -> Expected<double> {
+    if (share < 1.0) return share;
+    return wanted(option, what);
+  });
+}
+
 Expected<io::SampleColumns> columns_in(const SampleOptions& options, const io::FormatInfo* input = nullptr) {
   FirstError checked;
   auto columns = checked(output_columns(options.output));
@@ -30,6 +38,7 @@ Expected<io::SampleColumns> columns_in(const SampleOptions& options, const io::F
   const bool holds_rates = columns.format->holds.rates;
   columns.derivatives = derivatives.value_or(holds_rates ? default_csv_derivatives : 0);
   columns.frame = frame.value_or(io::Frame::body);
+  columns.band = options.band.has_value();
   auto read = std::move(checked).or_else(std::move(columns));
   if (!read || holds_rates) return read;
   const auto refused = [&](OptionText option, std::string_view only) {
@@ -37,6 +46,7 @@ Expected<io::SampleColumns> columns_in(const SampleOptions& options, const io::F
   };
   if (read->derivatives > 0) return refused({"--derivatives", *options.derivatives}, "0");
   if (read->frame == io::Frame::world) return refused({"--frame", *options.frame}, "body");
+  if (read->band) return refused({"--band", *options.band}, "none");
   return read;
 }
 
@@ -68,6 +78,7 @@ Expected<SampleRequest> sample_request(const SampleOptions& options) {
       .threads = checked(threads_in(options.inputs.threads)),
       .output = options.output.path,
       .truth = options.truth,
+      .band = checked(if_given("--band", options.band, share_in)),
       .progress = progress_for(options)};
   auto read = std::move(checked).or_else(std::move(request));
   if (!read) return read;

@@ -21,6 +21,7 @@ struct SampleRequest {
   std::size_t threads = 1;
   std::string output;
   std::optional<std::string> truth;
+  std::optional<double> band;  ///< the share of the true motion that it is meant to hold
   Progress::Show progress = Progress::Show::never;
 };
 

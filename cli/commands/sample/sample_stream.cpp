@@ -251,8 +251,8 @@ bool goes_in_pieces(const SampleRequest& request, const io::KeyReader& keys) {
                          request.extrapolation == Extrapolation::error || !(request.times.from || request.times.to);
   // A header that counts the rows stands before them; in a pipe that cannot be done later.
   const bool counts_later = !request.columns.format->writing.counts_rows || !io::is_stream(request.output);
-  if (!keys.columns() || !is_rate || !only_held || !counts_later || request.truth || request.input.read.sort ||
-      can_overwind(request.method.name) || writes_into_input(request))
+  if (!keys.columns() || !is_rate || !only_held || !counts_later || request.truth || request.band ||
+      request.input.read.sort || can_overwind(request.method.name) || writes_into_input(request))
     return false;
   const auto sampler = TrackSampler::make(with_columns(request.method, *keys.columns()), {});
   return sampler && !sampler->is_global();

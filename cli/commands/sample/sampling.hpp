@@ -2,6 +2,7 @@
 #pragma once
 
 #include <orispline/curve/extrapolation.hpp>
+#include <orispline/families/motion_band.hpp>
 #include <orispline/io/sample_writer.hpp>
 
 #include "options/method_options.hpp"
@@ -17,6 +18,7 @@ struct Sampling {
   io::SampleColumns columns;
   Extrapolation extrapolation = Extrapolation::hold;
   std::size_t threads = 1;
+  const MotionBand* band = nullptr;  ///< where the columns have one
 };
 
 /// Writes every sample, the same on any number of threads; the number of those outside the curve.

@@ -13,6 +13,7 @@
 #include <orispline/base/parallel.hpp>
 #include <orispline/curve/free_rate.hpp>
 #include <orispline/curve/torque.hpp>
+#include <orispline/families/motion_band.hpp>
 #include <orispline/families/registry.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
@@ -58,6 +59,16 @@ void measure_shape(Measures& measures, const AnyCurve& curve, const MeasureOptio
   if (!progress.stopped()) measures.angle_travelled = AngleTravelled(curve).total();
 }
 
+/// The share of the recording that the band holds which is meant to hold 90 % of it.
+std::optional<double> inside_band(const Candidate& candidate, const SampledCurve& samples, const Overlap& truth) {
+  const auto band = MotionBand::make(candidate.method, candidate.keys, 0.9);
+  if (!band || candidate.keys.size() < 2) return std::nullopt;
+  std::size_t inside = 0;
+  for (std::size_t i = 0; i < truth.times.size(); ++i)
+    inside += angular_distance(samples.orientations[i], truth.orientations[i]) <= (*band)(truth.times[i]) ? 1 : 0;
+  return static_cast<double>(inside) / static_cast<double>(truth.times.size());
+}
+
 }  // namespace
 
 Expected<Measures> measure(const Candidate& candidate, const RecordedMotion& recording, const MeasureOptions& options,
@@ -77,6 +88,7 @@ Expected<Measures> measure(const Candidate& candidate, const RecordedMotion& rec
       sampled(*curve, truth->times, has_rates ? Sampled::orientations_and_rates : Sampled::orientations);
   measures.seconds = seconds_since(start);
   measure_errors(measures, samples, *truth);
+  measures.inside_band = inside_band(candidate, samples, *truth);
   measure_shape(measures, *curve, options, progress);
   if (options.leave_out == LeaveOut::yes && !progress.stopped())
     if (const auto error = leave_out_error(candidate.keys, candidate.method)) measures.leave_out = *error;

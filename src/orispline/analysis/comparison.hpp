@@ -46,6 +46,7 @@ struct MeasureOptions {
 struct Measures {
   DistanceStatistics distance{};                   ///< full rotation angles to the recording [rad]
   std::optional<DistanceStatistics> rate_error{};  ///< ω against the logged one [rad/s]; absent where none is
+  std::optional<double> inside_band{};             ///< share of the recording in the 90 % band of a method that has one
   Continuity continuity{};                         ///< in time, at the keys
   ShapeContinuity shape{};                         ///< of the shape, at the keys
   Energies energies{};

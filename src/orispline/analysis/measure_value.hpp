@@ -39,6 +39,8 @@ template <double DistanceStatistics::*figure>
   return m.leave_out ? Value(m.leave_out->rms * degrees) : std::nullopt;
 }
 
+[[nodiscard]] inline Value inside_band(const Measures& m, const MeasureTimes&) { return m.inside_band; }
+
 [[nodiscard]] inline Value continuity(const Measures& m, const MeasureTimes&) { return m.continuity.order(); }
 
 [[nodiscard]] inline Value shape(const Measures& m, const MeasureTimes&) {

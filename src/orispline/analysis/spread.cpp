@@ -2,8 +2,10 @@
 #include <orispline/analysis/spread.hpp>
 
 #include <algorithm>
+#include <utility>
 
 #include <orispline/base/expect.hpp>
+#include <orispline/math/median.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
 
@@ -15,10 +17,7 @@ Spread spread_of(std::vector<double> figures) {
                 .median = 0.0,
                 .largest = *greatest,
                 .largest_at = static_cast<std::size_t>(largest - figures.begin())};
-  const auto middle = figures.begin() + static_cast<std::ptrdiff_t>(figures.size() / 2);
-  std::ranges::nth_element(figures, middle);
-  spread.median = *middle;
-  if (figures.size() % 2 == 0) spread.median = 0.5 * (*middle + *std::max_element(figures.begin(), middle));
+  spread.median = median(std::move(figures));
   return spread;
 }
 

@@ -129,8 +129,8 @@ Expected<EndRule> end_rule_by_name(const FamilyInfo& family, std::string_view na
 }
 
 std::optional<std::size_t> keys_beside(const FamilyInfo& family, const FamilySettings& settings) {
-  if (family.is_global()) return std::nullopt;
   if (family.keys_beside) return family.keys_beside(settings);
+  if (family.is_global()) return std::nullopt;
   return family.reach() + family.key_use.further_times;
 }
 

@@ -19,6 +19,7 @@
 #include <orispline/families/hermite.hpp>
 #include <orispline/families/hermite_cumulative.hpp>
 #include <orispline/families/least.hpp>
+#include <orispline/families/measured.hpp>
 #include <orispline/families/nu.hpp>
 #include <orispline/families/quintic.hpp>
 #include <orispline/families/rational.hpp>
@@ -44,6 +45,6 @@ using Families =
                families::HermiteCumulative, families::GlobalC2, families::Rational, families::RotationSpline,
                families::Nu, families::NuExact, families::Biarcs, families::Bezier, families::BSpline,
                families::BSplineThrough, families::Averages, families::Beta, families::BetaThrough, families::BetaG2,
-               families::Least>;
+               families::Least, families::Measured>;
 
 }  // namespace orispline::inline ORISPLINE_ABI

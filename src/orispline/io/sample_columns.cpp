@@ -48,6 +48,8 @@ Expected<void> check_columns(const SampleColumns& columns) {
   if (columns.settings.size() > settings)
     return failure(ErrorCode::bad_argument, formatted("{} columns of settings were asked for, and {} holds {}",
                                                       columns.settings.size(), format.title, settings));
+  if (columns.band && !format.holds.rates)
+    return failure(ErrorCode::bad_argument, formatted("{} has no column for a band", format.title));
   return check("", columns.derivatives, highest_derivative).and_then([&] {
     return check(" of the position", columns.position_derivatives, highest_position_derivative);
   });
@@ -71,18 +73,20 @@ std::vector<std::string> column_names(const SampleColumns& columns) {
     append(rate_letters[order], rate_suffix(columns));
   for (std::size_t order = 0; order < static_cast<std::size_t>(columns.position_derivatives); ++order)
     append(position_rate_letters[order], "");
+  if (columns.band) names.emplace_back("band");
   std::ranges::copy(columns.settings, std::back_inserter(names));
   return names;
 }
 
 RowNumbers named_numbers(const Sample& sample, const SampleColumns& columns) {
-  const auto& [motion, linear_motion, settings] = sample;
+  const auto& [motion, linear_motion, settings, band] = sample;
   RowNumbers row;
   for (const double number : numbers_of(written_orientation(sample, columns), columns.form)) row.add(number);
   if (columns.positions) row.add(linear_motion.position);
   for (int order = 1; order <= columns.derivatives; ++order) row.add(rate_of(motion, order, columns.frame));
   if (columns.position_derivatives > 0) row.add(linear_motion.velocity);
   if (columns.position_derivatives > 1) row.add(linear_motion.acceleration);
+  if (columns.band) row.add_band(band);
   for (const double setting : settings) row.add(setting);
   return row;
 }
@@ -91,8 +95,15 @@ void RowNumbers::add(const Eigen::Vector3d& v) noexcept {
   for (const double number : v) add(number);
 }
 
+void RowNumbers::add_band(double value) noexcept {
+  band_ = count_;
+  add(value);
+}
+
 bool RowNumbers::are_finite() const noexcept {
-  return std::ranges::all_of(values(), [](double value) { return std::isfinite(value); });
+  for (std::size_t i = 0; i < count_; ++i)
+    if (!std::isfinite(values_[i]) && !(i == band_ && std::isinf(values_[i]))) return false;
+  return true;
 }
 
 }  // namespace orispline::inline ORISPLINE_ABI::io

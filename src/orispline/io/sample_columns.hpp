@@ -24,6 +24,7 @@ struct SampleColumns {
   int position_derivatives = 0;  ///< highest order of the rates of position: 0 none, 1 velocity, 2 and acceleration
   Frame frame = Frame::body;
   Turning turning = Turning::body_to_world;  ///< of the orientations; the names of body rates say so where it is not
+  bool band = false;                         ///< a radius [rad] of where the true motion may be, behind the rates
   std::vector<std::string> settings{};       ///< columns of a method's parameters, behind all others
 };
 
@@ -32,6 +33,7 @@ struct Sample {
   Motion motion{};
   LinearMotion linear_motion{};
   std::span<const double> settings{};  ///< one for each of the columns of settings
+  double band = 0.0;                   ///< [rad]; infinite: nothing is known
 };
 
 inline constexpr std::size_t most_settings = 8;  ///< columns of settings in a file
@@ -48,24 +50,27 @@ inline constexpr std::size_t most_settings = 8;  ///< columns of settings in a f
 [[nodiscard]] ORISPLINE_EXPORT std::string header_of(const SampleColumns& columns, std::size_t rows);
 
 /// The names of the columns where a file may hold all: time, orientation, position, angular rates, rates of position,
-/// settings.
+/// band, settings.
 [[nodiscard]] ORISPLINE_EXPORT std::vector<std::string> column_names(const SampleColumns& columns);
 
 /// The numbers of a row after its time.
 class ORISPLINE_EXPORT RowNumbers {
  public:
   static constexpr std::size_t most =
-      9 + 3 + 9 + 6 + most_settings;  ///< a matrix, a position, three and two rates, settings
+      9 + 3 + 9 + 6 + 1 + most_settings;  ///< a matrix, a position, three and two rates, a band, settings
 
   void add(double value) noexcept { values_[count_++] = value; }
   void add(const Eigen::Vector3d& v) noexcept;
 
   [[nodiscard]] std::span<const double> values() const noexcept { return std::span(values_).first(count_); }
+  /// A band may be infinite.
+  void add_band(double value) noexcept;
   [[nodiscard]] bool are_finite() const noexcept;
 
  private:
   std::array<double, most> values_;
   std::size_t count_ = 0;
+  std::size_t band_ = most;  ///< which of them is one
 };
 
 /// Those of a sample in the order of `column_names`.

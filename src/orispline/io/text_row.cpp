@@ -2,6 +2,7 @@
 #include <orispline/io/text_row.hpp>
 
 #include <array>
+#include <cmath>
 
 #include <orispline/base/number_text.hpp>
 #include <orispline/io/sample_columns.hpp>
@@ -14,7 +15,7 @@ void append_text_row(std::string& text, const Decimal& time, std::span<const dou
   char* end = row.data();
   for (const double value : numbers) {
     *end++ = separator;
-    end = write_shortest_text(end, value);
+    if (!std::isinf(value)) end = write_shortest_text(end, value);  // a band that knows nothing is empty
   }
   *end++ = '\n';
   text.append(row.data(), end);

@@ -15,7 +15,7 @@ Error argument_error(std::string message) { return {ErrorCode::bad_argument, std
 
 std::optional<Error> check_method(std::string_view method) {
   const auto family = find_family(method);
-  if (family && !(*family)->is_global()) return std::nullopt;
+  if (family && (!(*family)->is_global() || (*family)->keys_beside)) return std::nullopt;
   return argument_error(
       formatted("method '{}' has no online curve, wanted one of {}", method, joined(online_methods(), ", ")));
 }

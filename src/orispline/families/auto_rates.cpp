@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/families/auto_rates.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <orispline/curve/key_knots.hpp>
+#include <orispline/math/elementary.hpp>
+
+// The steps are numbered as on docs/families/auto.md, which also says where the constants come from.
+
+namespace orispline::inline ORISPLINE_ABI::families {
+
+using Rates = WindowRates;
+
+double switched(double x, double low, double high) noexcept {
+  const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+double smooth_share(double roughness) noexcept { return 1.0 - switched(roughness, 0.15, 0.4); }
+
+double window_share(double turn) noexcept {
+  return 1.0 - switched(turn, 1.2 * std::numbers::pi, 1.6 * std::numbers::pi);
+}
+
+double gap_of(double step_ratio) noexcept {
+  constexpr double log_of_5 = 1.6094379124341003, log_of_15 = 2.70805020110221;
+  return switched(elementary::natural_logarithm(step_ratio), log_of_5, log_of_15);
+}
+
+// (4)
+Rates geodesic_rates(const Beside& beside) noexcept {
+  constexpr double a = 52.0 / 3465.0, b = 23.0 / 18480.0, c = 1.0 / 9240.0;  // Gram matrix of the Hermite quintics
+  const auto& [before, after, d_before, d_after] = beside;
+  const double after3 = after * after * after, after4 = after3 * after;
+  const double before3 = before * before * before, before4 = before3 * before;
+  const double fifth = after4 * after + before4 * before;
+  const double coupling = b * b / c * (after4 - before4) / fifth;
+  const double w_after = a * after3 - coupling * after4;
+  const double w_before = a * before3 + coupling * before4;
+  const Eigen::Vector3d first = (w_after * d_after + w_before * d_before) / (w_after + w_before);
+  const Eigen::Vector3d second = -b / c * (after4 * (first - d_after) - before4 * (first - d_before)) / fifth;
+  return {first, second};
+}
+
+namespace {
+
+/// (1) How far five keys are from a cubic: 0 for one, 1 for a kick or alternating noise.
+double roughness_of(const Window& w) {
+  std::array<Eigen::Vector3d, 3> bend;  // second divided differences
+  std::array<double, 3> at;
+  Eigen::Vector3d before = w.secant(0);
+  for (std::size_t m = 0; m < 3; ++m) {
+    const Eigen::Vector3d after = w.secant(m + 1);
+    bend[m] = (2.0 / (w.times[m + 2] - w.times[m])) * (after - before);
+    at[m] = (w.times[m] + w.times[m + 1] + w.times[m + 2]) / 3.0;
+    before = after;
+  }
+  const double share = (at[2] - at[1]) / (at[2] - at[0]);
+  const double size = bend[1].norm() + share * bend[0].norm() + (1.0 - share) * bend[2].norm();
+  if (!(size > 0.0)) return 0.0;
+  return (bend[1] - share * bend[0] - (1.0 - share) * bend[2]).norm() / size;
+}
+
+}  // namespace
+
+AutoRates::AutoRates(const Keyframes& keys, Through through, std::size_t reach, std::size_t kept)
+    : times_(keys.times()), reach_(reach), kept_(kept) {
+  if (through == Through::orientations) orientations_ = keys.orientations();
+  else positions_ = keys.positions();
+}
+
+void AutoRates::go_to(std::size_t i) {
+  for (; found_ < std::min(size(), i + ahead); ++found_) find(found_);
+}
+
+Rates AutoRates::rates(std::size_t i, double belief) const {
+  if (hold_ && ((i > 0 && rests_after(i - 1)) || (i + 1 < size() && rests_after(i)))) return {};
+  if (size() == 2) return {secant(0), Eigen::Vector3d::Zero()};
+  const Rates rates = windowed_rates(i, belief);
+  if (i == 0 || i + 1 == size()) return rates;
+  const double before = step(i - 1), after = step(i);
+  const double gap = switched(roughness(i), 0.8, 1.0) * gap_of(std::max(after / before, before / after));
+  return gap > 0.0 ? blended(rates, geodesic_rates({before, after, secant(i - 1), secant(i)}), gap) : rates;
+}
+
+Eigen::Vector3d AutoRates::found(std::size_t i, std::size_t j) const {
+  return orientations_.empty() ? displacement<double>(positions_[i], positions_[j])
+                               : displacement<double>(orientations_[i], orientations_[j]);
+}
+
+bool AutoRates::rests_after(std::size_t i) const {
+  return known(i).to[0].norm() <= (orientations_.empty() ? rest_length : rest_angle);
+}
+
+void AutoRates::find(std::size_t i) {
+  Key& key = keys_[i % places];
+  for (std::size_t k = 1; k <= std::min(kept_, size() - 1 - i); ++k) key.to[k - 1] = found(i, i + k);
+  key.turn = i + 1 < size() && positions_.empty() ? key.to[0].norm() : 0.0;
+  key.roughness = i >= 4 ? roughness_of(window(i - 2, i - 4, 5)) : 1.0;
+}
+
+Eigen::Vector3d AutoRates::increment(std::size_t i, std::size_t j) const {
+  if (i == j) return Eigen::Vector3d::Zero();
+  const std::size_t first = std::min(i, j), apart = std::max(i, j) - first;
+  if (apart > kept_) return found(i, j);
+  return i < j ? known(first).to[apart - 1] : Eigen::Vector3d(-known(first).to[apart - 1]);
+}
+
+Window AutoRates::window(std::size_t centre, std::size_t first, std::size_t count) const {
+  return window_of(times_, centre, first, count, [this](std::size_t i, std::size_t j) { return increment(i, j); });
+}
+
+/// Up to `reach` keys on either side, fewer at the ends.
+Window AutoRates::cut_window(std::size_t centre, std::size_t reach) const {
+  const std::size_t first = centre - std::min(centre, reach);
+  return window(centre, first, std::min(size() - 1, centre + reach) - first + 1);
+}
+
+double AutoRates::roughness(std::size_t i) const {
+  return size() < 5 ? 1.0 : known(std::clamp<std::size_t>(i, 2, size() - 3) + 2).roughness;
+}
+
+/// The largest whose five keys lie in the shifted window of key i.
+double AutoRates::widest_roughness(std::size_t i) const {
+  if (reach_ == 2 || size() < 5) return roughness(i);
+  const std::size_t centre = std::clamp<std::size_t>(i, 3, std::max<std::size_t>(3, size() - 4));
+  return std::max({roughness(centre - 1), roughness(centre), roughness(centre + 1)});
+}
+
+/// (2) Natural spline and polynomial over the window of that reach, mixed by `smooth`.
+Rates AutoRates::mixed_rates(std::size_t i, std::size_t reach, double smooth) const {
+  const Rates natural = natural_spline_rates(cut_window(i, reach));
+  if (!(smooth > 0.0)) return natural;
+  const auto between = [this](std::size_t from, std::size_t to) { return increment(from, to); };
+  return blended(natural, polynomial_rates(shifted_window(times_, i, reach, between)), smooth);
+}
+
+double AutoRates::turn_beside(std::size_t i, std::size_t reach) const {
+  const std::size_t last_key = size() - 1;
+  const std::size_t first = std::min(i - std::min(i, reach), last_key - std::min(last_key, 2 * reach));
+  const std::size_t last = std::min(last_key, first + 2 * reach);
+  const auto sum = [&](std::size_t from, std::size_t to) {
+    double turn = 0.0;
+    for (std::size_t k = from; k < to; ++k) turn += known(k).turn;
+    return turn;
+  };
+  return std::max(sum(first, i), sum(i, last));
+}
+
+/// (3) Narrower windows where the keys turn far.
+Rates AutoRates::windowed_rates(std::size_t i, double belief) const {
+  const double smooth = belief * smoothness(i);
+  const double wide = reach_ == 3 ? window_share(turn_beside(i, 3)) : 0.0;
+  const double middle = (1.0 - wide) * window_share(turn_beside(i, 2));
+  const double narrow = 1.0 - wide - middle;
+  Rates rates;
+  const auto add = [&](double share, std::size_t reach, double smooth_here) {
+    if (!(share > 0.0)) return;
+    const Rates part = mixed_rates(i, reach, smooth_here);
+    rates.first += share * part.first;
+    rates.second += share * part.second;
+  };
+  add(wide, 3, smooth);
+  add(middle, 2, smooth);
+  add(narrow, 1, 0.0);
+  return rates;
+}
+
+ChartCurve<5> quintics_through(const Keyframes& keys, AutoRates& along, const RatesAt& rates_at) {
+  const auto at = [&](std::size_t i) {
+    along.go_to(i);
+    const Rates rates = rates_at(i);
+    return std::array<Eigen::Vector3d, 3>{rates.first, rates.second, Eigen::Vector3d::Zero()};
+  };
+  std::vector<ChartPiece<5>> pieces;
+  pieces.reserve(keys.size() - 1);
+  auto leaving = at(0);
+  for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
+    const auto arriving = at(i + 1);
+    const Eigen::Vector3d half = 0.5 * along.step_from(i);
+    const Eigen::Quaterniond middle = keys.orientations()[i] * exp<double>(half);
+    pieces.push_back(hermite_piece<2>(middle, -half, half, leaving, arriving, keys.times()[i + 1] - keys.times()[i]));
+    leaving = arriving;
+  }
+  return ChartCurve<5>(key_knots(keys), std::move(pieces));
+}
+
+HermitePath<5> quintic_path_through(const Keyframes& keys, AutoRates& along, const RatesAt& rates_at) {
+  std::vector<HermitePath<5>::Derivatives> derivatives(keys.size());
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    along.go_to(i);
+    const Rates rates = rates_at(i);
+    derivatives[i] = {rates.first, rates.second};
+  }
+  return HermitePath<5>(key_knots(keys), {keys.positions().begin(), keys.positions().end()}, std::move(derivatives));
+}
+
+}  // namespace orispline::inline ORISPLINE_ABI::families
