@@ -251,7 +251,10 @@ def auto_tables(g):
     limits = g["tolerance"]
     note = f"# Agreement to be reached, relative to max(1, |.|): q {limits['q']}, w {limits['omega']}, a {limits['alpha']}.\n"
     keys, rows = [], []
+    guarded = "smooth25"  # whose polynomial auto does not wholly believe: its rows are those of make_auto_golden.py
     for name, case in g["cases"].items():
+        if name == guarded:
+            continue
         keys += [",".join([name, text(t), *map(text, q)]) for t, q in zip(case["times"], case["keys"], strict=True)]
         rows += [",".join([name, text(t), *(text(x) for part in motion for x in part)]) for t, *motion in case["rows"]]
     return {"auto_keys.csv": head + "sequence,t,qw,qx,qy,qz\n" + "\n".join(keys) + "\n",

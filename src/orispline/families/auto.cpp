@@ -12,6 +12,7 @@ Expected<bool> holds(const FamilySettings& settings) {
 
 AutoRates rates_along(const Keyframes& keys, Through through, std::size_t reach, bool hold) {
   AutoRates along(keys, through, reach, reach);
+  along.guard();
   if (hold) along.hold();
   return along;
 }

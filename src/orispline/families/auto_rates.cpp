@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include <orispline/curve/key_knots.hpp>
+#include <orispline/curve/left_out.hpp>
 #include <orispline/math/elementary.hpp>
 
 // The steps are numbered as on docs/families/auto.md, which also says where the constants come from.
@@ -62,6 +63,16 @@ double roughness_of(const Window& w) {
   const double size = bend[1].norm() + share * bend[0].norm() + (1.0 - share) * bend[2].norm();
   if (!(size > 0.0)) return 0.0;
   return (bend[1] - share * bend[0] - (1.0 - share) * bend[2]).norm() / size;
+}
+
+/// (2) Whether the polynomial through seven keys foretells a key from the others better than their natural spline does:
+/// 1 where clearly, 0 where not at all.
+double polynomial_trust(const Window& window) {
+  constexpr double clearly = 0.3, log_of_clearly = -1.2039728043259361;
+  const LeftOutErrors errors = left_out_errors(window);
+  if (!(errors.polynomial > clearly * errors.natural_spline)) return 1.0;
+  if (!(errors.polynomial < errors.natural_spline)) return 0.0;
+  return 1.0 - switched(elementary::natural_logarithm(errors.polynomial / errors.natural_spline), log_of_clearly, 0.0);
 }
 
 }  // namespace
@@ -135,7 +146,9 @@ Rates AutoRates::mixed_rates(std::size_t i, std::size_t reach, double smooth) co
   const Rates natural = natural_spline_rates(cut_window(i, reach));
   if (!(smooth > 0.0)) return natural;
   const auto between = [this](std::size_t from, std::size_t to) { return increment(from, to); };
-  return blended(natural, polynomial_rates(shifted_window(times_, i, reach, between)), smooth);
+  const Window shifted = shifted_window(times_, i, reach, between);
+  if (guarded_ && shifted.size == Window::capacity) smooth *= polynomial_trust(shifted);
+  return smooth > 0.0 ? blended(natural, polynomial_rates(shifted), smooth) : natural;
 }
 
 double AutoRates::turn_beside(std::size_t i, std::size_t reach) const {

@@ -49,6 +49,9 @@ class AutoRates {
   /// The body rests between keys that are equal.
   void hold() noexcept { hold_ = true; }
 
+  /// The polynomial is believed only where it foretells keys better than the natural spline does: step (2) of auto.
+  void guard() noexcept { guarded_ = true; }
+
   /// Makes key i, which is the next one, the one that is asked about.
   void go_to(std::size_t i);
 
@@ -93,7 +96,7 @@ class AutoRates {
   std::span<const Eigen::Quaterniond> orientations_;  ///< empty where positions are asked about
   std::span<const Eigen::Vector3d> positions_;
   std::size_t reach_, kept_;
-  bool hold_ = false;
+  bool hold_ = false, guarded_ = false;
   std::array<Key, places> keys_;
   std::size_t found_ = 0;  ///< keys whose increments are known
 };

@@ -122,6 +122,7 @@ std::optional<std::size_t> Measured::keys_beside(const FamilySettings& settings)
 Expected<ChartCurve<5>> Measured::curve(const Keyframes& keys, const FamilySettings& settings) {
   if (keys.size() < least_window) {
     AutoRates along(keys, Through::orientations, 3, 3);
+    along.guard();
     return quintics_through(keys, along, [&](std::size_t i) { return along.rates(i); });
   }
   FittedRates rates(keys, Through::orientations, findings_of(keys, Through::orientations, settings));
@@ -131,6 +132,7 @@ Expected<ChartCurve<5>> Measured::curve(const Keyframes& keys, const FamilySetti
 Expected<HermitePath<5>> Measured::path(const Keyframes& keys, const FamilySettings& settings) {
   if (keys.size() < least_window) {
     AutoRates along(keys, Through::positions, 3, 3);
+    along.guard();
     return quintic_path_through(keys, along, [&](std::size_t i) { return along.rates(i); });
   }
   FittedRates rates(keys, Through::positions, findings_of(keys, Through::positions, settings));

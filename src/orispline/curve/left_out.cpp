@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/curve/left_out.hpp>
+
+#include <orispline/base/expect.hpp>
+
+namespace orispline::inline ORISPLINE_ABI {
+namespace {
+
+constexpr std::size_t count = Window::capacity, last = count - 1;
+
+/// The error at key j is the divided difference of all keys times the product of the distances to the others.
+double polynomial_error(const Window& window) {
+  const auto& t = window.times;
+  std::array<Eigen::Vector3d, count> difference = window.displacements;
+  for (std::size_t order = 1; order < count; ++order)
+    for (std::size_t i = last; i >= order; --i)
+      difference[i] = (difference[i] - difference[i - 1]) / (t[i] - t[i - order]);
+  double sum = 0.0;
+  for (std::size_t j = 1; j < last; ++j) {
+    double product = 1.0;
+    for (std::size_t k = 0; k < count; ++k)
+      if (k != j) product *= t[j] - t[k];
+    sum += product * product;
+  }
+  return sum * difference[last].squaredNorm();
+}
+
+/// The error at key j is J_j/B_jj: with Qᵀ the differences of neighbouring secants and T the matrix of the spline's
+/// second derivatives M at the inner keys, T M = QᵀL, the jumps of the third derivative are J = Q M, and B = Q T⁻¹ Qᵀ is
+/// how they answer to a key that moves (Green & Silverman 1994, section 2.3). Of T⁻¹ only five diagonals are needed.
+double natural_spline_error(const Window& window) {
+  std::array<double, last> step, per_step;
+  for (std::size_t i = 0; i < last; ++i) {
+    step[i] = window.step(i);
+    per_step[i] = 1.0 / step[i];
+  }
+  // T = L D Lᵀ, and M; keys 0 and `last` have no second derivative, which the rows of zeros state.
+  std::array<double, count> pivot{}, factor{};
+  std::array<Eigen::Vector3d, count> second;
+  second[0].setZero();
+  second[last].setZero();
+  for (std::size_t i = 1; i < last; ++i) {
+    const double beside = i > 1 ? step[i - 1] / 6.0 : 0.0;
+    factor[i - 1] = i > 1 ? beside / pivot[i - 1] : 0.0;
+    pivot[i] = (step[i - 1] + step[i]) / 3.0 - factor[i - 1] * beside;
+    second[i] = window.secant(i) - window.secant(i - 1) - factor[i - 1] * second[i - 1];
+  }
+  std::array<double, count> own{}, next{}, after{};  // T⁻¹ at (i, i), (i, i + 1) and (i, i + 2)
+  for (std::size_t i = last; i-- > 1;) {
+    second[i] = second[i] / pivot[i] - factor[i] * second[i + 1];
+    after[i] = -factor[i] * next[i + 1];
+    next[i] = -factor[i] * own[i + 1];
+    own[i] = 1.0 / pivot[i] - factor[i] * next[i];
+  }
+  double sum = 0.0;
+  for (std::size_t j = 1; j < last; ++j) {
+    const double a = per_step[j - 1], c = per_step[j], b = -(a + c);
+    const Eigen::Vector3d jump = a * second[j - 1] + b * second[j] + c * second[j + 1];
+    const double answer = a * a * own[j - 1] + b * b * own[j] + c * c * own[j + 1] +
+                          2.0 * (a * b * next[j - 1] + b * c * next[j] + a * c * after[j - 1]);
+    sum += jump.squaredNorm() / (answer * answer);
+  }
+  return sum;
+}
+
+}  // namespace
+
+LeftOutErrors left_out_errors(const Window& window) noexcept {
+  ORISPLINE_EXPECT(window.size == count);
+  return {polynomial_error(window), natural_spline_error(window)};
+}
+
+}  // namespace orispline::inline ORISPLINE_ABI
