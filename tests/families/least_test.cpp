@@ -20,8 +20,8 @@ constexpr double energy_agreement = 1e-7;
 /// Of the motions: quintic pieces, whose energy is off by the square of what their α is off.
 constexpr MotionTolerance motion_agreement{3e-6, 3e-5, 1e-3, 1e-1};
 
-Keyframes keys_named(const std::string& sequence) {
-  const DataTable table("golden/least_keys.csv");
+Keyframes keys_named(const std::string& sequence, const std::string& file = "golden/least_keys.csv") {
+  const DataTable table(file);
   KeyframeData data;
   for (const auto& row : table.rows_where("sequence", sequence)) {
     data.times.push_back(row.number("t"));
@@ -62,6 +62,16 @@ TEST(Least, EnergiesAreThoseOfMultipleShooting) {
     const auto curve = make_curve({"least", options_of(row)}, keys_named(row.text("sequence")));
     ASSERT_TRUE(curve) << describe(curve.error());
     EXPECT_NEAR(energy_of(*curve, row) / row.number("value"), 1.0, energy_agreement);
+  }
+}
+
+TEST(Least, EnergiesOfWideTurnsAtUnevenTimesAreThoseOfMultipleShooting) {
+  const DataTable cases("golden/least_hard_energies.csv");
+  ASSERT_EQ(cases.size(), 12u);
+  for (const auto& row : cases.rows()) {
+    const auto curve = make_curve("least", keys_named(row.text("sequence"), "golden/least_hard_keys.csv"));
+    ASSERT_TRUE(curve) << row.text("sequence") << ": " << describe(curve.error());
+    EXPECT_NEAR(energies(*curve).acceleration / row.number("value"), 1.0, energy_agreement) << row.text("sequence");
   }
 }
 
