@@ -161,7 +161,7 @@ def line(label, results):
     cells = [label, str(len(results))]
     for method in ("slerp", "auto", "measured"):
         ratios = [r[method] / r["rotation-spline"] for r, *_ in results]
-        cells.append(f"{mean(ratios):.3f}, {max(ratios):.2f}")
+        cells.append(f"{mean(ratios):.3g}, {max(ratios):.3g}")
     for method in ("auto", "measured"):
         cells.append(str(sum(r[method] > 1.03 * min(r["slerp"], r["rotation-spline"]) for r, *_ in results)))
     inside = [share for _, share, _ in results]

@@ -63,9 +63,11 @@ void measure_shape(Measures& measures, const AnyCurve& curve, const MeasureOptio
 std::optional<double> inside_band(const Candidate& candidate, const SampledCurve& samples, const Overlap& truth) {
   const auto band = MotionBand::make(candidate.method, candidate.keys, 0.9);
   if (!band || candidate.keys.size() < 2) return std::nullopt;
+  constexpr double rounding = 1e-12;  // of the angle [rad] at a key, where the band may be 0
   std::size_t inside = 0;
   for (std::size_t i = 0; i < truth.times.size(); ++i)
-    inside += angular_distance(samples.orientations[i], truth.orientations[i]) <= (*band)(truth.times[i]) ? 1 : 0;
+    inside +=
+        angular_distance(samples.orientations[i], truth.orientations[i]) <= (*band)(truth.times[i]) + rounding ? 1 : 0;
   return static_cast<double>(inside) / static_cast<double>(truth.times.size());
 }
 
