@@ -114,7 +114,7 @@ class FiniteContract : public FamilyContract {
 };
 
 TEST_P(FiniteContract, AtTheLimitsOfWhatIsAdmitted) {
-  constexpr std::uint64_t cases = 120;
+  const std::uint64_t cases = GetParam().name == "least" ? 24 : 120;  // at the limits each takes it seconds
   std::size_t made = 0;
   for (std::uint64_t seed = 1; seed <= cases; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);

@@ -95,8 +95,10 @@ LeastOutcome newton_steps_of(LeastProblem& problem, double now) {
         const double there = energy<F>(problem), share = (now - there) / trial->gain;
         const bool tiny = trial->step.size < step_rounding || trial->gain < energy_rounding * now;
         if (share > 0.01 || (tiny && there <= now * (1.0 + energy_rounding)) || trial->step.size < step_rounding) {
-          const bool settled = damping == 0.0 && trial->step.size < least_tolerance;
-          const bool exact = settled && Ending::is_exact(trial->step.size, outcome);
+          const bool stalled = trial->gain < energy_rounding * now && trial->step.size < longest_flat_step &&
+                               !(2.0 * trial->step.size < outcome.last_step);  // of long turns, by their rounding
+          const bool settled = damping == 0.0 && (trial->step.size < least_tolerance || stalled);
+          const bool exact = settled && (stalled || Ending::is_exact(trial->step.size, outcome));
           now = there;
           outcome = {.converged = settled, .last_step = trial->step.size, .widest = trial->step.widest};
           if (exact) return outcome;
