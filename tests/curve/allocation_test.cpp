@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <curve/counting_new.hpp>
+#include <orispline/families/motion_band.hpp>
 #include <orispline/families/registry.hpp>
 #include <support/specimens.hpp>
 
@@ -17,6 +18,16 @@ TEST(Allocation, IsCountedAtAll) {
   const std::size_t before = allocations_of_this_thread();
   const auto number = std::make_unique<int>(1);
   EXPECT_EQ(allocations_of_this_thread(), before + 1) << *number;
+}
+
+TEST(Allocation, DoesNotHappenWhereABandIsAskedFor) {
+  const KeyframeData data = random_walk(212, 30, Spacing::uneven, 0.4);
+  const MotionBand band = MotionBand::make("measured", keyframes(data), 0.9).value();
+  const std::vector<double> times = sample_times(data.times);
+  double sum = 0.0;
+  const std::size_t before = allocations_of_this_thread();
+  for (const double t : times) sum += band(t);
+  EXPECT_EQ(allocations_of_this_thread(), before) << sum;
 }
 
 TEST(Allocation, DoesNotHappenDuringEvaluation) {
