@@ -26,8 +26,8 @@ double polynomial_error(const Window& window) {
 }
 
 /// The error at key j is J_j/B_jj: with Qᵀ the differences of neighbouring secants and T the matrix of the spline's
-/// second derivatives M at the inner keys, T M = QᵀL, the jumps of the third derivative are J = Q M, and B = Q T⁻¹ Qᵀ is
-/// how they answer to a key that moves (Green & Silverman 1994, section 2.3). Of T⁻¹ only five diagonals are needed.
+/// second derivatives M at the inner keys, T M = QᵀL, the jumps of the third derivative are J = Q M, and B = Q T⁻¹ Qᵀ
+/// is how they answer to a key that moves (Green & Silverman 1994, section 2.3). Of T⁻¹ only five diagonals are needed.
 double natural_spline_error(const Window& window) {
   std::array<double, last> step, per_step;
   for (std::size_t i = 0; i < last; ++i) {
