@@ -49,7 +49,7 @@ TEST(BatchOnGoldenCases, AgreesWithTheScalarEvaluatorForAuto) {
     data.times.push_back(key.number("t"));
     data.orientations.push_back(key.quaternion("qw", "qx", "qy", "qz"));
   }
-  ASSERT_EQ(sequences.size(), 18u);
+  ASSERT_EQ(sequences.size(), 17u);
 
   for (const auto& [name, data] : sequences) {
     for (const char* family : {"auto", "auto5"}) {
