@@ -47,7 +47,7 @@ const limitOf = (id: string) => (id in report.limits ? report.limits[id] / unitO
 
 /** That of the first method. */
 const bandOf = (id: string) => (state: State) => {
-  const band = methodNamed(state.first)?.bands[id];
+  const band = methodNamed(state.first)?.bands?.[id];
   return band && { ...band, low: inUnitOf(id, band.low), high: inUnitOf(id, band.high) };
 };
 

@@ -51,7 +51,7 @@ export interface Method {
   measures: Record<string, number | null>;
   samples: Samples;
   keys: Keys | null; // null: those of the report
-  bands: Record<string, Band>; // by the id of the quantity
+  bands?: Record<string, Band>; // by the id of the quantity
 }
 
 /** Orientations that stand out. */
