@@ -47,9 +47,9 @@ struct OrientationSeries {
 
 /// How far angular velocities are from the logged ones [rad/s], one each, where those are not free; the first of them
 /// at index `first` of the reference.
-[[nodiscard]] ORISPLINE_API DistanceStatistics rate_statistics(std::span<const Eigen::Vector3d> found,
-                                                               std::span<const Eigen::Vector3d> logged,
-                                                               std::size_t first);
+[[nodiscard]] ORISPLINE_EXPORT DistanceStatistics rate_statistics(std::span<const Eigen::Vector3d> found,
+                                                                  std::span<const Eigen::Vector3d> logged,
+                                                                  std::size_t first);
 
 /// Angular velocities that were logged at times [s] of the curve. Free ones are not compared.
 struct RateSeries {
