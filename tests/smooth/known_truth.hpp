@@ -13,6 +13,7 @@
 #include <vector>
 
 #include <orispline/io/key_file.hpp>
+#include <orispline/math/median.hpp>
 #include <orispline/smooth/smoothing_element.hpp>
 #include <orispline/smooth/smoothing_noise.hpp>
 
@@ -160,7 +161,7 @@ inline double own_noise(const KeyframeData& data) {
                           c = shortest_increment(q[i + 2], q[i + 3]);
     lengths.push_back((c - 2.0 * b + a).norm());
   }
-  return median_of(std::move(lengths)) / (median_length * std::sqrt(20.0));
+  return median(std::move(lengths)) / (median_length * std::sqrt(20.0));
 }
 
 inline double rms_between(const std::vector<Eigen::Quaterniond>& found, const std::vector<Eigen::Quaterniond>& wanted) {

@@ -25,12 +25,6 @@ double given_shares(const FamilySettings& settings) {
   return sum;
 }
 
-double median_interval(std::span<const double> times) {
-  std::vector<double> steps(times.size() - 1);
-  for (std::size_t i = 0; i + 1 < times.size(); ++i) steps[i] = times[i + 1] - times[i];
-  return median(std::move(steps));
-}
-
 /// Shares as they are given, or as parts of their sum.
 std::array<double, model_count> shares_in(const FamilySettings& settings) {
   constexpr double rounding = 1e-9;

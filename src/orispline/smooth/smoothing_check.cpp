@@ -5,6 +5,7 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/curve/free_rate.hpp>
+#include <orispline/math/median.hpp>
 #include <orispline/smooth/smooth_fields.hpp>
 #include <orispline/smooth/smoothing_stretches.hpp>
 

@@ -6,6 +6,7 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/curve/rate_comparison.hpp>
+#include <orispline/math/median.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
@@ -22,7 +23,7 @@ Eigen::Vector3d median_of_axes(const Vectors& vectors) {
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     std::vector<double> values;
     for (const Eigen::Vector3d& v : vectors) values.push_back(v[axis]);
-    medians[axis] = median_of(std::move(values));
+    medians[axis] = median(std::move(values));
   }
   return medians;
 }
@@ -67,7 +68,7 @@ std::vector<std::size_t> faults_in(const Rates& rates, const std::vector<Stretch
     lengths.emplace_back(next, end);
     next = end;
   }
-  return far_samples(lengths, stretches, fault_threshold * std::max(least_noise, median_of(std::move(all)))).single;
+  return far_samples(lengths, stretches, fault_threshold * std::max(least_noise, median(std::move(all)))).single;
 }
 
 Rates without(const Rates& rates, const std::vector<std::size_t>& faults) {

@@ -6,6 +6,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <orispline/math/median.hpp>
 #include <orispline/smooth/smoothing_element.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
@@ -23,23 +24,15 @@ double noise_from(std::span<const double> times, double least, Deviation deviati
     const double distance = deviation(i, a);
     if (distance > least) scaled.push_back(distance / std::sqrt(1.0 + a * a + (1.0 - a) * (1.0 - a)));
   }
-  return median_of(std::move(scaled)) / median_length;
+  return median(std::move(scaled)) / median_length;
 }
 
 }  // namespace
 
-double median_of(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  if (values.size() % 2 == 1) return *middle;
-  return 0.5 * (*middle + *std::max_element(values.begin(), middle));
-}
-
 double lopsided_deviation(std::span<const Eigen::Vector3d> vectors) {
   std::vector<double> lengths;
   for (const Eigen::Vector3d& v : vectors) lengths.push_back(v.norm());
-  const double bound = medians_that_count * median_of(std::move(lengths));
+  const double bound = medians_that_count * median(std::move(lengths));
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
   double count = 0.0;
   for (const Eigen::Vector3d& v : vectors) {

@@ -12,9 +12,6 @@ namespace orispline::inline ORISPLINE_ABI {
 /// freedom.
 inline constexpr double median_length = 1.5381722544550522;
 
-/// 0 without values.
-[[nodiscard]] double median_of(std::vector<double> values);
-
 /// The standard deviation of vectors about 0, of which outliers are few, in the direction where it is largest, if that
 /// is more than twice the one where it is least; else 0. Of the vectors within three medians of the length: noise in
 /// one direction alone is taken for 0.88 of itself.

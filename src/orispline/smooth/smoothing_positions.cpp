@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/math/median.hpp>
 #include <orispline/smooth/smoothing_search.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/math/median.hpp>
 #include <orispline/smooth/smoothing_adaptation.hpp>
 #include <orispline/smooth/smoothing_outliers.hpp>
 
@@ -190,7 +191,7 @@ double SmoothingSearch::noise_of_most() const {
     }
   const Freedom of = freedom();
   if (!(of.rest > 0.0)) return 0.0;
-  return std::max(median_of(std::move(lengths)) / median_length, lopsided_deviation(residuals)) /
+  return std::max(median(std::move(lengths)) / median_length, lopsided_deviation(residuals)) /
          std::sqrt(of.rest / of.observations);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/math/median.hpp>
 #include <orispline/smooth/smoothing_noise.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
@@ -22,12 +23,6 @@ std::vector<T> in_stretch(std::span<const T> all, const Stretch& stretch) {
 }
 
 }  // namespace
-
-double median_interval(std::span<const double> times) {
-  std::vector<double> intervals;
-  for (std::size_t i = 1; i < times.size(); ++i) intervals.push_back(times[i] - times[i - 1]);
-  return median_of(std::move(intervals));
-}
 
 RecordingScale scale_of(const Keyframes& recording) {
   return {.interval = median_interval(recording.times()),

@@ -12,9 +12,6 @@ struct RecordingScale {
   double noise = 0.0;     ///< local_noise() [rad], at least `least_noise`
 };
 
-/// Of successive times; 0 for fewer than two.
-[[nodiscard]] double median_interval(std::span<const double> times);
-
 [[nodiscard]] RecordingScale scale_of(const Keyframes& recording);
 
 /// The recording cut at its gaps; stretches with too few samples for the penalty are left out. Errors: bad_argument for
