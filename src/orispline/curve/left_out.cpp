@@ -11,10 +11,6 @@ constexpr std::size_t count = Window::capacity, last = count - 1;
 /// The error at key j is the divided difference of all keys times the product of the distances to the others.
 double polynomial_error(const Window& window) {
   const auto& t = window.times;
-  std::array<Eigen::Vector3d, count> difference = window.displacements;
-  for (std::size_t order = 1; order < count; ++order)
-    for (std::size_t i = last; i >= order; --i)
-      difference[i] = (difference[i] - difference[i - 1]) / (t[i] - t[i - order]);
   double sum = 0.0;
   for (std::size_t j = 1; j < last; ++j) {
     double product = 1.0;
@@ -22,7 +18,7 @@ double polynomial_error(const Window& window) {
       if (k != j) product *= t[j] - t[k];
     sum += product * product;
   }
-  return sum * difference[last].squaredNorm();
+  return sum * divided_differences(window)[last].squaredNorm();
 }
 
 /// The error at key j is J_j/B_jj: with Qᵀ the differences of neighbouring secants and T the matrix of the spline's

@@ -5,14 +5,20 @@
 
 namespace orispline::inline ORISPLINE_ABI {
 
-std::array<Eigen::Vector3d, 3> polynomial_derivatives(const Window& window) noexcept {
-  ORISPLINE_EXPECT(window.size >= 2 && window.size <= Window::capacity);
-  // Newton form by divided differences, then value and three derivatives at time 0 by Horner's rule.
+std::array<Eigen::Vector3d, Window::capacity> divided_differences(const Window& window) noexcept {
   std::array<Eigen::Vector3d, Window::capacity> difference = window.displacements;
   const auto& t = window.times;
   for (std::size_t order = 1; order < window.size; ++order)
     for (std::size_t i = window.size - 1; i >= order; --i)
       difference[i] = (difference[i] - difference[i - 1]) / (t[i] - t[i - order]);
+  return difference;
+}
+
+std::array<Eigen::Vector3d, 3> polynomial_derivatives(const Window& window) noexcept {
+  ORISPLINE_EXPECT(window.size >= 2 && window.size <= Window::capacity);
+  // Newton form by divided differences, then value and three derivatives at time 0 by Horner's rule.
+  const std::array<Eigen::Vector3d, Window::capacity> difference = divided_differences(window);
+  const auto& t = window.times;
   Eigen::Vector3d value = difference[window.size - 1];
   Eigen::Vector3d first = Eigen::Vector3d::Zero(), second = first, third = first;
   for (std::size_t i = window.size - 1; i-- > 0;) {

@@ -54,6 +54,9 @@ struct WindowRates {
   return {a.first + share_of_b * (b.first - a.first), a.second + share_of_b * (b.second - a.second)};
 }
 
+/// Newton's divided differences of the displacements: the one of order i is that of the first i + 1 keys.
+[[nodiscard]] std::array<Eigen::Vector3d, Window::capacity> divided_differences(const Window& window) noexcept;
+
 /// Derivatives of orders 1…3 at the window's centre of the polynomial through all its keys (2 to 7).
 [[nodiscard]] std::array<Eigen::Vector3d, 3> polynomial_derivatives(const Window& window) noexcept;
 
