@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include <orispline/families/auto.hpp>
 #include <orispline/families/key_windows.hpp>
 #include <orispline/math/median.hpp>
 
@@ -114,21 +115,19 @@ std::optional<std::size_t> Measured::keys_beside(const FamilySettings& settings)
 }
 
 Expected<ChartCurve<5>> Measured::curve(const Keyframes& keys, const FamilySettings& settings) {
-  if (keys.size() < least_window) {
-    AutoRates along(keys, Through::orientations, 3, 3);
-    along.guard();
-    return quintics_through(keys, along, [&](std::size_t i) { return along.rates(i); });
-  }
+  if (keys.size() < least_window)
+    return settle(Auto::info, {}, keys.size()).and_then([&](const FamilySettings& own) {
+      return Auto::curve(keys, own);
+    });
   FittedRates rates(keys, Through::orientations, findings_of(keys, Through::orientations, settings));
   return quintics_through(keys, rates.along(), [&](std::size_t i) { return rates.at(i); });
 }
 
 Expected<HermitePath<5>> Measured::path(const Keyframes& keys, const FamilySettings& settings) {
-  if (keys.size() < least_window) {
-    AutoRates along(keys, Through::positions, 3, 3);
-    along.guard();
-    return quintic_path_through(keys, along, [&](std::size_t i) { return along.rates(i); });
-  }
+  if (keys.size() < least_window)
+    return settle(Auto::info, {}, keys.size()).and_then([&](const FamilySettings& own) {
+      return Auto::path(keys, own);
+    });
   FittedRates rates(keys, Through::positions, findings_of(keys, Through::positions, settings));
   return quintic_path_through(keys, rates.along(), [&](std::size_t i) { return rates.at(i); });
 }
