@@ -2,6 +2,7 @@
 #include <orispline/families/beta_g2.hpp>
 #include <orispline/families/beta_through.hpp>
 #include <orispline/tune/moving_betas.hpp>
+#include <orispline/tune/solved_construction.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
@@ -30,40 +31,9 @@ std::vector<Quaternion<T>> with_ghosts(std::vector<Quaternion<T>> points) {
   return points;
 }
 
-/// What both have: β of all keys, each of which reaches all segments.
-class SolvedBetas : public Construction {
+class BetaThroughConstruction final : public SolvedConstruction {
  public:
-  SolvedBetas(const Keyframes& keys, std::vector<Variable> list)
-      : keys_(keys), list_(std::move(list)), variables_(variables_in_reach(list_, keys.size() - 1)) {}
-  [[nodiscard]] const std::vector<std::vector<std::size_t>>& variables() const noexcept override { return variables_; }
-
- protected:
-  [[nodiscard]] const Keyframes& keys() const noexcept { return keys_; }
-
-  /// The slopes of the segments that `along(variable)` gives as a function of their index.
-  template <class Along>
-  [[nodiscard]] std::optional<ConstructedCurve> with_slopes(std::vector<TensionSegment> segments,
-                                                            const OpenEndedWork* work, Along along) const {
-    ConstructedCurve curve{std::move(segments), std::vector<std::vector<SegmentSlope>>(variables_.size())};
-    for (std::size_t v = 0; v < list_.size(); ++v) {
-      if (work && work->stopped()) return std::nullopt;
-      const auto segment_at = along(list_[v]);
-      for (std::size_t i = 0; i < variables_.size(); ++i)
-        if (!variables_[i].empty() && variables_[i].front() <= v && v <= variables_[i].back())
-          curve.slopes[i].push_back(slope_of(segment_at(i)));
-    }
-    return curve;
-  }
-
- private:
-  const Keyframes& keys_;
-  std::vector<Variable> list_;
-  std::vector<std::vector<std::size_t>> variables_;
-};
-
-class BetaThroughConstruction final : public SolvedBetas {
- public:
-  using SolvedBetas::SolvedBetas;
+  using SolvedConstruction::SolvedConstruction;
 
   [[nodiscard]] std::optional<ConstructedCurve> at(const CurveOptions& options,
                                                    const OpenEndedWork* work) const override {
@@ -78,14 +48,14 @@ class BetaThroughConstruction final : public SolvedBetas {
                        [&](const Variable& variable) {
                          const BetaShapeOver<Slope> shape = shape_of(with_ghosts(along(betas, variable)));
                          return [shape, points = with_ghosts<Slope>(controls.along(JointToKey<Slope>{&shape}))](
-                                    std::size_t i) { return beta_segment<Slope>(points, shape, i + 1); };
+                                    std::size_t i) { return slope_of(beta_segment<Slope>(points, shape, i + 1)); };
                        });
   }
 };
 
-class BetaG2GlobalConstruction final : public SolvedBetas {
+class BetaG2GlobalConstruction final : public SolvedConstruction {
  public:
-  using SolvedBetas::SolvedBetas;
+  using SolvedConstruction::SolvedConstruction;
 
   [[nodiscard]] std::optional<ConstructedCurve> at(const CurveOptions& options,
                                                    const OpenEndedWork* work) const override {
@@ -109,7 +79,7 @@ class BetaG2GlobalConstruction final : public SolvedBetas {
     return with_slopes(std::move(segments), work, [&](const Variable& variable) {
       const MovingBetas moving = along(betas, variable);
       return [&chain, q, moving, v = moved_handles(*chain, equations, moving)](std::size_t i) {
-        return BetaSegment<Slope>{constant<Slope>(q[i]), chain->template increments<Slope>(i, v, moving)};
+        return slope_of(BetaSegment<Slope>{constant<Slope>(q[i]), chain->template increments<Slope>(i, v, moving)});
       };
     });
   }

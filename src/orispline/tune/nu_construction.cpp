@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/families/global_c2.hpp>
 #include <orispline/families/nu.hpp>
-#include <orispline/tune/construction.hpp>
 #include <orispline/tune/moving_controls.hpp>
+#include <orispline/tune/solved_construction.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
@@ -53,41 +53,9 @@ std::vector<TensionSegment> slerp_segments(const Keyframes& keys, HandlesAfter h
 
 using TwoHandles = std::pair<Eigen::Vector3d, Eigen::Vector3d>;
 
-/// What both have: the ν of the inner keys, each of which reaches all segments.
-class NuVariables : public Construction {
+class NuConstruction final : public SolvedConstruction {
  public:
-  NuVariables(const Keyframes& keys, std::vector<Variable> variables)
-      : keys_(keys), list_(std::move(variables)), variables_(variables_in_reach(list_, keys.size() - 1)) {}
-  [[nodiscard]] const std::vector<std::vector<std::size_t>>& variables() const noexcept override { return variables_; }
-
- protected:
-  [[nodiscard]] const Keyframes& keys() const noexcept { return keys_; }
-  [[nodiscard]] const std::vector<Variable>& list() const noexcept { return list_; }
-
-  /// The slopes that `along(v)` gives for variable v as a function of the segment.
-  template <class Along>
-  [[nodiscard]] std::optional<std::vector<std::vector<SegmentSlope>>> slopes(const OpenEndedWork* work,
-                                                                             Along along) const {
-    std::vector<std::vector<SegmentSlope>> all(variables_.size());
-    for (std::size_t v = 0; v < list_.size(); ++v) {
-      if (work && work->stopped()) return std::nullopt;
-      const auto slope_of = along(v);
-      for (std::size_t i = 0; i < all.size(); ++i)
-        if (!variables_[i].empty() && variables_[i].front() <= v && v <= variables_[i].back())
-          all[i].push_back(slope_of(i));
-    }
-    return all;
-  }
-
- private:
-  const Keyframes& keys_;
-  std::vector<Variable> list_;
-  std::vector<std::vector<std::size_t>> variables_;
-};
-
-class NuConstruction final : public NuVariables {
- public:
-  using NuVariables::NuVariables;
+  using SolvedConstruction::SolvedConstruction;
 
   [[nodiscard]] std::optional<ConstructedCurve> at(const CurveOptions& options,
                                                    const OpenEndedWork* work) const override {
@@ -101,28 +69,23 @@ class NuConstruction final : public NuVariables {
     const MovingControls controls(made->rule, q, made->controls);
     if (!controls.regular()) return std::nullopt;
     const NuRatios<Slope> still = ratios_along(step, nu, 0);
-    ConstructedCurve curve{slerp_segments(keys(),
-                                          [&](std::size_t i) {
-                                            const Handles h = handles(controls.still(), still, q, i);
-                                            return TwoHandles(value_part(h.leaving), value_part(h.arriving));
-                                          }),
-                           {}};
-    auto all = slopes(work, [&](std::size_t v) {
-      const NuRule<Slope> rule{ratios_along(step, nu, list()[v].key), made->rule.start, made->rule.end};
+    auto segments = slerp_segments(keys(), [&](std::size_t i) {
+      const Handles h = handles(controls.still(), still, q, i);
+      return TwoHandles(value_part(h.leaving), value_part(h.arriving));
+    });
+    return with_slopes(std::move(segments), work, [&](const Variable& variable) {
+      const NuRule<Slope> rule{ratios_along(step, nu, variable.key), made->rule.start, made->rule.end};
       return [d = controls.along(rule), ratios = rule.ratios, q](std::size_t i) {
         const Handles h = handles(d, ratios, q, i);
         return slope_of_handles(slope_part(h.leaving), slope_part(h.arriving));
       };
     });
-    if (!all) return std::nullopt;
-    curve.slopes = std::move(*all);
-    return curve;
   }
 };
 
-class NuExactConstruction final : public NuVariables {
+class NuExactConstruction final : public SolvedConstruction {
  public:
-  using NuVariables::NuVariables;
+  using SolvedConstruction::SolvedConstruction;
 
   [[nodiscard]] std::optional<ConstructedCurve> at(const CurveOptions& options,
                                                    const OpenEndedWork* work) const override {
@@ -139,13 +102,11 @@ class NuExactConstruction final : public NuVariables {
     const auto t = keys().times();
     const auto third = [t](std::size_t i) { return (t[i + 1] - t[i]) / 3.0; };
     const std::vector<Eigen::Vector3d>& rates = chain->rates();
-    ConstructedCurve curve{
-        slerp_segments(keys(), [&](std::size_t i) { return TwoHandles(third(i) * rates[i], third(i) * rates[i + 1]); }),
-        {}};
-    auto all = slopes(work, [&](std::size_t v) {
-      const std::size_t key = list()[v].key;
+    auto segments =
+        slerp_segments(keys(), [&](std::size_t i) { return TwoHandles(third(i) * rates[i], third(i) * rates[i + 1]); });
+    return with_slopes(std::move(segments), work, [&](const Variable& variable) {
       Eigen::VectorXd change = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(chain->size()));
-      change.segment<3>(3 * static_cast<Eigen::Index>(key)) = -chain->residual_per_nu(key);
+      change.segment<3>(3 * static_cast<Eigen::Index>(variable.key)) = -chain->residual_per_nu(variable.key);
       return [turned = equations.solve(std::move(change)), third](std::size_t i) {
         const auto of = [&](std::size_t k) -> Eigen::Vector3d {
           return third(i) * turned.segment<3>(3 * static_cast<Eigen::Index>(k));
@@ -153,9 +114,6 @@ class NuExactConstruction final : public NuVariables {
         return slope_of_handles(of(i), of(i + 1));
       };
     });
-    if (!all) return std::nullopt;
-    curve.slopes = std::move(*all);
-    return curve;
   }
 };
 
