@@ -19,7 +19,7 @@ from rotations import conjugate, times
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 WITHIN = 1.6448536269514722  # standard deviations
-ROWS = {"nothing stated": "", "`--noise`": "--noise {}deg", "`--penalty jerk`": "--penalty jerk", "`--adapt`": "--adapt"}
+ROWS = {"nothing stated": "", "`--noise`": "--noise {}deg", "`--penalty jerk`": "--penalty jerk", "`--no-adapt`": "--no-adapt"}
 
 
 def components(found, wanted):

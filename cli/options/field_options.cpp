@@ -72,10 +72,13 @@ bool is_given(const TypedFields& typed, std::string_view name) {
 }
 
 void add_field(Command& command, TypedFields& typed, const FieldInfo& field, std::string_view group) {
-  command.add({.names = flag_of(field.name),
-               .sentence = help_of(field),
+  const bool is_negated = !field.without.empty();
+  command.add({.names = is_negated ? flag_of(formatted("no_{}", field.name)) : flag_of(field.name),
+               .sentence = is_negated ? std::string(field.without) : help_of(field),
                .typed = &typed[field.name],
-               .stands_for = field.type == FieldType::flag ? "true" : "",
+               .stands_for = field.type != FieldType::flag ? ""
+                             : is_negated                  ? "false"
+                                                           : "true",
                .argument = argument_of(field),
                .section = std::string(group),
                .is_required = field.is_required});

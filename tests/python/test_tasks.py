@@ -33,7 +33,7 @@ def expect_keys(keys, path, rates=()):
 
 
 SMOOTHINGS = {"": {}, "--noise 0.5deg --penalty jerk": {"noise": "0.5deg", "penalty": "jerk"},
-              "--smoothing-time 0.05 --loss l2": {"smoothing_time": 0.05, "loss": "l2"}, "--adapt": {"adapt": True}}
+              "--smoothing-time 0.05 --loss l2": {"smoothing_time": 0.05, "loss": "l2"}, "--no-adapt": {"adapt": False}}
 
 
 @pytest.mark.parametrize("words", SMOOTHINGS)

@@ -22,7 +22,6 @@ ARGUMENTS = [
     (lambda: ori.smooth(KEYS, gyro="yes"), "gyro: found 'yes', wanted true or false"),
     (lambda: ori.smooth(KEYS, gyro=1), "gyro: found 1, wanted true or false"),
     (lambda: ori.smooth(KEYS, noise=0.1, smoothing_time=1), "smoothing_time"),
-    (lambda: ori.smooth(KEYS, adapt=True, smoothing_time=1), "adapt: wanted no `smoothing_time` as well"),
     (lambda: ori.reduce(KEYS, "1"), "tolerance: found '1', wanted"),
     (lambda: ori.reduce(KEYS, 0), "tolerance: found 0 rad, wanted 1e-12 rad at least"),
     (lambda: ori.reduce(KEYS, None), "tolerance"),

@@ -41,9 +41,9 @@ double best_single(const Truth& truth, const Keyframes& keys, double smoothing_t
 
 Distances distances_of(const Truth& truth, double noise_deg, std::uint64_t seed) {
   const Keyframes keys = Keyframes::make(disturbed(truth.data, noise_deg * degree, seed)).value();
-  const Smoothing usual = smooth(keys).value();
+  const Smoothing usual = smooth(keys, {.adapt = false}).value();
   Distances found{.usual = rms_between(usual.nodes.orientations, truth.data.orientations),
-                  .adapted = distance(truth, keys, {.adapt = true}),
+                  .adapted = distance(truth, keys, {}),
                   .best_single = 0.0};
   found.best_single = best_single(truth, keys, usual.smoothing_time, found.usual);
   std::printf("%s, noise %g°, seed %d: %.4f of the usual, %.4f of the best single one\n", truth.name.c_str(), noise_deg,
@@ -103,7 +103,7 @@ TEST(Adaptation, OfRecordingsIsNotWorse) {
       for (std::uint64_t seed = 0; seed < (sweeps() ? 2 : 1); ++seed) {
         if (!is_judged(truth, noise_deg)) continue;
         const Keyframes keys = Keyframes::make(disturbed(truth.data, noise_deg * degree, seed)).value();
-        const double usual = distance(truth, keys, {}), adapted = distance(truth, keys, {.adapt = true});
+        const double usual = distance(truth, keys, {.adapt = false}), adapted = distance(truth, keys, {});
         std::printf("%s, noise %g°: %.4f of the usual\n", truth.name.c_str(), noise_deg, adapted / usual);
         EXPECT_LE(adapted, allowed * usual) << truth.name << ", " << noise_deg << "°";
       }
@@ -115,7 +115,7 @@ TEST(Adaptation, OfAnEvenMotionIsNotWorse) {
     for (std::uint64_t seed = 1; seed <= (sweeps() ? 10 : 2); ++seed) {
       const Recording recording = recorded(1000, noise_deg * degree, seed);
       const Keyframes keys = Keyframes::make(recording.noisy).value();
-      const Smoothing usual = smooth(keys).value(), adapted = smooth(keys, {.adapt = true}).value();
+      const Smoothing usual = smooth(keys, {.adapt = false}).value(), adapted = smooth(keys).value();
       EXPECT_LE(rms(adapted, recording.clean), allowed * rms(usual, recording.clean)) << noise_deg << "°, " << seed;
     }
 }
@@ -123,7 +123,7 @@ TEST(Adaptation, OfAnEvenMotionIsNotWorse) {
 TEST(Adaptation, TellsItsSmoothingTimesWhichAreShortWhereTheMotionIsQuick) {
   const Truth truth = gait(2, Strike::ring);
   const Keyframes keys = Keyframes::make(disturbed(truth.data, 0.1 * degree, 2)).value();
-  const Smoothing smoothing = smooth(keys, {.adapt = true, .sigma = true}).value();
+  const Smoothing smoothing = smooth(keys, {.sigma = true}).value();
   ASSERT_EQ(smoothing.smoothing_times.size(), keys.size());
   EXPECT_LT(2.0 * *smoothing.shortest_smoothing_time(), *smoothing.longest_smoothing_time());
   EXPECT_LT(*smoothing.shortest_smoothing_time(), smoothing.smoothing_time);
@@ -143,15 +143,15 @@ TEST(Adaptation, IsForEveryPenaltyLossAndKnowledge) {
   const Keyframes keys = Keyframes::make(disturbed(truth.data, 0.3 * degree, 3)).value();
   for (SmoothOptions options : {SmoothOptions{.penalty = Penalty::jerk}, SmoothOptions{.loss = Loss::l2},
                                 SmoothOptions{.noise = 0.3 * degree}}) {
-    const double usual = distance(truth, keys, options);
-    options.adapt = true;
-    EXPECT_LT(distance(truth, keys, options), 0.95 * usual);
+    const double adapted = distance(truth, keys, options);
+    options.adapt = false;
+    EXPECT_LT(adapted, 0.95 * distance(truth, keys, options));
   }
 }
 
 TEST(Adaptation, LeavesOneTimeWhereItServesAsWell) {
   const Keyframes keys = Keyframes::make(recorded(300, degree).noisy).value();
-  const Smoothing usual = smooth(keys).value(), adapted = smooth(keys, {.adapt = true}).value();
+  const Smoothing usual = smooth(keys, {.adapt = false}).value(), adapted = smooth(keys).value();
   EXPECT_TRUE(usual.smoothing_times.empty());
   EXPECT_FALSE(usual.shortest_smoothing_time());
   EXPECT_TRUE(adapted.smoothing_times.empty());
@@ -164,17 +164,22 @@ TEST(Adaptation, BearsGapsAndFewSamples) {
   Truth truth = gait(4, Strike::pulse, 600);
   for (std::size_t i = 300; i < 600; ++i) truth.data.times[i] += 5.0;
   const Keyframes keys = Keyframes::make(disturbed(truth.data, 0.1 * degree, 4)).value();
-  const Smoothing smoothing = smooth(keys, {.gap = 1.0, .adapt = true}).value();
+  const Smoothing smoothing = smooth(keys, {.gap = 1.0}).value();
   EXPECT_EQ(smoothing.stretches.size(), 2u);
   EXPECT_TRUE(smoothing.smoothing_times.empty() || smoothing.smoothing_times.size() == 600u);
   for (const std::size_t count : {3u, 4u, 7u})
-    EXPECT_TRUE(smooth(Keyframes::make(recorded(count, degree).noisy).value(), {.adapt = true}));
+    EXPECT_TRUE(smooth(Keyframes::make(recorded(count, degree).noisy).value()));
 }
 
-TEST(Adaptation, IsRefusedWhereOneTimeIsStatedOrAGyroIsUsed) {
-  EXPECT_EQ(check(SmoothOptions{.smoothing_time = 0.1, .adapt = true}).error().option, "adapt");
-  EXPECT_EQ(check(SmoothOptions{.gyro = true, .adapt = true}).error().option, "adapt");
-  EXPECT_TRUE(check(SmoothOptions{.noise = 0.1, .adapt = true}));
+TEST(Adaptation, IsNotWhereOneTimeIsStatedOrAGyroIsUsed) {
+  const Truth truth = gait(3, Strike::ring, 600);
+  KeyframeData data = disturbed(truth.data, 0.3 * degree, 3);
+  const Smoothing adapted = smooth(Keyframes::make(data).value()).value();
+  ASSERT_FALSE(adapted.smoothing_times.empty());
+  data.angular_velocities = adapted.nodes.angular_velocities;
+  const Keyframes keys = Keyframes::make(data).value();
+  EXPECT_TRUE(smooth(keys, {.smoothing_time = adapted.smoothing_time}).value().smoothing_times.empty());
+  EXPECT_TRUE(smooth(keys, {.gyro = true}).value().smoothing_times.empty());
 }
 
 }  // namespace

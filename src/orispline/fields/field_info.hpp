@@ -62,6 +62,7 @@ struct FieldInfo {
   Interval range{};                    ///< of a number, as far as it depends on nothing else
   std::string_view example{};          ///< of a number with its unit, where that of the quantity would mislead
   std::string_view absent{};           ///< what holds where nothing is stated, where the value itself does not say it
+  std::string_view without{};          ///< of a flag that is set by default: what holds without it, for people
   bool is_required = false;            ///< the caller has to state it
   FieldType type{};
   // What field() finds out by itself, as it does most types:

@@ -51,7 +51,7 @@ class Smoother {
             .smoothing_time = options_.smoothing_time,
             .noise = options_.noise.value_or(scale_.noise),
             .interval = scale_.interval,
-            .adapt = options_.adapt,
+            .adapt = options_.adapt && !options_.gyro,
             .unit = "°",
             .unit_size = degrees};
   }

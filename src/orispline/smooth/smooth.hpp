@@ -28,14 +28,13 @@ struct SmoothOptions {
   bool gyro = false;            ///< the angular velocities of the recording are those of a gyro with a constant bias
   std::optional<double> gyro_noise{};      ///< σ per axis [rad/s], 1e-9 to 1e3
   std::optional<double> position_noise{};  ///< σ of the positions per axis [m], 1e-12 to 1e12
-  bool adapt = false;  ///< let τ vary in time where that predicts the samples clearly better; not with `smoothing_time`
-                       ///< or `gyro`, and not of positions
+  bool adapt = true;  ///< let τ of the orientations vary in time where that predicts the samples clearly better; of no
+                      ///< effect with `smoothing_time` or `gyro`, with which one τ serves the whole recording
   bool sigma = false;  ///< find the standard deviations of the smoothed orientations and rates too
 };
 
 /// Errors (bad_argument): numbers that are out of their range whatever the recording is, and options that contradict
-/// each other: `noise` and `smoothing_time`, `gyro` and `gap`, `gyro_noise` without
-/// `gyro`, `adapt` and `smoothing_time` or `gyro`.
+/// each other: `noise` and `smoothing_time`, `gyro` and `gap`, `gyro_noise` without `gyro`.
 [[nodiscard]] ORISPLINE_EXPORT Expected<void> check(const SmoothOptions& options);
 
 /// Of the times that it is shown, the choice of τ sees about this many at most.

@@ -86,7 +86,9 @@ std::span<const FieldInfo> fields_of<SmoothOptions>() noexcept {
                                   .absent = "all are bridged"}),
       field<&SmoothOptions::adapt>({.name = "adapt",
                                     .sentence = "Let the smoothing time of the orientations vary in time, where that "
-                                                "predicts the samples clearly better"}),
+                                                "predicts the samples clearly better",
+                                    .without = "Keep one smoothing time for the whole recording, even where one that "
+                                               "varies in time predicts the samples clearly better"}),
       field<&SmoothOptions::sigma>(
           {.name = "sigma",
            .sentence = "Add one standard deviation of every orientation and rate, along the axes of the body"}),

@@ -27,10 +27,6 @@ Expected<void> check(const SmoothOptions& options) {
   if (options.noise && options.smoothing_time)
     return bad_option("noise", "wanted no `smoothing_time` as well: each determines how smooth");
   if (options.gyro_noise && !options.gyro) return bad_option("gyro_noise", "wanted `gyro` as well");
-  if (options.adapt && options.smoothing_time)
-    return bad_option("adapt", "wanted no `smoothing_time` as well, which is the same for the whole recording");
-  if (options.adapt && options.gyro)
-    return bad_option("adapt", "wanted no `gyro`, with which one smoothing time serves the whole recording");
   if (options.gyro && options.gap) return bad_option("gap", "wanted no `gyro`, which bridges gaps");
   return {};
 }
