@@ -9,6 +9,7 @@
 #include <orispline/analysis/comparison.hpp>
 #include <orispline/analysis/decimation.hpp>
 #include <orispline/analysis/key_statistics.hpp>
+#include <orispline/analysis/least_energy.hpp>
 #include <orispline/analysis/leave_out.hpp>
 #include <orispline/analysis/measure_info.hpp>
 #include <orispline/analysis/spread.hpp>

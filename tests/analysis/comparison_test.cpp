@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <orispline/analysis/key_statistics.hpp>
+#include <orispline/analysis/least_energy.hpp>
 #include <orispline/analysis/leave_out.hpp>
 #include <orispline/families/motion_band.hpp>
 #include <orispline/families/registry.hpp>
@@ -127,6 +128,33 @@ TEST(Compare, GoesOnAfterAMethodThatFailsAndGivesTheSameOnAnyNumberOfThreads) {
     EXPECT_EQ(one.measures[i]->energies.jerk, four.measures[i]->energies.jerk);
   }
   EXPECT_EQ(shares, (std::vector{0.25, 0.5, 0.75, 1.0}));
+}
+
+TEST(Compare, FindsTheLeastEnergyOfEachTrackWhateverTheMethodsAndRatesOfItsKeys) {
+  const Motions motion = cubic_motion();
+  KeyframeData with_rates{.times = {0.0, 1.0, 2.0},
+                          .orientations = {about_x(0.0), about_x(0.25), about_x(2.0)},
+                          .angular_velocities = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}};
+  const std::vector<Candidate> candidates{{.method = "slerp", .keys = motion.every(20)},
+                                          {.method = "auto", .keys = motion.every(10)},
+                                          {.method = "squad", .keys = motion.every(20)},
+                                          {.method = "auto", .keys = Keyframes::make(with_rates).value()}};
+  const Comparison comparison = compare(candidates, motion.recording(), {}, 2);
+  constexpr double natural_spline = 3.375;  // through the angles 0, 0.25, 2 at 0, 1, 2 s
+  for (const std::size_t i : {0u, 2u, 3u})
+    EXPECT_NEAR(comparison.measures[i]->least_energy.value(), natural_spline, 1e-8) << i;
+  EXPECT_GT(comparison.measures[1]->least_energy.value(), natural_spline + 1.0);
+  EXPECT_FALSE(measure(candidates[0], motion.recording())->least_energy);
+}
+
+TEST(LeastEnergy, IsNotLookedForWithFewerThanTwoKeysOrVeryMany) {
+  KeyframeData data{.times = {0.0}, .orientations = {about_x(0.0)}};
+  EXPECT_FALSE(least_energy(Keyframes::make(data).value()));
+  for (std::size_t i = 1; i <= most_keys_for_least_energy; ++i) {
+    data.times.push_back(static_cast<double>(i));
+    data.orientations.push_back(about_x(0.0));
+  }
+  EXPECT_FALSE(least_energy(Keyframes::make(data).value()));
 }
 
 TEST(Compare, MeasuresNoMoreOnceItIsStopped) {

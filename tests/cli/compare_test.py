@@ -117,6 +117,18 @@ class Compare(CommandTest):
         self.assertAlmostEqual(row["torque_energy"], 9 * 6.0, delta=1e-8)
         self.assertAlmostEqual(row["peak_torque_n_m"], 3 * 3.0, delta=1e-8)
 
+    def test_every_energy_is_told_beside_the_least_possible(self):
+        self.write("plain.csv", motion_about_z(lambda t: t ** 3 / 4))
+        slerp, auto, least = sorted(self.compared("plain.csv --keep-every 20 --methods slerp,auto,least"),
+                                    key=lambda row: ["slerp", "auto", "least"].index(row["method"]))
+        natural_spline = 3.375  # ∫|α|² of that through the angles 0, 0.25, 2 at 0, 1, 2 s
+        self.assertAlmostEqual(least["energy"], natural_spline, delta=1e-8)
+        self.assertAlmostEqual(least["times_least_energy"], 1, delta=1e-12)
+        self.assertAlmostEqual(auto["times_least_energy"], auto["energy"] / natural_spline, delta=1e-8)
+        self.assertIsNone(slerp["times_least_energy"])
+        table = self.output_of("compare plain.csv --keep-every 20 --methods slerp,auto")
+        self.assertIn("× least", table)
+
     def test_sorting_puts_the_best_first_and_infinite_energies_last(self):
         energies = self.compared("cubic.csv --keep-every 10 --methods slerp,timed-c2,auto --sort energy")
         self.assertEqual(energies[-1]["method"], "slerp")

@@ -61,7 +61,7 @@ Warning not_denser(const Track& recording) {
 
 std::vector<MeasureInfo> ComparedData::measures(LeaveOut leave_out,
                                                 const std::optional<Eigen::Matrix3d>& inertia) const {
-  std::vector groups{MeasureGroup::distance, MeasureGroup::shape, MeasureGroup::cost};
+  std::vector groups{MeasureGroup::distance, MeasureGroup::shape, MeasureGroup::optimum, MeasureGroup::cost};
   if (any_given(samples.angular_velocities())) groups.push_back(MeasureGroup::rate);
   if (leave_out == LeaveOut::yes) groups.push_back(MeasureGroup::leave_out);
   if (inertia) groups.push_back(MeasureGroup::torque);

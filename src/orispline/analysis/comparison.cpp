@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include <orispline/analysis/angle_travelled.hpp>
+#include <orispline/analysis/least_energy.hpp>
 #include <orispline/analysis/leave_out.hpp>
 #include <orispline/analysis/sampled.hpp>
 #include <orispline/base/counted_work.hpp>
@@ -106,12 +107,19 @@ Comparison compare(std::span<const Candidate> candidates, const RecordedMotion& 
                    const MeasureOptions& options, unsigned threads, const Progress& progress) {
   Comparison comparison{.measures = std::vector<Expected<Measures>>(candidates.size()),
                         .warnings = warnings_of(options.inertia)};
+  std::vector<const Keyframes*> tracks;
+  for (const Candidate& candidate : candidates) tracks.push_back(&candidate.keys);
+  const std::vector<std::size_t> firsts = first_of_equal(tracks);
+  std::vector<std::optional<double>> least(candidates.size());
   CountedWork work(progress, candidates.size());
   parallel_for(candidates.size(), threads, [&](std::size_t i) {
     comparison.measures[i] = progress.stopped() ? Expected<Measures>(cancellation())
                                                 : measure(candidates[i], recording, options, {.stop = progress.stop});
+    if (firsts[i] == i && !progress.stopped()) least[i] = least_energy(candidates[i].keys);
     work.add_part();
   });
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    if (auto& measures = comparison.measures[i]) measures->least_energy = least[firsts[i]];
   return comparison;
 }
 

@@ -50,6 +50,7 @@ struct Measures {
   Continuity continuity{};                         ///< in time, at the keys
   ShapeContinuity shape{};                         ///< of the shape, at the keys
   Energies energies{};
+  std::optional<double> least_energy{};  ///< the least ∫|α|² [rad²/s³] through these keys; compare() finds it
   Peaks peaks{};
   double angle_travelled = 0.0;                   ///< ∫|ω| dt [rad]
   std::optional<DistanceStatistics> leave_out{};  ///< at keys that were left out [rad], where asked for and possible
@@ -72,7 +73,8 @@ struct ORISPLINE_EXPORT Comparison {
   [[nodiscard]] bool any() const noexcept;
 };
 
-/// Measures the candidates on up to `threads` threads (0: one per core). Those that a stop came before are cancelled.
+/// Measures the candidates, and the least energy through their keys where one could be measured, on up to `threads`
+/// threads (0: one per core). Those that a stop came before are cancelled.
 [[nodiscard]] ORISPLINE_EXPORT Comparison compare(std::span<const Candidate> candidates,
                                                   const RecordedMotion& recording, const MeasureOptions& options = {},
                                                   unsigned threads = 1, const Progress& progress = {});

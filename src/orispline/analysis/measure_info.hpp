@@ -24,6 +24,7 @@ enum class MeasureGroup {
   rate,       ///< to its angular velocities, where they are logged
   leave_out,  ///< to keys that were left out, where that is asked for
   shape,      ///< how smooth the curve is
+  optimum,    ///< how much smoother a curve through these keys can be
   torque,     ///< that it takes, where the inertia is known
   cost,       ///< to make it and to sample it
 };

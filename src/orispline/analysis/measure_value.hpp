@@ -57,6 +57,13 @@ template <double Energies::*figure>
   return m.energies.*figure;
 }
 
+/// Absent where ω jumps, since the energy is infinite then, and where the least is as small as rounding errors.
+[[nodiscard]] inline Value times_least_energy(const Measures& m, const MeasureTimes&) {
+  constexpr double rounding_of_squares = 1e-24;
+  if (!m.least_energy || !(*m.least_energy > rounding_of_squares) || m.continuity.order() < 1) return std::nullopt;
+  return m.energies.acceleration / *m.least_energy;
+}
+
 template <Peak Peaks::*figure>
 [[nodiscard]] Value peak(const Measures& m, const MeasureTimes&) {
   return (m.peaks.*figure).value;
