@@ -67,6 +67,7 @@ namespace experiment {
 // He et al. 2022, Beta curves.
 [[nodiscard]] Expected<Findings> beta_example1();
 [[nodiscard]] Expected<Findings> beta_example2();
+[[nodiscard]] Expected<Findings> beta_shapes();
 // Eberly, quaternions.
 [[nodiscard]] Expected<Findings> quaternion_identities();
 [[nodiscard]] Expected<Findings> angular_cubic();

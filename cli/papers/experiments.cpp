@@ -23,6 +23,8 @@ constexpr std::array list{
                experiment::beta_example1},
     Experiment{"001-example2", "He et al. 2022, example 2 and figure 4: the effect of the shape parameter beta2",
                experiment::beta_example2},
+    Experiment{"001-shapes", "He et al. 2022, the shape parameters: the best beta1 and beta2 by energy and by fit",
+               experiment::beta_shapes},
     Experiment{"002-identities", "Eberly, sections 1 to 6: the identities on random quaternions",
                experiment::quaternion_identities},
     Experiment{"002-example", "Eberly, section 6: the angular cubic of squad", experiment::angular_cubic},

@@ -109,7 +109,7 @@ class Command(Reproduced):
         page = self.output_of("reproduce 001")
         self.assertIn("\n001-example2  He et al. 2022", page)
         self.assertEqual([report["experiment"] for report in json.loads(self.output_of("reproduce 001 --json"))],
-                         ["001-example1", "001-example2"])
+                         ["001-example1", "001-example2", "001-shapes"])
 
     def test_an_unknown_experiment_gets_one_clear_line(self):
         self.assert_fails("reproduce 004", BAD_USAGE,

@@ -5,7 +5,7 @@ import json
 from command import CommandTest
 
 PARTS = ["000-figure1", "000-figure2", "000-figure3", "000-figure4", "000-table1", "000-claims", "001-example1",
-         "001-example2", "002-identities", "002-example", "003-table1", "003-figure7", "003-claims"]
+         "001-example2", "001-shapes", "002-identities", "002-example", "003-table1", "003-figure7", "003-claims"]
 TAKING_KEYS = ["000-figure3", "000-figure4", "000-table1", "000-claims", "003-figure7"]
 AUTHORS = {"000": "tan", "001": "he", "002": "eberly", "003": "sextic"}
 
