@@ -24,8 +24,9 @@ void BandedSystem::add(std::span<const std::size_t> variables, const Eigen::Vect
   }
 }
 
-std::vector<double> BandedSystem::solved(std::span<const std::size_t> held) const {
+std::vector<double> BandedSystem::solved(std::span<const std::size_t> held, double damping) const {
   std::vector<double> factor = matrix_, x(gradient_.size());
+  for (std::size_t i = 0; i < x.size(); ++i) at(factor, i, i) *= 1.0 + damping;
   std::vector<bool> stays(x.size(), false);
   for (const std::size_t variable : held) stays[variable] = true;
   const auto first_of = [this](std::size_t row) { return row > band_ ? row - band_ : 0; };

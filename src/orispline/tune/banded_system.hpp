@@ -20,8 +20,8 @@ class BandedSystem {
   void add(std::span<const std::size_t> variables, const Eigen::VectorXd& residuals, const Eigen::MatrixXd& jacobian);
 
   /// The solution by LDLᵀ, in time linear in the number of variables. What the residuals do not determine stays 0, and
-  /// so do the variables of `held`.
-  [[nodiscard]] std::vector<double> solved(std::span<const std::size_t> held = {}) const;
+  /// so do the variables of `held`. The diagonal is larger by that share of it, as Levenberg and Marquardt have it.
+  [[nodiscard]] std::vector<double> solved(std::span<const std::size_t> held = {}, double damping = 0.0) const;
 
   /// Jᵀr.
   [[nodiscard]] const std::vector<double>& gradient() const noexcept { return gradient_; }
