@@ -17,7 +17,8 @@ RECORDINGS = {
 GYRO_NOISE = {"BROAD": 5.1, "PX4": 0.05}  # deg/s per axis
 NOISES = (0.2, 1.0, 3.0)  # deg per axis
 # Way of smoothing that the reference knows too -> options of the command.
-WAYS = {"gcv": "--loss l2", "noise": "--loss l2 --noise {noise}deg", "jerk": "--loss l2 --penalty jerk",
+WAYS = {"gcv": "--loss l2 --no-adapt", "noise": "--loss l2 --no-adapt --noise {noise}deg",
+        "jerk": "--loss l2 --no-adapt --penalty jerk",
         "gyro": "--loss l2 --noise {noise}deg --gyro --gyro-noise {gyro}deg/s"}
 
 
