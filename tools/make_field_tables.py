@@ -34,7 +34,7 @@ def standing(field):
     default = field["default"]
     if default in (None, False, []) or field["type"] == "symmetric_matrix":
         return ""
-    return f"`{default}`"
+    return "`true`" if default is True else f"`{default}`"
 
 
 def table(task, part):
