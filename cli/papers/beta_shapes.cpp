@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // He et al. 2022, section 5: "the spline shape can be controlled locally" by β₁ and β₂. Which are best?
 #include <array>
+#include <optional>
 #include <utility>
 
 #include <orispline/analysis/distance.hpp>

@@ -145,6 +145,7 @@ TEST(Compare, FindsTheLeastEnergyOfEachTrackWhateverTheMethodsAndRatesOfItsKeys)
     EXPECT_NEAR(comparison.measures[i]->least_energy.value(), natural_spline, 1e-8) << i;
   EXPECT_GT(comparison.measures[1]->least_energy.value(), natural_spline + 1.0);
   EXPECT_FALSE(measure(candidates[0], motion.recording())->least_energy);
+  EXPECT_FALSE(compare(candidates, motion.recording(), {.least_energy = false}).measures[0]->least_energy);
 }
 
 TEST(LeastEnergy, IsNotLookedForWithFewerThanTwoKeysOrVeryMany) {

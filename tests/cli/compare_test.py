@@ -128,6 +128,8 @@ class Compare(CommandTest):
         self.assertIsNone(slerp["times_least_energy"])
         table = self.output_of("compare plain.csv --keep-every 20 --methods slerp,auto")
         self.assertIn("× least", table)
+        row, = self.compared("plain.csv --keep-every 20 --methods auto --no-least-energy")
+        self.assertIsNone(row["times_least_energy"])
 
     def test_sorting_puts_the_best_first_and_infinite_energies_last(self):
         energies = self.compared("cubic.csv --keep-every 10 --methods slerp,timed-c2,auto --sort energy")

@@ -27,6 +27,13 @@ class Measured(CommandTest):
         super().setUp()
         self.write("keys.csv", noisy_keys(60))
 
+    def test_the_summary_of_many_keys_names_the_method_for_recordings(self):
+        hint = "if the keys are a recording, --method measured"
+        for count, method, told in ((19, "", False), (20, "", True), (20, "--method measured", False), (20, "--method slerp", False)):
+            self.write("recorded.csv", noisy_keys(count))
+            done = self.run_command(f"sample recorded.csv {method} --count 5 -o out.csv")
+            self.assertEqual((done.returncode, hint in done.stderr), (0, told), done.stderr)
+
     def summary(self, arguments):
         return json.loads(self.output_of(f"sample keys.csv --rate 50 {arguments} --json -o out.csv"))
 

@@ -7,7 +7,8 @@ import re
 from command import CommandTest, main
 
 OTHERWISE = {  # what the command takes in a manner of its own
-    "slowing": "--per-interval", "adapt": "--no-adapt", "values": "--refit", "spacing": "--jitter", "seed": "--random"}
+    "slowing": "--per-interval", "adapt": "--no-adapt", "least_energy": "--no-least-energy", "values": "--refit",
+    "spacing": "--jitter", "seed": "--random"}
 
 
 class Tasks(CommandTest):

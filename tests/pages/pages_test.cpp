@@ -232,6 +232,17 @@ TEST(ComparePage, ShowsTheDefaultBesideTheWorstOfTheWidelyUsedSplines) {
   for (const std::string_view name : {"rotation-spline", "squad", "tcb"}) EXPECT_TRUE(find_family(name)) << name;
 }
 
+TEST(ComparePage, DrawsTheBandOfAMethodThatHasOneAboutItsError) {
+  const report::Page page = compared({"measured", "auto"}, {"measured", "auto"});
+  EXPECT_TRUE(page.methods[1].bands.empty());
+  const report::PageBand& band = page.methods[0].bands.at("error");
+  EXPECT_EQ(band.label, "90 % of the truth, as the keys tell");
+  EXPECT_EQ(band.times, page.methods[0].samples.path.times);
+  EXPECT_EQ(band.low, std::vector<double>(band.times.size(), 0.0));
+  EXPECT_GT(*std::ranges::max_element(band.high), 0.0);
+  EXPECT_LT(*std::ranges::max_element(band.high), 180.0);
+}
+
 TEST(ComparePage, ShowsTheDefaultBesideWhatTheUserNamed) {
   EXPECT_EQ(compared({"auto", "squad", "slerp"}, {"auto", "slerp", "squad"}).second, "slerp");
   const report::Page failed = compared({"auto", "squad", "slerp", "impossible"}, {"impossible", "slerp"});

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Measures of curves, beside closed forms, SciPy's quadrature and the command."""
 import concurrent.futures
+import csv
 import json
 import subprocess
 
@@ -175,6 +176,29 @@ def test_measures_are_those_of_compare():
               "leave_out_rms_deg": np.degrees(curve.leave_out().rms)}
     assert {name: found[name] for name in values} == pytest.approx(values, rel=1e-12)
     assert distance.count == found["samples"]
+
+
+def test_bands_are_those_of_the_reference():
+    def table(name):
+        with open(DATA / "golden" / name, encoding="utf-8") as file:
+            return list(csv.DictReader(line for line in file if not line.startswith("#")))
+
+    keys, rows = table("measured_keys.csv"), table("measured.csv")
+    name = next(row["sequence"] for row in rows if row["band90"])
+    track, wanted = ([row for row in some if row["sequence"] == name] for some in (keys, rows))
+    curve = ori.Curve([float(k["t"]) for k in track], [[float(k[c]) for c in ("qx", "qy", "qz", "qw")] for k in track], "measured")
+    t = [float(row["t"]) for row in wanted]
+    for share, column in ((0.9, "band90"), (0.5, "band50")):
+        assert np.allclose(curve.band(t, share), [float(row[column]) for row in wanted], rtol=1e-9, atol=1e-13)
+    assert isinstance(curve.band(t[1]), float) and curve.band(t[1]) == curve.band(t)[1] and np.isnan(curve.band(np.nan))
+
+
+def test_bands_of_few_keys_are_infinite_and_other_methods_have_none(keys):
+    assert ori.Curve([0, 1], [[0, 0, 0, 1], [0, 0, 1, 0]], "measured").band(0.5) == np.inf
+    with pytest.raises(ori.ArgumentError):
+        ori.Curve(*keys, "auto").band(0.5)
+    with pytest.raises(ori.ArgumentError):
+        ori.Curve(*keys, "measured").band(0.5, share=1.5)
 
 
 def test_distances_are_those_of_scipy(curve):

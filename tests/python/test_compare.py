@@ -18,8 +18,8 @@ def without_clock(rows):
     ("--keep-every 40,90 --jitter --random 7 --methods auto,slerp,quintic:tension=0.6 --tune --sort max",
      {"keep_every": [40, 90], "jitter": True, "random": 7, "methods": ["auto", "slerp", "quintic:tension=0.6"],
       "tune": True, "sort": "max"}),
-    ("--random 3 --methods squad --leave-out --inertia=1,2,2.5 --sort torque",
-     {"random": 3, "methods": "squad", "leave_out": True, "inertia": (1, 2, 2.5), "sort": "torque"})])
+    ("--random 3 --methods squad --leave-out --no-least-energy --inertia=1,2,2.5 --sort torque",
+     {"random": 3, "methods": "squad", "leave_out": True, "least_energy": False, "inertia": (1, 2, 2.5), "sort": "torque"})])
 def test_table_is_that_of_the_command(words, options):
     told = json_of("compare", TRUTH, *words.split(), "--quiet")
     comparison = ori.compare(keys_in(TRUTH, "angular_velocities"), **options)

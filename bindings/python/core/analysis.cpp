@@ -13,6 +13,7 @@
 #include <orispline/analysis/comparison.hpp>
 #include <orispline/analysis/leave_out.hpp>
 #include <orispline/curve/torque.hpp>
+#include <orispline/families/motion_band.hpp>
 #include <orispline/families/registry.hpp>
 
 #include "arrays.hpp"
@@ -168,6 +169,14 @@ nb::dict settings_of(const PythonCurve& curve) {
   return settings;
 }
 
+void bands_at(const PythonCurve& curve, double share, const Numbers& times, const MutableNumbers& out) {
+  const MotionBand band = value_of([&] {
+    const nb::gil_scoped_release release;
+    return MotionBand::make(curve.method(), curve.keys().track->keys, share);
+  }());
+  map_numbers(times, out, [&band](double t) { return band(t); });
+}
+
 }  // namespace
 
 void add_analysis(nb::module_& module, nb::class_<PythonCurve>& curve_class) {
@@ -193,7 +202,8 @@ void add_analysis(nb::module_& module, nb::class_<PythonCurve>& curve_class) {
           [](const PythonCurve& curve, const Numbers& angles, const MutableNumbers& out) {
             map_numbers(angles, out, [&](double angle) { return curve.travelled().time_at(angle); });
           },
-          "angles"_a, "out"_a.noconvert());
+          "angles"_a, "out"_a.noconvert())
+      .def("bands_at", &bands_at, "share"_a, "times"_a, "out"_a.noconvert());
 }
 
 }  // namespace orispline::python

@@ -105,7 +105,8 @@ def _texts(methods: Sequence[str] | str | None) -> list[str] | None:
 
 def compare(keys: Keys, methods: Sequence[str] | str | None = None, *, reference: Keys | None = None,
             keep_every: int | Sequence[int] = 8, jitter: bool = False, random: int | None = None, inertia: Any = None,
-            leave_out: bool = False, tune: bool = False, sort: str = "rms", threads: int = 0) -> Comparison:
+            leave_out: bool = False, least_energy: bool = True, tune: bool = False, sort: str = "rms",
+            threads: int = 0) -> Comparison:
     """How near the curves of methods come to a recording, how smooth they are, and what they cost.
 
     Parameters
@@ -124,6 +125,8 @@ def compare(keys: Keys, methods: Sequence[str] | str | None = None, *, reference
         Of the body [kg m²]: principal moments, or xx, yy, zz, xy, xz, yz. With it torques are measured too.
     leave_out : bool
         Estimate the error from the keys alone as well, by leaving some of them out.
+    least_energy : bool
+        Tell how many times the least possible ∫|α|² dt each curve has, which takes a quarter of a millisecond a key.
     tune : bool
         Methods with tensions also with those of the least angular acceleration, as `"NAME:tuned"`.
     sort : str
@@ -158,7 +161,7 @@ def compare(keys: Keys, methods: Sequence[str] | str | None = None, *, reference
     if not isinstance(sort, str):
         raise TypeError(f"sort: found {type(sort).__name__}, wanted a word")
     arguments = (_decimations(keep_every, jitter, random, reference), _texts(methods), bool(tune), sort,
-                 plain({"inertia": inertia, "leave_out": leave_out}), checked_threads(threads))
+                 plain({"inertia": inertia, "leave_out": leave_out, "least_energy": least_energy}), checked_threads(threads))
     core = _work(keys, reference, *arguments)
     tell(core.warnings)
     return Comparison(tuple(core.measures()), keys, arguments, reference, core.rows(), core)

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from . import _core
 from ._arrays import Array, numbers, quaternions
+from ._checks import real
 from ._errors import ArgumentError, DataError
 from ._warnings import tell
 
@@ -133,6 +134,30 @@ class CurveAnalysis:
         seconds = np.empty(np.shape(angle))
         self._core.times_at(angles.reshape(-1), seconds.reshape(-1))
         return self._clock.back(seconds) if seconds.ndim else self._time(float(seconds))
+
+    @overload
+    def band(self, t: Time, share: float = ...) -> float: ...
+    @overload
+    def band(self, t: ArrayLike, share: float = ...) -> Array: ...
+
+    def band(self, t: Any, share: float = 0.9) -> Any:
+        """The angle [rad] about a curve of the method `measured` that is meant to hold this share of the true motion, at times
+        which are held to the curve's domain: a float for one time, else an array of their shape. Infinite where the keys say
+        nothing. It takes as long as making the curve.
+
+        Raises ArgumentError for the curve of another method and for a share that is not between 0 and 1.
+
+        >>> import numpy as np, orispline as ori
+        >>> times = np.arange(40.0)
+        >>> half = 0.3 * np.sin(times) + 0.01 * np.sin(7.3 * times)
+        >>> curve = ori.Curve(times, np.column_stack([0 * half, 0 * half, np.sin(half), np.cos(half)]), "measured")
+        >>> bool(0 < curve.band(20.5) < curve.band(20.5, 0.99))
+        True
+        """
+        seconds = self._clock.seconds("t", t)
+        bands = np.empty(seconds.shape)
+        self._core.bands_at(real("share", share), seconds.reshape(-1), bands.reshape(-1))
+        return bands if bands.ndim else float(bands)
 
     def torque(self, t: Any, inertia: Any) -> NDArray[np.float64]:
         """(..., 3) J α + ω × J ω [N m], body frame: what turns a free rigid body so. Errors as of `energies`.

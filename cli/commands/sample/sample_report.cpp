@@ -60,6 +60,10 @@ std::string text_of(const SampleReport& report) {
   text += formatted("{} with {} written to {}\n", counted(report.samples, "sample"), report.method_text,
                     destination(report.output));
   if (report.findings) text += "the keys say: " + text_of(*report.findings) + "\n";
+  if (report.method == default_method && report.keys >= families::least_weighed)
+    text +=
+        "if the keys are a recording, --method measured finds how noisy they are, and --band 0.9 how far off it may "
+        "be\n";
   if (report.band) text += formatted("the band is meant to hold {:.4g} % of the true motion\n", 100.0 * *report.band);
   if (report.held_samples > 0) text += outside_text(report) + "\n";
   if (report.truth) text += truth_line(*report.truth);

@@ -72,6 +72,23 @@ std::optional<double> inside_band(const Candidate& candidate, const SampledCurve
   return static_cast<double>(inside) / static_cast<double>(truth.times.size());
 }
 
+bool are_equal(const Keyframes& a, const Keyframes& b) {
+  return std::ranges::equal(a.times(), b.times()) &&
+         std::ranges::equal(a.orientations(), b.orientations(),
+                            [](const auto& p, const auto& q) { return p.coeffs() == q.coeffs(); });
+}
+
+/// For each candidate the first one whose keys have the same times and orientations.
+std::vector<std::size_t> first_of_equal(std::span<const Candidate> candidates) {
+  std::vector<std::size_t> firsts;
+  for (const Candidate& candidate : candidates)
+    firsts.push_back(static_cast<std::size_t>(
+        std::ranges::find_if(candidates,
+                             [&](const Candidate& other) { return are_equal(other.keys, candidate.keys); }) -
+        candidates.begin()));
+  return firsts;
+}
+
 }  // namespace
 
 Expected<Measures> measure(const Candidate& candidate, const RecordedMotion& recording, const MeasureOptions& options,
@@ -107,15 +124,13 @@ Comparison compare(std::span<const Candidate> candidates, const RecordedMotion& 
                    const MeasureOptions& options, unsigned threads, const Progress& progress) {
   Comparison comparison{.measures = std::vector<Expected<Measures>>(candidates.size()),
                         .warnings = warnings_of(options.inertia)};
-  std::vector<const Keyframes*> tracks;
-  for (const Candidate& candidate : candidates) tracks.push_back(&candidate.keys);
-  const std::vector<std::size_t> firsts = first_of_equal(tracks);
+  const std::vector<std::size_t> firsts = first_of_equal(candidates);
   std::vector<std::optional<double>> least(candidates.size());
   CountedWork work(progress, candidates.size());
   parallel_for(candidates.size(), threads, [&](std::size_t i) {
     comparison.measures[i] = progress.stopped() ? Expected<Measures>(cancellation())
                                                 : measure(candidates[i], recording, options, {.stop = progress.stop});
-    if (firsts[i] == i && !progress.stopped()) least[i] = least_energy(candidates[i].keys);
+    if (options.least_energy && firsts[i] == i && !progress.stopped()) least[i] = least_energy(candidates[i].keys);
     work.add_part();
   });
   for (std::size_t i = 0; i < candidates.size(); ++i)

@@ -13,8 +13,7 @@ namespace orispline::inline ORISPLINE_ABI {
 namespace families {
 namespace {
 
-constexpr std::size_t least_weighed = 20;  // of fewer keys the models take an undersampled stride for noise
-constexpr std::size_t first_share = 1;     // among the parameters, in the order of the models
+constexpr std::size_t first_share = 1;  // among the parameters, in the order of the models
 
 double value(const FamilySettings& settings, std::string_view name) { return settings.per_key(name)[0]; }
 

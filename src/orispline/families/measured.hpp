@@ -13,6 +13,9 @@
 
 namespace orispline::inline ORISPLINE_ABI::families {
 
+/// Of fewer keys the models take an undersampled stride for noise, and are not weighed.
+inline constexpr std::size_t least_weighed = 20;
+
 /// The curve of `auto` with rates that are fitted to what the keys say about themselves: how smooth, how noisy and how
 /// certain the motion is.
 ///

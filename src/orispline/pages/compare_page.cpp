@@ -3,11 +3,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <map>
 
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/parallel.hpp>
+#include <orispline/families/motion_band.hpp>
 #include <orispline/families/registry.hpp>
+#include <orispline/math/degrees.hpp>
 #include <orispline/pages/curve_page.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::pages {
@@ -46,6 +50,23 @@ std::vector<report::PageColumn> columns_of(const ComparedCurves& compared) {
   return columns;
 }
 
+/// About the error, of a method that has a band: where it is to hold 90 % of the truth; nowhere where it is infinite.
+std::map<std::string, report::PageBand, std::less<>> bands_of(const Candidate& candidate,
+                                                              std::span<const double> times) {
+  std::map<std::string, report::PageBand, std::less<>> bands;
+  const auto found = MotionBand::make(candidate.method, candidate.keys, 0.9);
+  if (!found) return bands;
+  report::PageBand& band = bands["error"];
+  band.label = "90 % of the truth, as the keys tell";
+  for (const double t : times) {
+    const double angle = (*found)(t)*degrees;
+    band.times.push_back(t);
+    band.low.push_back(std::isfinite(angle) ? 0.0 : std::nan(""));
+    band.high.push_back(std::isfinite(angle) ? angle : std::nan(""));
+  }
+  return bands;
+}
+
 report::PageMethod method_of(const ComparedMethod& method, const ComparedCurves& compared,
                              const report::PagePath& truth) {
   report::PageMethod result{.name = method.label};
@@ -58,6 +79,7 @@ report::PageMethod method_of(const ComparedMethod& method, const ComparedCurves&
   if (!curve) return result;  // it was made before
   result.samples = samples_of(*curve, compared.inertia, samples_per_method);
   result.samples.errors = report::errors_to(truth, result.samples.path);
+  result.bands = bands_of(method.candidate, result.samples.path.times);
   return result;
 }
 

@@ -6,8 +6,8 @@ import { momentTicks } from './clock';
 import { element, place } from './element';
 import { spanAt } from './motion';
 import { chosen, shown, tick } from './number';
-import { quantities, type Line, type Points, type Quantity } from './quantities';
-import { keysOf, methodNamed, report, timeEnd, timeStart, type Band } from './report';
+import { quantities, type Line, type PlacedBand, type Points, type Quantity } from './quantities';
+import { keysOf, methodNamed, report, timeEnd, timeStart } from './report';
 import { choose, current, moveTo, subscribe, type State } from './state';
 import { coloursOf, type Colours } from './theme';
 
@@ -56,13 +56,13 @@ function drawLimit({ ctx, bbox, valToPos }: uPlot, limit: number, colours: Colou
 }
 
 /** Between its edges, piece by piece. */
-function drawBand({ ctx, bbox, valToPos }: uPlot, { t, low, high }: Band, colours: Colours): void {
+function drawBand({ ctx, bbox, valToPos }: uPlot, { place, t, low, high }: PlacedBand, colours: Colours): void {
   ctx.save();
   ctx.beginPath();
   ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
   ctx.clip();
   ctx.globalAlpha = 0.2;
-  ctx.fillStyle = colours.first;
+  ctx.fillStyle = colours[place];
   const point = (i: number, edge: (number | null)[]): [number, number] => [valToPos(t[i], 'x', true), valToPos(edge[i]!, 'y', true)];
   for (let from = 0; from < t.length; from++) {
     if (low[from] === null) continue;
@@ -115,7 +115,7 @@ const rangeOf = (low: number, high: number) => uPlot.rangeNum(low < -rounding ? 
 interface Beside {
   limit?: number;
   marks?: Points;
-  band?: Band;
+  band?: PlacedBand;
 }
 
 function optionsOf(lines: Line[], { limit, marks, band }: Beside, width: number, colours: Colours): uPlot.Options {
@@ -168,7 +168,7 @@ class Plot {
   private plot?: uPlot;
   private lines: Line[] = [];
   private rounding = 0;
-  private band?: Band;
+  private band?: PlacedBand;
 
   constructor(private readonly quantity: Quantity) {
     this.figure = element('figure', { attributes: { 'data-quantity': quantity.id } }, this.caption, this.frame);
@@ -218,7 +218,7 @@ class Plot {
     const { limit } = this.quantity;
     return [
       ...(limit !== undefined ? [element('span', {}, sign('╌╌', colours.limit), ' limit ', element('b', {}, chosen(limit)))] : []),
-      ...(this.band ? [element('span', {}, sign('▮', colours.first), ` ${this.band.label}`)] : []),
+      ...(this.band ? [element('span', {}, sign('▮', colours[this.band.place]), ` ${this.band.label}`)] : []),
       ...(this.quantity.marks ? [element('span', {}, sign('×', colours.mark), ` ${report.marks!.label}`)] : []),
     ];
   }

@@ -20,6 +20,11 @@ export interface Points {
   values: (number | null)[];
 }
 
+/** A band in the colour of its method. */
+export interface PlacedBand extends Band {
+  place: 'first' | 'second';
+}
+
 export interface Quantity {
   id: string;
   title: string;
@@ -27,7 +32,7 @@ export interface Quantity {
   limit?: number; // in that unit
   lines: (state: State, colours: Colours) => Line[];
   marks?: Points;
-  band?: (state: State) => Band | undefined;
+  band?: (state: State) => PlacedBand | undefined;
 }
 
 type Rate = 'w' | 'a' | 'j' | 'torque';
@@ -45,10 +50,13 @@ const inUnitOf = (id: string, values: (number | null)[]) => {
 
 const limitOf = (id: string) => (id in report.limits ? report.limits[id] / unitOf(id, '').size : undefined);
 
-/** That of the first method. */
+/** That of the first method, else of the second. */
 const bandOf = (id: string) => (state: State) => {
-  const band = methodNamed(state.first)?.bands?.[id];
-  return band && { ...band, low: inUnitOf(id, band.low), high: inUnitOf(id, band.high) };
+  for (const place of ['first', 'second'] as const) {
+    const band = methodNamed(state[place])?.bands?.[id];
+    if (band) return { ...band, place, low: inUnitOf(id, band.low), high: inUnitOf(id, band.high) };
+  }
+  return undefined;
 };
 
 const remembered = new WeakMap<object, Map<string, (number | null)[]>>();

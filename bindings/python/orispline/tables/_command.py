@@ -179,6 +179,8 @@ def _compare(commands: Any) -> None:
     parser.add_argument("--methods", type=_methods, metavar="NAME,…", help="methods (default: all)")
     parser.add_argument("--keep-every", type=int, metavar="N", help="keep every N-th sample as a key (default: 8)")
     parser.add_argument("--leave-out", action="store_true", default=None, help="estimate the error from the keys alone as well")
+    parser.add_argument("--no-least-energy", dest="least_energy", action="store_false", default=None,
+                        help="do not look for the least possible energy, which takes a quarter of a millisecond a key")
 
 
 def _of_task(parser: argparse.ArgumentParser, table: str, without: tuple[str, ...]) -> None:
