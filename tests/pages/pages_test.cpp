@@ -240,6 +240,9 @@ TEST(ComparePage, DrawsTheBandOfAMethodThatHasOneAboutItsError) {
   EXPECT_EQ(band.times, page.methods[0].samples.path.times);
   EXPECT_EQ(band.low, std::vector<double>(band.times.size(), 0.0));
   EXPECT_GT(*std::ranges::max_element(band.high), 0.0);
+  const report::PageBand& angle = page.methods[0].bands.at("angle");
+  for (std::size_t i = 0; i < angle.times.size(); ++i) EXPECT_LE(angle.low[i], angle.high[i]);
+  EXPECT_EQ(angle.low.front(), 0.0);
   EXPECT_LT(*std::ranges::max_element(band.high), 180.0);
 }
 

@@ -50,19 +50,26 @@ std::vector<report::PageColumn> columns_of(const ComparedCurves& compared) {
   return columns;
 }
 
-/// About the error, of a method that has a band: where it is to hold 90 % of the truth; nowhere where it is infinite.
+/// Of a method that has a band, where it is to hold 90 % of the truth: about the error, and about the angle from the
+/// start. Nowhere where it is infinite.
 std::map<std::string, report::PageBand, std::less<>> bands_of(const Candidate& candidate,
-                                                              std::span<const double> times) {
+                                                              const report::PagePath& path) {
   std::map<std::string, report::PageBand, std::less<>> bands;
   const auto found = MotionBand::make(candidate.method, candidate.keys, 0.9);
   if (!found) return bands;
-  report::PageBand& band = bands["error"];
-  band.label = "90 % of the truth, as the keys tell";
-  for (const double t : times) {
-    const double angle = (*found)(t)*degrees;
+  const auto add = [&](const char* plot, double t, double low, double high) {
+    report::PageBand& band = bands[plot];
+    band.label = "90 % of the truth, as the keys tell";
     band.times.push_back(t);
-    band.low.push_back(std::isfinite(angle) ? 0.0 : std::nan(""));
-    band.high.push_back(std::isfinite(angle) ? angle : std::nan(""));
+    band.low.push_back(low);
+    band.high.push_back(high);
+  };
+  for (std::size_t i = 0; i < path.times.size(); ++i) {
+    const double t = path.times[i], width = (*found)(t)*degrees,
+                 angle = angular_distance(path.orientations.front(), path.orientations[i]) * degrees;
+    const double from = std::isfinite(width) ? 0.0 : std::nan("");  // NaN ends a band
+    add("error", t, from, width + from);
+    add("angle", t, std::max(0.0, angle - width) + from, std::min(180.0, angle + width) + from);
   }
   return bands;
 }
@@ -79,7 +86,7 @@ report::PageMethod method_of(const ComparedMethod& method, const ComparedCurves&
   if (!curve) return result;  // it was made before
   result.samples = samples_of(*curve, compared.inertia, samples_per_method);
   result.samples.errors = report::errors_to(truth, result.samples.path);
-  result.bands = bands_of(method.candidate, result.samples.path.times);
+  result.bands = bands_of(method.candidate, result.samples.path);
   return result;
 }
 

@@ -72,7 +72,8 @@ struct PageMethod {
   std::map<std::string, double, std::less<>> measures{};  ///< by the id of the column; absent or not finite: a dash
   PageSamples samples{};                                  ///< empty where the method failed
   std::optional<PageKeys> keys{};                         ///< its own; absent: those of the page
-  std::map<std::string, PageBand, std::less<>> bands{};  ///< in the plots, by the words of Page::limits, in their units
+  std::map<std::string, PageBand, std::less<>>
+      bands{};  ///< in plots, by the words of Page::limits and by `angle` [deg]
 };
 
 /// Orientations that stand out, such as outliers: marked on the sphere and in the plots of angles.

@@ -114,6 +114,7 @@ const angle: Quantity = {
   title: 'Angle from start',
   unit: 'deg',
   lines: (state, colours) => [...referenceAngle(report.reference, colours), ...ofBoth(state, colours, 'angle', anglesFromStart)],
+  band: bandOf('angle'),
 };
 
 const error: Quantity = {
