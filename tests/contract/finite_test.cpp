@@ -114,8 +114,9 @@ class FiniteContract : public FamilyContract {
 };
 
 TEST_P(FiniteContract, AtTheLimitsOfWhatIsAdmitted) {
+  constexpr std::uint64_t cases = 120;
   std::size_t made = 0;
-  for (std::uint64_t seed = 1; seed <= 120; ++seed) {
+  for (std::uint64_t seed = 1; seed <= cases; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Dice dice(7919 * seed);
     const KeyframeData data = keys_at_limits(dice);
