@@ -10,8 +10,7 @@ namespace {
 
 using D = DistanceStatistics;
 
-/// Angles of equal orientations, energies of constant rates and the like, far below what any motion has.
-constexpr double rounding = 1e-12, rounding_of_squares = 1e-24;
+using measure_value::rounding, measure_value::rounding_of_squares;
 
 constexpr auto all = std::to_array<MeasureInfo>({
     {.group = MeasureGroup::distance,

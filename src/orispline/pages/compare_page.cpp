@@ -57,19 +57,15 @@ std::map<std::string, report::PageBand, std::less<>> bands_of(const Candidate& c
   std::map<std::string, report::PageBand, std::less<>> bands;
   const auto found = MotionBand::make(candidate.method, candidate.keys, 0.9);
   if (!found) return bands;
-  const auto add = [&](const char* plot, double t, double low, double high) {
-    report::PageBand& band = bands[plot];
-    band.label = "90 % of the truth, as the keys tell";
-    band.times.push_back(t);
-    band.low.push_back(low);
-    band.high.push_back(high);
-  };
+  report::PageBand& error = bands["error"];
+  report::PageBand& turn = bands["angle"];
+  error.label = turn.label = "90 % of the truth, as the keys tell";
   for (std::size_t i = 0; i < path.times.size(); ++i) {
     const double t = path.times[i], width = (*found)(t)*degrees,
                  angle = angular_distance(path.orientations.front(), path.orientations[i]) * degrees;
     const double from = std::isfinite(width) ? 0.0 : std::nan("");  // NaN ends a band
-    add("error", t, from, width + from);
-    add("angle", t, std::max(0.0, angle - width) + from, std::min(180.0, angle + width) + from);
+    extend(error, t, from, width + from);
+    extend(turn, t, std::max(0.0, angle - width) + from, std::min(180.0, angle + width) + from);
   }
   return bands;
 }

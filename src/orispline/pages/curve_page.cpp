@@ -84,6 +84,12 @@ report::PageMethod method_of(const CurvePage& page, const ShownCurve& curve) {
   return method;
 }
 
+void extend(report::PageBand& band, double t, double low, double high) {
+  band.times.push_back(t);
+  band.low.push_back(low);
+  band.high.push_back(high);
+}
+
 report::PageErrors errors_at(const PoseCurve& curve, const report::PagePath& recording) {
   const auto orientations = sampled(curve.orientation, recording.times, Sampled::orientations).orientations;
   report::PageErrors errors{.times = recording.times};

@@ -62,6 +62,9 @@ inline constexpr std::size_t samples_of_few = 2000;
 /// The curve with its keys and measures, not yet with errors.
 [[nodiscard]] ORISPLINE_EXPORT report::PageMethod method_of(const CurvePage& page, const ShownCurve& curve);
 
+/// One time more of a band, from `low` to `high` there; NaN ends the band before it.
+ORISPLINE_EXPORT void extend(report::PageBand& band, double t, double low, double high);
+
 /// Angles [deg] between the curve and a recording, at times of the recording that lie on the curve.
 [[nodiscard]] ORISPLINE_EXPORT report::PageErrors errors_at(const PoseCurve& curve, const report::PagePath& recording);
 

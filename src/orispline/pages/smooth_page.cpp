@@ -111,11 +111,6 @@ std::map<std::string, report::PageBand, std::less<>> bands_of(const Source& sour
   report::PageBand& turn = bands["error"];
   report::PageBand& rate = bands["w"];
   turn.label = rate.label = "one standard deviation";
-  const auto add = [](report::PageBand& band, double t, double low, double high) {
-    band.times.push_back(t);
-    band.low.push_back(low);
-    band.high.push_back(high);
-  };
   for (const std::size_t key : picked(source.smoothed().size())) {
     const double t = source.smoothed().times()[key];
     const Eigen::Vector3d& w = source.smoothed().angular_velocities()[key];
@@ -125,9 +120,9 @@ std::map<std::string, report::PageBand, std::less<>> bands_of(const Source& sour
                               .norm();
     const double before = turn.times.empty() ? t : turn.times.back();
     if (!source.smoothing.covers(0.5 * (before + t)))
-      for (auto& [id, band] : bands) add(band, t, std::nan(""), std::nan(""));
-    add(turn, t, 0.0, angle);
-    add(rate, t, std::max(0.0, speed - spread), speed + spread);
+      for (auto& [id, band] : bands) extend(band, t, std::nan(""), std::nan(""));
+    extend(turn, t, 0.0, angle);
+    extend(rate, t, std::max(0.0, speed - spread), speed + spread);
   }
   return bands;
 }
