@@ -11,14 +11,14 @@ import sys
 GROUND = {"base", "math", "fields", "curve"}
 TASKS = {"smooth", "reduce", "tune", "retime"}
 FLOORS = {  # folder of src/orispline -> what it may include besides itself
-    "base": set(), "math": {"base"}, "fields": {"base", "math"}, "curve": GROUND, "families": GROUND, "io": GROUND, "report": GROUND,
+    "base": set(), "math": {"base"}, "fields": {"base", "math"}, "curve": GROUND, "families": GROUND, "io": GROUND, "report": GROUND, "clip": GROUND, "scenes": GROUND | {"clip", "io"},
     "batch/kernel": {"base"}, "batch": GROUND | {"families", "batch/kernel"}, "online": GROUND | {"families", "batch"},
     "analysis": GROUND | {"families", "batch"}, "smooth": GROUND | {"families", "analysis"}, "tune": GROUND | {"families", "analysis"},
     "reduce": GROUND | {"families", "batch", "analysis"}, "retime": GROUND | {"families", "batch", "analysis"},
     "pages": GROUND | TASKS | {"families", "batch", "analysis", "report"}}
 CLI_FLOORS = {"options": set(), "output": {"options"}, "papers": {"options", "output"},
               "commands": {"options", "output"}}  # folder of cli -> likewise; each folder of commands is one for itself
-GUESTS = {"fast_float/": "src/orispline/io/", "CLI/": "cli/options/command.cpp", "nlohmann/": "cli/output/json_document.cpp",
+GUESTS = {"fast_float/": "src/orispline/io/", "CLI/": "cli/options/command.cpp", "nlohmann/": ("cli/output/json_document.cpp", "src/orispline/scenes/gltf"),
           "benchmark/": "benchmarks/", "glm/": "benchmarks/",
           "smooth/so3": "benchmarks/", "smooth/spline/": "benchmarks/", "sophus/": "benchmarks/", "basalt/": "benchmarks/"}  # third party -> its only room
 ROOMS = ("src", "cli", "tests", "examples", "tools", "bindings", "benchmarks")

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/clip/clip.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <orispline/base/formatted.hpp>
+#include <orispline/base/quoted.hpp>
+#include <orispline/curve/keyframe.hpp>
+
+namespace orispline::inline ORISPLINE_ABI {
+namespace {
+
+bool is_finite(const Eigen::Quaterniond& value) { return value.coeffs().allFinite(); }
+bool is_finite(const Eigen::Vector3d& value) { return value.allFinite(); }
+
+/// What is wrong with the value of a key; empty if nothing is.
+std::string fault_of(const Eigen::Quaterniond& value) {
+  if (const double norm = value.norm(); std::abs(norm - 1.0) > unit_norm_tolerance)
+    return formatted("found a quaternion of norm {}, wanted norm 1", norm);
+  return {};
+}
+std::string fault_of(const Eigen::Vector3d&) { return {}; }
+
+/// Checks the channels of one list.
+class ChannelCheck {
+ public:
+  ChannelCheck(const Skeleton& skeleton, const Clip& clip) : skeleton_(skeleton), clip_(clip) {}
+
+  template <CurvePoint P>
+  Expected<void> all(const std::vector<Channel<P>>& channels, std::string_view property) const {
+    std::vector<bool> seen(skeleton_.size());
+    for (const Channel<P>& channel : channels) {
+      if (channel.joint >= skeleton_.size())
+        return failure(ErrorCode::bad_data,
+                       formatted("clip {}: found a channel of joint {}, wanted one of the {} joints",
+                                 in_quotes(clip_.name), channel.joint, skeleton_.size()));
+      if (seen[channel.joint])
+        return fault(channel.joint, formatted("found a second channel of its {}, wanted one", property));
+      seen[channel.joint] = true;
+      if (auto sound = keys_of(channel); !sound) return sound;
+    }
+    return {};
+  }
+
+ private:
+  template <CurvePoint P>
+  Expected<void> keys_of(const Channel<P>& channel) const {
+    const std::size_t keys = channel.size();
+    if (keys == 0) return fault(channel.joint, "found no key, wanted one at least");
+    if (channel.values.size() != keys)
+      return fault(channel.joint,
+                   formatted("found {} values at {} times, wanted one each", channel.values.size(), keys));
+    const std::size_t tangents = channel.interpolation == ChannelInterpolation::cubicspline ? keys : 0;
+    if (channel.in_tangents.size() != tangents || channel.out_tangents.size() != tangents)
+      return fault(channel.joint, formatted("found {} and {} tangents, wanted {} each", channel.in_tangents.size(),
+                                            channel.out_tangents.size(), tangents));
+    for (std::size_t i = 0; i < keys; ++i)
+      if (std::string found = fault_of(channel, i); !found.empty())
+        return fault(channel.joint, formatted("key {}: {}", i, found));
+    return {};
+  }
+
+  template <CurvePoint P>
+  static std::string fault_of(const Channel<P>& channel, std::size_t i) {
+    const double time = channel.times[i];
+    if (!std::isfinite(time)) return formatted("found time {}, wanted a finite number", time);
+    if (i > 0 && time <= channel.times[i - 1])
+      return formatted("found time {} after {}, wanted increasing times", time, channel.times[i - 1]);
+    if (!is_finite(channel.values[i]) ||
+        (!channel.in_tangents.empty() && !(is_finite(channel.in_tangents[i]) && is_finite(channel.out_tangents[i]))))
+      return "found a number that is not finite, wanted finite ones";
+    return orispline::fault_of(channel.values[i]);
+  }
+
+  [[nodiscard]] Expected<void> fault(std::size_t joint, std::string_view found) const {
+    return failure(ErrorCode::bad_data, formatted("{}: {}", place_of(skeleton_, clip_, joint), found));
+  }
+
+  const Skeleton& skeleton_;
+  const Clip& clip_;
+};
+
+template <CurvePoint P>
+void extend(Domain& domain, const std::vector<Channel<P>>& channels) {
+  for (const Channel<P>& channel : channels) {
+    domain.start = std::min(domain.start, channel.times.front());
+    domain.end = std::max(domain.end, channel.times.back());
+  }
+}
+
+}  // namespace
+
+Domain Clip::domain() const noexcept {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Domain domain{infinity, -infinity};
+  extend(domain, rotations);
+  extend(domain, translations);
+  extend(domain, scales);
+  return domain.start <= domain.end ? domain : Domain{0.0, 0.0};
+}
+
+Expected<void> check_clip(const Skeleton& skeleton, const Clip& clip) {
+  const ChannelCheck check(skeleton, clip);
+  return check.all(clip.rotations, "rotation")
+      .and_then([&] { return check.all(clip.translations, "translation"); })
+      .and_then([&] { return check.all(clip.scales, "scale"); });
+}
+
+std::string place_of(const Skeleton& skeleton, const Clip& clip, std::size_t joint) {
+  return formatted("clip {}, joint {}", in_quotes(clip.name), in_quotes(skeleton[joint].name));
+}
+
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <array>
+
+#include <orispline/scenes/scene_format.hpp>
+
+namespace orispline::inline ORISPLINE_ABI::scenes {
+namespace {
+
+constexpr std::array<std::string_view, 1> bvh_extensions{".bvh"};
+
+}  // namespace
+
+constinit const SceneFormat bvh_format{.id = "bvh",
+                                       .title = "BVH",
+                                       .file = "a BVH file",
+                                       .summary = "motion capture as a hierarchy and a table of angles",
+                                       .extensions = bvh_extensions};
+
+}  // namespace orispline::inline ORISPLINE_ABI::scenes

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/scenes/scene_file.hpp>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <utility>
+
+#include <orispline/base/formatted.hpp>
+#include <orispline/io/output_file.hpp>
+
+namespace orispline::inline ORISPLINE_ABI::scenes {
+namespace {
+
+Expected<const SceneFormat*> format_for(const std::string& path) {
+  if (const SceneFormat* format = scene_format_of(path)) return format;
+  std::string wanted;
+  for (const SceneFormat* format : scene_formats())
+    for (const std::string_view extension : format->extensions)
+      wanted += formatted("{}{}", wanted.empty() ? "" : ", ", extension);
+  return failure(ErrorCode::bad_argument, formatted("found no format of this extension, wanted one of {}", wanted),
+                 {.file = path});
+}
+
+tl::unexpected<Error> unreadable(const std::string& path) {
+  return failure(ErrorCode::bad_access, formatted("cannot read: {}", std::strerror(errno)), {.file = path});
+}
+
+Expected<Scene> checked(Scene scene) {
+  for (const Clip& clip : scene.clips)
+    if (auto sound = check_clip(scene.skeleton, clip); !sound) return tl::unexpected(std::move(sound.error()));
+  return scene;
+}
+
+}  // namespace
+
+Expected<std::string> bytes_of_file(const std::string& path) {
+  const auto close = [](std::FILE* file) { std::fclose(file); };
+  const std::unique_ptr<std::FILE, decltype(close)> file(std::fopen(path.c_str(), "rb"), close);
+  if (!file) return unreadable(path);
+  constexpr std::size_t piece = std::size_t{1} << 20;
+  std::string bytes;
+  for (std::size_t got = piece; got == piece;) {
+    const std::size_t size = bytes.size();
+    if (size > largest_scene_file)
+      return failure(ErrorCode::bad_access, "found more than 2 GiB, wanted a smaller file", {.file = path});
+    bytes.resize(size + piece);
+    got = std::fread(bytes.data() + size, 1, piece, file.get());
+    bytes.resize(size + got);
+  }
+  if (std::ferror(file.get())) return unreadable(path);
+  return bytes;
+}
+
+Expected<Scene> read_scene(const std::string& path, const SceneReading& reading) {
+  const auto format = format_for(path);
+  if (!format) return tl::unexpected(format.error());
+  auto bytes = bytes_of_file(path);
+  if (!bytes) return tl::unexpected(std::move(bytes.error()));
+  auto scene = (*format)->read(*bytes, path, reading).and_then(checked).map_error([&](Error error) {
+    if (error.where.file.empty()) error.where.file = path;
+    return error;
+  });
+  if (!scene) return scene;
+  scene->name = path;
+  scene->format = *format;
+  return scene;
+}
+
+Expected<std::vector<Warning>> write_scene(const Scene& scene, const std::string& path, const SceneWriting& writing) {
+  const auto format = format_for(path);
+  if (!format) return tl::unexpected(format.error());
+  for (const Clip& clip : scene.clips)
+    if (auto sound = check_clip(scene.skeleton, clip); !sound) return tl::unexpected(std::move(sound.error()));
+  auto written = (*format)->write(scene, path, writing);
+  if (!written) return tl::unexpected(std::move(written.error()));
+  return io::OutputFile::open(path).and_then([&](io::OutputFile file) {
+    return file.write(written->bytes).and_then([&] { return file.finish(); }).map([&] {
+      return std::move(written->warnings);
+    });
+  });
+}
+
+}  // namespace orispline::inline ORISPLINE_ABI::scenes
