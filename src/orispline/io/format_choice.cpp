@@ -108,7 +108,8 @@ Expected<Source> open_keys(KeyInput input, const ReadOptions& options) {
   if (auto checked = check_time_scale(options); !checked) return tl::unexpected(std::move(checked.error()));
   const Candidates candidates = candidates_for(input.path(), options);
   if (!candidates.front()->is_read()) return not_read(*candidates.front(), input.path());
-  if (auto checked = check_scene(*candidates.front(), options); !checked) return tl::unexpected(std::move(checked.error()));
+  if (auto checked = check_scene(*candidates.front(), options); !checked)
+    return tl::unexpected(std::move(checked.error()));
   LineReader lines = std::move(input).lines();
   if (candidates.size() == 1) return source_of(*candidates.front(), std::move(lines), options);
   return likest_source(candidates, std::move(lines), options);

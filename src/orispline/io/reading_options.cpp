@@ -135,14 +135,15 @@ const std::array reading_list{
                       },
                   .member = "joint",
                   .use = "chooses one"},
-    ReadingOption{.name = "space",
-                  .sentence = "Whether a joint's orientation is that in the frame of its parent or in the world [local]",
-                  .argument = list_of<space_words>,
-                  .take =
-                      [](Reading& r, std::string_view text) {
-                        return word_in<space_words>("space", text).map(into(r.options.scene.space));
-                      },
-                  .member = "space"},
+    ReadingOption{
+        .name = "space",
+        .sentence = "Whether a joint's orientation is that in the frame of its parent or in the world [local]",
+        .argument = list_of<space_words>,
+        .take =
+            [](Reading& r, std::string_view text) {
+              return word_in<space_words>("space", text).map(into(r.options.scene.space));
+            },
+        .member = "space"},
     ReadingOption{.name = "conjugate",
                   .sentence = "Read orientations that turn world into body, as C-kernels of SPICE hold them",
                   .take = set<&ReadOptions::conjugate>},

@@ -69,8 +69,8 @@ template <CurvePoint P>
 Expected<Channel<P>> by_method(const Channel<P>& channel, double tolerance, const Method& method) {
   const bool is_linear = method.name == "slerp", is_angle = std::same_as<P, Eigen::Quaterniond>;
   const double of_keys = is_linear ? tolerance : share_of_keys * tolerance;
-  const ReduceOptions options{
-      .tolerance = is_angle ? Tolerance{of_keys} : Tolerance{.angle = no_bound, .position = of_keys}};
+  const ReduceOptions options{.tolerance =
+                                  is_angle ? Tolerance{of_keys} : Tolerance{.angle = no_bound, .position = of_keys}};
   const auto keys = keyframes(channel);
   if (!keys) return tl::unexpected(keys.error());
   auto reduction = reduce(Track(*keys), method, options);
@@ -87,7 +87,23 @@ Expected<Channel<P>> by_method(const Channel<P>& channel, double tolerance, cons
   return result;
 }
 
+/// The same tangents at both ends, with the sign of each end's quaternion.
+template <CurvePoint P>
+void close(Channel<P>& channel) {
+  P arriving = channel.in_tangents.back(), leaving = channel.out_tangents.front();
+  if constexpr (std::same_as<P, Eigen::Quaterniond>)
+    if (channel.values.front().dot(channel.values.back()) < 0.0) arriving.coeffs() *= -1.0, leaving.coeffs() *= -1.0;
+  channel.in_tangents.front() = arriving;
+  channel.out_tangents.back() = leaving;
+}
+
 }  // namespace
+
+template <CurvePoint P>
+bool ends_as_it_begins(const Channel<P>& channel) {
+  const double rounding = std::same_as<P, Eigen::Quaterniond> ? rest_angle : rest_length;
+  return distance(channel.values.front(), channel.values.back()) <= rounding;
+}
 
 template <CurvePoint P>
 Expected<Channel<P>> reduced_channel(const Channel<P>& channel, double tolerance, const ClipReduceOptions& options) {
@@ -97,8 +113,10 @@ Expected<Channel<P>> reduced_channel(const Channel<P>& channel, double tolerance
       is_cubic ? std::optional(cubic_samples(channel, options.between)) : std::nullopt;
   double asked = tolerance;
   for (int attempt = 0; attempt < attempts; ++attempt) {
-    Expected<Channel<P>> reduced = is_cubic ? fewest_cubics(*samples, asked) : by_method(channel, asked, options.method);
+    Expected<Channel<P>> reduced =
+        is_cubic ? fewest_cubics(*samples, asked) : by_method(channel, asked, options.method);
     if (!reduced) return reduced;
+    if (is_cubic && options.closed && ends_as_it_begins(channel)) close(*reduced);
     *reduced = stored(*std::move(reduced), options.precision);
     reduced->joint = channel.joint;
     if (reduced->size() >= channel.size()) break;
@@ -109,6 +127,8 @@ Expected<Channel<P>> reduced_channel(const Channel<P>& channel, double tolerance
   return channel;
 }
 
+template bool ends_as_it_begins(const RotationChannel&);
+template bool ends_as_it_begins(const VectorChannel&);
 template Expected<RotationChannel> reduced_channel(const RotationChannel&, double, const ClipReduceOptions&);
 template Expected<VectorChannel> reduced_channel(const VectorChannel&, double, const ClipReduceOptions&);
 

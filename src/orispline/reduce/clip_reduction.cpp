@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include <orispline/base/formatted.hpp>
@@ -69,7 +70,8 @@ class ClipReducer {
     for (int round = 0; round < (in_world() ? rounds_in_world : 1); ++round)
       if (auto went = try_all(works); !went) return tl::unexpected(std::move(went.error()));
     std::vector<ClipReduction> reductions;
-    for (ClipWork& work : works) reductions.push_back(work.best ? *std::move(work.best) : measured(*work.before, *work.before));
+    for (ClipWork& work : works)
+      reductions.push_back(work.best ? *std::move(work.best) : measured(*work.before, *work.before));
     return reductions;
   }
 
@@ -98,8 +100,7 @@ class ClipReducer {
   }
 
   std::optional<Error> reduce(Clip& clip, const Piece& piece, double factor) const {
-    if (piece.list == 0)
-      return reduce(clip, clip.rotations[piece.channel], options_.tolerance, world_.angles, factor);
+    if (piece.list == 0) return reduce(clip, clip.rotations[piece.channel], options_.tolerance, world_.angles, factor);
     return reduce(clip, clip.translations[piece.channel], options_.position_tolerance, world_.lengths, factor);
   }
 
@@ -107,7 +108,8 @@ class ClipReducer {
   std::optional<Error> reduce(const Clip& clip, Channel<P>& channel, double tolerance,
                               const std::vector<double>& of_joints, double factor) const {
     tolerance = std::min(tolerance, factor * of_joints[channel.joint]);
-    if (std::same_as<P, Eigen::Quaterniond> && tolerance < infinity) tolerance = std::min(tolerance, std::numbers::pi / 2);
+    if (std::same_as<P, Eigen::Quaterniond> && tolerance < infinity)
+      tolerance = std::min(tolerance, std::numbers::pi / 2);
     if (!(tolerance < infinity)) return std::nullopt;
     auto reduced = reduced_channel(channel, tolerance, options_);
     if (!reduced) {
@@ -140,27 +142,28 @@ class ClipReducer {
       if (channel.size() < 3) continue;
       ++reduction.rotation_tracks;
       reduction.rotation_keys_before += channel.size();
+      if (!ends_as_it_begins(channel)) ++reduction.open_tracks;
     }
     for (std::size_t i = 0; i < before.rotations.size(); ++i)
       if (before.rotations[i].size() >= 3) reduction.rotation_keys += after.rotations[i].size();
     for (const VectorChannel& channel : before.translations) reduction.translation_keys_before += channel.size();
     for (const VectorChannel& channel : after.translations) reduction.translation_keys += channel.size();
-    compare(before, after, reduction);
-    reduction.clip = std::move(after);
-    return reduction;
-  }
-
-  void compare(const Clip& before, const Clip& after, ClipReduction& reduction) const {
-    const std::vector<double> times = key_times(before);
-    if (times.empty()) return;
-    std::vector<std::size_t> same(skeleton_.size());
-    for (std::size_t i = 0; i < same.size(); ++i) same[i] = i;
-    const auto found =
-        differences(ClipMotion(skeleton_, before), ClipMotion(skeleton_, after), same, times, options_.shell);
+    const auto found = differences_at_keys(before, after);
     for (std::size_t i = 0; i < found.size(); ++i) {
       if (found[i].angle.value > reduction.angle.largest.value) reduction.angle = {found[i].angle, i};
       if (found[i].distance.value > reduction.distance.largest.value) reduction.distance = {found[i].distance, i};
     }
+    reduction.clip = std::move(after);
+    return reduction;
+  }
+
+  /// Of every joint, at all keys of the clip before.
+  [[nodiscard]] std::vector<JointDifference> differences_at_keys(const Clip& before, const Clip& after) const {
+    const std::vector<double> times = key_times(before);
+    if (times.empty()) return {};
+    std::vector<std::size_t> same(skeleton_.size());
+    std::iota(same.begin(), same.end(), std::size_t{0});
+    return differences(ClipMotion(skeleton_, before), ClipMotion(skeleton_, after), same, times, options_.shell);
   }
 
   const Skeleton& skeleton_;
@@ -175,7 +178,8 @@ Expected<std::vector<ClipReduction>> reduce_clips(const Skeleton& skeleton, std:
                                                   const ClipReduceOptions& options, unsigned threads) {
   for (const double tolerance : {options.tolerance, options.position_tolerance, options.world_tolerance, options.shell})
     if (!(tolerance > 0.0))
-      return failure(ErrorCode::bad_argument, formatted("found a tolerance of {}, wanted one greater than 0", tolerance));
+      return failure(ErrorCode::bad_argument,
+                     formatted("found a tolerance of {}, wanted one greater than 0", tolerance));
   for (const Clip& clip : clips)
     if (auto sound = check_clip(skeleton, clip); !sound) return tl::unexpected(std::move(sound.error()));
   return ClipReducer(skeleton, options, threads).reduced(clips);

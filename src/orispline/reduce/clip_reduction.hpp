@@ -21,13 +21,15 @@ enum class KeyPrecision { float64, float32 };
 
 /// How the keys of clips are reduced. At least one of the tolerances is finite.
 struct ClipReduceOptions {
-  double tolerance = std::numeric_limits<double>::infinity();           ///< of rotations, at every key of the clip [rad]
+  double tolerance = std::numeric_limits<double>::infinity();  ///< of rotations, at every key of the clip [rad]
   double position_tolerance = std::numeric_limits<double>::infinity();  ///< of translations, likewise
-  double world_tolerance = std::numeric_limits<double>::infinity();     ///< of the shell distance in the world, likewise
-  double shell = default_shell;                                         ///< for that distance
-  Method method{cubicspline_method};  ///< that, or `slerp`, whose channels are `linear`, or another one that reduce() takes
+  double world_tolerance = std::numeric_limits<double>::infinity();  ///< of the shell distance in the world, likewise
+  double shell = default_shell;                                      ///< for that distance
+  Method method{
+      cubicspline_method};  ///< that, or `slerp`, whose channels are `linear`, or another one that reduce() takes
   BetweenSamples between = BetweenSamples::smooth;
   KeyPrecision precision = KeyPrecision::float64;
+  bool closed = false;  ///< of `cubicspline`: channels that end as they begin have the same tangents at both ends
 };
 
 /// A clip with fewer keys, and how far it is from the clip that it was.
@@ -42,12 +44,13 @@ struct ClipReduction {
   std::size_t rotation_keys = 0, rotation_keys_before = 0;  ///< of tracks that had three keys or more
   std::size_t rotation_tracks = 0;                          ///< such ones
   std::size_t translation_keys = 0, translation_keys_before = 0;
-  Worst angle{};     ///< of rotations in the frames of the parents, at all keys of the clip before [rad]
-  Worst distance{};  ///< the shell distance in the world, at the same times
+  std::size_t open_tracks = 0;  ///< rotation tracks of `rotation_tracks` that do not end as they begin
+  Worst angle{};                ///< of rotations in the frames of the parents, at all keys of the clip before [rad]
+  Worst distance{};             ///< the shell distance in the world, at the same times
 };
 
-/// Every one of the clips with the fewest keys found whose rotations, translations and places in the world are within the
-/// tolerances at all times of the clip's keys; the first and the last key of each channel stay. Rotations are
+/// Every one of the clips with the fewest keys found whose rotations, translations and places in the world are within
+/// the tolerances at all times of the clip's keys; the first and the last key of each channel stay. Rotations are
 /// reduced where `tolerance` or `world_tolerance` is finite, translations where `position_tolerance` or
 /// `world_tolerance` is; scales, steps and channels of two keys stay as they are.
 ///

@@ -12,7 +12,10 @@ template <CurvePoint P>
 class Chains {
  public:
   Chains(const CubicSamples<P>& samples, double tolerance)
-      : samples_(samples), spans_(samples.targets, tolerance), last_(samples.size() - 1), before_(samples.size(), none) {}
+      : samples_(samples),
+        spans_(samples.targets, tolerance),
+        last_(samples.size() - 1),
+        before_(samples.size(), none) {}
 
   /// The keys of a chain to the last sample.
   [[nodiscard]] std::vector<std::size_t> to_end() {

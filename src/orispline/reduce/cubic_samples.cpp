@@ -17,9 +17,10 @@ using PointAt = std::function<P(double)>;
 
 /// Keys that `auto` refuses, such as two nearly at one time, have no smooth motion.
 std::optional<PointAt<Eigen::Quaterniond>> smooth_motion(const RotationChannel& channel) {
-  auto curve = Keyframes::make({.times = channel.times, .orientations = channel.values}).and_then([](const Keyframes& keys) {
-    return make_curve(Method{"auto"}, keys);
-  });
+  auto curve =
+      Keyframes::make({.times = channel.times, .orientations = channel.values}).and_then([](const Keyframes& keys) {
+        return make_curve(Method{"auto"}, keys);
+      });
   if (!curve) return std::nullopt;
   return [curve = *std::move(curve)](double t) { return curve(t); };
 }

@@ -13,11 +13,11 @@ enum class BetweenSamples {
   stored   ///< what the channel says: its own interpolation
 };
 
-/// The keys of a channel as samples, and three points between two of them. A `cubicspline` is its own motion in any case.
+/// The keys of a channel as samples, and three points between two of them. A `cubicspline` is its own motion in any
+/// case.
 ///
-/// A fit of as many unknowns as samples would swing between them; the points hold it. `auto` predicts left-out frames of
-/// recorded animation better than their chords do (docs/skeletons.md).
-/// Precondition: two keys at least.
+/// A fit of as many unknowns as samples would swing between them; the points hold it. `auto` predicts left-out frames
+/// of recorded animation better than their chords do (docs/skeletons.md). Precondition: two keys at least.
 template <CurvePoint P>
 [[nodiscard]] CubicSamples<P> cubic_samples(const Channel<P>& channel, BetweenSamples between);
 

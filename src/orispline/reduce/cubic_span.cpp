@@ -12,9 +12,7 @@ constexpr int rounds_of_radii = 3, rounds_of_weights = 12;
 constexpr double hopeless = 2.0;
 
 /// The square of half the angle's sine between the direction of p and a unit quaternion q, times |p|².
-double square_miss(const Eigen::Vector4d& p, const Eigen::Vector4d& q) {
-  return (p - p.dot(q) * q).squaredNorm();
-}
+double square_miss(const Eigen::Vector4d& p, const Eigen::Vector4d& q) { return (p - p.dot(q) * q).squaredNorm(); }
 
 }  // namespace
 
@@ -42,8 +40,8 @@ class CubicSpans<P>::Fit {
       right += term.weight * term.basis * rest.transpose();
     }
     // One target between is met exactly by the smallest tangents.
-    tangents_ = terms_.size() > 1 ? Solution(normal.inverse() * right)
-                                  : Solution(right / std::max(normal.trace(), 1e-300));
+    tangents_ =
+        terms_.size() > 1 ? Solution(normal.inverse() * right) : Solution(right / std::max(normal.trace(), 1e-300));
     return measured();
   }
 

@@ -16,8 +16,8 @@ using Components = std::conditional_t<std::same_as<P, Eigen::Quaterniond>, Eigen
 /// Points at times that cubics are fitted to. Quaternions have their signs for the shorter way from one to the next.
 template <CurvePoint P>
 struct CubicTargets {
-  std::vector<double> times;           ///< [s], rising
-  std::vector<Components<P>> points;   ///< one each
+  std::vector<double> times;          ///< [s], rising
+  std::vector<Components<P>> points;  ///< one each
 };
 
 /// The derivatives of a cubic at its two ends, component by component [1/s].

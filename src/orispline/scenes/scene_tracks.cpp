@@ -168,8 +168,8 @@ Expected<Scene> with_clips(Scene scene, const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     const auto found = std::ranges::find(scene.clips, name, &Clip::name);
     if (found == scene.clips.end())
-      return failure(ErrorCode::bad_data, formatted("found no clip {}, wanted one of {}", in_quotes(name),
-                                                    some_of(names_of(scene.clips))),
+      return failure(ErrorCode::bad_data,
+                     formatted("found no clip {}, wanted one of {}", in_quotes(name), some_of(names_of(scene.clips))),
                      {.file = scene.name});
     chosen.push_back(*found);
   }
@@ -180,7 +180,8 @@ Expected<Scene> with_clips(Scene scene, const std::vector<std::string>& names) {
 Expected<const Clip*> only_clip(const Scene& scene) {
   if (scene.clips.size() == 1) return &scene.clips.front();
   if (scene.clips.empty()) return failure(ErrorCode::bad_data, "found no clip, wanted one", {.file = scene.name});
-  return mended_by("clip", formatted("found {} clips, wanted one of {}", scene.clips.size(), some_of(names_of(scene.clips))),
+  return mended_by("clip",
+                   formatted("found {} clips, wanted one of {}", scene.clips.size(), some_of(names_of(scene.clips))),
                    {.file = scene.name});
 }
 
@@ -191,9 +192,10 @@ Expected<std::size_t> joint_in(const Scene& scene, const Clip& clip, const std::
     return failure(ErrorCode::bad_data, formatted("clip {}: found no rotation, wanted one", in_quotes(clip.name)),
                    {.file = scene.name});
   if (!name)
-    return mended_by("joint", formatted("clip {}: found {} joints, wanted one of {}", in_quotes(clip.name), names.size(),
-                                        some_of(names)),
-                     {.file = scene.name});
+    return mended_by(
+        "joint",
+        formatted("clip {}: found {} joints, wanted one of {}", in_quotes(clip.name), names.size(), some_of(names)),
+        {.file = scene.name});
   if (const auto joint = scene.skeleton.find(*name)) return *joint;
   return failure(ErrorCode::bad_data,
                  formatted("found no joint {}, wanted one of {}", in_quotes(*name), some_of(names)),

@@ -32,8 +32,8 @@ ORISPLINE_EXPORT void join_formats();
 /// that is not the same along all axes, or negative.
 [[nodiscard]] ORISPLINE_EXPORT Expected<io::KeyFile> keys_of(const Scene& scene, const io::SceneTrack& track);
 
-/// A scene of one joint that moves as the keys say from key to key by geodesics: `body`, in a clip that is named like the
-/// file of the track.
+/// A scene of one joint that moves as the keys say from key to key by geodesics: `body`, in a clip that is named like
+/// the file of the track.
 [[nodiscard]] ORISPLINE_EXPORT Expected<Scene> scene_of(const Track& track);
 
 }  // namespace orispline::inline ORISPLINE_ABI::scenes
