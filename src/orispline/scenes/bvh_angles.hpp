@@ -11,8 +11,8 @@ namespace orispline::inline ORISPLINE_ABI::scenes::bvh {
 
 /// The turns of a joint over the frames.
 struct JointAngles {
-  std::vector<double> degrees{};             ///< of each frame, in the order of the turns
-  std::vector<std::size_t> near_lock{};      ///< frames within 1° of gimbal lock
+  std::vector<double> degrees{};         ///< of each frame, in the order of the turns
+  std::vector<std::size_t> near_lock{};  ///< frames within 1° of gimbal lock
 };
 
 /// The angles of turns about these axes of the body (0 x, 1 y, 2 z), each frame's the nearest to those of the frame

@@ -15,12 +15,12 @@ class EvenTimes {
  public:
   EvenTimes(std::span<const double> times, TimeRounding rounding) : times_(times), rounding_(rounding) {}
 
-  /// The shortest step between times that are not the same within their rounding.
+  /// The shortest step between times that are not the same within their rounding; from 0 on where there is none.
   [[nodiscard]] StepRange shortest_step() const {
-    StepRange shortest{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    StepRange shortest{0.0, std::numeric_limits<double>::max()};
     for (std::size_t i = 1; i < times_.size(); ++i) {
       const double step = times_[i] - times_[i - 1], off = off_at(i) + off_at(i - 1);
-      if (step > off && step < shortest.middle()) shortest = {step - off, step + off};
+      if (step > off && step + off < shortest.most) shortest = {step - off, step + off};
     }
     return shortest;
   }
@@ -40,8 +40,7 @@ class EvenTimes {
 
   /// Whether the rounding is small beside a step: else any grid would do.
   [[nodiscard]] bool tells(double step) const {
-    return 4.0 * (off_at(times_.size() - 1) + off_at(0)) < step &&
-           times_.back() - times_.front() < most_frames * step;
+    return 4.0 * (off_at(times_.size() - 1) + off_at(0)) < step && times_.back() - times_.front() < most_frames * step;
   }
 
  private:
@@ -72,7 +71,7 @@ Decimal StepRange::shortest() const {
 std::optional<StepRange> even_steps_of(std::span<const double> times, TimeRounding rounding) {
   const EvenTimes even(times, rounding);
   const StepRange step = even.shortest_step();
-  if (!std::isfinite(step.middle())) return std::nullopt;
+  if (step.least == 0.0) return std::nullopt;
   for (int parts = 1; parts <= most_parts; ++parts) {
     const StepRange part{step.least / parts, step.most / parts};
     if (!even.tells(part.middle())) return std::nullopt;

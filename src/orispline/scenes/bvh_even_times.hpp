@@ -25,7 +25,7 @@ struct StepRange {
 };
 
 /// More frames than this are not written.
-inline constexpr double most_frames = 1e7;
+inline constexpr double most_frames = 1e8;
 
 /// The steps of the coarsest even grid from the first time on that has all times within their rounding; nothing where
 /// there is none. `times`: two at least, rising.

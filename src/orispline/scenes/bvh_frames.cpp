@@ -45,7 +45,8 @@ TimeRounding rounding_of(std::span<const double> keys) {
 }
 
 Expected<Frames> frames_at_rate(double rate, std::span<const double> keys) {
-  if (!(std::isfinite(rate) && rate > 0.0)) return bad_option("rate", formatted("found {}, wanted a number above 0", rate));
+  if (!(std::isfinite(rate) && rate > 0.0))
+    return bad_option("rate", formatted("found {}, wanted a number above 0", rate));
   const double step = 1.0 / rate, span = keys.back() - keys.front();
   const TimeRounding rounding = rounding_of(keys);
   const double steps = std::floor((span + rounding_at(keys.back(), rounding)) * rate);

@@ -8,7 +8,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 #include <orispline/io/text_table.hpp>
-#include <orispline/scenes/bvh_number.hpp>
+#include <orispline/scenes/bvh_word.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::scenes::bvh {
 namespace {
@@ -73,7 +73,8 @@ class HierarchyReader {
     const std::string_view name = text_.rest_of_line();
     if (name.empty()) return text_.fault("found a joint without a name, wanted its name on the line of its keyword");
     if (printable(name) != name)
-      return text_.fault(formatted("found the name {} with a control character, wanted a name without", in_quotes(name)));
+      return text_.fault(
+          formatted("found the name {} with a control character, wanted a name without", in_quotes(name)));
     return open(text_of_unicode(name), {});
   }
 
@@ -122,17 +123,18 @@ class HierarchyReader {
     if (std::exchange(joint.has_channels, true))
       return text_.fault(formatted("found a second CHANNELS of the joint {}, wanted one", in_quotes(name())));
     if (joint.has_children)
-      return text_.fault(formatted("found CHANNELS of the joint {} behind its children, wanted them before",
-                                   in_quotes(name())));
+      return text_.fault(
+          formatted("found CHANNELS of the joint {} behind its children, wanted them before", in_quotes(name())));
     const auto stated = whole_number(text_, text_.next(), formatted("a number of channels from 0 to {}", most_columns));
     if (!stated) return tl::unexpected(stated.error());
     std::vector<Column>& columns = found_.written[joint.joint].columns;
-    for (; !ends_columns(text_.peek()); ) {
+    for (; !ends_columns(text_.peek());) {
       const std::string_view word = text_.next();
       const auto column = column_of(word);
       if (!column) return text_.refused(word, "a channel such as Xposition or Zrotation");
       if (column->kind == Column::Kind::position && std::ranges::find(columns, *column) != columns.end())
-        return text_.fault(formatted("found a second {} of the joint {}, wanted one", in_quotes(word), in_quotes(name())));
+        return text_.fault(
+            formatted("found a second {} of the joint {}, wanted one", in_quotes(word), in_quotes(name())));
       columns.push_back(*column);
     }
     if (columns.size() != *stated)

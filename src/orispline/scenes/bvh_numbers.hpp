@@ -21,8 +21,8 @@ class NumberFinder {
   /// All are kept by reference; the source may be null.
   NumberFinder(const Skeleton& skeleton, const Clip& clip, const Frames& frames, const Source* source);
 
-  /// With the columns that are planned, or more where these cannot say it. A joint that turns as in the source keeps the
-  /// angles of the source; `order` is for those that need three turns. Error (bad_data): a rotation that is none.
+  /// With the columns that are planned, or more where these cannot say it. A joint that turns as in the source keeps
+  /// the angles of the source; `order` is for those that need three turns. Error (bad_data): a rotation that is none.
   [[nodiscard]] Expected<JointNumbers> of(const PlannedJoint& planned, const EulerOrder& order) const;
 
  private:

@@ -9,7 +9,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 #include <orispline/scenes/bvh_hierarchy.hpp>
-#include <orispline/scenes/bvh_number.hpp>
+#include <orispline/scenes/bvh_word.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::scenes::bvh {
 namespace {
@@ -30,8 +30,7 @@ std::string_view stem_of(std::string_view path) {
 
 std::vector<Column> columns_in_order(std::span<const WrittenJoint> joints) {
   std::vector<Column> columns;
-  for (const WrittenJoint& joint : joints)
-    columns.insert(columns.end(), joint.columns.begin(), joint.columns.end());
+  for (const WrittenJoint& joint : joints) columns.insert(columns.end(), joint.columns.begin(), joint.columns.end());
   return columns;
 }
 
@@ -76,11 +75,11 @@ Expected<std::vector<Warning>> read_rest(Text& text, std::size_t columns, const 
     }
   if (more == 0) return std::vector<Warning>{};
   const std::size_t frames = motion.frames + (more + columns - 1) / columns;
-  return std::vector{Warning{
-      .code = "frames_left_out",
-      .message = formatted("found {} frames, read the {} that the file states", frames, motion.frames),
-      .where = {.file = path, .line = line},
-      .numbers = {{"frames", static_cast<double>(frames)}, {"stated", static_cast<double>(motion.frames)}}}};
+  return std::vector{
+      Warning{.code = "frames_left_out",
+              .message = formatted("found {} frames, read the {} that the file states", frames, motion.frames),
+              .where = {.file = path, .line = line},
+              .numbers = {{"frames", static_cast<double>(frames)}, {"stated", static_cast<double>(motion.frames)}}}};
 }
 
 Expected<Motion> read_motion(Text& text, std::span<const WrittenJoint> joints, const std::string& path) {
@@ -134,8 +133,7 @@ Clip clip_of(const Source& source, std::string name) {
     if (count_of(columns, Column::Kind::position) > 0) {
       VectorChannel channel{.joint = j, .times = times, .values = std::vector<Eigen::Vector3d>(source.frames)};
       for (std::size_t k = 0; k < source.frames; ++k)
-        channel.values[k] =
-            translation_of(columns, numbers + k * stride, source.skeleton[j].rest.translation);
+        channel.values[k] = translation_of(columns, numbers + k * stride, source.skeleton[j].rest.translation);
       clip.translations.push_back(std::move(channel));
     }
     numbers += columns.size();

@@ -14,6 +14,7 @@ namespace orispline::inline ORISPLINE_ABI::scenes::bvh {
 namespace {
 
 constexpr std::size_t names_shown = 5;
+constexpr std::size_t most_numbers = std::size_t{1} << 28;  // of all frames: 2 GiB in memory, more as text
 
 Expected<const Clip*> only_clip_of(const Scene& scene) {
   if (scene.clips.size() == 1) return &scene.clips.front();
@@ -29,8 +30,9 @@ Expected<const Clip*> only_clip_of(const Scene& scene) {
 Expected<EulerOrder> order_of(const SceneWriting& writing) {
   const EulerOrder order = writing.euler.value_or(EulerOrder{});
   if (order.is_proper())
-    return bad_option("euler", "found an order with one axis twice, wanted three different axes, for a joint of BVH has "
-                               "each channel once");
+    return bad_option("euler",
+                      "found an order with one axis twice, wanted three different axes, for a joint of BVH has "
+                      "each channel once");
   return order;
 }
 
@@ -93,12 +95,18 @@ class Writer {
   }
 
  private:
-  Expected<std::vector<JointNumbers>> numbers_of(const Plan& plan, const Frames& frames, const EulerOrder& order) const {
+  Expected<std::vector<JointNumbers>> numbers_of(const Plan& plan, const Frames& frames,
+                                                 const EulerOrder& order) const {
     const NumberFinder finder(scene_.skeleton, clip_, frames, source_);
     std::vector<JointNumbers> joints;
+    std::size_t all = 0;
     for (const PlannedJoint& planned : plan) {
       auto numbers = finder.of(planned, order);
       if (!numbers) return tl::unexpected(std::move(numbers.error()));
+      all += numbers->numbers.size();
+      if (all > most_numbers)
+        return failure(ErrorCode::bad_data, formatted("found {} with more than {} numbers, wanted fewer of both",
+                                                      counted(frames.times.size(), "frame"), most_numbers));
       joints.push_back(std::move(*numbers));
     }
     return joints;
@@ -122,10 +130,10 @@ class Writer {
     HierarchyText hierarchy = text_of(plan, line_end_);
     written_.bytes = std::move(hierarchy.text);
     if (hierarchy.renamed > 0)
-      written_.warnings.push_back(warning_of(
-          "names_changed",
-          formatted("{} with '_' for what a name of BVH cannot hold", counted(hierarchy.renamed, "joint")), "joints",
-          hierarchy.renamed, path_));
+      written_.warnings.push_back(
+          warning_of("names_changed",
+                     formatted("{} with '_' for what a name of BVH cannot hold", counted(hierarchy.renamed, "joint")),
+                     "joints", hierarchy.renamed, path_));
   }
 
   void add_motion(const Frames& frames, const std::vector<JointNumbers>& joints) {
@@ -152,11 +160,11 @@ class Writer {
     const auto add = [&](std::string_view code, std::string message, std::string_view what, std::size_t count) {
       if (count > 0) written_.warnings.push_back(warning_of(code, std::move(message), what, count, path_));
     };
-    const auto near_lock = static_cast<std::size_t>(std::ranges::count(is_near_lock, true));
+    const auto locked = static_cast<std::size_t>(std::ranges::count(is_near_lock, true));
     add("gimbal_lock",
         formatted("{} within 1° of gimbal lock, where angles may jump; another order of `euler` may have none",
-                  counted(near_lock, "frame")),
-        "frames", near_lock);
+                  counted(locked, "frame")),
+        "frames", locked);
     const std::size_t scaled = scaled_joints_of(scene_, clip_);
     add("scale_dropped", formatted("{} with a scale, which BVH does not hold", counted(scaled, "joint")), "joints",
         scaled);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/scenes/bvh_number.hpp>
+#include <orispline/scenes/bvh_word.hpp>
 
 #include <algorithm>
 #include <charconv>
