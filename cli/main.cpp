@@ -9,10 +9,12 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/version.hpp>
 #include <orispline/batch/kernel/dispatch.hpp>
+#include <orispline/scenes/scene_tracks.hpp>
 
 #include "commands/compare/compare_options.hpp"
 #include "commands/completion/completion.hpp"
 #include "commands/convert/convert_options.hpp"
+#include "commands/difference/difference_options.hpp"
 #include "commands/inspect/inspect_options.hpp"
 #include "commands/methods/methods.hpp"
 #include "commands/plot/plot_options.hpp"
@@ -138,6 +140,7 @@ std::string command_line(std::span<char*> arguments) {
 class CommandLine {
  public:
   CommandLine() {
+    scenes::join_formats();
     add_sample_options(
         command("sample", "Sample the smooth motion through keyframes", [this] { return sample(sample_); }), sample_);
     add_convert_options(command("convert", "Write keyframes in another format", [this] { return convert(convert_); }),
@@ -146,6 +149,9 @@ class CommandLine {
         command("inspect", "Describe a file of keyframes, and where the rates of curves through it jump",
                 [this] { return inspect(inspect_); }),
         inspect_);
+    add_difference_options(command("difference", "Say how far the motions of a skeleton in two files are apart",
+                                   [this] { return difference(difference_); }),
+                           difference_);
     add_compare_options(command("compare", "Compare the methods on a recording: errors, smoothness, cost",
                                 [this] { return compare(compare_); }),
                         compare_);
@@ -240,6 +246,7 @@ class CommandLine {
   SampleOptions sample_;
   ConvertOptions convert_;
   InspectOptions inspect_;
+  DifferenceOptions difference_;
   CompareOptions compare_;
   PlotOptions plot_;
   SmoothOptions smooth_;

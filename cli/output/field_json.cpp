@@ -5,7 +5,7 @@ namespace orispline::cli {
 namespace {
 
 Json place_json(std::size_t sample, const Places& places) {
-  return {{"key", sample}, {"line", places.lines[sample]}, {"time_s", places.times[sample].to_string()}};
+  return {{"key", sample}, {"line", places.line_of(sample)}, {"time_s", places.times[sample].to_string()}};
 }
 
 /// A value of any type but the index of a sample.
@@ -23,7 +23,7 @@ struct ValueJson {
   Json operator()(const std::vector<SampleRun>& runs) const {
     Json list = Json::array();
     for (const auto& [first, count] : runs)
-      list.push_back({{"key", first}, {"line", places.lines[first]}, {"samples", count}});
+      list.push_back({{"key", first}, {"line", places.line_of(first)}, {"samples", count}});
     return list;
   }
   Json operator()(const Measured& measured) const {

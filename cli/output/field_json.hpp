@@ -16,8 +16,10 @@ namespace orispline::cli {
 
 /// Where the samples of a recording are in its file.
 struct Places {
-  std::span<const std::uint32_t> lines{};
-  std::span<const Decimal> times{};  ///< in the file's own time [s]
+  std::span<const std::uint32_t> lines{};  ///< empty where the file has none
+  std::span<const Decimal> times{};        ///< in the file's own time [s]
+
+  [[nodiscard]] Json line_of(std::size_t sample) const { return lines.empty() ? Json(nullptr) : Json(lines[sample]); }
 };
 
 /// What the field of an option is where nothing is stated.

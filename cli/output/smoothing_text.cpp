@@ -37,7 +37,9 @@ std::string places_text(const std::vector<std::size_t>& samples, const std::vect
                         const std::vector<Decimal>& times) {
   std::string text;
   for (std::size_t i = 0; i < std::min(samples.size(), places_shown); ++i)
-    text += formatted("{}line {} ({} s)", i == 0 ? ": " : ", ", lines[samples[i]], times[samples[i]].to_string());
+    text += formatted("{}{} ({} s)", i == 0 ? ": " : ", ",
+                      lines.empty() ? formatted("key {}", samples[i]) : formatted("line {}", lines[samples[i]]),
+                      times[samples[i]].to_string());
   return text + (samples.size() > places_shown ? ", …" : "");
 }
 

@@ -8,8 +8,10 @@
 #include <orispline/io/track_file.hpp>
 
 #include "commands/convert/convert_report.hpp"
+#include "commands/convert/convert_scene.hpp"
 #include "options/file_places.hpp"
 #include "options/method_options.hpp"
+#include "options/scene_input.hpp"
 #include "output/keys_file.hpp"
 #include "output/standard_output.hpp"
 
@@ -74,6 +76,13 @@ ConvertReport report_on(const io::TrackFile& source, const ConvertOptions& optio
 Expected<void> convert(const ConvertOptions& options) {
   FirstError checked;
   auto input = checked(input_request(options.input));
+  if (is_scene(options.output.path))
+    return std::move(checked).or_else(std::move(input)).and_then([&](const InputRequest& request) {
+      return convert_scene(options, request);
+    });
+  if (options.rate || options.no_bones)
+    return usage_failure(formatted("{}: found an output without a skeleton, wanted a file such as walk.bvh or walk.glb",
+                                   options.rate ? "--rate" : "--no-bones"));
   auto columns = checked(output_columns(options.output));
   auto request = std::move(checked).or_else(std::move(input));
   if (!request) return tl::unexpected(std::move(request.error()));

@@ -11,6 +11,8 @@ namespace orispline::cli {
 struct ConvertOptions {
   InputOptions input;
   OutputOptions output;
+  std::optional<std::string> rate;
+  bool no_bones = false;
   SummaryOptions summary;
 };
 

@@ -10,6 +10,7 @@
 #include <orispline/io/key_rows.hpp>
 
 #include "commands/inspect/inspect_report.hpp"
+#include "commands/inspect/inspect_scene.hpp"
 #include "options/reading_flags.hpp"
 #include "output/findings_text.hpp"
 #include "output/standard_output.hpp"
@@ -91,6 +92,7 @@ Expected<InspectReport> inspected(const InputRequest& input, const std::vector<M
 Expected<void> inspect(const InspectOptions& options) {
   auto input = input_request(options.input);
   if (!input) return tl::unexpected(std::move(input.error()));
+  if (is_about_scene(options, *input)) return inspect_scene(options, *input);
   if (options.methods.empty() && any_given(options.shape))
     return usage_failure("found options that shape a curve, but no curve; wanted --method as well");
   const auto methods = method_requests(options.methods, options.shape);

@@ -13,7 +13,8 @@ namespace {
 /// Three members for a key: its index, its line in the file, its exact time.
 void add_place(Json& json, const std::string& name, const InspectReport& report, std::size_t key) {
   json[name + "_key"] = key;
-  json[name + "_line"] = report.file.track.lines[key];
+  const auto& lines = report.file.track.lines;
+  json[name + "_line"] = lines.empty() ? Json(nullptr) : Json(lines[key]);
   json[name + "_time_s"] = report.time_of(key).to_string();
 }
 

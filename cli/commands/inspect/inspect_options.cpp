@@ -8,6 +8,8 @@ constexpr auto inspect_footer = R"(Examples:
   orispline inspect keys.csv
   orispline inspect keys.csv --method auto,quintic --method slerp
   orispline inspect keys.csv --method sextic --json
+  orispline inspect mage.glb
+  orispline inspect mage.glb --clip Walking_A --joint hand.r --method auto
 
 Faults that 'sample' refuses are repaired and counted: duplicate or decreasing times, rows that are not numbers, norms
 far from 1. The JSON is described in docs/inspect-json.md.)";

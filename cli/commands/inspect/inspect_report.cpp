@@ -15,7 +15,9 @@ constexpr std::size_t places_shown = 3;
 
 /// `key 4 (line 6, 5.2 s)`
 std::string place(const InspectReport& report, std::size_t key) {
-  return formatted("key {} (line {}, {} s)", key, report.file.track.lines[key], report.time_of(key).to_string());
+  const auto& lines = report.file.track.lines;
+  const std::string line = lines.empty() ? "" : formatted("line {}, ", lines[key]);
+  return formatted("key {} ({}{} s)", key, line, report.time_of(key).to_string());
 }
 
 std::string keys_lines(const InspectReport& report) {

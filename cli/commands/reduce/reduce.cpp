@@ -5,11 +5,14 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/pages/reduce_page.hpp>
+#include <orispline/reduce/clip_reduction.hpp>
 #include <orispline/reduce/reduce_fields.hpp>
 
 #include "commands/reduce/reduce_report.hpp"
+#include "commands/reduce/reduce_scene.hpp"
 #include "commands/reduce/reduce_track.hpp"
 #include "options/file_places.hpp"
+#include "options/scene_input.hpp"
 #include "options/threads.hpp"
 #include "output/each_input.hpp"
 #include "output/keys_file.hpp"
@@ -71,7 +74,23 @@ Expected<io::SampleColumns> columns_in(const ReduceOptions& options) {
   });
 }
 
+/// What makes sense for clips only.
+Expected<void> check_no_clips(const ReduceOptions& options) {
+  for (const auto& [name, text] : options.scene)
+    if (text)
+      return usage_failure(
+          formatted("{}: found keys of one track, wanted a glTF output, such as small.glb", flag_of(name)));
+  if (options.closed)
+    return usage_failure("--closed: found keys of one track, wanted a glTF output, such as small.glb");
+  if (options.method == cubicspline_method)
+    return usage_failure(
+        "--method: found 'cubicspline' for keys of one track, wanted a glTF output, such as small.glb");
+  if (is_given(options.reduction, "tolerance")) return {};
+  return usage_failure("--tolerance is required");
+}
+
 Expected<Request> request_in(const ReduceOptions& options) {
+  if (auto fits = check_no_clips(options); !fits) return tl::unexpected(std::move(fits.error()));
   FirstError checked;
   Request request{.input = checked(input_in(options)),
                   .columns = checked(columns_in(options)),
@@ -144,6 +163,7 @@ Expected<void> write(const ReduceReport& report, const io::SampleColumns& column
 }
 
 Expected<void> reduce_one(const ReduceOptions& options) {
+  if (is_scene(options.output.path)) return reduce_scene(options);
   auto request = request_in(options);
   if (!request) return tl::unexpected(std::move(request.error()));
   auto page = ReportFile::open(options.report);
@@ -171,7 +191,9 @@ Expected<void> reduce_one(const ReduceOptions& options) {
 }  // namespace
 
 Expected<void> reduce(const ReduceOptions& options) {
-  const auto check = [](const ReduceOptions& one) { return request_in(one).map([](const Request&) {}); };
+  const auto check = [](const ReduceOptions& one) {
+    return is_scene(one.output.path) ? check_reduce_scene(one) : request_in(one).map([](const Request&) {});
+  };
   return on_inputs(options, {.written = "keys", .check = check, .work = reduce_one});
 }
 

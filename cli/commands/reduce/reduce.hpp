@@ -24,6 +24,8 @@ struct ReduceOptions {
   OutputOptions output;
   ReportOptions report;
   TypedFields reduction;  ///< of orispline::ReduceOptions
+  TypedFields scene;      ///< of orispline::ClipReduceOptions, what that has beside them
+  bool closed = false;    ///< of clips
   std::string method{smallest_method};
   MethodOptions shape;
   SmoothnessOptions smoothness;

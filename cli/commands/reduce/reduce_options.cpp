@@ -2,6 +2,7 @@
 #include "commands/reduce/reduce_options.hpp"
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/reduce/clip_reduction_fields.hpp>
 #include <orispline/reduce/reduce_fields.hpp>
 
 namespace orispline::cli {
@@ -12,6 +13,8 @@ constexpr auto reduce_footer = R"(Examples:
   orispline reduce poses.tum --tolerance 0.5deg --position-tolerance 1mm -o keys.tum
   orispline reduce flight.csv --tolerance 0.1deg --method auto --refit -o keys.csv --json
   orispline reduce noisy.csv --smooth --tolerance 0.5deg -o keys.csv
+  orispline reduce mage.glb --tolerance 0.05deg -o small.glb
+  orispline reduce mage.glb --world-tolerance 2mm -o small.glb
   orispline reduce hips.csv head.csv arm.csv --tolerance 0.5deg --output-folder keys
   orispline reduce flight.csv --tolerance 0.1deg --method timed-c3 --tension=0.2 --ends rest -o keys.csv
   orispline sample keys.csv --rate 100 -o motion.csv
@@ -28,11 +31,17 @@ void add_reduce_options(Command& app, ReduceOptions& o) {
   const auto fields = fields_of<orispline::ReduceOptions>();
   for (const std::string_view name : {"tolerance", "position_tolerance"})
     add_field(app, o.reduction, field_named(fields, name), group);
-  app.add_option(
-         "--method", o.method,
-         formatted("Method of the curve, a local one through its keys, or {} [{}]", smallest_method, smallest_method))
+  app.option("--tolerance").is_required = false;  // of clips the world's may stand for it
+  app.add_option("--method", o.method,
+                 formatted("Method of the curve, a local one through its keys, or {}; of glTF also {} [{}; of glTF {}]",
+                           smallest_method, cubicspline_method, smallest_method, cubicspline_method))
       ->type_name(method_type)
       ->group(group);
+  const auto of_clips = fields_of<orispline::ClipReduceOptions>();
+  for (const std::string_view name : {"world_tolerance", "shell", "between"})
+    add_field(app, o.scene, field_named(of_clips, name), "Clips");
+  app.add_flag("--closed", o.closed, "Give rotations that end as they begin the same tangents at both ends")
+      ->group("Clips");
   add_method_options(app, o.shape);
   add_word_flag(app, o.reduction, field_named(fields, "values"), "refit", group);
   app.add_flag("--smooth", o.smooth,

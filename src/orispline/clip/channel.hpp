@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 #include <orispline/math/geodesic.hpp>
@@ -30,5 +31,8 @@ struct Channel {
 };
 using RotationChannel = Channel<Eigen::Quaterniond>;
 using VectorChannel = Channel<Eigen::Vector3d>;
+
+// GCC 12 fails where it meets a list of members by their names before any other use of their defaults.
+static_assert(std::is_default_constructible_v<RotationChannel> && std::is_default_constructible_v<VectorChannel>);
 
 }  // namespace orispline::inline ORISPLINE_ABI

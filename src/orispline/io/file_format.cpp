@@ -16,6 +16,12 @@ bool ends_in(std::string_view path, std::string_view extension) {
          std::equal(extension.rbegin(), extension.rend(), path.rbegin(), [](char a, char b) { return a == lower(b); });
 }
 
+/// The list, to which rooms above add theirs.
+std::vector<const FormatInfo*>& known_formats() {
+  static std::vector<const FormatInfo*> known(all_formats.begin(), all_formats.end());
+  return known;
+}
+
 std::vector<const FormatInfo*> formats_that(bool (FormatInfo::*are)() const noexcept) {
   std::vector<const FormatInfo*> some;
   std::ranges::copy_if(formats(), std::back_inserter(some),
@@ -29,14 +35,18 @@ bool FormatInfo::has_extension_of(std::string_view path) const noexcept {
   return std::ranges::any_of(extensions, [path](std::string_view extension) { return ends_in(path, extension); });
 }
 
-std::span<const FormatInfo* const> formats() noexcept { return all_formats; }
+std::span<const FormatInfo* const> formats() noexcept { return known_formats(); }
+void add_formats(std::span<const FormatInfo* const> more) {
+  for (const FormatInfo* const format : more)
+    if (std::ranges::find(known_formats(), format) == known_formats().end()) known_formats().push_back(format);
+}
 std::vector<const FormatInfo*> formats_read() { return formats_that(&FormatInfo::is_read); }
 std::vector<const FormatInfo*> formats_written() { return formats_that(&FormatInfo::is_written); }
 
 const FormatInfo* format_of_extension(std::string_view path) noexcept {
   const auto found =
-      std::ranges::find_if(all_formats, [path](const auto* format) { return format->has_extension_of(path); });
-  return found == all_formats.end() ? nullptr : *found;
+      std::ranges::find_if(formats(), [path](const auto* format) { return format->has_extension_of(path); });
+  return found == formats().end() ? nullptr : *found;
 }
 
 std::string any_of(std::span<const FormatInfo* const> formats) {

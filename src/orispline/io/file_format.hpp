@@ -110,6 +110,9 @@ struct ORISPLINE_EXPORT FormatInfo {
 
 /// All formats, in the order in which they are shown. The first is taken where nothing tells another one.
 [[nodiscard]] ORISPLINE_EXPORT std::span<const FormatInfo* const> formats() noexcept;
+/// Formats that rooms above this one state, such as those of skeletons, come behind the others, each once. To be called
+/// before other threads read or write files. What is added must live as long as the program.
+ORISPLINE_EXPORT void add_formats(std::span<const FormatInfo* const> more);
 [[nodiscard]] ORISPLINE_EXPORT std::vector<const FormatInfo*> formats_read();
 [[nodiscard]] ORISPLINE_EXPORT std::vector<const FormatInfo*> formats_written();
 

@@ -27,6 +27,8 @@ inline constexpr std::array order_words{OptionWord<QuaternionOrder>{"wxyz", Quat
                                         OptionWord<QuaternionOrder>{"xyzw", QuaternionOrder::xyzw}};
 inline constexpr std::array sign_words{OptionWord<Signs>{"shortest", Signs::shortest},
                                        OptionWord<Signs>{"as-given", Signs::as_given}};
+inline constexpr std::array space_words{OptionWord<SceneTrack::Space>{"local", SceneTrack::Space::local},
+                                        OptionWord<SceneTrack::Space>{"world", SceneTrack::Space::world}};
 inline constexpr auto angle_unit_words = [] {
   std::array<OptionWord<AngleUnit>, angle_units.size()> words;
   std::ranges::transform(angle_units, words.begin(), [](const auto& info) {

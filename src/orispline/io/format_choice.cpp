@@ -43,6 +43,13 @@ Expected<void> move_to_first_row(TextTable& table) {
   return {};
 }
 
+/// Tables have neither clips nor joints.
+Expected<void> check_scene(const FormatInfo& format, const ReadOptions& options) {
+  if (format.reading.tracks || !options.scene.is_given()) return {};
+  const std::string_view option = options.scene.joint ? "joint" : options.scene.clips.empty() ? "space" : "clip";
+  return bad_option(option, formatted("found {}, which has no skeleton, wanted a file of skeletons", format.file));
+}
+
 using Source = std::variant<KeyRowsSource, TracksSource>;
 
 /// Of a table at its first row.
@@ -101,6 +108,8 @@ Expected<Source> open_keys(KeyInput input, const ReadOptions& options) {
   if (auto checked = check_time_scale(options); !checked) return tl::unexpected(std::move(checked.error()));
   const Candidates candidates = candidates_for(input.path(), options);
   if (!candidates.front()->is_read()) return not_read(*candidates.front(), input.path());
+  if (auto checked = check_scene(*candidates.front(), options); !checked)
+    return tl::unexpected(std::move(checked.error()));
   LineReader lines = std::move(input).lines();
   if (candidates.size() == 1) return source_of(*candidates.front(), std::move(lines), options);
   return likest_source(candidates, std::move(lines), options);

@@ -33,6 +33,20 @@ enum class Norms {
   as_they_are  ///< left to whoever checks the keys
 };
 
+/// Which track of a file of skeletons is meant.
+struct SceneTrack {
+  enum class Space {
+    local,  ///< a joint in the frame of its parent
+    world,
+  };
+
+  std::vector<std::string> clips{};    ///< names; empty: all, of which a command of one track takes the only one
+  std::optional<std::string> joint{};  ///< its name; absent: the only one that has keys
+  Space space = Space::local;
+
+  [[nodiscard]] bool is_given() const noexcept { return !clips.empty() || joint || space != Space::local; }
+};
+
 /// How a file of keyframes is to be read.
 struct ReadOptions {
   /// Null: the one with the extension of the file; where several have it, or none has, by content: EuRoC by its header,
@@ -66,6 +80,7 @@ struct ReadOptions {
   bool keep_table = false;
   RecipeUse recipe = RecipeUse::honoured;
   Norms norms = Norms::near_one;
+  SceneTrack scene{};
   /// Parameters that are read where a column has their name.
   std::vector<std::string> parameters{};
 };

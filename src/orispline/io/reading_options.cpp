@@ -114,6 +114,36 @@ const std::array reading_list{
                   .sentence = "Date that counts as 0 s, if the times are dates of ISO 8601 [1970-01-01T00:00:00Z]",
                   .argument = [] { return std::string("TIME"); },
                   .take = take_epoch},
+    ReadingOption{.name = "clip",
+                  .sentence = "Clip of a file of skeletons, by its name [all of them]",
+                  .argument = [] { return std::string("NAME"); },
+                  .take =
+                      [](Reading& r, std::string_view text) {
+                        r.options.scene.clips.emplace_back(text);
+                        return Expected<void>();
+                      },
+                  .member = "clip",
+                  .use = "chooses one",
+                  .is_repeated = true},
+    ReadingOption{.name = "joint",
+                  .sentence = "Joint of a file of skeletons, by its name, for what is done with one track",
+                  .argument = [] { return std::string("NAME"); },
+                  .take =
+                      [](Reading& r, std::string_view text) {
+                        r.options.scene.joint = text;
+                        return Expected<void>();
+                      },
+                  .member = "joint",
+                  .use = "chooses one"},
+    ReadingOption{
+        .name = "space",
+        .sentence = "Whether a joint's orientation is that in the frame of its parent or in the world [local]",
+        .argument = list_of<space_words>,
+        .take =
+            [](Reading& r, std::string_view text) {
+              return word_in<space_words>("space", text).map(into(r.options.scene.space));
+            },
+        .member = "space"},
     ReadingOption{.name = "conjugate",
                   .sentence = "Read orientations that turn world into body, as C-kernels of SPICE hold them",
                   .take = set<&ReadOptions::conjugate>},

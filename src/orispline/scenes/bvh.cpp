@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <array>
 
-#include <orispline/scenes/scene_format.hpp>
+#include <orispline/scenes/bvh_reader.hpp>
+#include <orispline/scenes/bvh_writer.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::scenes {
 namespace {
@@ -14,6 +15,8 @@ constinit const SceneFormat bvh_format{.id = "bvh",
                                        .title = "BVH",
                                        .file = "a BVH file",
                                        .summary = "motion capture as a hierarchy and a table of angles",
-                                       .extensions = bvh_extensions};
+                                       .extensions = bvh_extensions,
+                                       .read = bvh::read,
+                                       .write = bvh::write};
 
 }  // namespace orispline::inline ORISPLINE_ABI::scenes

@@ -68,12 +68,16 @@ Expected<Scene> read_scene(const std::string& path, const SceneReading& reading)
   return scene;
 }
 
-Expected<std::vector<Warning>> write_scene(const Scene& scene, const std::string& path, const SceneWriting& writing) {
+Expected<SceneWritten> written_scene(const Scene& scene, const std::string& path, const SceneWriting& writing) {
   const auto format = format_for(path);
   if (!format) return tl::unexpected(format.error());
   for (const Clip& clip : scene.clips)
     if (auto sound = check_clip(scene.skeleton, clip); !sound) return tl::unexpected(std::move(sound.error()));
-  auto written = (*format)->write(scene, path, writing);
+  return (*format)->write(scene, path, writing);
+}
+
+Expected<std::vector<Warning>> write_scene(const Scene& scene, const std::string& path, const SceneWriting& writing) {
+  auto written = written_scene(scene, path, writing);
   if (!written) return tl::unexpected(std::move(written.error()));
   return io::OutputFile::open(path).and_then([&](io::OutputFile file) {
     return file.write(written->bytes).and_then([&] { return file.finish(); }).map([&] {

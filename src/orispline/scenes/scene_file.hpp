@@ -18,6 +18,13 @@ inline constexpr std::size_t largest_scene_file = std::size_t{2} << 30;
 /// Errors name the file: bad_access; bad_data; bad_argument for an extension of no format.
 [[nodiscard]] ORISPLINE_EXPORT Expected<Scene> read_scene(const std::string& path, const SceneReading& reading = {});
 
+/// The bytes of a file in the format of the extension of `path`; what the scene's file held besides is passed on where
+/// that is the same format.
+///
+/// Errors: bad_argument for an extension of no format; bad_data for what the format cannot hold.
+[[nodiscard]] ORISPLINE_EXPORT Expected<SceneWritten> written_scene(const Scene& scene, const std::string& path,
+                                                                    const SceneWriting& writing = {});
+
 /// Writes a scene in the format of the extension of `path`; what the scene's file held besides is passed on where that
 /// is the same format. The file appears complete or not at all. Returns what the format had no room for.
 ///

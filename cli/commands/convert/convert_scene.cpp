@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/convert/convert_scene.hpp"
+
+#include <utility>
+
+#include <orispline/base/counted.hpp>
+#include <orispline/base/formatted.hpp>
+#include <orispline/base/quoted.hpp>
+
+#include "options/file_places.hpp"
+#include "options/scene_input.hpp"
+#include "output/scene_counts.hpp"
+#include "output/scene_output.hpp"
+#include "output/summary.hpp"
+
+namespace orispline::cli {
+namespace {
+
+/// What was converted.
+struct ConvertedScene {
+  std::string input, output;
+  std::string_view input_format, output_format;  ///< titles
+  std::size_t joints = 0, clips = 0;
+  SceneCounts counts{};
+};
+
+std::string text_of(const ConvertedScene& report) {
+  return formatted("{} and {} from {} ({}) written to {} ({}): {} of rotations, {} of translations\n",
+                   counted(report.joints, "joint"), counted(report.clips, "clip"), printable(report.input),
+                   report.input_format, destination(report.output), report.output_format,
+                   counted(report.counts.rotation_keys, "key"), counted(report.counts.translation_keys, "key"));
+}
+
+Json json_of(const ConvertedScene& report) {
+  Json json{{"input", report.input},   {"input_format", report.input_format},
+            {"output", report.output}, {"output_format", report.output_format},
+            {"joints", report.joints}, {"clips", report.clips}};
+  json.update(json_of(report.counts));
+  return json;
+}
+
+}  // namespace
+
+Expected<void> convert_scene(const ConvertOptions& options, const InputRequest& input) {
+  FirstError checked;
+  scenes::SceneWriting writing = checked(scene_writing(options.output));
+  writing.rate = checked(if_given("--rate", options.rate, [](OptionText text) { return positive_in(text); }));
+  writing.bones = !options.no_bones;
+  auto understood = std::move(checked).or_else(writing);
+  if (!understood) return tl::unexpected(std::move(understood.error()));
+  if (auto fits = check_summary(options.summary, options.output.path, "keys"); !fits) return fits;
+  if (auto apart = check_output_apart("-o", options.output.path, {{"INPUT", input.path}}); !apart) return apart;
+  const auto scene = open_scene(input);
+  if (!scene) return tl::unexpected(scene.error());
+  warn(scene->warnings);
+  const ConvertedScene report{.input = input.path,
+                              .output = options.output.path,
+                              .input_format = scene->format ? scene->format->title : "keys",
+                              .output_format = scenes::scene_format_of(options.output.path)->title,
+                              .joints = scene->skeleton.size(),
+                              .clips = scene->clips.size(),
+                              .counts = counts_of(*scene)};
+  return write_scene(options.output.path, *scene, *understood).and_then([&] {
+    return summarise(options.summary, report);
+  });
+}
+
+}  // namespace orispline::cli

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/reduce/reduce_scene.hpp"
+
+#include <filesystem>
+#include <utility>
+
+#include <orispline/base/formatted.hpp>
+#include <orispline/families/registry.hpp>
+#include <orispline/reduce/clip_reduction_fields.hpp>
+#include <orispline/reduce/reduce_fields.hpp>
+#include <orispline/scenes/scene_file.hpp>
+
+#include "commands/reduce/reduce_scene_report.hpp"
+#include "options/file_places.hpp"
+#include "options/scene_input.hpp"
+#include "options/threads.hpp"
+#include "output/noted_output.hpp"
+#include "output/scene_output.hpp"
+#include "output/standard_output.hpp"
+
+namespace orispline::cli {
+namespace {
+
+/// The command line, understood.
+struct Request {
+  InputRequest input{};
+  scenes::SceneWriting writing{};
+  orispline::ClipReduceOptions reduction{};
+  unsigned threads = 1;
+};
+
+Expected<Method> method_in(const ReduceOptions& options) {
+  if (options.method == smallest_method || options.method == cubicspline_method) {
+    if (any_given(options.shape))
+      return usage_failure(formatted(
+          "found options that shape a curve, which {} does not take; wanted another --method", cubicspline_method));
+    return Method{cubicspline_method};
+  }
+  return method_request(options.method, options.shape);
+}
+
+/// What is not for clips.
+Expected<void> check_clips(const ReduceOptions& options) {
+  if (options.smooth || any_given(options.smoothness))
+    return usage_failure("--smooth: found a file of skeletons, wanted one track, or 'orispline smooth' first");
+  if (options.report.path)
+    return usage_failure("--report: found a file of skeletons, wanted keys of one track as the output");
+  if (is_given(options.reduction, "values"))
+    return usage_failure("--refit: found a file of skeletons, wanted keys of one track as the output");
+  if (scenes::scene_format_of(options.output.path) != &scenes::gltf_format)
+    return usage_failure(
+        formatted("{}: found a file that holds every frame, wanted glTF, such as small.glb", options.output.option));
+  if (is_given(options.reduction, "tolerance") || is_given(options.scene, "world_tolerance")) return {};
+  return usage_failure("--tolerance is required, or --world-tolerance");
+}
+
+Expected<orispline::ClipReduceOptions> reduction_in(const ReduceOptions& options) {
+  TypedFields typed = options.scene;
+  for (const std::string_view name : {"tolerance", "position_tolerance"})
+    if (const auto found = options.reduction.find(name); found != options.reduction.end()) typed[name] = found->second;
+  return options_in<orispline::ClipReduceOptions>(typed).map([&](orispline::ClipReduceOptions found) {
+    found.precision = orispline::KeyPrecision::float32;
+    found.closed = options.closed;
+    return found;
+  });
+}
+
+Expected<Request> request_in(const ReduceOptions& options) {
+  if (auto fits = check_clips(options); !fits) return tl::unexpected(std::move(fits.error()));
+  FirstError checked;
+  Request request{.input = checked(input_request(options.input)),
+                  .writing = checked(scene_writing(options.output)),
+                  .reduction = checked(reduction_in(options)),
+                  .threads = static_cast<unsigned>(checked(threads_in(options.inputs.threads)))};
+  request.reduction.method = checked(method_in(options));
+  return std::move(checked).or_else(std::move(request)).and_then([&](Request read) -> Expected<Request> {
+    if (auto apart = check_output_apart(options.output.option, options.output.path, {{"INPUT", options.input.path}});
+        !apart)
+      return tl::unexpected(std::move(apart.error()));
+    return check_summary(options.summary, options.output.path, "keys").map([&] { return std::move(read); });
+  });
+}
+
+/// 0 where it is not known.
+std::size_t bytes_of(const std::string& path) {
+  std::error_code none;
+  const auto bytes = std::filesystem::file_size(path, none);
+  return none ? 0 : static_cast<std::size_t>(bytes);
+}
+
+}  // namespace
+
+Expected<void> check_reduce_scene(const ReduceOptions& options) {
+  return request_in(options).map([](const Request&) {});
+}
+
+Expected<void> reduce_scene(const ReduceOptions& options) {
+  const auto request = request_in(options);
+  if (!request) return tl::unexpected(request.error());
+  if (auto able = check_output(options.output.path); !able) return able;
+  auto scene = open_scene(request->input);
+  if (!scene) return tl::unexpected(std::move(scene.error()));
+  warn(scene->warnings);
+  auto reductions = orispline::reduce_clips(scene->skeleton, scene->clips, request->reduction, request->threads);
+  if (!reductions) {
+    reductions.error().where.file = options.input.path;
+    return tl::unexpected(std::move(reductions.error()));
+  }
+  for (std::size_t i = 0; i < reductions->size(); ++i) scene->clips[i] = (*reductions)[i].clip;
+  ReduceSceneReport report{.input = options.input.path,
+                           .output = options.output.path,
+                           .skeleton = scene->skeleton,
+                           .options = request->reduction,
+                           .reductions = *std::move(reductions),
+                           .bytes_before = bytes_of(options.input.path)};
+  return write_scene(options.output.path, *scene, request->writing).and_then([&] {
+    report.bytes_after = bytes_of(options.output.path);
+    return summarise(options.summary, report);
+  });
+}
+
+}  // namespace orispline::cli

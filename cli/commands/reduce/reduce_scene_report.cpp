@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/reduce/reduce_scene_report.hpp"
+
+#include <orispline/base/counted.hpp>
+#include <orispline/base/formatted.hpp>
+#include <orispline/base/quoted.hpp>
+#include <orispline/math/degrees.hpp>
+#include <orispline/reduce/clip_reduction_fields.hpp>
+
+#include "output/summary.hpp"
+
+namespace orispline::cli {
+namespace {
+
+/// Of all clips together.
+struct Totals {
+  std::size_t tracks = 0, open_tracks = 0, keys = 0, keys_before = 0, translations = 0, translations_before = 0;
+  const ClipReduction *angle = nullptr, *distance = nullptr;  ///< the clips where these are largest
+
+  explicit Totals(const std::vector<ClipReduction>& reductions) {
+    for (const ClipReduction& reduction : reductions) {
+      tracks += reduction.rotation_tracks;
+      open_tracks += reduction.open_tracks;
+      keys += reduction.rotation_keys;
+      keys_before += reduction.rotation_keys_before;
+      translations += reduction.translation_keys;
+      translations_before += reduction.translation_keys_before;
+      if (!angle || reduction.angle.largest.value > angle->angle.largest.value) angle = &reduction;
+      if (!distance || reduction.distance.largest.value > distance->distance.largest.value) distance = &reduction;
+    }
+  }
+};
+
+std::string place_of(const ReduceSceneReport& report, const ClipReduction& reduction,
+                     const ClipReduction::Worst& worst) {
+  return formatted("{}, at {:.6g} s", orispline::place_of(report.skeleton, reduction.clip, worst.joint),
+                   worst.largest.time);
+}
+
+std::string tolerances_of(const orispline::ClipReduceOptions& options) {
+  std::string text;
+  const auto add = [&](double tolerance, double unit, std::string_view what) {
+    if (tolerance < std::numeric_limits<double>::infinity())
+      text += formatted("{}{:.6g}{}", text.empty() ? "" : ", ", tolerance * unit, what);
+  };
+  add(options.tolerance, degrees, "°");
+  add(options.position_tolerance, 1.0, " of translations");
+  add(options.world_tolerance, 1.0, " in the world");
+  return text;
+}
+
+Json worst_json(const ReduceSceneReport& report, const ClipReduction* reduction, const ClipReduction::Worst& worst,
+                double unit) {
+  return {{"largest", worst.largest.value * unit},
+          {"clip", reduction->clip.name},
+          {"joint", report.skeleton[worst.joint].name},
+          {"time_s", worst.largest.time}};
+}
+
+}  // namespace
+
+std::string text_of(const ReduceSceneReport& report) {
+  const Totals totals(report.reductions);
+  std::string text = formatted("{} from {}, tolerance {}, method {}\n", counted(report.reductions.size(), "clip"),
+                               printable(report.input), tolerances_of(report.options), report.options.method.name);
+  if (totals.tracks > 0)
+    text += formatted("rotations       {} of {} in {} of three keys and more ({:.1f} %)\n", totals.keys,
+                      counted(totals.keys_before, "key"), counted(totals.tracks, "track"),
+                      100.0 * static_cast<double>(totals.keys) / static_cast<double>(totals.keys_before));
+  if (totals.translations < totals.translations_before)
+    text += formatted("translations    {} of {}\n", totals.translations, counted(totals.translations_before, "key"));
+  if (report.options.closed)
+    text += formatted("closed          {} end as they begin; {} stay open\n",
+                      counted(totals.tracks - totals.open_tracks, "track"), totals.open_tracks);
+  if (totals.angle)
+    text +=
+        formatted("largest angle   {:.6g}° at every key of the input, {}\n",
+                  totals.angle->angle.largest.value * degrees, place_of(report, *totals.angle, totals.angle->angle));
+  if (totals.distance)
+    text += formatted("shell distance  {:.6g} in the world, {}; shell {:g}\n", totals.distance->distance.largest.value,
+                      place_of(report, *totals.distance, totals.distance->distance), report.options.shell);
+  text += formatted("written to {}", destination(report.output));
+  if (report.bytes_before > 0)
+    text += formatted(": {:.3g} MB of {:.3g} MB", static_cast<double>(report.bytes_after) * 1e-6,
+                      static_cast<double>(report.bytes_before) * 1e-6);
+  return text + "\n";
+}
+
+std::string line_of(const ReduceSceneReport& report) {
+  const Totals totals(report.reductions);
+  return formatted("{}: {} of {}, {:.6g}° and {:.6g} in the world off at most", printable(report.output), totals.keys,
+                   counted(totals.keys_before, "key"), totals.angle ? totals.angle->angle.largest.value * degrees : 0.0,
+                   totals.distance ? totals.distance->distance.largest.value : 0.0);
+}
+
+Json json_of(const ReduceSceneReport& report) {
+  const Totals totals(report.reductions);
+  Json json{{"input", report.input}, {"output", report.output}, {"method", report.options.method.name}};
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (report.options.tolerance < infinity) json["tolerance_deg"] = report.options.tolerance * degrees;
+  if (report.options.position_tolerance < infinity) json["position_tolerance"] = report.options.position_tolerance;
+  if (report.options.world_tolerance < infinity) json["world_tolerance"] = report.options.world_tolerance;
+  json["shell"] = report.options.shell;
+  json["clips"] = report.reductions.size();
+  json["rotation_tracks"] = totals.tracks;
+  json["rotation_keys_before"] = totals.keys_before;
+  json["rotation_keys"] = totals.keys;
+  json["translation_keys_before"] = totals.translations_before;
+  json["translation_keys"] = totals.translations;
+  if (report.options.closed) json["open_tracks"] = totals.open_tracks;
+  if (totals.angle) json["angle_deg"] = worst_json(report, totals.angle, totals.angle->angle, degrees);
+  if (totals.distance) json["shell_distance"] = worst_json(report, totals.distance, totals.distance->distance, 1.0);
+  if (report.bytes_before > 0) json["bytes_before"] = report.bytes_before;
+  json["bytes"] = report.bytes_after;
+  return json;
+}
+
+}  // namespace orispline::cli

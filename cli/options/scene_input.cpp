@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "options/scene_input.hpp"
+
+#include <utility>
+
+#include <orispline/scenes/scene_file.hpp>
+
+namespace orispline::cli {
+
+bool is_scene(const std::string& path) { return scenes::scene_format_of(path) != nullptr; }
+
+Expected<scenes::Scene> open_scene(const InputRequest& input) {
+  if (!is_scene(input.path))
+    return io::read_track(input.path, input.read, input.signs).and_then([](const io::TrackFile& file) {
+      return scenes::scene_of(file.track);
+    });
+  if (input.read.scene.joint)
+    return usage_failure("--joint: found an output that holds all joints, wanted one of a single track, such as CSV");
+  if (input.read.scene.space == io::SceneTrack::Space::world)
+    return usage_failure("--space: found an output that holds all joints, wanted one of a single track, such as CSV");
+  return scenes::read_scene(input.path, {.drop_duplicates = input.read.drop_duplicates})
+      .and_then([&](scenes::Scene scene) { return scenes::with_clips(std::move(scene), input.read.scene.clips); });
+}
+
+Expected<scenes::SceneWriting> scene_writing(const OutputOptions& options) {
+  scenes::SceneWriting writing;
+  for (const auto& [name, text] : options.writing) {
+    if (!text) continue;
+    if (name != "output_euler")
+      return usage_failure(
+          formatted("{}: found '{}' with a file of skeletons, which takes --output-euler alone", flag_of(name), *text));
+    writing.euler = euler_order_of(*text);
+    if (!writing.euler || writing.euler->is_proper() || writing.euler->axes != EulerOrder::Axes::of_body)
+      return wanted({"--output-euler", *text}, "three different axes of the body, such as ZYX");
+  }
+  return writing;
+}
+
+}  // namespace orispline::cli

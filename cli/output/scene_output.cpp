@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/scene_output.hpp"
+
+#include <utility>
+
+#include <orispline/scenes/scene_file.hpp>
+
+#include "output/gathered_output.hpp"
+#include "output/noted_output.hpp"
+#include "output/standard_output.hpp"
+
+namespace orispline::cli {
+
+Expected<void> write_scene(const std::string& path, const scenes::Scene& scene, const scenes::SceneWriting& writing) {
+  auto written = scenes::written_scene(scene, path, writing);
+  if (!written) return tl::unexpected(std::move(written.error()));
+  return open_output(path)
+      .and_then([&](Noted<io::OutputFile> output) {
+        return output.file.write(written->bytes).and_then([&] { return put_in_place(std::move(output)); });
+      })
+      .map([&] { warn(written->warnings); });
+}
+
+}  // namespace orispline::cli

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include <orispline/scenes/scene_format.hpp>
+
+namespace orispline::cli {
+
+/// Writes a scene into a file that appears complete or not at all, also when the command is interrupted, and says what
+/// the format had no room for.
+[[nodiscard]] Expected<void> write_scene(const std::string& path, const scenes::Scene& scene,
+                                         const scenes::SceneWriting& writing);
+
+}  // namespace orispline::cli

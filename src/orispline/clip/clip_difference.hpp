@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <orispline/clip/clip_motion.hpp>
+
+namespace orispline::inline ORISPLINE_ABI {
+
+/// How far the points that a joint is judged by are from it, in the skeleton's unit of length: 3 cm in metres.
+inline constexpr double default_shell = 0.03;
+
+/// The largest of some values, and when it is reached.
+struct LargestInTime {
+  double value = 0.0;
+  double time = 0.0;  ///< [s]
+
+  void take(double other, double t) noexcept {
+    if (other > value) value = other, time = t;
+  }
+};
+
+/// How far a joint of one motion is from the same joint of another one, at the worst of some times.
+struct JointDifference {
+  LargestInTime angle{};        ///< between the rotations in the frames of the parents [rad]
+  LargestInTime translation{};  ///< between the translations in the frames of the parents
+  LargestInTime distance{};     ///< the shell distance in the world
+};
+
+/// Of every joint of the first skeleton, over the times [s], at least one. `counterparts` are the joints of the second
+/// skeleton that are the same ones, `no_parent` for those that are not there, which do not count.
+///
+/// The shell distance is the largest distance in the world between the same points in both motions: the joint itself,
+/// and those that are `shell` off it along each of its axes. It tells how far a skin that hangs on the joint is off.
+/// Source: N. Frechette, the Animation Compression Library (ACL).
+[[nodiscard]] ORISPLINE_EXPORT std::vector<JointDifference> differences(const ClipMotion& first,
+                                                                        const ClipMotion& second,
+                                                                        std::span<const std::size_t> counterparts,
+                                                                        std::span<const double> times,
+                                                                        double shell = default_shell);
+
+/// The joints of `second` that have the names of those of `first`; of equal names the first with the first, and so on.
+/// `no_parent` where there is none.
+[[nodiscard]] ORISPLINE_EXPORT std::vector<std::size_t> counterparts_of(const Skeleton& first, const Skeleton& second);
+
+/// All times of keys of a clip [s], rising, each once.
+[[nodiscard]] ORISPLINE_EXPORT std::vector<double> key_times(const Clip& clip);
+
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <orispline/clip/channel_curve.hpp>
+#include <orispline/clip/clip.hpp>
+
+namespace orispline::inline ORISPLINE_ABI {
+
+/// A skeleton that moves as a clip says: where its joints are at any time. Refers to the skeleton. Evaluation allocates
+/// nothing.
+class ORISPLINE_EXPORT ClipMotion {
+ public:
+  /// Precondition: check_clip() finds the clip sound.
+  ClipMotion(const Skeleton& skeleton, const Clip& clip);
+  ClipMotion(Skeleton&&, const Clip&) = delete;
+
+  [[nodiscard]] const Skeleton& skeleton() const noexcept { return *skeleton_; }
+  /// In the frame of its parent at time t [s].
+  [[nodiscard]] JointPose local_pose(std::size_t joint, double t) const noexcept;
+  /// From every joint's frame to that of the world at time t [s], into as many places as there are joints. With scales,
+  /// negative and uneven ones too, this need not be a rigid motion.
+  void world_poses(double t, std::span<Eigen::Affine3d> poses) const noexcept;
+
+ private:
+  /// Places of the joint's curves, one more than their index; 0 where it has none.
+  struct Places {
+    std::size_t rotation = 0, translation = 0, scale = 0;
+  };
+
+  const Skeleton* skeleton_;
+  std::vector<ChannelCurve<Eigen::Quaterniond>> rotations_;
+  std::vector<ChannelCurve<Eigen::Vector3d>> translations_, scales_;
+  std::vector<Places> places_;
+};
+
+/// From every joint's frame to that of the world at each of the times [s]: those of the first time, then the next.
+[[nodiscard]] ORISPLINE_EXPORT std::vector<Eigen::Affine3d> world_poses(const Skeleton& skeleton, const Clip& clip,
+                                                                        std::span<const double> times);
+
+}  // namespace orispline::inline ORISPLINE_ABI

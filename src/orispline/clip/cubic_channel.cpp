@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/clip/cubic_channel.hpp>
+
+#include <algorithm>
+#include <utility>
+
+#include <orispline/clip/channel_curve.hpp>
+
+namespace orispline::inline ORISPLINE_ABI {
+namespace {
+
+constexpr int places = 16;            // of an interval where it is looked at
+constexpr double shortest = 0x1p-20;  // interval that is halved, as a part of the curve
+
+/// A value with its time derivative, component by component [1/s].
+template <CurvePoint P>
+struct Moving {
+  P value, derivative;
+};
+
+Moving<Eigen::Quaterniond> moving(const AnyCurve& curve, double t, Side side) {
+  const Motion motion = curve.motion(t, side);
+  const Eigen::Vector3d half = 0.5 * motion.angular_velocity;
+  return {motion.orientation, motion.orientation * Eigen::Quaterniond(0.0, half.x(), half.y(), half.z())};
+}
+Moving<Eigen::Vector3d> moving(const AnyPath& path, double t, Side side) {
+  const LinearMotion motion = path.linear_motion(t, side);
+  return {motion.position, motion.velocity};
+}
+
+double distance(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) { return angular_distance(a, b); }
+double distance(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return (a - b).norm(); }
+
+/// Goes from the start of a curve to its end.
+template <CurvePoint P, class C>
+class Follower {
+ public:
+  Follower(const C& curve, double tolerance) : curve_(curve), tolerance_(tolerance) {
+    const Knots& knots = curve.knots();
+    shortest_ = shortest * (knots.back() - knots.front());
+    found_.channel.interpolation = ChannelInterpolation::cubicspline;
+    append(knots.front(), moving(curve_, knots.front(), Side::right));
+  }
+
+  [[nodiscard]] CubicChannel<P> followed() && {
+    const auto times = curve_.knots().times();
+    for (std::size_t i = 0; i + 1 < times.size(); ++i) follow(times[i], times[i + 1]);
+    return std::move(found_);
+  }
+
+ private:
+  void follow(double start, double end) {
+    Channel<P> piece{.interpolation = ChannelInterpolation::cubicspline};
+    const Moving<P> left = moving(curve_, start, Side::right);
+    Moving<P> right = moving(curve_, end, Side::left);
+    if constexpr (std::same_as<P, Eigen::Quaterniond>)
+      if (left.value.dot(right.value) < 0.0) right.value.coeffs() *= -1.0, right.derivative.coeffs() *= -1.0;
+    piece.times = {start, end};
+    piece.values = {left.value, right.value};
+    piece.in_tangents = piece.out_tangents = {left.derivative, right.derivative};
+    const auto [farthest, at] = distance_of(piece);
+    const double middle = start + 0.5 * (end - start);
+    if (farthest > tolerance_ && end - start > shortest_) return follow(start, middle), follow(middle, end);
+    if (farthest > found_.largest_distance) found_.largest_distance = farthest, found_.largest_at = at;
+    found_.channel.out_tangents.back() = signed_as_key(left.value, left.derivative);
+    append(end, right);
+  }
+
+  /// The farthest that the curve is from the piece, and when.
+  [[nodiscard]] std::pair<double, double> distance_of(const Channel<P>& piece) const {
+    const ChannelCurve<P> cubic(piece);
+    std::pair<double, double> worst{0.0, piece.times.front()};
+    for (int k = 1; k < places; ++k) {
+      const double t = piece.times[0] + (piece.times[1] - piece.times[0]) * k / places;
+      worst = std::max(worst, {distance(cubic.at(t), moving(curve_, t, Side::right).value), t});
+    }
+    return worst;
+  }
+
+  /// A derivative for the sign that the last key has got.
+  [[nodiscard]] P signed_as_key(const P& value, P derivative) const {
+    if constexpr (std::same_as<P, Eigen::Quaterniond>)
+      if (found_.channel.values.back().dot(value) < 0.0) derivative.coeffs() *= -1.0;
+    return derivative;
+  }
+
+  /// A key with its tangents; the one after it is the same until the next piece says otherwise.
+  void append(double t, Moving<P> key) {
+    Channel<P>& channel = found_.channel;
+    if constexpr (std::same_as<P, Eigen::Quaterniond>)
+      if (!channel.values.empty() && channel.values.back().dot(key.value) < 0.0)
+        key.value.coeffs() *= -1.0, key.derivative.coeffs() *= -1.0;
+    channel.times.push_back(t);
+    channel.values.push_back(key.value);
+    channel.in_tangents.push_back(key.derivative);
+    channel.out_tangents.push_back(key.derivative);
+  }
+
+  const C& curve_;
+  double tolerance_, shortest_;
+  CubicChannel<P> found_;
+};
+
+}  // namespace
+
+CubicChannel<Eigen::Quaterniond> cubic_channel(const AnyCurve& curve, double tolerance) {
+  return Follower<Eigen::Quaterniond, AnyCurve>(curve, tolerance).followed();
+}
+
+CubicChannel<Eigen::Vector3d> cubic_channel(const AnyPath& path, double tolerance) {
+  return Follower<Eigen::Vector3d, AnyPath>(path, tolerance).followed();
+}
+
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <orispline/clip/channel.hpp>
+#include <orispline/curve/curve.hpp>
+#include <orispline/curve/path.hpp>
+
+namespace orispline::inline ORISPLINE_ABI {
+
+/// A channel that follows a curve, and how far it is from it at most, at the places where that was looked at.
+template <CurvePoint P>
+struct CubicChannel {
+  Channel<P> channel{};
+  double largest_distance = 0.0;  ///< [rad], or in the unit of positions
+  double largest_at = 0.0;        ///< [s]
+};
+
+/// The curve as `cubicspline`: keys at its knots and, where that is not enough, at the middles of intervals that are
+/// halved until the channel is within the tolerance [rad] everywhere. The tangents are the curve's own, on either side
+/// of a key: dq/dt = ½ q ω.
+///
+/// An interval is looked at in 16 places. One that is shorter than 2⁻²⁰ of the curve is halved no more. Precondition:
+/// the tolerance is greater than 0.
+[[nodiscard]] ORISPLINE_EXPORT CubicChannel<Eigen::Quaterniond> cubic_channel(const AnyCurve& curve, double tolerance);
+/// The same of positions.
+[[nodiscard]] ORISPLINE_EXPORT CubicChannel<Eigen::Vector3d> cubic_channel(const AnyPath& path, double tolerance);
+
+}  // namespace orispline::inline ORISPLINE_ABI

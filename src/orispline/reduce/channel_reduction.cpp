@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/reduce/channel_reduction.hpp>
+
+#include <algorithm>
+#include <utility>
+
+#include <orispline/clip/channel_curve.hpp>
+#include <orispline/clip/cubic_channel.hpp>
+#include <orispline/families/registry.hpp>
+#include <orispline/reduce/reduce.hpp>
+
+namespace orispline::inline ORISPLINE_ABI {
+namespace {
+
+constexpr int attempts = 4;  // to hold the tolerance with the numbers of the file too
+/// Of the tolerance, for the keys of a method that is then written as cubics; the rest is for these.
+constexpr double share_of_keys = 0.8;
+constexpr double no_bound = 1e3;  // wider than any angle [rad]: of rotations that are the same throughout
+
+double distance(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) { return angular_distance(a, b); }
+double distance(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return (a - b).norm(); }
+
+double as_float(double number) { return static_cast<double>(static_cast<float>(number)); }
+Eigen::Quaterniond as_floats(const Eigen::Quaterniond& value) {
+  return Eigen::Quaterniond(Eigen::Vector4d(value.coeffs().cast<float>().cast<double>()));
+}
+Eigen::Vector3d as_floats(const Eigen::Vector3d& value) { return value.cast<float>().cast<double>(); }
+
+/// The channel as a reader finds it in a file of that precision: quaternions made unit.
+template <CurvePoint P>
+Channel<P> stored(Channel<P> channel, KeyPrecision precision) {
+  if (precision == KeyPrecision::float64) return channel;
+  for (double& time : channel.times) time = as_float(time);
+  for (auto* values : {&channel.values, &channel.in_tangents, &channel.out_tangents})
+    for (P& value : *values) value = as_floats(value);
+  if constexpr (std::same_as<P, Eigen::Quaterniond>)
+    for (P& value : channel.values) value.normalize();
+  return channel;
+}
+
+/// At the keys of the channel before, the farthest that the other one is.
+template <CurvePoint P>
+double farthest(const Channel<P>& before, const Channel<P>& after) {
+  const ChannelCurve<P> curve(after);
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < before.size(); ++i)
+    farthest = std::max(farthest, distance(before.values[i], curve.at(before.times[i])));
+  return farthest;
+}
+
+Expected<Keyframes> keyframes(const RotationChannel& channel) {
+  return Keyframes::make({.times = channel.times, .orientations = channel.values});
+}
+Expected<Keyframes> keyframes(const VectorChannel& channel) {
+  KeyframeData data{.times = channel.times, .positions = channel.values};
+  data.orientations.assign(channel.size(), Eigen::Quaterniond::Identity());
+  return Keyframes::make(std::move(data));
+}
+
+RotationChannel followed(const PoseCurve& curve, double tolerance, const RotationChannel&) {
+  return cubic_channel(curve.orientation, tolerance).channel;
+}
+VectorChannel followed(const PoseCurve& curve, double tolerance, const VectorChannel&) {
+  return cubic_channel(*curve.position, tolerance).channel;
+}
+
+/// By a method of the registry: `slerp` as geodesics, others as cubics that follow their curve.
+template <CurvePoint P>
+Expected<Channel<P>> by_method(const Channel<P>& channel, double tolerance, const Method& method) {
+  const bool is_linear = method.name == "slerp", is_angle = std::same_as<P, Eigen::Quaterniond>;
+  const double of_keys = is_linear ? tolerance : share_of_keys * tolerance;
+  const ReduceOptions options{.tolerance =
+                                  is_angle ? Tolerance{of_keys} : Tolerance{.angle = no_bound, .position = of_keys}};
+  const auto keys = keyframes(channel);
+  if (!keys) return tl::unexpected(keys.error());
+  auto reduction = reduce(Track(*keys), method, options);
+  if (!reduction) return tl::unexpected(std::move(reduction.error()));
+  const Keyframes& found = reduction->track.keys;
+  if (!is_linear)
+    return make_pose_curve(reduction->method, found).map([&](const PoseCurve& curve) {
+      return followed(curve, (1.0 - share_of_keys) * tolerance, channel);
+    });
+  Channel<P> result{.interpolation = ChannelInterpolation::linear};
+  result.times.assign(found.times().begin(), found.times().end());
+  const auto points = found.points<P>();
+  result.values.assign(points.begin(), points.end());
+  return result;
+}
+
+/// The same tangents at both ends, with the sign of each end's quaternion.
+template <CurvePoint P>
+void close(Channel<P>& channel) {
+  P arriving = channel.in_tangents.back(), leaving = channel.out_tangents.front();
+  if constexpr (std::same_as<P, Eigen::Quaterniond>)
+    if (channel.values.front().dot(channel.values.back()) < 0.0) arriving.coeffs() *= -1.0, leaving.coeffs() *= -1.0;
+  channel.in_tangents.front() = arriving;
+  channel.out_tangents.back() = leaving;
+}
+
+}  // namespace
+
+template <CurvePoint P>
+bool ends_as_it_begins(const Channel<P>& channel) {
+  const double rounding = std::same_as<P, Eigen::Quaterniond> ? rest_angle : rest_length;
+  return distance(channel.values.front(), channel.values.back()) <= rounding;
+}
+
+template <CurvePoint P>
+Expected<Channel<P>> reduced_channel(const Channel<P>& channel, double tolerance, const ClipReduceOptions& options) {
+  if (channel.size() < 3 || channel.interpolation == ChannelInterpolation::step) return channel;
+  const bool is_cubic = options.method.name == cubicspline_method;
+  const std::optional<CubicSamples<P>> samples =
+      is_cubic ? std::optional(cubic_samples(channel, options.between)) : std::nullopt;
+  double asked = tolerance;
+  for (int attempt = 0; attempt < attempts; ++attempt) {
+    Expected<Channel<P>> reduced =
+        is_cubic ? fewest_cubics(*samples, asked) : by_method(channel, asked, options.method);
+    if (!reduced) return reduced;
+    if (is_cubic && options.closed && ends_as_it_begins(channel)) close(*reduced);
+    *reduced = stored(*std::move(reduced), options.precision);
+    reduced->joint = channel.joint;
+    if (reduced->size() >= channel.size()) break;
+    const double found = farthest(channel, *reduced);
+    if (found <= tolerance) return reduced;
+    asked *= 0.999 * tolerance / found;
+  }
+  return channel;
+}
+
+template bool ends_as_it_begins(const RotationChannel&);
+template bool ends_as_it_begins(const VectorChannel&);
+template Expected<RotationChannel> reduced_channel(const RotationChannel&, double, const ClipReduceOptions&);
+template Expected<VectorChannel> reduced_channel(const VectorChannel&, double, const ClipReduceOptions&);
+
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/reduce/clip_reduction.hpp>
+
+#include <algorithm>
+#include <numbers>
+#include <numeric>
+#include <utility>
+
+#include <orispline/base/formatted.hpp>
+#include <orispline/base/parallel.hpp>
+#include <orispline/reduce/channel_reduction.hpp>
+
+namespace orispline::inline ORISPLINE_ABI {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr int rounds_in_world = 6;
+constexpr double first_factor = 0.6;
+/// A clip that uses so much of its length is not tried with wider tolerances.
+constexpr double near_enough = 0.9;
+
+/// The tolerances of the joints for a length in the world, before they are scaled.
+struct WorldTolerances {
+  std::vector<double> angles;   ///< [rad]
+  std::vector<double> lengths;  ///< in the frame of the joint's parent
+
+  WorldTolerances(const Skeleton& skeleton, double length, double shell) {
+    const Clip rest;
+    const std::vector<Eigen::Affine3d> poses = world_poses(skeleton, rest, std::array{0.0});
+    std::vector<double> chains(skeleton.size(), 0.0);
+    for (std::size_t i = skeleton.size(); i-- > 0;) {
+      const std::size_t parent = skeleton[i].parent;
+      if (parent != no_parent)
+        chains[parent] =
+            std::max(chains[parent], chains[i] + (poses[i].translation() - poses[parent].translation()).norm());
+    }
+    for (std::size_t i = 0; i < skeleton.size(); ++i) {
+      const std::size_t parent = skeleton[i].parent;
+      const double stretch = parent == no_parent ? 1.0 : poses[parent].linear().colwise().norm().maxCoeff();
+      angles.push_back(length / (chains[i] + shell));
+      lengths.push_back(length / std::max(stretch, 1e-12));
+    }
+  }
+};
+
+/// A clip on its way to fewer keys.
+struct ClipWork {
+  const Clip* before;
+  double factor = first_factor, too_large = infinity;  ///< of the tolerances in the world
+  bool is_done = false;
+  std::optional<ClipReduction> best{};
+};
+
+/// A channel of a clip.
+struct Piece {
+  std::size_t work, list, channel;  ///< list: 0 rotations, 1 translations
+};
+
+class ClipReducer {
+ public:
+  ClipReducer(const Skeleton& skeleton, const ClipReduceOptions& options, unsigned threads)
+      : skeleton_(skeleton),
+        options_(options),
+        threads_(threads),
+        world_(skeleton, options.world_tolerance, options.shell) {}
+
+  Expected<std::vector<ClipReduction>> reduced(std::span<const Clip> clips) {
+    std::vector<ClipWork> works;
+    for (const Clip& clip : clips) works.push_back({.before = &clip});
+    for (int round = 0; round < (in_world() ? rounds_in_world : 1); ++round)
+      if (auto went = try_all(works); !went) return tl::unexpected(std::move(went.error()));
+    std::vector<ClipReduction> reductions;
+    for (ClipWork& work : works)
+      reductions.push_back(work.best ? *std::move(work.best) : measured(*work.before, *work.before));
+    return reductions;
+  }
+
+ private:
+  [[nodiscard]] bool in_world() const { return options_.world_tolerance < infinity; }
+
+  /// All clips that are not done yet, with their present factors.
+  Expected<void> try_all(std::vector<ClipWork>& works) const {
+    std::vector<Clip> after;
+    std::vector<Piece> pieces;
+    for (std::size_t i = 0; i < works.size(); ++i) {
+      after.push_back(works[i].is_done ? Clip() : *works[i].before);
+      for (std::size_t k = 0; k < after[i].rotations.size(); ++k) pieces.push_back({i, 0, k});
+      for (std::size_t k = 0; k < after[i].translations.size(); ++k) pieces.push_back({i, 1, k});
+    }
+    std::vector<std::optional<Error>> errors(pieces.size());
+    parallel_for(pieces.size(), threads_, [&](std::size_t i) {
+      errors[i] = reduce(after[pieces[i].work], pieces[i], works[pieces[i].work].factor);
+    });
+    for (auto& error : errors)
+      if (error) return tl::unexpected(*std::move(error));
+    parallel_for(works.size(), threads_, [&](std::size_t i) {
+      if (!works[i].is_done) judge(works[i], std::move(after[i]));
+    });
+    return {};
+  }
+
+  std::optional<Error> reduce(Clip& clip, const Piece& piece, double factor) const {
+    if (piece.list == 0) return reduce(clip, clip.rotations[piece.channel], options_.tolerance, world_.angles, factor);
+    return reduce(clip, clip.translations[piece.channel], options_.position_tolerance, world_.lengths, factor);
+  }
+
+  template <CurvePoint P>
+  std::optional<Error> reduce(const Clip& clip, Channel<P>& channel, double tolerance,
+                              const std::vector<double>& of_joints, double factor) const {
+    tolerance = std::min(tolerance, factor * of_joints[channel.joint]);
+    if (std::same_as<P, Eigen::Quaterniond> && tolerance < infinity)
+      tolerance = std::min(tolerance, std::numbers::pi / 2);
+    if (!(tolerance < infinity)) return std::nullopt;
+    auto reduced = reduced_channel(channel, tolerance, options_);
+    if (!reduced) {
+      reduced.error().message = formatted("{}: {}", place_of(skeleton_, clip, channel.joint), reduced.error().message);
+      return std::move(reduced.error());
+    }
+    channel = *std::move(reduced);
+    return std::nullopt;
+  }
+
+  /// Keeps what is within the length in the world, and chooses the next factor.
+  void judge(ClipWork& work, Clip after) const {
+    ClipReduction reduction = measured(*work.before, std::move(after));
+    const double length = options_.world_tolerance, found = reduction.distance.largest.value;
+    if (!in_world() || (found <= length && found >= near_enough * length)) work.is_done = true;
+    if (found > length) work.too_large = std::min(work.too_large, work.factor);
+    else if (!work.best || reduction.rotation_keys + reduction.translation_keys <=
+                               work.best->rotation_keys + work.best->translation_keys)
+      work.best = std::move(reduction);
+    if (work.is_done) return;
+    const double wanted = 0.96 * length / std::max(found, 1e-3 * length);
+    const double next = work.factor * std::min(wanted, 4.0);
+    work.is_done = next >= work.too_large * 0.98 && found <= length;
+    work.factor = next;
+  }
+
+  [[nodiscard]] ClipReduction measured(const Clip& before, Clip after) const {
+    ClipReduction reduction;
+    for (const RotationChannel& channel : before.rotations) {
+      if (channel.size() < 3) continue;
+      ++reduction.rotation_tracks;
+      reduction.rotation_keys_before += channel.size();
+      if (!ends_as_it_begins(channel)) ++reduction.open_tracks;
+    }
+    for (std::size_t i = 0; i < before.rotations.size(); ++i)
+      if (before.rotations[i].size() >= 3) reduction.rotation_keys += after.rotations[i].size();
+    for (const VectorChannel& channel : before.translations) reduction.translation_keys_before += channel.size();
+    for (const VectorChannel& channel : after.translations) reduction.translation_keys += channel.size();
+    const auto found = differences_at_keys(before, after);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      if (found[i].angle.value > reduction.angle.largest.value) reduction.angle = {found[i].angle, i};
+      if (found[i].distance.value > reduction.distance.largest.value) reduction.distance = {found[i].distance, i};
+    }
+    reduction.clip = std::move(after);
+    return reduction;
+  }
+
+  /// Of every joint, at all keys of the clip before.
+  [[nodiscard]] std::vector<JointDifference> differences_at_keys(const Clip& before, const Clip& after) const {
+    const std::vector<double> times = key_times(before);
+    if (times.empty()) return {};
+    std::vector<std::size_t> same(skeleton_.size());
+    std::iota(same.begin(), same.end(), std::size_t{0});
+    return differences(ClipMotion(skeleton_, before), ClipMotion(skeleton_, after), same, times, options_.shell);
+  }
+
+  const Skeleton& skeleton_;
+  const ClipReduceOptions& options_;
+  unsigned threads_;
+  WorldTolerances world_;
+};
+
+}  // namespace
+
+Expected<std::vector<ClipReduction>> reduce_clips(const Skeleton& skeleton, std::span<const Clip> clips,
+                                                  const ClipReduceOptions& options, unsigned threads) {
+  for (const double tolerance : {options.tolerance, options.position_tolerance, options.world_tolerance, options.shell})
+    if (!(tolerance > 0.0))
+      return failure(ErrorCode::bad_argument,
+                     formatted("found a tolerance of {}, wanted one greater than 0", tolerance));
+  for (const Clip& clip : clips)
+    if (auto sound = check_clip(skeleton, clip); !sound) return tl::unexpected(std::move(sound.error()));
+  return ClipReducer(skeleton, options, threads).reduced(clips);
+}
+
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <orispline/clip/clip_difference.hpp>
+#include <orispline/curve/method.hpp>
+#include <orispline/reduce/cubic_samples.hpp>
+
+namespace orispline::inline ORISPLINE_ABI {
+
+/// The method of clips that joins keys by cubic polynomials of the components with tangents of their own on either side
+/// of a key: glTF's CUBICSPLINE.
+inline constexpr std::string_view cubicspline_method = "cubicspline";
+
+/// The numbers of the keys, as the file that they are for holds them.
+enum class KeyPrecision { float64, float32 };
+
+/// How the keys of clips are reduced. At least one of the tolerances is finite.
+struct ClipReduceOptions {
+  double tolerance = std::numeric_limits<double>::infinity();  ///< of rotations, at every key of the clip [rad]
+  double position_tolerance = std::numeric_limits<double>::infinity();  ///< of translations, likewise
+  double world_tolerance = std::numeric_limits<double>::infinity();  ///< of the shell distance in the world, likewise
+  double shell = default_shell;                                      ///< for that distance
+  Method method{
+      cubicspline_method};  ///< that, or `slerp`, whose channels are `linear`, or another one that reduce() takes
+  BetweenSamples between = BetweenSamples::smooth;
+  KeyPrecision precision = KeyPrecision::float64;
+  bool closed = false;  ///< of `cubicspline`: channels that end as they begin have the same tangents at both ends
+};
+
+/// A clip with fewer keys, and how far it is from the clip that it was.
+struct ClipReduction {
+  /// The joint where a distance is largest.
+  struct Worst {
+    LargestInTime largest{};
+    std::size_t joint = 0;
+  };
+
+  Clip clip{};
+  std::size_t rotation_keys = 0, rotation_keys_before = 0;  ///< of tracks that had three keys or more
+  std::size_t rotation_tracks = 0;                          ///< such ones
+  std::size_t translation_keys = 0, translation_keys_before = 0;
+  std::size_t open_tracks = 0;  ///< rotation tracks of `rotation_tracks` that do not end as they begin
+  Worst angle{};                ///< of rotations in the frames of the parents, at all keys of the clip before [rad]
+  Worst distance{};             ///< the shell distance in the world, at the same times
+};
+
+/// Every one of the clips with the fewest keys found whose rotations, translations and places in the world are within
+/// the tolerances at all times of the clip's keys; the first and the last key of each channel stay. Rotations are
+/// reduced where `tolerance` or `world_tolerance` is finite, translations where `position_tolerance` or
+/// `world_tolerance` is; scales, steps and channels of two keys stay as they are.
+///
+/// For `world_tolerance` a joint's rotation may be off by that length over its reach: the longest chain of bones below
+/// it, and the shell. All joints' tolerances are then scaled by one factor until the shell distance of the whole clip,
+/// measured at the times of its keys, is within the length.
+///
+/// On up to that many threads, 0 means one per core; the results are the same on any number of them.
+/// Errors: bad_argument for a method that reduce() does not take and for a tolerance that is not greater than 0.
+[[nodiscard]] ORISPLINE_EXPORT Expected<std::vector<ClipReduction>> reduce_clips(const Skeleton& skeleton,
+                                                                                 std::span<const Clip> clips,
+                                                                                 const ClipReduceOptions& options,
+                                                                                 unsigned threads = 0);
+
+}  // namespace orispline::inline ORISPLINE_ABI

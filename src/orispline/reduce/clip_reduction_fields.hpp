@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <orispline/fields/field_info.hpp>
+#include <orispline/reduce/clip_reduction.hpp>
+
+namespace orispline::inline ORISPLINE_ABI {
+
+template <>
+inline constexpr std::array words<BetweenSamples>{
+    word("smooth", BetweenSamples::smooth, "The motion between the keys of the input is the curve auto through them"),
+    word("stored", BetweenSamples::stored, "It is what the input says, such as straight lines")};
+
+template <>
+ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<ClipReduceOptions>() noexcept;
+
+}  // namespace orispline::inline ORISPLINE_ABI

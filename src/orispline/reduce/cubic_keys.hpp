@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include <orispline/clip/channel.hpp>
+#include <orispline/reduce/cubic_span.hpp>
+
+namespace orispline::inline ORISPLINE_ABI {
+
+/// Targets of which every `stride`-th, from the first to the last, is a sample that may become a key.
+template <CurvePoint P>
+struct CubicSamples {
+  CubicTargets<P> targets{};
+  std::size_t stride = 1;
+
+  [[nodiscard]] std::size_t size() const noexcept { return (targets.times.size() - 1) / stride + 1; }
+};
+
+/// Few samples that are keys of cubics with free tangents, within the tolerance of all targets, as `cubicspline`: an
+/// angle [rad] or a length. Two neighbouring samples are joined in any case, by the nearest cubic.
+///
+/// Since the spans do not depend on each other, spans are made as long as they go, from the first sample on; and where
+/// an earlier end of the span before lets the next one go farther, it is taken. Precondition: two samples at least.
+template <CurvePoint P>
+[[nodiscard]] Channel<P> fewest_cubics(const CubicSamples<P>& samples, double tolerance);
+
+extern template Channel<Eigen::Quaterniond> fewest_cubics(const CubicSamples<Eigen::Quaterniond>&, double);
+extern template Channel<Eigen::Vector3d> fewest_cubics(const CubicSamples<Eigen::Vector3d>&, double);
+
+}  // namespace orispline::inline ORISPLINE_ABI

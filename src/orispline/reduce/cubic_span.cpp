@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/reduce/cubic_span.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace orispline::inline ORISPLINE_ABI {
+namespace {
+
+constexpr int rounds_of_radii = 3, rounds_of_weights = 12;
+/// Misses farther than this many tolerances are not brought within it by weights.
+constexpr double hopeless = 2.0;
+
+/// The square of half the angle's sine between the direction of p and a unit quaternion q, times |p|².
+double square_miss(const Eigen::Vector4d& p, const Eigen::Vector4d& q) { return (p - p.dot(q) * q).squaredNorm(); }
+
+}  // namespace
+
+/// One span's targets between its ends, and tangents for them that become better by the round.
+template <CurvePoint P>
+class CubicSpans<P>::Fit {
+ public:
+  Fit(const CubicTargets<P>& targets, std::size_t i, std::size_t j)
+      : targets_(targets), first_(i), step_(targets.times[j] - targets.times[i]), terms_(j - i - 1) {
+    const Components<P>&start = targets.points[i], &end = targets.points[j];
+    for (std::size_t k = 0; k < terms_.size(); ++k) {
+      const double u = (targets.times[i + 1 + k] - targets.times[i]) / step_, v = 1.0 - u;
+      terms_[k] = {{u * v * v, -u * u * v}, v * v * (1.0 + 2.0 * u) * start + u * u * (1.0 + 2.0 * v) * end, 1.0, 1.0};
+    }
+  }
+
+  /// Solves for the tangents, and returns the largest square miss.
+  double solve() {
+    Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
+    Eigen::Matrix<double, 2, size> right = Eigen::Matrix<double, 2, size>::Zero();
+    for (std::size_t k = 0; k < terms_.size(); ++k) {
+      const Term& term = terms_[k];
+      const Components<P> rest = term.radius * point(k) - term.fixed;
+      normal += term.weight * term.basis * term.basis.transpose();
+      right += term.weight * term.basis * rest.transpose();
+    }
+    // One target between is met exactly by the smallest tangents.
+    tangents_ =
+        terms_.size() > 1 ? Solution(normal.inverse() * right) : Solution(right / std::max(normal.trace(), 1e-300));
+    return measured();
+  }
+
+  /// Every target's weight by its miss, as against the largest.
+  void weigh(double largest) {
+    for (Term& term : terms_) term.weight = std::max(term.weight * std::sqrt(term.miss / largest), 1e-9);
+  }
+
+  [[nodiscard]] CubicTangents<P> tangents() const {
+    return {Components<P>(tangents_.row(0)) / step_, Components<P>(tangents_.row(1)) / step_};
+  }
+
+ private:
+  static constexpr int size = Components<P>::RowsAtCompileTime;
+  using Solution = Eigen::Matrix<double, 2, size>;
+  struct Term {
+    Eigen::Vector2d basis;  ///< of the two tangents, times the span's length
+    Components<P> fixed;    ///< what the ends alone give
+    double radius, weight;
+    double miss = 0.0;  ///< square
+  };
+
+  [[nodiscard]] const Components<P>& point(std::size_t k) const { return targets_.points[first_ + 1 + k]; }
+
+  double measured() {
+    double largest = 0.0;
+    for (std::size_t k = 0; k < terms_.size(); ++k) {
+      Term& term = terms_[k];
+      const Components<P> p = term.fixed + tangents_.transpose() * term.basis;
+      if constexpr (std::same_as<P, Eigen::Quaterniond>) {
+        term.radius = p.dot(point(k));
+        term.miss = term.radius > 0.0 ? square_miss(p, point(k)) / p.squaredNorm() : 1.0;
+      } else {
+        term.miss = (p - point(k)).squaredNorm();
+      }
+      largest = std::max(largest, term.miss);
+    }
+    return largest;
+  }
+
+  const CubicTargets<P>& targets_;
+  std::size_t first_;
+  double step_;
+  std::vector<Term> terms_;
+  Solution tangents_ = Solution::Zero();
+};
+
+template <CurvePoint P>
+CubicSpans<P>::CubicSpans(const CubicTargets<P>& targets, double tolerance) : targets_(targets) {
+  const bool is_angle = std::same_as<P, Eigen::Quaterniond>;
+  const double bound = is_angle ? std::sin(0.5 * std::min(tolerance, 3.0)) : tolerance;
+  square_bound_ = bound * bound;
+}
+
+template <CurvePoint P>
+std::optional<CubicTangents<P>> CubicSpans<P>::within(std::size_t i, std::size_t j) const {
+  if (j == i + 1) return nearest(i, j);
+  Fit fit(targets_, i, j);
+  double largest = 0.0, before = std::numeric_limits<double>::infinity();
+  for (int round = 0; round < rounds_of_radii; ++round)
+    if ((largest = fit.solve()) <= square_bound_) return fit.tangents();
+  for (int round = 0; round < rounds_of_weights; ++round) {
+    if (!(largest <= hopeless * hopeless * square_bound_)) break;
+    fit.weigh(largest);
+    before = largest;
+    if ((largest = fit.solve()) <= square_bound_) return fit.tangents();
+    if (round > 2 && largest > 0.98 * before) break;
+  }
+  return std::nullopt;
+}
+
+template <CurvePoint P>
+CubicTangents<P> CubicSpans<P>::nearest(std::size_t i, std::size_t j) const {
+  if (j == i + 1) {
+    const Components<P> rate = (targets_.points[j] - targets_.points[i]) / (targets_.times[j] - targets_.times[i]);
+    return {rate, rate};
+  }
+  Fit fit(targets_, i, j);
+  for (int round = 0; round < rounds_of_radii; ++round) static_cast<void>(fit.solve());
+  return fit.tangents();
+}
+
+template class CubicSpans<Eigen::Quaterniond>;
+template class CubicSpans<Eigen::Vector3d>;
+
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <orispline/math/geodesic.hpp>
+
+namespace orispline::inline ORISPLINE_ABI {
+
+/// The components of a point: qx, qy, qz, qw, or x, y, z.
+template <CurvePoint P>
+using Components = std::conditional_t<std::same_as<P, Eigen::Quaterniond>, Eigen::Vector4d, Eigen::Vector3d>;
+
+/// Points at times that cubics are fitted to. Quaternions have their signs for the shorter way from one to the next.
+template <CurvePoint P>
+struct CubicTargets {
+  std::vector<double> times;          ///< [s], rising
+  std::vector<Components<P>> points;  ///< one each
+};
+
+/// The derivatives of a cubic at its two ends, component by component [1/s].
+template <CurvePoint P>
+struct CubicTangents {
+  Components<P> leaving = Components<P>::Zero(), arriving = Components<P>::Zero();
+};
+
+/// Cubic Hermite polynomials of the components, of quaternions normalised, with free tangents: whether one of them,
+/// from one target to another, is within the tolerance of all between.
+///
+/// The tangents are found by linear least squares. What a quaternion's radius should be is not known: each round scales
+/// the targets to the lengths that the polynomial had there. Where the worst target is missed by little, further rounds
+/// weigh each target by its miss (Lawson), which leads towards the tangents that miss the worst one least.
+/// Source: our own derivation, docs/skeletons.md.
+template <CurvePoint P>
+class CubicSpans {
+ public:
+  /// The tolerance is an angle [rad] or a length. Refers to the targets.
+  CubicSpans(const CubicTargets<P>& targets, double tolerance);
+  CubicSpans(CubicTargets<P>&&, double) = delete;
+
+  /// Tangents with which the cubic from target i to target j holds all between; nothing where none were found.
+  [[nodiscard]] std::optional<CubicTangents<P>> within(std::size_t i, std::size_t j) const;
+  /// Those of least squares, whatever they miss.
+  [[nodiscard]] CubicTangents<P> nearest(std::size_t i, std::size_t j) const;
+
+ private:
+  class Fit;
+
+  const CubicTargets<P>& targets_;
+  double square_bound_;  ///< of the miss, in the terms of the fit
+};
+
+extern template class CubicSpans<Eigen::Quaterniond>;
+extern template class CubicSpans<Eigen::Vector3d>;
+
+}  // namespace orispline::inline ORISPLINE_ABI

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/scenes/scene_tracks.hpp>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <orispline/base/file_name.hpp>
+#include <orispline/base/formatted.hpp>
+#include <orispline/base/quoted.hpp>
+#include <orispline/clip/clip_difference.hpp>
+#include <orispline/clip/clip_motion.hpp>
+#include <orispline/io/line_reader.hpp>
+#include <orispline/scenes/scene_file.hpp>
+
+namespace orispline::inline ORISPLINE_ABI::scenes {
+namespace {
+
+/// The first few of many names: `'a', 'b', 'c' and 40 more`.
+std::string some_of(const std::vector<std::string>& names) {
+  constexpr std::size_t shown = 12;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(shown, names.size()); ++i)
+    text += formatted("{}{}", i == 0 ? "" : ", ", in_quotes(names[i]));
+  if (names.size() > shown) text += formatted(" and {} more", names.size() - shown);
+  return text;
+}
+
+std::vector<std::string> names_of(const std::vector<Clip>& clips) {
+  std::vector<std::string> names;
+  for (const Clip& clip : clips) names.push_back(clip.name);
+  return names;
+}
+
+std::vector<std::string> names_of_joints(const Scene& scene, const Clip& clip) {
+  std::vector<std::string> names;
+  for (const RotationChannel& channel : clip.rotations) names.push_back(scene.skeleton[channel.joint].name);
+  return names;
+}
+
+/// The joint and those above it, the joint last.
+std::vector<std::size_t> chain_to(const Skeleton& skeleton, std::size_t joint) {
+  std::vector<std::size_t> chain;
+  for (; joint != no_parent; joint = skeleton[joint].parent) chain.push_back(joint);
+  std::ranges::reverse(chain);
+  return chain;
+}
+
+template <CurvePoint P>
+void append_times(std::vector<double>& times, const std::vector<Channel<P>>& channels,
+                  const std::vector<std::size_t>& joints) {
+  for (const Channel<P>& channel : channels)
+    if (std::ranges::find(joints, channel.joint) != joints.end())
+      times.insert(times.end(), channel.times.begin(), channel.times.end());
+}
+
+template <CurvePoint P>
+const Channel<P>* channel_of(const std::vector<Channel<P>>& channels, std::size_t joint) {
+  const auto found = std::ranges::find(channels, joint, &Channel<P>::joint);
+  return found == channels.end() ? nullptr : &*found;
+}
+
+bool moves(const VectorChannel* channel) {
+  return channel && std::ranges::any_of(channel->values, [&](const auto& v) { return v != channel->values.front(); });
+}
+
+Expected<KeyframeData> local_keys(const Scene& scene, const Clip& clip, std::size_t joint) {
+  const RotationChannel* const rotation = channel_of(clip.rotations, joint);
+  if (!rotation)
+    return failure(ErrorCode::bad_data,
+                   formatted("{}: found no keys of its rotation, wanted some", place_of(scene.skeleton, clip, joint)));
+  KeyframeData data{.times = rotation->times, .orientations = rotation->values};
+  const VectorChannel* const translation = channel_of(clip.translations, joint);
+  if (!moves(translation)) return data;
+  const ChannelCurve<Eigen::Vector3d> path(*translation);
+  for (const double t : data.times) data.positions.push_back(path.at(t));
+  return data;
+}
+
+/// Orientation and position of the last joint of a chain. Precondition: all scales are even.
+std::pair<Eigen::Quaterniond, Eigen::Vector3d> world_pose(const ClipMotion& motion,
+                                                          const std::vector<std::size_t>& chain, double t) {
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  double scale = 1.0;
+  for (const std::size_t joint : chain) {
+    const JointPose pose = motion.local_pose(joint, t);
+    position += orientation * (scale * pose.translation);
+    orientation = orientation * pose.rotation;
+    scale *= pose.scale.x();
+  }
+  return {orientation.normalized(), position};
+}
+
+/// Below uneven scales a joint has no orientation.
+Expected<void> check_scales(const Scene& scene, const Clip& clip, const std::vector<std::size_t>& chain) {
+  const auto is_even = [](const Eigen::Vector3d& scale) {
+    return scale.minCoeff() > 0.0 && scale.maxCoeff() - scale.minCoeff() <= 1e-5 * scale.maxCoeff();
+  };
+  for (const std::size_t joint : chain) {
+    const VectorChannel* const channel = channel_of(clip.scales, joint);
+    if (channel ? std::ranges::all_of(channel->values, is_even) : is_even(scene.skeleton[joint].rest.scale)) continue;
+    return failure(ErrorCode::bad_data,
+                   formatted("{}: found a scale that is not the same along all axes, wanted one that is for the world",
+                             place_of(scene.skeleton, clip, joint)));
+  }
+  return {};
+}
+
+Expected<KeyframeData> world_keys(const Scene& scene, const Clip& clip, std::size_t joint) {
+  const auto chain = chain_to(scene.skeleton, joint);
+  if (auto even = check_scales(scene, clip, chain); !even) return tl::unexpected(std::move(even.error()));
+  KeyframeData data;
+  append_times(data.times, clip.rotations, chain);
+  append_times(data.times, clip.translations, chain);
+  append_times(data.times, clip.scales, chain);
+  std::ranges::sort(data.times);
+  data.times.erase(std::ranges::unique(data.times).begin(), data.times.end());
+  if (data.times.empty())
+    return failure(ErrorCode::bad_data, formatted("{}: found no keys of it and of what carries it, wanted some",
+                                                  place_of(scene.skeleton, clip, joint)));
+  const ClipMotion motion(scene.skeleton, clip);
+  for (const double t : data.times) {
+    auto [orientation, position] = world_pose(motion, chain, t);
+    data.orientations.push_back(orientation);
+    data.positions.push_back(position);
+  }
+  return data;
+}
+
+/// One track of a file, as a format of io reads it.
+Expected<std::vector<io::KeyFile>> tracks_in(io::LineReader lines, const io::ReadOptions& options) {
+  if (lines.path() == io::standard_stream)
+    return failure(ErrorCode::bad_access, "found standard input, wanted the name of a file of skeletons");
+  return read_scene(lines.path(), {.drop_duplicates = options.drop_duplicates})
+      .and_then([&](const Scene& scene) { return keys_of(scene, options.scene); })
+      .map([&](io::KeyFile file) {
+        file.path = lines.path();
+        file.format = io::format_of_extension(file.path);
+        if (options.keep_exact_times)
+          for (const double t : file.data.times) file.exact_times.push_back(Decimal::from_double(t));
+        std::vector<io::KeyFile> one;
+        one.push_back(std::move(file));
+        return one;
+      });
+}
+
+io::FormatInfo entry(const SceneFormat& format) {
+  return {.id = format.id,
+          .title = format.title,
+          .file = format.file,
+          .summary = format.summary,
+          .extensions = format.extensions,
+          .reading = {.tracks = tracks_in}};
+}
+
+}  // namespace
+
+void join_formats() {
+  static const std::array entries{entry(bvh_format), entry(gltf_format)};
+  static const std::array list{&entries[0], &entries[1]};
+  io::add_formats(list);
+}
+
+Expected<Scene> with_clips(Scene scene, const std::vector<std::string>& names) {
+  if (names.empty()) return scene;
+  std::vector<Clip> chosen;
+  for (const std::string& name : names) {
+    const auto found = std::ranges::find(scene.clips, name, &Clip::name);
+    if (found == scene.clips.end())
+      return failure(ErrorCode::bad_data,
+                     formatted("found no clip {}, wanted one of {}", in_quotes(name), some_of(names_of(scene.clips))),
+                     {.file = scene.name});
+    chosen.push_back(*found);
+  }
+  scene.clips = std::move(chosen);
+  return scene;
+}
+
+Expected<const Clip*> only_clip(const Scene& scene) {
+  if (scene.clips.size() == 1) return &scene.clips.front();
+  if (scene.clips.empty()) return failure(ErrorCode::bad_data, "found no clip, wanted one", {.file = scene.name});
+  return mended_by("clip",
+                   formatted("found {} clips, wanted one of {}", scene.clips.size(), some_of(names_of(scene.clips))),
+                   {.file = scene.name});
+}
+
+Expected<std::size_t> joint_in(const Scene& scene, const Clip& clip, const std::optional<std::string>& name) {
+  const std::vector<std::string> names = names_of_joints(scene, clip);
+  if (!name && names.size() == 1) return clip.rotations.front().joint;
+  if (!name && names.empty())
+    return failure(ErrorCode::bad_data, formatted("clip {}: found no rotation, wanted one", in_quotes(clip.name)),
+                   {.file = scene.name});
+  if (!name)
+    return mended_by(
+        "joint",
+        formatted("clip {}: found {} joints, wanted one of {}", in_quotes(clip.name), names.size(), some_of(names)),
+        {.file = scene.name});
+  if (const auto joint = scene.skeleton.find(*name)) return *joint;
+  return failure(ErrorCode::bad_data,
+                 formatted("found no joint {}, wanted one of {}", in_quotes(*name), some_of(names)),
+                 {.file = scene.name});
+}
+
+Expected<io::KeyFile> keys_of(const Scene& scene, const io::SceneTrack& track) {
+  return with_clips(scene, track.clips).and_then([&](const Scene& chosen) {
+    return only_clip(chosen).and_then([&](const Clip* clip) {
+      return joint_in(chosen, *clip, track.joint)
+          .and_then([&](std::size_t joint) {
+            const bool is_local = track.space == io::SceneTrack::Space::local;
+            return is_local ? local_keys(chosen, *clip, joint) : world_keys(chosen, *clip, joint);
+          })
+          .map([](KeyframeData data) { return io::KeyFile{.data = std::move(data)}; });
+    });
+  });
+}
+
+Expected<Scene> scene_of(const Track& track) {
+  const Keyframes& keys = track.keys;
+  Clip clip{.name = std::string(file_name_of(track.name))};
+  clip.name = clip.name.substr(0, clip.name.rfind('.'));
+  const std::vector<double> times(keys.times().begin(), keys.times().end());
+  clip.rotations.push_back({.times = times, .values = {keys.orientations().begin(), keys.orientations().end()}});
+  if (!keys.positions().empty())
+    clip.translations.push_back({.times = times, .values = {keys.positions().begin(), keys.positions().end()}});
+  return Skeleton::make({{.name = "body"}}).map([&](Skeleton skeleton) {
+    Scene scene{.name = track.name, .skeleton = std::move(skeleton)};
+    scene.clips.push_back(std::move(clip));
+    return scene;
+  });
+}
+
+}  // namespace orispline::inline ORISPLINE_ABI::scenes
