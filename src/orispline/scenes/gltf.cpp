@@ -5,6 +5,7 @@
 
 #include <orispline/scenes/gltf_animation.hpp>
 #include <orispline/scenes/gltf_source.hpp>
+#include <orispline/scenes/gltf_writer.hpp>
 #include <orispline/scenes/scene_format.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::scenes {
@@ -44,6 +45,7 @@ constinit const SceneFormat gltf_format{.id = "gltf",
                                         .file = "a glTF file",
                                         .summary = "glTF 2.0, in one file or as text",
                                         .extensions = gltf_extensions,
-                                        .read = read_gltf};
+                                        .read = read_gltf,
+                                        .write = gltf::written_scene};
 
 }  // namespace orispline::inline ORISPLINE_ABI::scenes

@@ -142,7 +142,7 @@ Expected<SamplerKeys> sampler_keys(const Document& document, const Object& sampl
 }
 
 template <CurvePoint P>
-Expected<Channel<P>> channel_of(const SamplerKeys& keys, std::size_t joint) {
+Expected<Channel<P>> channel_of(const SamplerKeys& keys, std::size_t joint, Norm norm) {
   constexpr std::size_t n = std::same_as<P, Eigen::Quaterniond> ? 4 : 3;
   Channel<P> channel{.joint = joint, .interpolation = keys.interpolation, .times = keys.times};
   const bool is_spline = keys.interpolation == ChannelInterpolation::cubicspline;
@@ -156,7 +156,7 @@ Expected<Channel<P>> channel_of(const SamplerKeys& keys, std::size_t joint) {
     const P value = point_at<P>(is_spline ? numbers + n : numbers);
     if (const std::string fault = value_fault(value); !fault.empty())
       return failure(ErrorCode::bad_data, formatted("key {}: {}", i, fault));
-    const double divisor = size_to_take(value);
+    const double divisor = norm == Norm::one ? size_to_take(value) : 1.0;
     channel.values.push_back(divided(value, divisor));
     if (!is_spline) continue;
     channel.in_tangents.push_back(divided(point_at<P>(numbers), divisor));
@@ -165,7 +165,7 @@ Expected<Channel<P>> channel_of(const SamplerKeys& keys, std::size_t joint) {
   return channel;
 }
 
-template Expected<RotationChannel> channel_of(const SamplerKeys&, std::size_t);
-template Expected<VectorChannel> channel_of(const SamplerKeys&, std::size_t);
+template Expected<RotationChannel> channel_of(const SamplerKeys&, std::size_t, Norm);
+template Expected<VectorChannel> channel_of(const SamplerKeys&, std::size_t, Norm);
 
 }  // namespace orispline::inline ORISPLINE_ABI::scenes::gltf

@@ -35,8 +35,12 @@ inline constexpr ValueType quaternion_type{"VEC4", 4}, vector_type{"VEC3", 3};
 [[nodiscard]] Expected<SamplerKeys> sampler_keys(const Document& document, const Object& sampler, const ValueType& type,
                                                  const SceneReading& reading, std::size_t most);
 
-/// The channel with normalised rotations. Errors (bad_data): a number that is not finite, a quaternion far from norm 1.
+enum class Norm { one, as_in_file };
+
+/// The channel; rotations are normalised, with their tangents in proportion, unless they are to be as in the file.
+///
+/// Errors (bad_data): a number that is not finite, a quaternion far from norm 1.
 template <CurvePoint P>
-[[nodiscard]] Expected<Channel<P>> channel_of(const SamplerKeys& keys, std::size_t joint);
+[[nodiscard]] Expected<Channel<P>> channel_of(const SamplerKeys& keys, std::size_t joint, Norm norm = Norm::one);
 
 }  // namespace orispline::inline ORISPLINE_ABI::scenes::gltf

@@ -3,6 +3,7 @@
 
 #include <orispline/scenes/gltf_document.hpp>
 #include <orispline/scenes/gltf_nodes.hpp>
+#include <orispline/scenes/scene_format.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::scenes::gltf {
 

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <orispline/scenes/gltf_source.hpp>
+
+namespace orispline::inline ORISPLINE_ABI::scenes::gltf {
+
+/// A document without animations for a skeleton that no glTF file had, one node per joint.
+[[nodiscard]] Source made_source(const Skeleton& skeleton, const SceneWriting& writing);
+
+}  // namespace orispline::inline ORISPLINE_ABI::scenes::gltf

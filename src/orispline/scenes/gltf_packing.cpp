@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/scenes/gltf_packing.hpp>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include <orispline/scenes/gltf_accessor.hpp>
+#include <orispline/scenes/scene_file.hpp>
+
+namespace orispline::inline ORISPLINE_ABI::scenes::gltf {
+namespace {
+
+/// Bytes of the binary.
+struct Stretch {
+  std::size_t begin = 0, end = 0;
+};
+
+std::vector<Stretch> merged(std::vector<Stretch> stretches) {
+  std::ranges::sort(stretches, {}, &Stretch::begin);
+  std::vector<Stretch> all;
+  for (const Stretch& stretch : stretches)
+    if (all.empty() || stretch.begin > all.back().end) all.push_back(stretch);
+    else all.back().end = std::max(all.back().end, stretch.end);
+  return all;
+}
+
+/// Stretches that stay, one behind the other in a new binary, each byte on the boundaries of 8 that it was on.
+class Moves {
+ public:
+  Moves(const std::vector<Stretch>& stretches, std::size_t start) : end_(start) {
+    for (const Stretch& stretch : stretches) {
+      moved_.push_back({stretch, end_ + (stretch.begin + 8 - end_ % 8) % 8});
+      end_ = moved_.back().to + (stretch.end - stretch.begin);
+    }
+  }
+
+  [[nodiscard]] std::size_t end() const noexcept { return end_; }
+  /// Where the byte went that is within one of the stretches, or at its end.
+  [[nodiscard]] std::size_t operator()(std::size_t byte) const {
+    const auto after = std::ranges::upper_bound(moved_, byte, {}, [](const Move& move) { return move.from.begin; });
+    const Move& move = *std::prev(after);
+    return move.to + (byte - move.from.begin);
+  }
+  [[nodiscard]] std::string appended(std::string bytes, std::string_view binary) const {
+    for (const Move& move : moved_) {
+      bytes.resize(move.to);
+      bytes.append(binary.substr(move.from.begin, move.from.end - move.from.begin));
+    }
+    return bytes;
+  }
+
+ private:
+  struct Move {
+    Stretch from;
+    std::size_t to;
+  };
+  std::vector<Move> moved_{};
+  std::size_t end_;
+};
+
+bool names_a_buffer(const Json& value) {
+  if (value.is_object() && value.contains("buffer")) return true;
+  return value.is_structured() && std::ranges::any_of(value, names_a_buffer);
+}
+
+Expected<void> check_views(const Document& document) {
+  for (std::size_t i = 0; i < document.views.size(); ++i) {
+    const auto view = document.root().entry("bufferViews", "bufferView", i);
+    if (!view) return tl::unexpected(view.error());
+    const Json* extensions = view->find("extensions");
+    if (!document.views[i] || (extensions != nullptr && names_a_buffer(*extensions)))
+      return view->fault("found data that only an extension can read, wanted an uncompressed bufferView");
+  }
+  return {};
+}
+
+/// A number that is left out where it is 0 and was left out before.
+void set_number(Json& object, const char* key, std::size_t number) {
+  if (number != 0 || object.contains(key)) object[key] = number;
+}
+
+class Packing {
+ public:
+  Packing(const Document& document, const Uses& uses)
+      : document_(document),
+        uses_(uses.views),
+        lists_{*document.root().list("accessors").value(), *document.root().list("bufferViews").value(), {}} {}
+
+  [[nodiscard]] Expected<Packed> with(KeyStore store, const std::vector<std::size_t>& free_accessors) && {
+    keep_whole_views();
+    for (std::size_t v = 0; v < uses_.size(); ++v) {
+      if (!uses_[v].is_whole && !uses_[v].accessors.empty()) keep_parts_of(v);
+      if (lists_.bytes.size() > largest_scene_file) return too_large();
+    }
+    std::vector<std::size_t> free_views;
+    for (std::size_t v = 0; v < uses_.size(); ++v)
+      if (!uses_[v].is_whole && uses_[v].accessors.empty()) free_views.push_back(v);
+    if (store.size() == 0 && (has_gap(free_accessors, lists_.accessors) || has_gap(free_views, lists_.views)))
+      static_cast<void>(store.times({0.0F}));  // for something must fill the gaps
+    if (store.size() > 0) add_new(store, free_accessors, free_views);
+    drop_last(lists_.accessors, free_accessors, store.size());
+    drop_last(lists_.views, free_views, store.size() > 0 ? 1 : 0);
+    if (lists_.bytes.size() > largest_scene_file) return too_large();
+    return std::move(lists_);
+  }
+
+ private:
+  static tl::unexpected<Error> too_large() {
+    return failure(ErrorCode::bad_data, "found more than 2 GiB of data to write, wanted less");
+  }
+
+  void keep_whole_views() {
+    std::vector<Stretch> stretches;
+    for (std::size_t v = 0; v < uses_.size(); ++v) {
+      if (!uses_[v].is_whole && !all_accessors_are_known(v)) uses_[v].is_whole = true;
+      const View& view = *document_.views[v];
+      if (uses_[v].is_whole) stretches.push_back({view.offset, view.offset + view.length});
+    }
+    const Moves moves(merged(std::move(stretches)), 0);
+    lists_.bytes = moves.appended(std::move(lists_.bytes), document_.binary);
+    for (std::size_t v = 0; v < uses_.size(); ++v)
+      if (uses_[v].is_whole) place_view(v, moves(document_.views[v]->offset), document_.views[v]->length);
+  }
+
+  [[nodiscard]] bool all_accessors_are_known(std::size_t v) const {
+    return std::ranges::all_of(uses_[v].accessors,
+                               [&](std::size_t index) { return accessor_of(document_, index).has_value(); });
+  }
+
+  void keep_parts_of(std::size_t v) {
+    std::vector<Stretch> stretches;
+    for (const std::size_t index : uses_[v].accessors) {
+      const Accessor accessor = accessor_of(document_, index).value();
+      stretches.push_back({*accessor.offset, *accessor.offset + accessor.extent()});
+    }
+    const std::size_t start = (lists_.bytes.size() + 7) / 8 * 8;
+    const Moves moves(merged(stretches), start);
+    lists_.bytes = moves.appended(std::move(lists_.bytes), document_.binary);
+    for (std::size_t k = 0; k < stretches.size(); ++k)
+      set_number(lists_.accessors[uses_[v].accessors[k]], "byteOffset", moves(stretches[k].begin) - start);
+    place_view(v, start, moves.end() - start);
+  }
+
+  void place_view(std::size_t v, std::size_t offset, std::size_t length) {
+    Json& view = lists_.views[v];
+    view["buffer"] = 0;
+    set_number(view, "byteOffset", offset);
+    view["byteLength"] = length;
+  }
+
+  [[nodiscard]] static bool has_gap(const std::vector<std::size_t>& free_places, const Json& list) {
+    return !free_places.empty() && free_places.front() + free_places.size() != list.size();
+  }
+
+  /// The new keys in their own view; what else is free, is the like of the first.
+  void add_new(const KeyStore& store, const std::vector<std::size_t>& free_accessors,
+               const std::vector<std::size_t>& free_views) {
+    lists_.bytes.resize((lists_.bytes.size() + 3) / 4 * 4);
+    const Json view{{"buffer", 0}, {"byteOffset", lists_.bytes.size()}, {"byteLength", store.bytes().size()}};
+    lists_.bytes += store.bytes();
+    const std::size_t place = free_views.empty() ? lists_.views.size() : free_views.front();
+    if (free_views.empty()) lists_.views.push_back(view);
+    for (const std::size_t free : free_views) lists_.views[free] = view;
+    for (const std::size_t free : free_accessors) lists_.accessors[free] = store.accessor(0, place);
+    for (std::size_t entry = 0; entry < store.size(); ++entry) {
+      if (store.slot(entry) < lists_.accessors.size())
+        lists_.accessors[store.slot(entry)] = store.accessor(entry, place);
+      else lists_.accessors.push_back(store.accessor(entry, place));
+    }
+  }
+
+  /// Drops free places at the end of a list; the first `taken` of them are in use.
+  static void drop_last(Json& list, const std::vector<std::size_t>& free_places, std::size_t taken) {
+    for (std::size_t k = free_places.size(); k > taken && free_places[k - 1] + 1 == list.size(); --k)
+      list.erase(list.size() - 1);
+  }
+
+  const Document& document_;
+  std::vector<ViewUse> uses_;
+  Packed lists_;
+};
+
+}  // namespace
+
+Expected<Packed> packed(const Document& document, const Uses& uses, KeyStore store) {
+  return check_views(document).and_then(
+      [&] { return Packing(document, uses).with(std::move(store), uses.free_accessors); });
+}
+
+}  // namespace orispline::inline ORISPLINE_ABI::scenes::gltf

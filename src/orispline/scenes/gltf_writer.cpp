@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/scenes/gltf_writer.hpp>
+
+#include <utility>
+
+#include <orispline/scenes/gltf_container.hpp>
+#include <orispline/scenes/gltf_made.hpp>
+#include <orispline/scenes/gltf_packing.hpp>
+#include <orispline/scenes/gltf_written_animations.hpp>
+
+namespace orispline::inline ORISPLINE_ABI::scenes::gltf {
+namespace {
+
+void set_list(Json& json, const char* key, Json list) {
+  if (list.empty()) json.erase(key);
+  else json[key] = std::move(list);
+}
+
+/// What the first buffer said beside where it was, for the only one there is now.
+Json only_buffer(const Document& document, std::size_t length) {
+  const Json& buffers = *document.root().list("buffers").value();
+  Json buffer = buffers.empty() ? Json::object() : buffers[0];
+  buffer.erase("uri");
+  buffer["byteLength"] = length;
+  return buffer;
+}
+
+/// The bytes of a file. Names of strangers need not be UTF-8: what is not is replaced.
+Expected<std::string> file_of(Json json, const std::string& binary, const std::string& path) {
+  const auto text = [&](int indent) { return json.dump(indent, ' ', false, Json::error_handler_t::replace); };
+  if (!std::string_view(path).ends_with('f') && !std::string_view(path).ends_with('F')) return glb_of(text(-1), binary);
+  if (!binary.empty()) json["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64_of(binary);
+  return text(2) + "\n";
+}
+
+Expected<SceneWritten> written_from(const Source& source, const Scene& scene, const std::string& path) {
+  const Document& document = source.document();
+  const auto plan = plan_of(document, scene.clips);
+  if (!plan) return tl::unexpected(plan.error());
+  const Uses uses = uses_of(document, plan->kept);
+  KeyStore store(uses.free_accessors, document.root().list("accessors").value()->size());
+  auto animations = written_animations(scene, source, *plan, std::move(store));
+  if (!animations) return tl::unexpected(std::move(animations.error()));
+  auto lists = packed(document, uses, std::move(animations->store));
+  if (!lists) return tl::unexpected(std::move(lists.error()));
+  Json json = document.json;
+  set_list(json, "animations", std::move(animations->list));
+  set_list(json, "accessors", std::move(lists->accessors));
+  set_list(json, "bufferViews", std::move(lists->views));
+  const std::size_t length = lists->bytes.size();
+  set_list(json, "buffers", length == 0 ? Json::array() : Json::array({only_buffer(document, length)}));
+  return file_of(std::move(json), lists->bytes, path).map([&](std::string bytes) {
+    return SceneWritten{std::move(bytes), std::move(animations->warnings)};
+  });
+}
+
+}  // namespace
+
+Expected<SceneWritten> written_scene(const Scene& scene, const std::string& path, const SceneWriting& writing) {
+  const auto* source = dynamic_cast<const Source*>(scene.source.get());
+  if (source != nullptr && source->nodes().skeleton.size() == scene.skeleton.size())
+    return written_from(*source, scene, path);
+  return written_from(made_source(scene.skeleton, writing), scene, path);
+}
+
+}  // namespace orispline::inline ORISPLINE_ABI::scenes::gltf
