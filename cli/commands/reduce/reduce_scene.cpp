@@ -22,14 +22,14 @@ namespace orispline::cli {
 namespace {
 
 /// The command line, understood.
-struct Request {
+struct SceneRequest {
   InputRequest input{};
   scenes::SceneWriting writing{};
   orispline::ClipReduceOptions reduction{};
   unsigned threads = 1;
 };
 
-Expected<Method> method_in(const ReduceOptions& options) {
+Expected<Method> scene_method_in(const ReduceOptions& options) {
   if (options.method == smallest_method || options.method == cubicspline_method) {
     if (any_given(options.shape))
       return usage_failure(formatted(
@@ -54,7 +54,7 @@ Expected<void> check_clips(const ReduceOptions& options) {
   return usage_failure("--tolerance is required, or --world-tolerance");
 }
 
-Expected<orispline::ClipReduceOptions> reduction_in(const ReduceOptions& options) {
+Expected<orispline::ClipReduceOptions> clip_reduction_in(const ReduceOptions& options) {
   TypedFields typed = options.scene;
   for (const std::string_view name : {"tolerance", "position_tolerance"})
     if (const auto found = options.reduction.find(name); found != options.reduction.end()) typed[name] = found->second;
@@ -65,15 +65,15 @@ Expected<orispline::ClipReduceOptions> reduction_in(const ReduceOptions& options
   });
 }
 
-Expected<Request> request_in(const ReduceOptions& options) {
+Expected<SceneRequest> scene_request_in(const ReduceOptions& options) {
   if (auto fits = check_clips(options); !fits) return tl::unexpected(std::move(fits.error()));
   FirstError checked;
-  Request request{.input = checked(input_request(options.input)),
-                  .writing = checked(scene_writing(options.output)),
-                  .reduction = checked(reduction_in(options)),
-                  .threads = static_cast<unsigned>(checked(threads_in(options.inputs.threads)))};
-  request.reduction.method = checked(method_in(options));
-  return std::move(checked).or_else(std::move(request)).and_then([&](Request read) -> Expected<Request> {
+  SceneRequest request{.input = checked(input_request(options.input)),
+                       .writing = checked(scene_writing(options.output)),
+                       .reduction = checked(clip_reduction_in(options)),
+                       .threads = static_cast<unsigned>(checked(threads_in(options.inputs.threads)))};
+  request.reduction.method = checked(scene_method_in(options));
+  return std::move(checked).or_else(std::move(request)).and_then([&](SceneRequest read) -> Expected<SceneRequest> {
     if (auto apart = check_output_apart(options.output.option, options.output.path, {{"INPUT", options.input.path}});
         !apart)
       return tl::unexpected(std::move(apart.error()));
@@ -91,11 +91,11 @@ std::size_t bytes_of(const std::string& path) {
 }  // namespace
 
 Expected<void> check_reduce_scene(const ReduceOptions& options) {
-  return request_in(options).map([](const Request&) {});
+  return scene_request_in(options).map([](const SceneRequest&) {});
 }
 
 Expected<void> reduce_scene(const ReduceOptions& options) {
-  const auto request = request_in(options);
+  const auto request = scene_request_in(options);
   if (!request) return tl::unexpected(request.error());
   if (auto able = check_output(options.output.path); !able) return able;
   auto scene = open_scene(request->input);

@@ -15,7 +15,8 @@ namespace {
 /// Of all clips together.
 struct Totals {
   std::size_t tracks = 0, open_tracks = 0, keys = 0, keys_before = 0, translations = 0, translations_before = 0;
-  const ClipReduction *angle = nullptr, *distance = nullptr;  ///< the clips where these are largest
+  /// The clips where these are largest.
+  const ClipReduction *angle = nullptr, *distance = nullptr, *from_smooth = nullptr, *from_stored = nullptr;
 
   explicit Totals(const std::vector<ClipReduction>& reductions) {
     for (const ClipReduction& reduction : reductions) {
@@ -25,9 +26,17 @@ struct Totals {
       keys_before += reduction.rotation_keys_before;
       translations += reduction.translation_keys;
       translations_before += reduction.translation_keys_before;
-      if (!angle || reduction.angle.largest.value > angle->angle.largest.value) angle = &reduction;
-      if (!distance || reduction.distance.largest.value > distance->distance.largest.value) distance = &reduction;
+      take<&ClipReduction::angle>(angle, reduction);
+      take<&ClipReduction::distance>(distance, reduction);
+      take<&ClipReduction::from_smooth>(from_smooth, reduction);
+      take<&ClipReduction::from_stored>(from_stored, reduction);
     }
+  }
+
+ private:
+  template <ClipReduction::Worst ClipReduction::*Member>
+  static void take(const ClipReduction*& worst, const ClipReduction& other) {
+    if (!worst || (other.*Member).largest.value > (worst->*Member).largest.value) worst = &other;
   }
 };
 
@@ -76,6 +85,11 @@ std::string text_of(const ReduceSceneReport& report) {
     text +=
         formatted("largest angle   {:.6g}° at every key of the input, {}\n",
                   totals.angle->angle.largest.value * degrees, place_of(report, *totals.angle, totals.angle->angle));
+  if (totals.tracks > 0)
+    text +=
+        formatted("between keys    {:.6g}° from the curve auto through them, {:.6g}° from what the input has there\n",
+                  totals.from_smooth->from_smooth.largest.value * degrees,
+                  totals.from_stored->from_stored.largest.value * degrees);
   if (totals.distance)
     text += formatted("shell distance  {:.6g} in the world, {}; shell {:g}\n", totals.distance->distance.largest.value,
                       place_of(report, *totals.distance, totals.distance->distance), report.options.shell);
@@ -110,6 +124,10 @@ Json json_of(const ReduceSceneReport& report) {
   if (report.options.closed) json["open_tracks"] = totals.open_tracks;
   if (totals.angle) json["angle_deg"] = worst_json(report, totals.angle, totals.angle->angle, degrees);
   if (totals.distance) json["shell_distance"] = worst_json(report, totals.distance, totals.distance->distance, 1.0);
+  if (totals.tracks > 0) {
+    json["from_smooth_deg"] = worst_json(report, totals.from_smooth, totals.from_smooth->from_smooth, degrees);
+    json["from_stored_deg"] = worst_json(report, totals.from_stored, totals.from_stored->from_stored, degrees);
+  }
   if (report.bytes_before > 0) json["bytes_before"] = report.bytes_before;
   json["bytes"] = report.bytes_after;
   return json;

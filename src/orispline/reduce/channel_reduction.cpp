@@ -20,6 +20,9 @@ constexpr double no_bound = 1e3;  // wider than any angle [rad]: of rotations th
 double distance(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) { return angular_distance(a, b); }
 double distance(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return (a - b).norm(); }
 
+double distance_from_zero(const Eigen::Quaterniond& tangent) { return tangent.coeffs().norm(); }
+double distance_from_zero(const Eigen::Vector3d& tangent) { return tangent.norm(); }
+
 double as_float(double number) { return static_cast<double>(static_cast<float>(number)); }
 Eigen::Quaterniond as_floats(const Eigen::Quaterniond& value) {
   return Eigen::Quaterniond(Eigen::Vector4d(value.coeffs().cast<float>().cast<double>()));
@@ -97,12 +100,46 @@ void close(Channel<P>& channel) {
   channel.out_tangents.back() = leaving;
 }
 
+/// How far apart two values may be that are the same but for rounding of files [rad, or a length].
+template <CurvePoint P>
+constexpr double rounding = std::same_as<P, Eigen::Quaterniond> ? rest_angle : rest_length;
+
+/// Whether a spline swings although its keys are the same.
+template <CurvePoint P>
+bool has_tangents(const Channel<P>& channel) {
+  const auto is_zero = [](const P& tangent) { return distance_from_zero(tangent) <= rounding<P>; };
+  return !std::ranges::all_of(channel.in_tangents, is_zero) || !std::ranges::all_of(channel.out_tangents, is_zero);
+}
+
 }  // namespace
 
 template <CurvePoint P>
+Channel<P> without_rounding(const Channel<P>& channel, const P& rest) {
+  const P& first = channel.values.front();
+  const auto is_first = [&](const P& value) { return distance(first, value) <= rounding<P>; };
+  if (!std::ranges::all_of(channel.values, is_first) || has_tangents(channel)) return channel;
+  const ChannelInterpolation linear = ChannelInterpolation::linear;
+  return {.joint = channel.joint,
+          .interpolation = channel.interpolation == ChannelInterpolation::step ? channel.interpolation : linear,
+          .times = {channel.times.front()},
+          .values = {distance(first, rest) <= rounding<P> ? rest : first}};
+}
+
+template <CurvePoint P>
+LargestInTime farthest_between(const Channel<P>& before, const Channel<P>& after, BetweenSamples between) {
+  const CubicSamples<P> samples = cubic_samples(before, between);
+  const ChannelCurve<P> curve(after);
+  LargestInTime farthest{.time = before.times.front()};
+  for (std::size_t i = 0; i < samples.targets.times.size(); ++i) {
+    const double t = samples.targets.times[i];
+    farthest.take(distance(P(samples.targets.points[i]), curve.at(t)), t);
+  }
+  return farthest;
+}
+
+template <CurvePoint P>
 bool ends_as_it_begins(const Channel<P>& channel) {
-  const double rounding = std::same_as<P, Eigen::Quaterniond> ? rest_angle : rest_length;
-  return distance(channel.values.front(), channel.values.back()) <= rounding;
+  return distance(channel.values.front(), channel.values.back()) <= rounding<P>;
 }
 
 template <CurvePoint P>
@@ -127,6 +164,10 @@ Expected<Channel<P>> reduced_channel(const Channel<P>& channel, double tolerance
   return channel;
 }
 
+template RotationChannel without_rounding(const RotationChannel&, const Eigen::Quaterniond&);
+template VectorChannel without_rounding(const VectorChannel&, const Eigen::Vector3d&);
+template LargestInTime farthest_between(const RotationChannel&, const RotationChannel&, BetweenSamples);
+template LargestInTime farthest_between(const VectorChannel&, const VectorChannel&, BetweenSamples);
 template bool ends_as_it_begins(const RotationChannel&);
 template bool ends_as_it_begins(const VectorChannel&);
 template Expected<RotationChannel> reduced_channel(const RotationChannel&, double, const ClipReduceOptions&);

@@ -13,10 +13,24 @@ template <CurvePoint P>
 [[nodiscard]] Expected<Channel<P>> reduced_channel(const Channel<P>& channel, double tolerance,
                                                    const ClipReduceOptions& options);
 
+/// One key in the place of those of a channel that stands still but for rounding: the joint's rest pose where that is
+/// it but for rounding too. The channel itself where it moves.
+template <CurvePoint P>
+[[nodiscard]] Channel<P> without_rounding(const Channel<P>& channel, const P& rest);
+
+/// The farthest that a channel with fewer keys is from what the motion between the keys before is taken to be, at three
+/// points between two of them [rad, or a length].
+template <CurvePoint P>
+[[nodiscard]] LargestInTime farthest_between(const Channel<P>& before, const Channel<P>& after, BetweenSamples between);
+
 /// Whether a channel ends as it begins, but for rounding.
 template <CurvePoint P>
 [[nodiscard]] bool ends_as_it_begins(const Channel<P>& channel);
 
+extern template RotationChannel without_rounding(const RotationChannel&, const Eigen::Quaterniond&);
+extern template VectorChannel without_rounding(const VectorChannel&, const Eigen::Vector3d&);
+extern template LargestInTime farthest_between(const RotationChannel&, const RotationChannel&, BetweenSamples);
+extern template LargestInTime farthest_between(const VectorChannel&, const VectorChannel&, BetweenSamples);
 extern template bool ends_as_it_begins(const RotationChannel&);
 extern template bool ends_as_it_begins(const VectorChannel&);
 extern template Expected<RotationChannel> reduced_channel(const RotationChannel&, double, const ClipReduceOptions&);

@@ -83,7 +83,7 @@ class ClipReducer {
     std::vector<Clip> after;
     std::vector<Piece> pieces;
     for (std::size_t i = 0; i < works.size(); ++i) {
-      after.push_back(works[i].is_done ? Clip() : *works[i].before);
+      after.push_back(works[i].is_done ? Clip() : resting_once(*works[i].before));
       for (std::size_t k = 0; k < after[i].rotations.size(); ++k) pieces.push_back({i, 0, k});
       for (std::size_t k = 0; k < after[i].translations.size(); ++k) pieces.push_back({i, 1, k});
     }
@@ -97,6 +97,16 @@ class ClipReducer {
       if (!works[i].is_done) judge(works[i], std::move(after[i]));
     });
     return {};
+  }
+
+  /// The clip with one key in the place of those that are the same.
+  [[nodiscard]] Clip resting_once(Clip clip) const {
+    for (RotationChannel& channel : clip.rotations)
+      channel = without_rounding(channel, skeleton_[channel.joint].rest.rotation);
+    for (VectorChannel& channel : clip.translations)
+      channel = without_rounding(channel, skeleton_[channel.joint].rest.translation);
+    for (VectorChannel& channel : clip.scales) channel = without_rounding(channel, skeleton_[channel.joint].rest.scale);
+    return clip;
   }
 
   std::optional<Error> reduce(Clip& clip, const Piece& piece, double factor) const {
@@ -144,8 +154,15 @@ class ClipReducer {
       reduction.rotation_keys_before += channel.size();
       if (!ends_as_it_begins(channel)) ++reduction.open_tracks;
     }
-    for (std::size_t i = 0; i < before.rotations.size(); ++i)
-      if (before.rotations[i].size() >= 3) reduction.rotation_keys += after.rotations[i].size();
+    for (std::size_t i = 0; i < before.rotations.size(); ++i) {
+      const RotationChannel &channel = before.rotations[i], &reduced = after.rotations[i];
+      if (channel.size() < 3) continue;
+      reduction.rotation_keys += reduced.size();
+      const auto smooth = farthest_between(channel, reduced, BetweenSamples::smooth),
+                 stored = farthest_between(channel, reduced, BetweenSamples::stored);
+      if (smooth.value > reduction.from_smooth.largest.value) reduction.from_smooth = {smooth, channel.joint};
+      if (stored.value > reduction.from_stored.largest.value) reduction.from_stored = {stored, channel.joint};
+    }
     for (const VectorChannel& channel : before.translations) reduction.translation_keys_before += channel.size();
     for (const VectorChannel& channel : after.translations) reduction.translation_keys += channel.size();
     const auto found = differences_at_keys(before, after);

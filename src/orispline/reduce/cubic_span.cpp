@@ -99,6 +99,8 @@ CubicSpans<P>::CubicSpans(const CubicTargets<P>& targets, double tolerance) : ta
 template <CurvePoint P>
 std::optional<CubicTangents<P>> CubicSpans<P>::within(std::size_t i, std::size_t j) const {
   if (j == i + 1) return nearest(i, j);
+  if constexpr (std::same_as<P, Eigen::Quaterniond>)  // readers turn keys that are farther apart than 180°
+    if (targets_.points[i].dot(targets_.points[j]) < 0.0) return std::nullopt;
   Fit fit(targets_, i, j);
   double largest = 0.0, before = std::numeric_limits<double>::infinity();
   for (int round = 0; round < rounds_of_radii; ++round)

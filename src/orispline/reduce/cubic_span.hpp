@@ -32,7 +32,7 @@ struct CubicTangents {
 /// The tangents are found by linear least squares. What a quaternion's radius should be is not known: each round scales
 /// the targets to the lengths that the polynomial had there. Where the worst target is missed by little, further rounds
 /// weigh each target by its miss (Lawson), which leads towards the tangents that miss the worst one least.
-/// Source: our own derivation, docs/skeletons.md.
+/// A span turns by 180° at most. Source: our own derivation, docs/skeletons.md.
 template <CurvePoint P>
 class CubicSpans {
  public:
