@@ -39,6 +39,10 @@ def left_out(x, at, others):
         matrix[j, j - 1:j + 2] = h[j - 1], 2 * (h[j - 1] + h[j]), h[j]
         right[j] = 6 * (secants[j] - secants[j - 1])
     second = np.linalg.solve(matrix, right)
+    if not x[0] < at < x[-1]:  # beyond its keys the spline is a line
+        end, near = (0, 1) if at < x[0] else (-1, -2)
+        slope = secants[end] - np.sign(x[near] - x[end]) * h[end] * second[near] / 6
+        return polynomial, others[end] + (at - x[end]) * slope
     k = np.searchsorted(x, at) - 1
     a, b = (x[k + 1] - at) / h[k], (at - x[k]) / h[k]
     return polynomial, (a * others[k] + b * others[k + 1]
@@ -51,11 +55,14 @@ def guard(auto, keys, times):
     for i in range(len(times)):
         first = min(max(0, i - 3), len(times) - 7)
         x, logs = times[first:first + 7] - times[i], auto.lg(auto.qm(auto.cj(keys[i]), keys[first:first + 7]))
-        errors = np.zeros(2)
-        for j in range(1, 6):
-            rest = np.arange(7) != j
-            errors += [np.sum((logs[j] - value)**2) for value in left_out(x[rest], x[j], logs[rest])]
-        found.append(1.0 - auto.S(np.log(errors[0] / errors[1]), np.log(0.3), 0.0))
+        errors = np.array([[np.sum((logs[j] - value)**2) for value in left_out(x[rest], x[j], logs[rest])]
+                           for j in range(7) for rest in [np.arange(7) != j]])
+        polynomial, spline = errors[1:6].sum(axis=0)
+        share = 1.0 - auto.S(np.log(polynomial / spline), np.log(0.3), 0.0)
+        if i - first != 3:
+            outer = errors[0] if i - first < 3 else errors[6]
+            share *= 1.0 - auto.S(np.log(polynomial * outer[0] / (spline * outer[1])), np.log(4.0), np.log(20.0))
+        found.append(share)
     return np.array(found)
 
 
@@ -88,7 +95,7 @@ def main():
     auto = loaded(source)
     recorded = json.loads((source / "golden_auto.json").read_text())["cases"]["smooth25"]
     sequences = {"smooth25": (np.array(recorded["keys"], float), np.array(recorded["times"], float)),
-                 **{f"uneven{n}": uneven_keys(auto, seed, wobble) for n, (seed, wobble) in enumerate(((2, 0.03), (3, 0.1), (4, 0.01), (6, 0.01)))}}
+                 **{f"uneven{n}": uneven_keys(auto, seed, wobble) for n, (seed, wobble) in enumerate(((2, 0.03), (3, 0.1), (4, 0.01), (6, 0.01), (131, 0.01)))}}
     key_lines, rows = [], []
     for name, (keys, times) in sequences.items():
         key_lines += [",".join([name, *(repr(float(x)) for x in (t, *q))]) for t, q in zip(times, keys)]

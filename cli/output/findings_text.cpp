@@ -7,6 +7,8 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/method_text.hpp>
 
+#include "options/method_options.hpp"
+
 namespace orispline::cli {
 namespace {
 
@@ -20,10 +22,14 @@ std::string name_of_model(std::size_t model) {
 
 }  // namespace
 
-std::optional<KeyFindings> findings_by(const Method& method, const Keyframes& keys) {
-  if (method.name != families::Measured::info.name || keys.size() < 2) return std::nullopt;
-  auto findings = key_findings(method, keys);
+std::optional<KeyFindings> findings_by(const Method& method, const Track& track) {
+  if (method.name != families::Measured::info.name || track.keys.size() < 2) return std::nullopt;
+  auto findings = key_findings(completed(method, track), track.keys);
   return findings ? *findings : std::nullopt;
+}
+
+Method with_found(const Method& method, const std::optional<KeyFindings>& findings) {
+  return findings ? with_findings(method, *findings) : method;
 }
 
 std::string text_of(const KeyFindings& findings) {

@@ -76,11 +76,13 @@ Expected<InspectReport> inspected(const InputRequest& input, const std::vector<M
   if (!report.defect && scaled.first_error) report.defect = describe(track.located(*scaled.first_error));
   std::vector<Warning> warnings = report.file.warnings;
   for (const Method& method : methods) {
-    const auto curve = shaped_curve(method, track);
+    const auto findings = findings_by(method, track);
+    // Positions say something of their own.
+    const auto curve = shaped_curve(track.keys.positions().empty() ? with_found(method, findings) : method, track);
     if (!curve) return tl::unexpected(curve.error());
     const Seam seam = method.options.loop ? Seam::closed : Seam::open;
     report.methods.push_back({method.name, continuity_at_keys(curve->orientation, seam),
-                              shape_continuity_at_keys(curve->orientation, seam), findings_by(method, track.keys)});
+                              shape_continuity_at_keys(curve->orientation, seam), findings});
     std::ranges::move(warnings_of(method, track), std::back_inserter(warnings));
   }
   warn(warnings);

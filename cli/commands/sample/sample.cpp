@@ -47,10 +47,13 @@ Expected<Source> open_source(const SampleRequest& request, io::KeyReader keys) {
   auto file = track_of(std::move(keys), *request.input.signs);
   if (!file) return tl::unexpected(std::move(file.error()));
   const Track& track = file->track;
-  auto curve = shaped_curve(request.method, track);
+  auto findings = findings_by(request.method, track);
+  const Method method = with_found(request.method, findings);
+  // Positions say something of their own.
+  auto curve = shaped_curve(track.keys.positions().empty() ? method : request.method, track);
   if (!curve) return tl::unexpected(std::move(curve.error()));
   warn(file->warnings);
-  warn(warnings_of(request.method, track));
+  warn(warnings_of(method, track));
   const Domain domain = curve->orientation.domain();
   const TimeRequest wanted = anchored(request.times, track.epoch);
   auto times = SampleTimes::make(wanted, track.epoch, domain);
@@ -59,14 +62,12 @@ Expected<Source> open_source(const SampleRequest& request, io::KeyReader keys) {
   if (request.extrapolation == Extrapolation::hold) warn(range_warnings(wanted, track.epoch, domain));
   if (request.extrapolation == Extrapolation::error)
     if (auto stray = times->outside(domain)) return tl::unexpected(std::move(*stray));
-  Source source{std::move(*file), std::move(*curve), std::move(*times), {}, {}};
-  const Keyframes& through = source.file.track.keys;
+  Source source{std::move(*file), std::move(*curve), std::move(*times), {}, std::move(findings)};
   if (request.band) {
-    auto band = MotionBand::make(request.method, through, *request.band);
+    auto band = MotionBand::make(method, source.file.track.keys, *request.band);
     if (!band) return bad_option("band", band.error().message);
     source.band = std::move(*band);
   }
-  if (auto findings = findings_by(request.method, through)) source.findings = std::move(*findings);
   return source;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/curve/left_out.hpp>
 
+#include <algorithm>
+
 #include <orispline/base/expect.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
@@ -9,10 +11,10 @@ namespace {
 constexpr std::size_t count = Window::capacity, last = count - 1;
 
 /// The error at key j is the divided difference of all keys times the product of the distances to the others.
-double polynomial_error(const Window& window) {
+double polynomial_error(const Window& window, std::size_t first, std::size_t past) {
   const auto& t = window.times;
   double sum = 0.0;
-  for (std::size_t j = 1; j < last; ++j) {
+  for (std::size_t j = first; j < past; ++j) {
     double product = 1.0;
     for (std::size_t k = 0; k < count; ++k)
       if (k != j) product *= t[j] - t[k];
@@ -24,7 +26,7 @@ double polynomial_error(const Window& window) {
 /// The error at key j is J_j/B_jj: with Qᵀ the differences of neighbouring secants and T the matrix of the spline's
 /// second derivatives M at the inner keys, T M = QᵀL, the jumps of the third derivative are J = Q M, and B = Q T⁻¹ Qᵀ
 /// is how they answer to a key that moves (Green & Silverman 1994, section 2.3). Of T⁻¹ only five diagonals are needed.
-double natural_spline_error(const Window& window) {
+double natural_spline_error(const Window& window, std::size_t first, std::size_t past) {
   std::array<double, last> step, per_step;
   for (std::size_t i = 0; i < last; ++i) {
     step[i] = window.step(i);
@@ -49,11 +51,12 @@ double natural_spline_error(const Window& window) {
     own[i] = 1.0 / pivot[i] - factor[i] * next[i];
   }
   double sum = 0.0;
-  for (std::size_t j = 1; j < last; ++j) {
-    const double a = per_step[j - 1], c = per_step[j], b = -(a + c);
-    const Eigen::Vector3d jump = a * second[j - 1] + b * second[j] + c * second[j + 1];
-    const double answer = a * a * own[j - 1] + b * b * own[j] + c * c * own[j + 1] +
-                          2.0 * (a * b * next[j - 1] + b * c * next[j] + a * c * after[j - 1]);
+  for (std::size_t j = first; j < past; ++j) {
+    const std::size_t left = j > 0 ? j - 1 : 0, right = std::min(j + 1, last);
+    const double a = j > 0 ? per_step[left] : 0.0, c = j < last ? per_step[j] : 0.0, b = -(a + c);
+    const Eigen::Vector3d jump = a * second[left] + b * second[j] + c * second[right];
+    const double answer = a * a * own[left] + b * b * own[j] + c * c * own[right] +
+                          2.0 * (a * b * next[left] + b * c * next[j] + a * c * after[left]);
     sum += jump.squaredNorm() / (answer * answer);
   }
   return sum;
@@ -61,9 +64,9 @@ double natural_spline_error(const Window& window) {
 
 }  // namespace
 
-LeftOutErrors left_out_errors(const Window& window) noexcept {
-  ORISPLINE_EXPECT(window.size == count);
-  return {polynomial_error(window), natural_spline_error(window)};
+LeftOutErrors left_out_errors(const Window& window, std::size_t first, std::size_t past) noexcept {
+  ORISPLINE_EXPECT(window.size == count && past <= count);
+  return {polynomial_error(window, first, past), natural_spline_error(window, first, past)};
 }
 
 }  // namespace orispline::inline ORISPLINE_ABI

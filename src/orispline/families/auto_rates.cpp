@@ -65,14 +65,29 @@ double roughness_of(const Window& w) {
   return (bend[1] - share * bend[0] - (1.0 - share) * bend[2]).norm() / size;
 }
 
+/// 1 up to `low` times the spline's error, 0 from `high` times on.
+struct Belief {
+  double low, high, log_of_low, log_of_high;
+
+  [[nodiscard]] double operator()(double polynomial, double spline) const {
+    if (!(polynomial > low * spline)) return 1.0;
+    if (!(polynomial < high * spline)) return 0.0;
+    return 1.0 - switched(elementary::natural_logarithm(polynomial / spline), log_of_low, log_of_high);
+  }
+};
+
 /// (2) Whether the polynomial through seven keys foretells a key from the others better than their natural spline does:
-/// 1 where clearly, 0 where not at all.
+/// 1 where clearly, 0 where not at all. In a window at an end of the track, whether it foretells that end too.
 double polynomial_trust(const Window& window) {
-  constexpr double clearly = 0.3, log_of_clearly = -1.2039728043259361;
-  const LeftOutErrors errors = left_out_errors(window);
-  if (!(errors.polynomial > clearly * errors.natural_spline)) return 1.0;
-  if (!(errors.polynomial < errors.natural_spline)) return 0.0;
-  return 1.0 - switched(elementary::natural_logarithm(errors.polynomial / errors.natural_spline), log_of_clearly, 0.0);
+  constexpr std::size_t last = Window::capacity - 1;
+  constexpr Belief inside{0.3, 1.0, -1.2039728043259361, 0.0};
+  constexpr Belief with_end{4.0, 20.0, 1.3862943611198906, 2.995732273553991};
+  const LeftOutErrors inner = left_out_errors(window, 1, last);
+  const double trust = inside(inner.polynomial, inner.natural_spline);
+  if (!(trust > 0.0) || window.centre == last / 2) return trust;
+  const std::size_t end = window.centre < last / 2 ? 0 : last;
+  const LeftOutErrors outer = left_out_errors(window, end, end + 1);
+  return trust * with_end(inner.polynomial * outer.polynomial, inner.natural_spline * outer.natural_spline);
 }
 
 }  // namespace
