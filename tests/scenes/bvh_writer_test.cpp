@@ -161,7 +161,7 @@ TEST(BvhWriter, OneClipIsWanted) {
 TEST(BvhWriter, ScalesAndTheStartAreDroppedWithAWarning) {
   Scene scene = still({1.5, 2.0});
   scene.skeleton = Skeleton::make({{.name = "a", .rest = {.scale = {2, 1, 1}}}, {.name = "b", .parent = 0}}).value();
-  scene.clips[0].scales.push_back({.joint = 1, .times = {0.0}, .values = {{1, 1, 1}}});
+  scene.clips[0].scales.push_back({.joint = 1, .times = {0.0}, .values = {{1, 1, 1.5}}});
   EXPECT_EQ(warnings_of(write_bvh(scene)),
             (std::vector<std::string>{"folder/out.bvh: 2 joints with a scale, which BVH does not hold",
                                       "folder/out.bvh: the clip starts at 1.5 s, its frames at 0 s"}));

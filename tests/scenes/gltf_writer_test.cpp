@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <filesystem>
 
-#include <orispline/scenes/gltf_json.hpp>
-
-#include "scenes/gltf_file.hpp"
+#include "scenes/gltf_written.hpp"
 
 namespace orispline::scenes {
 namespace {
@@ -12,43 +10,10 @@ using gltf::Json;
 using test::bytes_of;
 using test::GltfFile;
 using test::read;
-
-/// A document that was written, with its buffer.
-struct WrittenFile {
-  Json json{};
-  std::string binary{};
-  std::vector<Warning> warnings{};
-
-  [[nodiscard]] std::string accessor_bytes(std::size_t index, std::size_t element_size) const {
-    const Json& accessor = json["accessors"][index];
-    const Json& view = json["bufferViews"][accessor["bufferView"].get<std::size_t>()];
-    return binary.substr(view.value("byteOffset", 0u) + accessor.value("byteOffset", 0u),
-                         accessor["count"].get<std::size_t>() * element_size);
-  }
-};
-
-WrittenFile written(const Scene& scene, std::string_view name = "out.glb") {
-  const orispline::test::ScratchDirectory folder;
-  const auto warnings = write_scene(scene, folder.file(name));
-  EXPECT_TRUE(warnings) << describe(warnings.error());
-  if (!warnings) return {};
-  const std::string bytes = orispline::test::content_of(folder.file(name));
-  const auto parts = gltf::container_of(bytes);
-  EXPECT_TRUE(read_scene(folder.file(name)));
-  return {gltf::parsed(parts->json).value(), std::string(parts->binary.value_or("")), *warnings};
-}
-
-std::string refusal(const Scene& scene) {
-  const orispline::test::ScratchDirectory folder;
-  const auto warnings = write_scene(scene, folder.file("out.glb"));
-  return warnings ? "" : orispline::test::text_of(warnings.error());
-}
-
-Scene scene_of(const GltfFile& file) {
-  auto scene = read(file.text());
-  EXPECT_TRUE(scene) << describe(scene.error());
-  return std::move(*scene);
-}
+using test::refusal;
+using test::scene_of;
+using test::written;
+using test::WrittenFile;
 
 /// One joint that turns, from no file.
 Scene made_scene(std::vector<double> times, std::vector<Eigen::Quaterniond> values) {

@@ -7,11 +7,11 @@
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
-/// Chains of spans from the first sample on, longer by a span in every round.
+/// CubicChains of spans from the first sample on, longer by a span in every round.
 template <CurvePoint P>
-class Chains {
+class CubicChains {
  public:
-  Chains(const CubicSamples<P>& samples, double tolerance)
+  CubicChains(const CubicSamples<P>& samples, double tolerance)
       : samples_(samples),
         spans_(samples.targets, tolerance),
         last_(samples.size() - 1),
@@ -103,7 +103,7 @@ class Chains {
 
 template <CurvePoint P>
 Channel<P> fewest_cubics(const CubicSamples<P>& samples, double tolerance) {
-  Chains<P> chains(samples, tolerance);
+  CubicChains<P> chains(samples, tolerance);
   return chains.channel(chains.to_end());
 }
 

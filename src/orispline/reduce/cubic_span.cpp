@@ -7,9 +7,9 @@
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
-constexpr int rounds_of_radii = 3, rounds_of_weights = 12;
+constexpr int rounds_of_radii = 3, rounds_of_weights = 24;
 /// Misses farther than this many tolerances are not brought within it by weights.
-constexpr double hopeless = 2.0;
+constexpr double hopeless = 3.0;
 
 /// The square of half the angle's sine between the direction of p and a unit quaternion q, times |p|².
 double square_miss(const Eigen::Vector4d& p, const Eigen::Vector4d& q) { return (p - p.dot(q) * q).squaredNorm(); }
@@ -108,7 +108,7 @@ std::optional<CubicTangents<P>> CubicSpans<P>::within(std::size_t i, std::size_t
     fit.weigh(largest);
     before = largest;
     if ((largest = fit.solve()) <= square_bound_) return fit.tangents();
-    if (round > 2 && largest > 0.98 * before) break;
+    if (round > 2 && largest > 0.995 * before) break;
   }
   return std::nullopt;
 }

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/scenes/bvh_hierarchy.hpp>
 
-#include <cmath>
+#include <algorithm>
 #include <optional>
 #include <utility>
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
-#include <orispline/io/text_table.hpp>
 #include <orispline/scenes/bvh_word.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::scenes::bvh {

@@ -64,11 +64,16 @@ Warning warning_of(std::string_view code, std::string message, std::string_view 
           .numbers = {{what, static_cast<double>(count)}}};
 }
 
+/// Joints whose scale is not 1 but for rounding to `float`.
 std::size_t scaled_joints_of(const Scene& scene, const Clip& clip) {
+  const auto is_scale = [](const Eigen::Vector3d& scale) {
+    constexpr double off = 1e-6;
+    return (scale - Eigen::Vector3d::Ones()).cwiseAbs().maxCoeff() > off;
+  };
   std::vector<bool> is_scaled(scene.skeleton.size());
-  for (std::size_t j = 0; j < scene.skeleton.size(); ++j)
-    is_scaled[j] = scene.skeleton[j].rest.scale != Eigen::Vector3d::Ones();
-  for (const VectorChannel& channel : clip.scales) is_scaled[channel.joint] = true;
+  for (std::size_t j = 0; j < scene.skeleton.size(); ++j) is_scaled[j] = is_scale(scene.skeleton[j].rest.scale);
+  for (const VectorChannel& channel : clip.scales)
+    if (std::ranges::any_of(channel.values, is_scale)) is_scaled[channel.joint] = true;
   return static_cast<std::size_t>(std::ranges::count(is_scaled, true));
 }
 
