@@ -59,7 +59,9 @@ std::string shown(const Json& value) {
 }
 
 Error within(std::string_view place, Error error) {
-  error.message = formatted("{}: {}", place, error.message);
+  const auto key = std::exchange(error.where.key, std::nullopt);
+  error.message =
+      key ? formatted("{}, key {}: {}", place, *key, error.message) : formatted("{}: {}", place, error.message);
   return error;
 }
 

@@ -26,7 +26,7 @@ inline constexpr std::size_t deepest_nesting = 512;
 /// A value as messages show it: `'text'`, `-1.5`, `a list`.
 [[nodiscard]] std::string shown(const Json& value);
 
-/// The error with the place where it was found before its message.
+/// The error with the place where it was found before its message, and with the key behind that.
 [[nodiscard]] Error within(std::string_view place, Error error);
 
 /// An object of a document, with the name that messages call it by. Every getter checks what it finds; their errors are

@@ -55,10 +55,9 @@ Expected<Column> column_of(const Document& document, const Object& sampler, cons
 std::string single(double time) { return formatted("{}", static_cast<float>(time)); }
 
 tl::unexpected<Error> time_fault(std::size_t key, double time, double before) {
-  std::string message =
-      formatted("key {}: found time {} after {}, wanted increasing times", key, single(time), single(before));
-  if (time == before) return mended_by("drop_duplicates", std::move(message));
-  return failure(ErrorCode::bad_data, std::move(message));
+  std::string message = formatted("found time {} after {}, wanted increasing times", single(time), single(before));
+  if (time == before) return mended_by("drop_duplicates", std::move(message), {.key = key});
+  return failure(ErrorCode::bad_data, std::move(message), {.key = key});
 }
 
 /// The keys that stay: all, or the first of those at equal times.
@@ -66,8 +65,8 @@ Expected<std::vector<std::size_t>> keys_at_rising_times(const std::vector<double
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (!std::isfinite(times[i]))
-      return failure(ErrorCode::bad_data,
-                     formatted("key {}: found time {}, wanted a finite number", i, single(times[i])));
+      return failure(ErrorCode::bad_data, formatted("found time {}, wanted a finite number", single(times[i])),
+                     {.key = i});
     const bool is_late = kept.empty() || times[i] > times[kept.back()];
     if (!is_late && !(reading.drop_duplicates && times[i] == times[kept.back()]))
       return time_fault(i, times[i], times[kept.back()]);
@@ -151,11 +150,10 @@ Expected<Channel<P>> channel_of(const SamplerKeys& keys, std::size_t joint, Norm
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const double* numbers = &keys.outputs[i * width];
     if (!std::all_of(numbers, numbers + width, [](double number) { return std::isfinite(number); }))
-      return failure(ErrorCode::bad_data,
-                     formatted("key {}: found a number that is not finite, wanted finite ones", i));
+      return failure(ErrorCode::bad_data, "found a number that is not finite, wanted finite ones", {.key = i});
     const P value = point_at<P>(is_spline ? numbers + n : numbers);
     if (const std::string fault = value_fault(value); !fault.empty())
-      return failure(ErrorCode::bad_data, formatted("key {}: {}", i, fault));
+      return failure(ErrorCode::bad_data, fault, {.key = i});
     const double divisor = norm == Norm::one ? size_to_take(value) : 1.0;
     channel.values.push_back(divided(value, divisor));
     if (!is_spline) continue;

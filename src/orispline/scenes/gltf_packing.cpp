@@ -96,11 +96,10 @@ class Packing {
     std::vector<std::size_t> free_views;
     for (std::size_t v = 0; v < uses_.size(); ++v)
       if (!uses_[v].is_whole && uses_[v].accessors.empty()) free_views.push_back(v);
-    if (store.size() == 0 && (has_gap(free_accessors, lists_.accessors) || has_gap(free_views, lists_.views)))
-      static_cast<void>(store.times({0.0F}));  // for something must fill the gaps
-    if (store.size() > 0) add_new(store, free_accessors, free_views);
-    drop_last(lists_.accessors, free_accessors, store.size());
-    drop_last(lists_.views, free_views, store.size() > 0 ? 1 : 0);
+    if (store.size() > 0) add_new(store, free_views.empty() ? lists_.views.size() : free_views.front());
+    fill_or_drop(lists_.accessors, free_accessors, store.size(), unused_accessor());
+    fill_or_drop(lists_.views, free_views, store.size() > 0 ? 1 : 0, unused_view());
+    if (lists_.views.size() > 0 && lists_.bytes.size() < unused_length) lists_.bytes.resize(unused_length);
     if (lists_.bytes.size() > largest_scene_file) return too_large();
     return std::move(lists_);
   }
@@ -149,32 +148,36 @@ class Packing {
     view["byteLength"] = length;
   }
 
-  [[nodiscard]] static bool has_gap(const std::vector<std::size_t>& free_places, const Json& list) {
-    return !free_places.empty() && free_places.front() + free_places.size() != list.size();
+  /// The new keys in their own view.
+  void add_new(const KeyStore& store, std::size_t place) {
+    lists_.bytes.resize((lists_.bytes.size() + 3) / 4 * 4);
+    put(lists_.views, place,
+        {{"buffer", 0}, {"byteOffset", lists_.bytes.size()}, {"byteLength", store.bytes().size()}});
+    lists_.bytes += store.bytes();
+    for (std::size_t entry = 0; entry < store.size(); ++entry)
+      put(lists_.accessors, store.slot(entry), store.accessor(entry, place));
   }
 
-  /// The new keys in their own view; what else is free, is the like of the first.
-  void add_new(const KeyStore& store, const std::vector<std::size_t>& free_accessors,
-               const std::vector<std::size_t>& free_views) {
-    lists_.bytes.resize((lists_.bytes.size() + 3) / 4 * 4);
-    const Json view{{"buffer", 0}, {"byteOffset", lists_.bytes.size()}, {"byteLength", store.bytes().size()}};
-    lists_.bytes += store.bytes();
-    const std::size_t place = free_views.empty() ? lists_.views.size() : free_views.front();
-    if (free_views.empty()) lists_.views.push_back(view);
-    for (const std::size_t free : free_views) lists_.views[free] = view;
-    for (const std::size_t free : free_accessors) lists_.accessors[free] = store.accessor(0, place);
-    for (std::size_t entry = 0; entry < store.size(); ++entry) {
-      if (store.slot(entry) < lists_.accessors.size())
-        lists_.accessors[store.slot(entry)] = store.accessor(entry, place);
-      else lists_.accessors.push_back(store.accessor(entry, place));
+  static void put(Json& list, std::size_t place, Json value) {
+    if (place < list.size()) list[place] = std::move(value);
+    else list.push_back(std::move(value));
+  }
+
+  /// Drops free places at the end of a list and fills the others; the first `taken` of them are in use.
+  static void fill_or_drop(Json& list, const std::vector<std::size_t>& free_places, std::size_t taken,
+                           const Json& unused) {
+    for (std::size_t k = free_places.size(); k > taken; --k) {
+      if (free_places[k - 1] + 1 == list.size()) list.erase(list.size() - 1);
+      else list[free_places[k - 1]] = unused;
     }
   }
 
-  /// Drops free places at the end of a list; the first `taken` of them are in use.
-  static void drop_last(Json& list, const std::vector<std::size_t>& free_places, std::size_t taken) {
-    for (std::size_t k = free_places.size(); k > taken && free_places[k - 1] + 1 == list.size(); --k)
-      list.erase(list.size() - 1);
+  /// What takes no bytes: a zero without a bufferView, and a view of what is there anyway.
+  static Json unused_accessor() {
+    return {{"componentType", static_cast<int>(ComponentType::f32)}, {"count", 1}, {"type", "SCALAR"}};
   }
+  static Json unused_view() { return {{"buffer", 0}, {"byteLength", unused_length}}; }
+  static constexpr std::size_t unused_length = 4;
 
   const Document& document_;
   std::vector<ViewUse> uses_;

@@ -58,9 +58,13 @@ Expected<SceneWritten> written_from(const Source& source, const Scene& scene, co
 
 Expected<SceneWritten> written_scene(const Scene& scene, const std::string& path, const SceneWriting& writing) {
   const auto* source = dynamic_cast<const Source*>(scene.source.get());
-  if (source != nullptr && source->nodes().skeleton.size() == scene.skeleton.size())
-    return written_from(*source, scene, path);
-  return written_from(made_source(scene.skeleton, writing), scene, path);
+  const bool is_ours = source != nullptr && source->nodes().skeleton.size() == scene.skeleton.size();
+  return (is_ours ? written_from(*source, scene, path)
+                  : written_from(made_source(scene.skeleton, writing), scene, path))
+      .map_error([&](Error error) {
+        error.where.file = path;
+        return error;
+      });
 }
 
 }  // namespace orispline::inline ORISPLINE_ABI::scenes::gltf

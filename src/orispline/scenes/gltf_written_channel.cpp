@@ -67,12 +67,13 @@ Expected<std::vector<float>> single_times(const std::vector<double>& times) {
   for (std::size_t i = 0; i < times.size(); ++i) {
     const auto time = static_cast<float>(times[i]);
     if (!std::isfinite(time) || time < 0.0F)
-      return failure(ErrorCode::bad_data, formatted("key {}: found time {}, wanted one from 0 on", i, times[i]));
+      return failure(ErrorCode::bad_data, formatted("found time {}, wanted one from 0 on", times[i]), {.key = i});
     if (i > 0 && time <= singles.back())
       return failure(ErrorCode::bad_data,
-                     formatted("key {}: found time {} after {}, which are {} and {} in single precision, wanted "
+                     formatted("found time {} after {}, which are {} and {} in single precision, wanted "
                                "increasing times",
-                               i, times[i], times[i - 1], time, singles.back()));
+                               times[i], times[i - 1], time, singles.back()),
+                     {.key = i});
     singles.push_back(time == 0.0F ? 0.0F : time);  // not -0, which some readers hold against it
   }
   return singles;
@@ -92,8 +93,7 @@ Expected<std::vector<float>> single_outputs(const Channel<P>& channel) {
     if (is_spline) append(channel.out_tangents[i]);
     if (!std::all_of(singles.begin() + static_cast<std::ptrdiff_t>(before), singles.end(),
                      [](float number) { return std::isfinite(number); }))
-      return failure(ErrorCode::bad_data,
-                     formatted("key {}: found a number beyond single precision, wanted smaller ones", i));
+      return failure(ErrorCode::bad_data, "found a number beyond single precision, wanted smaller ones", {.key = i});
   }
   return singles;
 }
