@@ -77,7 +77,7 @@ def include_breaches(sources):
         if path.startswith("examples/"):
             yield from (f"{path}: wanted a public header, <orispline/NAME.hpp>, found {name}" for name in names
                         if re.match(r"orispline/.+/", name))
-        yield from (f"{path}: {name} is for {room} only" for name in names for guest, room in GUESTS.items()
+        yield from (f"{path}: {name} is for {room if isinstance(room, str) else ' or '.join(room)} only" for name in names for guest, room in GUESTS.items()
                     if name.startswith(guest) and not path.startswith(room))
     try:
         graphlib.TopologicalSorter(graph).prepare()
