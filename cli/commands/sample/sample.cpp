@@ -9,8 +9,10 @@
 
 #include "commands/sample/sample_report.hpp"
 #include "commands/sample/sample_request.hpp"
+#include "commands/sample/sample_scene.hpp"
 #include "commands/sample/sample_stream.hpp"
 #include "commands/sample/sampling.hpp"
+#include "options/scene_input.hpp"
 #include "output/each_input.hpp"
 #include "output/findings_text.hpp"
 #include "output/gathered_output.hpp"
@@ -129,7 +131,15 @@ Expected<SampleReport> sample_whole(const SampleRequest& request, io::KeyReader 
       .map([&] { return report; });
 }
 
+/// The curve through all keys as cubics, or its samples, in a file of skeletons.
+Expected<void> sample_into_scene(const SampleOptions& options, const SampleRequest& request, io::KeyReader keys) {
+  return open_source(request, std::move(keys)).and_then([&](const Source& source) {
+    return write_curve_scene(options, request, {source.file.track.keys.size(), source.curve, source.times});
+  });
+}
+
 Expected<void> sample_one(const SampleOptions& options) {
+  if (asks_for_stored(options)) return sample_stored(options);
   auto request = sample_request(options);
   if (!request) return tl::unexpected(std::move(request.error()));
   auto input = io::KeyInput::open(request->input.path, request->input.read.recipe);
@@ -138,12 +148,13 @@ Expected<void> sample_one(const SampleOptions& options) {
   if (!warnings) return tl::unexpected(warnings.error());
   warn(*warnings);
   return io::KeyReader::open(std::move(*input), request->input.read)
-      .and_then([&](io::KeyReader keys) {
+      .and_then([&](io::KeyReader keys) -> Expected<void> {
+        if (is_scene(request->output)) return sample_into_scene(options, *request, std::move(keys));
         request->columns = columns_for(options, keys.format());
-        return goes_in_pieces(*request, keys) ? sample_in_pieces(*request, std::move(keys))
-                                              : sample_whole(*request, std::move(keys));
-      })
-      .and_then([&](const SampleReport& report) { return summarise(options.summary, report); });
+        return (goes_in_pieces(*request, keys) ? sample_in_pieces(*request, std::move(keys))
+                                               : sample_whole(*request, std::move(keys)))
+            .and_then([&](const SampleReport& report) { return summarise(options.summary, report); });
+      });
 }
 
 Expected<void> check_each(const SampleOptions& options) {

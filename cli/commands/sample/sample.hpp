@@ -13,6 +13,9 @@ namespace orispline::cli {
 inline constexpr std::array frame_choices{Choice<io::Frame>{"body", io::Frame::body},
                                           Choice<io::Frame>{"world", io::Frame::world}};
 
+/// In the place of a method, of a file of skeletons: what the file says between its keys.
+inline constexpr std::string_view stored_method = "stored";
+
 /// `orispline sample`, as typed.
 struct SampleOptions {
   SeveralInputs inputs;
@@ -22,6 +25,7 @@ struct SampleOptions {
   TimeOptions times;
   OutputOptions output;
   std::optional<std::string> derivatives, frame, extrapolate, truth, band;
+  std::optional<std::string> tolerance;  ///< of a file of skeletons
   SummaryOptions summary;
 };
 

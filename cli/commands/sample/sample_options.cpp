@@ -21,6 +21,8 @@ constexpr auto sample_footer = R"(Examples:
   orispline sample keys.csv --rate 100000 -o motion.npy
   orispline sample joints --rate 100 --output-folder motions
   orispline sample recording.csv --method measured --band 0.9 --rate 100 -o motion.csv
+  orispline sample mage.glb --clip Walking_A --joint hand.r --space world --rate 240 -o hand.csv
+  orispline sample flight.csv --tolerance 0.03deg -o flight.glb
   orispline sample ck.csv --columns t=sclk,qw=q0,qx=q1,qy=q2,qz=q3 --conjugate --rate 10 --frame world
 
 INPUT has the columns t,qw,qx,qy,qz and optionally px,py,pz, wx,wy,wz[,ax,ay,az[,jx,jy,jz]] (for methods that take
@@ -61,7 +63,9 @@ void add_sample_options(Command& app, SampleOptions& o) {
   add_several_inputs(app, o.inputs, "samples");
   add_reading_options(app, o.input);
   app.add_option("--method", o.method,
-                 formatted("Method [the one named in INPUT, else {}]; see 'orispline methods'", default_method))
+                 formatted("Method [the one named in INPUT; else {} of a file of skeletons, else {}]; see 'orispline "
+                           "methods'",
+                           stored_method, default_method))
       ->type_name(method_type)
       ->group("Shape of the curve");
   add_method_options(app, o.shape);
@@ -80,6 +84,10 @@ void add_sample_options(Command& app, SampleOptions& o) {
       ->group(group);
   app.add_option("--frame", o.frame, "Frame of the angular rates [body]")
       ->type_name(one_of(frame_choices))
+      ->group(group);
+  app.add_option("--tolerance", o.tolerance,
+                 "Largest angle between the curve and the cubics of a glTF file, in the place of --rate [0.01deg]")
+      ->type_name("ANGLE")
       ->group(group);
   app.add_option("--band", o.band,
                  "Column band [rad]: the radius about the curve of 'measured' that is meant to hold this share of the "

@@ -4,9 +4,11 @@
 #include <algorithm>
 
 #include "options/file_places.hpp"
+#include "options/scene_input.hpp"
 #include "options/threads.hpp"
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/fields/typed_numbers.hpp>
 
 namespace orispline::cli {
 namespace {
@@ -50,6 +52,43 @@ Expected<io::SampleColumns> columns_in(const SampleOptions& options, const io::F
   return read;
 }
 
+bool names_times(const TimeOptions& times) { return times.rate || times.count || times.list; }
+
+constexpr std::string_view default_cubic_tolerance = "0.01deg";
+
+Expected<double> angle_in(OptionText option) {
+  return typed::measured(option.text, units::angle, 1)
+      .map([](const Measured& found) { return found.numbers.front(); })
+      .map_error([&](Error error) {
+        error.message = formatted("{}: {}", option.option, error.message);
+        return error;
+      });
+}
+
+/// Of a file of skeletons: how near its cubics are to the curve, unless it gets samples.
+Expected<std::optional<double>> tolerance_in(const SampleOptions& options) {
+  if (!is_scene(options.output.path)) {
+    if (options.tolerance)
+      return usage_failure("--tolerance: found samples in rows, wanted a file of cubics, such as motion.glb");
+    return std::optional<double>();
+  }
+  if (names_times(options.times)) {
+    if (!options.tolerance) return std::optional<double>();
+    return usage_failure("--tolerance: found --rate, --count or --times too, wanted one of them");
+  }
+  return angle_in({"--tolerance", options.tolerance ? std::string_view(*options.tolerance) : default_cubic_tolerance})
+      .map([](double angle) { return std::optional(angle); });
+}
+
+/// Those of a file of skeletons are where its keys are, unless they are asked for.
+Expected<TimeRequest> times_in(const SampleOptions& options) {
+  return clock_in(options.input).and_then([&](const io::Clock& clock) {
+    TimeOptions times = options.times;
+    if (is_scene(options.output.path) && !names_times(times)) times.count = "2";
+    return time_request(times, clock);
+  });
+}
+
 Progress::Show progress_for(const SampleOptions& options) {
   const bool in_the_way = options.summary.quiet || options.output.path == io::standard_stream;
   return in_the_way ? Progress::Show::never : Progress::Show::on_terminal;
@@ -70,15 +109,15 @@ Expected<SampleRequest> sample_request(const SampleOptions& options) {
       .input = checked(input_request(options.input)),
       .named = checked(named_method(options.method, options.shape)),
       .shape = options.shape,
-      .times = checked(
-          clock_in(options.input).and_then([&](const io::Clock& clock) { return time_request(options.times, clock); })),
-      .columns = checked(columns_in(options)),
+      .times = checked(times_in(options)),
+      .columns = is_scene(options.output.path) ? io::SampleColumns() : checked(columns_in(options)),
       .extrapolation =
           checked(if_given("--extrapolate", options.extrapolate, word_in<Extrapolation>)).value_or(Extrapolation::hold),
       .threads = checked(threads_in(options.inputs.threads)),
       .output = options.output.path,
       .truth = options.truth,
       .band = checked(if_given("--band", options.band, share_in)),
+      .tolerance = checked(tolerance_in(options)),
       .progress = progress_for(options)};
   auto read = std::move(checked).or_else(std::move(request));
   if (!read) return read;

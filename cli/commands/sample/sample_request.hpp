@@ -21,7 +21,8 @@ struct SampleRequest {
   std::size_t threads = 1;
   std::string output;
   std::optional<std::string> truth;
-  std::optional<double> band;  ///< the share of the true motion that it is meant to hold
+  std::optional<double> band;         ///< the share of the true motion that it is meant to hold
+  std::optional<double> tolerance{};  ///< of the cubics of a file of skeletons [rad]; absent: samples are written
   Progress::Show progress = Progress::Show::never;
 };
 

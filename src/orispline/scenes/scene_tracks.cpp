@@ -8,8 +8,8 @@
 #include <orispline/base/file_name.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
-#include <orispline/clip/clip_difference.hpp>
-#include <orispline/clip/clip_motion.hpp>
+#include <orispline/clip/channel_curve.hpp>
+#include <orispline/clip/joint_curve.hpp>
 #include <orispline/io/line_reader.hpp>
 #include <orispline/scenes/scene_file.hpp>
 
@@ -38,22 +38,6 @@ std::vector<std::string> names_of_joints(const Scene& scene, const Clip& clip) {
   return names;
 }
 
-/// The joint and those above it, the joint last.
-std::vector<std::size_t> chain_to(const Skeleton& skeleton, std::size_t joint) {
-  std::vector<std::size_t> chain;
-  for (; joint != no_parent; joint = skeleton[joint].parent) chain.push_back(joint);
-  std::ranges::reverse(chain);
-  return chain;
-}
-
-template <CurvePoint P>
-void append_times(std::vector<double>& times, const std::vector<Channel<P>>& channels,
-                  const std::vector<std::size_t>& joints) {
-  for (const Channel<P>& channel : channels)
-    if (std::ranges::find(joints, channel.joint) != joints.end())
-      times.insert(times.end(), channel.times.begin(), channel.times.end());
-}
-
 template <CurvePoint P>
 const Channel<P>* channel_of(const std::vector<Channel<P>>& channels, std::size_t joint) {
   const auto found = std::ranges::find(channels, joint, &Channel<P>::joint);
@@ -77,55 +61,16 @@ Expected<KeyframeData> local_keys(const Scene& scene, const Clip& clip, std::siz
   return data;
 }
 
-/// Orientation and position of the last joint of a chain. Precondition: all scales are even.
-std::pair<Eigen::Quaterniond, Eigen::Vector3d> world_pose(const ClipMotion& motion,
-                                                          const std::vector<std::size_t>& chain, double t) {
-  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();
-  double scale = 1.0;
-  for (const std::size_t joint : chain) {
-    const JointPose pose = motion.local_pose(joint, t);
-    position += orientation * (scale * pose.translation);
-    orientation = orientation * pose.rotation;
-    scale *= pose.scale.x();
-  }
-  return {orientation.normalized(), position};
-}
-
-/// Below uneven scales a joint has no orientation.
-Expected<void> check_scales(const Scene& scene, const Clip& clip, const std::vector<std::size_t>& chain) {
-  const auto is_even = [](const Eigen::Vector3d& scale) {
-    return scale.minCoeff() > 0.0 && scale.maxCoeff() - scale.minCoeff() <= 1e-5 * scale.maxCoeff();
-  };
-  for (const std::size_t joint : chain) {
-    const VectorChannel* const channel = channel_of(clip.scales, joint);
-    if (channel ? std::ranges::all_of(channel->values, is_even) : is_even(scene.skeleton[joint].rest.scale)) continue;
-    return failure(ErrorCode::bad_data,
-                   formatted("{}: found a scale that is not the same along all axes, wanted one that is for the world",
-                             place_of(scene.skeleton, clip, joint)));
-  }
-  return {};
-}
-
 Expected<KeyframeData> world_keys(const Scene& scene, const Clip& clip, std::size_t joint) {
-  const auto chain = chain_to(scene.skeleton, joint);
-  if (auto even = check_scales(scene, clip, chain); !even) return tl::unexpected(std::move(even.error()));
-  KeyframeData data;
-  append_times(data.times, clip.rotations, chain);
-  append_times(data.times, clip.translations, chain);
-  append_times(data.times, clip.scales, chain);
-  std::ranges::sort(data.times);
-  data.times.erase(std::ranges::unique(data.times).begin(), data.times.end());
-  if (data.times.empty())
-    return failure(ErrorCode::bad_data, formatted("{}: found no keys of it and of what carries it, wanted some",
-                                                  place_of(scene.skeleton, clip, joint)));
-  const ClipMotion motion(scene.skeleton, clip);
-  for (const double t : data.times) {
-    auto [orientation, position] = world_pose(motion, chain, t);
-    data.orientations.push_back(orientation);
-    data.positions.push_back(position);
-  }
-  return data;
+  return joint_curve(scene.skeleton, clip, joint, JointSpace::world).map([](const PoseCurve& curve) {
+    const auto times = curve.orientation.knots().times();
+    KeyframeData data{.times = {times.begin(), times.end()}};
+    for (const double t : times) {
+      data.orientations.push_back(curve.orientation(t));
+      data.positions.push_back(curve.position->linear_motion(t).position);
+    }
+    return data;
+  });
 }
 
 /// One track of a file, as a format of io reads it.
