@@ -13,7 +13,7 @@ TASKS = {"smooth", "reduce", "tune", "retime"}
 FLOORS = {  # folder of src/orispline -> what it may include besides itself
     "base": set(), "math": {"base"}, "fields": {"base", "math"}, "curve": GROUND, "families": GROUND, "io": GROUND, "report": GROUND, "clip": GROUND, "scenes": GROUND | {"clip", "io"},
     "batch/kernel": {"base"}, "batch": GROUND | {"families", "batch/kernel"}, "online": GROUND | {"families", "batch"},
-    "analysis": GROUND | {"families", "batch"}, "smooth": GROUND | {"families", "analysis"}, "tune": GROUND | {"families", "analysis"},
+    "analysis": GROUND | {"families", "batch"}, "smooth": GROUND | {"families", "analysis", "clip"}, "tune": GROUND | {"families", "analysis"},
     "reduce": GROUND | {"families", "batch", "analysis", "clip"}, "retime": GROUND | {"families", "batch", "analysis"},
     "pages": GROUND | TASKS | {"families", "batch", "analysis", "report"}}
 CLI_FLOORS = {"options": set(), "output": {"options"}, "papers": {"options", "output"},

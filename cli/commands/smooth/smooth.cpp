@@ -9,9 +9,11 @@
 #include <orispline/pages/smooth_page.hpp>
 
 #include "commands/smooth/smooth_report.hpp"
+#include "commands/smooth/smooth_scene.hpp"
 #include "options/file_places.hpp"
 #include "options/method_options.hpp"
 #include "options/sample_times.hpp"
+#include "options/scene_input.hpp"
 #include "output/each_input.hpp"
 #include "output/gathered_output.hpp"
 #include "output/keys_file.hpp"
@@ -119,6 +121,7 @@ Expected<std::size_t> write(const std::string& path, const Request& request, con
 }
 
 Expected<void> smooth_one(const SmoothOptions& options) {
+  if (is_scene(options.output.path)) return smooth_scene(options);
   auto request = request_in(options);
   if (!request) return tl::unexpected(std::move(request.error()));
   auto page = ReportFile::open(options.report);
@@ -157,7 +160,9 @@ Expected<void> smooth_one(const SmoothOptions& options) {
 }  // namespace
 
 Expected<void> smooth(const SmoothOptions& options) {
-  const auto check = [](const SmoothOptions& one) { return request_in(one).map([](const Request&) {}); };
+  const auto check = [](const SmoothOptions& one) {
+    return is_scene(one.output.path) ? check_smooth_scene(one) : request_in(one).map([](const Request&) {});
+  };
   return on_inputs(options, {.written = "keys", .check = check, .work = smooth_one});
 }
 

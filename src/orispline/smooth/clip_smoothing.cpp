@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/smooth/clip_smoothing.hpp>
+
+#include <algorithm>
+#include <utility>
+
+#include <orispline/base/formatted.hpp>
+#include <orispline/base/parallel.hpp>
+
+namespace orispline::inline ORISPLINE_ABI {
+namespace {
+
+bool rests(const RotationChannel& channel) {
+  return std::ranges::all_of(channel.values, [&](const Eigen::Quaterniond& value) {
+    return angular_distance(value, channel.values.front()) <= rest_angle;
+  });
+}
+bool rests(const VectorChannel& channel) {
+  return std::ranges::all_of(channel.values, [&](const Eigen::Vector3d& value) {
+    return (value - channel.values.front()).norm() <= rest_length;
+  });
+}
+
+bool is_smoothed(const RotationChannel& channel) {
+  return channel.interpolation == ChannelInterpolation::linear && channel.size() >= fewest_smoothed_keys &&
+         !rests(channel);
+}
+
+/// The translation of the same joint that is smoothed with it.
+template <class Channels>
+auto* translation_beside(Channels& translations, const RotationChannel& rotation) {
+  const auto found = std::ranges::find_if(translations, [&](const VectorChannel& channel) {
+    return channel.joint == rotation.joint && channel.times == rotation.times &&
+           channel.interpolation == ChannelInterpolation::linear && !rests(channel);
+  });
+  return found == translations.end() ? nullptr : &*found;
+}
+
+Expected<Smoothing> smoothed(const RotationChannel& rotation, const VectorChannel* translation,
+                             const SmoothOptions& options) {
+  KeyframeData data{.times = rotation.times, .orientations = rotation.values};
+  if (translation) data.positions = translation->values;
+  return Keyframes::make(std::move(data)).and_then([&](Keyframes keys) {
+    return smooth(Track(std::move(keys)), options);
+  });
+}
+
+/// A rotation of a clip, and where it stands there.
+struct Piece {
+  std::size_t clip, rotation;
+  Expected<Smoothing> found{};
+};
+
+void take(Clip& clip, std::size_t rotation, const Keyframes& keys) {
+  RotationChannel& channel = clip.rotations[rotation];
+  if (VectorChannel* const translation = translation_beside(clip.translations, channel))
+    translation->values.assign(keys.positions().begin(), keys.positions().end());
+  channel.values.assign(keys.orientations().begin(), keys.orientations().end());
+}
+
+}  // namespace
+
+Expected<std::vector<ClipSmoothing>> smooth_clips(const Skeleton& skeleton, std::span<const Clip> clips,
+                                                  const SmoothOptions& options, unsigned threads) {
+  if (options.gyro)
+    return bad_option("gyro", "found clips, which have no angular velocities, wanted a recording of a gyro");
+  std::vector<Piece> pieces;
+  std::vector<ClipSmoothing> smoothings;
+  for (std::size_t i = 0; i < clips.size(); ++i) {
+    if (auto sound = check_clip(skeleton, clips[i]); !sound) return tl::unexpected(std::move(sound.error()));
+    ClipSmoothing& smoothing = smoothings.emplace_back(ClipSmoothing{.clip = clips[i]});
+    for (std::size_t k = 0; k < clips[i].rotations.size(); ++k)
+      if (is_smoothed(clips[i].rotations[k])) pieces.push_back({i, k});
+      else ++smoothing.left;
+  }
+  parallel_for(pieces.size(), threads, [&](std::size_t i) {
+    const Clip& clip = clips[pieces[i].clip];
+    const RotationChannel& rotation = clip.rotations[pieces[i].rotation];
+    pieces[i].found = smoothed(rotation, translation_beside(clip.translations, rotation), options);
+  });
+  for (Piece& piece : pieces) {
+    ClipSmoothing& smoothing = smoothings[piece.clip];
+    const std::size_t joint = smoothing.clip.rotations[piece.rotation].joint;
+    if (!piece.found) {
+      Error error = std::move(piece.found.error());
+      error.message = formatted("{}: {}", place_of(skeleton, smoothing.clip, joint), error.message);
+      return tl::unexpected(std::move(error));
+    }
+    take(smoothing.clip, piece.rotation, piece.found->track.keys);
+    smoothing.joints.push_back({joint, *std::move(piece.found)});
+  }
+  return smoothings;
+}
+
+}  // namespace orispline::inline ORISPLINE_ABI

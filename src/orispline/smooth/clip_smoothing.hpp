@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <orispline/clip/clip.hpp>
+#include <orispline/smooth/smooth.hpp>
+
+namespace orispline::inline ORISPLINE_ABI {
+
+/// A clip whose joints were smoothed, and what was found.
+struct ClipSmoothing {
+  /// Of one joint.
+  struct OfJoint {
+    std::size_t joint;
+    Smoothing smoothing;
+  };
+
+  Clip clip{};
+  std::vector<OfJoint> joints{};  ///< that were smoothed
+  std::size_t left = 0;           ///< rotations that were not: they rest, are steps or splines, or have too few keys
+};
+
+/// Fewer keys of a channel are left as they are: they do not tell noise from motion.
+inline constexpr std::size_t fewest_smoothed_keys = 20;
+
+/// Every one of the clips with its `linear` rotations smoothed, joint by joint, as smooth() does it; with a translation
+/// that has the same key times and moves, that too. All else stays as it is.
+///
+/// On up to that many threads, 0 means one per core; the results are the same on any number of them.
+/// Errors: those of smooth(), with clip and joint; bad_argument for `gyro`, since clips have no rates.
+[[nodiscard]] ORISPLINE_EXPORT Expected<std::vector<ClipSmoothing>> smooth_clips(const Skeleton& skeleton,
+                                                                                 std::span<const Clip> clips,
+                                                                                 const SmoothOptions& options = {},
+                                                                                 unsigned threads = 0);
+
+}  // namespace orispline::inline ORISPLINE_ABI
