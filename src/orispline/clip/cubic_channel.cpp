@@ -50,20 +50,27 @@ class Follower {
 
  private:
   void follow(double start, double end) {
-    Channel<P> piece{.interpolation = ChannelInterpolation::cubicspline};
-    const Moving<P> left = moving(curve_, start, Side::right);
-    Moving<P> right = moving(curve_, end, Side::left);
-    if constexpr (std::same_as<P, Eigen::Quaterniond>)
-      if (left.value.dot(right.value) < 0.0) right.value.coeffs() *= -1.0, right.derivative.coeffs() *= -1.0;
-    piece.times = {start, end};
-    piece.values = {left.value, right.value};
-    piece.in_tangents = piece.out_tangents = {left.derivative, right.derivative};
+    Moving<P> left = moving(curve_, start, Side::right), right = moving(curve_, end, Side::left);
+    align(left, found_.channel.values.back());
+    align(right, left.value);
+    // The last key is that value, but where the curve jumps: there the piece must come from it.
+    const Channel<P> piece{.interpolation = ChannelInterpolation::cubicspline,
+                           .times = {start, end},
+                           .values = {found_.channel.values.back(), right.value},
+                           .in_tangents = {left.derivative, right.derivative},
+                           .out_tangents = {left.derivative, right.derivative}};
     const auto [farthest, at] = distance_of(piece);
     const double middle = start + 0.5 * (end - start);
     if (farthest > tolerance_ && end - start > shortest_) return follow(start, middle), follow(middle, end);
     if (farthest > found_.largest_distance) found_.largest_distance = farthest, found_.largest_at = at;
-    found_.channel.out_tangents.back() = signed_as_key(left.value, left.derivative);
+    found_.channel.out_tangents.back() = left.derivative;
     append(end, right);
+  }
+
+  /// Gives it the sign of the nearer of the two quaternions that are its orientation.
+  static void align(Moving<P>& key, const P& before) {
+    if constexpr (std::same_as<P, Eigen::Quaterniond>)
+      if (before.dot(key.value) < 0.0) key.value.coeffs() *= -1.0, key.derivative.coeffs() *= -1.0;
   }
 
   /// The farthest that the curve is from the piece, and when.
@@ -77,19 +84,9 @@ class Follower {
     return worst;
   }
 
-  /// A derivative for the sign that the last key has got.
-  [[nodiscard]] P signed_as_key(const P& value, P derivative) const {
-    if constexpr (std::same_as<P, Eigen::Quaterniond>)
-      if (found_.channel.values.back().dot(value) < 0.0) derivative.coeffs() *= -1.0;
-    return derivative;
-  }
-
   /// A key with its tangents; the one after it is the same until the next piece says otherwise.
-  void append(double t, Moving<P> key) {
+  void append(double t, const Moving<P>& key) {
     Channel<P>& channel = found_.channel;
-    if constexpr (std::same_as<P, Eigen::Quaterniond>)
-      if (!channel.values.empty() && channel.values.back().dot(key.value) < 0.0)
-        key.value.coeffs() *= -1.0, key.derivative.coeffs() *= -1.0;
     channel.times.push_back(t);
     channel.values.push_back(key.value);
     channel.in_tangents.push_back(key.derivative);

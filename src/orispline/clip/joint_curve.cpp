@@ -128,12 +128,15 @@ class ChainBuilder {
   }
 
   [[nodiscard]] bool has_even_scale(std::size_t joint) const {
-    const auto is_even = [](const Eigen::Vector3d& scale) {
-      return scale.minCoeff() > 0.0 && scale.maxCoeff() - scale.minCoeff() <= 1e-5 * scale.maxCoeff();
+    const auto is_even = [](const Eigen::Vector3d& v, double size) {
+      return v.maxCoeff() - v.minCoeff() <= 1e-5 * std::max(size, v.cwiseAbs().maxCoeff());
     };
+    const auto is_scale = [&](const Eigen::Vector3d& scale) { return scale.minCoeff() > 0.0 && is_even(scale, 0.0); };
     const auto channel = std::ranges::find(clip_.scales, joint, &VectorChannel::joint);
-    if (channel == clip_.scales.end()) return is_even(skeleton_[joint].rest.scale);
-    return std::ranges::all_of(channel->values, is_even);
+    if (channel == clip_.scales.end()) return is_scale(skeleton_[joint].rest.scale);
+    const auto is_rate = [&](const Eigen::Vector3d& rate) { return is_even(rate, channel->values.front().x()); };
+    return std::ranges::all_of(channel->values, is_scale) && std::ranges::all_of(channel->in_tangents, is_rate) &&
+           std::ranges::all_of(channel->out_tangents, is_rate);
   }
 
   const Skeleton& skeleton_;
