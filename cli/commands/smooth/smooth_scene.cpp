@@ -70,13 +70,26 @@ Json json_of(const SmoothSceneReport& report) {
                         {"smoothing_time_s", found.smoothing_time},
                         {"noise_deg", found.noise * degrees},
                         {"rejected", found.rejected.size()}});
-    Json json{{"clip", clip.clip.name}, {"left", clip.left}};
+    Json json{{"clip", clip.clip.name}, {"left", clip.left}, {"refused", clip.refused.size()}};
     json["joints"] = std::move(joints);
     clips.push_back(std::move(json));
   }
   Json json{{"input", report.input}, {"output", report.output}};
   json["clips"] = std::move(clips);
   return json;
+}
+
+/// One line for all rotations that cannot be smoothed.
+void warn_of_refused(const std::vector<ClipSmoothing>& clips, const SmoothOptions& options) {
+  std::size_t refused = 0;
+  const Error* first = nullptr;
+  for (const ClipSmoothing& clip : clips) {
+    refused += clip.refused.size();
+    if (!first && !clip.refused.empty()) first = &clip.refused.front();
+  }
+  if (first)
+    warn(formatted("{} cannot be smoothed and stay as they are; {}", counted(refused, "rotation"),
+                   describe(said_of_cutoff(options.smoothness, *first))));
 }
 
 Expected<void> check_clips(const SmoothOptions& options) {
@@ -123,6 +136,7 @@ Expected<void> smooth_scene(const SmoothOptions& options) {
     clips.error().where.file = options.input.path;
     return tl::unexpected(said_of_cutoff(options.smoothness, std::move(clips.error())));
   }
+  warn_of_refused(*clips, options);
   for (std::size_t i = 0; i < clips->size(); ++i) scene->clips[i] = (*clips)[i].clip;
   return write_scene(options.output.path, *scene, request->writing).and_then([&] {
     return summarise(options.summary,

@@ -20,8 +20,8 @@ struct CubicChannel {
 /// of a key: dq/dt = ½ q ω.
 ///
 /// An interval is looked at in 16 places. One that is shorter than 2⁻²⁰ of the curve is halved no more: where the curve
-/// jumps, as steps do, the channel goes from one value to the other in so short a time, and the largest distance is nearly what
-/// it jumps by. Precondition: the tolerance is greater than 0.
+/// jumps, as steps do, the channel goes from one value to the other in so short a time, and the largest distance is
+/// nearly what it jumps by. Precondition: the tolerance is greater than 0.
 [[nodiscard]] ORISPLINE_EXPORT CubicChannel<Eigen::Quaterniond> cubic_channel(const AnyCurve& curve, double tolerance);
 /// The same of positions.
 [[nodiscard]] ORISPLINE_EXPORT CubicChannel<Eigen::Vector3d> cubic_channel(const AnyPath& path, double tolerance);

@@ -84,7 +84,9 @@ Expected<std::vector<ClipSmoothing>> smooth_clips(const Skeleton& skeleton, std:
     if (!piece.found) {
       Error error = std::move(piece.found.error());
       error.message = formatted("{}: {}", place_of(skeleton, smoothing.clip, joint), error.message);
-      return tl::unexpected(std::move(error));
+      if (error.code != ErrorCode::bad_data) return tl::unexpected(std::move(error));
+      smoothing.refused.push_back(std::move(error));
+      continue;
     }
     take(smoothing.clip, piece.rotation, piece.found->track.keys);
     smoothing.joints.push_back({joint, *std::move(piece.found)});

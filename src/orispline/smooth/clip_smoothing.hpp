@@ -20,16 +20,18 @@ struct ClipSmoothing {
   Clip clip{};
   std::vector<OfJoint> joints{};  ///< that were smoothed
   std::size_t left = 0;           ///< rotations that were not: they rest, are steps or splines, or have too few keys
+  std::vector<Error> refused{};   ///< why others were not, one for each, with clip and joint
 };
 
 /// Fewer keys of a channel are left as they are: they do not tell noise from motion.
 inline constexpr std::size_t fewest_smoothed_keys = 20;
 
 /// Every one of the clips with its `linear` rotations smoothed, joint by joint, as smooth() does it; with a translation
-/// that has the same key times and moves, that too. All else stays as it is.
+/// that has the same key times and moves, that too. All else stays as it is, and so does a rotation that smooth()
+/// refuses for its samples.
 ///
 /// On up to that many threads, 0 means one per core; the results are the same on any number of them.
-/// Errors: those of smooth(), with clip and joint; bad_argument for `gyro`, since clips have no rates.
+/// Errors: those of smooth() but for bad_data, with clip and joint; bad_argument for `gyro`, since clips have no rates.
 [[nodiscard]] ORISPLINE_EXPORT Expected<std::vector<ClipSmoothing>> smooth_clips(const Skeleton& skeleton,
                                                                                  std::span<const Clip> clips,
                                                                                  const SmoothOptions& options = {},
