@@ -167,6 +167,7 @@ Expected<void> check_each(const SampleOptions& options) {
 }  // namespace
 
 Expected<void> sample(const SampleOptions& options) {
+  if (asks_for_all_joints(options)) return sample_all_joints(options);
   return on_inputs(options, {.written = "samples", .check = check_each, .work = sample_one});
 }
 

@@ -22,6 +22,7 @@ constexpr auto sample_footer = R"(Examples:
   orispline sample joints --rate 100 --output-folder motions
   orispline sample recording.csv --method measured --band 0.9 --rate 100 -o motion.csv
   orispline sample mage.glb --clip Walking_A --joint hand.r --space world --rate 240 -o hand.csv
+  orispline sample mage.glb --rate 30 --output-folder joints
   orispline sample flight.csv --tolerance 0.03deg -o flight.glb
   orispline sample ck.csv --columns t=sclk,qw=q0,qx=q1,qy=q2,qz=q3 --conjugate --rate 10 --frame world
 

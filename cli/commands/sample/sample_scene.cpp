@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/sample/sample_scene.hpp"
 
-#include <algorithm>
+#include <set>
 #include <utility>
 
 #include <orispline/base/counted.hpp>
@@ -18,6 +18,7 @@
 #include "options/scene_input.hpp"
 #include "output/gathered_output.hpp"
 #include "output/noted_output.hpp"
+#include "output/output_folder.hpp"
 #include "output/scene_output.hpp"
 #include "output/standard_output.hpp"
 #include "output/summary.hpp"
@@ -25,34 +26,52 @@
 namespace orispline::cli {
 namespace {
 
-/// A joint of a file with the motion that the file says.
-struct StoredMotion {
-  PoseCurve curve;
-  std::size_t keys;
-};
+Error located(Error error, const std::string& file) {
+  if (error.where.file.empty()) error.where.file = file;
+  return error;
+}
 
-Expected<StoredMotion> stored_motion(const InputRequest& input) {
+Expected<scenes::Scene> opened(const InputRequest& input) {
   return scenes::read_scene(input.path, {.drop_duplicates = input.read.drop_duplicates})
       .and_then([&](scenes::Scene scene) {
         warn(scene.warnings);
         return scenes::with_clips(std::move(scene), input.read.scene.clips);
-      })
-      .and_then([&](const scenes::Scene& scene) {
-        return scenes::only_clip(scene).and_then([&](const Clip* clip) {
-          const bool in_world = input.read.scene.space == io::SceneTrack::Space::world;
-          return scenes::joint_in(scene, *clip, input.read.scene.joint).and_then([&](std::size_t joint) {
-            return joint_curve(scene.skeleton, *clip, joint, in_world ? JointSpace::world : JointSpace::local);
-          });
+      });
+}
+
+/// Writes the samples of one joint, as the file says that it moves.
+Expected<SampleReport> sample_joint(const SampleRequest& request, const scenes::Scene& scene, const Clip& clip,
+                                    std::size_t joint) {
+  const bool in_world = request.input.read.scene.space == io::SceneTrack::Space::world;
+  const auto curve = joint_curve(scene.skeleton, clip, joint, in_world ? JointSpace::world : JointSpace::local);
+  if (!curve) return tl::unexpected(located(curve.error(), request.input.path));
+  const Domain domain = curve->orientation.domain();
+  const TimeRequest wanted = anchored(request.times, Decimal());
+  const auto times = SampleTimes::make(wanted, Decimal(), domain);
+  if (!times) return tl::unexpected(times.error());
+  if (request.extrapolation == Extrapolation::hold) warn(range_warnings(wanted, Decimal(), domain));
+  if (request.extrapolation == Extrapolation::error)
+    if (auto stray = times->outside(domain)) return tl::unexpected(std::move(*stray));
+  SampleReport report{.input = request.input.path,
+                      .output = request.output,
+                      .method = std::string(stored_method),
+                      .method_text = std::string(stored_method),
+                      .keys = curve->orientation.knots().times().size(),
+                      .columns = with_positions(request.columns, curve->position.has_value()),
+                      .samples = times->size(),
+                      .extrapolation = request.extrapolation,
+                      .start = Decimal::from_double(domain.start),
+                      .end = Decimal::from_double(domain.end),
+                      .keys_held = true};
+  const Sampling sampling{*curve, *times, report.columns, request.extrapolation, request.threads, nullptr};
+  return open_samples(request.output, report.columns, times->size())
+      .and_then([&](Noted<io::SampleWriter> output) {
+        return write_samples(output.file, sampling, request.progress).and_then([&](std::size_t held) {
+          report.held_samples = held;
+          return put_in_place(std::move(output));
         });
       })
-      .map([](PoseCurve curve) {
-        const std::size_t keys = curve.orientation.knots().times().size();
-        return StoredMotion{std::move(curve), keys};
-      })
-      .map_error([&](Error error) {
-        if (error.where.file.empty()) error.where.file = input.path;
-        return error;
-      });
+      .map([&] { return report; });
 }
 
 /// What does not fit to it.
@@ -65,6 +84,46 @@ Expected<void> check_stored(const SampleOptions& options) {
   if (is_scene(options.output.path))
     return usage_failure("-o: found a file of skeletons, wanted one of samples, or 'orispline convert' for the keys");
   return {};
+}
+
+/// What is to be sampled, without a method.
+Expected<SampleRequest> stored_request(const SampleOptions& options) {
+  if (auto fits = check_stored(options); !fits) return tl::unexpected(std::move(fits.error()));
+  SampleOptions without_method = options;
+  without_method.method.reset();
+  return sample_request(without_method);
+}
+
+/// Names of clips and joints as those of files: no two are the same.
+class FileNames {
+ public:
+  [[nodiscard]] std::string unused(std::string_view name) {
+    std::string safe(name);
+    for (char& letter : safe)
+      if (letter == '/' || static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f) letter = '_';
+    if (safe.empty() || safe.starts_with('.')) safe.insert(0, "_");
+    std::string free = safe;
+    for (std::size_t number = 2; !used_.insert(free).second; ++number) free = formatted("{}_{}", safe, number);
+    return free;
+  }
+
+ private:
+  std::set<std::string> used_;
+};
+
+/// The files of samples that were written, one for each joint that turns.
+struct JointsReport {
+  std::string input{}, folder{};
+  std::size_t files = 0, samples = 0;
+};
+
+std::string text_of(const JointsReport& report) {
+  return formatted("{} from {} written to {} in {}: CLIP/JOINT\n", counted(report.samples, "sample"),
+                   printable(report.input), counted(report.files, "file"), printable(report.folder));
+}
+
+Json json_of(const JointsReport& report) {
+  return {{"input", report.input}, {"output", report.folder}, {"files", report.files}, {"samples", report.samples}};
 }
 
 /// What was written into a file of skeletons.
@@ -138,41 +197,51 @@ bool asks_for_stored(const SampleOptions& options) {
 }
 
 Expected<void> sample_stored(const SampleOptions& options) {
-  if (auto fits = check_stored(options); !fits) return fits;
-  SampleOptions without_method = options;
-  without_method.method.reset();
-  const auto request = sample_request(without_method);
+  const auto request = stored_request(options);
   if (!request) return tl::unexpected(request.error());
-  const auto source = stored_motion(request->input);
-  if (!source) return tl::unexpected(source.error());
-  const Domain domain = source->curve.orientation.domain();
-  const TimeRequest wanted = anchored(request->times, Decimal());
-  const auto times = SampleTimes::make(wanted, Decimal(), domain);
-  if (!times) return tl::unexpected(times.error());
-  if (request->extrapolation == Extrapolation::hold) warn(range_warnings(wanted, Decimal(), domain));
-  if (request->extrapolation == Extrapolation::error)
-    if (auto stray = times->outside(domain)) return tl::unexpected(std::move(*stray));
-  const io::SampleColumns columns = with_positions(request->columns, source->curve.position.has_value());
-  SampleReport report{.input = options.input.path,
-                      .output = request->output,
-                      .method = std::string(stored_method),
-                      .method_text = std::string(stored_method),
-                      .keys = source->keys,
-                      .columns = columns,
-                      .samples = times->size(),
-                      .extrapolation = request->extrapolation,
-                      .start = Decimal::from_double(domain.start),
-                      .end = Decimal::from_double(domain.end),
-                      .keys_held = true};
-  const Sampling sampling{source->curve, *times, columns, request->extrapolation, request->threads, nullptr};
-  return open_samples(request->output, columns, times->size())
-      .and_then([&](Noted<io::SampleWriter> output) {
-        return write_samples(output.file, sampling, request->progress).and_then([&](std::size_t held) {
-          report.held_samples = held;
-          return put_in_place(std::move(output));
+  const auto scene = opened(request->input);
+  if (!scene) return tl::unexpected(scene.error());
+  return scenes::only_clip(*scene)
+      .and_then([&](const Clip* clip) {
+        return scenes::joint_in(*scene, *clip, request->input.read.scene.joint).and_then([&](std::size_t joint) {
+          return sample_joint(*request, *scene, *clip, joint);
         });
       })
-      .and_then([&] { return summarise(options.summary, report); });
+      .and_then([&](const SampleReport& report) { return summarise(options.summary, report); });
+}
+
+bool asks_for_all_joints(const SampleOptions& options) {
+  return options.inputs.folder && options.inputs.paths.size() == 1 && is_scene(options.inputs.paths.front()) &&
+         options.method.value_or(std::string(stored_method)) == stored_method;
+}
+
+Expected<void> sample_all_joints(const SampleOptions& options) {
+  SampleOptions one = options;
+  one.input.path = options.inputs.paths.front();
+  auto request = stored_request(one);
+  if (!request) return tl::unexpected(std::move(request.error()));
+  const auto extension = folder_extension(options.output, "samples");
+  if (!extension) return tl::unexpected(extension.error());
+  const auto scene = opened(request->input);
+  if (!scene) return tl::unexpected(scene.error());
+  JointsReport report{.input = one.input.path, .folder = *options.inputs.folder};
+  FileNames folders;
+  for (const Clip& clip : scene->clips) {
+    const std::string folder = formatted("{}/{}", *options.inputs.folder, folders.unused(clip.name));
+    FileNames files;
+    for (const RotationChannel& channel : clip.rotations) {
+      const std::string& name = scene->skeleton[channel.joint].name;
+      if (request->input.read.scene.joint.value_or(name) != name) continue;
+      if (auto made = make_folder(folder); !made) return made;
+      request->output = formatted("{}/{}{}", folder, files.unused(name), extension->empty() ? ".csv" : *extension);
+      const auto sampled = sample_joint(*request, *scene, clip, channel.joint);
+      if (!sampled) return tl::unexpected(sampled.error());
+      ++report.files;
+      report.samples += sampled->samples;
+    }
+  }
+  if (report.files > 0) return summarise(options.summary, report);
+  return failure(ErrorCode::bad_data, "found no joint that turns, wanted one at least", {.file = one.input.path});
 }
 
 Expected<void> write_curve_scene(const SampleOptions& options, const SampleRequest& request, const CurveScene& source) {

@@ -13,6 +13,12 @@ namespace orispline::cli {
 /// Samples that motion.
 [[nodiscard]] Expected<void> sample_stored(const SampleOptions& options);
 
+/// Whether that is wanted of all joints, in a folder.
+[[nodiscard]] bool asks_for_all_joints(const SampleOptions& options);
+
+/// Samples every joint that turns into a file CLIP/JOINT in the folder; of a joint that is named that one of each clip.
+[[nodiscard]] Expected<void> sample_all_joints(const SampleOptions& options);
+
 /// A curve, how many keys it is through, and where samples are wanted.
 struct CurveScene {
   std::size_t keys;

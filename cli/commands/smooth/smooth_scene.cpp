@@ -88,7 +88,7 @@ void warn_of_refused(const std::vector<ClipSmoothing>& clips, const SmoothOption
     if (!first && !clip.refused.empty()) first = &clip.refused.front();
   }
   if (first)
-    warn(formatted("{} cannot be smoothed and stay as they are; {}", counted(refused, "rotation"),
+    warn(formatted("left as it is what cannot be smoothed: {}; {}", counted(refused, "rotation"),
                    describe(said_of_cutoff(options.smoothness, *first))));
 }
 
