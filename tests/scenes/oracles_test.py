@@ -1,0 +1,109 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Scenes against independent programs: three.js for the places of joints in the world, the Khronos validator for glTF files.
+
+Both need Node and a package of npm, in a folder that NODE_PATH names; where that is absent the test is skipped and says so.
+"""
+import csv
+import io
+import math
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+COMMAND, DATA = os.environ["ORISPLINE_COMMAND"], pathlib.Path(os.environ["ORISPLINE_SHARED_DATA"])
+HERE = pathlib.Path(__file__).parent
+MAGE, CMU = DATA / "gltf/kaykit_mage_76clips.glb", DATA / "mocap/cmu_01_01_fairmotion.bvh"
+
+
+def skip(reason):
+    print("skipped:", reason)
+    sys.exit(77)
+
+
+def node(script, *arguments):
+    try:
+        return subprocess.run(["node", HERE / script, *map(str, arguments)], capture_output=True, text=True)
+    except FileNotFoundError:
+        skip("no node")
+
+
+def orispline(*arguments):
+    done = subprocess.run([COMMAND, *map(str, arguments)], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def poses_of_three(file, clip, times):
+    """Joint and time to position and quaternion."""
+    done = node("three_poses.mjs", file, clip, *times)
+    if done.returncode == 77:
+        skip(done.stderr.strip())
+    assert done.returncode == 0, done.stderr
+    rows = (line.split("\t") for line in done.stdout.splitlines())
+    return {(row[0], float(row[1])): [float(cell) for cell in row[2:]] for row in rows}
+
+
+def our_poses(file, clip, joint, times, folder):
+    listed = folder / "times.csv"
+    listed.write_text("t\n" + "".join(f"{t}\n" for t in times))
+    text = orispline("sample", file, "--clip", clip, "--joint", joint, "--space", "world", "--times", listed,
+                     "--derivatives", "0", "--quiet")
+    return [[float(row[name]) for name in ("px", "py", "pz", "qw", "qx", "qy", "qz")]
+            for row in csv.DictReader(io.StringIO(text))]
+
+
+def check_places(file, clip, joints, times, within, folder):
+    """`within`: of positions, in the unit of the file, and of quaternions."""
+    theirs = poses_of_three(file, clip, times)
+    worst = [0.0, 0.0]
+    for joint in joints:
+        for t, ours in zip(times, our_poses(file, clip, joint, times, folder)):
+            other = theirs[joint, t]
+            sign = math.copysign(1.0, sum(a * b for a, b in zip(ours[3:], other[3:])))
+            worst[0] = max(worst[0], math.dist(ours[:3], other[:3]))
+            worst[1] = max(worst[1], math.dist(ours[3:], [sign * x for x in other[3:]]))
+    print(f"{pathlib.Path(file).name} {clip}: {worst[0]:.2g} in place, {worst[1]:.2g} in the quaternion")
+    assert worst[0] <= within[0] and worst[1] <= within[1], (file, clip, worst)
+
+
+def check_with_three(folder):
+    small, walk = folder / "small.glb", folder / "walk.glb"
+    orispline("reduce", MAGE, "--clip", "Walking_A", "--tolerance", "1deg", "-o", small, "--quiet")
+    orispline("convert", CMU, "-o", walk, "--quiet")
+    joints, times = ["hips", "hand.r", "handslot.l", "head", "toes.r"], [0.0, 0.1, 0.31, 0.7, 1.06]
+    for clip in ("Walking_A", "2H_Melee_Attack_Chop", "Sit_Chair_Down"):
+        check_places(MAGE, clip, joints, times, (2e-6, 2e-6), folder)
+    check_places(small, "Walking_A", joints, times, (2e-6, 2e-6), folder)
+    for file in (CMU, walk):  # three.js holds times and angles of BVH as float32
+        check_places(file, CMU.stem, ["Hips", "LeftHand", "Head", "RightFoot"], [0.0, 5.0, 11.125, 22.9], (3.5e-5, 1e-5), folder)
+
+
+def check_with_validator(folder):
+    def found(file):
+        done = node("validate.mjs", file)
+        if done.returncode == 2:
+            skip(done.stderr.strip())
+        return {line.split(": ", 1)[1] for line in done.stdout.splitlines() if line.startswith(f"{file}: ")
+                and line.split(": ", 1)[1].startswith(("error", "warning"))}
+
+    before = found(MAGE)
+    for name, arguments in {
+            "small.glb": ["reduce", MAGE, "--tolerance", "0.21deg"],
+            "world.gltf": ["reduce", MAGE, "--world-tolerance", "2mm", "--clip", "Walking_A", "--clip", "Idle"],
+            "linear.glb": ["reduce", MAGE, "--tolerance", "1deg", "--method", "slerp", "--clip", "Walking_A"],
+            "walk.glb": ["convert", CMU],
+            "flight.glb": ["sample", HERE.parents[1] / "examples/data/flight_keys.csv", "--tolerance", "0.03deg"],
+            "even.gltf": ["sample", HERE.parents[1] / "examples/data/flight_keys.csv", "--rate", "10"]}.items():
+        orispline(*arguments, "-o", folder / name, "--quiet")
+        new = found(folder / name) - before
+        print(f"{name}: {len(new)} errors and warnings that the input has not")
+        assert not new, new
+
+
+if not MAGE.exists():
+    skip(f"no {MAGE}")
+with tempfile.TemporaryDirectory() as made:
+    {"three": check_with_three, "validator": check_with_validator}[sys.argv[1]](pathlib.Path(made))
