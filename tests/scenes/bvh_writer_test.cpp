@@ -153,9 +153,9 @@ TEST(BvhWriter, OneClipIsWanted) {
   Scene scene = still({0});
   for (const char* name : {"walk", "run\n", "sit", "lie", "fly"}) scene.clips.push_back({.name = name});
   EXPECT_EQ(warnings_of(write_bvh(scene))[0],
-            "found 6 clips ('made', 'walk', 'run?', 'sit', 'lie', …), wanted one clip");
+            "found 6 clips, wanted one of 'made', 'walk', 'run?', 'sit', 'lie', 'fly' (option clip)");
   scene.clips.clear();
-  EXPECT_EQ(warnings_of(write_bvh(scene))[0], "found no clip, wanted one clip");
+  EXPECT_EQ(warnings_of(write_bvh(scene))[0], "found no clip, wanted one");
 }
 
 TEST(BvhWriter, ScalesAndTheStartAreDroppedWithAWarning) {

@@ -76,11 +76,17 @@ Expected<ClipDifference> compared(const scenes::Scene& first, const scenes::Scen
   return result;
 }
 
-Expected<scenes::Scene> opened(const std::string& path, const std::vector<std::string>& clips) {
-  return scenes::read_scene(path).and_then([&](scenes::Scene scene) {
+Expected<scenes::Scene> opened(const std::string& path) {
+  return scenes::read_scene(path).map([](scenes::Scene scene) {
     warn(scene.warnings);
-    return scenes::with_clips(std::move(scene), clips);
+    return scene;
   });
+}
+
+/// The chosen clips. The only clip of a file is the one that is compared, whatever its name.
+Expected<scenes::Scene> with_chosen(scenes::Scene scene, const std::vector<std::string>& clips) {
+  if (scene.clips.size() == 1 && clips.size() == 1) return scene;
+  return scenes::with_clips(std::move(scene), clips);
 }
 
 }  // namespace
@@ -89,8 +95,10 @@ Expected<void> difference(const DifferenceOptions& options) {
   FirstError checked;
   const double shell = checked(options_in<orispline::ClipReduceOptions>(options.shell)).shell;
   const auto rate = checked(if_given("--rate", options.rate, [](OptionText text) { return positive_in(text); }));
-  const auto first = checked(opened(options.first, options.clips)),
-             second = checked(opened(options.second, options.clips));
+  const auto open = [&](const std::string& path) {
+    return opened(path).and_then([&](scenes::Scene scene) { return with_chosen(std::move(scene), options.clips); });
+  };
+  const auto first = checked(open(options.first)), second = checked(open(options.second));
   DifferenceReport report{.first = options.first, .second = options.second, .shell = shell};
   if (auto understood = std::move(checked).or_else(true); !understood) return tl::unexpected(understood.error());
   const std::vector<ClipPair> pairs = pairs_of(first, second, report);

@@ -9,23 +9,12 @@
 #include <orispline/base/number_text.hpp>
 #include <orispline/base/quoted.hpp>
 #include <orispline/scenes/bvh_numbers.hpp>
+#include <orispline/scenes/scene_tracks.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::scenes::bvh {
 namespace {
 
-constexpr std::size_t names_shown = 5;
 constexpr std::size_t most_numbers = std::size_t{1} << 28;  // of all frames: 2 GiB in memory, more as text
-
-Expected<const Clip*> only_clip_of(const Scene& scene) {
-  if (scene.clips.size() == 1) return &scene.clips.front();
-  std::string names;
-  for (const Clip& clip : std::span(scene.clips).first(std::min(scene.clips.size(), names_shown)))
-    names += formatted("{}{}", names.empty() ? "" : ", ", in_quotes(clip.name));
-  if (scene.clips.size() > names_shown) names += ", …";
-  return failure(ErrorCode::bad_data,
-                 scene.clips.empty() ? "found no clip, wanted one clip"
-                                     : formatted("found {} clips ({}), wanted one clip", scene.clips.size(), names));
-}
 
 Expected<EulerOrder> order_of(const SceneWriting& writing) {
   const EulerOrder order = writing.euler.value_or(EulerOrder{});
@@ -192,7 +181,7 @@ class Writer {
 }  // namespace
 
 Expected<SceneWritten> write(const Scene& scene, const std::string& path, const SceneWriting& writing) {
-  const auto clip = only_clip_of(scene);
+  const auto clip = only_clip(scene);
   if (!clip) return tl::unexpected(clip.error());
   const auto order = order_of(writing);
   if (!order) return tl::unexpected(order.error());
