@@ -60,9 +60,12 @@ Expected<void> convert_scene(const ConvertOptions& options, const InputRequest& 
                               .joints = scene->skeleton.size(),
                               .clips = scene->clips.size(),
                               .counts = counts_of(*scene)};
-  return write_scene(options.output.path, *scene, *understood).and_then([&] {
-    return summarise(options.summary, report);
-  });
+  return write_scene(options.output.path, *scene, *understood)
+      .map_error([&](Error error) {
+        if (error.where.file.empty()) error.where.file = input.path;
+        return error;
+      })
+      .and_then([&] { return summarise(options.summary, report); });
 }
 
 }  // namespace orispline::cli

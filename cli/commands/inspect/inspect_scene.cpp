@@ -19,6 +19,12 @@ std::string tracks_text(std::size_t tracks, std::size_t keys) {
   return tracks == 0 ? "none" : formatted("{} with {}", counted(tracks, "track"), counted(keys, "key"));
 }
 
+std::string rotations_text(const SceneCounts& counts) {
+  const std::string text = tracks_text(counts.rotation_tracks, counts.rotation_keys);
+  return counts.rotation_tracks == 0 ? text
+                                     : formatted("{}, {} of them constant", text, counts.constant_rotation_tracks);
+}
+
 std::string step_text(const SceneCounts& counts) {
   if (counts.widest_step == 0.0) return "none";
   return formatted("{:.4g}° of joint {} after {:.6g} s", counts.widest_step * degrees,
@@ -36,10 +42,9 @@ std::string line_of(const Skeleton& skeleton, const Clip& clip, std::size_t widt
 std::string text_of(const scenes::Scene& scene) {
   const SceneCounts counts = counts_of(scene);
   std::string text = formatted(
-      "{} ({})\njoints        {}\nclips         {}\nrotations     {}, {} of them constant\ntranslations  {}\n"
+      "{} ({})\njoints        {}\nclips         {}\nrotations     {}\ntranslations  {}\n"
       "scales        {}\nsign flips    {}\nwidest step   {}\n",
-      printable(scene.name), scene.format->title, scene.skeleton.size(), scene.clips.size(),
-      tracks_text(counts.rotation_tracks, counts.rotation_keys), counts.constant_rotation_tracks,
+      printable(scene.name), scene.format->title, scene.skeleton.size(), scene.clips.size(), rotations_text(counts),
       tracks_text(counts.translation_tracks, counts.translation_keys),
       tracks_text(counts.scale_tracks, counts.scale_keys), counts.sign_flips, step_text(counts));
   if (scene.clips.empty()) return text;
@@ -74,6 +79,8 @@ bool is_about_scene(const InspectOptions& options, const InputRequest& input) {
 }
 
 Expected<void> inspect_scene(const InspectOptions& options, const InputRequest& input) {
+  if (input.read.scene.space == io::SceneTrack::Space::world)
+    return usage_failure("--space: found no joint, wanted --joint NAME as well");
   const auto scene = open_scene(input);
   if (!scene) return tl::unexpected(scene.error());
   warn(scene->warnings);

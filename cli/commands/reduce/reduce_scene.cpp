@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/base/quoted.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/reduce/clip_reduction_fields.hpp>
 #include <orispline/reduce/reduce_fields.hpp>
@@ -48,8 +49,9 @@ Expected<void> check_clips(const ReduceOptions& options) {
   if (is_given(options.reduction, "values"))
     return usage_failure("--refit: found a file of skeletons, wanted keys of one track as the output");
   if (scenes::scene_format_of(options.output.path) != &scenes::gltf_format)
-    return usage_failure(
-        formatted("{}: found a file that holds every frame, wanted glTF, such as small.glb", options.output.option));
+    return usage_failure(formatted("{}: found '{}', but {} holds every frame; wanted glTF, such as small.glb",
+                                   options.output.option, printable(options.output.path),
+                                   scenes::scene_format_of(options.output.path)->title));
   if (is_given(options.reduction, "tolerance") || is_given(options.scene, "world_tolerance")) return {};
   return usage_failure("--tolerance is required, or --world-tolerance");
 }

@@ -58,6 +58,11 @@ std::string tolerances_of(const orispline::ClipReduceOptions& options) {
   return text;
 }
 
+std::string size_text(std::size_t bytes) {
+  const bool is_large = bytes >= 1'000'000;
+  return formatted("{:.3g} {}", static_cast<double>(bytes) * (is_large ? 1e-6 : 1e-3), is_large ? "MB" : "kB");
+}
+
 Json worst_json(const ReduceSceneReport& report, const ClipReduction* reduction, const ClipReduction::Worst& worst,
                 double unit) {
   return {{"largest", worst.largest.value * unit},
@@ -95,8 +100,7 @@ std::string text_of(const ReduceSceneReport& report) {
                       place_of(report, *totals.distance, totals.distance->distance), report.options.shell);
   text += formatted("written to {}", destination(report.output));
   if (report.bytes_before > 0)
-    text += formatted(": {:.3g} MB of {:.3g} MB", static_cast<double>(report.bytes_after) * 1e-6,
-                      static_cast<double>(report.bytes_before) * 1e-6);
+    text += formatted(": {} of {}", size_text(report.bytes_after), size_text(report.bytes_before));
   return text + "\n";
 }
 

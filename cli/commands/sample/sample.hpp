@@ -25,7 +25,7 @@ struct SampleOptions {
   TimeOptions times;
   OutputOptions output;
   std::optional<std::string> derivatives, frame, extrapolate, truth, band;
-  std::optional<std::string> tolerance;  ///< of a file of skeletons
+  std::optional<std::string> tolerance, position_tolerance;  ///< of a file of skeletons
   SummaryOptions summary;
 };
 

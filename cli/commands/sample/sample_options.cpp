@@ -90,6 +90,10 @@ void add_sample_options(Command& app, SampleOptions& o) {
                  "Largest angle between the curve and the cubics of a glTF file, in the place of --rate [0.01deg]")
       ->type_name("ANGLE")
       ->group(group);
+  app.add_option("--position-tolerance", o.position_tolerance,
+                 "Largest distance between the path and the cubics of a glTF file [1mm]")
+      ->type_name("LENGTH")
+      ->group(group);
   app.add_option("--band", o.band,
                  "Column band [rad]: the radius about the curve of 'measured' that is meant to hold this share of the "
                  "true motion, such as 0.9")

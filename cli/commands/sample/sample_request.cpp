@@ -56,8 +56,8 @@ bool names_times(const TimeOptions& times) { return times.rate || times.count ||
 
 constexpr std::string_view default_cubic_tolerance = "0.01deg";
 
-Expected<double> angle_in(OptionText option) {
-  return typed::measured(option.text, units::angle, 1)
+Expected<double> measured_in(OptionText option, std::span<const Unit> units) {
+  return typed::measured(option.text, units, 1)
       .map([](const Measured& found) { return found.numbers.front(); })
       .map_error([&](Error error) {
         error.message = formatted("{}: {}", option.option, error.message);
@@ -68,16 +68,24 @@ Expected<double> angle_in(OptionText option) {
 /// Of a file of skeletons: how near its cubics are to the curve, unless it gets samples.
 Expected<std::optional<double>> tolerance_in(const SampleOptions& options) {
   if (!is_scene(options.output.path)) {
-    if (options.tolerance)
-      return usage_failure("--tolerance: found samples in rows, wanted a file of cubics, such as motion.glb");
+    if (options.tolerance || options.position_tolerance)
+      return usage_failure(formatted("{}: found samples in rows, wanted a file of cubics, such as motion.glb",
+                                     options.tolerance ? "--tolerance" : "--position-tolerance"));
     return std::optional<double>();
   }
   if (names_times(options.times)) {
-    if (!options.tolerance) return std::optional<double>();
+    if (!options.tolerance && !options.position_tolerance) return std::optional<double>();
     return usage_failure("--tolerance: found --rate, --count or --times too, wanted one of them");
   }
-  return angle_in({"--tolerance", options.tolerance ? std::string_view(*options.tolerance) : default_cubic_tolerance})
+  return measured_in(
+             {"--tolerance", options.tolerance ? std::string_view(*options.tolerance) : default_cubic_tolerance},
+             units::angle)
       .map([](double angle) { return std::optional(angle); });
+}
+
+Expected<double> position_tolerance_in(const SampleOptions& options) {
+  if (!options.position_tolerance) return SampleRequest().position_tolerance;
+  return measured_in({"--position-tolerance", *options.position_tolerance}, units::length);
 }
 
 /// Those of a file of skeletons are where its keys are, unless they are asked for.
@@ -118,6 +126,7 @@ Expected<SampleRequest> sample_request(const SampleOptions& options) {
       .truth = options.truth,
       .band = checked(if_given("--band", options.band, share_in)),
       .tolerance = checked(tolerance_in(options)),
+      .position_tolerance = checked(position_tolerance_in(options)),
       .progress = progress_for(options)};
   auto read = std::move(checked).or_else(std::move(request));
   if (!read) return read;

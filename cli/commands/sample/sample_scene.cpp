@@ -130,16 +130,20 @@ Json json_of(const JointsReport& report) {
 struct CurveSceneReport {
   std::string input{}, output{}, method{};
   std::size_t keys = 0, keys_written = 0, positions_written = 0;
-  std::optional<double> tolerance{}, largest{};  ///< [rad], of cubics
+  std::optional<double> tolerance{}, largest{};             ///< [rad], of cubics
+  double position_tolerance = 0.0, largest_position = 0.0;  ///< [m]
 };
 
 std::string text_of(const CurveSceneReport& report) {
   std::string text = formatted("{} from {}, {}\n", counted(report.keys, "key"), printable(report.input), report.method);
-  if (report.largest)
-    text += formatted("{} of cubics written to {}, at most {:.4g}° from the curve (tolerance {:.4g}°)\n",
-                      counted(report.keys_written, "key"), destination(report.output), *report.largest * degrees,
-                      *report.tolerance * degrees);
-  else text += formatted("{} written to {}\n", counted(report.keys_written, "sample"), destination(report.output));
+  if (!report.largest)
+    return text + formatted("{} written to {}\n", counted(report.keys_written, "sample"), destination(report.output));
+  text += formatted("{} of rotations, at most {:.4g}° from the curve (tolerance {:.4g}°)\n",
+                    counted(report.keys_written, "key"), *report.largest * degrees, *report.tolerance * degrees);
+  if (report.positions_written > 0)
+    text += formatted("{} of positions, at most {:.4g} m from the path (tolerance {:.4g} m)\n",
+                      counted(report.positions_written, "key"), report.largest_position, report.position_tolerance);
+  text += formatted("written to {} as cubics\n", destination(report.output));
   return text;
 }
 
@@ -153,21 +157,23 @@ Json json_of(const CurveSceneReport& report) {
   if (report.largest) {
     json["tolerance_deg"] = *report.tolerance * degrees;
     json["error_max_deg"] = *report.largest * degrees;
+    if (report.positions_written > 0) json["position_error_max_m"] = report.largest_position;
   }
   return json;
 }
 
-/// As many metres as radians: 0.01° is 0.17 mm.
-constexpr double metres_per_radian = 1.0;
-
-CurveSceneReport add_cubics(Clip& clip, const PoseCurve& curve, double tolerance) {
-  auto rotation = cubic_channel(curve.orientation, tolerance);
-  CurveSceneReport report{
-      .keys_written = rotation.channel.size(), .tolerance = tolerance, .largest = rotation.largest_distance};
+CurveSceneReport add_cubics(Clip& clip, const PoseCurve& curve, const SampleRequest& request) {
+  auto rotation = cubic_channel(curve.orientation, *request.tolerance);
+  CurveSceneReport report{.keys_written = rotation.channel.size(),
+                          .tolerance = request.tolerance,
+                          .largest = rotation.largest_distance,
+                          .position_tolerance = request.position_tolerance};
   clip.rotations.push_back(std::move(rotation.channel));
   if (!curve.position) return report;
-  clip.translations.push_back(cubic_channel(*curve.position, tolerance * metres_per_radian).channel);
-  report.positions_written = clip.translations.back().size();
+  auto translation = cubic_channel(*curve.position, request.position_tolerance);
+  report.positions_written = translation.channel.size();
+  report.largest_position = translation.largest_distance;
+  clip.translations.push_back(std::move(translation.channel));
   return report;
 }
 
@@ -251,8 +257,8 @@ Expected<void> write_curve_scene(const SampleOptions& options, const SampleReque
     return usage_failure("-o: found a file that holds every frame, wanted glTF, such as motion.glb");
   Clip clip{.name = std::string(file_name_of(request.input.path))};
   clip.name = clip.name.substr(0, clip.name.rfind('.'));
-  CurveSceneReport report = request.tolerance ? add_cubics(clip, source.curve, *request.tolerance)
-                                              : add_samples(clip, source.curve, source.times);
+  CurveSceneReport report =
+      request.tolerance ? add_cubics(clip, source.curve, request) : add_samples(clip, source.curve, source.times);
   report.input = request.input.path;
   report.output = request.output;
   report.method = request.method.name;
