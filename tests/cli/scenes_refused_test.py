@@ -56,7 +56,7 @@ class Refused(SceneTest):
                 ("sample keys.csv --tolerance 1deg -o keys.bvh", BAD_USAGE, "-o: found", "wanted glTF"),
                 ("difference arm.bvh swing.gltf --shell 0cm", BAD_USAGE, "--shell: found '0cm'"),
                 ("difference arm.bvh swing.gltf --rate 0", BAD_USAGE, "--rate: found '0'"),
-                ("difference arm.bvh keys.csv", BAD_USAGE, "keys.csv", ".bvh, .glb, .gltf"),
+                ("difference arm.bvh keys.csv", BAD_USAGE, "keys.csv", ".bvh", ".glb, .gltf"),
                 ("difference arm.bvh nothing.glb", BAD_ACCESS, "nothing.glb: cannot read"),
                 ("inspect arm.bvh --joint Wrist", BAD_DATA, "found no joint 'Wrist'", joints)):
             with self.subTest(arguments):
@@ -75,8 +75,8 @@ class Refused(SceneTest):
                     self.assert_refused(arguments, BAD_DATA, f"{name}")
 
     def test_an_unknown_extension_is_no_file_of_skeletons(self):
-        shutil.copy(self.folder / "arm.bvh", self.folder / "arm.fbx")
-        self.assert_refused("difference arm.bvh arm.fbx", BAD_USAGE, "arm.fbx: ", ".bvh, .glb, .gltf")
+        shutil.copy(self.folder / "arm.bvh", self.folder / "arm.usd")
+        self.assert_refused("difference arm.bvh arm.usd", BAD_USAGE, "arm.usd: ", ".bvh", ".glb, .gltf")
         self.assert_refused("convert arm.bvh -o arm.abc", BAD_USAGE, "-o: found 'arm.abc'")
 
     def test_a_place_that_is_not_there_is_told(self):
