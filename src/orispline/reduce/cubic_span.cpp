@@ -7,7 +7,12 @@
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
-constexpr int rounds_of_radii = 3, rounds_of_weights = 24;
+constexpr int rounds_of_radii = 3, rounds_of_directions = 2, rounds_of_weights = 24;
+/// Lengths of the polynomial of a quaternion at its targets: readers that do not normalise at once shall not see
+/// others.
+constexpr double shortest_radius = 0.5, longest_radius = 2.0;
+/// What a radius that is off 1 weighs beside a direction that is off as much.
+constexpr double weight_of_radius = 1e-4;
 /// Misses farther than this many tolerances are not brought within it by weights.
 constexpr double hopeless = 3.0;
 
@@ -45,6 +50,33 @@ class CubicSpans<P>::Fit {
     return measured();
   }
 
+  /// Solves for all components of both tangents at once so that the directions are right, whatever the radii but for
+  /// a small weight, and returns the largest square miss.
+  double solve_directions() {
+    using Part = Eigen::Matrix<double, size, size>;
+    using Square = Eigen::Matrix<double, 2 * size, 2 * size>;
+    Square normal = Square::Zero();
+    Eigen::Matrix<double, 2 * size, 1> right = Eigen::Matrix<double, 2 * size, 1>::Zero();
+    for (std::size_t k = 0; k < terms_.size(); ++k) {
+      const Term& term = terms_[k];
+      const Components<P> p = term.fixed + tangents_.transpose() * term.basis, &q = point(k);
+      const double weight = term.weight / std::max(p.squaredNorm(), shortest_radius * shortest_radius);
+      const Part counted = Part::Identity() - (1.0 - weight_of_radius) * q * q.transpose();
+      const Components<P> miss = weight * (counted * (q - p));
+      const Eigen::Vector2d& basis = term.basis;
+      normal.template topLeftCorner<size, size>() += weight * basis[0] * basis[0] * counted;
+      normal.template bottomLeftCorner<size, size>() += weight * basis[0] * basis[1] * counted;
+      normal.template bottomRightCorner<size, size>() += weight * basis[1] * basis[1] * counted;
+      right.template head<size>() += basis[0] * miss;
+      right.template tail<size>() += basis[1] * miss;
+    }
+    normal.diagonal().array() += 1e-9 * normal.trace();
+    const Eigen::Matrix<double, 2 * size, 1> step = normal.template selfadjointView<Eigen::Lower>().ldlt().solve(right);
+    tangents_.row(0) += step.template head<size>();
+    tangents_.row(1) += step.template tail<size>();
+    return measured();
+  }
+
   /// Every target's weight by its miss, as against the largest.
   void weigh(double largest) {
     for (Term& term : terms_) term.weight = std::max(term.weight * std::sqrt(term.miss / largest), 1e-9);
@@ -73,7 +105,8 @@ class CubicSpans<P>::Fit {
       const Components<P> p = term.fixed + tangents_.transpose() * term.basis;
       if constexpr (std::same_as<P, Eigen::Quaterniond>) {
         term.radius = p.dot(point(k));
-        term.miss = term.radius > 0.0 ? square_miss(p, point(k)) / p.squaredNorm() : 1.0;
+        const bool is_sound = term.radius > shortest_radius && term.radius < longest_radius;
+        term.miss = is_sound ? square_miss(p, point(k)) / p.squaredNorm() : 1.0;
       } else {
         term.miss = (p - point(k)).squaredNorm();
       }
@@ -105,6 +138,9 @@ std::optional<CubicTangents<P>> CubicSpans<P>::within(std::size_t i, std::size_t
   double largest = 0.0, before = std::numeric_limits<double>::infinity();
   for (int round = 0; round < rounds_of_radii; ++round)
     if ((largest = fit.solve()) <= square_bound_) return fit.tangents();
+  if constexpr (std::same_as<P, Eigen::Quaterniond>)
+    for (int round = 0; round < rounds_of_directions && j - i > 4; ++round)
+      if ((largest = fit.solve_directions()) <= square_bound_) return fit.tangents();
   for (int round = 0; round < rounds_of_weights; ++round) {
     if (!(largest <= hopeless * hopeless * square_bound_)) break;
     fit.weigh(largest);

@@ -30,8 +30,10 @@ struct CubicTangents {
 /// from one target to another, is within the tolerance of all between.
 ///
 /// The tangents are found by linear least squares. What a quaternion's radius should be is not known: each round scales
-/// the targets to the lengths that the polynomial had there. Where the worst target is missed by little, further rounds
-/// weigh each target by its miss (Lawson), which leads towards the tangents that miss the worst one least.
+/// the targets to the lengths that the polynomial had there. These rounds go slowly where it should be far from 1; then
+/// the misses across the targets alone are made least, for all components at once, with lengths from a half to 2. Where
+/// the worst target is missed by little, further rounds weigh each target by its miss (Lawson), which leads towards the
+/// tangents that miss the worst one least.
 /// A span turns by 180° at most. Source: our own derivation, docs/skeletons.md.
 template <CurvePoint P>
 class CubicSpans {
