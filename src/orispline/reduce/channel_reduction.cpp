@@ -2,11 +2,13 @@
 #include <orispline/reduce/channel_reduction.hpp>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include <orispline/clip/channel_curve.hpp>
 #include <orispline/clip/cubic_channel.hpp>
 #include <orispline/families/registry.hpp>
+#include <orispline/reduce/cubic_samples.hpp>
 #include <orispline/reduce/reduce.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {

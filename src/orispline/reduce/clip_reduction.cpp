@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include <orispline/base/formatted.hpp>

@@ -2,13 +2,12 @@
 #pragma once
 
 #include <limits>
-#include <optional>
 #include <span>
 #include <vector>
 
 #include <orispline/clip/clip_difference.hpp>
 #include <orispline/curve/method.hpp>
-#include <orispline/reduce/cubic_samples.hpp>
+#include <orispline/reduce/between_samples.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
 

@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <orispline/base/expected.hpp>
 #include <orispline/clip/channel.hpp>
+#include <orispline/reduce/between_samples.hpp>
 #include <orispline/reduce/cubic_keys.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
-
-/// What the motion between the samples of a recording is taken to be.
-enum class BetweenSamples {
-  smooth,  ///< the curve `auto` through all samples
-  stored   ///< what the channel says: its own interpolation
-};
 
 /// The keys of a channel as samples, and three points between two of them. A `cubicspline` is its own motion in any
 /// case.
