@@ -19,7 +19,7 @@ FLOORS = {  # folder of src/orispline -> what it may include besides itself
 CLI_FLOORS = {"options": set(), "output": {"options"}, "papers": {"options", "output"},
               "commands": {"options", "output"}}  # folder of cli -> likewise; each folder of commands is one for itself
 GUESTS = {"fast_float/": "src/orispline/io/", "CLI/": "cli/options/command.cpp", "nlohmann/": ("cli/output/json_document.cpp", "src/orispline/scenes/gltf"),
-          "benchmark/": "benchmarks/", "glm/": "benchmarks/",
+          "assimp/": "src/orispline/scenes/assimp.cpp", "benchmark/": "benchmarks/", "glm/": "benchmarks/",
           "smooth/so3": "benchmarks/", "smooth/spline/": "benchmarks/", "sophus/": "benchmarks/", "basalt/": "benchmarks/"}  # third party -> its only room
 ROOMS = ("src", "cli", "tests", "examples", "tools", "bindings", "benchmarks")
 FILE_LINES, FUNCTION_LINES, MEDIAN_LINES = 300, 60, 200

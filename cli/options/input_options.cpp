@@ -35,10 +35,26 @@ Expected<io::Clock> clock_in(const InputOptions& options) {
   return reading_in(options).map([](const io::Reading& reading) { return reading.options.clock; });
 }
 
+/// Of files that are no tables most options have nothing to say.
+Expected<void> check_reading(const InputOptions& options, const io::Reading& reading) {
+  const io::FormatInfo* const format =
+      reading.options.format ? reading.options.format : io::format_of_extension(options.path);
+  if (!format || !format->reading.tracks) return {};
+  constexpr std::array<std::string_view, 6> fitting{"input_format", "clip",  "joint",
+                                                    "space",        "signs", "drop_duplicates"};
+  for (const auto& [name, typed] : options.reading)
+    if (typed.are_given() && std::ranges::find(fitting, name) == fitting.end())
+      return usage_failure(
+          formatted("{}: found {}, which is no table and takes no such option", flag_of(name), format->file));
+  return {};
+}
+
 Expected<InputRequest> input_request(const InputOptions& options) {
   if (options.path.empty()) return usage_failure("INPUT: found an empty name, wanted FILE or -");
-  return reading_in(options).map([&](io::Reading reading) {
-    return InputRequest{.path = options.path, .read = std::move(reading.options), .signs = reading.signs};
+  return reading_in(options).and_then([&](io::Reading reading) {
+    return check_reading(options, reading).map([&] {
+      return InputRequest{.path = options.path, .read = std::move(reading.options), .signs = reading.signs};
+    });
   });
 }
 

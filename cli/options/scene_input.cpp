@@ -9,8 +9,17 @@ namespace orispline::cli {
 
 bool is_scene(const std::string& path) { return scenes::scene_format_of(path) != nullptr; }
 
+bool is_scene(const InputRequest& input) {
+  return input.read.format ? scenes::scene_format_named(input.read.format->id) != nullptr : is_scene(input.path);
+}
+
+scenes::SceneReading scene_reading(const InputRequest& input) {
+  return {.drop_duplicates = input.read.drop_duplicates,
+          .format = input.read.format ? scenes::scene_format_named(input.read.format->id) : nullptr};
+}
+
 Expected<scenes::Scene> open_scene(const InputRequest& input) {
-  if (!is_scene(input.path))
+  if (!is_scene(input))
     return io::read_track(input.path, input.read, input.signs).and_then([](const io::TrackFile& file) {
       return scenes::scene_of(file.track);
     });
@@ -18,8 +27,9 @@ Expected<scenes::Scene> open_scene(const InputRequest& input) {
     return usage_failure("--joint: found an output that holds all joints, wanted one of a single track, such as CSV");
   if (input.read.scene.space == io::SceneTrack::Space::world)
     return usage_failure("--space: found an output that holds all joints, wanted one of a single track, such as CSV");
-  return scenes::read_scene(input.path, {.drop_duplicates = input.read.drop_duplicates})
-      .and_then([&](scenes::Scene scene) { return scenes::with_clips(std::move(scene), input.read.scene.clips); });
+  return scenes::read_scene(input.path, scene_reading(input)).and_then([&](scenes::Scene scene) {
+    return scenes::with_clips(std::move(scene), input.read.scene.clips);
+  });
 }
 
 Expected<scenes::SceneWriting> scene_writing(const OutputOptions& options) {
@@ -28,7 +38,7 @@ Expected<scenes::SceneWriting> scene_writing(const OutputOptions& options) {
     if (!text) continue;
     if (name != "output_euler")
       return usage_failure(
-          formatted("{}: found '{}' with a file of skeletons, which takes --output-euler alone", flag_of(name), *text));
+          formatted("{}: found a file of skeletons as the output, which takes --output-euler alone", flag_of(name)));
     writing.euler = euler_order_of(*text);
     if (!writing.euler || writing.euler->is_proper() || writing.euler->axes != EulerOrder::Axes::of_body)
       return wanted({"--output-euler", *text}, "three different axes of the body, such as ZYX");

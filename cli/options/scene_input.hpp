@@ -14,6 +14,12 @@ namespace orispline::cli {
 /// Whether a name ends as those of files of skeletons do.
 [[nodiscard]] bool is_scene(const std::string& path);
 
+/// The same of an input, or that it is stated to be one.
+[[nodiscard]] bool is_scene(const InputRequest& input);
+
+/// How it is to be read.
+[[nodiscard]] scenes::SceneReading scene_reading(const InputRequest& input);
+
 /// The chosen clips of a file of skeletons; of a file of keys the scene of one joint that moves as they say. Errors
 /// name the file; bad_argument where one joint of many is chosen.
 [[nodiscard]] Expected<scenes::Scene> open_scene(const InputRequest& input);

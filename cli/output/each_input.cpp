@@ -123,7 +123,7 @@ Expected<std::vector<InputTurn>> turns_of(const SeveralInputs& inputs, const Wor
   if (inputs.folder->empty()) return usage_failure("--output-folder: found an empty name, wanted FOLDER");
   auto found = files_of(inputs);
   if (!found) return tl::unexpected(std::move(found.error()));
-  auto outputs = outputs_in(*inputs.folder, found->files, each.extension, inputs.list);
+  auto outputs = outputs_in(*inputs.folder, found->files, each.extension, inputs.list, each.scenes);
   if (!outputs) return tl::unexpected(std::move(outputs.error()));
   warn(found->warnings);
   std::vector<InputTurn> turns;

@@ -11,6 +11,7 @@
 #include "options/output_options.hpp"
 #include "options/several_inputs.hpp"
 #include "options/summary_options.hpp"
+#include "output/output_folder.hpp"
 
 namespace orispline::cli {
 
@@ -26,6 +27,7 @@ struct WorkOnEach {
   std::function<Expected<void>(const InputTurn&)> work;
   std::string_view extension{};  ///< of the outputs; empty: those of the inputs
   bool wants_report = false;     ///< which shows one of them
+  SceneOutputs scenes = SceneOutputs::rows;
 };
 
 /// Works on each input in threads, and says what there is to say in their order. A bad input does not stop the others.
@@ -42,6 +44,7 @@ struct CommandOnInput {
   Expected<void> (*check)(const Options&);  ///< that the options are good, before all work on several inputs
   Expected<void> (*work)(const Options&);
   std::string_view extension{};  ///< as in WorkOnEach, of a command that writes no samples
+  SceneOutputs scenes = SceneOutputs::rows;
 };
 
 /// Calls it with the only input, or with each of several that go into an output folder.
@@ -66,7 +69,8 @@ template <class Options>
   };
   WorkOnEach each{.check = [&](const InputTurn& turn) { return command.check(on(turn)); },
                   .work = [&](const InputTurn& turn) { return command.work(on(turn)); },
-                  .extension = *extension};
+                  .extension = *extension,
+                  .scenes = command.scenes};
   if constexpr (requires { options.report; }) each.wants_report = options.report.path.has_value();
   return work_on_each(options.inputs, options.summary, each);
 }

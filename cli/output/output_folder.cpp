@@ -15,6 +15,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/io/file_format.hpp>
 #include <orispline/io/output_file.hpp>
+#include <orispline/scenes/scene_format.hpp>
 
 #include "options/file_places.hpp"
 #include "options/option_text.hpp"
@@ -53,8 +54,13 @@ class FilesThere {
   std::set<Identity> files_;
 };
 
-std::string output_name(const InputFile& input, std::string_view extension) {
+std::string output_name(const InputFile& input, std::string_view extension, SceneOutputs scenes) {
   fs::path name = input.name;
+  const orispline::scenes::SceneFormat* const format = orispline::scenes::scene_format_of(input.name);
+  if (format && extension.empty() && scenes != SceneOutputs::rows) {
+    const bool is_kept = scenes == SceneOutputs::same || format == &orispline::scenes::gltf_format;
+    return is_kept ? input.name : name.replace_extension(".glb").string();
+  }
   if (!extension.empty()) name.replace_extension(extension);
   else if (!has_name_of(&io::FormatInfo::is_written, input.name))
     name.replace_extension(io::csv_format.extensions.front());
@@ -80,7 +86,8 @@ Expected<void> check_folder(const std::string& folder) {
 }
 
 Expected<std::vector<std::string>> outputs_in(const std::string& folder, std::span<const InputFile> inputs,
-                                              std::string_view extension, const std::optional<std::string>& list) {
+                                              std::string_view extension, const std::optional<std::string>& list,
+                                              SceneOutputs scenes) {
   FilesThere read;
   if (list) read.add(*list);
   std::map<std::string, const InputFile*> written;
@@ -90,7 +97,7 @@ Expected<std::vector<std::string>> outputs_in(const std::string& folder, std::sp
       return usage_failure("--output-folder: found '-' for an input, wanted files");
     if (input.name.empty()) return usage_failure(formatted("--output-folder: found '{}', wanted a file", input.path));
     read.add(input.path);
-    outputs.push_back((fs::path(folder) / output_name(input, extension)).string());
+    outputs.push_back((fs::path(folder) / output_name(input, extension, scenes)).string());
     const auto [first, is_new] = written.emplace(outputs.back(), &input);
     if (!is_new && first->second->path == input.path)
       return usage_failure(formatted("--output-folder: found {} twice, wanted each input once", input.path));

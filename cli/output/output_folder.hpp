@@ -19,12 +19,20 @@ namespace orispline::cli {
 /// Whether make_folder() would make it, or it is there; leaves nothing behind. Error: bad_access.
 [[nodiscard]] Expected<void> check_folder(const std::string& folder);
 
+/// What becomes of files of skeletons in an output folder.
+enum class SceneOutputs {
+  rows,  ///< of one joint: as of other inputs
+  same,  ///< files of the same name
+  glb,   ///< glTF, under the same name where that is it
+};
+
 /// Where the outputs of several inputs go: files of the same names in the folder, with that extension if one is given,
 /// else as they are where we write such files, else with that of CSV. Errors: bad_argument for standard input, for two
 /// outputs in one place and for an output that is an input, or the list of them.
 [[nodiscard]] Expected<std::vector<std::string>> outputs_in(const std::string& folder,
                                                             std::span<const InputFile> inputs,
                                                             std::string_view extension,
-                                                            const std::optional<std::string>& list);
+                                                            const std::optional<std::string>& list,
+                                                            SceneOutputs scenes = SceneOutputs::rows);
 
 }  // namespace orispline::cli

@@ -17,7 +17,8 @@ TEST(SceneFormat, IsToldByTheExtensionInAnyCaseOfLetters) {
 TEST(SceneFormat, OfAnotherExtensionIsAnErrorThatNamesThoseThereAre) {
   const auto scene = read_scene("keys.csv");
   ASSERT_FALSE(scene);
-  EXPECT_EQ(describe(scene.error()), "keys.csv: found no format of this extension, wanted one of .bvh, .glb, .gltf");
+  EXPECT_EQ(describe(scene.error()),
+            "keys.csv: found a file of no format that holds a skeleton, wanted one of .bvh, .glb, .gltf");
 }
 
 }  // namespace

@@ -18,8 +18,9 @@ namespace {
 
 /// What was converted.
 struct ConvertedScene {
-  std::string input, output;
-  std::string_view input_format, output_format;  ///< titles
+  std::string input{}, output{};
+  std::string_view input_format{}, output_format{};  ///< titles
+  std::string_view input_id{}, output_id{};          ///< words
   std::size_t joints = 0, clips = 0;
   SceneCounts counts{};
 };
@@ -32,11 +33,18 @@ std::string text_of(const ConvertedScene& report) {
 }
 
 Json json_of(const ConvertedScene& report) {
-  Json json{{"input", report.input},   {"input_format", report.input_format},
-            {"output", report.output}, {"output_format", report.output_format},
+  Json json{{"input", report.input},   {"input_format", report.input_id},
+            {"output", report.output}, {"output_format", report.output_id},
             {"joints", report.joints}, {"clips", report.clips}};
   json.update(json_of(report.counts));
   return json;
+}
+
+/// By its name, as far as that tells.
+std::string_view id_of_table(const InputRequest& input) {
+  if (input.read.format) return input.read.format->id;
+  const io::FormatInfo* const format = io::format_of_extension(input.path);
+  return format ? format->id : io::csv_format.id;
 }
 
 }  // namespace
@@ -48,6 +56,8 @@ Expected<void> convert_scene(const ConvertOptions& options, const InputRequest& 
   writing.bones = !options.no_bones;
   auto understood = std::move(checked).or_else(writing);
   if (!understood) return tl::unexpected(std::move(understood.error()));
+  if (understood->rate && scenes::scene_format_of(options.output.path) != &scenes::bvh_format)
+    return usage_failure("--rate: found an output that keeps the times of the keys, wanted BVH");
   if (auto fits = check_summary(options.summary, options.output.path, "keys"); !fits) return fits;
   if (auto apart = check_output_apart("-o", options.output.path, {{"INPUT", input.path}}); !apart) return apart;
   const auto scene = open_scene(input);
@@ -57,6 +67,8 @@ Expected<void> convert_scene(const ConvertOptions& options, const InputRequest& 
                               .output = options.output.path,
                               .input_format = scene->format ? scene->format->title : "keys",
                               .output_format = scenes::scene_format_of(options.output.path)->title,
+                              .input_id = scene->format ? scene->format->id : id_of_table(input),
+                              .output_id = scenes::scene_format_of(options.output.path)->id,
                               .joints = scene->skeleton.size(),
                               .clips = scene->clips.size(),
                               .counts = counts_of(*scene)};

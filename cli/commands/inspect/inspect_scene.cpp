@@ -75,7 +75,7 @@ Json json_of(const scenes::Scene& scene) {
 }  // namespace
 
 bool is_about_scene(const InspectOptions& options, const InputRequest& input) {
-  return is_scene(input.path) && options.methods.empty() && !input.read.scene.joint;
+  return is_scene(input) && options.methods.empty() && !input.read.scene.joint;
 }
 
 Expected<void> inspect_scene(const InspectOptions& options, const InputRequest& input) {

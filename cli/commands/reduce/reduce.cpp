@@ -80,6 +80,8 @@ Expected<void> check_no_clips(const ReduceOptions& options) {
     if (text)
       return usage_failure(
           formatted("{}: found keys of one track, wanted a glTF output, such as small.glb", flag_of(name)));
+  if (options.position_scale)
+    return usage_failure("--position-scale: found keys of one track, wanted a glTF output, such as small.glb");
   if (options.closed)
     return usage_failure("--closed: found keys of one track, wanted a glTF output, such as small.glb");
   if (options.method == cubicspline_method)
@@ -194,7 +196,7 @@ Expected<void> reduce(const ReduceOptions& options) {
   const auto check = [](const ReduceOptions& one) {
     return is_scene(one.output.path) ? check_reduce_scene(one) : request_in(one).map([](const Request&) {});
   };
-  return on_inputs(options, {.written = "keys", .check = check, .work = reduce_one});
+  return on_inputs(options, {.written = "keys", .check = check, .work = reduce_one, .scenes = SceneOutputs::glb});
 }
 
 }  // namespace orispline::cli

@@ -23,9 +23,10 @@ struct ReduceOptions {
   InputOptions input;  ///< how they are read
   OutputOptions output;
   ReportOptions report;
-  TypedFields reduction;  ///< of orispline::ReduceOptions
-  TypedFields scene;      ///< of orispline::ClipReduceOptions, what that has beside them
-  bool closed = false;    ///< of clips
+  TypedFields reduction;                      ///< of orispline::ReduceOptions
+  TypedFields scene;                          ///< of orispline::ClipReduceOptions, what that has beside them
+  bool closed = false;                        ///< of clips
+  std::optional<std::string> position_scale;  ///< of clips: metres in a unit of the file
   std::string method{smallest_method};
   MethodOptions shape;
   SmoothnessOptions smoothness;

@@ -40,6 +40,10 @@ void add_reduce_options(Command& app, ReduceOptions& o) {
   const auto of_clips = fields_of<orispline::ClipReduceOptions>();
   for (const std::string_view name : {"world_tolerance", "shell", "between"})
     add_field(app, o.scene, field_named(of_clips, name), "Clips");
+  app.add_option("--position-scale", o.position_scale,
+                 "Metres in one unit of length of the file, such as 0.01 [1 for glTF; a BVH file has no unit]")
+      ->type_name("X")
+      ->group("Clips");
   app.add_flag("--closed", o.closed, "Give rotations that end as they begin the same tangents at both ends")
       ->group("Clips");
   add_method_options(app, o.shape);

@@ -26,6 +26,7 @@ namespace {
 struct SceneRequest {
   InputRequest input{};
   scenes::SceneWriting writing{};
+  double metres = 1.0;  ///< in a unit of length of the file
   orispline::ClipReduceOptions reduction{};
   unsigned threads = 1;
 };
@@ -56,15 +57,26 @@ Expected<void> check_clips(const ReduceOptions& options) {
   return usage_failure("--tolerance is required, or --world-tolerance");
 }
 
-Expected<orispline::ClipReduceOptions> clip_reduction_in(const ReduceOptions& options) {
+Expected<orispline::ClipReduceOptions> clip_reduction_in(const ReduceOptions& options, double metres) {
   TypedFields typed = options.scene;
   for (const std::string_view name : {"tolerance", "position_tolerance"})
     if (const auto found = options.reduction.find(name); found != options.reduction.end()) typed[name] = found->second;
   return options_in<orispline::ClipReduceOptions>(typed).map([&](orispline::ClipReduceOptions found) {
+    for (double* const length : {&found.position_tolerance, &found.world_tolerance, &found.shell}) *length /= metres;
     found.precision = orispline::KeyPrecision::float32;
     found.closed = options.closed;
     return found;
   });
+}
+
+/// A BVH file does not say in what its lengths are.
+Expected<double> metres_in(const ReduceOptions& options) {
+  if (options.position_scale) return positive_in({"--position-scale", *options.position_scale});
+  const bool has_no_unit = scenes::scene_format_of(options.input.path) == &scenes::bvh_format;
+  if (!has_no_unit || !is_given(options.scene, "world_tolerance")) return 1.0;
+  return usage_failure(
+      "--world-tolerance: found a BVH file, which has no unit of length, wanted --position-scale as well, such as 0.01 "
+      "for centimetres");
 }
 
 Expected<SceneRequest> scene_request_in(const ReduceOptions& options) {
@@ -72,8 +84,10 @@ Expected<SceneRequest> scene_request_in(const ReduceOptions& options) {
   FirstError checked;
   SceneRequest request{.input = checked(input_request(options.input)),
                        .writing = checked(scene_writing(options.output)),
-                       .reduction = checked(clip_reduction_in(options)),
+                       .reduction = {},
                        .threads = static_cast<unsigned>(checked(threads_in(options.inputs.threads)))};
+  request.metres = checked(metres_in(options));
+  request.reduction = checked(clip_reduction_in(options, request.metres > 0.0 ? request.metres : 1.0));
   request.reduction.method = checked(scene_method_in(options));
   return std::move(checked).or_else(std::move(request)).and_then([&](SceneRequest read) -> Expected<SceneRequest> {
     if (auto apart = check_output_apart(options.output.option, options.output.path, {{"INPUT", options.input.path}});
@@ -113,6 +127,7 @@ Expected<void> reduce_scene(const ReduceOptions& options) {
                            .output = options.output.path,
                            .skeleton = scene->skeleton,
                            .options = request->reduction,
+                           .metres = request->metres,
                            .reductions = *std::move(reductions),
                            .bytes_before = bytes_of(options.input.path)};
   return write_scene(options.output.path, *scene, request->writing).and_then([&] {

@@ -46,15 +46,15 @@ std::string place_of(const ReduceSceneReport& report, const ClipReduction& reduc
                    worst.largest.time);
 }
 
-std::string tolerances_of(const orispline::ClipReduceOptions& options) {
+std::string tolerances_of(const orispline::ClipReduceOptions& options, double metres) {
   std::string text;
   const auto add = [&](double tolerance, double unit, std::string_view what) {
     if (tolerance < std::numeric_limits<double>::infinity())
       text += formatted("{}{:.6g}{}", text.empty() ? "" : ", ", tolerance * unit, what);
   };
   add(options.tolerance, degrees, "°");
-  add(options.position_tolerance, 1.0, " of translations");
-  add(options.world_tolerance, 1.0, " in the world");
+  add(options.position_tolerance, metres, " m of translations");
+  add(options.world_tolerance, metres, " m in the world");
   return text;
 }
 
@@ -75,8 +75,9 @@ Json worst_json(const ReduceSceneReport& report, const ClipReduction* reduction,
 
 std::string text_of(const ReduceSceneReport& report) {
   const Totals totals(report.reductions);
-  std::string text = formatted("{} from {}, tolerance {}, method {}\n", counted(report.reductions.size(), "clip"),
-                               printable(report.input), tolerances_of(report.options), report.options.method.name);
+  std::string text =
+      formatted("{} from {}, tolerance {}, method {}\n", counted(report.reductions.size(), "clip"),
+                printable(report.input), tolerances_of(report.options, report.metres), report.options.method.name);
   if (totals.tracks > 0)
     text += formatted("rotations       {} of {} in {} of three keys and more ({:.1f} %)\n", totals.keys,
                       counted(totals.keys_before, "key"), counted(totals.tracks, "track"),
@@ -96,8 +97,10 @@ std::string text_of(const ReduceSceneReport& report) {
                   totals.from_smooth->from_smooth.largest.value * degrees,
                   totals.from_stored->from_stored.largest.value * degrees);
   if (totals.distance)
-    text += formatted("shell distance  {:.6g} in the world, {}; shell {:g}\n", totals.distance->distance.largest.value,
-                      place_of(report, *totals.distance, totals.distance->distance), report.options.shell);
+    text +=
+        formatted("shell distance  {:.6g} m in the world, {}; shell {:g} m\n",
+                  totals.distance->distance.largest.value * report.metres,
+                  place_of(report, *totals.distance, totals.distance->distance), report.options.shell * report.metres);
   text += formatted("written to {}", destination(report.output));
   if (report.bytes_before > 0)
     text += formatted(": {} of {}", size_text(report.bytes_after), size_text(report.bytes_before));
@@ -106,9 +109,9 @@ std::string text_of(const ReduceSceneReport& report) {
 
 std::string line_of(const ReduceSceneReport& report) {
   const Totals totals(report.reductions);
-  return formatted("{}: {} of {}, {:.6g}° and {:.6g} in the world off at most", printable(report.output), totals.keys,
+  return formatted("{}: {} of {}, {:.6g}° and {:.6g} m in the world off at most", printable(report.output), totals.keys,
                    counted(totals.keys_before, "key"), totals.angle ? totals.angle->angle.largest.value * degrees : 0.0,
-                   totals.distance ? totals.distance->distance.largest.value : 0.0);
+                   totals.distance ? totals.distance->distance.largest.value * report.metres : 0.0);
 }
 
 Json json_of(const ReduceSceneReport& report) {
@@ -116,9 +119,11 @@ Json json_of(const ReduceSceneReport& report) {
   Json json{{"input", report.input}, {"output", report.output}, {"method", report.options.method.name}};
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (report.options.tolerance < infinity) json["tolerance_deg"] = report.options.tolerance * degrees;
-  if (report.options.position_tolerance < infinity) json["position_tolerance"] = report.options.position_tolerance;
-  if (report.options.world_tolerance < infinity) json["world_tolerance"] = report.options.world_tolerance;
-  json["shell"] = report.options.shell;
+  if (report.options.position_tolerance < infinity)
+    json["position_tolerance_m"] = report.options.position_tolerance * report.metres;
+  if (report.options.world_tolerance < infinity)
+    json["world_tolerance_m"] = report.options.world_tolerance * report.metres;
+  json["shell_m"] = report.options.shell * report.metres;
   json["clips"] = report.reductions.size();
   json["rotation_tracks"] = totals.tracks;
   json["rotation_keys_before"] = totals.keys_before;
@@ -127,7 +132,8 @@ Json json_of(const ReduceSceneReport& report) {
   json["translation_keys"] = totals.translations;
   if (report.options.closed) json["open_tracks"] = totals.open_tracks;
   if (totals.angle) json["angle_deg"] = worst_json(report, totals.angle, totals.angle->angle, degrees);
-  if (totals.distance) json["shell_distance"] = worst_json(report, totals.distance, totals.distance->distance, 1.0);
+  if (totals.distance)
+    json["shell_distance_m"] = worst_json(report, totals.distance, totals.distance->distance, report.metres);
   if (totals.tracks > 0) {
     json["from_smooth_deg"] = worst_json(report, totals.from_smooth, totals.from_smooth->from_smooth, degrees);
     json["from_stored_deg"] = worst_json(report, totals.from_stored, totals.from_stored->from_stored, degrees);

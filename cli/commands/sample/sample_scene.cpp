@@ -32,11 +32,10 @@ Error located(Error error, const std::string& file) {
 }
 
 Expected<scenes::Scene> opened(const InputRequest& input) {
-  return scenes::read_scene(input.path, {.drop_duplicates = input.read.drop_duplicates})
-      .and_then([&](scenes::Scene scene) {
-        warn(scene.warnings);
-        return scenes::with_clips(std::move(scene), input.read.scene.clips);
-      });
+  return scenes::read_scene(input.path, scene_reading(input)).and_then([&](scenes::Scene scene) {
+    warn(scene.warnings);
+    return scenes::with_clips(std::move(scene), input.read.scene.clips);
+  });
 }
 
 /// Writes the samples of one joint, as the file says that it moves.
@@ -55,7 +54,7 @@ Expected<SampleReport> sample_joint(const SampleRequest& request, const scenes::
   SampleReport report{.input = request.input.path,
                       .output = request.output,
                       .method = std::string(stored_method),
-                      .method_text = std::string(stored_method),
+                      .method_text = "the motion that is stored",
                       .keys = curve->orientation.knots().times().size(),
                       .columns = with_positions(request.columns, curve->position.has_value()),
                       .samples = times->size(),
@@ -254,7 +253,9 @@ Expected<void> write_curve_scene(const SampleOptions& options, const SampleReque
   const auto writing = scene_writing(options.output);
   if (!writing) return tl::unexpected(writing.error());
   if (scenes::scene_format_of(request.output) != &scenes::gltf_format)
-    return usage_failure("-o: found a file that holds every frame, wanted glTF, such as motion.glb");
+    return usage_failure(
+        "-o: found a file that holds every frame, wanted glTF, such as motion.glb; 'orispline convert "
+        "--rate' makes BVH of it");
   Clip clip{.name = std::string(file_name_of(request.input.path))};
   clip.name = clip.name.substr(0, clip.name.rfind('.'));
   CurveSceneReport report =

@@ -163,7 +163,7 @@ Expected<void> smooth(const SmoothOptions& options) {
   const auto check = [](const SmoothOptions& one) {
     return is_scene(one.output.path) ? check_smooth_scene(one) : request_in(one).map([](const Request&) {});
   };
-  return on_inputs(options, {.written = "keys", .check = check, .work = smooth_one});
+  return on_inputs(options, {.written = "keys", .check = check, .work = smooth_one, .scenes = SceneOutputs::same});
 }
 
 }  // namespace orispline::cli

@@ -19,7 +19,7 @@ constexpr std::size_t most_numbers = std::size_t{1} << 28;  // of all frames: 2 
 Expected<EulerOrder> order_of(const SceneWriting& writing) {
   const EulerOrder order = writing.euler.value_or(EulerOrder{});
   if (order.is_proper())
-    return bad_option("euler",
+    return bad_option("output_euler",
                       "found an order with one axis twice, wanted three different axes, for a joint of BVH has "
                       "each channel once");
   return order;
@@ -156,7 +156,7 @@ class Writer {
     };
     const auto locked = static_cast<std::size_t>(std::ranges::count(is_near_lock, true));
     add("gimbal_lock",
-        formatted("{} within 1° of gimbal lock, where angles may jump; another order of `euler` may have none",
+        formatted("{} within 1° of gimbal lock, where angles may jump; another order of `output_euler` may have none",
                   counted(locked, "frame")),
         "frames", locked);
     const std::size_t scaled = scaled_joints_of(scene_, clip_);

@@ -103,7 +103,6 @@ class Writer {
         auto done = write(channel);
         const std::string place = place_of(scene_.skeleton, clip, channel.joint);
         if (!done) return tl::unexpected(within(place, std::move(done.error())));
-        if (!done->turned_keys.empty()) warn_of_turns(place, done->turned_keys);
         channels.push_back(std::move(*done));
       }
       return {};
@@ -129,16 +128,6 @@ class Writer {
     if (!raw || !read) return tl::unexpected(raw ? read.error() : raw.error());
     const RotationOfFile of_file{std::move(*raw), std::move(*read)};
     return written(channel, &of_file);
-  }
-
-  void warn_of_turns(const std::string& place, const std::vector<std::size_t>& keys) {
-    result_.warnings.push_back(
-        {.code = "turned_signs",
-         .message =
-             formatted("{}, key {}: found a quaternion of the other sign than the one before in a spline; it was "
-                       "turned, here and at {} in all, so that the curve goes the shorter way",
-                       place, keys.front(), counted(keys.size(), "place")),
-         .numbers = {{"places", static_cast<double>(keys.size())}}});
   }
 
   [[nodiscard]] std::size_t node_of(std::size_t joint) const { return source_.nodes().node_of_joint[joint]; }

@@ -36,29 +36,12 @@ RotationChannel with_bits_of_file(RotationChannel channel, const RotationOfFile&
   return channel;
 }
 
-struct Aligned {
-  RotationChannel channel{};
-  std::vector<std::size_t> turned{};
-};
-
-Aligned with_signs_aligned(RotationChannel channel) {
-  Aligned aligned;
-  for (std::size_t i = 1; i < channel.size(); ++i) {
-    if (channel.values[i - 1].dot(channel.values[i]) >= 0.0) continue;
-    channel.values[i].coeffs() *= -1.0;
-    aligned.turned.push_back(i);
-    if (channel.in_tangents.empty()) continue;
-    channel.in_tangents[i].coeffs() *= -1.0;
-    channel.out_tangents[i].coeffs() *= -1.0;
-  }
-  // Where all after a key are turned, the splines behind it are the same ones.
-  std::vector<std::size_t> changed;
-  for (std::size_t k = 0; k < aligned.turned.size(); ++k)
-    if (k == 0 || aligned.turned[k - 1] + 1 != aligned.turned[k]) changed.push_back(aligned.turned[k]);
-  if (channel.interpolation != ChannelInterpolation::cubicspline) changed.clear();
-  aligned.turned = std::move(changed);
-  aligned.channel = std::move(channel);
-  return aligned;
+/// A spline stays the curve that it is: the signs of its keys are part of it.
+RotationChannel with_signs_aligned(RotationChannel channel) {
+  if (channel.interpolation == ChannelInterpolation::cubicspline) return channel;
+  for (std::size_t i = 1; i < channel.size(); ++i)
+    if (channel.values[i - 1].dot(channel.values[i]) < 0.0) channel.values[i].coeffs() *= -1.0;
+  return channel;
 }
 
 Expected<std::vector<float>> single_times(const std::vector<double>& times) {
@@ -119,7 +102,6 @@ WrittenChannel shortened(WrittenChannel channel, std::size_t components) {
   if (is_spline) {
     std::copy_n(channel.outputs.begin() + static_cast<std::ptrdiff_t>(components), components, channel.outputs.begin());
     channel.interpolation = ChannelInterpolation::linear;
-    channel.turned_keys.clear();
   }
   channel.times.resize(1);
   channel.outputs.resize(components);
@@ -127,7 +109,7 @@ WrittenChannel shortened(WrittenChannel channel, std::size_t components) {
 }
 
 template <CurvePoint P>
-Expected<WrittenChannel> in_single(const Channel<P>& channel, Property property, std::vector<std::size_t> turned) {
+Expected<WrittenChannel> in_single(const Channel<P>& channel, Property property) {
   auto times = single_times(channel.times);
   if (!times) return tl::unexpected(std::move(times.error()));
   auto outputs = single_outputs(channel);
@@ -139,20 +121,19 @@ Expected<WrittenChannel> in_single(const Channel<P>& channel, Property property,
                     .interpolation = channel.interpolation,
                     .times = std::move(*times),
                     .end = end,
-                    .outputs = std::move(*outputs),
-                    .turned_keys = std::move(turned)},
+                    .outputs = std::move(*outputs)},
                    components);
 }
 
 }  // namespace
 
 Expected<WrittenChannel> written(const RotationChannel& channel, const RotationOfFile* of_file) {
-  Aligned aligned = with_signs_aligned(of_file == nullptr ? channel : with_bits_of_file(channel, *of_file));
-  return in_single(aligned.channel, Property::rotation, std::move(aligned.turned));
+  return in_single(with_signs_aligned(of_file == nullptr ? channel : with_bits_of_file(channel, *of_file)),
+                   Property::rotation);
 }
 
 Expected<WrittenChannel> written(const VectorChannel& channel, Property property) {
-  return in_single(channel, property, {});
+  return in_single(channel, property);
 }
 
 WrittenChannel held_to_end(WrittenChannel channel) {

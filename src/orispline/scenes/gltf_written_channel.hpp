@@ -16,9 +16,8 @@ struct WrittenChannel {
   Property property = Property::rotation;
   ChannelInterpolation interpolation = ChannelInterpolation::linear;
   std::vector<float> times{};
-  float end = 0.0F;                        ///< of the last key, also where that was left out
-  std::vector<float> outputs{};            ///< of splines with a tangent before and after each value
-  std::vector<std::size_t> turned_keys{};  ///< of splines: where the sign was turned, which changes the curve
+  float end = 0.0F;              ///< of the last key, also where that was left out
+  std::vector<float> outputs{};  ///< of splines with a tangent before and after each value
 };
 
 /// A channel of rotations as a file of the scene held it, to write the same bits again where they were not changed:
@@ -27,8 +26,8 @@ struct RotationOfFile {
   RotationChannel raw{}, read{};
 };
 
-/// Signs of neighbours agree; a channel that does not move has one key. Errors (bad_data): a time below 0, times that
-/// do not rise in single precision, a number beyond it.
+/// Signs of neighbours agree, but those of splines stay; a channel that does not move has one key. Errors (bad_data): a
+/// time below 0, times that do not rise in single precision, a number beyond it.
 [[nodiscard]] Expected<WrittenChannel> written(const RotationChannel& channel, const RotationOfFile* of_file);
 [[nodiscard]] Expected<WrittenChannel> written(const VectorChannel& channel, Property property);
 

@@ -19,7 +19,8 @@ Expected<const SceneFormat*> format_for(const std::string& path) {
   for (const SceneFormat* format : scene_formats())
     for (const std::string_view extension : format->extensions)
       wanted += formatted("{}{}", wanted.empty() ? "" : ", ", extension);
-  return failure(ErrorCode::bad_argument, formatted("found no format of this extension, wanted one of {}", wanted),
+  return failure(ErrorCode::bad_argument,
+                 formatted("found a file of no format that holds a skeleton, wanted one of {}", wanted),
                  {.file = path});
 }
 
@@ -54,7 +55,7 @@ Expected<std::string> bytes_of_file(const std::string& path) {
 }
 
 Expected<Scene> read_scene(const std::string& path, const SceneReading& reading) {
-  const auto format = format_for(path);
+  const auto format = reading.format ? Expected<const SceneFormat*>(reading.format) : format_for(path);
   if (!format) return tl::unexpected(format.error());
   auto bytes = bytes_of_file(path);
   if (!bytes) return tl::unexpected(std::move(bytes.error()));
@@ -71,6 +72,10 @@ Expected<Scene> read_scene(const std::string& path, const SceneReading& reading)
 Expected<SceneWritten> written_scene(const Scene& scene, const std::string& path, const SceneWriting& writing) {
   const auto format = format_for(path);
   if (!format) return tl::unexpected(format.error());
+  if (!(*format)->write)
+    return failure(ErrorCode::bad_argument,
+                   formatted("{} files are read only, wanted another format, such as glTF", (*format)->title),
+                   {.file = path});
   for (const Clip& clip : scene.clips)
     if (auto sound = check_clip(scene.skeleton, clip); !sound) return tl::unexpected(std::move(sound.error()));
   return (*format)->write(scene, path, writing);

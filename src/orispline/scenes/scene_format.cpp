@@ -2,12 +2,22 @@
 #include <orispline/scenes/scene_format.hpp>
 
 #include <algorithm>
-#include <array>
+#include <vector>
+
+#include <orispline/scenes/assimp.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::scenes {
 namespace {
 
-constexpr std::array all_formats{&bvh_format, &gltf_format};
+const std::vector<const SceneFormat*>& all_formats() {
+  static const std::vector<const SceneFormat*> all = [] {
+    std::vector<const SceneFormat*> list{&bvh_format, &gltf_format};
+    const auto more = assimp_formats();
+    list.insert(list.end(), more.begin(), more.end());
+    return list;
+  }();
+  return all;
+}
 
 char small_letter(char letter) noexcept {
   return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter + 32) : letter;
@@ -22,12 +32,17 @@ bool SceneFormat::has_extension_of(std::string_view path) const noexcept {
   });
 }
 
-std::span<const SceneFormat* const> scene_formats() noexcept { return all_formats; }
+std::span<const SceneFormat* const> scene_formats() noexcept { return all_formats(); }
+
+const SceneFormat* scene_format_named(std::string_view id) noexcept {
+  const auto found = std::ranges::find(all_formats(), id, &SceneFormat::id);
+  return found == all_formats().end() ? nullptr : *found;
+}
 
 const SceneFormat* scene_format_of(std::string_view path) noexcept {
   const auto found =
-      std::ranges::find_if(all_formats, [&](const SceneFormat* format) { return format->has_extension_of(path); });
-  return found == all_formats.end() ? nullptr : *found;
+      std::ranges::find_if(all_formats(), [&](const SceneFormat* format) { return format->has_extension_of(path); });
+  return found == all_formats().end() ? nullptr : *found;
 }
 
 }  // namespace orispline::inline ORISPLINE_ABI::scenes

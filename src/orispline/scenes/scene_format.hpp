@@ -13,9 +13,12 @@
 
 namespace orispline::inline ORISPLINE_ABI::scenes {
 
+struct SceneFormat;
+
 /// How a scene is to be read.
 struct SceneReading {
-  bool drop_duplicates = false;  ///< of keys of a channel at equal times keep the first
+  bool drop_duplicates = false;         ///< of keys of a channel at equal times keep the first
+  const SceneFormat* format = nullptr;  ///< of the file; null: that of its extension
 };
 
 /// How a scene is to be written.
@@ -43,6 +46,7 @@ struct SceneFormat {
   /// clip, joint and key: bad_data, bad_access.
   Expected<Scene> (*read)(std::string_view bytes, const std::string& path, const SceneReading&) = nullptr;
   /// The path tells what the extension asks for. Errors: bad_data for what the format cannot hold, bad_argument.
+  /// Null: files of the format are read only.
   Expected<SceneWritten> (*write)(const Scene&, const std::string& path, const SceneWriting&) = nullptr;
 
   /// Whether a path ends in one of the extensions, in any case of letters.
@@ -54,7 +58,8 @@ extern const SceneFormat bvh_format, gltf_format;
 
 /// All formats, in the order in which they are shown.
 [[nodiscard]] ORISPLINE_EXPORT std::span<const SceneFormat* const> scene_formats() noexcept;
-/// The format with the extension of the path; null if there is none.
+/// The format of that word, and that with the extension of the path; null if there is none.
+[[nodiscard]] ORISPLINE_EXPORT const SceneFormat* scene_format_named(std::string_view id) noexcept;
 [[nodiscard]] ORISPLINE_EXPORT const SceneFormat* scene_format_of(std::string_view path) noexcept;
 
 }  // namespace orispline::inline ORISPLINE_ABI::scenes

@@ -2,7 +2,6 @@
 #include <orispline/scenes/scene_tracks.hpp>
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include <orispline/base/file_name.hpp>
@@ -77,11 +76,12 @@ Expected<KeyframeData> world_keys(const Scene& scene, const Clip& clip, std::siz
 Expected<std::vector<io::KeyFile>> tracks_in(io::LineReader lines, const io::ReadOptions& options) {
   if (lines.path() == io::standard_stream)
     return failure(ErrorCode::bad_access, "found standard input, wanted the name of a file of skeletons");
-  return read_scene(lines.path(), {.drop_duplicates = options.drop_duplicates})
+  const SceneFormat* const stated = options.format ? scene_format_named(options.format->id) : nullptr;
+  return read_scene(lines.path(), {.drop_duplicates = options.drop_duplicates, .format = stated})
       .and_then([&](const Scene& scene) { return keys_of(scene, options.scene); })
       .map([&](io::KeyFile file) {
         file.path = lines.path();
-        file.format = io::format_of_extension(file.path);
+        file.format = options.format ? options.format : io::format_of_extension(file.path);
         if (options.keep_exact_times)
           for (const double t : file.data.times) file.exact_times.push_back(Decimal::from_double(t));
         std::vector<io::KeyFile> one;
@@ -102,8 +102,13 @@ io::FormatInfo entry(const SceneFormat& format) {
 }  // namespace
 
 void join_formats() {
-  static const std::array entries{entry(bvh_format), entry(gltf_format)};
-  static const std::array list{&entries[0], &entries[1]};
+  static const std::vector<io::FormatInfo> entries = [] {
+    std::vector<io::FormatInfo> all;
+    for (const SceneFormat* format : scene_formats()) all.push_back(entry(*format));
+    return all;
+  }();
+  std::vector<const io::FormatInfo*> list;
+  for (const io::FormatInfo& format : entries) list.push_back(&format);
   io::add_formats(list);
 }
 
@@ -116,7 +121,7 @@ Expected<Scene> with_clips(Scene scene, const std::vector<std::string>& names) {
       return failure(ErrorCode::bad_data,
                      formatted("found no clip {}, wanted one of {}", in_quotes(name), some_of(names_of(scene.clips))),
                      {.file = scene.name});
-    chosen.push_back(*found);
+    if (std::ranges::find(chosen, name, &Clip::name) == chosen.end()) chosen.push_back(*found);
   }
   scene.clips = std::move(chosen);
   return scene;

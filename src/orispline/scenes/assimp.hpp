@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+#include <orispline/scenes/scene_format.hpp>
+
+namespace orispline::inline ORISPLINE_ABI::scenes {
+
+/// The formats that are read through assimp: none where the library is built without it.
+[[nodiscard]] std::span<const SceneFormat* const> assimp_formats() noexcept;
+
+}  // namespace orispline::inline ORISPLINE_ABI::scenes
