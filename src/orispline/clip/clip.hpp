@@ -11,13 +11,13 @@
 namespace orispline::inline ORISPLINE_ABI {
 
 /// One animation of a skeleton. Of a joint there is at most one channel in each list.
-struct Clip {
+struct ORISPLINE_EXPORT Clip {
   std::string name{};
   std::vector<RotationChannel> rotations{};
   std::vector<VectorChannel> translations{}, scales{};
 
   /// From its first key to its last [s]; 0 to 0 where it has no channel.
-  [[nodiscard]] ORISPLINE_EXPORT Domain domain() const noexcept;
+  [[nodiscard]] Domain domain() const noexcept;
 };
 
 /// Whether the clip is sound and belongs to the skeleton.

@@ -11,7 +11,7 @@ namespace orispline::inline ORISPLINE_ABI::scenes {
 inline constexpr std::size_t largest_scene_file = std::size_t{2} << 30;
 
 /// All bytes of a file. Errors (bad_access): it cannot be read; it is larger than `largest_scene_file`.
-[[nodiscard]] Expected<std::string> bytes_of_file(const std::string& path);
+[[nodiscard]] ORISPLINE_EXPORT Expected<std::string> bytes_of_file(const std::string& path);
 
 /// Reads the skeleton and the clips of a file, in the format of its extension, and checks them by check_clip().
 ///

@@ -35,7 +35,7 @@ struct SceneWritten {
 };
 
 /// A format of files of skeletons and clips: all that is known of it elsewhere.
-struct SceneFormat {
+struct ORISPLINE_EXPORT SceneFormat {
   std::string_view id;                             ///< the word that it is chosen by: `bvh`
   std::string_view title;                          ///< what people call it: `BVH`
   std::string_view file;                           ///< with its article: `a BVH file`
