@@ -7,7 +7,7 @@ import os
 from command import BAD_USAGE, CommandTest, main
 
 ENDS = "natural, repeat, quadratic, cubic, clamped, rest"
-COMMANDS = "sample, convert, inspect, compare, plot, smooth, tune, reduce, retime, methods, tasks, reproduce, completion, help"
+COMMANDS = "sample, convert, inspect, difference, compare, plot, smooth, tune, reduce, retime, methods, tasks, reproduce, completion, help"
 
 CASES = (
     ("interpolate keys.csv", f"unknown command 'interpolate', wanted one of {COMMANDS}"),
@@ -87,7 +87,7 @@ CASES = (
     (["sample", "keys.csv", "--rate", "1", "-o", ""], "-o: found an empty name, wanted that of a file"),
     ("inspect keys.csv --tension 1", "found options that shape a curve, but no curve; wanted --method as well"),
     ("sample keys.csv --rate 1 --signs long", "--signs: found 'long', wanted shortest|as-given"),
-    ("sample keys.csv --rate 1 --input-format json", "--input-format: found 'json', wanted csv|tum|euroc"),
+    ("sample keys.csv --rate 1 --input-format json", "--input-format: found 'json', wanted csv|tum|euroc|bvh|gltf"),
     ("sample keys.csv --rate 1 --order zyxw", "--order: found 'zyxw', wanted wxyz|xyzw"),
     ("sample keys.csv --rate 1 --time-scale 0", "--time-scale: found '0', wanted a number greater than 0, or a "
      "fraction such as 30000/1001"),
@@ -135,7 +135,8 @@ CASES = (
     ("convert keys.csv --json", "--json: the summary goes to standard output, wanted -o FILE for the keys"),
     # the other commands
     ("convert", "convert: INPUT is missing; 'orispline help convert' shows what to type"),
-    ("convert keys.csv --rate 1", "convert: unknown option '--rate'; 'orispline help convert' lists them"),
+    ("convert keys.csv --count 1", "convert: unknown option '--count'; 'orispline help convert' lists them"),
+    ("convert keys.csv --rate 1", "--rate: found an output without a skeleton, wanted a file such as walk.bvh or walk.glb"),
     ("inspect", "inspect: INPUT is missing; 'orispline help inspect' shows what to type"),
     ("compare keys.csv --sort rsm", "--sort: unknown measure 'rsm'; did you mean 'rms'?"),
     ("sample keys.csv --rate 1 --method timed-c2 --ends restt",

@@ -100,8 +100,8 @@ class FirstHour(CommandTest):
 
     def test_files_of_other_kinds_are_named(self):
         for name, text, kind in (("v.aem", "CCSDS_AEM_VERS = 1.0\nCREATION_DATE = 2024\n", "an attitude ephemeris (AEM) of CCSDS"),
-                                 ("walk.bvh", "HIERARCHY\nROOT Hips\n{\n", "a BVH file"),
-                                 ("walk.gltf", '{\n  "asset": {}\n}\n', "a JSON file, such as glTF"),
+                                 ("walk.txt", "HIERARCHY\nROOT Hips\n{\n", "a BVH file of another name"),
+                                 ("walk.json", '{\n  "asset": {}\n}\n', "a JSON file"),
                                  ("ck.xc", "DAFETF NAIF DAF ENCODED TRANSFER FILE\n'DAF/CK'\n", "a transfer file of SPICE")):
             self.write(name, text)
             done = self.run_command(f"sample {name} --rate 2")

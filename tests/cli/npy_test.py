@@ -79,7 +79,7 @@ class Arrays(CommandTest):
     def test_keys_are_not_read_from_it(self):
         self.bytes_of("sample keys.csv --count 5", "motion.npy")
         self.assert_fails("sample motion.npy --count 5", BAD_USAGE,
-                          "motion.npy: keys are not read from NumPy files, wanted CSV, TUM or EuRoC")
+                          "motion.npy: keys are not read from NumPy files, wanted CSV, TUM, EuRoC, BVH or glTF")
         self.assert_fails("sample motion.npy --input-format npy --count 5", BAD_USAGE,
                           "--input-format: found 'npy', wanted csv|tum|euroc")
 

@@ -47,7 +47,7 @@ class Places(CommandTest):
 
 class Names(CommandTest):
     def test_a_name_of_another_kind_of_file_is_refused_with_those_that_are_written(self):
-        for name in ("x.png", "x.bvh", "x.json", "keys.csv.old", "x.PNG"):
+        for name in ("x.png", "x.c3d", "x.json", "keys.csv.old", "x.PNG"):
             for command in WRITERS:
                 done = self.run_command(f"{command.format('keys.csv')} -o {name}")
                 self.assertEqual((done.returncode, done.stderr.splitlines()[0]), (

@@ -117,7 +117,7 @@ class SeveralInputs(CommandTest):
         (self.folder / "empty").mkdir()
         self.write("empty/notes.md", "")
         self.assert_fails("sample empty --rate 2 --output-folder out", BAD_DATA,
-                          "empty: found no file in this folder whose name ends as CSV, TUM or EuRoC files do")
+                          "empty: found no file in this folder whose name ends as CSV, TUM, EuRoC, BVH or glTF files do")
         self.write("in/notes.md", "")
         done = self.run_command("sample in --rate 2 --output-folder in/out")
         self.assertIn("orispline: warning: in: 1 file of other kinds left out, such as notes.md; ", done.stderr)

@@ -88,7 +88,7 @@ Expected<void> check_no_clips(const ReduceOptions& options) {
     return usage_failure(
         "--method: found 'cubicspline' for keys of one track, wanted a glTF output, such as small.glb");
   if (is_given(options.reduction, "tolerance")) return {};
-  return usage_failure("--tolerance is required");
+  return usage_failure("reduce: --tolerance is missing; 'orispline help reduce' shows what to type");
 }
 
 Expected<Request> request_in(const ReduceOptions& options) {

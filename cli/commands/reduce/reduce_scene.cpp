@@ -54,7 +54,8 @@ Expected<void> check_clips(const ReduceOptions& options) {
                                    options.output.option, printable(options.output.path),
                                    scenes::scene_format_of(options.output.path)->title));
   if (is_given(options.reduction, "tolerance") || is_given(options.scene, "world_tolerance")) return {};
-  return usage_failure("--tolerance is required, or --world-tolerance");
+  return usage_failure(
+      "reduce: --tolerance or --world-tolerance is missing; 'orispline help reduce' shows what to type");
 }
 
 Expected<orispline::ClipReduceOptions> clip_reduction_in(const ReduceOptions& options, double metres) {

@@ -19,7 +19,7 @@ constexpr std::array other_kinds{
               "t,qx,qy,qz,qw"},
     OtherKind{"CCSDS_OEM_VERS", "an orbit ephemeris (OEM) of CCSDS, which holds no orientations",
               "the attitude is in another file"},
-    OtherKind{"HIERARCHY", "a BVH file", "give it a name that ends in .bvh"},
+    OtherKind{"HIERARCHY", "a BVH file of another name", "give it one that ends in .bvh"},
     OtherKind{"DAFETF", "a transfer file of SPICE",
               "write the quaternions of the C-kernel as rows below a header, t,qw,qx,qy,qz"},
     OtherKind{
@@ -33,7 +33,7 @@ std::optional<std::string> other_kind(std::string_view first_cell) {
   const auto found =
       std::ranges::find_if(other_kinds, [&](const OtherKind& kind) { return first_cell.starts_with(kind.beginning); });
   if (found == other_kinds.end()) return std::nullopt;
-  return formatted("found {}, which is not read as a table; {}", found->name, found->cure);
+  return formatted("found {}, which is not read; {}", found->name, found->cure);
 }
 
 }  // namespace orispline::inline ORISPLINE_ABI::io
