@@ -81,7 +81,7 @@ def test_files_of_a_kind_that_is_not_read(tmp_path):
     CURVE.sample(count=3).write(tmp_path / "motion.npy")
     with pytest.raises(ori.ArgumentError) as error:
         ori.read(tmp_path / "motion.npy")
-    assert "keys are not read from NumPy files, wanted CSV, TUM or EuRoC" in one_line(error)
+    assert "keys are not read from NumPy files, wanted CSV, TUM, EuRoC, BVH or glTF" in one_line(error)
 
 
 def test_places_where_no_file_can_be(tmp_path):

@@ -22,6 +22,7 @@ void add_reduce(nanobind::module_& module);
 void add_retime(nanobind::module_& module);
 void add_tune(nanobind::module_& module);
 void add_compare(nanobind::module_& module);
+void add_scenes(nanobind::module_& module);
 
 /// What a task made of keys.
 template <class Result>

@@ -28,10 +28,11 @@ Path = Union[str, "os.PathLike[str]"]
 def read(path: Path, *, input_format: str | None = None, columns: Mapping[str, str] | None = None, order: str | None = None,
          input_orientation: str | None = None, euler: str | None = None, angle_unit: str | None = None,
          time_scale: Number | None = None, fps: Number | None = None,
-         epoch: str | datetime.date | np.datetime64 | None = None, conjugate: bool = False, signs: str | None = None,
+         epoch: str | datetime.date | np.datetime64 | None = None, clip: str | None = None, joint: str | None = None,
+         space: str | None = None, conjugate: bool = False, signs: str | None = None,
          ignore_recipe: bool = False, normalise: bool = False, drop_duplicates: bool = False, drop_invalid: bool = False,
          sort: bool = False, scalar_first: bool = False) -> Keys:
-    """The keyframes of a file: CSV, TUM or EuRoC, told by its name and its content.
+    """The keyframes of a file: CSV, TUM or EuRoC, told by its name and its content; of a glTF or BVH file one joint.
 
     Times of the keys are seconds since the first one; `Keys.epoch` has the time of that, with all its digits. So
     nanoseconds survive in a time stamp of today. Files that are written have the times of the file again. Positions,
@@ -75,7 +76,7 @@ def read(path: Path, *, input_format: str | None = None, columns: Mapping[str, s
     3
     """
     named = {"input_format": input_format, "order": order, "input_orientation": input_orientation, "euler": euler,
-             "angle_unit": angle_unit, "time_scale": time_scale, "fps": fps, "epoch": epoch, "signs": signs}
+             "angle_unit": angle_unit, "time_scale": time_scale, "fps": fps, "epoch": epoch, "clip": clip, "joint": joint, "space": space, "signs": signs}
     flags = {"conjugate": conjugate, "ignore_recipe": ignore_recipe, "normalise": normalise,
              "drop_duplicates": drop_duplicates, "drop_invalid": drop_invalid, "sort": sort}
     found = _core.read(path_text(path), _stated(named) + _flags(flags), _names(columns))

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+
+#include <orispline/reduce.hpp>
+#include <orispline/scenes.hpp>
+
+#include "arrays.hpp"
+#include "errors.hpp"
+#include "files.hpp"
+#include "interruption.hpp"
+#include "tasks.hpp"
+
+namespace nb = nanobind;
+using namespace nanobind::literals;
+
+namespace orispline::python {
+namespace {
+
+/// A scene as Python holds it: shared, for it never changes.
+struct SharedScene {
+  std::shared_ptr<const scenes::Scene> scene;
+
+  explicit SharedScene(scenes::Scene made) : scene(std::make_shared<const scenes::Scene>(std::move(made))) {}
+};
+
+nb::tuple read_scene(const std::string& path, bool drop_duplicates) {
+  auto read = [&] {
+    const nb::gil_scoped_release release;
+    return scenes::read_scene(path, {.drop_duplicates = drop_duplicates});
+  }();
+  if (!read) raise(in_words(std::move(read.error())));
+  const nb::list warnings = told(read->warnings);
+  return nb::make_tuple(SharedScene(*std::move(read)), warnings);
+}
+
+nb::list write_scene(const SharedScene& shared, const std::string& path, const std::optional<std::string>& euler,
+                     std::optional<double> rate, bool bones) {
+  scenes::SceneWriting writing{.rate = rate, .bones = bones};
+  if (euler) {
+    writing.euler = euler_order_of(*euler);
+    if (!writing.euler || writing.euler->is_proper() || writing.euler->axes != EulerOrder::Axes::of_body)
+      raise({ErrorCode::bad_argument,
+             "found '" + *euler + "', wanted three different axes of the body, such as ZYX",
+             {},
+             "output_euler"});
+  }
+  auto written = [&] {
+    const nb::gil_scoped_release release;
+    return scenes::write_scene(*shared.scene, path, writing);
+  }();
+  if (!written) raise(in_words(std::move(written.error())));
+  return told(*written);
+}
+
+FloatArray array(const std::vector<Eigen::Quaterniond>& rows) {
+  return array_of(rows.empty() ? nullptr : rows.front().coeffs().data(), rows.size(), 4);
+}
+FloatArray array(const std::vector<Eigen::Vector3d>& rows) {
+  return array_of(rows.empty() ? nullptr : rows.front().data(), rows.size(), 3);
+}
+
+/// Names, parents (-1: none), and the translations, rotations and scales of the rest pose.
+nb::tuple skeleton_of(const SharedScene& shared) {
+  nb::list names, parents;
+  std::vector<Eigen::Vector3d> translations, scales;
+  std::vector<Eigen::Quaterniond> rotations;
+  for (const Joint& joint : shared.scene->skeleton.joints()) {
+    names.append(text(joint.name));
+    parents.append(joint.parent == no_parent ? -1 : static_cast<std::ptrdiff_t>(joint.parent));
+    translations.push_back(joint.rest.translation);
+    rotations.push_back(joint.rest.rotation);
+    scales.push_back(joint.rest.scale);
+  }
+  return nb::make_tuple(names, parents, array(translations), array(rotations), array(scales));
+}
+
+std::string_view word_of(ChannelInterpolation interpolation) {
+  switch (interpolation) {
+    case ChannelInterpolation::step:
+      return "step";
+    case ChannelInterpolation::cubicspline:
+      return "cubicspline";
+    case ChannelInterpolation::linear:
+      break;
+  }
+  return "linear";
+}
+
+template <CurvePoint P>
+void append(nb::list& all, std::string_view property, const std::vector<Channel<P>>& channels) {
+  for (const Channel<P>& channel : channels) {
+    const bool has_tangents = !channel.in_tangents.empty();
+    all.append(nb::make_tuple(channel.joint, text(property), text(word_of(channel.interpolation)),
+                              array_of(channel.times.data(), channel.times.size(), 0), array(channel.values),
+                              has_tangents ? nb::object(array(channel.in_tangents)) : nb::none(),
+                              has_tangents ? nb::object(array(channel.out_tangents)) : nb::none()));
+  }
+}
+
+const Clip& clip_of(const SharedScene& shared, std::size_t clip) { return shared.scene->clips.at(clip); }
+
+/// Joint, property, interpolation, times, values and tangents of every channel.
+nb::list channels_of(const SharedScene& shared, std::size_t clip) {
+  nb::list all;
+  append(all, "rotation", clip_of(shared, clip).rotations);
+  append(all, "translation", clip_of(shared, clip).translations);
+  append(all, "scale", clip_of(shared, clip).scales);
+  return all;
+}
+
+/// Name, start and end of every clip.
+nb::list clips_of(const SharedScene& shared) {
+  nb::list all;
+  for (const Clip& clip : shared.scene->clips)
+    all.append(nb::make_tuple(text(clip.name), clip.domain().start, clip.domain().end));
+  return all;
+}
+
+/// Of each clip what the reduction counted and measured; largest distances with their times and joints.
+nb::dict members_of(const ClipReduction& reduction) {
+  const auto worst = [](const ClipReduction::Worst& found) {
+    return nb::make_tuple(found.largest.value, found.largest.time, found.joint);
+  };
+  nb::dict members;
+  members["rotation_keys"] = reduction.rotation_keys;
+  members["rotation_keys_before"] = reduction.rotation_keys_before;
+  members["rotation_tracks"] = reduction.rotation_tracks;
+  members["open_tracks"] = reduction.open_tracks;
+  members["translation_keys"] = reduction.translation_keys;
+  members["translation_keys_before"] = reduction.translation_keys_before;
+  members["angle"] = worst(reduction.angle);
+  members["distance"] = worst(reduction.distance);
+  members["from_smooth"] = worst(reduction.from_smooth);
+  members["from_stored"] = worst(reduction.from_stored);
+  return members;
+}
+
+nb::tuple reduce_scene(const SharedScene& shared, const std::string& method, const nb::dict& stated, bool closed,
+                       unsigned threads) {
+  auto options = options_in<ClipReduceOptions>(stated);
+  options.method = method == cubicspline_method ? Method{method} : value_of(method_from_text(method));
+  options.closed = closed;
+  options.precision = KeyPrecision::float32;  // whatever the format that the scene will be written in
+  const scenes::Scene& before = *shared.scene;
+  auto reductions =
+      interruptible([&](const Progress&) { return reduce_clips(before.skeleton, before.clips, options, threads); });
+  scenes::Scene after = before;
+  nb::list members;
+  for (ClipReduction& reduction : value_of(std::move(reductions))) {
+    members.append(members_of(reduction));
+    after.clips[nb::len(members) - 1] = std::move(reduction.clip);
+  }
+  return nb::make_tuple(SharedScene(std::move(after)), members);
+}
+
+/// Of every joint of a clip the largest distance from the same joint in the clip of another scene, and when; None where
+/// it is not there.
+nb::list distances_of(const SharedScene& first, std::size_t clip, const SharedScene& second, std::size_t other,
+                      double shell) {
+  const Skeleton &a = first.scene->skeleton, &b = second.scene->skeleton;
+  const auto counterparts = counterparts_of(a, b);
+  std::vector<double> times = key_times(clip_of(first, clip));
+  if (times.empty()) times.push_back(0.0);
+  const auto found = [&] {
+    const nb::gil_scoped_release release;
+    return differences(ClipMotion(a, clip_of(first, clip)), ClipMotion(b, clip_of(second, other)), counterparts, times,
+                       shell);
+  }();
+  nb::list list;
+  for (std::size_t i = 0; i < found.size(); ++i)
+    list.append(counterparts[i] == no_parent ? nb::object(nb::none())
+                                             : nb::object(nb::float_(found[i].distance.value)));
+  return list;
+}
+
+}  // namespace
+
+void add_scenes(nb::module_& module) {
+  scenes::join_formats();
+  nb::class_<SharedScene>(module, "Scene")
+      .def_prop_ro("name", [](const SharedScene& shared) { return text(shared.scene->name); })
+      .def_prop_ro("skeleton", &skeleton_of)
+      .def_prop_ro("clips", &clips_of)
+      .def("channels", &channels_of, "clip"_a)
+      .def("distances", &distances_of, "clip"_a, "second"_a, "other"_a, "shell"_a)
+      .def("reduced", &reduce_scene, "method"_a, "options"_a, "closed"_a, "threads"_a)
+      .def("write", &write_scene, "path"_a, "euler"_a.none(), "rate"_a.none(), "bones"_a);
+  module.def("read_scene", &read_scene, "path"_a, "drop_duplicates"_a);
+}
+
+}  // namespace orispline::python

@@ -1,0 +1,258 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A skeleton with its clips, and what was done to it."""
+from __future__ import annotations
+
+import dataclasses
+import functools
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._checks import flag, real
+from ._errors import ArgumentError
+from ._files import Path, path_text
+from ._warnings import tell
+
+Array = NDArray[np.float64]
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class Skeleton:
+    """The joints of a scene, in an order in which parents come first, and where they are without a clip.
+
+    A point p of a joint is at translation + rotation (scale * p) in the frame of its parent.
+
+    Attributes
+    ----------
+    names
+        Of the joints, or of what else is placed by a parent.
+    parents
+        (n,) indices of joints; -1 where there is no parent.
+    translations
+        (n, 3) of the rest pose, in the unit of the file, in the frame of the parent.
+    rotations
+        (n, 4) quaternions of the rest pose, joint to parent.
+    scales
+        (n, 3) of the rest pose, along the axes of the joint.
+    """
+
+    names: tuple[str, ...]
+    parents: NDArray[np.intp]
+    translations: Array
+    rotations: Array
+    scales: Array
+
+    def __len__(self) -> int:
+        return len(self.names)
+
+    def __repr__(self) -> str:
+        return f"Skeleton({len(self)} joints)"
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class Channel:
+    """The rotation, translation or scale of a joint over time.
+
+    Attributes
+    ----------
+    joint
+        Its name.
+    index
+        Its place in the skeleton.
+    property
+        "rotation", "translation" or "scale".
+    interpolation
+        "step", "linear" or "cubicspline", as glTF defines them.
+    times
+        (n,) of the keys [s].
+    values
+        (n, 4) quaternions, joint to parent, or (n, 3) vectors in the frame of the parent.
+    in_tangents, out_tangents
+        Time derivatives of the components before and after each key [1/s], of "cubicspline"; else None.
+    """
+
+    joint: str
+    index: int
+    property: str
+    interpolation: str
+    times: Array
+    values: Array
+    in_tangents: Array | None
+    out_tangents: Array | None
+
+    def __len__(self) -> int:
+        return len(self.times)
+
+    def __repr__(self) -> str:
+        return f"Channel({self.joint!r}, {self.property!r}, {self.interpolation!r}, {len(self)} keys)"
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class Clip:
+    """One animation of a skeleton.
+
+    Attributes
+    ----------
+    name
+        As the file has it.
+    start, end
+        Times of its first and its last key [s].
+    """
+
+    name: str
+    start: float
+    end: float
+    _core: Any
+    _index: int
+    _names: tuple[str, ...]
+    _scalar_first: bool
+
+    @functools.cached_property
+    def channels(self) -> tuple[Channel, ...]:
+        """The rotations, then the translations, then the scales."""
+        return tuple(Channel(self._names[joint], joint, kind, interpolation, times, *(
+            _ordered(rows, kind == "rotation" and self._scalar_first) for rows in arrays))
+            for joint, kind, interpolation, times, *arrays in self._core.channels(self._index))
+
+    def __repr__(self) -> str:
+        return f"Clip({self.name!r}, {self.start:g} … {self.end:g} s)"
+
+
+class Scene:
+    """A skeleton with its clips, of `read_scene`. It never changes.
+
+    What else the file holds, such as meshes and materials, is kept, and written again in the same format.
+    """
+
+    def __init__(self) -> None:
+        raise TypeError("found a call of Scene, wanted one of read_scene")
+
+    _core: Any
+    _scalar_first: bool
+
+    @classmethod
+    def _of(cls, core: Any, scalar_first: bool) -> Scene:
+        scene = cls.__new__(cls)
+        scene._core, scene._scalar_first = core, scalar_first
+        return scene
+
+    @property
+    def name(self) -> str:
+        """That of the file."""
+        return str(self._core.name)
+
+    @functools.cached_property
+    def skeleton(self) -> Skeleton:
+        """The joints."""
+        names, parents, translations, rotations, scales = self._core.skeleton
+        return Skeleton(tuple(names), np.array(parents, np.intp), translations, _ordered(rotations, self._scalar_first), scales)
+
+    @functools.cached_property
+    def clips(self) -> tuple[Clip, ...]:
+        """The animations, in the order of the file."""
+        return tuple(Clip(name, start, end, self._core, i, self.skeleton.names, self._scalar_first)
+                     for i, (name, start, end) in enumerate(self._core.clips))
+
+    def write(self, path: Path, *, output_euler: str | None = None, rate: float | None = None, bones: bool = True) -> None:
+        """Writes the scene in the format of the path's extension: .glb, .gltf or .bvh.
+
+        The file appears complete or not at all.
+
+        Parameters
+        ----------
+        path : str or path
+        output_euler : str, optional
+            Order of the angles in BVH, such as "ZYX". Without it that of the file that was read, else ZYX.
+        rate : float, optional
+            Frames per second in BVH [Hz]. Without it that of the keys, which must be even.
+        bones : bool
+            Give a skeleton without a mesh a few triangles for each joint in glTF, so that viewers show something.
+
+        Raises
+        ------
+        AccessError
+            The file cannot be written.
+        ArgumentError
+            An extension of no format, or an order of angles that there is not.
+        DataError
+            What the format cannot hold, such as uneven keys in BVH.
+
+        Warns
+        -----
+        ShapeWarning
+            What the format has no room for.
+        """
+        if output_euler is not None and not isinstance(output_euler, str):
+            raise TypeError(f"output_euler: found {output_euler!r}, wanted a text such as 'ZYX'")
+        hertz = None if rate is None else positive("rate", rate)
+        tell(self._core.write(path_text(path), output_euler, hertz, flag("bones", bones)))
+
+    def __repr__(self) -> str:
+        return f"Scene({self.name!r}, {len(self.skeleton)} joints, {len(self._core.clips)} clips)"
+
+
+@dataclasses.dataclass(frozen=True)
+class Worst:
+    """The largest of some distances, and where it is.
+
+    Attributes
+    ----------
+    value
+        The distance: an angle [rad] or a length.
+    clip, joint
+        Their names; empty where all distances are 0.
+    time
+        [s].
+    """
+
+    value: float
+    clip: str
+    joint: str
+    time: float
+
+
+@dataclasses.dataclass(frozen=True)
+class SceneReduction:
+    """What `reduce_scene` did to the clips of a scene.
+
+    Attributes
+    ----------
+    rotation_keys, rotation_keys_before
+        Keys of rotations that had three or more.
+    rotation_tracks
+        How many rotations had so many.
+    open_tracks
+        Those of them that do not end as they begin.
+    translation_keys, translation_keys_before
+        Keys of translations.
+    angle
+        The largest angle between a joint and its key before, in the frame of its parent [rad].
+    distance
+        The largest shell distance in the world, at the same times.
+    from_smooth, from_stored
+        The largest angles between the keys before, from the curve `auto` through them and from what the file says [rad].
+    """
+
+    rotation_keys: int
+    rotation_keys_before: int
+    rotation_tracks: int
+    open_tracks: int
+    translation_keys: int
+    translation_keys_before: int
+    angle: Worst
+    distance: Worst
+    from_smooth: Worst
+    from_stored: Worst
+
+
+def _ordered(rows: Array | None, scalar_first: bool) -> Any:
+    return np.ascontiguousarray(rows[:, [3, 0, 1, 2]]) if scalar_first and rows is not None else rows
+
+
+def positive(name: str, value: Any) -> float:
+    """A finite number greater than 0."""
+    number = real(name, value)
+    if not (0 < number < np.inf):
+        raise ArgumentError(f"{name}: found {number:g}, wanted a finite number greater than 0")
+    return number

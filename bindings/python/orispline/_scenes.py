@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Files of skeletons read, reduced and compared."""
+from __future__ import annotations
+
+import dataclasses
+from typing import Any
+
+from . import _core
+from ._checks import flag
+from ._errors import ArgumentError, DataError
+from ._files import Path, path_text
+from ._options import checked_threads, method_words, plain, takes
+from ._scene import Scene, SceneReduction, Worst, positive
+from ._warnings import tell
+
+TOLERANCES = ("tolerance", "position_tolerance", "world_tolerance")
+
+
+def read_scene(path: Path, *, drop_duplicates: bool = False, scalar_first: bool = False) -> Scene:
+    """The skeleton and the clips of a glTF or BVH file, in the format of its extension.
+
+    Parameters
+    ----------
+    path : str or path
+    drop_duplicates : bool
+        Of keys of a channel at equal times keep the first.
+    scalar_first : bool
+        The order of quaternions in all that the scene gives back: w, x, y, z.
+
+    Raises
+    ------
+    DataError
+        A file that is broken, with the clip, the joint and the key in the text.
+    AccessError
+        The file is not there or cannot be read.
+    ArgumentError
+        An extension of no format.
+
+    Warns
+    -----
+    ShapeWarning
+        What was noticed in the file.
+
+    Examples
+    --------
+    >>> import orispline as ori, pathlib, tempfile
+    >>> path = pathlib.Path(tempfile.mkdtemp()) / "nod.bvh"
+    >>> _ = path.write_text("HIERARCHY\\nROOT head\\n{\\nOFFSET 0 1.5 0\\nCHANNELS 3 Zrotation Xrotation Yrotation\\n"
+    ...                     "End Site\\n{\\nOFFSET 0 0.2 0\\n}\\n}\\nMOTION\\nFrames: 3\\nFrame Time: 0.5\\n0 0 0\\n0 20 0\\n0 0 0\\n")
+    >>> scene = ori.read_scene(path)
+    >>> scene.clips[0].channels
+    (Channel('head', 'rotation', 'linear', 3 keys),)
+    >>> scene.write(path.with_suffix(".glb"))
+    """
+    core, warnings = _core.read_scene(path_text(path), flag("drop_duplicates", drop_duplicates))
+    tell(warnings)
+    return Scene._of(core, flag("scalar_first", scalar_first))
+
+
+@takes("ClipReduceOptions")
+def reduce_scene(scene: Scene, tolerance: Any = None, *, method: Any = "cubicspline", closed: bool = False, threads: int = 0,
+                 **options: Any) -> tuple[Scene, SceneReduction]:
+    """A scene with the fewest keys found that look the same, and what was done to it.
+
+    One of `tolerance`, `position_tolerance` and `world_tolerance` is required. Angles are in radians and lengths in the
+    unit of the file; texts have their unit, such as "0.1deg", and lengths "2mm" where the file has metres.
+
+    Parameters
+    ----------
+    scene : Scene
+    method : str or Curve
+        "cubicspline", which is glTF's; "slerp", which makes linear channels; or another one that `reduce` takes, written as
+        cubics within the tolerance.
+    closed : bool
+        With "cubicspline", channels that end as they begin have the same tangents at both ends.
+    threads : int
+        At most so many at work, 0 means one for each core. The result is the same on any.
+    {options}
+
+    Returns
+    -------
+    (Scene, SceneReduction)
+        The numbers of the keys fit into the float32 of glTF.
+
+    Raises
+    ------
+    ArgumentError
+        No tolerance, an option out of its range, or a method that does not suit.
+
+    Examples
+    --------
+    >>> import orispline as ori
+    >>> scene = ori.read_scene("mage.glb")  # doctest: +SKIP
+    >>> small, report = ori.reduce_scene(scene, world_tolerance=0.002)  # doctest: +SKIP
+    >>> small.write("small.glb")  # doctest: +SKIP
+    """
+    core = _checked(scene)._core
+    stated = plain({"tolerance": tolerance, **options})
+    if all(stated.get(name) is None for name in TOLERANCES):
+        raise ArgumentError(f"tolerance: found none, wanted one of {', '.join(TOLERANCES)}")
+    words = method_words(method)
+    if flag("closed", closed) and words != "cubicspline":
+        raise ArgumentError(f"closed: found it with the method {words!r}, wanted 'cubicspline'")
+    reduced, clips = core.reduced(words, stated, closed, checked_threads(threads))
+    return Scene._of(reduced, scene._scalar_first), _report(scene, clips)
+
+
+def shell_distance(a: Scene, b: Scene, shell: float = 0.03) -> dict[str, dict[str, float]]:
+    """How far apart two scenes of one skeleton are in the world: of every clip and joint the largest shell distance.
+
+    That is the largest distance between the same points of both: the joint, and those that are `shell` off it along each
+    of its axes. It tells how far a skin that hangs on the joint is off.
+
+    Parameters
+    ----------
+    a, b : Scene
+        Clips and joints that have the same names are the same. All of `a` are compared, at the times of its keys.
+    shell : float
+        In the unit of the file: 3 cm where that is the metre.
+
+    Returns
+    -------
+    dict
+        By the names of clips and joints of `a`; joints that `b` has not are left out. Of equal names the largest.
+
+    Raises
+    ------
+    DataError
+        A clip that `b` has not.
+    """
+    first, second = _checked(a, "a"), _checked(b, "b")
+    length = positive("shell", shell)
+    left = list(enumerate(clip.name for clip in second.clips))
+    found: dict[str, dict[str, float]] = {}
+    for i, clip in enumerate(first.clips):
+        other = next((pair for pair in left if pair[1] == clip.name), None)
+        if other is None:
+            raise DataError(f"b: found no clip {clip.name!r}, wanted every clip of a")
+        left.remove(other)
+        joints = found.setdefault(clip.name, {})
+        for joint, distance in zip(first.skeleton.names, first._core.distances(i, second._core, other[0], length)):
+            if distance is not None:
+                joints[joint] = max(distance, joints.get(joint, 0.0))
+    return found
+
+
+def _report(scene: Scene, clips: list[dict[str, Any]]) -> SceneReduction:
+    """Of all clips together."""
+    found: dict[str, Any] = {}
+    for field in dataclasses.fields(SceneReduction):
+        is_count = "keys" in field.name or "tracks" in field.name
+        found[field.name] = sum(clip[field.name] for clip in clips) if is_count else _worst(scene, field.name, clips)
+    return SceneReduction(**found)
+
+
+def _worst(scene: Scene, name: str, clips: list[dict[str, Any]]) -> Worst:
+    i, (value, time, joint) = max(((i, clip[name]) for i, clip in enumerate(clips)), key=lambda pair: pair[1][0],
+                                  default=(0, (0.0, 0.0, 0)))
+    return Worst(value, scene.clips[i].name, scene.skeleton.names[joint], time) if value > 0 else Worst(0.0, "", "", 0.0)
+
+
+def _checked(scene: Any, name: str = "scene") -> Scene:
+    if not isinstance(scene, Scene):
+        raise TypeError(f"{name}: found {type(scene).__name__}, wanted a Scene")
+    return scene

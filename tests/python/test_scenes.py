@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Skeletons with their clips: read, reduced, compared and written."""
+import math
+
+import numpy as np
+import orispline as ori
+import pytest
+
+HALF = math.radians(10)
+
+
+def bvh(path, turns, offset="0 0.3 0"):
+    """A file of an arm that turns about z by these angles [deg] at 30 Hz, its elbow by half of them about x."""
+    rows = "\n".join(f"0 1 0 {turn:.9g} 0 0 0 {turn / 2:.9g} 0" for turn in turns)
+    path.write_text("HIERARCHY\nROOT shoulder\n{\nOFFSET 0 1 0\nCHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation "
+                    f"Yrotation\nJOINT elbow\n{{\nOFFSET {offset}\nCHANNELS 3 Zrotation Xrotation Yrotation\n"
+                    "End Site\n{\nOFFSET 0 0.25 0\n}\n}\n}\n"
+                    f"MOTION\nFrames: {len(turns)}\nFrame Time: 0.0333333\n{rows}\n", "utf-8")
+    return path
+
+
+@pytest.fixture
+def arm(tmp_path):
+    return ori.read_scene(bvh(tmp_path / "arm.bvh", 50 * np.sin(np.linspace(0, 6, 121))))
+
+
+def channel(scene, joint, kind="rotation"):
+    found, = (one for one in scene.clips[0].channels if (one.joint, one.property) == (joint, kind))
+    return found
+
+
+def angles(a, b):
+    return 2 * np.arccos(np.clip(np.abs(np.sum(a * b, axis=-1)), 0, 1))
+
+
+def test_a_scene_tells_its_joints_and_clips(arm):
+    skeleton = arm.skeleton
+    assert skeleton.names[:2] == ("shoulder", "elbow") and len(skeleton) == len(skeleton.parents)
+    assert skeleton.parents[:2].tolist() == [-1, 0]
+    assert skeleton.translations[1].tolist() == [0, 0.3, 0] and skeleton.rotations[1].tolist() == [0, 0, 0, 1]
+    assert skeleton.scales.tolist() == [[1, 1, 1]] * len(skeleton)
+    clip, = arm.clips
+    assert clip.start == 0 and clip.end == pytest.approx(120 * 0.0333333)
+    turn = channel(arm, "shoulder")
+    assert turn.interpolation == "linear" and turn.in_tangents is None and turn.values.shape == (121, 4)
+    half = np.radians(50 * np.sin(np.linspace(0, 6, 121))) / 2
+    assert np.abs(np.abs(turn.values) - np.abs(np.column_stack([0 * half, 0 * half, np.sin(half), np.cos(half)]))).max() < 1e-9
+    assert repr(arm).startswith("Scene('") and repr(turn) == "Channel('shoulder', 'rotation', 'linear', 121 keys)"
+
+
+def test_quaternions_have_their_scalar_where_it_is_asked_for(arm, tmp_path):
+    first = ori.read_scene(tmp_path / "arm.bvh", scalar_first=True)
+    assert np.array_equal(channel(first, "elbow").values[:, [1, 2, 3, 0]], channel(arm, "elbow").values)
+    assert first.skeleton.rotations[0].tolist() == [1, 0, 0, 0]
+    small, _ = ori.reduce_scene(first, "1deg")
+    assert channel(small, "elbow").values[0, 0] > 0.9 and channel(small, "elbow").in_tangents.shape[1] == 4
+
+
+def test_a_reduced_scene_is_within_the_tolerance_and_survives_a_file(arm, tmp_path):
+    small, report = ori.reduce_scene(arm, tolerance=math.radians(0.1))
+    assert report.rotation_keys_before == 242 and report.rotation_tracks == 2
+    assert 4 <= report.rotation_keys < 60
+    assert report.rotation_keys == sum(len(one) for one in small.clips[0].channels if one.property == "rotation")
+    assert 0 < report.angle.value <= math.radians(0.1)
+    assert report.angle.joint in ("shoulder", "elbow") and report.angle.clip == arm.clips[0].name
+    assert channel(small, "elbow").interpolation == "cubicspline"
+    small.write(tmp_path / "small.glb")
+    again = ori.read_scene(tmp_path / "small.glb")
+    assert np.array_equal(channel(again, "elbow").times.astype("float32"), channel(small, "elbow").times.astype("float32"))
+    assert angles(channel(again, "elbow").values, channel(small, "elbow").values).max() < 1e-6
+    assert len(channel(arm, "elbow")) == 121, "the scene that was given has not changed"
+
+
+def test_methods_and_threads(arm):
+    linear, report = ori.reduce_scene(arm, "0.1deg", method="slerp", threads=2)
+    cubic, cubics = ori.reduce_scene(arm, "0.1deg", threads=1)
+    assert channel(linear, "elbow").interpolation == "linear" and report.rotation_keys > cubics.rotation_keys
+    same, _ = ori.reduce_scene(arm, "0.1deg", threads=2)
+    assert np.array_equal(channel(cubic, "elbow").out_tangents, channel(same, "elbow").out_tangents)
+
+
+def test_the_world_tolerance_holds_the_shell_distance(arm):
+    small, report = ori.reduce_scene(arm, world_tolerance=0.002, shell=0.05)
+    distances = ori.shell_distance(arm, small, shell=0.05)
+    clip, = distances
+    assert set(distances[clip]) >= {"shoulder", "elbow"}
+    assert max(distances[clip].values()) == pytest.approx(report.distance.value) and report.distance.value <= 0.002
+    assert report.rotation_keys < 60
+
+
+def test_shell_distance_is_the_chord_of_the_farthest_point(tmp_path):
+    a = ori.read_scene(bvh(tmp_path / "a.bvh", [0, 0, 0]))
+    (tmp_path / "b").mkdir()
+    b = ori.read_scene(bvh(tmp_path / "b/a.bvh", [0, 20, 0]))
+    found = ori.shell_distance(a, b, shell=0.1)[a.clips[0].name]
+    assert found["shoulder"] == pytest.approx(2 * 0.1 * math.sin(HALF))
+
+
+def test_keys_of_a_joint_are_read_as_those_of_a_table(arm, tmp_path):
+    arm.write(tmp_path / "arm.glb")
+    for name in ("arm.bvh", "arm.glb"):
+        keys = ori.read(tmp_path / name, joint="elbow")
+        assert len(keys) == 121 and angles(keys.rotations, channel(arm, "elbow").values).max() < 1e-6
+    world = ori.read(tmp_path / "arm.bvh", joint="elbow", space="world", clip=arm.clips[0].name)
+    assert world.positions.shape == (121, 3) and np.abs(world.positions[0] - [0, 1.3, 0]).max() < 1e-9
+    with pytest.raises(ori.DataError, match=r"joint=.* chooses one"):
+        ori.read(tmp_path / "arm.bvh")
+
+
+def test_bvh_has_the_order_of_angles_that_is_asked_for(arm, tmp_path):
+    arm.write(tmp_path / "zyx.bvh", output_euler="ZYX")
+    assert "CHANNELS 3 Zrotation Yrotation Xrotation" in (tmp_path / "zyx.bvh").read_text("utf-8")
+    with pytest.raises(ori.ArgumentError, match="wanted three different axes"):
+        arm.write(tmp_path / "no.bvh", output_euler="ZZZ")
+    assert not (tmp_path / "no.bvh").exists()
+
+
+def test_what_is_wrong_is_named(arm, tmp_path):
+    with pytest.raises(ori.ArgumentError, match="wanted one of tolerance, position_tolerance, world_tolerance"):
+        ori.reduce_scene(arm)
+    for tolerance in (0, -1, math.nan, "0deg"):
+        with pytest.raises(ori.ArgumentError, match="tolerance"):
+            ori.reduce_scene(arm, tolerance)
+    with pytest.raises(ori.ArgumentError, match="shell"):
+        ori.shell_distance(arm, arm, shell=0)
+    with pytest.raises(ori.ArgumentError, match="closed"):
+        ori.reduce_scene(arm, "1deg", method="slerp", closed=True)
+    with pytest.raises(TypeError, match="scene: found str, wanted a Scene"):
+        ori.reduce_scene("arm.bvh", "1deg")
+    with pytest.raises(ori.AccessError):
+        ori.read_scene(tmp_path / "absent.glb")
+    with pytest.raises(ori.ArgumentError):
+        ori.read_scene(tmp_path / "absent.txt")
+    torn = tmp_path / "torn.glb"
+    torn.write_bytes(b"glTF\2\0\0\0")
+    with pytest.raises(ori.DataError, match="torn.glb"):
+        ori.read_scene(torn)
+    with pytest.raises(TypeError):
+        ori.Scene()
