@@ -100,14 +100,32 @@ class ClipReducer {
     return {};
   }
 
-  /// The clip with one key in the place of those that are the same.
-  [[nodiscard]] Clip resting_once(Clip clip) const {
+  /// The clip with one key in the place of those that are the same. It lasts as long as before: if need be one channel
+  /// keeps the same key at its end.
+  [[nodiscard]] Clip resting_once(const Clip& before) const {
+    Clip clip = before;
     for (RotationChannel& channel : clip.rotations)
       channel = without_rounding(channel, skeleton_[channel.joint].rest.rotation);
     for (VectorChannel& channel : clip.translations)
       channel = without_rounding(channel, skeleton_[channel.joint].rest.translation);
     for (VectorChannel& channel : clip.scales) channel = without_rounding(channel, skeleton_[channel.joint].rest.scale);
+    const double end = before.domain().end;
+    if (clip.domain().end < end)
+      held_to(end, before.rotations, clip.rotations) || held_to(end, before.translations, clip.translations) ||
+          held_to(end, before.scales, clip.scales);
     return clip;
+  }
+
+  /// Gives the first channel that ended there its last key again; whether there was one.
+  template <CurvePoint P>
+  static bool held_to(double end, const std::vector<Channel<P>>& before, std::vector<Channel<P>>& after) {
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      if (before[i].times.back() < end) continue;
+      after[i].times.push_back(end);
+      after[i].values.push_back(after[i].values.front());
+      return true;
+    }
+    return false;
   }
 
   std::optional<Error> reduce(Clip& clip, const Piece& piece, double factor) const {

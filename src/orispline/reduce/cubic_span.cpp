@@ -7,14 +7,14 @@
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
-constexpr int rounds_of_radii = 3, rounds_of_directions = 2, rounds_of_weights = 24;
+constexpr int rounds_of_radii = 3, rounds_of_directions = 2, rounds_of_weights = 10;
 /// Lengths of the polynomial of a quaternion at its targets: readers that do not normalise at once shall not see
 /// others.
 constexpr double shortest_radius = 0.5, longest_radius = 2.0;
 /// What a radius that is off 1 weighs beside a direction that is off as much.
 constexpr double weight_of_radius = 1e-4;
 /// Misses farther than this many tolerances are not brought within it by weights.
-constexpr double hopeless = 3.0;
+constexpr double hopeless = 2.0;
 
 /// The square of half the angle's sine between the direction of p and a unit quaternion q, times |p|².
 double square_miss(const Eigen::Vector4d& p, const Eigen::Vector4d& q) { return (p - p.dot(q) * q).squaredNorm(); }
@@ -145,8 +145,10 @@ std::optional<CubicTangents<P>> CubicSpans<P>::within(std::size_t i, std::size_t
     if (!(largest <= hopeless * hopeless * square_bound_)) break;
     fit.weigh(largest);
     before = largest;
-    if ((largest = fit.solve()) <= square_bound_) return fit.tangents();
-    if (round > 2 && largest > 0.995 * before) break;
+    if constexpr (std::same_as<P, Eigen::Quaterniond>) largest = fit.solve_directions();
+    else largest = fit.solve();
+    if (largest <= square_bound_) return fit.tangents();
+    if (round > 2 && largest > 0.98 * before) break;
   }
   return std::nullopt;
 }
