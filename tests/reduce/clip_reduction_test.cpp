@@ -122,17 +122,6 @@ TEST(ReduceClips, HasFewerKeysWithCubicsAndCountsThem) {
   EXPECT_EQ(cubic.translation_keys, 150u) << "without a tolerance for them";
 }
 
-TEST(ReduceClips, LeavesAClipThatRestsAsLongAsItWas) {
-  const Eigen::Quaterniond still = Eigen::Quaterniond::Identity();
-  const Clip clip{.name = "rest",
-                  .rotations = {{.joint = 0, .times = {0.0, 1.0, 2.0}, .values = {still, still, still}},
-                                {.joint = 1, .times = {0.0, 3.0}, .values = {still, still}}}};
-  const ClipReduction found = reduced(clip, {.tolerance = degree});
-  EXPECT_EQ(found.clip.domain().end, 3.0);
-  EXPECT_EQ(found.clip.rotations[0].size(), 1u);
-  EXPECT_EQ(found.clip.rotations[1].size(), 2u);
-}
-
 TEST(ReduceClips, StoresTheNumbersOfTheFile) {
   const ClipReduction found = reduced(swing(), {.tolerance = 0.2 * degree, .precision = KeyPrecision::float32});
   for (const RotationChannel& channel : found.clip.rotations)
