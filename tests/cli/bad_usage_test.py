@@ -135,7 +135,7 @@ CASES = (
     ("convert keys.csv --json", "--json: the summary goes to standard output, wanted -o FILE for the keys"),
     # the other commands
     ("convert", "convert: INPUT is missing; 'orispline help convert' shows what to type"),
-    ("convert keys.csv --count 1", "convert: unknown option '--count'; 'orispline help convert' lists them"),
+    ("convert keys.csv --threads 1", "convert: unknown option '--threads'; 'orispline help convert' lists them"),
     ("convert keys.csv --rate 1", "--rate: found an output without a skeleton, wanted a file such as walk.bvh or walk.glb"),
     ("inspect", "inspect: INPUT is missing; 'orispline help inspect' shows what to type"),
     ("compare keys.csv --sort rsm", "--sort: unknown measure 'rsm'; did you mean 'rms'?"),

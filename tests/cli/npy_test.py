@@ -81,7 +81,7 @@ class Arrays(CommandTest):
         self.assert_fails("sample motion.npy --count 5", BAD_USAGE,
                           "motion.npy: keys are not read from NumPy files, wanted CSV, TUM, EuRoC, BVH or glTF")
         self.assert_fails("sample motion.npy --input-format npy --count 5", BAD_USAGE,
-                          "--input-format: found 'npy', wanted csv|tum|euroc")
+                          "--input-format: found 'npy', wanted csv|tum|euroc|bvh|gltf")
 
 
 class Threads(CommandTest):

@@ -30,7 +30,7 @@ class Refused(SceneTest):
     def test_bad_choices_leave_the_old_output(self):
         joints = "wanted one of 'Shoulder', 'Elbow'"
         for arguments, code, *parts in (
-                ("reduce arm.bvh -o old.glb", BAD_USAGE, "--tolerance is required, or --world-tolerance"),
+                ("reduce arm.bvh -o old.glb", BAD_USAGE, "--tolerance or --world-tolerance is missing"),
                 ("reduce arm.bvh --tolerance 1deg -o arm2.bvh", BAD_USAGE, "-o: ", "wanted glTF"),
                 ("reduce arm.bvh --tolerance 1deg -o old.csv", BAD_DATA, "found 2 joints", joints, "--joint NAME"),
                 ("reduce arm.bvh --joint Elbow --world-tolerance 1mm -o old.csv", BAD_USAGE, "--world-tolerance", "glTF"),

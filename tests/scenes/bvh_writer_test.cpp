@@ -103,7 +103,7 @@ TEST(BvhWriter, TheOrderThatIsAskedForIsThatOfAllJoints) {
   EXPECT_LT(angular_distance(again.clips[0].rotations[0].values[0], scene.clips[0].rotations[0].values[0]), 1e-15);
   const auto refused = write_bvh(scene, {.euler = euler_order_of("ZXZ")});
   ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().option, "euler");
+  EXPECT_EQ(refused.error().option, "output_euler");
 }
 
 TEST(BvhWriter, ASceneFromElsewhereBecomesAHierarchyOfItsAnimatedJoints) {
