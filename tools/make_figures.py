@@ -13,6 +13,7 @@ from typing import NamedTuple
 from band_figure import band_figure
 from rotations import DEGREE, conjugate, norm, times, to_world, turn
 from sampled_motion import Motion, sampled
+from skeleton_figure import skeleton_figure
 from sphere_view import sphere
 from svg_drawing import BLUE, GREEN, GREY, INK, PURPLE, RED, Plot, document, legend, line, text
 
@@ -283,6 +284,7 @@ def main():
                for name, curves in families(command).items()}
     figures["families/beta-parameters"] = beta_parameters_figure(command)
     figures["families/auto-distance"] = auto_distance_figure(command)
+    figures["skeletons"] = skeleton_figure(command)
     figures["families/measured"] = band_figure(command, Motion(text_of("flight_truth.csv")), table)
     figures["closed"] = closed_figure(command)
     figures["flight"] = flight_figure(command)
