@@ -40,8 +40,8 @@ Expected<scenes::SceneWriting> scene_writing(const OutputOptions& options) {
       return usage_failure(
           formatted("{}: found a file of skeletons as the output, which takes --output-euler alone", flag_of(name)));
     writing.euler = euler_order_of(*text);
-    if (!writing.euler || writing.euler->is_proper() || writing.euler->axes != EulerOrder::Axes::of_body)
-      return wanted({"--output-euler", *text}, "three different axes of the body, such as ZYX");
+    if (!writing.euler || writing.euler->is_proper())
+      return wanted({"--output-euler", *text}, "three different axes, such as ZYX");
   }
   return writing;
 }

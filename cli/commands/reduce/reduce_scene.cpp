@@ -74,10 +74,12 @@ Expected<orispline::ClipReduceOptions> clip_reduction_in(const ReduceOptions& op
 Expected<double> metres_in(const ReduceOptions& options) {
   if (options.position_scale) return positive_in({"--position-scale", *options.position_scale});
   const bool has_no_unit = scenes::scene_format_of(options.input.path) == &scenes::bvh_format;
-  if (!has_no_unit || !is_given(options.scene, "world_tolerance")) return 1.0;
+  const bool bounds_world = is_given(options.scene, "world_tolerance");
+  if (!has_no_unit || !(bounds_world || is_given(options.reduction, "position_tolerance"))) return 1.0;
   return usage_failure(
-      "--world-tolerance: found a BVH file, which has no unit of length, wanted --position-scale as well, such as 0.01 "
-      "for centimetres");
+      formatted("{}: found a BVH file, which has no unit of length, wanted --position-scale as well, "
+                "such as 0.01 for centimetres",
+                bounds_world ? "--world-tolerance" : "--position-tolerance"));
 }
 
 Expected<SceneRequest> scene_request_in(const ReduceOptions& options) {
@@ -129,6 +131,7 @@ Expected<void> reduce_scene(const ReduceOptions& options) {
                            .skeleton = scene->skeleton,
                            .options = request->reduction,
                            .metres = request->metres,
+                           .unit = scene->format == &scenes::bvh_format && !options.position_scale ? "" : " m",
                            .reductions = *std::move(reductions),
                            .bytes_before = bytes_of(options.input.path)};
   return write_scene(options.output.path, *scene, request->writing).and_then([&] {

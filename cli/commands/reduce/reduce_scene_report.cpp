@@ -97,10 +97,10 @@ std::string text_of(const ReduceSceneReport& report) {
                   totals.from_smooth->from_smooth.largest.value * degrees,
                   totals.from_stored->from_stored.largest.value * degrees);
   if (totals.distance)
-    text +=
-        formatted("shell distance  {:.6g} m in the world, {}; shell {:g} m\n",
-                  totals.distance->distance.largest.value * report.metres,
-                  place_of(report, *totals.distance, totals.distance->distance), report.options.shell * report.metres);
+    text += formatted("shell distance  {:.6g}{} in the world, {}; shell {:g}{}\n",
+                      totals.distance->distance.largest.value * report.metres, report.unit,
+                      place_of(report, *totals.distance, totals.distance->distance),
+                      report.options.shell * report.metres, report.unit);
   text += formatted("written to {}", destination(report.output));
   if (report.bytes_before > 0)
     text += formatted(": {} of {}", size_text(report.bytes_after), size_text(report.bytes_before));
@@ -109,9 +109,9 @@ std::string text_of(const ReduceSceneReport& report) {
 
 std::string line_of(const ReduceSceneReport& report) {
   const Totals totals(report.reductions);
-  return formatted("{}: {} of {}, {:.6g}° and {:.6g} m in the world off at most", printable(report.output), totals.keys,
+  return formatted("{}: {} of {}, {:.6g}° and {:.6g}{} in the world off at most", printable(report.output), totals.keys,
                    counted(totals.keys_before, "key"), totals.angle ? totals.angle->angle.largest.value * degrees : 0.0,
-                   totals.distance ? totals.distance->distance.largest.value * report.metres : 0.0);
+                   totals.distance ? totals.distance->distance.largest.value * report.metres : 0.0, report.unit);
 }
 
 Json json_of(const ReduceSceneReport& report) {

@@ -15,7 +15,8 @@ struct ReduceSceneReport {
   std::string input, output;
   Skeleton skeleton{};
   orispline::ClipReduceOptions options{};
-  double metres = 1.0;  ///< in a unit of length of the file; lengths are shown in metres
+  double metres = 1.0;           ///< in a unit of length of the file; lengths are shown in metres
+  std::string_view unit = " m";  ///< of lengths, for people; empty where it is not known
   std::vector<ClipReduction> reductions{};
   std::size_t bytes_before = 0, bytes_after = 0;  ///< of the files; 0 where that is not known
 };

@@ -65,6 +65,24 @@ Expected<double> measured_in(OptionText option, std::span<const Unit> units) {
       });
 }
 
+/// What a file of skeletons has no room for.
+Expected<void> check_into_scene(const SampleOptions& options) {
+  if (!is_scene(options.output.path)) return {};
+  const bool cubics = !names_times(options.times);
+  if (cubics && (options.times.from || options.times.to || options.times.include_end))
+    return usage_failure("--from and --to: found cubics of the whole curve, wanted --rate or --count as well");
+  if (options.extrapolate && *options.extrapolate != "hold" && *options.extrapolate != "error")
+    return usage_failure(
+        formatted("--extrapolate: found '{}' with a file of skeletons, wanted hold or error", *options.extrapolate));
+  if (options.truth) return usage_failure("--truth: found a file of skeletons as the output, wanted one of samples");
+  if (options.derivatives || options.frame || options.band)
+    return usage_failure(formatted("{}: found a file of skeletons, which has no columns for it, wanted a CSV file",
+                                   options.band    ? "--band"
+                                   : options.frame ? "--frame"
+                                                   : "--derivatives"));
+  return {};
+}
+
 /// Of a file of skeletons: how near its cubics are to the curve, unless it gets samples.
 Expected<std::optional<double>> tolerance_in(const SampleOptions& options) {
   if (!is_scene(options.output.path)) {
@@ -92,7 +110,7 @@ Expected<double> position_tolerance_in(const SampleOptions& options) {
 Expected<TimeRequest> times_in(const SampleOptions& options) {
   return clock_in(options.input).and_then([&](const io::Clock& clock) {
     TimeOptions times = options.times;
-    if (is_scene(options.output.path) && !names_times(times)) times.count = "2";
+    if (is_scene(options.output.path) && !names_times(times)) times.count = "1";
     return time_request(times, clock);
   });
 }
@@ -112,6 +130,7 @@ bool reads_standard_input_twice(const SampleOptions& options) {
 }  // namespace
 
 Expected<SampleRequest> sample_request(const SampleOptions& options) {
+  if (auto fits = check_into_scene(options); !fits) return tl::unexpected(std::move(fits.error()));
   FirstError checked;
   SampleRequest request{
       .input = checked(input_request(options.input)),

@@ -110,7 +110,23 @@ class FileNames {
   std::set<std::string> used_;
 };
 
-/// The files of samples that were written, one for each joint that turns.
+/// The joints that a clip moves, in the order of the skeleton: those with keys of their own, and in the world those
+/// that these carry too.
+std::vector<std::size_t> joints_of(const scenes::Scene& scene, const Clip& clip, io::SceneTrack::Space space) {
+  std::vector<bool> moves(scene.skeleton.size());
+  for (const RotationChannel& channel : clip.rotations) moves[channel.joint] = true;
+  for (const auto* const channels : {&clip.translations, &clip.scales})
+    for (const VectorChannel& channel : *channels) moves[channel.joint] = true;
+  std::vector<std::size_t> joints;
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    const std::size_t parent = scene.skeleton[i].parent;
+    if (space == io::SceneTrack::Space::world && parent != no_parent && moves[parent]) moves[i] = true;
+    if (moves[i]) joints.push_back(i);
+  }
+  return joints;
+}
+
+/// The files of samples that were written, one for each joint that moves.
 struct JointsReport {
   std::string input{}, folder{};
   std::size_t files = 0, samples = 0;
@@ -234,19 +250,19 @@ Expected<void> sample_all_joints(const SampleOptions& options) {
   for (const Clip& clip : scene->clips) {
     const std::string folder = formatted("{}/{}", *options.inputs.folder, folders.unused(clip.name));
     FileNames files;
-    for (const RotationChannel& channel : clip.rotations) {
-      const std::string& name = scene->skeleton[channel.joint].name;
+    for (const std::size_t joint : joints_of(*scene, clip, request->input.read.scene.space)) {
+      const std::string& name = scene->skeleton[joint].name;
       if (request->input.read.scene.joint.value_or(name) != name) continue;
       if (auto made = make_folder(folder); !made) return made;
       request->output = formatted("{}/{}{}", folder, files.unused(name), extension->empty() ? ".csv" : *extension);
-      const auto sampled = sample_joint(*request, *scene, clip, channel.joint);
+      const auto sampled = sample_joint(*request, *scene, clip, joint);
       if (!sampled) return tl::unexpected(sampled.error());
       ++report.files;
       report.samples += sampled->samples;
     }
   }
   if (report.files > 0) return summarise(options.summary, report);
-  return failure(ErrorCode::bad_data, "found no joint that turns, wanted one at least", {.file = one.input.path});
+  return failure(ErrorCode::bad_data, "found no joint that moves, wanted one at least", {.file = one.input.path});
 }
 
 Expected<void> write_curve_scene(const SampleOptions& options, const SampleRequest& request, const CurveScene& source) {

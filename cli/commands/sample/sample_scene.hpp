@@ -16,7 +16,7 @@ namespace orispline::cli {
 /// Whether that is wanted of all joints, in a folder.
 [[nodiscard]] bool asks_for_all_joints(const SampleOptions& options);
 
-/// Samples every joint that turns into a file CLIP/JOINT in the folder; of a joint that is named that one of each clip.
+/// Samples every joint that moves into a file CLIP/JOINT in the folder; of a joint that is named that one of each clip.
 [[nodiscard]] Expected<void> sample_all_joints(const SampleOptions& options);
 
 /// A curve, how many keys it is through, and where samples are wanted.

@@ -7,9 +7,9 @@
 namespace orispline::cli {
 
 Json json_of(const SmoothReport& report) {
-  Json json{{"input", report.recording.name},           {"output", report.output},
-            {"samples", report.recording.lines.size()}, {"rows_written", report.rows},
-            {"penalty", word_of(report.penalty)},       {"loss", word_of(report.loss)}};
+  Json json{{"input", report.recording.name},          {"output", report.output},
+            {"samples", report.recording.keys.size()}, {"rows_written", report.rows},
+            {"penalty", word_of(report.penalty)},      {"loss", word_of(report.loss)}};
   put(json, report.smoothing, {report.recording.lines, report.recording.exact_times});
   return json;
 }

@@ -107,7 +107,7 @@ std::string stretch_lines(const SmoothReport& report) {
 std::string text_of(const SmoothReport& report) {
   const Smoothing& smoothing = report.smoothing;
   std::string text =
-      formatted("{} from {}", counted(report.recording.lines.size(), "sample"), printable(report.recording.name));
+      formatted("{} from {}", counted(report.recording.keys.size(), "sample"), printable(report.recording.name));
   text += clauses_of(report.repairs);
   text += "\n" + choice_line(smoothing);
   text += noise_line(report) + distance_lines(smoothing);
@@ -123,7 +123,7 @@ std::string text_of(const SmoothReport& report) {
 std::string line_of(const SmoothReport& report) {
   std::string line = formatted("{}: {} from {}, RMS {:.4g}° and at most {:.4g}° from them", printable(report.output),
                                counted(report.rows, report.samples ? "sample" : "key"),
-                               counted(report.recording.lines.size(), "sample"),
+                               counted(report.recording.keys.size(), "sample"),
                                report.smoothing.distances.rms * degrees, report.smoothing.distances.largest * degrees);
   if (!report.smoothing.rejected.empty()) line += formatted("; {} rejected", report.smoothing.rejected.size());
   line += clauses_of(report.repairs);

@@ -44,8 +44,20 @@ std::size_t joints_in(const SmoothSceneReport& report) {
 
 std::string line_of(const SmoothSceneReport& report, const ClipSmoothing::OfJoint& joint) {
   const orispline::Smoothing& found = joint.smoothing;
-  return formatted("  {:<24}{:>12.4g} s{:>12.4g}°{:>10}\n", printable(report.skeleton[joint.joint].name),
-                   found.smoothing_time, found.noise * degrees, found.rejected.size());
+  return formatted("  {:<24}{:>12.4g} s{:>12.4g}°{:>10}{:>14.4g}°\n", printable(report.skeleton[joint.joint].name),
+                   found.smoothing_time, found.noise * degrees, found.rejected.size(), joint.largest_change * degrees);
+}
+
+/// Where a rotation was changed most: motion that counts as an outlier is seen there.
+std::string changes_text(const SmoothSceneReport& report) {
+  const ClipSmoothing* clip = nullptr;
+  const ClipSmoothing::OfJoint* worst = nullptr;
+  for (const ClipSmoothing& other : report.clips)
+    for (const ClipSmoothing::OfJoint& joint : other.joints)
+      if (!worst || joint.largest_change > worst->largest_change) clip = &other, worst = &joint;
+  if (!worst) return "";
+  return formatted("largest change  {:.4g}° at {:.6g} s, {}\n", worst->largest_change * degrees, worst->change_at,
+                   place_of(report.skeleton, clip->clip, worst->joint));
 }
 
 std::string text_of(const SmoothSceneReport& report) {
@@ -55,21 +67,24 @@ std::string text_of(const SmoothSceneReport& report) {
                                counted(joints_in(report), "rotation"), counted(report.clips.size(), "clip"),
                                printable(report.input), left);
   if (report.clips.size() == 1 && joints_in(report) > 0) {
-    text += formatted("  {:<24}{:>14}{:>13}{:>10}\n", "joint", "smoothing time", "noise", "rejected");
+    text += formatted("  {:<24}{:>14}{:>13}{:>10}{:>15}\n", "joint", "smoothing time", "noise", "rejected",
+                      "largest change");
     for (const ClipSmoothing::OfJoint& joint : report.clips.front().joints) text += line_of(report, joint);
   }
-  return text + formatted("written to {}\n", destination(report.output));
+  return text + changes_text(report) + formatted("written to {}\n", destination(report.output));
 }
 
 Json json_of(const SmoothSceneReport& report) {
   Json clips = Json::array();
   for (const ClipSmoothing& clip : report.clips) {
     Json joints = Json::array();
-    for (const auto& [joint, found] : clip.joints)
+    for (const auto& [joint, found, change, at] : clip.joints)
       joints.push_back({{"joint", report.skeleton[joint].name},
                         {"smoothing_time_s", found.smoothing_time},
                         {"noise_deg", found.noise * degrees},
-                        {"rejected", found.rejected.size()}});
+                        {"rejected", found.rejected.size()},
+                        {"change_max_deg", change * degrees},
+                        {"change_max_time_s", at}});
     Json json{{"clip", clip.clip.name}, {"left", clip.left}, {"refused", clip.refused.size()}};
     json["joints"] = std::move(joints);
     clips.push_back(std::move(json));

@@ -104,10 +104,9 @@ class ChainBuilder {
     std::vector<Link> links;
     for (const std::size_t i : joints_of(skeleton_, joint, space)) {
       if (i != joint && !has_even_scale(i))
-        return failure(
-            ErrorCode::bad_data,
-            formatted("{}: found a scale that is not the same along all axes, wanted one that is for the world",
-                      place_of(skeleton_, clip_, i)));
+        return failure(ErrorCode::bad_data, formatted("{}: found a scale that is zero, negative or not the same along "
+                                                      "all axes, wanted another one for the world",
+                                                      place_of(skeleton_, clip_, i)));
       const JointPose& rest = skeleton_[i].rest;
       links.push_back({pieces(clip_.rotations, i, rest.rotation), pieces(clip_.translations, i, rest.translation),
                        pieces(clip_.scales, i, rest.scale)});

@@ -7,7 +7,10 @@
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
-/// CubicChains of spans from the first sample on, longer by a span in every round.
+/// How many earlier ends of a span are tried: more hardly ever lead farther.
+constexpr std::size_t most_tried = 64;
+
+/// Chains of spans from the first sample on, longer by a span in every round.
 template <CurvePoint P>
 class CubicChains {
  public:
@@ -78,7 +81,8 @@ class CubicChains {
   std::size_t extended(std::size_t reached, std::size_t earlier) {
     std::size_t best = farthest(reached, reached + 1);
     before_[best] = reached;
-    for (std::size_t i = reached; i-- > std::max<std::size_t>(earlier, 1) && best < last_;) {
+    const std::size_t first = std::max({earlier, reached - std::min(reached, most_tried), std::size_t{1}});
+    for (std::size_t i = reached; i-- > first && best < last_;) {
       if (!holds(i, best + 1) || !is_reached(i, before_[reached])) continue;
       best = farthest(i, best + 1);
       before_[best] = i;

@@ -15,9 +15,20 @@ constexpr double shortest_radius = 0.5, longest_radius = 2.0;
 constexpr double weight_of_radius = 1e-4;
 /// Misses farther than this many tolerances are not brought within it by weights.
 constexpr double hopeless = 2.0;
+/// A span of more targets is first tried with some of them: where these cannot be held, all cannot.
+constexpr std::size_t most_at_once = 2048;
 
 /// The square of half the angle's sine between the direction of p and a unit quaternion q, times |p|².
 double square_miss(const Eigen::Vector4d& p, const Eigen::Vector4d& q) { return (p - p.dot(q) * q).squaredNorm(); }
+
+/// The square of what a polynomial misses a target by, in the terms of the tolerance: for a direction, half the angle's
+/// sine.
+double miss_of(const Eigen::Vector4d& p, const Eigen::Vector4d& q) {
+  const double radius = p.dot(q);
+  const bool is_sound = radius > shortest_radius && radius < longest_radius;
+  return is_sound ? square_miss(p, q) / p.squaredNorm() : 1.0;
+}
+double miss_of(const Eigen::Vector3d& p, const Eigen::Vector3d& q) { return (p - q).squaredNorm(); }
 
 }  // namespace
 
@@ -25,11 +36,16 @@ double square_miss(const Eigen::Vector4d& p, const Eigen::Vector4d& q) { return 
 template <CurvePoint P>
 class CubicSpans<P>::Fit {
  public:
-  Fit(const CubicTargets<P>& targets, std::size_t i, std::size_t j)
-      : targets_(targets), first_(i), step_(targets.times[j] - targets.times[i]), terms_(j - i - 1) {
+  /// Of every so many-th target.
+  Fit(const CubicTargets<P>& targets, std::size_t i, std::size_t j, std::size_t every)
+      : targets_(targets),
+        first_(i),
+        every_(every),
+        step_(targets.times[j] - targets.times[i]),
+        terms_((j - i - 1) / every) {
     const Components<P>&start = targets.points[i], &end = targets.points[j];
     for (std::size_t k = 0; k < terms_.size(); ++k) {
-      const double u = (targets.times[i + 1 + k] - targets.times[i]) / step_, v = 1.0 - u;
+      const double u = (targets.times[i + (k + 1) * every] - targets.times[i]) / step_, v = 1.0 - u;
       terms_[k] = {{u * v * v, -u * u * v}, v * v * (1.0 + 2.0 * u) * start + u * u * (1.0 + 2.0 * v) * end, 1.0, 1.0};
     }
   }
@@ -96,27 +112,22 @@ class CubicSpans<P>::Fit {
     double miss = 0.0;  ///< square
   };
 
-  [[nodiscard]] const Components<P>& point(std::size_t k) const { return targets_.points[first_ + 1 + k]; }
+  [[nodiscard]] const Components<P>& point(std::size_t k) const { return targets_.points[first_ + (k + 1) * every_]; }
 
   double measured() {
     double largest = 0.0;
     for (std::size_t k = 0; k < terms_.size(); ++k) {
       Term& term = terms_[k];
       const Components<P> p = term.fixed + tangents_.transpose() * term.basis;
-      if constexpr (std::same_as<P, Eigen::Quaterniond>) {
-        term.radius = p.dot(point(k));
-        const bool is_sound = term.radius > shortest_radius && term.radius < longest_radius;
-        term.miss = is_sound ? square_miss(p, point(k)) / p.squaredNorm() : 1.0;
-      } else {
-        term.miss = (p - point(k)).squaredNorm();
-      }
+      if constexpr (std::same_as<P, Eigen::Quaterniond>) term.radius = p.dot(point(k));
+      term.miss = miss_of(p, point(k));
       largest = std::max(largest, term.miss);
     }
     return largest;
   }
 
   const CubicTargets<P>& targets_;
-  std::size_t first_;
+  std::size_t first_, every_;
   double step_;
   std::vector<Term> terms_;
   Solution tangents_ = Solution::Zero();
@@ -134,7 +145,16 @@ std::optional<CubicTangents<P>> CubicSpans<P>::within(std::size_t i, std::size_t
   if (j == i + 1) return nearest(i, j);
   if constexpr (std::same_as<P, Eigen::Quaterniond>)  // readers turn keys that are farther apart than 180°
     if (targets_.points[i].dot(targets_.points[j]) < 0.0) return std::nullopt;
-  Fit fit(targets_, i, j);
+  if (const std::size_t every = (j - i) / (most_at_once / 2); j - i > most_at_once) {
+    const auto of_some = within(i, j, every);
+    if (!of_some || holds(i, j, *of_some)) return of_some;
+  }
+  return within(i, j, 1);
+}
+
+template <CurvePoint P>
+std::optional<CubicTangents<P>> CubicSpans<P>::within(std::size_t i, std::size_t j, std::size_t every) const {
+  Fit fit(targets_, i, j, every);
   double largest = 0.0, before = std::numeric_limits<double>::infinity();
   for (int round = 0; round < rounds_of_radii; ++round)
     if ((largest = fit.solve()) <= square_bound_) return fit.tangents();
@@ -154,12 +174,25 @@ std::optional<CubicTangents<P>> CubicSpans<P>::within(std::size_t i, std::size_t
 }
 
 template <CurvePoint P>
+bool CubicSpans<P>::holds(std::size_t i, std::size_t j, const CubicTangents<P>& tangents) const {
+  const double h = targets_.times[j] - targets_.times[i];
+  const Components<P>&start = targets_.points[i], &end = targets_.points[j];
+  for (std::size_t k = i + 1; k < j; ++k) {
+    const double u = (targets_.times[k] - targets_.times[i]) / h, v = 1.0 - u;
+    const Components<P> p = v * v * (1.0 + 2.0 * u) * start + u * u * (1.0 + 2.0 * v) * end +
+                            h * (u * v * v * tangents.leaving - u * u * v * tangents.arriving);
+    if (!(miss_of(p, targets_.points[k]) <= square_bound_)) return false;
+  }
+  return true;
+}
+
+template <CurvePoint P>
 CubicTangents<P> CubicSpans<P>::nearest(std::size_t i, std::size_t j) const {
   if (j == i + 1) {
     const Components<P> rate = (targets_.points[j] - targets_.points[i]) / (targets_.times[j] - targets_.times[i]);
     return {rate, rate};
   }
-  Fit fit(targets_, i, j);
+  Fit fit(targets_, i, j, 1);
   for (int round = 0; round < rounds_of_radii; ++round) static_cast<void>(fit.solve());
   return fit.tangents();
 }

@@ -50,6 +50,11 @@ class CubicSpans {
  private:
   class Fit;
 
+  /// The same by every so many-th target.
+  [[nodiscard]] std::optional<CubicTangents<P>> within(std::size_t i, std::size_t j, std::size_t every) const;
+  /// Whether that cubic holds all between.
+  [[nodiscard]] bool holds(std::size_t i, std::size_t j, const CubicTangents<P>& tangents) const;
+
   const CubicTargets<P>& targets_;
   double square_bound_;  ///< of the miss, in the terms of the fit
 };

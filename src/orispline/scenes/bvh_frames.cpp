@@ -76,7 +76,11 @@ Expected<Frames> frames_of(const Clip& clip, const SceneWriting& writing, const 
   if (writing.rate) return frames_at_rate(*writing.rate, keys);
   if (keys.size() == 1)
     return Frames{source ? source->frame_time : Decimal::parse("0.0333333").value(), {keys.front()}};
-  for (const TimeRounding rounding : {TimeRounding::to_double, TimeRounding::to_float})
+  // Of few times a grid of doubles may be found where a shorter one of floats is meant.
+  const bool are_floats = rounding_of(keys) == TimeRounding::to_float;
+  const TimeRounding first = are_floats ? TimeRounding::to_float : TimeRounding::to_double,
+                     second = are_floats ? TimeRounding::to_double : TimeRounding::to_float;
+  for (const TimeRounding rounding : {first, second})
     if (auto frames = even_frames(keys, rounding, source)) return std::move(*frames);
   return mended_by("rate", "found keys at uneven times, wanted even key times or a `rate`");
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/io/file_format.hpp>
 #include <orispline/io/output_file.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::scenes {
@@ -37,6 +38,8 @@ Expected<Scene> checked(Scene scene) {
 }  // namespace
 
 Expected<std::string> bytes_of_file(const std::string& path) {
+  if (path == io::standard_stream)
+    return failure(ErrorCode::bad_argument, "found standard input for a file of skeletons, wanted the name of a file");
   const auto close = [](std::FILE* file) { std::fclose(file); };
   const std::unique_ptr<std::FILE, decltype(close)> file(std::fopen(path.c_str(), "rb"), close);
   if (!file) return unreadable(path);
@@ -59,6 +62,7 @@ Expected<Scene> read_scene(const std::string& path, const SceneReading& reading)
   if (!format) return tl::unexpected(format.error());
   auto bytes = bytes_of_file(path);
   if (!bytes) return tl::unexpected(std::move(bytes.error()));
+  if (bytes->empty()) return failure(ErrorCode::bad_data, "empty: no skeleton", {.file = path});
   auto scene = (*format)->read(*bytes, path, reading).and_then(checked).map_error([&](Error error) {
     if (error.where.file.empty()) error.where.file = path;
     return error;

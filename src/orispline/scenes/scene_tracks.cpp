@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include <orispline/base/counted.hpp>
 #include <orispline/base/file_name.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
@@ -47,6 +48,21 @@ bool moves(const VectorChannel* channel) {
   return channel && std::ranges::any_of(channel->values, [&](const auto& v) { return v != channel->values.front(); });
 }
 
+/// What is lost where a joint moves at other times than it turns.
+std::vector<Warning> warnings_of(const Scene& scene, const Clip& clip, std::size_t joint) {
+  const RotationChannel* const rotation = channel_of(clip.rotations, joint);
+  const VectorChannel* const translation = channel_of(clip.translations, joint);
+  if (!rotation || !moves(translation)) return {};
+  const auto lost = std::ranges::count_if(translation->times,
+                                          [&](double t) { return !std::ranges::binary_search(rotation->times, t); });
+  if (lost == 0) return {};
+  return {
+      {.code = "translation_keys_left_out",
+       .message = formatted("{}: {} of its translation are at other times than those of its rotation, and are left out",
+                            place_of(scene.skeleton, clip, joint), counted(static_cast<std::size_t>(lost), "key")),
+       .where = {.file = scene.name}}};
+}
+
 Expected<KeyframeData> local_keys(const Scene& scene, const Clip& clip, std::size_t joint) {
   const RotationChannel* const rotation = channel_of(clip.rotations, joint);
   if (!rotation)
@@ -74,11 +90,13 @@ Expected<KeyframeData> world_keys(const Scene& scene, const Clip& clip, std::siz
 
 /// One track of a file, as a format of io reads it.
 Expected<std::vector<io::KeyFile>> tracks_in(io::LineReader lines, const io::ReadOptions& options) {
-  if (lines.path() == io::standard_stream)
-    return failure(ErrorCode::bad_access, "found standard input, wanted the name of a file of skeletons");
   const SceneFormat* const stated = options.format ? scene_format_named(options.format->id) : nullptr;
   return read_scene(lines.path(), {.drop_duplicates = options.drop_duplicates, .format = stated})
       .and_then([&](const Scene& scene) { return keys_of(scene, options.scene); })
+      .map_error([&](Error error) {
+        if (error.where.file.empty()) error.where.file = lines.path();
+        return error;
+      })
       .map([&](io::KeyFile file) {
         file.path = lines.path();
         file.format = options.format ? options.format : io::format_of_extension(file.path);
@@ -116,12 +134,12 @@ Expected<Scene> with_clips(Scene scene, const std::vector<std::string>& names) {
   if (names.empty()) return scene;
   std::vector<Clip> chosen;
   for (const std::string& name : names) {
-    const auto found = std::ranges::find(scene.clips, name, &Clip::name);
-    if (found == scene.clips.end())
+    if (std::ranges::find(scene.clips, name, &Clip::name) == scene.clips.end())
       return failure(ErrorCode::bad_data,
                      formatted("found no clip {}, wanted one of {}", in_quotes(name), some_of(names_of(scene.clips))),
                      {.file = scene.name});
-    if (std::ranges::find(chosen, name, &Clip::name) == chosen.end()) chosen.push_back(*found);
+    if (std::ranges::find(chosen, name, &Clip::name) != chosen.end()) continue;
+    std::ranges::copy_if(scene.clips, std::back_inserter(chosen), [&](const Clip& clip) { return clip.name == name; });
   }
   scene.clips = std::move(chosen);
   return scene;
@@ -146,6 +164,9 @@ Expected<std::size_t> joint_in(const Scene& scene, const Clip& clip, const std::
         "joint",
         formatted("clip {}: found {} joints, wanted one of {}", in_quotes(clip.name), names.size(), some_of(names)),
         {.file = scene.name});
+  if (const auto same = std::ranges::count(scene.skeleton.joints(), *name, &Joint::name); same > 1)
+    return failure(ErrorCode::bad_data, formatted("found {} joints {}, wanted a name of one", same, in_quotes(*name)),
+                   {.file = scene.name});
   if (const auto joint = scene.skeleton.find(*name)) return *joint;
   return failure(ErrorCode::bad_data,
                  formatted("found no joint {}, wanted one of {}", in_quotes(*name), some_of(names)),
@@ -154,13 +175,19 @@ Expected<std::size_t> joint_in(const Scene& scene, const Clip& clip, const std::
 
 Expected<io::KeyFile> keys_of(const Scene& scene, const io::SceneTrack& track) {
   return with_clips(scene, track.clips).and_then([&](const Scene& chosen) {
+    const bool is_local = track.space == io::SceneTrack::Space::local;
     return only_clip(chosen).and_then([&](const Clip* clip) {
+      std::size_t joint = no_parent;
       return joint_in(chosen, *clip, track.joint)
-          .and_then([&](std::size_t joint) {
-            const bool is_local = track.space == io::SceneTrack::Space::local;
+          .and_then([&](std::size_t found) {
+            joint = found;
             return is_local ? local_keys(chosen, *clip, joint) : world_keys(chosen, *clip, joint);
           })
-          .map([](KeyframeData data) { return io::KeyFile{.data = std::move(data)}; });
+          .map([&](KeyframeData data) {
+            io::KeyFile file{.data = std::move(data)};
+            if (is_local) file.warnings = warnings_of(chosen, *clip, joint);
+            return file;
+          });
     });
   });
 }

@@ -51,6 +51,16 @@ struct Piece {
   Expected<Smoothing> found{};
 };
 
+/// What was found of a joint, and where its rotation changed most.
+ClipSmoothing::OfJoint found_of(const RotationChannel& before, Smoothing smoothing) {
+  ClipSmoothing::OfJoint found{.joint = before.joint, .smoothing = std::move(smoothing)};
+  const auto after = found.smoothing.track.keys.orientations();
+  for (std::size_t i = 0; i < before.size(); ++i)
+    if (const double change = angular_distance(before.values[i], after[i]); change > found.largest_change)
+      found.largest_change = change, found.change_at = before.times[i];
+  return found;
+}
+
 void take(Clip& clip, std::size_t rotation, const Keyframes& keys) {
   RotationChannel& channel = clip.rotations[rotation];
   if (VectorChannel* const translation = translation_beside(clip.translations, channel))
@@ -89,7 +99,7 @@ Expected<std::vector<ClipSmoothing>> smooth_clips(const Skeleton& skeleton, std:
       continue;
     }
     take(smoothing.clip, piece.rotation, piece.found->track.keys);
-    smoothing.joints.push_back({joint, *std::move(piece.found)});
+    smoothing.joints.push_back(found_of(clips[piece.clip].rotations[piece.rotation], *std::move(piece.found)));
   }
   return smoothings;
 }

@@ -15,6 +15,8 @@ struct ClipSmoothing {
   struct OfJoint {
     std::size_t joint;
     Smoothing smoothing;
+    double largest_change = 0.0;  ///< between the rotation before and after, over its keys [rad]
+    double change_at = 0.0;       ///< [s]
   };
 
   Clip clip{};
