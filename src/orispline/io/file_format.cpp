@@ -2,7 +2,9 @@
 #include <orispline/io/file_format.hpp>
 
 #include <algorithm>
+#include <array>
 
+#include <orispline/base/expect.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/io/formats/formats.hpp>
 
@@ -16,11 +18,24 @@ bool ends_in(std::string_view path, std::string_view extension) {
          std::equal(extension.rbegin(), extension.rend(), path.rbegin(), [](char a, char b) { return a == lower(b); });
 }
 
-/// The list, to which rooms above add theirs.
-std::vector<const FormatInfo*>& known_formats() {
-  static std::vector<const FormatInfo*> known(all_formats.begin(), all_formats.end());
-  return known;
-}
+/// The list, to which rooms above add theirs. It allocates nothing, for reading may have to fail in want of memory.
+class KnownFormats {
+ public:
+  constexpr KnownFormats() { std::ranges::copy(all_formats, formats_.begin()); }
+
+  void add(const FormatInfo* format) {
+    if (std::ranges::find(list(), format) != list().end()) return;
+    ORISPLINE_EXPECT(count_ < formats_.size());
+    formats_[count_++] = format;
+  }
+  [[nodiscard]] std::span<const FormatInfo* const> list() const noexcept { return {formats_.data(), count_}; }
+
+ private:
+  std::array<const FormatInfo*, 32> formats_{};
+  std::size_t count_ = all_formats.size();
+};
+
+constinit KnownFormats known_formats;
 
 std::vector<const FormatInfo*> formats_that(bool (FormatInfo::*are)() const noexcept) {
   std::vector<const FormatInfo*> some;
@@ -35,10 +50,9 @@ bool FormatInfo::has_extension_of(std::string_view path) const noexcept {
   return std::ranges::any_of(extensions, [path](std::string_view extension) { return ends_in(path, extension); });
 }
 
-std::span<const FormatInfo* const> formats() noexcept { return known_formats(); }
+std::span<const FormatInfo* const> formats() noexcept { return known_formats.list(); }
 void add_formats(std::span<const FormatInfo* const> more) {
-  for (const FormatInfo* const format : more)
-    if (std::ranges::find(known_formats(), format) == known_formats().end()) known_formats().push_back(format);
+  for (const FormatInfo* const format : more) known_formats.add(format);
 }
 std::vector<const FormatInfo*> formats_read() { return formats_that(&FormatInfo::is_read); }
 std::vector<const FormatInfo*> formats_written() { return formats_that(&FormatInfo::is_written); }
