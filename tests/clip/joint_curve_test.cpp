@@ -164,8 +164,9 @@ std::string fault_in_world(const VectorChannel& scale) {
 
 TEST(JointCurve, IsAnErrorBelowScalesThatLeaveNoOrientation) {
   const std::string uneven =
-      "clip 'reach', joint 'elbow': found a scale that is not the same along all axes, wanted one that is for the "
-      "world";
+      "clip 'reach', joint 'elbow': found a scale that is zero, negative or not the same along all axes, wanted "
+      "another "
+      "one for the world";
   EXPECT_EQ(fault_in_world({.joint = elbow, .times = {0.0, 1.0}, .values = {{1, 1, 1}, {1, 2, 1}}}), uneven);
   EXPECT_EQ(fault_in_world({.joint = elbow, .times = {0.0}, .values = {{1, 1, -1}}}), uneven);
   EXPECT_EQ(fault_in_world({.joint = elbow,
