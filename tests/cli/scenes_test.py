@@ -180,6 +180,15 @@ class OneJoint(SceneTest):
             for found, wanted in zip(row[1:5], (w, x, y, z)):
                 self.assertAlmostEqual(found, wanted, delta=1e-7)
 
+    def test_images_that_stay_behind_are_told(self):
+        document = gltf_document()
+        document["images"] = [{"uri": "skin.png"}, {"uri": "data:image/png;base64,AAAA"}]
+        self.write("skin.gltf", json.dumps(document))
+        (self.folder / "other").mkdir()
+        self.assertEqual(self.run_command("convert skin.gltf -o same.glb").stderr.count("warning"), 0)
+        told = self.run_command("convert skin.gltf -o other/skin.glb").stderr
+        self.assertIn("found 1 image in files beside the input, which the output looks for in its own folder; copy them there", told)
+
     def test_any_curve_becomes_cubics_with_the_error_that_is_stated(self):
         shutil.copy(ROOT / "examples/data/flight_keys.csv", self.folder / "flight.csv")
         report = self.json_of("sample flight.csv --tolerance 0.03deg -o flight.glb")

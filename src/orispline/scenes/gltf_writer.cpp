@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/scenes/gltf_writer.hpp>
 
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <system_error>
 #include <utility>
+
+#include <orispline/base/counted.hpp>
+#include <orispline/base/formatted.hpp>
 
 #include <orispline/scenes/gltf_container.hpp>
 #include <orispline/scenes/gltf_made.hpp>
@@ -33,6 +40,27 @@ Expected<std::string> file_of(Json json, const std::string& binary, const std::s
   return text(2) + "\n";
 }
 
+/// Images stay where they are: what is missing beside a file in another folder.
+std::vector<Warning> warnings_of_images(const Json& json, const std::string& from, const std::string& to) {
+  namespace fs = std::filesystem;
+  const auto images = json.find("images");
+  if (images == json.end() || !images->is_array() || from.empty()) return {};
+  std::error_code none;
+  const fs::path here = fs::absolute(from, none).parent_path(), there = fs::absolute(to, none).parent_path();
+  if (here.lexically_normal() == there.lexically_normal()) return {};
+  const auto count = std::ranges::count_if(*images, [](const Json& image) {
+    const auto uri = image.is_object() ? image.find("uri") : image.end();
+    return image.is_object() && uri != image.end() && uri->is_string() &&
+           !uri->get_ref<const std::string&>().starts_with("data:");
+  });
+  if (count == 0) return {};
+  return {{.code = "images_elsewhere",
+           .message = formatted(
+               "found {} in files beside the input, which the output looks for in its own folder; copy them there",
+               counted(static_cast<std::size_t>(count), "image")),
+           .where = {.file = to}}};
+}
+
 Expected<SceneWritten> written_from(const Source& source, const Scene& scene, const std::string& path) {
   const Document& document = source.document();
   const auto plan = plan_of(document, scene.clips);
@@ -49,6 +77,7 @@ Expected<SceneWritten> written_from(const Source& source, const Scene& scene, co
   set_list(json, "bufferViews", std::move(lists->views));
   const std::size_t length = lists->bytes.size();
   set_list(json, "buffers", length == 0 ? Json::array() : Json::array({only_buffer(document, length)}));
+  std::ranges::move(warnings_of_images(json, scene.name, path), std::back_inserter(animations->warnings));
   return file_of(std::move(json), lists->bytes, path).map([&](std::string bytes) {
     return SceneWritten{std::move(bytes), std::move(animations->warnings)};
   });
