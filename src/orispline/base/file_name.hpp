@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <string_view>
 
 #include <orispline/base/abi.hpp>
@@ -11,6 +12,14 @@ namespace orispline::inline ORISPLINE_ABI {
 [[nodiscard]] constexpr std::string_view file_name_of(std::string_view path) noexcept {
   const std::size_t slash = path.rfind('/');
   return slash == std::string_view::npos || slash + 1 == path.size() ? path : path.substr(slash + 1);
+}
+
+/// Whether a path ends in that extension, which is in small letters with its dot, in any case of letters; an extension
+/// alone is the name of a file.
+[[nodiscard]] constexpr bool has_extension(std::string_view path, std::string_view extension) noexcept {
+  const auto small = [](char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+  return path.size() > extension.size() && std::equal(extension.rbegin(), extension.rend(), path.rbegin(),
+                                                      [small](char a, char b) { return a == small(b); });
 }
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -5,18 +5,12 @@
 #include <array>
 
 #include <orispline/base/expect.hpp>
+#include <orispline/base/file_name.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/io/formats/formats.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::io {
 namespace {
-
-char lower(char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
-bool ends_in(std::string_view path, std::string_view extension) {
-  return path.size() > extension.size() &&
-         std::equal(extension.rbegin(), extension.rend(), path.rbegin(), [](char a, char b) { return a == lower(b); });
-}
 
 /// The list, to which rooms above add theirs. It allocates nothing, for reading may have to fail in want of memory.
 class KnownFormats {
@@ -47,7 +41,7 @@ std::vector<const FormatInfo*> formats_that(bool (FormatInfo::*are)() const noex
 }  // namespace
 
 bool FormatInfo::has_extension_of(std::string_view path) const noexcept {
-  return std::ranges::any_of(extensions, [path](std::string_view extension) { return ends_in(path, extension); });
+  return std::ranges::any_of(extensions, [path](std::string_view extension) { return has_extension(path, extension); });
 }
 
 std::span<const FormatInfo* const> formats() noexcept { return known_formats.list(); }

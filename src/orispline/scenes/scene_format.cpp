@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include <orispline/base/file_name.hpp>
 #include <orispline/scenes/assimp.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::scenes {
@@ -19,17 +20,10 @@ const std::vector<const SceneFormat*>& all_formats() {
   return all;
 }
 
-char small_letter(char letter) noexcept {
-  return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter + 32) : letter;
-}
-
 }  // namespace
 
 bool SceneFormat::has_extension_of(std::string_view path) const noexcept {
-  return std::ranges::any_of(extensions, [&](std::string_view extension) {
-    return path.size() > extension.size() &&
-           std::ranges::equal(path.substr(path.size() - extension.size()), extension, {}, small_letter);
-  });
+  return std::ranges::any_of(extensions, [path](std::string_view extension) { return has_extension(path, extension); });
 }
 
 std::span<const SceneFormat* const> scene_formats() noexcept { return all_formats(); }
