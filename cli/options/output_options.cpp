@@ -52,6 +52,10 @@ std::string formats_that(bool (*are)(const io::FormatInfo&)) {
 
 Expected<void> check_settings_fit(const Track& keys, const io::SampleColumns& columns, std::string_view output,
                                   std::string_view promise) {
+  if (!keys.keys.angular_velocities().empty() && !columns.format->holds.rates)
+    return usage_failure(formatted("{}: {} has no columns for the rates of the keys, with which {}, wanted {}", output,
+                                   columns.format->file, promise,
+                                   formats_that([](const auto& f) { return f.keeps_times() && f.holds.rates; })));
   if (keys.settings.empty() || columns.format->holds.settings) return {};
   return usage_failure(formatted("{}: {} has no column for {}, with which {}, wanted {}", output, columns.format->file,
                                  keys.settings.begin()->first, promise,

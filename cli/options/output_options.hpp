@@ -44,8 +44,8 @@ struct OutputOptions {
 /// `CSV or TUM`: the formats that samples are written in of which this is true.
 [[nodiscard]] std::string formats_that(bool (*are)(const io::FormatInfo&));
 
-/// Error (bad_argument): keys have settings with a value each, with which `promise`, such as `the limits hold`, and
-/// files of that format have no column for them. `output`: the file or its option.
+/// Error (bad_argument): keys have settings with a value each, or rates, with which `promise`, such as `the limits
+/// hold`, and files of that format have no column for them. `output`: the file or its option.
 [[nodiscard]] Expected<void> check_settings_fit(const Track& keys, const io::SampleColumns& columns,
                                                 std::string_view output, std::string_view promise);
 

@@ -160,7 +160,9 @@ Expected<ReduceReport> reduced(const Request& request, const ReducedTrack& track
 Expected<void> write(const ReduceReport& report, const io::SampleColumns& columns) {
   const Track& keys = report.reductions[report.chosen].track;
   return check_settings_fit(keys, columns, report.output, "the tolerance holds").and_then([&] {
-    return write_keys(report.output, keys, columns);
+    io::SampleColumns filled = columns;
+    filled.derivatives = keys.keys.angular_velocities().empty() ? 0 : 1;
+    return write_keys(report.output, keys, filled);
   });
 }
 

@@ -9,6 +9,7 @@
 #include <orispline/clip/cubic_channel.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/reduce/cubic_samples.hpp>
+#include <orispline/reduce/hermite_channel.hpp>
 #include <orispline/reduce/reduce.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
@@ -92,16 +93,6 @@ Expected<Channel<P>> by_method(const Channel<P>& channel, double tolerance, cons
   return result;
 }
 
-/// The same tangents at both ends, with the sign of each end's quaternion.
-template <CurvePoint P>
-void close(Channel<P>& channel) {
-  P arriving = channel.in_tangents.back(), leaving = channel.out_tangents.front();
-  if constexpr (std::same_as<P, Eigen::Quaterniond>)
-    if (channel.values.front().dot(channel.values.back()) < 0.0) arriving.coeffs() *= -1.0, leaving.coeffs() *= -1.0;
-  channel.in_tangents.front() = arriving;
-  channel.out_tangents.back() = leaving;
-}
-
 /// How far apart two values may be that are the same but for rounding of files [rad, or a length].
 template <CurvePoint P>
 constexpr double rounding = std::same_as<P, Eigen::Quaterniond> ? rest_angle : rest_length;
@@ -147,15 +138,19 @@ bool ends_as_it_begins(const Channel<P>& channel) {
 template <CurvePoint P>
 Expected<Channel<P>> reduced_channel(const Channel<P>& channel, double tolerance, const ClipReduceOptions& options) {
   if (channel.size() < 3 || channel.interpolation == ChannelInterpolation::step) return channel;
-  const bool is_cubic = options.method.name == cubicspline_method;
+  const bool is_cubic = options.method.name == cubicspline_method, is_fitted = is_cubic || seeks_rates(options.method);
+  const bool closes = options.closed && ends_as_it_begins(channel);
   const std::optional<CubicSamples<P>> samples =
-      is_cubic ? std::optional(cubic_samples(channel, options.between)) : std::nullopt;
+      is_fitted ? std::optional(cubic_samples(channel, options.between)) : std::nullopt;
+  const auto reduced_within = [&](double asked) -> Expected<Channel<P>> {
+    if (is_cubic) return fewest_cubics(*samples, asked, closes);
+    return is_fitted ? hermite_channel(*samples, asked, options.method, closes)
+                     : by_method(channel, asked, options.method);
+  };
   double asked = tolerance;
   for (int attempt = 0; attempt < attempts; ++attempt) {
-    Expected<Channel<P>> reduced =
-        is_cubic ? fewest_cubics(*samples, asked) : by_method(channel, asked, options.method);
+    Expected<Channel<P>> reduced = reduced_within(asked);
     if (!reduced) return reduced;
-    if (is_cubic && options.closed && ends_as_it_begins(channel)) close(*reduced);
     *reduced = stored(*std::move(reduced), options.precision);
     reduced->joint = channel.joint;
     if (reduced->size() >= channel.size()) break;

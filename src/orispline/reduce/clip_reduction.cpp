@@ -10,6 +10,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/parallel.hpp>
 #include <orispline/reduce/channel_reduction.hpp>
+#include <orispline/reduce/hermite_channel.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
@@ -216,6 +217,9 @@ Expected<std::vector<ClipReduction>> reduce_clips(const Skeleton& skeleton, std:
     if (!(tolerance > 0.0))
       return failure(ErrorCode::bad_argument,
                      formatted("found a tolerance of {}, wanted one greater than 0", tolerance));
+  if (options.closed && options.method.name != cubicspline_method && !seeks_rates(options.method))
+    return bad_option("closed", formatted("found the method {}, wanted {} or {}, whose tangents are free",
+                                          options.method.name, cubicspline_method, "hermite-c1"));
   for (const Clip& clip : clips)
     if (auto sound = check_clip(skeleton, clip); !sound) return tl::unexpected(std::move(sound.error()));
   return ClipReducer(skeleton, options, threads).reduced(clips);

@@ -24,11 +24,14 @@ struct ClipReduceOptions {
   double position_tolerance = std::numeric_limits<double>::infinity();  ///< of translations, likewise
   double world_tolerance = std::numeric_limits<double>::infinity();  ///< of the shell distance in the world, likewise
   double shell = default_shell;                                      ///< for that distance
-  Method method{
-      cubicspline_method};  ///< that, or `slerp`, whose channels are `linear`, or another one that reduce() takes
+  /// That; or `slerp`, whose channels are `linear`; or another one that reduce() takes, of which cubics follow the
+  /// curve. The rates of `hermite-c1` are sought with its keys.
+  Method method{cubicspline_method};
   BetweenSamples between = BetweenSamples::smooth;
   KeyPrecision precision = KeyPrecision::float64;
-  bool closed = false;  ///< of `cubicspline`: channels that end as they begin have the same tangents at both ends
+  /// Of `cubicspline` and `hermite-c1`: channels that end as they begin have the same two tangents at both ends, so
+  /// that the clip goes on without a jump of its rates where it begins again.
+  bool closed = false;
 };
 
 /// A clip with fewer keys, and how far it is from the clip that it was.

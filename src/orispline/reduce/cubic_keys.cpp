@@ -34,18 +34,48 @@ class CubicChains {
     return keys;
   }
 
-  [[nodiscard]] Channel<P> channel(const std::vector<std::size_t>& keys) const {
-    Channel<P> channel{.interpolation = ChannelInterpolation::cubicspline};
-    std::vector<CubicTangents<P>> tangents;
-    for (std::size_t k = 0; k + 1 < keys.size(); ++k) {
-      const std::size_t i = at(keys[k]), j = at(keys[k + 1]);
-      tangents.push_back(spans_.within(i, j).value_or(spans_.nearest(i, j)));
+  /// Tangents of every span of a chain.
+  [[nodiscard]] std::vector<CubicTangents<P>> tangents(const std::vector<std::size_t>& keys) const {
+    std::vector<CubicTangents<P>> found;
+    for (std::size_t k = 0; k + 1 < keys.size(); ++k) found.push_back(nearest(keys[k], keys[k + 1], {}));
+    return found;
+  }
+
+  /// Gives the first and the last span one tangent where the motion begins again: without more keys, else with keys in
+  /// these spans that leave little to the tangent.
+  void close(std::vector<std::size_t>& keys, std::vector<CubicTangents<P>>& found) const {
+    const double sign = sign_at_seam();
+    const Components<P> leaving = found.front().leaving, arriving = sign * found.back().arriving;
+    const Components<P> mean = 0.5 * (leaving + arriving);
+    for (const Components<P>& seam : {mean, leaving, arriving})
+      if (keys.size() > 2 && joined(keys, found, seam)) return;
+    const GivenTangents<P> first{.leaving = mean, .arriving = {}}, last{.leaving = {}, .arriving = sign * mean};
+    if (keys.size() == 2 || !holds(0, keys[1], first)) {
+      std::size_t key = keys[1] - 1;
+      while (key > 1 && !(holds(0, key, first) && holds(key, keys[1]))) --key;
+      if (key > 0) insert(keys, 0, key);
     }
+    if (const std::size_t before = keys[keys.size() - 2]; !holds(before, last_, last)) {
+      std::size_t key = before + 1;
+      while (key + 1 < last_ && !(holds(key, last_, last) && holds(before, key))) ++key;
+      insert(keys, keys.size() - 2, key);
+    }
+    found = tangents(keys);
+    found.front() = nearest(0, keys[1], first);
+    found.back() = nearest(keys[keys.size() - 2], last_, last);
+  }
+
+  [[nodiscard]] Channel<P> channel(const std::vector<std::size_t>& keys, const std::vector<CubicTangents<P>>& found,
+                                   bool closed) const {
+    const CubicTangents<P> outer =  // of the spans beyond the ends
+        closed ? CubicTangents<P>{sign_at_seam() * found.front().leaving, sign_at_seam() * found.back().arriving}
+               : CubicTangents<P>{};
+    Channel<P> channel{.interpolation = ChannelInterpolation::cubicspline};
     for (std::size_t k = 0; k < keys.size(); ++k) {
       channel.times.push_back(samples_.targets.times[at(keys[k])]);
       channel.values.emplace_back(samples_.targets.points[at(keys[k])]);
-      channel.in_tangents.emplace_back(k > 0 ? tangents[k - 1].arriving : Components<P>::Zero().eval());
-      channel.out_tangents.emplace_back(k + 1 < keys.size() ? tangents[k].leaving : Components<P>::Zero().eval());
+      channel.in_tangents.emplace_back(k > 0 ? found[k - 1].arriving : outer.arriving);
+      channel.out_tangents.emplace_back(k + 1 < keys.size() ? found[k].leaving : outer.leaving);
     }
     return channel;
   }
@@ -54,8 +84,43 @@ class CubicChains {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
   [[nodiscard]] std::size_t at(std::size_t sample) const { return sample * samples_.stride; }
-  [[nodiscard]] bool holds(std::size_t i, std::size_t j) const {
-    return j == i + 1 || spans_.within(at(i), at(j)).has_value();
+  [[nodiscard]] bool holds(std::size_t i, std::size_t j, const GivenTangents<P>& given = {}) const {
+    return j == i + 1 || spans_.within(at(i), at(j), given).has_value();
+  }
+  /// Those that hold, else those that miss least.
+  [[nodiscard]] CubicTangents<P> nearest(std::size_t i, std::size_t j, const GivenTangents<P>& given) const {
+    return spans_.within(at(i), at(j), given).value_or(spans_.nearest(at(i), at(j), given));
+  }
+
+  /// Of a quaternion that is the same rotation as the first one.
+  [[nodiscard]] double sign_at_seam() const {
+    if constexpr (std::same_as<P, Eigen::Quaterniond>)
+      if (samples_.targets.points.front().dot(samples_.targets.points.back()) < 0.0) return -1.0;
+    return 1.0;
+  }
+
+  /// A key between the k-th one and the next, and those that join it to them.
+  void insert(std::vector<std::size_t>& keys, std::size_t k, std::size_t key) const {
+    const std::size_t next = keys[k + 1];
+    std::vector<std::size_t> inner;
+    for (std::size_t from = keys[k]; !holds(from, key); inner.push_back(from))
+      from = std::min(farthest(from, from + 1), key - 1);
+    inner.push_back(key);
+    for (std::size_t from = key; !holds(from, next); inner.push_back(from))
+      from = std::min(farthest(from, from + 1), next - 1);
+    keys.insert(keys.begin() + static_cast<std::ptrdiff_t>(k) + 1, inner.begin(), inner.end());
+  }
+
+  /// Whether both spans at the seam hold with that tangent, which they then have.
+  bool joined(const std::vector<std::size_t>& keys, std::vector<CubicTangents<P>>& found,
+              const Components<P>& seam) const {
+    const std::size_t before = keys[keys.size() - 2];
+    const GivenTangents<P> after{.leaving = seam, .arriving = {}},
+        until{.leaving = {}, .arriving = sign_at_seam() * seam};
+    if (!holds(0, keys[1], after) || !holds(before, last_, until)) return false;
+    found.front() = nearest(0, keys[1], after);
+    found.back() = nearest(before, last_, until);
+    return true;
   }
 
   /// The last sample that a span from sample i was found to reach, from j on, which it reaches.
@@ -106,12 +171,15 @@ class CubicChains {
 }  // namespace
 
 template <CurvePoint P>
-Channel<P> fewest_cubics(const CubicSamples<P>& samples, double tolerance) {
+Channel<P> fewest_cubics(const CubicSamples<P>& samples, double tolerance, bool closed) {
   CubicChains<P> chains(samples, tolerance);
-  return chains.channel(chains.to_end());
+  std::vector<std::size_t> keys = chains.to_end();
+  std::vector<CubicTangents<P>> tangents = chains.tangents(keys);
+  if (closed) chains.close(keys, tangents);
+  return chains.channel(keys, tangents, closed);
 }
 
-template Channel<Eigen::Quaterniond> fewest_cubics(const CubicSamples<Eigen::Quaterniond>&, double);
-template Channel<Eigen::Vector3d> fewest_cubics(const CubicSamples<Eigen::Vector3d>&, double);
+template Channel<Eigen::Quaterniond> fewest_cubics(const CubicSamples<Eigen::Quaterniond>&, double, bool);
+template Channel<Eigen::Vector3d> fewest_cubics(const CubicSamples<Eigen::Vector3d>&, double, bool);
 
 }  // namespace orispline::inline ORISPLINE_ABI

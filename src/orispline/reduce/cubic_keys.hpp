@@ -22,10 +22,13 @@ struct CubicSamples {
 ///
 /// Since the spans do not depend on each other, spans are made as long as they go, from the first sample on; and where
 /// an earlier end of the span before lets the next one go farther, it is taken. Precondition: two samples at least.
+///
+/// `closed`: the last sample is the first one again, and the tangents at the first key are those at the last one, for
+/// which a key more may be needed.
 template <CurvePoint P>
-[[nodiscard]] Channel<P> fewest_cubics(const CubicSamples<P>& samples, double tolerance);
+[[nodiscard]] Channel<P> fewest_cubics(const CubicSamples<P>& samples, double tolerance, bool closed = false);
 
-extern template Channel<Eigen::Quaterniond> fewest_cubics(const CubicSamples<Eigen::Quaterniond>&, double);
-extern template Channel<Eigen::Vector3d> fewest_cubics(const CubicSamples<Eigen::Vector3d>&, double);
+extern template Channel<Eigen::Quaterniond> fewest_cubics(const CubicSamples<Eigen::Quaterniond>&, double, bool);
+extern template Channel<Eigen::Vector3d> fewest_cubics(const CubicSamples<Eigen::Vector3d>&, double, bool);
 
 }  // namespace orispline::inline ORISPLINE_ABI

@@ -13,8 +13,6 @@ constexpr int rounds_of_radii = 3, rounds_of_directions = 2, rounds_of_weights =
 constexpr double shortest_radius = 0.5, longest_radius = 2.0;
 /// What a radius that is off 1 weighs beside a direction that is off as much.
 constexpr double weight_of_radius = 1e-4;
-/// Misses farther than this many tolerances are not brought within it by weights.
-constexpr double hopeless = 2.0;
 /// A span of more targets is first tried with some of them: where these cannot be held, all cannot.
 constexpr std::size_t most_at_once = 2048;
 
@@ -37,16 +35,19 @@ template <CurvePoint P>
 class CubicSpans<P>::Fit {
  public:
   /// Of every so many-th target.
-  Fit(const CubicTargets<P>& targets, std::size_t i, std::size_t j, std::size_t every)
+  Fit(const CubicTargets<P>& targets, std::size_t i, std::size_t j, const GivenTangents<P>& given, std::size_t every)
       : targets_(targets),
         first_(i),
         every_(every),
         step_(targets.times[j] - targets.times[i]),
+        given_(given),
         terms_((j - i - 1) / every) {
     const Components<P>&start = targets.points[i], &end = targets.points[j];
     for (std::size_t k = 0; k < terms_.size(); ++k) {
       const double u = (targets.times[i + (k + 1) * every] - targets.times[i]) / step_, v = 1.0 - u;
       terms_[k] = {{u * v * v, -u * u * v}, v * v * (1.0 + 2.0 * u) * start + u * u * (1.0 + 2.0 * v) * end, 1.0, 1.0};
+      if (given.leaving) give(terms_[k], 0, *given.leaving);
+      if (given.arriving) give(terms_[k], 1, *given.arriving);
     }
   }
 
@@ -60,9 +61,9 @@ class CubicSpans<P>::Fit {
       normal += term.weight * term.basis * term.basis.transpose();
       right += term.weight * term.basis * rest.transpose();
     }
-    // One target between is met exactly by the smallest tangents.
-    tangents_ =
-        terms_.size() > 1 ? Solution(normal.inverse() * right) : Solution(right / std::max(normal.trace(), 1e-300));
+    // One target between is met exactly by the smallest tangents; a given one has no basis.
+    tangents_ = terms_.size() > 1 && !given_.any() ? Solution(normal.inverse() * right)
+                                                   : Solution(right / std::max(normal.trace(), 1e-300));
     return measured();
   }
 
@@ -99,7 +100,8 @@ class CubicSpans<P>::Fit {
   }
 
   [[nodiscard]] CubicTangents<P> tangents() const {
-    return {Components<P>(tangents_.row(0)) / step_, Components<P>(tangents_.row(1)) / step_};
+    return {given_.leaving.value_or(Components<P>(tangents_.row(0)) / step_),
+            given_.arriving.value_or(Components<P>(tangents_.row(1)) / step_)};
   }
 
  private:
@@ -111,6 +113,12 @@ class CubicSpans<P>::Fit {
     double radius, weight;
     double miss = 0.0;  ///< square
   };
+
+  /// What a given tangent makes of a target is fixed.
+  void give(Term& term, Eigen::Index side, const Components<P>& tangent) {
+    term.fixed += term.basis[side] * step_ * tangent;
+    term.basis[side] = 0.0;
+  }
 
   [[nodiscard]] const Components<P>& point(std::size_t k) const { return targets_.points[first_ + (k + 1) * every_]; }
 
@@ -129,6 +137,7 @@ class CubicSpans<P>::Fit {
   const CubicTargets<P>& targets_;
   std::size_t first_, every_;
   double step_;
+  GivenTangents<P> given_;
   std::vector<Term> terms_;
   Solution tangents_ = Solution::Zero();
 };
@@ -141,20 +150,22 @@ CubicSpans<P>::CubicSpans(const CubicTargets<P>& targets, double tolerance) : ta
 }
 
 template <CurvePoint P>
-std::optional<CubicTangents<P>> CubicSpans<P>::within(std::size_t i, std::size_t j) const {
-  if (j == i + 1) return nearest(i, j);
+std::optional<CubicTangents<P>> CubicSpans<P>::within(std::size_t i, std::size_t j,
+                                                      const GivenTangents<P>& given) const {
+  if (j == i + 1) return nearest(i, j, given);
   if constexpr (std::same_as<P, Eigen::Quaterniond>)  // readers turn keys that are farther apart than 180°
     if (targets_.points[i].dot(targets_.points[j]) < 0.0) return std::nullopt;
   if (const std::size_t every = (j - i) / (most_at_once / 2); j - i > most_at_once) {
-    const auto of_some = within(i, j, every);
+    const auto of_some = within(i, j, given, every);
     if (!of_some || holds(i, j, *of_some)) return of_some;
   }
-  return within(i, j, 1);
+  return within(i, j, given, 1);
 }
 
 template <CurvePoint P>
-std::optional<CubicTangents<P>> CubicSpans<P>::within(std::size_t i, std::size_t j, std::size_t every) const {
-  Fit fit(targets_, i, j, every);
+std::optional<CubicTangents<P>> CubicSpans<P>::within(std::size_t i, std::size_t j, const GivenTangents<P>& given,
+                                                      std::size_t every) const {
+  Fit fit(targets_, i, j, given, every);
   double largest = 0.0, before = std::numeric_limits<double>::infinity();
   for (int round = 0; round < rounds_of_radii; ++round)
     if ((largest = fit.solve()) <= square_bound_) return fit.tangents();
@@ -162,7 +173,7 @@ std::optional<CubicTangents<P>> CubicSpans<P>::within(std::size_t i, std::size_t
     for (int round = 0; round < rounds_of_directions && j - i > 4; ++round)
       if ((largest = fit.solve_directions()) <= square_bound_) return fit.tangents();
   for (int round = 0; round < rounds_of_weights; ++round) {
-    if (!(largest <= hopeless * hopeless * square_bound_)) break;
+    if (!(largest <= beyond_weights * beyond_weights * square_bound_)) break;
     fit.weigh(largest);
     before = largest;
     if constexpr (std::same_as<P, Eigen::Quaterniond>) largest = fit.solve_directions();
@@ -187,12 +198,12 @@ bool CubicSpans<P>::holds(std::size_t i, std::size_t j, const CubicTangents<P>& 
 }
 
 template <CurvePoint P>
-CubicTangents<P> CubicSpans<P>::nearest(std::size_t i, std::size_t j) const {
+CubicTangents<P> CubicSpans<P>::nearest(std::size_t i, std::size_t j, const GivenTangents<P>& given) const {
   if (j == i + 1) {
     const Components<P> rate = (targets_.points[j] - targets_.points[i]) / (targets_.times[j] - targets_.times[i]);
-    return {rate, rate};
+    return {given.leaving.value_or(rate), given.arriving.value_or(rate)};
   }
-  Fit fit(targets_, i, j, 1);
+  Fit fit(targets_, i, j, given, 1);
   for (int round = 0; round < rounds_of_radii; ++round) static_cast<void>(fit.solve());
   return fit.tangents();
 }

@@ -13,6 +13,9 @@ namespace orispline::inline ORISPLINE_ABI {
 template <CurvePoint P>
 using Components = std::conditional_t<std::same_as<P, Eigen::Quaterniond>, Eigen::Vector4d, Eigen::Vector3d>;
 
+/// Misses farther than this many tolerances are not brought within it by weights.
+inline constexpr double beyond_weights = 2.0;
+
 /// Points at times that cubics are fitted to. Quaternions have their signs for the shorter way from one to the next.
 template <CurvePoint P>
 struct CubicTargets {
@@ -24,6 +27,14 @@ struct CubicTargets {
 template <CurvePoint P>
 struct CubicTangents {
   Components<P> leaving = Components<P>::Zero(), arriving = Components<P>::Zero();
+};
+
+/// Tangents that are given, if any.
+template <CurvePoint P>
+struct GivenTangents {
+  std::optional<Components<P>> leaving{}, arriving{};
+
+  [[nodiscard]] bool any() const noexcept { return leaving || arriving; }
 };
 
 /// Cubic Hermite polynomials of the components, of quaternions normalised, with free tangents: whether one of them,
@@ -42,16 +53,19 @@ class CubicSpans {
   CubicSpans(const CubicTargets<P>& targets, double tolerance);
   CubicSpans(CubicTargets<P>&&, double) = delete;
 
-  /// Tangents with which the cubic from target i to target j holds all between; nothing where none were found.
-  [[nodiscard]] std::optional<CubicTangents<P>> within(std::size_t i, std::size_t j) const;
+  /// Tangents with which the cubic from target i to target j holds all between, those that are given among them;
+  /// nothing where none were found.
+  [[nodiscard]] std::optional<CubicTangents<P>> within(std::size_t i, std::size_t j,
+                                                       const GivenTangents<P>& given = {}) const;
   /// Those of least squares, whatever they miss.
-  [[nodiscard]] CubicTangents<P> nearest(std::size_t i, std::size_t j) const;
+  [[nodiscard]] CubicTangents<P> nearest(std::size_t i, std::size_t j, const GivenTangents<P>& given = {}) const;
 
  private:
   class Fit;
 
   /// The same by every so many-th target.
-  [[nodiscard]] std::optional<CubicTangents<P>> within(std::size_t i, std::size_t j, std::size_t every) const;
+  [[nodiscard]] std::optional<CubicTangents<P>> within(std::size_t i, std::size_t j, const GivenTangents<P>& given,
+                                                       std::size_t every) const;
   /// Whether that cubic holds all between.
   [[nodiscard]] bool holds(std::size_t i, std::size_t j, const CubicTangents<P>& tangents) const;
 

@@ -11,7 +11,9 @@
 #include <orispline/families/recipe.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/families/slerp.hpp>
+#include <orispline/reduce/cubic_samples.hpp>
 #include <orispline/reduce/fewest_geodesics.hpp>
+#include <orispline/reduce/hermite_channel.hpp>
 #include <orispline/reduce/key_refit.hpp>
 #include <orispline/reduce/key_selection.hpp>
 
@@ -66,7 +68,23 @@ Expected<void> check(const Keyframes& recording, const Tolerance& tolerance) {
   return {};
 }
 
-Expected<KeySet> chosen_keys(const LocalMethod& method, const ToleranceCheck& recording) {
+/// Of `hermite-c1`, with their rates.
+Expected<KeySet> keys_with_rates(const ToleranceCheck& recording) {
+  const Keyframes& samples = recording.samples();
+  const RotationChannel channel{.times = {samples.times().begin(), samples.times().end()},
+                                .values = {samples.orientations().begin(), samples.orientations().end()}};
+  HermiteKeys found =
+      fewest_hermite_keys(cubic_samples(channel, BetweenSamples::smooth), recording.tolerance().angle - angle_rounding,
+                          {}, [&] { return recording.stopped(); });
+  if (recording.stopped()) return cancellation();
+  KeySet keys = recording.keys_at(std::move(found.samples));
+  keys.angular_velocities = std::move(found.rates);
+  return keys;
+}
+
+Expected<KeySet> chosen_keys(const LocalMethod& method, const ToleranceCheck& recording, KeyValues values) {
+  if (seeks_rates(method.method) && values == KeyValues::sampled && !recording.bounds_positions())
+    return keys_with_rates(recording);
   if (method.method.name != families::Slerp::info.name) return selected_keys(method, recording);
   auto samples = fewest_geodesics(recording);
   if (recording.stopped()) return cancellation();
@@ -106,7 +124,7 @@ Expected<Reduction> reduce(const Track& track, const Method& method, const Reduc
   if (const auto checked = check(track.keys, options.tolerance); !checked) return tl::unexpected(checked.error());
   OpenEndedWork work(progress, usual_curves);
   const ToleranceCheck recording(track.keys, options.tolerance, work);
-  return chosen_keys(*local, recording)
+  return chosen_keys(*local, recording, options.values)
       .and_then([&](KeySet keys) -> Expected<KeySet> {
         if (options.values == KeyValues::sampled) return keys;
         return with_keys_refitted(*local, recording, std::move(keys));

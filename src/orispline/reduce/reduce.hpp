@@ -39,8 +39,10 @@ inline constexpr std::array<std::string_view, 3> reducing_methods{"auto", "timed
 /// The fewest keys found whose curve is within the tolerance of every sample, the first and the last sample's times
 /// among theirs. Settings of the method or of the recording that have a value per sample are those of the keys chosen.
 ///
-/// `slerp` by breadth-first search: no chain of geodesics through fewer samples will do. Other local methods by
-/// insertion of the worst samples and pruning, which is near to the optimum but has no bound. The deviation is taken
+/// `slerp` by breadth-first search: no chain of geodesics through fewer samples will do. `hermite-c1` with the rates of
+/// its keys, which are sought too and are part of them; but by estimated rates where positions are bounded, which have
+/// none, where keys are refitted, and in its cumulative form. Other local methods by insertion of the worst samples and
+/// pruning, which is near to the optimum but has no bound. The deviation is taken
 /// anew from the finished keys by the curve's own evaluator at every sample. Positions without a tolerance are carried
 /// along. Source: docs/reduce.md.
 /// Errors: bad_argument for a method that is unknown, not local, does not pass through its keys, is a loop or needs

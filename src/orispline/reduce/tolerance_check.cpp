@@ -45,7 +45,8 @@ KeySet ToleranceCheck::keys_at(std::vector<std::size_t> samples) const {
 }
 
 Expected<Keyframes> ToleranceCheck::keyframes(const KeySet& keys) const {
-  KeyframeData data{.orientations = keys.orientations, .positions = keys.positions};
+  KeyframeData data{
+      .orientations = keys.orientations, .positions = keys.positions, .angular_velocities = keys.angular_velocities};
   for (const std::size_t i : keys.samples) data.times.push_back(samples_.times()[i]);
   return Keyframes::make(std::move(data), Signs::shortest);
 }

@@ -44,6 +44,8 @@ struct KeySet {
   std::vector<std::size_t> samples;              ///< indices of the samples at whose times they stand, rising
   std::vector<Eigen::Quaterniond> orientations;  ///< one per key
   std::vector<Eigen::Vector3d> positions{};      ///< [m], one per key where the recording has positions
+  /// [rad/s], body frame, one per key where they were sought with the keys.
+  std::vector<Eigen::Vector3d> angular_velocities{};
 
   [[nodiscard]] std::size_t size() const noexcept { return samples.size(); }
 };

@@ -90,16 +90,22 @@ class Reduction:
         tried(layout, lambda keys: reduce(keys, self.tolerance, threads=1, **self.options))
 
     def schema(self, layout: Layout, given: Any) -> Any:
-        """Those of the keys, and the method."""
-        fields = list(sampled_schema(layout, given, 0, world=False))
+        """Those of the keys with the rates that are part of them, and the method."""
+        fields = list(sampled_schema(layout, given, self._orders(layout), world=False))
         return pa.schema([*fields[:-1], pa.field("method", pa.string()), fields[-1]])
+
+    def _orders(self, layout: Layout) -> int:
+        """1 where the method seeks the rates of its keys as well, else 0."""
+        with collected():
+            keys = reduce(turning_keys(33, positions=bool(layout.position)), self.tolerance, threads=1, **self.options).keys
+        return 0 if keys.angular_velocities is None else 1
 
     def of_track(self, layout: Layout, rows: Any, given: Any) -> Result:
         """A row for each key that is kept."""
         track = track_of(layout, rows)
         reduction = reduce(track.keys(), self.tolerance, threads=1, **self.options)
         kept = reduction.keys
-        columns = columns_of(kept.rotations, kept.positions)
+        columns = columns_of(kept.rotations, kept.positions, kept.angular_velocities)
         method = pa.array([reduction.method] * len(kept), pa.string())
         return Result(rows, _same_row(len(kept)), [track.back(kept.times), *columns, method])
 
