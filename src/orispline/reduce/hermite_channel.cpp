@@ -12,7 +12,7 @@ namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
 /// Of the tolerance, for the keys of rotations; the rest is for the cubics.
-constexpr double share_of_rates = 0.95;
+constexpr double share_of_rates = 0.88;
 
 Eigen::Vector3d rate_between(const CubicTargets<Eigen::Quaterniond>& targets, std::size_t i) {
   const Eigen::Quaterniond turn =
