@@ -16,6 +16,7 @@ import sysconfig
 import venv
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+SIDE_BY_SIDE = ["-n", min(os.cpu_count() or 1, 4), "--dist", "loadgroup"]  # conftest.py groups the tests
 
 
 def groups_for(docs):
@@ -111,8 +112,8 @@ def main():
     if options.docs:
         run(python, "-m", "sphinx", "-W", "--keep-going", "-q", ROOT / "bindings/python/reference", folder / "reference")
     if options.test:
-        tests = [python, "-m", "pytest", "-q", "-p", "no:cacheprovider", ROOT / "tests/python"]
-        sys.exit(subprocess.run(tests, env=os.environ | {"ORISPLINE_WHEEL": str(wheel)}, check=False).returncode)
+        tests = [python, "-m", "pytest", "-q", "-p", "no:cacheprovider", *SIDE_BY_SIDE, ROOT / "tests/python"]
+        sys.exit(subprocess.run([str(word) for word in tests], env=os.environ | {"ORISPLINE_WHEEL": str(wheel)}, check=False).returncode)
 
 
 if __name__ == "__main__":

@@ -23,6 +23,14 @@ def rows_of(name):
         return list(csv.DictReader(line for line in file if not line.startswith("#")))
 
 
+def pytest_collection_modifyitems(items):
+    """Side by side the tests of a file stay together, and those with a Spark of their own in one row."""
+    for item in items:
+        file = item.path.stem
+        group = "spark" if file.startswith("test_spark") or file == "test_documents" else file
+        item.add_marker(pytest.mark.xdist_group(group))
+
+
 @pytest.fixture(scope="session")
 def spark(tmp_path_factory):
     """A session of Spark, in a time zone that nothing may depend on."""

@@ -6,7 +6,7 @@ import pathlib
 import numpy as np
 import orispline as ori
 import pytest
-from track_data import QUATERNION, columns, expect_samples_of_curves, rows_of, shuffled, table_of, tracks
+from track_data import QUATERNION, RATES, columns, expect_samples_of_curves, rows_of, shuffled, table_of, tracks
 
 pa = pytest.importorskip("pyarrow")
 pytest.importorskip("duckdb")
@@ -213,6 +213,7 @@ def test_smoothing_reduction_and_comparison_are_those_of_each_track():
     keys = shuffled(table_of(made))
     smooth = tables.smooth(keys, smoothing_time=0.2).read_all()
     reduced = tables.reduce(keys, "2deg").read_all()
+    with_rates = tables.reduce(keys, "2deg", method="hermite-c1").read_all()
     compared = tables.compare(keys, ["slerp", "auto"], keep_every=4).read_all()
     even = tables.smooth(keys, smoothing_time=0.2, rate=20, derivatives=0).read_all()
     for track, (times, q) in made.items():
@@ -225,8 +226,19 @@ def test_smoothing_reduction_and_comparison_are_those_of_each_track():
         here = rows_of(reduced, track)
         assert np.array_equal(here["t"].to_numpy(), reduction.keys.times) and set(here["method"].to_pylist()) == {reduction.method}
         assert np.array_equal(columns(here, QUATERNION), reduction.keys.rotations)
+        kept, here = ori.reduce(own, "2deg", method="hermite-c1").keys, rows_of(with_rates, track)
+        assert np.array_equal(columns(here, QUATERNION), kept.rotations) and np.array_equal(columns(here, RATES[:3]), kept.angular_velocities)
         for row, expected in zip(rows_of(compared, track).to_pylist(), ori.compare(own, ["slerp", "auto"], keep_every=4).table(), strict=True):
             assert {name: row[name] for name in row if name != "track"} == {name: expected[name] for name in row if name != "track"}
+
+
+def test_keys_without_rates_have_none_beside_those_of_a_method_that_seeks_them():
+    made = tracks(3, least=30, most=60, seed=5)
+    made[9] = np.arange(40.0), np.column_stack([np.zeros((40, 3)), np.ones(40)])  # at rest: two keys of either method
+    found = tables.reduce(shuffled(table_of(made)), "2deg", method=["slerp", "hermite-c1"]).read_all()
+    assert set(found["method"].to_pylist()) == {"slerp", "hermite-c1"}
+    for row in found.to_pylist():
+        assert [row[name] is None for name in RATES[:3]] == [row["method"] == "slerp"] * 3
 
 
 def test_warnings_come_once_with_the_number_of_tracks():

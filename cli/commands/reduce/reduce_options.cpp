@@ -19,8 +19,9 @@ constexpr auto reduce_footer = R"(Examples:
   orispline reduce flight.csv --tolerance 0.1deg --method timed-c3 --tension=0.2 --ends rest -o keys.csv
   orispline sample keys.csv --rate 100 -o motion.csv
 
-The curve of the method that is named in the summary is within the tolerance at every sample. slerp needs no fewer keys
-among the samples; auto and timed-c2 are found by insertion and pruning. docs/reduce.md says more.)";
+The curve of the method that is named in the summary is within the tolerance at every sample. The keys
+of slerp are the fewest that its curve can have among the samples; those of auto and timed-c2 are found by insertion and
+pruning. hermite-c1 needs fewer than these: its keys have rates too, wx,wy,wz in a CSV. docs/reduce.md says more.)";
 
 }  // namespace
 
@@ -44,7 +45,8 @@ void add_reduce_options(Command& app, ReduceOptions& o) {
                  "Metres in one unit of length of the file, such as 0.01 [1 for glTF; a BVH file has no unit]")
       ->type_name("X")
       ->group("Clips");
-  app.add_flag("--closed", o.closed, "Give rotations that end as they begin the same tangents at both ends")
+  app.add_flag("--closed", o.closed,
+               "Give rotations that end as they begin the same tangents at both ends, so that loops do not jerk there")
       ->group("Clips");
   add_method_options(app, o.shape);
   add_word_flag(app, o.reduction, field_named(fields, "values"), "refit", group);

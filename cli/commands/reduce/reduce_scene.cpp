@@ -96,7 +96,9 @@ Expected<SceneRequest> scene_request_in(const ReduceOptions& options) {
     if (auto apart = check_output_apart(options.output.option, options.output.path, {{"INPUT", options.input.path}});
         !apart)
       return tl::unexpected(std::move(apart.error()));
-    return check_summary(options.summary, options.output.path, "keys").map([&] { return std::move(read); });
+    return check(read.reduction)
+        .and_then([&] { return check_summary(options.summary, options.output.path, "keys"); })
+        .map([&] { return std::move(read); });
   });
 }
 

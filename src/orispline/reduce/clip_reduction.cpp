@@ -211,8 +211,7 @@ class ClipReducer {
 
 }  // namespace
 
-Expected<std::vector<ClipReduction>> reduce_clips(const Skeleton& skeleton, std::span<const Clip> clips,
-                                                  const ClipReduceOptions& options, unsigned threads) {
+Expected<void> check(const ClipReduceOptions& options) {
   for (const double tolerance : {options.tolerance, options.position_tolerance, options.world_tolerance, options.shell})
     if (!(tolerance > 0.0))
       return failure(ErrorCode::bad_argument,
@@ -220,6 +219,12 @@ Expected<std::vector<ClipReduction>> reduce_clips(const Skeleton& skeleton, std:
   if (options.closed && options.method.name != cubicspline_method && !seeks_rates(options.method))
     return bad_option("closed", formatted("found the method {}, wanted {} or {}, whose tangents are free",
                                           options.method.name, cubicspline_method, "hermite-c1"));
+  return {};
+}
+
+Expected<std::vector<ClipReduction>> reduce_clips(const Skeleton& skeleton, std::span<const Clip> clips,
+                                                  const ClipReduceOptions& options, unsigned threads) {
+  if (auto sound = check(options); !sound) return tl::unexpected(std::move(sound.error()));
   for (const Clip& clip : clips)
     if (auto sound = check_clip(skeleton, clip); !sound) return tl::unexpected(std::move(sound.error()));
   return ClipReducer(skeleton, options, threads).reduced(clips);

@@ -29,10 +29,13 @@ struct ClipReduceOptions {
   Method method{cubicspline_method};
   BetweenSamples between = BetweenSamples::smooth;
   KeyPrecision precision = KeyPrecision::float64;
-  /// Of `cubicspline` and `hermite-c1`: channels that end as they begin have the same two tangents at both ends, so
-  /// that the clip goes on without a jump of its rates where it begins again.
+  /// Of `cubicspline` and `hermite-c1`: channels that end as they begin have the same tangent at both ends, so that the
+  /// clip goes on without a jump of its rates where it begins again.
   bool closed = false;
 };
+
+/// Error (bad_argument): options that do not fit together, or a tolerance that is not greater than 0.
+[[nodiscard]] ORISPLINE_EXPORT Expected<void> check(const ClipReduceOptions& options);
 
 /// A clip with fewer keys, and how far it is from the clip that it was.
 struct ClipReduction {
@@ -64,7 +67,7 @@ struct ClipReduction {
 /// measured at the times of its keys, is within the length.
 ///
 /// On up to that many threads, 0 means one per core; the results are the same on any number of them.
-/// Errors: bad_argument for a method that reduce() does not take and for a tolerance that is not greater than 0.
+/// Errors: those of check(); bad_argument for a method that reduce() does not take.
 [[nodiscard]] ORISPLINE_EXPORT Expected<std::vector<ClipReduction>> reduce_clips(const Skeleton& skeleton,
                                                                                  std::span<const Clip> clips,
                                                                                  const ClipReduceOptions& options,

@@ -156,7 +156,8 @@ def reduce(source: Any, tolerance: Any, *, by: str | Sequence[str] = "track", ti
            progress: Progress | None = None, **options: Any) -> Any:
     """The fewest keys of every track whose curve stays within the tolerance: a number [rad], or a text such as `"0.1deg"`.
 
-    The column `method` says which curve goes through them. `options` are those of `orispline.reduce`, the others those of
+    The column `method` says which curve goes through them. `method="hermite-c1"` seeks the rates of the keys too and adds
+    the columns `wx`, `wy`, `wz` [rad/s], body frame. `options` are those of `orispline.reduce`, the others those of
     `resample`. A track is held as a whole.
     """
     job = reduction(layout(by, time, quaternion, position), tolerance, errors, threads, options)

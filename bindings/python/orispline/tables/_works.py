@@ -95,10 +95,14 @@ class Reduction:
         return pa.schema([*fields[:-1], pa.field("method", pa.string()), fields[-1]])
 
     def _orders(self, layout: Layout) -> int:
-        """1 where the method seeks the rates of its keys as well, else 0."""
+        """1 where a method seeks the rates of its keys as well, else 0."""
+        methods = self.options.get("method")
+        options = {name: self.options[name] for name in ("values", "position_tolerance") if name in self.options}
+        recording = turning_keys(9, positions=bool(layout.position))
         with collected():
-            keys = reduce(turning_keys(33, positions=bool(layout.position)), self.tolerance, threads=1, **self.options).keys
-        return 0 if keys.angular_velocities is None else 1
+            kept = [reduce(recording, 1.0, method=method, threads=1, **options).keys
+                    for method in (methods if isinstance(methods, (list, tuple)) else [methods]) if method is not None]
+        return max((0 if keys.angular_velocities is None else 1 for keys in kept), default=0)
 
     def of_track(self, layout: Layout, rows: Any, given: Any) -> Result:
         """A row for each key that is kept."""
@@ -106,6 +110,8 @@ class Reduction:
         reduction = reduce(track.keys(), self.tolerance, threads=1, **self.options)
         kept = reduction.keys
         columns = columns_of(kept.rotations, kept.positions, kept.angular_velocities)
+        if kept.angular_velocities is None and isinstance(self.options.get("method"), (list, tuple)):
+            columns += [pa.nulls(len(kept), pa.float64())] * (3 * self._orders(layout))
         method = pa.array([reduction.method] * len(kept), pa.string())
         return Result(rows, _same_row(len(kept)), [track.back(kept.times), *columns, method])
 
