@@ -55,7 +55,7 @@ Smoothing smoothed(const KeyframeData& data, const SmoothOptions& options = {}) 
 }
 
 TEST(SmoothPositions, ComeNearTheTruthWithoutBeingToldAnything) {
-  for (const auto& times : {even_times(500), uneven_times(500), even_times(500, 1.7e9)})
+  for (const auto& times : {even_times(800), uneven_times(800), even_times(800, 1.7e9)})
     for (const Penalty penalty : {Penalty::acceleration, Penalty::jerk}) {
       const auto recording = on_path(times, 0.02);
       const Smoothing smoothing = smoothed(recording.noisy, {.penalty = penalty});
