@@ -230,6 +230,21 @@ TEST(GltfWriter, RefusesTimesThatSinglePrecisionCannotTellApart) {
             "out.glb: clip 'turn', joint 'craft', key 0: found time -1, wanted one from 0 on");
 }
 
+TEST(GltfWriter, TakesTheMatrixOfAnAnimatedNodeApart) {
+  GltfFile file = test::turning();
+  file.nodes =
+      R"([{"name":"arm","matrix":[0,2,0,0,-3,0,0,0,0,0,4,0,5,6,7,1],"extras":1},{"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,5,6,7,1]}])";
+  const Scene scene = scene_of(file);
+  EXPECT_EQ(scene.skeleton[0].rest.translation, Eigen::Vector3d(5, 6, 7));
+  const Json nodes = written(scene).json["nodes"];
+  EXPECT_FALSE(nodes[0].contains("matrix"));
+  EXPECT_EQ(nodes[0]["translation"], (std::vector<double>{5, 6, 7}));
+  EXPECT_EQ(nodes[0]["scale"], (std::vector<double>{2, 3, 4}));
+  EXPECT_NEAR(nodes[0]["rotation"][2].get<double>(), std::sqrt(0.5), 1e-15);
+  EXPECT_EQ(nodes[0]["extras"], 1);
+  EXPECT_TRUE(nodes[1].contains("matrix"));  // nothing of it moves
+}
+
 TEST(GltfWriter, LeavesOutAClipWithoutKeysAndSaysSo) {
   Scene scene = made_scene({0, 1}, {still, half});
   scene.clips.push_back({.name = "nothing"});

@@ -27,6 +27,11 @@ Expected<std::optional<ChannelTarget>> target_of(const Object& target, std::size
 
 }  // namespace
 
+std::optional<Property> property_of(std::string_view word) noexcept {
+  const auto found = std::ranges::find(all_properties, word, [](Property property) { return word_of(property); });
+  return found == all_properties.end() ? std::nullopt : std::optional(*found);
+}
+
 std::string_view word_of(Property property) noexcept {
   switch (property) {
     case Property::rotation:

@@ -15,6 +15,8 @@ namespace orispline::inline ORISPLINE_ABI::scenes::gltf {
 /// What a channel of ours moves, by the words of glTF.
 enum class Property { rotation, translation, scale };
 [[nodiscard]] std::string_view word_of(Property property) noexcept;
+/// Of that word; absent for what is not ours, such as weights.
+[[nodiscard]] std::optional<Property> property_of(std::string_view word) noexcept;
 
 /// A channel of an animation. One that moves something else, such as weights, has no target here and is passed on.
 struct ChannelTarget {

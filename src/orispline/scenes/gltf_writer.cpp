@@ -10,6 +10,7 @@
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
 
+#include <orispline/scenes/gltf_animation.hpp>
 #include <orispline/scenes/gltf_container.hpp>
 #include <orispline/scenes/gltf_made.hpp>
 #include <orispline/scenes/gltf_packing.hpp>
@@ -30,6 +31,30 @@ Json only_buffer(const Document& document, std::size_t length) {
   buffer.erase("uri");
   buffer["byteLength"] = length;
   return buffer;
+}
+
+/// A pose in parts, without those that say nothing.
+void state_pose(Json& node, const JointPose& pose) {
+  const auto list = [](const auto& numbers) { return Json(std::vector<double>(numbers.begin(), numbers.end())); };
+  node.erase("matrix");
+  if (!pose.translation.isZero(0.0)) node["translation"] = list(pose.translation);
+  if (pose.rotation.coeffs() != Eigen::Quaterniond::Identity().coeffs())
+    node["rotation"] = list(pose.rotation.coeffs());
+  if (!pose.scale.isOnes(0.0)) node["scale"] = list(pose.scale);
+}
+
+/// A node that is animated must not have a matrix, for then nothing says what of it moves.
+void take_matrices_apart(Json& json, const Nodes& nodes) {
+  const auto animations = json.find("animations");
+  if (animations == json.end()) return;
+  for (const Json& animation : *animations)
+    for (const Json& channel : animation.value("channels", Json::array())) {
+      const Json& target = channel["target"];
+      if (!target.contains("node") || !property_of(target["path"].get<std::string>())) continue;
+      const std::size_t index = target["node"];
+      Json& node = json["nodes"][index];
+      if (node.contains("matrix")) state_pose(node, nodes.skeleton[nodes.joint_of_node[index]].rest);
+    }
 }
 
 /// The bytes of a file. Names of strangers need not be UTF-8: what is not is replaced.
@@ -75,6 +100,7 @@ Expected<SceneWritten> written_from(const Source& source, const Scene& scene, co
   set_list(json, "animations", std::move(animations->list));
   set_list(json, "accessors", std::move(lists->accessors));
   set_list(json, "bufferViews", std::move(lists->views));
+  take_matrices_apart(json, source.nodes());
   const std::size_t length = lists->bytes.size();
   set_list(json, "buffers", length == 0 ? Json::array() : Json::array({only_buffer(document, length)}));
   std::ranges::move(warnings_of_images(json, scene.name, path), std::back_inserter(animations->warnings));
