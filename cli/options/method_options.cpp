@@ -2,6 +2,7 @@
 #include "options/method_options.hpp"
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <span>
 
@@ -109,6 +110,15 @@ Error blamed_on_recipe(const Method& method, const Track& track, Error error) {
 }
 
 }  // namespace
+
+std::string_view first_given(const MethodOptions& o) {
+  const std::array given{std::pair(o.tension.has_value(), "--tension"),  std::pair(!o.settings.empty(), "--set"),
+                         std::pair(o.ends.has_value(), "--ends"),        std::pair(o.start_rate.has_value(), "--start-rate"),
+                         std::pair(o.end_rate.has_value(), "--end-rate"), std::pair(o.period.has_value(), "--period"),
+                         std::pair(o.closed, "--closed")};
+  const auto* const first = std::ranges::find(given, true, &std::pair<bool, const char*>::first);
+  return first == given.end() ? "" : first->second;
+}
 
 Expected<Method> method_request(std::string_view text, const MethodOptions& options) {
   return said_by("--method", method_from_text(text)).and_then([&](Method method) {

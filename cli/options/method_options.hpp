@@ -21,9 +21,9 @@ struct MethodOptions {
   bool closed = false;
 };
 
-[[nodiscard]] inline bool any_given(const MethodOptions& o) {
-  return !o.settings.empty() || o.tension || o.ends || o.start_rate || o.end_rate || o.period || o.closed;
-}
+/// The first option that is given, such as `--tension`; empty if there is none.
+[[nodiscard]] std::string_view first_given(const MethodOptions& options);
+[[nodiscard]] inline bool any_given(const MethodOptions& options) { return !first_given(options).empty(); }
 
 /// `NAME` or `NAME:SETTING=VALUE:…`, shaped by the other options as well. Every error names its option.
 [[nodiscard]] Expected<Method> method_request(std::string_view method, const MethodOptions& options);

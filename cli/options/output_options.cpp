@@ -24,12 +24,49 @@ io::StatedOptions stated_in(const OutputOptions& options) {
 /// The error with the option by which the user named the path.
 Error said_of_output(const OutputOptions& options, Error error) {
   if (error.option != "path") return with_flags(std::move(error));
+  const std::size_t cure = error.message.rfind("; ");
+  if (!options.scenes.empty() && cure != std::string::npos)
+    error.message.insert(cure, formatted(", or for a skeleton in {}", endings_of(options.scenes)));
   error.message = formatted("{}: {}", options.option, error.message);
   error.option.clear();
   return with_flags(std::move(error));
 }
 
 }  // namespace
+
+std::vector<const scenes::SceneFormat*> scenes_written() {
+  std::vector<const scenes::SceneFormat*> written;
+  std::ranges::copy_if(scenes::scene_formats(), std::back_inserter(written),
+                       [](const scenes::SceneFormat* format) { return format->write != nullptr; });
+  return written;
+}
+
+std::string endings_of(const std::vector<const scenes::SceneFormat*>& formats) {
+  std::vector<std::string_view> endings;
+  for (const scenes::SceneFormat* const format : formats)
+    endings.insert(endings.end(), format->extensions.begin(), format->extensions.end());
+  if (endings.size() < 2) return joined(endings, "");
+  const std::string_view last = endings.back();
+  endings.pop_back();
+  return formatted("{} or {}", joined(endings, ", "), last);
+}
+
+const scenes::SceneFormat* scene_format_in(const std::string& word) {
+  const scenes::SceneFormat* const named = scenes::scene_format_named(word);
+  return named ? named : scenes::scene_format_of("x." + word);
+}
+
+Expected<void> check_format_is_of_rows(const OutputOptions& options) {
+  const auto typed = options.writing.find(format_option);
+  if (typed == options.writing.end() || !typed->second) return {};
+  const std::string& word = *typed->second;
+  if (!scene_format_in(word)) return {};
+  const std::string words = one_of(io::formats_written());
+  if (options.scenes.empty()) return wanted({"--output-format", word}, words);
+  return wanted({"--output-format", word},
+                formatted("{}; a file of skeletons goes by its name, which ends in {}", words,
+                          endings_of(options.scenes)));
+}
 
 std::string_view place_of_output(const OutputOptions& options) {
   return options.option == "-o" ? "that of -o" : "the output";
@@ -71,6 +108,7 @@ Expected<void> check_times_are_kept(const io::FormatInfo& format, std::string_vi
 Expected<std::optional<const io::FormatInfo*>> output_format(const OutputOptions& options) {
   const auto typed = options.writing.find(format_option);
   if (typed == options.writing.end()) return std::nullopt;
+  if (auto fits = check_format_is_of_rows(options); !fits) return tl::unexpected(std::move(fits.error()));
   return if_given("--output-format", typed->second, [](OptionText o) { return format_in(o, io::formats_written()); });
 }
 
@@ -79,8 +117,10 @@ io::SampleColumns columns_like(const io::FormatInfo& input, io::SampleColumns co
 }
 
 Expected<io::SampleColumns> output_columns(const OutputOptions& options) {
-  return io::columns_of_output(options.path, stated_in(options)).map_error([&](Error error) {
-    return said_of_output(options, std::move(error));
+  return check_format_is_of_rows(options).and_then([&] {
+    return io::columns_of_output(options.path, stated_in(options)).map_error([&](Error error) {
+      return said_of_output(options, std::move(error));
+    });
   });
 }
 

@@ -5,8 +5,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <orispline/io/sample_writer.hpp>
+#include <orispline/scenes/scene_format.hpp>
 
 #include "options/input_options.hpp"
 
@@ -17,7 +19,20 @@ struct OutputOptions {
   std::string path{io::standard_stream};
   std::string_view option = "-o";                                    ///< by which the path was named
   std::map<std::string_view, std::optional<std::string>> writing{};  ///< by the names of io::writing_options()
+  std::vector<const scenes::SceneFormat*> scenes{};                  ///< files of skeletons that may be written too
 };
+
+/// All formats of skeletons that are written.
+[[nodiscard]] std::vector<const scenes::SceneFormat*> scenes_written();
+
+/// How their names end: `.glb or .gltf`; empty where there are none.
+[[nodiscard]] std::string endings_of(const std::vector<const scenes::SceneFormat*>& formats);
+
+/// The format of skeletons of that word, which may be an ending too: `gltf`, `glb`; null if there is none.
+[[nodiscard]] const scenes::SceneFormat* scene_format_in(const std::string& word);
+
+/// Error (bad_argument): --output-format names a format of skeletons, which go by their names.
+[[nodiscard]] Expected<void> check_format_is_of_rows(const OutputOptions& options);
 
 /// The format of the output and the form of its orientations; the rest of the columns is left to the command.
 [[nodiscard]] Expected<io::SampleColumns> output_columns(const OutputOptions& options);

@@ -3,19 +3,29 @@
 
 #include <utility>
 
+#include <orispline/base/formatted.hpp>
+#include <orispline/base/quoted.hpp>
 #include <orispline/scenes/scene_file.hpp>
 
 namespace orispline::cli {
 
 bool is_scene(const std::string& path) { return scenes::scene_format_of(path) != nullptr; }
 
-bool is_scene(const InputRequest& input) {
-  return input.read.format ? scenes::scene_format_named(input.read.format->id) != nullptr : is_scene(input.path);
+const scenes::SceneFormat* scene_format_of(const InputRequest& input) {
+  return input.read.format ? scenes::scene_format_named(input.read.format->id) : scenes::scene_format_of(input.path);
+}
+
+bool is_scene(const InputRequest& input) { return scene_format_of(input) != nullptr; }
+
+bool is_scene(const InputOptions& options, const std::string& path) {
+  const auto typed = options.reading.find("input_format");
+  const bool is_stated = typed != options.reading.end() && typed->second.once;
+  return is_stated ? scenes::scene_format_named(*typed->second.once) != nullptr : is_scene(path);
 }
 
 scenes::SceneReading scene_reading(const InputRequest& input) {
   return {.drop_duplicates = input.read.drop_duplicates,
-          .format = input.read.format ? scenes::scene_format_named(input.read.format->id) : nullptr};
+          .format = input.read.format ? scene_format_of(input) : nullptr};
 }
 
 Expected<scenes::Scene> open_scene(const InputRequest& input) {
@@ -32,10 +42,22 @@ Expected<scenes::Scene> open_scene(const InputRequest& input) {
   });
 }
 
+Error or_all_of_them(Error error, std::string_view output) {
+  if (error.remedy == "clip" || error.remedy == "joint")
+    error.message += formatted("; {} takes all of them", output);
+  return error;
+}
+
 Expected<scenes::SceneWriting> scene_writing(const OutputOptions& options) {
   scenes::SceneWriting writing;
   for (const auto& [name, text] : options.writing) {
     if (!text) continue;
+    if (name == "output_format") {
+      if (scene_format_in(*text) == scenes::scene_format_of(options.path)) continue;
+      return wanted({"--output-format", *text},
+                    formatted("another name than '{}', which is that of {}", printable(options.path),
+                              scenes::scene_format_of(options.path)->file));
+    }
     if (name != "output_euler")
       return usage_failure(
           formatted("{}: found a file of skeletons as the output, which takes --output-euler alone", flag_of(name)));

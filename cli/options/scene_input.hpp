@@ -14,8 +14,12 @@ namespace orispline::cli {
 /// Whether a name ends as those of files of skeletons do.
 [[nodiscard]] bool is_scene(const std::string& path);
 
-/// The same of an input, or that it is stated to be one.
+/// The format of skeletons that an input is stated to have, else that of its name; null if it is none of them.
+[[nodiscard]] const scenes::SceneFormat* scene_format_of(const InputRequest& input);
 [[nodiscard]] bool is_scene(const InputRequest& input);
+
+/// The same of what is typed.
+[[nodiscard]] bool is_scene(const InputOptions& options, const std::string& path);
 
 /// How it is to be read.
 [[nodiscard]] scenes::SceneReading scene_reading(const InputRequest& input);
@@ -23,6 +27,10 @@ namespace orispline::cli {
 /// The chosen clips of a file of skeletons; of a file of keys the scene of one joint that moves as they say. Errors
 /// name the file; bad_argument where one joint of many is chosen.
 [[nodiscard]] Expected<scenes::Scene> open_scene(const InputRequest& input);
+
+/// An error that asks for one clip or one joint, with the output that takes all of them, such as `-o all.glb`; any other
+/// as it is.
+[[nodiscard]] Error or_all_of_them(Error error, std::string_view output);
 
 /// How a scene is to be written, by the options of the output. Error: bad_argument.
 [[nodiscard]] Expected<scenes::SceneWriting> scene_writing(const OutputOptions& options);

@@ -23,9 +23,10 @@ void add_cutoff(Command& app, SmoothnessOptions& o) {
 
 }  // namespace
 
-bool any_given(const SmoothnessOptions& options) {
-  return is_given(options.fields, "noise") || is_given(options.fields, "smoothing_time") ||
-         is_given(options.fields, "position_noise") || options.cutoff;
+std::string first_given(const SmoothnessOptions& options) {
+  for (const std::string_view name : {"noise", "smoothing_time", "position_noise"})
+    if (is_given(options.fields, name)) return flag_of(name);
+  return options.cutoff ? "--cutoff" : "";
 }
 
 Expected<orispline::SmoothOptions> smoothing_in(const SmoothnessOptions& options) {

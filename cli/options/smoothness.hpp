@@ -16,8 +16,9 @@ struct SmoothnessOptions {
   std::optional<std::string> cutoff;
 };
 
-/// Whether something is said of how smooth it is to be.
-[[nodiscard]] bool any_given(const SmoothnessOptions& options);
+/// The first option by which something is said of how smooth it is to be; empty if nothing is.
+[[nodiscard]] std::string first_given(const SmoothnessOptions& options);
+[[nodiscard]] inline bool any_given(const SmoothnessOptions& options) { return !first_given(options).empty(); }
 
 /// The same, understood; all else is left at its default. Error: bad_argument.
 [[nodiscard]] Expected<orispline::SmoothOptions> smoothing_in(const SmoothnessOptions& options);

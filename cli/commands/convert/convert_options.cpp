@@ -20,6 +20,7 @@ columns are left out, and the summary names them.)";
 
 void add_convert_options(Command& app, ConvertOptions& o) {
   add_input_options(app, o.input, "as-given");
+  o.output.scenes = scenes_written();
   add_output_options(app, o.output);
   app.add_option("--rate", o.rate, "Frames per second of a BVH file [those of the keys, where they are even]")
       ->type_name("HZ")

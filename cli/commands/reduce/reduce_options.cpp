@@ -54,6 +54,7 @@ void add_reduce_options(Command& app, ReduceOptions& o) {
                "Smooth the recording first, as 'orispline smooth' does; implied by the options below")
       ->group("Smoothing");
   add_smoothness_options(app, o.smoothness);
+  o.output.scenes = {&scenes::gltf_format};
   add_output_options(app, o.output);
   add_report_option(app, o.report);
   app.add_option("--threads", o.inputs.threads,

@@ -34,8 +34,8 @@ struct SceneRequest {
 Expected<Method> scene_method_in(const ReduceOptions& options) {
   if (options.method == smallest_method || options.method == cubicspline_method) {
     if (any_given(options.shape))
-      return usage_failure(formatted(
-          "found options that shape a curve, which {} does not take; wanted another --method", cubicspline_method));
+      return usage_failure(formatted("{}: found the method {}, which has no such option, wanted another --method",
+                                     first_given(options.shape), cubicspline_method));
     return Method{cubicspline_method};
   }
   return method_request(options.method, options.shape);
@@ -44,7 +44,9 @@ Expected<Method> scene_method_in(const ReduceOptions& options) {
 /// What is not for clips.
 Expected<void> check_clips(const ReduceOptions& options) {
   if (options.smooth || any_given(options.smoothness))
-    return usage_failure("--smooth: found a file of skeletons, wanted one track, or 'orispline smooth' first");
+    return usage_failure(
+        formatted("{}: found a file of skeletons, wanted keys of one track as the output, or 'orispline smooth' first",
+                  options.smooth ? "--smooth" : first_given(options.smoothness)));
   if (options.report.path)
     return usage_failure("--report: found a file of skeletons, wanted keys of one track as the output");
   if (is_given(options.reduction, "values"))
@@ -71,9 +73,9 @@ Expected<orispline::ClipReduceOptions> clip_reduction_in(const ReduceOptions& op
 }
 
 /// A BVH file does not say in what its lengths are.
-Expected<double> metres_in(const ReduceOptions& options) {
+Expected<double> metres_in(const ReduceOptions& options, const InputRequest& input) {
   if (options.position_scale) return positive_in({"--position-scale", *options.position_scale});
-  const bool has_no_unit = scenes::scene_format_of(options.input.path) == &scenes::bvh_format;
+  const bool has_no_unit = scene_format_of(input) == &scenes::bvh_format;
   const bool bounds_world = is_given(options.scene, "world_tolerance");
   if (!has_no_unit || !(bounds_world || is_given(options.reduction, "position_tolerance"))) return 1.0;
   return usage_failure(
@@ -89,7 +91,7 @@ Expected<SceneRequest> scene_request_in(const ReduceOptions& options) {
                        .writing = checked(scene_writing(options.output)),
                        .reduction = {},
                        .threads = static_cast<unsigned>(checked(threads_in(options.inputs.threads)))};
-  request.metres = checked(metres_in(options));
+  request.metres = checked(metres_in(options, request.input));
   request.reduction = checked(clip_reduction_in(options, request.metres > 0.0 ? request.metres : 1.0));
   request.reduction.method = checked(scene_method_in(options));
   return std::move(checked).or_else(std::move(request)).and_then([&](SceneRequest read) -> Expected<SceneRequest> {

@@ -7,6 +7,8 @@
 #include <orispline/families/method_text.hpp>
 #include <orispline/families/method_warnings.hpp>
 
+#include "commands/sample/sample_curve_scene.hpp"
+#include "commands/sample/sample_joints.hpp"
 #include "commands/sample/sample_report.hpp"
 #include "commands/sample/sample_request.hpp"
 #include "commands/sample/sample_scene.hpp"
@@ -139,7 +141,7 @@ Expected<void> sample_into_scene(const SampleOptions& options, const SampleReque
 }
 
 Expected<void> sample_one(const SampleOptions& options) {
-  if (asks_for_stored(options)) return sample_stored(options);
+  if (asks_for_stored(options)) return options.inputs.folder ? sample_joints(options) : sample_stored(options);
   auto request = sample_request(options);
   if (!request) return tl::unexpected(std::move(request.error()));
   auto input = io::KeyInput::open(request->input.path, request->input.read.recipe);
@@ -161,13 +163,13 @@ Expected<void> check_each(const SampleOptions& options) {
   if (options.times.list == io::standard_stream || options.truth == io::standard_stream)
     return usage_failure(
         "--output-folder: found '-' for --times or --truth, wanted a file, which is read again for each input");
-  return sample_request(options).map([](const SampleRequest&) {});
+  const auto request = asks_for_stored(options) ? stored_request(options) : sample_request(options);
+  return request.map([](const SampleRequest&) {});
 }
 
 }  // namespace
 
 Expected<void> sample(const SampleOptions& options) {
-  if (asks_for_all_joints(options)) return sample_all_joints(options);
   return on_inputs(options, {.written = "samples", .check = check_each, .work = sample_one});
 }
 

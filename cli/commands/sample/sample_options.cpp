@@ -77,6 +77,7 @@ void add_sample_options(Command& app, SampleOptions& o) {
                  "of the end, or follow the formula of the end segment [hold]")
       ->type_name(one_of(words<Extrapolation>))
       ->group("Times (one of --rate, --count, --times)");
+  o.output.scenes = {&scenes::gltf_format};
   add_output_options(app, o.output);
   const std::string group = "Output";
   app.add_flag("--yes", o.times.yes, "Write any number of samples, above 1e9 too")->group(group);

@@ -67,7 +67,7 @@ Expected<double> measured_in(OptionText option, std::span<const Unit> units) {
 
 /// What a file of skeletons has no room for.
 Expected<void> check_into_scene(const SampleOptions& options) {
-  if (!is_scene(options.output.path)) return {};
+  if (!is_scene(options.output.path)) return check_format_is_of_rows(options.output);
   const bool cubics = !names_times(options.times);
   if (cubics && (options.times.from || options.times.to || options.times.include_end))
     return usage_failure("--from and --to: found cubics of the whole curve, wanted --rate or --count as well");

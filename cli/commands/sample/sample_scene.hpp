@@ -2,32 +2,35 @@
 #pragma once
 
 #include <orispline/curve/pose_curve.hpp>
+#include <orispline/scenes/scene.hpp>
 
+#include "commands/sample/sample_report.hpp"
 #include "commands/sample/sample_request.hpp"
 
 namespace orispline::cli {
 
-/// Whether one joint of a file of skeletons is to be sampled as the file says it moves.
+/// Whether joints of a file of skeletons are to be sampled as the file says that they move.
 [[nodiscard]] bool asks_for_stored(const SampleOptions& options);
 
-/// Samples that motion.
-[[nodiscard]] Expected<void> sample_stored(const SampleOptions& options);
+/// What is then to be sampled. Error (bad_argument): what does not fit to it.
+[[nodiscard]] Expected<SampleRequest> stored_request(const SampleOptions& options);
 
-/// Whether that is wanted of all joints, in a folder.
-[[nodiscard]] bool asks_for_all_joints(const SampleOptions& options);
+/// The chosen clips.
+[[nodiscard]] Expected<scenes::Scene> opened(const InputRequest& input);
 
-/// Samples every joint that moves into a file CLIP/JOINT in the folder; of a joint that is named that one of each clip.
-[[nodiscard]] Expected<void> sample_all_joints(const SampleOptions& options);
-
-/// A curve, how many keys it is through, and where samples are wanted.
-struct CurveScene {
-  std::size_t keys;
-  const PoseCurve& curve;
-  const SampleTimes& times;
+/// The motion of one joint, and when it is to be sampled.
+struct JointSamples {
+  PoseCurve curve;
+  SampleTimes times;
+  std::vector<Warning> warnings{};
 };
+[[nodiscard]] Expected<JointSamples> joint_samples(const SampleRequest& request, const scenes::Scene& scene,
+                                                   const Clip& clip, std::size_t joint);
 
-/// Writes a curve into a file of skeletons, as the motion of one joint: as cubics within the tolerance, or its samples.
-[[nodiscard]] Expected<void> write_curve_scene(const SampleOptions& options, const SampleRequest& request,
-                                               const CurveScene& scene);
+/// Writes them.
+[[nodiscard]] Expected<SampleReport> write_joint(const SampleRequest& request, const JointSamples& samples);
+
+/// Samples the one joint that is chosen.
+[[nodiscard]] Expected<void> sample_stored(const SampleOptions& options);
 
 }  // namespace orispline::cli

@@ -127,7 +127,7 @@ Expected<void> smooth_one(const SmoothOptions& options) {
   auto page = ReportFile::open(options.report);
   if (!page) return tl::unexpected(std::move(page.error()));
   const auto file = io::read_track(request->input.path, request->input.read, request->input.signs);
-  if (!file) return tl::unexpected(file.error());
+  if (!file) return tl::unexpected(or_all_of_them(file.error(), "an output such as all.glb"));
   warn(file->warnings);
   const Track& recording = file->track;
   request->columns = columns_like(*file->format, request->columns, options.output);

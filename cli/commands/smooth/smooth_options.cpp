@@ -31,6 +31,7 @@ void add_smooth_options(Command& app, SmoothOptions& o) {
   app.add_flag("--include-end", o.include_end,
                "With --rate the end is a sample too where it is no multiple of the interval")
       ->group("Output");
+  o.output.scenes = scenes_written();
   add_output_options(app, o.output);
   add_report_option(app, o.report);
   add_summary_options(app, o.summary);

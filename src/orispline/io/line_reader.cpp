@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <orispline/io/file_format.hpp>
+#include <orispline/io/other_kinds.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::io {
 namespace {
@@ -77,8 +78,11 @@ Expected<std::optional<std::string_view>> LineReader::give(std::string_view line
     return failure(ErrorCode::bad_data, "the file is UTF-16 text, wanted UTF-8", {path_, line_});
   if (line_ == 1 && line.starts_with(utf8_mark)) line.remove_prefix(utf8_mark.size());
   if (line.ends_with('\r')) line.remove_suffix(1);
-  if (line.find('\0') != std::string_view::npos)
+  if (line.find('\0') != std::string_view::npos) {
+    if (auto kind = line_ == 1 ? other_kind(line) : std::nullopt)
+      return failure(ErrorCode::bad_data, std::move(*kind), {.file = path_});
     return failure(ErrorCode::bad_data, "found a NUL byte, wanted a text file", {path_, line_});
+  }
   if (line.find('\r') != std::string_view::npos)
     return failure(ErrorCode::bad_data, "found a carriage return within the line, wanted lines that end in LF or CRLF",
                    {path_, line_});

@@ -14,18 +14,20 @@ struct OtherKind {
 };
 
 constexpr std::array other_kinds{
-    OtherKind{"CCSDS_AEM_VERS", "an attitude ephemeris (AEM) of CCSDS",
+    OtherKind{"CCSDS_AEM_VERS", "an attitude ephemeris (AEM) of CCSDS, which is not read",
               "write the rows between DATA_START and DATA_STOP into a file of their own, below a header such as "
               "t,qx,qy,qz,qw"},
-    OtherKind{"CCSDS_OEM_VERS", "an orbit ephemeris (OEM) of CCSDS, which holds no orientations",
+    OtherKind{"CCSDS_OEM_VERS", "an orbit ephemeris (OEM) of CCSDS, which holds no orientations and is not read",
               "the attitude is in another file"},
-    OtherKind{"HIERARCHY", "a BVH file of another name", "give it one that ends in .bvh"},
-    OtherKind{"DAFETF", "a transfer file of SPICE",
+    OtherKind{"HIERARCHY", "a BVH file, which is not read as rows", "it needs `input_format` bvh, or none and a name that ends in .bvh"},
+    OtherKind{"glTF", "a glTF file, which is not read as rows", "it needs `input_format` gltf, or none and a name that ends in .glb"},
+    OtherKind{"DAFETF", "a transfer file of SPICE, which is not read",
               "write the quaternions of the C-kernel as rows below a header, t,qw,qx,qy,qz"},
     OtherKind{
-        "{", "a JSON file",
-        "give it a name that ends in .gltf if it is glTF, else write the keys as rows below a header, t,qw,qx,qy,qz"},
-    OtherKind{"[", "a JSON file", "write the keys as rows below a header, t,qw,qx,qy,qz"}};
+        "{", "a JSON file, which is not read as rows",
+        "as glTF it needs `input_format` gltf, or none and a name that ends in .gltf; else write the keys as rows below a "
+        "header, t,qw,qx,qy,qz"},
+    OtherKind{"[", "a JSON file, which is not read", "write the keys as rows below a header, t,qw,qx,qy,qz"}};
 
 }  // namespace
 
@@ -33,7 +35,7 @@ std::optional<std::string> other_kind(std::string_view first_cell) {
   const auto found =
       std::ranges::find_if(other_kinds, [&](const OtherKind& kind) { return first_cell.starts_with(kind.beginning); });
   if (found == other_kinds.end()) return std::nullopt;
-  return formatted("found {}, which is not read; {}", found->name, found->cure);
+  return formatted("found {}; {}", found->name, found->cure);
 }
 
 }  // namespace orispline::inline ORISPLINE_ABI::io

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/sample/sample_joints.hpp"
+
+#include <filesystem>
+#include <set>
+#include <utility>
+
+#include <orispline/base/counted.hpp>
+#include <orispline/base/formatted.hpp>
+#include <orispline/base/quoted.hpp>
+#include <orispline/scenes/scene_tracks.hpp>
+
+#include "commands/sample/sample_scene.hpp"
+#include "options/scene_input.hpp"
+#include "output/summary.hpp"
+
+namespace orispline::cli {
+namespace {
+
+/// Names of clips and joints as those of files: no two are the same.
+class FileNames {
+ public:
+  [[nodiscard]] std::string unused(std::string_view name) {
+    std::string safe(name);
+    for (char& letter : safe)
+      if (letter == '/' || static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f) letter = '_';
+    if (safe.empty() || safe.starts_with('.')) safe.insert(0, "_");
+    safe.resize(length_within(safe, longest));
+    std::string free = safe;
+    for (std::size_t number = 2; !used_.insert(free).second; ++number) free = formatted("{}_{}", safe, number);
+    return free;
+  }
+
+ private:
+  /// With the number of a second one, the extension and `.part` it is a name that file systems take [bytes].
+  static constexpr std::size_t longest = 200;
+
+  /// Of whole characters of UTF-8.
+  static std::size_t length_within(std::string_view name, std::size_t length) {
+    if (name.size() <= length) return name.size();
+    while (length > 0 && (static_cast<unsigned char>(name[length]) & 0xc0) == 0x80) --length;
+    return length;
+  }
+
+  std::set<std::string> used_;
+};
+
+/// The joints that a clip moves, in the order of the skeleton: those with keys of their own, and in the world those
+/// that these carry too.
+std::vector<std::size_t> joints_of(const scenes::Scene& scene, const Clip& clip, io::SceneTrack::Space space) {
+  std::vector<bool> moves(scene.skeleton.size());
+  for (const RotationChannel& channel : clip.rotations) moves[channel.joint] = true;
+  for (const auto* const channels : {&clip.translations, &clip.scales})
+    for (const VectorChannel& channel : *channels) moves[channel.joint] = true;
+  std::vector<std::size_t> joints;
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    const std::size_t parent = scene.skeleton[i].parent;
+    if (space == io::SceneTrack::Space::world && parent != no_parent && moves[parent]) moves[i] = true;
+    if (moves[i]) joints.push_back(i);
+  }
+  return joints;
+}
+
+/// The files of samples that were written, one for each joint that moves.
+struct JointsReport {
+  std::string input{}, folder{};
+  std::size_t files = 0, samples = 0;
+};
+
+std::string text_of(const JointsReport& report) {
+  return formatted("{} from {} written to {} in {}: CLIP/JOINT\n", counted(report.samples, "sample"),
+                   printable(report.input), counted(report.files, "file"), printable(report.folder));
+}
+
+Json json_of(const JointsReport& report) {
+  return {{"input", report.input}, {"output", report.folder}, {"files", report.files}, {"samples", report.samples}};
+}
+
+/// A joint of a clip, and the file for it.
+struct JointFile {
+  const Clip* clip;
+  std::size_t joint;
+  std::string path;
+};
+
+/// OUT, or OUT/STEM of several inputs.
+std::string folder_of(const SampleOptions& options) {
+  const SeveralInputs& inputs = options.inputs;
+  const bool is_only_one = !inputs.list && inputs.paths.size() == 1 && inputs.paths.front() == options.input.path;
+  return is_only_one ? *inputs.folder : std::filesystem::path(options.output.path).replace_extension().string();
+}
+
+Expected<std::vector<JointFile>> files_of(const SampleOptions& options, const SampleRequest& request,
+                                          const scenes::Scene& scene) {
+  const auto& [clips, named, space] = request.input.read.scene;
+  std::vector<JointFile> list;
+  const std::string extension = std::filesystem::path(request.output).extension().string();
+  FileNames folders;
+  for (const Clip& clip : scene.clips) {
+    if (named && !scene.skeleton.find(*named)) return tl::unexpected(scenes::joint_in(scene, clip, named).error());
+    const std::string folder = formatted("{}/{}", folder_of(options), folders.unused(clip.name));
+    FileNames files;
+    for (const std::size_t joint : joints_of(scene, clip, space)) {
+      const std::string& name = scene.skeleton[joint].name;
+      if (named.value_or(name) == name)
+        list.push_back({&clip, joint, formatted("{}/{}{}", folder, files.unused(name), extension)});
+    }
+  }
+  if (!list.empty()) return list;
+  return failure(ErrorCode::bad_data, "found no joint that moves, wanted one at least", {.file = request.input.path});
+}
+
+}  // namespace
+
+Expected<void> sample_joints(const SampleOptions& options) {
+  auto request = stored_request(options);
+  if (!request) return tl::unexpected(std::move(request.error()));
+  const auto scene = opened(request->input);
+  if (!scene) return tl::unexpected(scene.error());
+  const auto files = files_of(options, *request, *scene);
+  if (!files) return tl::unexpected(files.error());
+  std::vector<Warning> warnings;
+  std::size_t warned = 0;
+  for (const JointFile& file : *files) {
+    auto able = joint_samples(*request, *scene, *file.clip, file.joint);
+    if (!able) return tl::unexpected(std::move(able.error()));
+    if (!able->warnings.empty() && warned++ == 0) warnings = std::move(able->warnings);
+  }
+  for (Warning& warning : warnings)
+    if (warned > 1)
+      warning.message += formatted("; so it is with {} other {}", warned - 1, warned == 2 ? "joint" : "joints");
+  warn(warnings);
+  JointsReport report{.input = request->input.path, .folder = folder_of(options), .files = files->size()};
+  for (const JointFile& file : *files) {
+    request->output = file.path;
+    const auto sampled =
+        joint_samples(*request, *scene, *file.clip, file.joint).and_then([&](const JointSamples& samples) {
+          return write_joint(*request, samples);
+        });
+    if (!sampled) return tl::unexpected(sampled.error());
+    report.samples += sampled->samples;
+  }
+  return summarise(options.summary, report);
+}
+
+}  // namespace orispline::cli
