@@ -74,6 +74,12 @@ std::string missing(std::string_view file, const std::vector<std::string>& clips
                    in_quotes(clips.front()));
 }
 
+std::size_t times_of(const DifferenceReport& report) {
+  std::size_t times = 0;
+  for (const ClipDifference& clip : report.clips) times += clip.times;
+  return times;
+}
+
 Json json_of(const LargestInTime& largest, double unit) {
   return {{"largest", largest.value * unit}, {"time_s", largest.time}};
 }
@@ -102,6 +108,9 @@ std::string text_of(const DifferenceReport& report) {
                 shift = largest_in<&JointDifference::translation>(report),
                 distance = largest_in<&JointDifference::distance>(report);
   if (!angle.clip) return text + "no joint is in both of them\n";
+  if (angle.found.value == 0.0 && shift.found.value == 0.0 && distance.found.value == 0.0)
+    return text + formatted("no difference in {} at {}\n", counted(angle.clip->joints.size(), "joint"),
+                            counted(times_of(report), "time"));
   text += formatted("largest angle        {:.6g}°, {}\n", angle.found.value * degrees, place_of(angle));
   text += formatted("largest translation  {:.6g}, {}\n", shift.found.value, place_of(shift));
   text += formatted("shell distance       {:.6g}, {}; shell {:g}\n", distance.found.value, place_of(distance),
