@@ -124,8 +124,10 @@ class SmallScenes(SceneTest):
         self.output_of("convert three.gltf --clip again -o one.glb")
         self.assertEqual([clip["name"] for clip in self.json_of("inspect one.glb")["clips"]], ["again"])
         clips = "wanted one of 'swing', 'again', 'third'"
-        for command in ("sample three.gltf --rate 5", "plot three.gltf -o x.svg", "convert three.gltf -o x.csv"):
-            self.assert_fails(command, BAD_DATA, f"three.gltf: found 3 clips, {clips} (--clip NAME chooses one)")
+        for command, cure in (("sample three.gltf --rate 5", "; --output-folder FOLDER takes all of them"),
+                              ("plot three.gltf -o x.svg", ""),
+                              ("convert three.gltf -o x.csv", "; an output such as all.glb takes all of them")):
+            self.assert_fails(command, BAD_DATA, f"three.gltf: found 3 clips, {clips}{cure} (--clip NAME chooses one)")
         for command in ("inspect three.gltf", "reduce three.gltf --tolerance 1deg -o x.glb", "difference three.gltf swing.gltf"):
             self.assert_fails(f"{command} --clip fourth", BAD_DATA, f"three.gltf: found no clip 'fourth', {clips}")
 
@@ -179,6 +181,19 @@ class OneJoint(SceneTest):
         for row, (x, y, z, w) in zip(rows, SPLINE[1::3]):
             for found, wanted in zip(row[1:5], (w, x, y, z)):
                 self.assertAlmostEqual(found, wanted, delta=1e-7)
+
+    def test_positions_are_kept_though_they_rest(self):
+        for command in ("convert swing.gltf --joint base", "sample swing.gltf --joint base --method auto --rate 2"):
+            self.output_of(f"{command} -o out.csv")
+            self.assertEqual(self.read("out.csv").split("qz", 1)[1].split("\n")[0].partition("px")[1], "", command)
+        for options in ("", "--method auto"):
+            rows = rows_of(self.output_of(f"sample arm.bvh --joint Elbow {options} --rate 4 --derivatives 0"))
+            self.assertEqual({tuple(round(p, 12) for p in row[5:8]) for row in rows}, {(0.3, 0, 0)}, options)
+        self.output_of("sample arm.bvh --joint Elbow --method auto -o elbow.glb")
+        rows = rows_of(self.output_of("sample elbow.glb --rate 4 --derivatives 0"))
+        self.assertEqual({tuple(round(p, 6) for p in row[5:8]) for row in rows}, {(0.3, 0, 0)})
+        self.output_of("convert arm.bvh --joint Shoulder -o shoulder.csv")  # which has a channel that rests
+        self.assertEqual({tuple(row[5:8]) for row in rows_of(self.read("shoulder.csv"))}, {(1, 2.5, 3)})
 
     def test_images_that_stay_behind_are_told(self):
         document = gltf_document()

@@ -69,10 +69,13 @@ Expected<KeyframeData> local_keys(const Scene& scene, const Clip& clip, std::siz
     return failure(ErrorCode::bad_data,
                    formatted("{}: found no keys of its rotation, wanted some", place_of(scene.skeleton, clip, joint)));
   KeyframeData data{.times = rotation->times, .orientations = rotation->values};
-  const VectorChannel* const translation = channel_of(clip.translations, joint);
-  if (!moves(translation)) return data;
-  const ChannelCurve<Eigen::Vector3d> path(*translation);
-  for (const double t : data.times) data.positions.push_back(path.at(t));
+  const Eigen::Vector3d& rest = scene.skeleton[joint].rest.translation;
+  if (const VectorChannel* const translation = channel_of(clip.translations, joint)) {
+    const ChannelCurve<Eigen::Vector3d> path(*translation);
+    for (const double t : data.times) data.positions.push_back(path.at(t));
+  } else if (!rest.isZero(0.0)) {
+    data.positions.assign(data.times.size(), rest);
+  }
   return data;
 }
 
@@ -148,6 +151,12 @@ Expected<Scene> with_clips(Scene scene, const std::vector<std::string>& names) {
 Expected<const Clip*> only_clip(const Scene& scene) {
   if (scene.clips.size() == 1) return &scene.clips.front();
   if (scene.clips.empty()) return failure(ErrorCode::bad_data, "found no clip, wanted one", {.file = scene.name});
+  const auto is_first = [&](const Clip& clip) { return clip.name == scene.clips.front().name; };
+  if (std::ranges::all_of(scene.clips, is_first))
+    return failure(ErrorCode::bad_data,
+                   formatted("found {} clips named {}, wanted a name of its own for each", scene.clips.size(),
+                             in_quotes(scene.clips.front().name)),
+                   {.file = scene.name});
   return mended_by("clip",
                    formatted("found {} clips, wanted one of {}", scene.clips.size(), some_of(names_of(scene.clips))),
                    {.file = scene.name});
@@ -165,7 +174,8 @@ Expected<std::size_t> joint_in(const Scene& scene, const Clip& clip, const std::
         formatted("clip {}: found {} joints, wanted one of {}", in_quotes(clip.name), names.size(), some_of(names)),
         {.file = scene.name});
   if (const auto same = std::ranges::count(scene.skeleton.joints(), *name, &Joint::name); same > 1)
-    return failure(ErrorCode::bad_data, formatted("found {} joints {}, wanted a name of one", same, in_quotes(*name)),
+    return failure(ErrorCode::bad_data,
+                   formatted("found {} joints named {}, wanted a name of its own for each", same, in_quotes(*name)),
                    {.file = scene.name});
   if (const auto joint = scene.skeleton.find(*name)) return *joint;
   return failure(ErrorCode::bad_data,

@@ -25,8 +25,8 @@ ORISPLINE_EXPORT void join_formats();
 [[nodiscard]] ORISPLINE_EXPORT Expected<std::size_t> joint_in(const Scene& scene, const Clip& clip,
                                                               const std::optional<std::string>& name);
 
-/// The keys of one joint of one clip. In the frame of its parent: those of its rotation, with positions where its
-/// translation moves. In the world: at the times of all keys of the joint and of those above it.
+/// The keys of one joint of one clip. In the frame of its parent: those of its rotation, with positions unless it
+/// is at the origin throughout. In the world: at the times of all keys of the joint and of those above it.
 ///
 /// Errors (bad_data): those of with_clips(), only_clip() and joint_in(); no keys; in the world, a scale above the joint
 /// that is not the same along all axes, or negative.
