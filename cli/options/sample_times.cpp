@@ -174,6 +174,34 @@ Instant SampleTimes::operator[](std::size_t k) const {
   return std::get<SampleGrid>(times_)[k];
 }
 
+std::optional<Error> SampleTimes::fault_as_keys() const {
+  const auto own_time = [&](double time) { return (key_epoch_ + Decimal::from_double(time)).to_string(); };
+  if ((*this)[0].t < 0.0 && !std::holds_alternative<List>(times_))
+    return Error{
+        ErrorCode::bad_argument,
+        formatted("--from: found {} before the first key at {}, where a file of skeletons begins; wanted a time "
+                  "from there on",
+                  own_time((*this)[0].t), key_epoch_.to_string())};
+  const auto* const list = std::get_if<List>(&times_);
+  if (!list) return std::nullopt;
+  const auto& times = list->list.times;
+  const auto fault = [&](std::size_t i, std::string message) {
+    return Error{ErrorCode::bad_data, std::move(message), {.file = list->path, .line = list->list.lines[i]}};
+  };
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (times[i] < 0.0)
+      return fault(i, formatted("found time {} before the first key at {}, where a file of skeletons begins; wanted a "
+                                "time from there on",
+                                own_time(times[i]), key_epoch_.to_string()));
+    if (i == 0 || static_cast<float>(times[i]) > static_cast<float>(times[i - 1])) continue;
+    return fault(i, formatted("found time {} after {}, wanted increasing times{}: they are the keys of a file of "
+                              "skeletons",
+                              own_time(times[i]), own_time(times[i - 1]),
+                              times[i] > times[i - 1] ? " that single precision tells apart" : ""));
+  }
+  return std::nullopt;
+}
+
 std::optional<Error> SampleTimes::outside(const Domain& domain) const {
   const auto error = [&](double t, ErrorCode code, Where where) {
     const auto own_time = [&](double time) { return (key_epoch_ + Decimal::from_double(time)).to_string(); };

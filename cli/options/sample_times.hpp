@@ -80,6 +80,10 @@ class SampleTimes {
   /// Of reading the times.
   [[nodiscard]] std::vector<Warning> warnings() const;
 
+  /// The error for the first time that a file of skeletons cannot have after the one before it: it holds keys in single
+  /// precision from the first key of the curve on.
+  [[nodiscard]] std::optional<Error> fault_as_keys() const;
+
   /// The error for the first time that the curve does not cover.
   [[nodiscard]] std::optional<Error> outside(const Domain& domain) const;
 
