@@ -174,7 +174,8 @@ Expected<void> reduce_one(const ReduceOptions& options) {
   if (!page) return tl::unexpected(std::move(page.error()));
   if (auto able = check_output(options.output.path); !able) return able;
   const auto track = open_track(request->input, request->smoothing);
-  if (!track) return tl::unexpected(
+  if (!track)
+    return tl::unexpected(
         or_all_of_them(said_of_cutoff(options.smoothness, track.error()), "an output such as all.glb"));
   warn(track->recording.warnings);
   if (auto checked = check_positions(*track, request->reduction.tolerance); !checked) return checked;

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/reduce/reduce_scene.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 #include <orispline/families/registry.hpp>
+#include <orispline/math/degrees.hpp>
 #include <orispline/reduce/clip_reduction_fields.hpp>
 #include <orispline/reduce/reduce_fields.hpp>
 #include <orispline/scenes/scene_file.hpp>
@@ -111,6 +113,24 @@ std::size_t bytes_of(const std::string& path) {
   return none ? 0 : static_cast<std::size_t>(bytes);
 }
 
+/// Where keys stay that single precision cannot hold within the tolerance.
+void warn_of_precision(const SceneRequest& request, const std::vector<ClipReduction>& reductions) {
+  double angle = 0.0, distance = 0.0;
+  for (const ClipReduction& reduction : reductions) {
+    angle = std::max(angle, reduction.angle.largest.value);
+    distance = std::max(distance, reduction.distance.largest.value);
+  }
+  const auto say = [](std::string_view option, double found, double tolerance, std::string_view unit) {
+    if (found > tolerance)
+      warn(
+          formatted("{}: found {:.4g}{} in the file, more than {:.4g}{}: glTF holds times and numbers in single "
+                    "precision, and keys that were to be nearer stay as they are",
+                    option, found, unit, tolerance, unit));
+  };
+  say("--tolerance", angle * degrees, request.reduction.tolerance * degrees, "°");
+  say("--world-tolerance", distance * request.metres, request.reduction.world_tolerance * request.metres, " m");
+}
+
 }  // namespace
 
 Expected<void> check_reduce_scene(const ReduceOptions& options) {
@@ -118,17 +138,19 @@ Expected<void> check_reduce_scene(const ReduceOptions& options) {
 }
 
 Expected<void> reduce_scene(const ReduceOptions& options) {
-  const auto request = scene_request_in(options);
+  auto request = scene_request_in(options);
   if (!request) return tl::unexpected(request.error());
   if (auto able = check_output(options.output.path); !able) return able;
   auto scene = open_scene(request->input);
   if (!scene) return tl::unexpected(std::move(scene.error()));
   warn(scene->warnings);
+  if (scene->format == &scenes::gltf_format) request->reduction.precision_before = orispline::KeyPrecision::float32;
   auto reductions = orispline::reduce_clips(scene->skeleton, scene->clips, request->reduction, request->threads);
   if (!reductions) {
     reductions.error().where.file = options.input.path;
     return tl::unexpected(std::move(reductions.error()));
   }
+  warn_of_precision(*request, *reductions);
   for (std::size_t i = 0; i < reductions->size(); ++i) scene->clips[i] = (*reductions)[i].clip;
   ReduceSceneReport report{.input = options.input.path,
                            .output = options.output.path,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/sample/sample_curve_scene.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include <orispline/base/counted.hpp>
@@ -8,10 +9,12 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 #include <orispline/clip/cubic_channel.hpp>
+#include <orispline/clip/single_precision.hpp>
 #include <orispline/math/degrees.hpp>
 
 #include "options/scene_input.hpp"
 #include "output/scene_output.hpp"
+#include "output/standard_output.hpp"
 #include "output/summary.hpp"
 
 namespace orispline::cli {
@@ -53,17 +56,53 @@ Json json_of(const CurveSceneReport& report) {
   return json;
 }
 
+/// Cubics, and how far they are from the curve as they are read again: glTF holds single precision.
+template <CurvePoint P>
+struct CubicsInFile {
+  Channel<P> channel{};
+  double farthest = 0.0;
+
+  template <class Curve>
+  CubicsInFile(const Curve& curve, double tolerance) {
+    double asked = tolerance;
+    for (int attempt = 0; attempt < attempts && asked > 0.0; ++attempt) {
+      auto found = cubic_channel(curve, asked);
+      const double in_file =
+          std::max(found.largest_distance, orispline::farthest(curve, in_single_precision(found.channel)));
+      if (attempt > 0 && in_file >= farthest) return;
+      channel = std::move(found.channel);
+      farthest = in_file;
+      if (farthest <= tolerance || found.largest_distance > asked) return;
+      asked = tolerance - narrowing * (farthest - found.largest_distance);
+    }
+  }
+
+ private:
+  static constexpr int attempts = 3;
+  static constexpr double narrowing = 1.5;  ///< of the tolerance, by what single precision was seen to take
+};
+
+void warn_beyond(std::string_view option, double farthest, double tolerance, std::string_view unit) {
+  if (farthest > tolerance)
+    warn(
+        formatted("{}: found {:.4g}{} in the file, more than {:.4g}{}: either the curve jumps there, or the single "
+                  "precision of glTF is too coarse",
+                  option, farthest, unit, tolerance, unit));
+}
+
 CurveSceneReport add_cubics(Clip& clip, const PoseCurve& curve, const SampleRequest& request) {
-  auto rotation = cubic_channel(curve.orientation, *request.tolerance);
+  CubicsInFile<Eigen::Quaterniond> rotation(curve.orientation, *request.tolerance);
+  warn_beyond("--tolerance", rotation.farthest * degrees, *request.tolerance * degrees, "°");
   CurveSceneReport report{.keys_written = rotation.channel.size(),
                           .tolerance = request.tolerance,
-                          .largest = rotation.largest_distance,
+                          .largest = rotation.farthest,
                           .position_tolerance = request.position_tolerance};
   clip.rotations.push_back(std::move(rotation.channel));
   if (!curve.position) return report;
-  auto translation = cubic_channel(*curve.position, request.position_tolerance);
+  CubicsInFile<Eigen::Vector3d> translation(*curve.position, request.position_tolerance);
+  warn_beyond("--position-tolerance", translation.farthest, request.position_tolerance, " m");
   report.positions_written = translation.channel.size();
-  report.largest_position = translation.largest_distance;
+  report.largest_position = translation.farthest;
   clip.translations.push_back(std::move(translation.channel));
   return report;
 }
@@ -96,6 +135,8 @@ Expected<void> write_curve_scene(const SampleOptions& options, const SampleReque
     return usage_failure(
         "-o: found a file that holds every frame, wanted glTF, such as motion.glb; 'orispline convert "
         "--rate' makes BVH of it");
+  if (!request.tolerance)
+    if (auto fault = source.times.fault_as_keys()) return tl::unexpected(std::move(*fault));
   Clip clip{.name = std::string(file_name_of(request.input.path))};
   clip.name = clip.name.substr(0, clip.name.rfind('.'));
   CurveSceneReport report =

@@ -2,6 +2,7 @@
 #include "commands/sample/sample_request.hpp"
 
 #include <algorithm>
+#include <numbers>
 
 #include "options/file_places.hpp"
 #include "options/scene_input.hpp"
@@ -95,10 +96,13 @@ Expected<std::optional<double>> tolerance_in(const SampleOptions& options) {
     if (!options.tolerance && !options.position_tolerance) return std::optional<double>();
     return usage_failure("--tolerance: found --rate, --count or --times too, wanted one of them");
   }
-  return measured_in(
-             {"--tolerance", options.tolerance ? std::string_view(*options.tolerance) : default_cubic_tolerance},
-             units::angle)
-      .map([](double angle) { return std::optional(angle); });
+  const std::string text = options.tolerance.value_or(std::string(default_cubic_tolerance));
+  const OptionText typed{"--tolerance", text};
+  return measured_in(typed, units::angle).and_then([&](double angle) -> Expected<std::optional<double>> {
+    constexpr double rounding = 1e-12;
+    if (angle <= std::numbers::pi + rounding) return angle;
+    return wanted(typed, "180deg at most, which is as far as orientations can be apart");
+  });
 }
 
 Expected<double> position_tolerance_in(const SampleOptions& options) {

@@ -25,8 +25,9 @@ Error located(Error error, const std::string& file) {
 /// What does not fit to it.
 Expected<void> check_stored(const SampleOptions& options) {
   if (any_given(options.shape))
-    return usage_failure(formatted("{}: found the motion that the file says, which has its shape, wanted --method as well",
-                                   first_given(options.shape)));
+    return usage_failure(
+        formatted("{}: found the motion that the file says, which has its shape, wanted --method as well",
+                  first_given(options.shape)));
   if (options.band) return usage_failure("--band: found the motion that the file says, wanted --method measured");
   if (options.truth) return usage_failure("--truth: found the motion that the file says, wanted --method as well");
   if (is_scene(options.output.path))
@@ -37,7 +38,8 @@ Expected<void> check_stored(const SampleOptions& options) {
 }  // namespace
 
 bool asks_for_stored(const SampleOptions& options) {
-  return is_scene(options.input, options.input.path) && options.method.value_or(std::string(stored_method)) == stored_method;
+  return is_scene(options.input, options.input.path) &&
+         options.method.value_or(std::string(stored_method)) == stored_method;
 }
 
 Expected<SampleRequest> stored_request(const SampleOptions& options) {

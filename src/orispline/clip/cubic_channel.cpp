@@ -98,7 +98,22 @@ class Follower {
   CubicChannel<P> found_;
 };
 
+template <CurvePoint P, class C>
+double farthest_of(const C& curve, const Channel<P>& channel) {
+  const ChannelCurve<P> cubic(channel);
+  double worst = 0.0;
+  for (std::size_t i = 0; i + 1 < channel.size(); ++i)
+    for (int k = 1; k < places; ++k) {
+      const double t = channel.times[i] + (channel.times[i + 1] - channel.times[i]) * k / places;
+      worst = std::max(worst, distance(cubic.at(t), moving(curve, t, Side::right).value));
+    }
+  return worst;
+}
+
 }  // namespace
+
+double farthest(const AnyCurve& curve, const RotationChannel& channel) { return farthest_of(curve, channel); }
+double farthest(const AnyPath& path, const VectorChannel& channel) { return farthest_of(path, channel); }
 
 CubicChannel<Eigen::Quaterniond> cubic_channel(const AnyCurve& curve, double tolerance) {
   return Follower<Eigen::Quaterniond, AnyCurve>(curve, tolerance).followed();

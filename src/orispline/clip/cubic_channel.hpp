@@ -26,4 +26,9 @@ struct CubicChannel {
 /// The same of positions.
 [[nodiscard]] ORISPLINE_EXPORT CubicChannel<Eigen::Vector3d> cubic_channel(const AnyPath& path, double tolerance);
 
+/// The farthest that a channel is from a curve between the first and the last key of it, looked at in 15 places between
+/// two keys of the channel [rad, or the unit of positions].
+[[nodiscard]] ORISPLINE_EXPORT double farthest(const AnyCurve& curve, const RotationChannel& channel);
+[[nodiscard]] ORISPLINE_EXPORT double farthest(const AnyPath& path, const VectorChannel& channel);
+
 }  // namespace orispline::inline ORISPLINE_ABI

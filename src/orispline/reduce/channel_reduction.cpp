@@ -7,6 +7,7 @@
 
 #include <orispline/clip/channel_curve.hpp>
 #include <orispline/clip/cubic_channel.hpp>
+#include <orispline/clip/single_precision.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/reduce/cubic_samples.hpp>
 #include <orispline/reduce/hermite_channel.hpp>
@@ -26,22 +27,10 @@ double distance(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return (a 
 double distance_from_zero(const Eigen::Quaterniond& tangent) { return tangent.coeffs().norm(); }
 double distance_from_zero(const Eigen::Vector3d& tangent) { return tangent.norm(); }
 
-double as_float(double number) { return static_cast<double>(static_cast<float>(number)); }
-Eigen::Quaterniond as_floats(const Eigen::Quaterniond& value) {
-  return Eigen::Quaterniond(Eigen::Vector4d(value.coeffs().cast<float>().cast<double>()));
-}
-Eigen::Vector3d as_floats(const Eigen::Vector3d& value) { return value.cast<float>().cast<double>(); }
-
-/// The channel as a reader finds it in a file of that precision: quaternions made unit.
+/// The channel as a reader finds it in a file of that precision.
 template <CurvePoint P>
 Channel<P> stored(Channel<P> channel, KeyPrecision precision) {
-  if (precision == KeyPrecision::float64) return channel;
-  for (double& time : channel.times) time = as_float(time);
-  for (auto* values : {&channel.values, &channel.in_tangents, &channel.out_tangents})
-    for (P& value : *values) value = as_floats(value);
-  if constexpr (std::same_as<P, Eigen::Quaterniond>)
-    for (P& value : channel.values) value.normalize();
-  return channel;
+  return precision == KeyPrecision::float64 ? channel : in_single_precision(std::move(channel));
 }
 
 /// At the keys of the channel before, the farthest that the other one is.

@@ -9,6 +9,8 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/parallel.hpp>
+#include <orispline/clip/single_precision.hpp>
+#include <orispline/math/degrees.hpp>
 #include <orispline/reduce/channel_reduction.hpp>
 #include <orispline/reduce/hermite_channel.hpp>
 
@@ -18,6 +20,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int rounds_in_world = 6;
 constexpr double first_factor = 0.6;
+constexpr double widest_angle = std::numbers::pi * (1.0 + 1e-12);  // [rad], and the rounding of degrees
 /// A clip that uses so much of its length is not tried with wider tolerances.
 constexpr double near_enough = 0.9;
 
@@ -166,7 +169,20 @@ class ClipReducer {
     work.factor = next;
   }
 
-  [[nodiscard]] ClipReduction measured(const Clip& before, Clip after) const {
+  /// The clip as a reader of the file finds it. Steps are left out: at the time of a key, which is rounded, they may be
+  /// before it or after it.
+  [[nodiscard]] Clip stored(Clip clip) const {
+    if (options_.precision == options_.precision_before || options_.precision == KeyPrecision::float64) return clip;
+    const auto store = [](auto& channels) {
+      for (auto& channel : channels)
+        if (channel.interpolation != ChannelInterpolation::step) channel = in_single_precision(std::move(channel));
+    };
+    store(clip.rotations), store(clip.translations), store(clip.scales);
+    return clip;
+  }
+
+  [[nodiscard]] ClipReduction measured(const Clip& before, Clip clip) const {
+    const Clip after = stored(clip);
     ClipReduction reduction;
     for (const RotationChannel& channel : before.rotations) {
       if (channel.size() < 3) continue;
@@ -190,7 +206,7 @@ class ClipReducer {
       if (found[i].angle.value > reduction.angle.largest.value) reduction.angle = {found[i].angle, i};
       if (found[i].distance.value > reduction.distance.largest.value) reduction.distance = {found[i].distance, i};
     }
-    reduction.clip = std::move(after);
+    reduction.clip = std::move(clip);
     return reduction;
   }
 
@@ -216,6 +232,10 @@ Expected<void> check(const ClipReduceOptions& options) {
     if (!(tolerance > 0.0))
       return failure(ErrorCode::bad_argument,
                      formatted("found a tolerance of {}, wanted one greater than 0", tolerance));
+  if (options.tolerance < infinity && options.tolerance > widest_angle)
+    return bad_option("tolerance",
+                      formatted("found {:.6g}°, wanted 180° at most, which is as far as rotations can be apart",
+                                options.tolerance * degrees));
   if (options.closed && options.method.name != cubicspline_method && !seeks_rates(options.method))
     return bad_option("closed", formatted("found the method {}, wanted {} or {}, whose tangents are free",
                                           options.method.name, cubicspline_method, "hermite-c1"));

@@ -29,6 +29,7 @@ struct ClipReduceOptions {
   Method method{cubicspline_method};
   BetweenSamples between = BetweenSamples::smooth;
   KeyPrecision precision = KeyPrecision::float64;
+  KeyPrecision precision_before = KeyPrecision::float64;  ///< that the keys have: those that stay are then the same
   /// Of `cubicspline` and `hermite-c1`: channels that end as they begin have the same tangent at both ends, so that the
   /// clip goes on without a jump of its rates where it begins again.
   bool closed = false;

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <orispline/clip/channel.hpp>
+
+namespace orispline::inline ORISPLINE_ABI {
+
+/// A channel as a reader finds it in a file that holds floats, with quaternions made unit: what it is after that, it is
+/// after the next file too. Where two times become one it is as it was, for no such file can hold it.
+template <CurvePoint P>
+[[nodiscard]] Channel<P> in_single_precision(Channel<P> channel);
+
+extern template RotationChannel in_single_precision(RotationChannel);
+extern template VectorChannel in_single_precision(VectorChannel);
+
+}  // namespace orispline::inline ORISPLINE_ABI
