@@ -81,10 +81,10 @@ void add_report_option(Command& app, ReportOptions& o) {
 void add_output_options(Command& app, OutputOptions& o) {
   add_output_file(app, o.path);
   if (const std::string endings = endings_of(o.scenes); !endings.empty())
-    app.options.back().sentence =
-        formatted("File to write, of a skeleton where its name ends in {}; it appears complete or not at all "
-                  "[standard output]",
-                  endings);
+    app.options.back().sentence = formatted(
+        "File to write, of a skeleton where its name ends in {}; it appears complete or not at all "
+        "[standard output]",
+        endings);
   for (const auto& option : io::writing_options())
     app.add({.names = flag_of(option.name),
              .sentence = std::string(option.sentence),

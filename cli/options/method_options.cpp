@@ -112,9 +112,12 @@ Error blamed_on_recipe(const Method& method, const Track& track, Error error) {
 }  // namespace
 
 std::string_view first_given(const MethodOptions& o) {
-  const std::array given{std::pair(o.tension.has_value(), "--tension"),  std::pair(!o.settings.empty(), "--set"),
-                         std::pair(o.ends.has_value(), "--ends"),        std::pair(o.start_rate.has_value(), "--start-rate"),
-                         std::pair(o.end_rate.has_value(), "--end-rate"), std::pair(o.period.has_value(), "--period"),
+  const std::array given{std::pair(o.tension.has_value(), "--tension"),
+                         std::pair(!o.settings.empty(), "--set"),
+                         std::pair(o.ends.has_value(), "--ends"),
+                         std::pair(o.start_rate.has_value(), "--start-rate"),
+                         std::pair(o.end_rate.has_value(), "--end-rate"),
+                         std::pair(o.period.has_value(), "--period"),
                          std::pair(o.closed, "--closed")};
   const auto* const first = std::ranges::find(given, true, &std::pair<bool, const char*>::first);
   return first == given.end() ? "" : first->second;

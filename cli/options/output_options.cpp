@@ -63,9 +63,8 @@ Expected<void> check_format_is_of_rows(const OutputOptions& options) {
   if (!scene_format_in(word)) return {};
   const std::string words = one_of(io::formats_written());
   if (options.scenes.empty()) return wanted({"--output-format", word}, words);
-  return wanted({"--output-format", word},
-                formatted("{}; a file of skeletons goes by its name, which ends in {}", words,
-                          endings_of(options.scenes)));
+  return wanted({"--output-format", word}, formatted("{}; a file of skeletons goes by its name, which ends in {}",
+                                                     words, endings_of(options.scenes)));
 }
 
 std::string_view place_of_output(const OutputOptions& options) {

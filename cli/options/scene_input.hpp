@@ -28,8 +28,8 @@ namespace orispline::cli {
 /// name the file; bad_argument where one joint of many is chosen.
 [[nodiscard]] Expected<scenes::Scene> open_scene(const InputRequest& input);
 
-/// An error that asks for one clip or one joint, with the output that takes all of them, such as `-o all.glb`; any other
-/// as it is.
+/// An error that asks for one clip or one joint, with the output that takes all of them, such as `-o all.glb`; any
+/// other as it is.
 [[nodiscard]] Error or_all_of_them(Error error, std::string_view output);
 
 /// How a scene is to be written, by the options of the output. Error: bad_argument.

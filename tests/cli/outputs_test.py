@@ -47,11 +47,13 @@ class Places(CommandTest):
 
 class Names(CommandTest):
     def test_a_name_of_another_kind_of_file_is_refused_with_those_that_are_written(self):
+        of_scenes = {"retime": "", "convert": ", or for a skeleton in .bvh, .glb or .gltf", "sample": ", or for a skeleton in .glb or .gltf"}
+        of_scenes |= {"smooth": of_scenes["convert"], "reduce": of_scenes["sample"]}
         for name in ("x.png", "x.c3d", "x.json", "keys.csv.old", "x.PNG"):
             for command in WRITERS:
                 done = self.run_command(f"{command.format('keys.csv')} -o {name}")
                 self.assertEqual((done.returncode, done.stderr.splitlines()[0]), (
-                    BAD_USAGE, f"orispline: -o: found '{name}', wanted a name that ends in .csv, .tum, .npy or .txt; "
+                    BAD_USAGE, f"orispline: -o: found '{name}', wanted a name that ends in .csv, .tum, .npy or .txt{of_scenes[command.split()[0]]}; "
                                "--output-format writes any name"))
                 self.assertFalse((self.folder / name).exists())
         for name in ("x.png", "x.csv", "x.html"):

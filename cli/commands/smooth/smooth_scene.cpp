@@ -109,8 +109,9 @@ void warn_of_refused(const std::vector<ClipSmoothing>& clips, const SmoothOption
 
 Expected<void> check_clips(const SmoothOptions& options) {
   if (options.rate || options.include_end)
-    return usage_failure(formatted("{}: found a file of skeletons, whose keys are smoothed, wanted samples of one track",
-                                   options.rate ? "--rate" : "--include-end"));
+    return usage_failure(
+        formatted("{}: found a file of skeletons, whose keys are smoothed, wanted samples of one track",
+                  options.rate ? "--rate" : "--include-end"));
   if (options.report.path)
     return usage_failure("--report: found a file of skeletons, wanted keys of one track as the output");
   if (is_given(options.smoothness.fields, "sigma"))

@@ -19,14 +19,16 @@ constexpr std::array other_kinds{
               "t,qx,qy,qz,qw"},
     OtherKind{"CCSDS_OEM_VERS", "an orbit ephemeris (OEM) of CCSDS, which holds no orientations and is not read",
               "the attitude is in another file"},
-    OtherKind{"HIERARCHY", "a BVH file, which is not read as rows", "it needs `input_format` bvh, or none and a name that ends in .bvh"},
-    OtherKind{"glTF", "a glTF file, which is not read as rows", "it needs `input_format` gltf, or none and a name that ends in .glb"},
+    OtherKind{"HIERARCHY", "a BVH file, which is not read as rows",
+              "it needs `input_format` bvh, or none and a name that ends in .bvh"},
+    OtherKind{"glTF", "a glTF file, which is not read as rows",
+              "it needs `input_format` gltf, or none and a name that ends in .glb"},
     OtherKind{"DAFETF", "a transfer file of SPICE, which is not read",
               "write the quaternions of the C-kernel as rows below a header, t,qw,qx,qy,qz"},
-    OtherKind{
-        "{", "a JSON file, which is not read as rows",
-        "as glTF it needs `input_format` gltf, or none and a name that ends in .gltf; else write the keys as rows below a "
-        "header, t,qw,qx,qy,qz"},
+    OtherKind{"{", "a JSON file, which is not read as rows",
+              "as glTF it needs `input_format` gltf, or none and a name that ends in .gltf; else write the keys as "
+              "rows below a "
+              "header, t,qw,qx,qy,qz"},
     OtherKind{"[", "a JSON file, which is not read", "write the keys as rows below a header, t,qw,qx,qy,qz"}};
 
 }  // namespace
