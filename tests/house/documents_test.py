@@ -176,6 +176,17 @@ class Documents(unittest.TestCase):
             included = re.findall(r"#include <orispline/(\w.*?)>", page.read_text("utf-8"))
             self.assertLessEqual(set(included), public, page)
 
+    def test_no_page_counts_the_methods(self):
+        for page in PAGES:
+            found = re.search(r"\b(?:all|the|of) (?:the )?\d\d(?: methods|[.:](?:\s|$))", page.read_text("utf-8"))
+            self.assertFalse(found, f"{page.name}: found {found and found[0]!r}, wanted no number that a new method makes wrong")
+
+    def test_commands_name_the_example_data_as_they_are(self):
+        for page in PAGES:
+            for line in re.findall(r"^(?:\$ )?orispline .*", page.read_text("utf-8"), re.M):
+                for name in re.findall(r"(?<= )\S*(?:flight|robot|camera|five)\w*\.csv", line.partition(" -o ")[0]):
+                    self.assertTrue((ROOT / name).is_file(), f"{page.name}: {line}")
+
     def test_every_link_leads_somewhere(self):
         for page in PAGES:
             for target in LINK.findall(page.read_text("utf-8")):

@@ -68,7 +68,7 @@ struct CubicsInFile {
     for (int attempt = 0; attempt < attempts && asked > 0.0; ++attempt) {
       auto found = cubic_channel(curve, asked);
       const double in_file =
-          std::max(found.largest_distance, orispline::farthest(curve, in_single_precision(found.channel)));
+          std::max(found.largest_distance, largest_distance(curve, in_single_precision(found.channel)));
       if (attempt > 0 && in_file >= farthest) return;
       channel = std::move(found.channel);
       farthest = in_file;

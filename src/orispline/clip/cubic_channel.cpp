@@ -99,7 +99,7 @@ class Follower {
 };
 
 template <CurvePoint P, class C>
-double farthest_of(const C& curve, const Channel<P>& channel) {
+double largest_distance_of(const C& curve, const Channel<P>& channel) {
   const ChannelCurve<P> cubic(channel);
   double worst = 0.0;
   for (std::size_t i = 0; i + 1 < channel.size(); ++i)
@@ -112,8 +112,12 @@ double farthest_of(const C& curve, const Channel<P>& channel) {
 
 }  // namespace
 
-double farthest(const AnyCurve& curve, const RotationChannel& channel) { return farthest_of(curve, channel); }
-double farthest(const AnyPath& path, const VectorChannel& channel) { return farthest_of(path, channel); }
+double largest_distance(const AnyCurve& curve, const RotationChannel& channel) {
+  return largest_distance_of(curve, channel);
+}
+double largest_distance(const AnyPath& path, const VectorChannel& channel) {
+  return largest_distance_of(path, channel);
+}
 
 CubicChannel<Eigen::Quaterniond> cubic_channel(const AnyCurve& curve, double tolerance) {
   return Follower<Eigen::Quaterniond, AnyCurve>(curve, tolerance).followed();

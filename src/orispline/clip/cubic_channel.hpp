@@ -28,7 +28,7 @@ struct CubicChannel {
 
 /// The farthest that a channel is from a curve between the first and the last key of it, looked at in 15 places between
 /// two keys of the channel [rad, or the unit of positions].
-[[nodiscard]] ORISPLINE_EXPORT double farthest(const AnyCurve& curve, const RotationChannel& channel);
-[[nodiscard]] ORISPLINE_EXPORT double farthest(const AnyPath& path, const VectorChannel& channel);
+[[nodiscard]] ORISPLINE_EXPORT double largest_distance(const AnyCurve& curve, const RotationChannel& channel);
+[[nodiscard]] ORISPLINE_EXPORT double largest_distance(const AnyPath& path, const VectorChannel& channel);
 
 }  // namespace orispline::inline ORISPLINE_ABI
