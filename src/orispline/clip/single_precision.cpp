@@ -17,7 +17,8 @@ Eigen::Vector3d as_floats(const Eigen::Vector3d& value) { return value.cast<floa
 
 Eigen::Vector3d as_read(const Eigen::Vector3d& value) { return as_floats(value); }
 
-/// Floats are not quite a unit quaternion, and that is not quite floats: a few rounds end where both are the same.
+/// Floats are not quite a unit quaternion, and that is not quite floats: a few rounds nearly always end where both are
+/// the same.
 Eigen::Quaterniond as_read(Eigen::Quaterniond value) {
   constexpr int rounds = 8;
   for (int round = 0; round < rounds; ++round) {
