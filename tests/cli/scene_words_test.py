@@ -34,6 +34,8 @@ class Formats(SceneTest):
         joints = "arm.bvh: clip 'arm': found 2 joints, wanted one of 'Shoulder', 'Elbow'"
         for command in ("convert arm.bvh", "reduce arm.bvh --tolerance 1deg -o -", "smooth arm.bvh -o x.csv"):
             self.assert_fails(command, BAD_DATA, f"{joints}; an output such as all.glb takes all of them (--joint NAME chooses one)")
+        self.assert_fails("sample arm.bvh --method auto --rate 5", BAD_DATA,
+                          f"{joints}; --output-folder without --method takes all of them (--joint NAME chooses one)")
         self.assert_fails("sample arm.bvh --rate 5", BAD_DATA,
                           f"{joints}; --output-folder FOLDER takes all of them (--joint NAME chooses one)")
 

@@ -156,7 +156,8 @@ Expected<void> sample_one(const SampleOptions& options) {
         return (goes_in_pieces(*request, keys) ? sample_in_pieces(*request, std::move(keys))
                                                : sample_whole(*request, std::move(keys)))
             .and_then([&](const SampleReport& report) { return summarise(options.summary, report); });
-      });
+      })
+      .map_error([](Error error) { return or_all_of_them(std::move(error), "--output-folder without --method"); });
 }
 
 Expected<void> check_each(const SampleOptions& options) {
