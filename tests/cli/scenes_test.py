@@ -37,6 +37,18 @@ class SmallScenes(SceneTest):
         self.assertEqual(report["clips"][0]["times"], FRAMES)
         self.assertIn("\nFrame Time: 0.0083333\n", self.read("back.bvh"))
 
+    def test_a_joint_is_the_same_after_CSV(self):
+        self.output_of("convert arm.bvh -o arm.glb")
+        for joint in ("Shoulder", "Elbow"):
+            self.output_of(f"convert arm.glb --joint {joint} -o joint.csv")
+            self.output_of("convert joint.csv -o joint.glb")
+            self.output_of("convert joint.glb -o back.csv")
+            rows, back = rows_of(self.read("joint.csv")), rows_of(self.read("back.csv"))
+            self.assertEqual([row[0] for row in back], [row[0] for row in rows])
+            self.assertEqual(len(rows), FRAMES)
+            self.assertLess(max(angle_between(p[1:5], q[1:5]) for p, q in zip(rows, back)), 1e-4)
+            self.assertLess(max(math.dist(p[5:], q[5:]) for p, q in zip(rows, back)), 1e-6)
+
     def test_a_recording_written_as_BVH_keeps_its_hierarchy_and_its_angles(self):
         self.output_of("convert arm.bvh -o back.bvh")
         self.assertEqual(self.read("back.bvh").partition("MOTION")[0], BVH_HIERARCHY)
