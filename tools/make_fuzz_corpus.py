@@ -6,6 +6,8 @@ Writes tests/fuzz/corpus/fuzz_*/seed_*; files of other names, which fuzzing foun
 of tests/fuzz/fuzzed_keys.hpp, fuzzed_method.hpp and of each target."""
 import pathlib
 
+import fbx_files
+
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 CORPUS = ROOT / "tests/fuzz/corpus"
 WHOLE, EVEN, MODERATE, WILD = range(4)  # Steps
@@ -143,7 +145,7 @@ def command_files():
 
 
 TARGETS = {"curve": curve_seeds, "online": online_seeds, "optimise": optimise_seeds, "keys": key_files, "times": times_files,
-           "decimal": decimal_files, "command": command_files}
+           "decimal": decimal_files, "command": command_files, "fbx": fbx_files.scene_files}
 
 
 def main():

@@ -33,16 +33,6 @@ Channel<P> stored(Channel<P> channel, KeyPrecision precision) {
   return precision == KeyPrecision::float64 ? channel : in_single_precision(std::move(channel));
 }
 
-/// At the keys of the channel before, the farthest that the other one is.
-template <CurvePoint P>
-double farthest(const Channel<P>& before, const Channel<P>& after) {
-  const ChannelCurve<P> curve(after);
-  double farthest = 0.0;
-  for (std::size_t i = 0; i < before.size(); ++i)
-    farthest = std::max(farthest, distance(before.values[i], curve.at(before.times[i])));
-  return farthest;
-}
-
 Expected<Keyframes> keyframes(const RotationChannel& channel) {
   return Keyframes::make({.times = channel.times, .orientations = channel.values});
 }
@@ -108,6 +98,15 @@ Channel<P> without_rounding(const Channel<P>& channel, const P& rest) {
 }
 
 template <CurvePoint P>
+LargestInTime farthest_at_keys(const Channel<P>& before, const Channel<P>& after) {
+  const ChannelCurve<P> curve(after);
+  LargestInTime farthest{.time = before.times.front()};
+  for (std::size_t i = 0; i < before.size(); ++i)
+    farthest.take(distance(before.values[i], curve.at(before.times[i])), before.times[i]);
+  return farthest;
+}
+
+template <CurvePoint P>
 LargestInTime farthest_between(const Channel<P>& before, const Channel<P>& after, BetweenSamples between) {
   const CubicSamples<P> samples = cubic_samples(before, between);
   const ChannelCurve<P> curve(after);
@@ -143,7 +142,7 @@ Expected<Channel<P>> reduced_channel(const Channel<P>& channel, double tolerance
     *reduced = stored(*std::move(reduced), options.precision);
     reduced->joint = channel.joint;
     if (reduced->size() >= channel.size()) break;
-    const double found = farthest(channel, *reduced);
+    const double found = farthest_at_keys(channel, *reduced).value;
     if (found <= tolerance) return reduced;
     asked *= 0.999 * tolerance / found;
   }
@@ -152,6 +151,7 @@ Expected<Channel<P>> reduced_channel(const Channel<P>& channel, double tolerance
 
 template RotationChannel without_rounding(const RotationChannel&, const Eigen::Quaterniond&);
 template VectorChannel without_rounding(const VectorChannel&, const Eigen::Vector3d&);
+template LargestInTime farthest_at_keys(const RotationChannel&, const RotationChannel&);
 template LargestInTime farthest_between(const RotationChannel&, const RotationChannel&, BetweenSamples);
 template LargestInTime farthest_between(const VectorChannel&, const VectorChannel&, BetweenSamples);
 template bool ends_as_it_begins(const RotationChannel&);

@@ -18,6 +18,10 @@ template <CurvePoint P>
 template <CurvePoint P>
 [[nodiscard]] Channel<P> without_rounding(const Channel<P>& channel, const P& rest);
 
+/// The farthest that a channel with fewer keys is from the keys before [rad, or a length].
+template <CurvePoint P>
+[[nodiscard]] LargestInTime farthest_at_keys(const Channel<P>& before, const Channel<P>& after);
+
 /// The farthest that a channel with fewer keys is from what the motion between the keys before is taken to be, at three
 /// points between two of them [rad, or a length].
 template <CurvePoint P>
@@ -29,6 +33,7 @@ template <CurvePoint P>
 
 extern template RotationChannel without_rounding(const RotationChannel&, const Eigen::Quaterniond&);
 extern template VectorChannel without_rounding(const VectorChannel&, const Eigen::Vector3d&);
+extern template LargestInTime farthest_at_keys(const RotationChannel&, const RotationChannel&);
 extern template LargestInTime farthest_between(const RotationChannel&, const RotationChannel&, BetweenSamples);
 extern template LargestInTime farthest_between(const VectorChannel&, const VectorChannel&, BetweenSamples);
 extern template bool ends_as_it_begins(const RotationChannel&);

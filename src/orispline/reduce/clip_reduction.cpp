@@ -192,6 +192,10 @@ class ClipReducer {
     }
     for (std::size_t i = 0; i < before.rotations.size(); ++i) {
       const RotationChannel &channel = before.rotations[i], &reduced = after.rotations[i];
+      if (channel.interpolation != ChannelInterpolation::step) {
+        const auto at_keys = farthest_at_keys(channel, reduced);
+        if (at_keys.value > reduction.angle.largest.value) reduction.angle = {at_keys, channel.joint};
+      }
       if (channel.size() < 3) continue;
       reduction.rotation_keys += reduced.size();
       const auto smooth = farthest_between(channel, reduced, BetweenSamples::smooth),
@@ -203,7 +207,6 @@ class ClipReducer {
     for (const VectorChannel& channel : after.translations) reduction.translation_keys += channel.size();
     const auto found = differences_at_keys(before, after);
     for (std::size_t i = 0; i < found.size(); ++i) {
-      if (found[i].angle.value > reduction.angle.largest.value) reduction.angle = {found[i].angle, i};
       if (found[i].distance.value > reduction.distance.largest.value) reduction.distance = {found[i].distance, i};
     }
     reduction.clip = std::move(clip);

@@ -51,17 +51,18 @@ struct ClipReduction {
   std::size_t rotation_tracks = 0;                          ///< such ones
   std::size_t translation_keys = 0, translation_keys_before = 0;
   std::size_t open_tracks = 0;  ///< rotation tracks of `rotation_tracks` that do not end as they begin
-  Worst angle{};                ///< of rotations in the frames of the parents, at all keys of the clip before [rad]
-  Worst distance{};             ///< the shell distance in the world, at the same times
+  Worst angle{};                ///< of rotations in the frames of the parents, at the keys that each had [rad]
+  Worst distance{};             ///< the shell distance in the world, at all times of keys of the clip before
   /// Of rotations between their keys before: from the curve `auto` through these, and from what the clip says [rad].
   Worst from_smooth{}, from_stored{};
 };
 
-/// Every one of the clips with the fewest keys found whose rotations, translations and places in the world are within
-/// the tolerances at all times of the clip's keys; the first and the last key of each channel stay. Rotations are
-/// reduced where `tolerance` or `world_tolerance` is finite, translations where `position_tolerance` or
-/// `world_tolerance` is; scales, steps and channels of two keys stay as they are. But channels of any kind that stand
-/// still but for rounding (`rest_angle`, `rest_length`) become one key, that of the rest pose where it is the same.
+/// Every one of the clips with the fewest keys found whose rotations and translations are within the tolerances at
+/// every key that they had, and whose places in the world are within theirs at all times of the clip's keys; the first
+/// and the last key of each channel stay. Rotations are reduced where `tolerance` or `world_tolerance` is finite,
+/// translations where `position_tolerance` or `world_tolerance` is; scales, steps and channels of two keys stay as they
+/// are. But channels of any kind that stand still but for rounding (`rest_angle`, `rest_length`) become one key, that
+/// of the rest pose where it is the same.
 ///
 /// For `world_tolerance` a joint's rotation may be off by that length over its reach: the longest chain of bones below
 /// it, and the shell. All joints' tolerances are then scaled by one factor until the shell distance of the whole clip,

@@ -15,11 +15,14 @@ constexpr std::size_t stride = 4;  // three points between two samples
 template <CurvePoint P>
 using PointAt = std::function<P(double)>;
 
+/// That stands still between keys that are equal, as joints do that rest.
+Method between_method() { return {"auto", {.parameters = {{"hold", {1.0}}}}}; }
+
 /// Keys that `auto` refuses, such as two nearly at one time, have no smooth motion.
 std::optional<PointAt<Eigen::Quaterniond>> smooth_motion(const RotationChannel& channel) {
   auto curve =
       Keyframes::make({.times = channel.times, .orientations = channel.values}).and_then([](const Keyframes& keys) {
-        return make_curve(Method{"auto"}, keys);
+        return make_curve(between_method(), keys);
       });
   if (!curve) return std::nullopt;
   return [curve = *std::move(curve)](double t) { return curve(t); };
@@ -28,7 +31,7 @@ std::optional<PointAt<Eigen::Vector3d>> smooth_motion(const VectorChannel& chann
   KeyframeData data{.times = channel.times, .positions = channel.values};
   data.orientations.assign(channel.size(), Eigen::Quaterniond::Identity());
   auto curve = Keyframes::make(std::move(data)).and_then([](const Keyframes& keys) {
-    return make_pose_curve(Method{"auto"}, keys);
+    return make_pose_curve(between_method(), keys);
   });
   if (!curve) return std::nullopt;
   return [path = *std::move(curve->position)](double t) { return path.linear_motion(t).position; };
