@@ -5,6 +5,10 @@ import struct
 TICKS = 46186158000  # of FBX in a second
 
 
+class Id(int):
+    """Of an object: eight bytes, however small."""
+
+
 class Node:
     """A record of FBX: a name, properties and records inside."""
 
@@ -46,22 +50,22 @@ def property_bytes(value):
     if isinstance(value, (list, tuple)):
         form, word = ("f", "f") if isinstance(value[0], float) else ("l", "q")
         return form.encode() + struct.pack("<III", len(value), 0, struct.calcsize(f"<{len(value)}{word}")) + struct.pack(f"<{len(value)}{word}", *value)
-    return b"L" + struct.pack("<q", value)
+    return b"L" + struct.pack("<q", value) if isinstance(value, Id) or abs(value) >= 2**31 else b"I" + struct.pack("<i", value)
 
 
 def records(angles):
     """Of a bone that turns about x through these angles [deg], one a second."""
     times = [TICKS * k for k in range(len(angles))]
-    curve = Node("AnimationCurve", 40, "AnimCurve::", "", inside=[
+    curve = Node("AnimationCurve", Id(40), "AnimCurve::", "", inside=[
         Node("Default", 0.0), Node("KeyVer", 4008), Node("KeyTime", times), Node("KeyValueFloat", [float(angle) for angle in angles])])
     objects = [
-        Node("Model", 10, "Model::bone", "LimbNode", inside=[Node("Version", 232)]),
-        Node("AnimationStack", 20, "AnimStack::turn", "", inside=[Node("Properties70", inside=[Node("P", "LocalStop", "KTime", "Time", "", times[-1])])]),
-        Node("AnimationLayer", 21, "AnimLayer::Base", "", inside=[Node("Version", 100)]),
-        Node("AnimationCurveNode", 30, "AnimCurveNode::R", "", inside=[Node("Properties70", inside=[Node("P", "d|X", "Number", "", "A", 0.0)])]),
+        Node("Model", Id(10), "Model::bone", "LimbNode", inside=[Node("Version", 232)]),
+        Node("AnimationStack", Id(20), "AnimStack::turn", "", inside=[Node("Properties70", inside=[Node("P", "LocalStop", "KTime", "Time", "", times[-1])])]),
+        Node("AnimationLayer", Id(21), "AnimLayer::Base", "", inside=[Node("Version", 100)]),
+        Node("AnimationCurveNode", Id(30), "AnimCurveNode::R", "", inside=[Node("Properties70", inside=[Node("P", "d|X", "Number", "", "A", 0.0)])]),
         curve]
-    connections = [Node("C", "OO", 10, 0), Node("C", "OO", 21, 20), Node("C", "OO", 30, 21), Node("C", "OP", 30, 10, "Lcl Rotation"),
-                   Node("C", "OP", 40, 30, "d|X")]
+    links = [("OO", 10, 0), ("OO", 21, 20), ("OO", 30, 21), ("OP", 30, 10, "Lcl Rotation"), ("OP", 40, 30, "d|X")]
+    connections = [Node("C", kind, Id(child), Id(parent), *what) for kind, child, parent, *what in links]
     return [Node("FBXHeaderExtension", inside=[Node("FBXHeaderVersion", 1003), Node("FBXVersion", 7400)]),
             Node("GlobalSettings", inside=[Node("Version", 1000), Node("Properties70", inside=[Node("P", "TimeMode", "enum", "", "", 6)])]),
             Node("Objects", inside=objects), Node("Connections", inside=connections)]
