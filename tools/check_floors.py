@@ -15,7 +15,7 @@ FLOORS = {  # folder of src/orispline -> what it may include besides itself
     "batch/kernel": {"base"}, "batch": GROUND | {"families", "batch/kernel"}, "online": GROUND | {"families", "batch"},
     "analysis": GROUND | {"families", "batch"}, "smooth": GROUND | {"families", "analysis", "clip"}, "tune": GROUND | {"families", "analysis"},
     "reduce": GROUND | {"families", "batch", "analysis", "clip"}, "retime": GROUND | {"families", "batch", "analysis"},
-    "pages": GROUND | TASKS | {"families", "batch", "analysis", "report"}}
+    "pages": GROUND | TASKS | {"families", "batch", "analysis", "report", "clip"}}
 CLI_FLOORS = {"options": set(), "output": {"options"}, "papers": {"options", "output"},
               "commands": {"options", "output"}}  # folder of cli -> likewise; each folder of commands is one for itself
 GUESTS = {"fast_float/": "src/orispline/io/", "CLI/": "cli/options/command.cpp", "nlohmann/": ("cli/output/json_document.cpp", "src/orispline/scenes/gltf"),

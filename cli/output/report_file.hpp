@@ -8,6 +8,7 @@
 #include <orispline/io/output_file.hpp>
 #include <orispline/pages/page_head.hpp>
 #include <orispline/report/page.hpp>
+#include <orispline/report/skeleton_page.hpp>
 
 #include "options/has_pages.hpp"
 #include "options/report_options.hpp"

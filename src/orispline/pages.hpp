@@ -8,4 +8,5 @@
 #include <orispline/pages/motion_page.hpp>
 #include <orispline/pages/reduce_page.hpp>
 #include <orispline/pages/retime_page.hpp>
+#include <orispline/pages/skeleton_page.hpp>
 #include <orispline/pages/smooth_page.hpp>

@@ -5,14 +5,19 @@
 #include <cmath>
 #include <utility>
 
+#include <orispline/base/counted.hpp>
+#include <orispline/base/file_name.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/parallel.hpp>
+#include <orispline/base/quoted.hpp>
+#include <orispline/pages/skeleton_page.hpp>
 #include <orispline/reduce/clip_reduction_fields.hpp>
 #include <orispline/scenes/scene_file.hpp>
 #include <orispline/scenes/scene_tracks.hpp>
 
 #include "commands/difference/difference_report.hpp"
 #include "options/option_text.hpp"
+#include "output/report_file.hpp"
 #include "output/standard_output.hpp"
 
 namespace orispline::cli {
@@ -20,24 +25,22 @@ namespace {
 
 constexpr double most_times = 1e8;
 
-/// A clip of the first file, and what the second one calls the same.
-struct ClipPair {
-  const Clip *first, *second;
-};
-
-std::vector<ClipPair> pairs_of(const scenes::Scene& first, const scenes::Scene& second, DifferenceReport& report) {
-  if (first.clips.size() == 1 && second.clips.size() == 1) return {{&first.clips[0], &second.clips[0]}};
-  std::vector<ClipPair> pairs;
+/// The clips of both files that have the same name. Their times are not yet known.
+std::vector<pages::ClipPair> pairs_of(const scenes::Scene& first, const scenes::Scene& second,
+                                      DifferenceReport& report) {
+  if (first.clips.size() == 1 && second.clips.size() == 1) return {{0, 0}};
+  std::vector<pages::ClipPair> pairs;
   std::vector<bool> taken(second.clips.size());
-  for (const Clip& clip : first.clips) {
+  for (std::size_t clip = 0; clip < first.clips.size(); ++clip) {
+    const std::string& name = first.clips[clip].name;
     std::size_t i = 0;
-    while (i < taken.size() && (taken[i] || second.clips[i].name != clip.name)) ++i;
+    while (i < taken.size() && (taken[i] || second.clips[i].name != name)) ++i;
     if (i == taken.size()) {
-      report.only_in_first.push_back(clip.name);
+      report.only_in_first.push_back(name);
       continue;
     }
     taken[i] = true;
-    pairs.push_back({&clip, &second.clips[i]});
+    pairs.push_back({clip, i});
   }
   for (std::size_t i = 0; i < taken.size(); ++i)
     if (!taken[i]) report.only_in_second.push_back(second.clips[i].name);
@@ -60,14 +63,14 @@ Expected<std::vector<double>> times_of(const Clip& clip, std::optional<double> r
   return times;
 }
 
-Expected<ClipDifference> compared(const scenes::Scene& first, const scenes::Scene& second, const ClipPair& pair,
-                                  const DifferenceReport& report, std::optional<double> rate) {
-  const auto times = times_of(*pair.first, rate);
-  if (!times) return tl::unexpected(times.error());
+ClipDifference compared(const scenes::Scene& first, const scenes::Scene& second, const pages::ClipPair& pair,
+                        double shell) {
+  const Clip& clip = first.clips[pair.before];
   const auto counterparts = counterparts_of(first.skeleton, second.skeleton);
-  const auto found = differences(ClipMotion(first.skeleton, *pair.first), ClipMotion(second.skeleton, *pair.second),
-                                 counterparts, *times, report.shell);
-  ClipDifference result{.clip = pair.first->name, .times = times->size()};
+  const auto found =
+      differences(ClipMotion(first.skeleton, clip), ClipMotion(second.skeleton, second.clips[pair.after]), counterparts,
+                  pair.times, shell);
+  ClipDifference result{.clip = clip.name, .times = pair.times.size()};
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (counterparts[i] == no_parent) continue;
     result.joints.push_back(first.skeleton[i].name);
@@ -75,6 +78,40 @@ Expected<ClipDifference> compared(const scenes::Scene& first, const scenes::Scen
   }
   return result;
 }
+
+/// Fills the report.
+Expected<std::vector<pages::ClipPair>> compare_clips(const scenes::Scene& first, const scenes::Scene& second,
+                                                     std::optional<double> rate, DifferenceReport& report) {
+  std::vector<pages::ClipPair> pairs = pairs_of(first, second, report);
+  if (pairs.empty())
+    return failure(ErrorCode::bad_data, "found no clip of the same name, wanted one at least", {.file = report.second});
+  const auto counterparts = counterparts_of(first.skeleton, second.skeleton);
+  report.joints_only_in_first = static_cast<std::size_t>(std::ranges::count(counterparts, no_parent));
+  for (pages::ClipPair& pair : pairs) {
+    auto times = times_of(first.clips[pair.before], rate);
+    if (!times) return tl::unexpected(std::move(times.error()));
+    pair.times = *std::move(times);
+  }
+  report.clips.resize(pairs.size());
+  parallel_for(pairs.size(), 0,
+               [&](std::size_t i) { report.clips[i] = compared(first, second, pairs[i], report.shell); });
+  return pairs;
+}
+
+std::vector<std::string> notes_on(const DifferenceReport& report, std::optional<double> rate) {
+  std::vector<std::string> notes{formatted("Both motions are compared at every key of {}{}.",
+                                           file_name_of(report.first),
+                                           rate ? formatted(", and {:g} times per second as well", *rate) : "")};
+  for (const auto& [file, clips] :
+       {std::pair{&report.first, &report.only_in_first}, {&report.second, &report.only_in_second}})
+    if (!clips->empty())
+      notes.push_back(formatted("Only {} has {}, such as {}; not compared.", file_name_of(*file),
+                                counted(clips->size(), "more clip"), in_quotes(clips->front())));
+  return notes;
+}
+
+/// glTF is in metres; BVH says nothing of them.
+bool is_in_metres(const scenes::Scene& scene) { return scene.format != &scenes::bvh_format; }
 
 Expected<scenes::Scene> opened(const std::string& path) {
   return scenes::read_scene(path).map([](scenes::Scene scene) {
@@ -92,6 +129,10 @@ Expected<scenes::Scene> with_chosen(scenes::Scene scene, const std::vector<std::
 }  // namespace
 
 Expected<void> difference(const DifferenceOptions& options) {
+  if (auto apart = check_report(options.report, {{"FIRST", options.first}, {"SECOND", options.second}}); !apart)
+    return apart;
+  auto page = ReportFile::open(options.report);
+  if (!page) return tl::unexpected(std::move(page.error()));
   FirstError checked;
   const double shell = checked(options_in<orispline::ClipReduceOptions>(options.shell)).shell;
   const auto rate = checked(if_given("--rate", options.rate, [](OptionText text) { return positive_in(text); }));
@@ -101,19 +142,17 @@ Expected<void> difference(const DifferenceOptions& options) {
   const auto first = checked(open(options.first)), second = checked(open(options.second));
   DifferenceReport report{.first = options.first, .second = options.second, .shell = shell};
   if (auto understood = std::move(checked).or_else(true); !understood) return tl::unexpected(understood.error());
-  const std::vector<ClipPair> pairs = pairs_of(first, second, report);
-  if (pairs.empty())
-    return failure(ErrorCode::bad_data, "found no clip of the same name, wanted one at least",
-                   {.file = options.second});
-  const auto counterparts = counterparts_of(first.skeleton, second.skeleton);
-  report.joints_only_in_first = static_cast<std::size_t>(std::ranges::count(counterparts, no_parent));
-  std::vector<Expected<ClipDifference>> found(pairs.size());
-  parallel_for(pairs.size(), 0, [&](std::size_t i) { found[i] = compared(first, second, pairs[i], report, rate); });
-  for (auto& clip : found) {
-    if (!clip) return tl::unexpected(std::move(clip.error()));
-    report.clips.push_back(*std::move(clip));
-  }
-  return print_document(options.json ? document(json_of(report)) : text_of(report));
+  const auto pairs = compare_clips(first, second, rate, report);
+  if (!pairs) return tl::unexpected(pairs.error());
+  const auto make_page = [&](auto head) {
+    head.notes = notes_on(report, rate);
+    return pages::skeleton_page({report.first, first.skeleton, first.clips},
+                                {report.second, second.skeleton, second.clips}, *pairs,
+                                {.are_known = is_in_metres(first) && is_in_metres(second), .shell = shell}, head);
+  };
+  return page->write(make_page)
+      .and_then([&] { return print_document(options.json ? document(json_of(report)) : text_of(report)); })
+      .and_then([&] { return page->finish(); });
 }
 
 }  // namespace orispline::cli

@@ -8,6 +8,7 @@
 #include <orispline/base/expected.hpp>
 
 #include "options/field_options.hpp"
+#include "options/report_options.hpp"
 
 namespace orispline::cli {
 
@@ -18,6 +19,7 @@ struct DifferenceOptions {
   TypedFields shell;               ///< of orispline::ClipReduceOptions
   std::optional<std::string> rate;
   bool json = false;
+  ReportOptions report;
 };
 
 /// How far the motions of one skeleton in two files are from each other: by joint and clip, in angle and in the world.

@@ -3,6 +3,8 @@
 
 #include <orispline/reduce/clip_reduction_fields.hpp>
 
+#include "options/command_options.hpp"
+
 namespace orispline::cli {
 namespace {
 
@@ -10,6 +12,7 @@ constexpr auto difference_footer = R"(Examples:
   orispline difference mage.glb small.glb
   orispline difference walk.bvh walk.glb --rate 240
   orispline difference mage.glb small.glb --clip Walking_A --shell 10cm
+  orispline difference mage.glb small.glb --report difference.html
 
 The joints of both files go by their names, and so do the clips, unless each file has one clip only. The shell distance
 is the largest distance in the world between the same points in both motions: the joint itself, and three points that
@@ -29,6 +32,9 @@ void add_difference_options(Command& app, DifferenceOptions& o) {
   app.add_option("--rate", o.rate, "Compare at so many times per second as well [at the keys of FIRST only]")
       ->type_name("HZ");
   app.add_flag("--json", o.json, "Print one JSON document");
+  app.add_option("--report", o.report.path,
+                 "Write a page to look at in a browser: both motions in space, and how far they differ")
+      ->type_name(file_type);
   app.footer = difference_footer;
 }
 

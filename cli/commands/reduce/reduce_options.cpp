@@ -14,7 +14,7 @@ constexpr auto reduce_footer = R"(Examples:
   orispline reduce flight.csv --tolerance 0.1deg --method auto --refit -o keys.csv --json
   orispline reduce noisy.csv --smooth --tolerance 0.5deg -o keys.csv
   orispline reduce mage.glb --tolerance 0.05deg -o small.glb
-  orispline reduce mage.glb --world-tolerance 2mm -o small.glb
+  orispline reduce mage.glb --world-tolerance 2mm -o small.glb --report small.html
   orispline reduce hips.csv head.csv arm.csv --tolerance 0.5deg --output-folder keys
   orispline reduce flight.csv --tolerance 0.1deg --method timed-c3 --tension=0.2 --ends rest -o keys.csv
   orispline sample keys.csv --rate 100 -o motion.csv

@@ -9,6 +9,7 @@
 #include <orispline/base/quoted.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/math/degrees.hpp>
+#include <orispline/pages/skeleton_page.hpp>
 #include <orispline/reduce/clip_reduction_fields.hpp>
 #include <orispline/reduce/reduce_fields.hpp>
 #include <orispline/scenes/scene_file.hpp>
@@ -49,8 +50,6 @@ Expected<void> check_clips(const ReduceOptions& options) {
     return usage_failure(
         formatted("{}: found a file of skeletons, wanted keys of one track as the output, or 'orispline smooth' first",
                   options.smooth ? "--smooth" : first_given(options.smoothness)));
-  if (options.report.path)
-    return usage_failure("--report: found a file of skeletons, wanted keys of one track as the output");
   if (is_given(options.reduction, "values"))
     return usage_failure("--refit: found a file of skeletons, wanted keys of one track as the output");
   if (scenes::scene_format_of(options.output.path) != &scenes::gltf_format)
@@ -102,6 +101,10 @@ Expected<SceneRequest> scene_request_in(const ReduceOptions& options) {
       return tl::unexpected(std::move(apart.error()));
     return check(read.reduction)
         .and_then([&] { return check_summary(options.summary, options.output.path, "keys"); })
+        .and_then([&] {
+          return check_report(options.report,
+                              {{place_of_output(options.output), options.output.path}, {"INPUT", options.input.path}});
+        })
         .map([&] { return std::move(read); });
   });
 }
@@ -131,6 +134,12 @@ void warn_of_precision(const SceneRequest& request, const std::vector<ClipReduct
   say("--world-tolerance", distance * request.metres, request.reduction.world_tolerance * request.metres, " m");
 }
 
+std::vector<Clip> clips_of(const std::vector<ClipReduction>& reductions) {
+  std::vector<Clip> clips;
+  for (const ClipReduction& reduction : reductions) clips.push_back(reduction.clip);
+  return clips;
+}
+
 }  // namespace
 
 Expected<void> check_reduce_scene(const ReduceOptions& options) {
@@ -140,6 +149,8 @@ Expected<void> check_reduce_scene(const ReduceOptions& options) {
 Expected<void> reduce_scene(const ReduceOptions& options) {
   auto request = scene_request_in(options);
   if (!request) return tl::unexpected(request.error());
+  auto page = ReportFile::open(options.report);
+  if (!page) return tl::unexpected(std::move(page.error()));
   if (auto able = check_output(options.output.path); !able) return able;
   auto scene = open_scene(request->input);
   if (!scene) return tl::unexpected(std::move(scene.error()));
@@ -151,7 +162,7 @@ Expected<void> reduce_scene(const ReduceOptions& options) {
     return tl::unexpected(std::move(reductions.error()));
   }
   warn_of_precision(*request, *reductions);
-  for (std::size_t i = 0; i < reductions->size(); ++i) scene->clips[i] = (*reductions)[i].clip;
+  const std::vector<Clip> before = std::exchange(scene->clips, clips_of(*reductions));
   ReduceSceneReport report{.input = options.input.path,
                            .output = options.output.path,
                            .skeleton = scene->skeleton,
@@ -160,10 +171,18 @@ Expected<void> reduce_scene(const ReduceOptions& options) {
                            .unit = scene->format == &scenes::bvh_format && !options.position_scale ? "" : " m",
                            .reductions = *std::move(reductions),
                            .bytes_before = bytes_of(options.input.path)};
-  return write_scene(options.output.path, *scene, request->writing).and_then([&] {
-    report.bytes_after = bytes_of(options.output.path);
-    return summarise(options.summary, report);
-  });
+  const auto make_page = [&](const auto& head) {
+    return pages::reduced_clips_page(
+        {report.input, scene->skeleton, before}, report.output, report.reductions, report.options,
+        {.metres = report.metres, .are_known = !report.unit.empty(), .shell = report.options.shell}, head);
+  };
+  return page->write(make_page)
+      .and_then([&] { return write_scene(options.output.path, *scene, request->writing); })
+      .and_then([&] { return page->finish(); })
+      .and_then([&] {
+        report.bytes_after = bytes_of(options.output.path);
+        return summarise(options.summary, report);
+      });
 }
 
 }  // namespace orispline::cli

@@ -3,13 +3,20 @@
 
 #include <orispline/report/page_json.hpp>
 #include <orispline/report/page_template.hpp>
+#include <orispline/report/skeleton_page_json.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::report {
+namespace {
 
-std::string document(const Page& page) {
+std::string with_data(const std::string& json) {
   std::string html;
   for (const std::string_view piece : page_template()) html += piece;
-  return html.replace(html.find(data_marker), data_marker.size(), json_of(page));
+  return html.replace(html.find(data_marker), data_marker.size(), json);
 }
+
+}  // namespace
+
+std::string document(const Page& page) { return with_data(json_of(page)); }
+std::string document(const SkeletonPage& page) { return with_data(json_of(page)); }
 
 }  // namespace orispline::inline ORISPLINE_ABI::report

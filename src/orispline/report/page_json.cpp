@@ -2,81 +2,14 @@
 #include <orispline/report/page_json.hpp>
 
 #include <array>
-#include <cmath>
-#include <initializer_list>
-#include <iterator>
-#include <span>
 #include <string_view>
-#include <utility>
 
-#include <fmt/format.h>
+#include <orispline/report/json_text.hpp>
 
 namespace orispline::inline ORISPLINE_ABI::report {
 namespace {
 
-/// What a line on a screen can show; keeps the file small.
-constexpr int significant_digits = 7;
-
-std::string text_of(std::string_view text) {
-  std::string json = "\"";
-  for (const char c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    if (code < 0x20 || c == '"' || c == '\\' || c == '<') fmt::format_to(std::back_inserter(json), "\\u{:04x}", code);
-    else json += c;
-  }
-  return json + '"';
-}
-
-void append(std::string& json, double value) {
-  if (std::isfinite(value)) fmt::format_to(std::back_inserter(json), "{:.{}g}", value, significant_digits);
-  else json += "null";
-}
-
-std::string json_of(double value) {
-  std::string json;
-  append(json, value);
-  return json;
-}
-
-/// One flat array of what `numbers_of` gives for each value.
-template <class Value, class NumbersOf>
-std::string list_of(std::span<const Value> values, NumbersOf numbers_of) {
-  std::string json = "[";
-  for (const Value& value : values)
-    for (const double number : numbers_of(value)) {
-      if (json.size() > 1) json += ',';
-      append(json, number);
-    }
-  return json + ']';
-}
-
-std::string list_of(const std::vector<double>& values) {
-  return list_of(std::span(values), [](double v) { return std::array{v}; });
-}
-
-std::string list_of(const std::vector<Eigen::Vector3d>& values) {
-  return list_of(std::span(values), [](const Eigen::Vector3d& v) { return std::array{v.x(), v.y(), v.z()}; });
-}
-
-std::string list_of(const std::vector<Eigen::Quaterniond>& values) {
-  return list_of(std::span(values), [](const Eigen::Quaterniond& q) { return std::array{q.w(), q.x(), q.y(), q.z()}; });
-}
-
-using Member = std::pair<std::string_view, std::string>;  // name, JSON
-
-std::string object_of(std::initializer_list<Member> members) {
-  std::string json = "{";
-  for (const auto& [name, value] : members)
-    fmt::format_to(std::back_inserter(json), "{}\"{}\":{}", json.size() > 1 ? "," : "", name, value);
-  return json + '}';
-}
-
-template <class Value, class JsonOf>
-std::string array_of(const std::vector<Value>& values, JsonOf json_of_value) {
-  std::string json = "[";
-  for (const Value& value : values) json += (json.size() > 1 ? ",\n" : "") + json_of_value(value);
-  return json + ']';
-}
+std::string json_of(double value) { return number_text(value); }
 
 std::string json_of(const PagePath& path) {
   return object_of({{"t", list_of(path.times)}, {"q", list_of(path.orientations)}});

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include <orispline/report/skeleton_page.hpp>
+
+namespace orispline::inline ORISPLINE_ABI::report {
+
+/// The JSON document that the page reads, as json_of(const Page&).
+[[nodiscard]] std::string json_of(const SkeletonPage& page);
+
+}  // namespace orispline::inline ORISPLINE_ABI::report
