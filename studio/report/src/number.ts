@@ -20,3 +20,9 @@ export function tick(value: number): string {
   const text = size >= 1e4 || (size < 1e-3 && size > 0) ? Number(value.toPrecision(6)).toExponential().replace('e+', 'e') : String(value);
   return text.replaceAll('-', '−');
 }
+
+/** The largest of 1, 2 and 5 times a power of ten that is not larger. */
+export function roundStep(size: number): number {
+  const power = 10 ** Math.floor(Math.log10(size));
+  return power * (size >= 5 * power ? 5 : size >= 2 * power ? 2 : 1);
+}

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bar at the foot: which methods are shown, and the time.
+// The bar at the foot: what is shown, and the time.
 import { moment } from './clock';
 import { element, menu, place } from './element';
-import { shownMethods, timeEnd, timeStart } from './report';
+import { shownMethods } from './report';
 import { choose, current, moveTo, subscribe } from './state';
 
 const speeds = [0.1, 0.25, 0.5, 1, 2, 5, 10];
@@ -11,11 +11,11 @@ const speeds = [0.1, 0.25, 0.5, 1, 2, 5, 10];
 function run(): void {
   let before = 0;
   const step = (now: number) => {
-    const { playing, speed, time } = current();
+    const { playing, speed, time, extent } = current();
     if (!playing) return;
     const next = time + (speed * (now - before)) / 1000;
     before = now;
-    moveTo(next > timeEnd ? timeStart : next);
+    moveTo(next > extent[1] ? extent[0] : next);
     requestAnimationFrame(step);
   };
   subscribe(['playing'], ({ playing }) => {
@@ -25,7 +25,7 @@ function run(): void {
   });
 }
 
-function methodMenus(): HTMLElement[] {
+export function methodMenus(): HTMLElement[] {
   const names: [string, string][] = shownMethods.map(({ name }) => [name, name]);
   const [first, firstSelect] = menu('Method', names, (name) => choose({ first: name }));
   const [second, secondSelect] = menu('beside', [['', 'none'], ...names], (name) => choose({ second: name || null }));
@@ -42,8 +42,6 @@ function timeControls(): HTMLElement[] {
   const play = element('button', { type: 'button', className: 'play', onclick: () => choose({ playing: !current().playing }) });
   const scrub = element('input', {
     type: 'range',
-    min: String(timeStart),
-    max: String(timeEnd),
     step: 'any',
     oninput: () => moveTo(Number(scrub.value)),
     attributes: { 'aria-label': 'Time' },
@@ -54,6 +52,11 @@ function timeControls(): HTMLElement[] {
     play.textContent = playing ? '❚❚' : '▶';
     play.setAttribute('aria-label', playing ? 'Pause' : 'Play');
   });
+  subscribe(['extent'], ({ extent: [from, to], time }) => {
+    scrub.min = String(from);
+    scrub.max = String(to);
+    scrub.value = String(time);
+  });
   subscribe(['time'], ({ time }) => {
     scrub.value = String(time);
     clock.textContent = moment(time);
@@ -63,8 +66,8 @@ function timeControls(): HTMLElement[] {
   return [play, scrub, clock, speed];
 }
 
-export function showPlayback(): void {
-  place('playback').append(element('div', { className: 'methods' }, ...methodMenus()), element('div', { className: 'time' }, ...timeControls()));
+export function showPlayback(menus: HTMLElement[]): void {
+  place('playback').append(element('div', { className: 'methods' }, ...menus), element('div', { className: 'time' }, ...timeControls()));
   document.addEventListener('keydown', (event) => {
     const target = event.target as HTMLElement;
     if (event.key !== ' ' || target.closest('button, select, input')) return;

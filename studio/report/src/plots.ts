@@ -6,8 +6,8 @@ import { momentTicks } from './clock';
 import { element, place } from './element';
 import { spanAt } from './motion';
 import { chosen, shown, tick } from './number';
-import { quantities, type Line, type PlacedBand, type Points, type Quantity } from './quantities';
-import { keysOf, methodNamed, report, timeEnd, timeStart } from './report';
+import type { Line, PlacedBand, Points, Quantity } from './quantities';
+import { report } from './report';
 import { choose, current, moveTo, subscribe, type State } from './state';
 import { coloursOf, type Colours } from './theme';
 
@@ -16,13 +16,13 @@ const closestKeys = 5; // [px] keys nearer to each other than this are not marke
 const font = '12px system-ui, sans-serif';
 const rounding = 1e-12; // of 1, or of the largest value: what is smaller is 0
 
-function markKeys(plot: uPlot, colours: Colours): void {
+function markKeys(plot: uPlot, keys: number[], colours: Colours): void {
   const { ctx, bbox } = plot;
   const ratio = devicePixelRatio;
   let last = -Infinity;
   ctx.save();
   ctx.lineWidth = ratio;
-  for (const t of keysOf(methodNamed(current().first)).t) {
+  for (const t of keys) {
     const x = plot.valToPos(t, 'x', true);
     if (x < bbox.left - 1 || x > bbox.left + bbox.width + 1 || x - last < closestKeys * ratio) continue;
     last = x;
@@ -99,7 +99,7 @@ function drawMarks({ ctx, bbox, valToPos }: uPlot, { t, values }: Points, colour
 
 /** The lines over all their times. */
 function aligned(lines: Line[]): uPlot.AlignedData {
-  if (lines.length === 0) return [[timeStart, timeEnd]];
+  if (lines.length === 0) return [[...current().extent]];
   const sameTimes = lines.every((line) => line.t === lines[0].t);
   if (sameTimes) return [lines[0].t, ...lines.map((line) => line.values)] as uPlot.AlignedData;
   const wholeGaps: uPlot.JoinNullMode[] = [2, 2]; // a gap goes on over the times of the other lines
@@ -113,12 +113,14 @@ function aligned(lines: Line[]): uPlot.AlignedData {
 const rangeOf = (low: number, high: number) => uPlot.rangeNum(low < -rounding ? low : 0, high > rounding || low < -rounding ? Math.max(high, 0) : 1, 0.06, true);
 
 interface Beside {
+  ready: () => void;
+  keys: number[];
   limit?: number;
   marks?: Points;
   band?: PlacedBand;
 }
 
-function optionsOf(lines: Line[], { limit, marks, band }: Beside, width: number, colours: Colours): uPlot.Options {
+function optionsOf(lines: Line[], { ready, keys, limit, marks, band }: Beside, width: number, colours: Colours): uPlot.Options {
   const reach = Math.max(limit ?? 0, ...(band?.high.map((value) => value ?? 0) ?? []));
   const axis = { stroke: colours.faint, font, ticks: { stroke: colours.grid, size: 4 } };
   return {
@@ -134,7 +136,8 @@ function optionsOf(lines: Line[], { limit, marks, band }: Beside, width: number,
     series: [{}, ...lines.map(({ label, colour, width, dashes }) => ({ label, stroke: colour, width, dash: dashes, spanGaps: false, points: { show: false } }))],
     cursor: { y: false, points: { size: 7 }, drag: { x: true, y: false, setScale: true }, bind: { mouseleave: () => null } },
     hooks: {
-      drawClear: [(plot) => markKeys(plot, colours), (plot) => band && drawBand(plot, band, colours)],
+      ready: [ready],
+      drawClear: [(plot) => markKeys(plot, keys, colours), (plot) => band && drawBand(plot, band, colours)],
       draw: [(plot) => limit !== undefined && drawLimit(plot, limit, colours), (plot) => marks && drawMarks(plot, marks, colours)],
       setCursor: [(plot) => plot.cursor.event && !current().playing && moveTo(plot.posToVal(plot.cursor.left!, 'x'))],
       setScale: [(plot, key) => key === 'x' && chooseWindow(plot)],
@@ -183,8 +186,10 @@ class Plot {
     this.figure.hidden = this.lines.length === 0;
     this.rounding = rounding * largestOf(this.lines);
     const { limit, marks } = this.quantity;
+    const keys = this.quantity.keys(state);
     this.band = this.quantity.band?.(state);
-    this.plot = new uPlot(optionsOf(this.lines, { limit, marks, band: this.band }, this.frame.clientWidth, colours), aligned(this.lines), this.frame);
+    const ready = () => this.plot && this.showTime(current()); // before that, places in the plot are not known
+    this.plot = new uPlot(optionsOf(this.lines, { ready, keys, limit, marks, band: this.band }, this.frame.clientWidth, colours), aligned(this.lines), this.frame);
     followFinger(this.plot);
     this.showWindow(state);
     this.showTime(state);
@@ -205,7 +210,8 @@ class Plot {
       swatch.style.background = colour;
       return element('span', {}, swatch, `${label} `, element('b', {}, shown(values[nearest], this.rounding)));
     });
-    this.caption.replaceChildren(element('strong', {}, this.quantity.title), element('small', {}, ` [${this.quantity.unit}] `), ...values, ...this.legend(coloursOf(current())));
+    const unit = this.quantity.unit ? [element('small', {}, ` [${this.quantity.unit}] `)] : [];
+    this.caption.replaceChildren(element('strong', {}, this.quantity.title), ...unit, ...values, ...this.legend(coloursOf(current())));
   }
 
   /** What is drawn beside the lines. */
@@ -215,9 +221,9 @@ class Plot {
       made.style.color = colour;
       return made;
     };
-    const { limit } = this.quantity;
+    const { limit, limitLabel = 'limit' } = this.quantity;
     return [
-      ...(limit !== undefined ? [element('span', {}, sign('╌╌', colours.limit), ' limit ', element('b', {}, chosen(limit)))] : []),
+      ...(limit !== undefined ? [element('span', {}, sign('╌╌', colours.limit), ` ${limitLabel} `, element('b', {}, chosen(limit)))] : []),
       ...(this.band ? [element('span', {}, sign('▮', colours[this.band.place]), ` ${this.band.label}`)] : []),
       ...(this.quantity.marks ? [element('span', {}, sign('×', colours.mark), ` ${report.marks!.label}`)] : []),
     ];
@@ -225,17 +231,18 @@ class Plot {
 }
 
 /** Whether the components of the first method are drawn too. */
-function componentsChoice(): HTMLElement {
+export function componentsChoice(): HTMLElement {
   const box = element('input', { type: 'checkbox', onchange: () => choose({ components: box.checked }) });
   subscribe(['components'], ({ components }) => (box.checked = components));
   return element('div', { className: 'controls' }, element('label', { className: 'choice' }, box, element('span', {}, 'Components x, y, z of the first method')));
 }
 
-export function showPlots(): void {
-  place('plots').append(componentsChoice());
+/** They are made anew when one of the fields changes. */
+export function showPlots(quantities: Quantity[], fields: (keyof State)[], ...controls: HTMLElement[]): void {
+  place('plots').append(...controls);
   const plots = quantities.map((quantity) => new Plot(quantity));
   const every = (update: (plot: Plot, state: State) => void) => (state: State) => plots.forEach((plot) => update(plot, state));
-  subscribe(['first', 'second', 'theme', 'components'], every((plot, state) => plot.rebuild(state)));
+  subscribe([...fields, 'theme'], every((plot, state) => plot.rebuild(state)));
   subscribe(['window'], every((plot, state) => plot.showWindow(state)));
   subscribe(['time'], every((plot, state) => plot.showTime(state)));
 }

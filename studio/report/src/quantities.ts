@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the plots show: each quantity as lines over the times of the methods that are shown.
 import { anglesApart, anglesFromStart, component, magnitudes } from './motion';
-import { methodNamed, report, shownMethods, type Band, type Path, type Samples } from './report';
+import { keysOf, methodNamed, report, shownMethods, type Band, type Path, type Samples } from './report';
 import type { State } from './state';
 import type { Colours } from './theme';
 
@@ -30,6 +30,8 @@ export interface Quantity {
   title: string;
   unit: string;
   limit?: number; // in that unit
+  limitLabel?: string;
+  keys: (state: State) => number[]; // times that are marked
   lines: (state: State, colours: Colours) => Line[];
   marks?: Points;
   band?: (state: State) => PlacedBand | undefined;
@@ -58,6 +60,9 @@ const bandOf = (id: string) => (state: State) => {
   }
   return undefined;
 };
+
+/** Those of the first method. */
+const keys = (state: State) => keysOf(methodNamed(state.first)).t;
 
 const remembered = new WeakMap<object, Map<string, (number | null)[]>>();
 
@@ -98,7 +103,7 @@ function rate(id: Rate, title: string, ownUnit: string): Quantity {
     ...components(state, colours, id),
     ...ofBoth(state, colours, id, (samples) => inUnitOf(id, magnitudes(samples[id]))),
   ];
-  return { id, title, unit: unitOf(id, ownUnit).unit, limit: limitOf(id), lines, band: bandOf(id) };
+  return { id, title, unit: unitOf(id, ownUnit).unit, limit: limitOf(id), keys, lines, band: bandOf(id) };
 }
 
 function referenceAngle(reference: Path | null, colours: Colours): Line[] {
@@ -113,6 +118,7 @@ const angle: Quantity = {
   id: 'angle',
   title: 'Angle from start',
   unit: 'deg',
+  keys,
   lines: (state, colours) => [...referenceAngle(report.reference, colours), ...ofBoth(state, colours, 'angle', anglesFromStart)],
   band: bandOf('angle'),
 };
@@ -122,6 +128,7 @@ const error: Quantity = {
   title: 'Error to the reference',
   unit: unitOf('error', 'deg').unit,
   limit: limitOf('error'),
+  keys,
   lines: (state, colours) =>
     ofBoth(state, colours, 'error', (samples) => inUnitOf('error', samples.error_deg), (samples) => (samples.error_t.length > 0 ? samples.error_t : samples.t)).filter(
       ({ values }) => values.length > 0,
@@ -134,6 +141,7 @@ const apart: Quantity = {
   id: 'apart',
   title: 'Angle between the two methods',
   unit: 'deg',
+  keys,
   lines: (state, colours) => {
     const [first, second] = [methodNamed(state.first), methodNamed(state.second)];
     if (!first || !second || first === second) return [];

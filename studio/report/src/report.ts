@@ -62,6 +62,65 @@ export interface Marks extends Path {
 
 export type BodyShape = 'aircraft' | 'box' | 'axes';
 
+/** How far a joint is off at most, and when [s]. */
+export type Largest = [value: number, time: number];
+export type KeyCounts = [before: number, after: number];
+
+export interface Joint {
+  name: string;
+  parent: number | null; // its index
+  is_compared: boolean; // else it is in the motion before only
+}
+
+export interface ClipJoint {
+  angle_deg: Largest;
+  distance: Largest;
+  keys: KeyCounts; // of its rotation
+  key_t: number[]; // [s], of the rotation after
+}
+
+/** Whole numbers, in steps. */
+export interface Poses {
+  t: number[];
+  step: number;
+  before: number[]; // x, y, z of every joint at the first time; then how far each is from that of the time before
+  offset_step: number;
+  after: number[]; // x, y, z of every joint at every time, from where it is before
+}
+
+/** Of every joint, in steps; empty where all is 0. */
+export interface Errors {
+  t: number[];
+  angle_step: number;
+  angle_deg: number[][];
+  distance_step: number;
+  distance: number[][];
+}
+
+export interface Clip {
+  name: string;
+  start: number;
+  end: number;
+  rotation_keys: KeyCounts;
+  translation_keys: KeyCounts;
+  poses: Poses;
+  errors: Errors;
+  joints: ClipJoint[];
+}
+
+/** A skeleton that moves in two ways; lengths have one unit. */
+export interface Skeleton {
+  before: string; // what the motions are called
+  after: string;
+  unit: string; // of lengths; empty: not known
+  shell: number;
+  up: 'y' | 'z';
+  angle_limit: number | null; // [deg]
+  distance_limit: number | null;
+  joints: Joint[];
+  clips: Clip[];
+}
+
 export interface Report {
   title: string;
   command: string;
@@ -80,9 +139,11 @@ export interface Report {
   first: string; // names of the methods that are shown at first
   second: string;
   methods: Method[];
+  skeleton?: Skeleton; // instead of methods
 }
 
-export const report: Report = JSON.parse(document.getElementById('report-data')!.textContent!);
+const noMethods = { time_start: '', body: 'box', keys: { t: [], q: [], p: [] }, reference: null, marks: null, limits: {}, units: {}, columns: [], sorted_by: '', first: '', second: '', methods: [] };
+export const report: Report = { ...noMethods, ...JSON.parse(document.getElementById('report-data')!.textContent!) };
 
 /** Methods that were sampled at the same times share them, so that their lines need not be joined. */
 const seen = new Map<string, number[]>();
@@ -110,6 +171,9 @@ export const keysOf = (method: Method | undefined) => method?.keys ?? report.key
 /** A sample that only says that there is nothing between its neighbours. */
 export const isGap = ({ q }: Path, i: number) => q[4 * i] === null;
 
-const ends = [...shownMethods.map((method) => method.samples.t), report.keys.t].filter((t) => t.length > 0);
+/** All clips of a skeleton: empty in a report of methods. */
+export const clips = report.skeleton?.clips ?? [];
+
+const ends = [...shownMethods.map((method) => method.samples.t), report.keys.t, ...clips.map(({ start, end }) => [start, end])].filter((t) => t.length > 0);
 export const timeStart = Math.min(...ends.map((t) => t[0]));
 export const timeEnd = Math.max(...ends.map((t) => t[t.length - 1]));

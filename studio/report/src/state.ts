@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the user has chosen. Views subscribe to it; nothing else holds choices.
 import type { Axis } from './motion';
-import { firstShown, keysOf, report, secondShown, shownMethods, timeEnd, timeStart, type BodyShape } from './report';
+import { clips, firstShown, keysOf, report, secondShown, shownMethods, timeEnd, timeStart, type BodyShape } from './report';
 
 export interface State {
   first: string | null; // names of methods
   second: string | null;
+  clip: number; // its place among those of the skeleton
+  joint: number;
+  magnified: number; // differences of the two motions in space
   time: number;
+  extent: [from: number, to: number]; // all that may be shown
   window: [from: number, to: number]; // the stretch of time that the plots show
   playing: boolean;
   speed: number; // seconds of the motion per second
@@ -20,18 +24,29 @@ export interface State {
 const hasPositions = shownMethods.some((method) => keysOf(method).p.length > 0 && method.samples.p.length > 0);
 const darkDisplay = matchMedia('(prefers-color-scheme: dark)');
 
+/** A clip from the start on, or at another time. */
+export const withClip = (clip: number, time = clips[clip].start): Partial<State> => {
+  const extent: State['extent'] = [clips[clip].start, clips[clip].end];
+  return { clip, extent, window: extent, time };
+};
+
 let state: State = {
   first: firstShown,
   second: secondShown,
+  clip: 0,
+  joint: 0,
+  magnified: 1,
   time: timeStart,
+  extent: [timeStart, timeEnd],
   window: [timeStart, timeEnd],
   playing: false,
   speed: 1,
   axis: 'x',
   body: report.body,
-  place: hasPositions ? 'follow' : 'fixed',
+  place: report.skeleton || hasPositions ? 'follow' : 'fixed',
   components: true,
   theme: darkDisplay.matches ? 'dark' : 'light',
+  ...(clips.length > 0 ? withClip(0) : {}),
 };
 
 type Field = keyof State;
@@ -53,6 +68,6 @@ export function choose(changes: Partial<State>): void {
   for (const { fields, update } of subscribers) if (fields.some((field) => changed.includes(field))) update(state);
 }
 
-export const moveTo = (time: number) => choose({ time: Math.min(Math.max(time, timeStart), timeEnd) });
+export const moveTo = (time: number) => choose({ time: Math.min(Math.max(time, state.extent[0]), state.extent[1]) });
 
 darkDisplay.addEventListener('change', ({ matches }) => choose({ theme: matches ? 'dark' : 'light' }));

@@ -4,23 +4,11 @@ import { moment } from './clock';
 import { element, place } from './element';
 import { shown } from './number';
 import { hasSamples, report, type Column, type Method } from './report';
+import { sortable, type Head, type Value } from './sortable';
 import { choose, current, moveTo, subscribe } from './state';
 
-type Order = { id: string; descending: boolean };
-
-const valueOf = (method: Method, id: string): number | string | null =>
+const valueOf = (method: Method, id: string): Value =>
   id === 'name' ? method.name : id === 'continuity' ? method.continuity : (method.measures[id] ?? null);
-
-const isMissing = (value: number | string | null) => value === null || (typeof value === 'number' && !Number.isFinite(value));
-
-/** Failed methods and missing values stay at the end in either direction. */
-function compared(a: Method, b: Method, { id, descending }: Order): number {
-  if (!a.failure !== !b.failure) return a.failure ? 1 : -1;
-  const [x, y] = [valueOf(a, id), valueOf(b, id)];
-  if (isMissing(x) || isMissing(y)) return Number(isMissing(x)) - Number(isMissing(y));
-  const ascending = typeof x === 'number' ? x - (y as number) : x!.localeCompare(String(y), 'en', { numeric: true });
-  return descending ? -ascending : ascending;
-}
 
 /** Who is so near to the best is as good. */
 const asGood = 0.01;
@@ -35,11 +23,14 @@ function bestIn({ id, better, rounding }: Column): (value: number | null | undef
   return (value) => typeof value === 'number' && Math.abs(value - best) <= room;
 }
 
-function headOf(column: Pick<Column, 'id' | 'label'> & Partial<Column>, sort: (id: string) => void): HTMLTableCellElement {
-  const label = element('button', { type: 'button', title: column.explanation ?? '', onclick: () => sort(column.id) }, column.label);
-  if (column.unit && !column.is_time) label.append(element('small', {}, ` [${column.unit}]`));
-  return element('th', { scope: 'col', className: column.better ? 'number' : '', attributes: { 'data-id': column.id } }, label);
-}
+const headOf = ({ id, label, unit, explanation, better, is_time }: Column): Head => ({
+  id,
+  label,
+  unit: is_time ? '' : unit,
+  explanation,
+  isNumber: true,
+  fromLargest: better === 'more',
+});
 
 function showButton(method: Method, which: 'first' | 'second'): HTMLButtonElement {
   const words = which === 'first' ? 'Show' : 'Show beside it';
@@ -105,27 +96,13 @@ function rowOf(method: Method, best: Map<string, ReturnType<typeof bestIn>>): HT
 
 export function showTable(): void {
   const best = new Map(report.columns.map((column) => [column.id, bestIn(column)]));
-  const rows = new Map(report.methods.map((method) => [method, rowOf(method, best)]));
-  const body = element('tbody', {}, ...rows.values());
-  const heads: HTMLTableCellElement[] = [];
-  let order: Order | null = null;
-
-  function sort(id: string): void {
-    const column = report.columns.find((candidate) => candidate.id === id);
-    const descending = order?.id === id ? !order.descending : column?.better === 'more';
-    order = { id, descending };
-    const sorted = [...report.methods].sort((a, b) => compared(a, b, order!));
-    body.append(...sorted.map((method) => rows.get(method)!));
-    for (const head of heads)
-      head.setAttribute('aria-sort', head.dataset.id !== id ? 'none' : descending ? 'descending' : 'ascending');
-  }
-
-  heads.push(...[{ id: 'name', label: 'Method' }, { id: 'continuity', label: 'In time' }, ...report.columns].map((column) => headOf(column, sort)));
-  const head = element('tr', {}, element('th', { className: 'picks', scope: 'col' }, element('span', { className: 'unseen' }, 'Shown')), ...heads);
-  place('measures').append(element('table', {}, element('thead', {}, head), body));
+  const heads = [{ id: 'name', label: 'Method' }, { id: 'continuity', label: 'In time' }, ...report.columns.map(headOf)];
+  const picks = element('th', { className: 'picks', scope: 'col' }, element('span', { className: 'unseen' }, 'Shown'));
+  const { table, lines, sort } = sortable(heads, report.methods, { lineOf: (method) => rowOf(method, best), valueOf, isLast: ({ failure }) => !!failure }, picks);
+  place('measures').append(table);
   if (report.sorted_by) sort(report.sorted_by);
   subscribe(['first', 'second'], ({ first, second }) => {
-    for (const [method, row] of rows) {
+    for (const [method, row] of lines) {
       row.classList.toggle('is-first', method.name === first);
       row.classList.toggle('is-second', method.name === second);
       for (const which of ['first', 'second'] as const)

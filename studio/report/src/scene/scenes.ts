@@ -37,13 +37,15 @@ function controls(): HTMLElement {
   return element('div', { className: 'controls' }, bodyChoice, ...(canFollowPath ? [placeChoice] : []), axisChoice);
 }
 
-const canDraw = () => document.createElement('canvas').getContext('webgl2') !== null;
+/** Says so where it cannot. */
+export function canDraw(): boolean {
+  const can = document.createElement('canvas').getContext('webgl2') !== null;
+  if (!can) place('scenes').append(element('p', { className: 'facts' }, 'The scenes in space are not shown: this browser has no WebGL.'));
+  return can;
+}
 
 export function showScenes(): void {
-  if (!canDraw()) {
-    place('scenes').append(element('p', { className: 'facts' }, 'The scenes in space are not shown: this browser has no WebGL.'));
-    return;
-  }
+  if (!canDraw()) return;
   place('scenes').parentElement!.classList.toggle('beside', report.methods.length >= manyMethods);
   const [first, second] = [new MotionScene('first'), new MotionScene('second')];
   first.linkCamera(second);

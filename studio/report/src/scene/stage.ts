@@ -2,7 +2,7 @@
 // A canvas with a camera that the user turns; drawn when something has changed, not all the time.
 import { AmbientLight, DirectionalLight, PerspectiveCamera, Scene, WebGLRenderer, type Object3D, type Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { viewOf } from './view';
+import { viewFrom, viewOf } from './view';
 
 export class Stage {
   readonly scene = new Scene();
@@ -11,6 +11,7 @@ export class Stage {
   private readonly renderer = new WebGLRenderer({ antialias: true, alpha: true });
   private awaited = false;
   private seen: Vector3[] = []; // until the user turns the camera
+  private eye?: Vector3;
 
   constructor(frame: HTMLElement) {
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
@@ -42,10 +43,11 @@ export class Stage {
     });
   }
 
-  /** Turns the camera to where the points are seen best, all of them. */
-  lookAt(points: Vector3[]): void {
+  /** Turns the camera to where the points are seen best, all of them; or from that side, a unit vector. */
+  lookAt(points: Vector3[], eye?: Vector3): void {
     this.seen = points;
-    this.camera.position.copy(viewOf(points, this.camera));
+    this.eye = eye;
+    this.camera.position.copy(eye ? viewFrom(eye, points, this.camera) : viewOf(points, this.camera));
     this.controls.update();
     this.draw();
   }
@@ -65,7 +67,7 @@ export class Stage {
     this.renderer.setSize(width, height);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
-    if (this.seen.length > 0) this.lookAt(this.seen);
+    if (this.seen.length > 0) this.lookAt(this.seen, this.eye);
     this.draw();
   }
 }

@@ -38,3 +38,8 @@ export function viewOf(points: Vector3[], camera: PerspectiveCamera): Vector3 {
   const best = pictures.reduce((a, b) => (b.area > a.area * (1 + 1e-6) ? b : a));
   return best.eye.multiplyScalar(best.distance);
 }
+
+/** The same from one side. */
+export function viewFrom(eye: Vector3, points: Vector3[], camera: PerspectiveCamera): Vector3 {
+  return eye.clone().multiplyScalar(pictureFrom(eye, points, camera).distance);
+}

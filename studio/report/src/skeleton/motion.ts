@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where joints are, and how far they are off, at any time of a clip.
+import { spanAt } from '../motion';
+import type { Clip, Errors, Joint, Poses, Skeleton } from '../report';
+
+/** x, y, z of every joint at every time. */
+interface Places {
+  before: Float32Array;
+  after: Float32Array;
+}
+
+function decoded({ t, step, before, offset_step, after }: Poses): Places {
+  const width = t.length > 0 ? before.length / t.length : 0;
+  const places = { before: new Float32Array(before.length), after: new Float32Array(before.length) };
+  const steps = before.slice(0, width);
+  for (let i = 0; i < before.length; ++i) {
+    if (i >= width) steps[i % width] += before[i];
+    places.before[i] = step * steps[i % width];
+    places.after[i] = places.before[i] + offset_step * after[i];
+  }
+  return places;
+}
+
+const remembered = new WeakMap<Clip, Places>();
+
+export function placesOf(clip: Clip): Places {
+  if (!remembered.has(clip)) remembered.set(clip, decoded(clip.poses));
+  return remembered.get(clip)!;
+}
+
+/** The place in the list of times, with the part of the way to the next one. */
+function between(t: number[], time: number): [index: number, part: number] {
+  const i = spanAt(t, time);
+  const step = t[i + 1] - t[i];
+  return [i, step > 0 ? Math.min(Math.max((time - t[i]) / step, 0), 1) : 0];
+}
+
+/** x, y, z of every joint at one time. */
+export function placesAt(clip: Clip, which: keyof Places, time: number): Float32Array {
+  const places = placesOf(clip)[which];
+  const { t } = clip.poses;
+  const width = places.length / t.length;
+  const [i, part] = between(t, time);
+  const [here, next] = [places.subarray(i * width, (i + 1) * width), places.subarray((i + 1) * width, (i + 2) * width)];
+  return part > 0 ? here.map((value, k) => value + part * (next[k] - value)) : here.slice();
+}
+
+export type Kind = 'angle_deg' | 'distance';
+
+const stepOf = (errors: Errors, kind: Kind) => (kind === 'angle_deg' ? errors.angle_step : errors.distance_step);
+
+/** Errors of a joint over the times of the clip's errors. */
+export function errorsOf({ errors }: Clip, kind: Kind, joint: number): number[] {
+  const steps = errors[kind][joint];
+  return errors.t.map((_, i) => (steps[i] ?? 0) * stepOf(errors, kind));
+}
+
+/** Of all joints together. */
+export function largestErrors({ errors }: Clip, kind: Kind): number[] {
+  const largest = errors.t.map(() => 0);
+  for (const steps of errors[kind]) steps.forEach((value, i) => (largest[i] = Math.max(largest[i], value)));
+  return largest.map((value) => value * stepOf(errors, kind));
+}
+
+/** The joint that is farthest off at the time that is nearest; nothing where none is off. */
+export function worstAt({ errors }: Clip, time: number): { joint: number; distance: number } | null {
+  const [before, part] = between(errors.t, time);
+  const i = before + Math.round(part);
+  let worst: { joint: number; distance: number } | null = null;
+  errors.distance.forEach((steps, joint) => {
+    const distance = (steps[i] ?? 0) * errors.distance_step;
+    if (distance > (worst?.distance ?? 0)) worst = { joint, distance };
+  });
+  return worst;
+}
+
+/** The joint of a clip whose error is largest. */
+export const worstJoint = ({ joints }: Clip, kind: Kind) => joints.reduce((worst, joint, i) => (joint[kind][0] > joints[worst][kind][0] ? i : worst), 0);
+
+/** The joint that is chosen at first: of the one that is farthest off and those above it the nearest that turns by keys. */
+export function firstJoint({ joints }: Skeleton, clip: Clip): number {
+  const worst = worstJoint(clip, 'distance');
+  for (let joint: number | null = worst; joint !== null; joint = joints[joint].parent) if (clip.joints[joint].key_t.length > 2) return joint;
+  return worst;
+}
+
+const stretching = 0.02; // of the longest distance
+
+/** Of each joint, whether it stays in its distance from the parent. */
+export function rigidJoints(clip: Clip, joints: Joint[]): boolean[] {
+  const { before } = placesOf(clip);
+  const width = 3 * joints.length;
+  return joints.map(({ parent }, joint) => {
+    if (parent === null) return true;
+    const lengths = clip.poses.t.map((_, i) => {
+      const [from, to] = [i * width + 3 * parent, i * width + 3 * joint];
+      return Math.hypot(before[to] - before[from], before[to + 1] - before[from + 1], before[to + 2] - before[from + 2]);
+    });
+    const longest = Math.max(...lengths);
+    return longest - Math.min(...lengths) <= stretching * longest;
+  });
+}
