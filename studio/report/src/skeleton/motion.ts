@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where joints are, and how far they are off, at any time of a clip.
 import { spanAt } from '../motion';
-import type { Clip, Errors, Joint, Poses, Skeleton } from '../report';
+import { clips, type Clip, type Errors, type Joint, type Poses, type Skeleton } from '../report';
 
 /** x, y, z of every joint at every time. */
 interface Places {
@@ -47,6 +47,9 @@ export function placesAt(clip: Clip, which: keyof Places, time: number): Float32
 
 export type Kind = 'angle_deg' | 'distance';
 
+/** What is smaller is rounding: about a millionth of what the clips take up, for that is 8000 steps. */
+export const roundings = { angle_deg: 5e-5, distance: 0.008 * Math.max(...clips.map(({ poses }) => poses.step)) };
+
 const stepOf = (errors: Errors, kind: Kind) => (kind === 'angle_deg' ? errors.angle_step : errors.distance_step);
 
 /** Errors of a joint over the times of the clip's errors. */
@@ -69,7 +72,7 @@ export function worstAt({ errors }: Clip, time: number): { joint: number; distan
   let worst: { joint: number; distance: number } | null = null;
   errors.distance.forEach((steps, joint) => {
     const distance = (steps[i] ?? 0) * errors.distance_step;
-    if (distance > (worst?.distance ?? 0)) worst = { joint, distance };
+    if (distance > (worst?.distance ?? roundings.distance)) worst = { joint, distance };
   });
   return worst;
 }
@@ -85,18 +88,34 @@ export function firstJoint({ joints }: Skeleton, clip: Clip): number {
 }
 
 const stretching = 0.02; // of the longest distance
+const farFromRoot = 0.25; // of the size of the skeleton
 
-/** Of each joint, whether it stays in its distance from the parent. */
-export function rigidJoints(clip: Clip, joints: Joint[]): boolean[] {
+/** Of each joint the least and the largest distance from its parent; none where it has no parent. */
+function lengthsOf(clip: Clip, joints: Joint[]): ([least: number, largest: number] | null)[] {
   const { before } = placesOf(clip);
   const width = 3 * joints.length;
   return joints.map(({ parent }, joint) => {
-    if (parent === null) return true;
+    if (parent === null) return null;
     const lengths = clip.poses.t.map((_, i) => {
       const [from, to] = [i * width + 3 * parent, i * width + 3 * joint];
       return Math.hypot(before[to] - before[from], before[to + 1] - before[from + 1], before[to + 2] - before[from + 2]);
     });
-    const longest = Math.max(...lengths);
-    return longest - Math.min(...lengths) <= stretching * longest;
+    return [Math.min(...lengths), Math.max(...lengths)];
+  });
+}
+
+/**
+ * Of each joint, whether a bone leads to it: whether it stays in its distance from the parent. What is far from the root
+ * and hangs on it is none: controls of hands and feet.
+ */
+export function rigidJoints(clip: Clip, joints: Joint[], size: number): boolean[] {
+  const lengths = lengthsOf(clip, joints);
+  const isAtRoot: boolean[] = [];
+  return joints.map(({ parent }, joint) => {
+    const length = lengths[joint];
+    isAtRoot.push(!length || (isAtRoot[parent!] && length[1] < stretching * size));
+    if (!length) return true;
+    const [least, largest] = length;
+    return largest - least <= stretching * largest && !(isAtRoot[parent!] && largest > farFromRoot * size);
   });
 }

@@ -77,7 +77,7 @@ export class SkeletonScene {
     this.clip = clips[state.clip];
     this.space = new Space(this.skeleton, this.clip, state.place === 'path');
     const { joints } = this.skeleton;
-    const rigid = rigidJoints(this.clip, joints);
+    const rigid = rigidJoints(this.clip, joints, this.space.height / this.space.unit);
     this.before = new Bones(joints, rigid, () => true, { colour: colours.reference, opacity: 0.35 }, 1.4);
     this.after = new Bones(joints, rigid, ({ is_compared }) => is_compared, { colour: colours.first, opacity: 1 });
     this.worst = mark(colours.mark, ring, 0.4);

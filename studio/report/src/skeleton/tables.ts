@@ -6,7 +6,7 @@ import { shown } from '../number';
 import { clips, type Clip, type Largest, type Skeleton } from '../report';
 import { sortable, type Head } from '../sortable';
 import { choose, current, moveTo, subscribe, withClip } from '../state';
-import { firstJoint, worstJoint, type Kind } from './motion';
+import { firstJoint, roundings, worstJoint, type Kind } from './motion';
 
 const cell = (text: string | Node) => element('td', { className: 'number' }, text);
 
@@ -31,16 +31,14 @@ const keyHeads = ({ before, after }: Skeleton, what: string): Head[] => [
   { id: 'after', label: 'after', explanation: `The same in ${after}`, isNumber: true, fromLargest: true },
 ];
 
-/** What is smaller is rounding. */
-const roundings = { angle_deg: 1e-5, distance: 1e-6 * Math.max(...clips.flatMap(({ joints }) => joints.map(({ distance }) => distance[0]))) };
-
 export function clipTable(skeleton: Skeleton): HTMLTableElement {
   const largest = (clip: Clip, kind: Kind) => clip.joints[worstJoint(clip, kind)][kind];
   const show = (index: number, joint = firstJoint(skeleton, clips[index]), time?: number) => choose({ ...withClip(index, time), joint });
   const place = (clip: Clip, kind: Kind) => {
     const joint = worstJoint(clip, kind);
     const { name } = skeleton.joints[joint];
-    const time = clip.joints[joint][kind][1];
+    const [value, time] = clip.joints[joint][kind];
+    if (value <= roundings[kind]) return cell('–');
     return cell(wayTo(`${name}, ${moment(time)}`, clip.name, () => show(clips.indexOf(clip), joint, time)));
   };
   const lineOf = (clip: Clip) => {
