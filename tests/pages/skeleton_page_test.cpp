@@ -64,7 +64,7 @@ TEST(SkeletonPage, HasWhereTheJointsAreAndHowFarTheyAreOff) {
   const report::PageClip& clip = page.clips.at(0);
   EXPECT_EQ(clip.error_times.size(), 101U);
   EXPECT_EQ(clip.rotation_keys.before, 101U);
-  EXPECT_DOUBLE_EQ(clip.joints[0].angles[40], 0.01 * degrees);
+  EXPECT_NEAR(clip.joints[0].angles[40], 0.01 * degrees, 1e-9);
   EXPECT_DOUBLE_EQ(clip.joints[0].angle.time, 0.4);
   EXPECT_EQ(clip.joints[0].key_times.size(), 101U);
   // The tip is 1 from the root; its shell's farthest point along the bone is 1.5 from it.
@@ -84,7 +84,7 @@ TEST(SkeletonPage, LosesNoErrorOfALongClip) {
     EXPECT_TRUE(std::ranges::is_sorted(clip.error_times));
     EXPECT_DOUBLE_EQ(clip.error_times.front(), 0.0);
     EXPECT_DOUBLE_EQ(clip.error_times.back(), 27.5);
-    EXPECT_DOUBLE_EQ(std::ranges::max(clip.joints[0].angles), 0.01 * degrees);
+    EXPECT_NEAR(std::ranges::max(clip.joints[0].angles), 0.01 * degrees, 1e-9);
     EXPECT_EQ(std::ranges::count(clip.error_times, 0.01 * static_cast<double>(key)), 1);
     EXPECT_EQ(page.notes.size(), 2U);
   }

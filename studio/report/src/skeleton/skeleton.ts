@@ -40,7 +40,7 @@ function controls(scene: SkeletonScene): HTMLElement {
   const [placeChoice, placeSelect] = menu('Seen', places, (where) => choose({ place: where as State['place'] }));
   const [magnifyChoice, magnifySelect] = menu(
     'Differences',
-    magnifications.map((factor) => [String(factor), factor === 1 ? 'as they are' : `${factor} times`]),
+    magnifications.map((factor) => [String(factor), `${factor}×`]),
     (factor) => choose({ magnified: Number(factor) }),
   );
   subscribe(['place', 'magnified'], (state) => {
