@@ -22,8 +22,11 @@ double round_step(double step) {
   return power;
 }
 
-/// A value in steps, the nearest whole number of them.
-long long in_steps(double value, double step) { return std::isfinite(value) ? std::llround(value / step) : 0; }
+/// A value in steps, the nearest whole number of them; 0 where it is out of all proportion.
+long long in_steps(double value, double step) {
+  constexpr double most = 1e15;
+  return std::abs(value) < most * step ? std::llround(value / step) : 0;
+}
 
 /// The rounded positions of the first time, then how far each is from that of the time before. So numbers are short.
 std::string moves_of(const std::vector<Eigen::Vector3d>& positions, std::size_t joints, double step) {
