@@ -83,12 +83,16 @@ export const worstJoint = ({ joints }: Clip, kind: Kind) => joints.reduce((worst
 /** The joint that is chosen at first: of the one that is farthest off and those above it the nearest that turns by keys. */
 export function firstJoint({ joints }: Skeleton, clip: Clip): number {
   const worst = worstJoint(clip, 'distance');
+  if (clip.joints[worst].distance[0] <= roundings.distance) return mostKeys(clip);
   for (let joint: number | null = worst; joint !== null; joint = joints[joint].parent) if (clip.joints[joint].key_t.length > 2) return joint;
   return worst;
 }
 
+const mostKeys = ({ joints }: Clip) => joints.reduce((most, { keys }, i) => (keys[0] > joints[most].keys[0] ? i : most), 0);
+
 const stretching = 0.02; // of the longest distance
-const farFromRoot = 0.25; // of the size of the skeleton
+const many = 5;
+const far = 0.2; // of the size of the skeleton
 
 /** Of each joint the least and the largest distance from its parent; none where it has no parent. */
 function lengthsOf(clip: Clip, joints: Joint[]): ([least: number, largest: number] | null)[] {
@@ -105,17 +109,14 @@ function lengthsOf(clip: Clip, joints: Joint[]): ([least: number, largest: numbe
 }
 
 /**
- * Of each joint, whether a bone leads to it: whether it stays in its distance from the parent. What is far from the root
- * and hangs on it is none: controls of hands and feet.
+ * Of each joint, whether a bone leads to it: whether it stays in its distance from the parent. Where many joints hang on one,
+ * those far from it are controls, such as of hands and feet.
  */
 export function rigidJoints(clip: Clip, joints: Joint[], size: number): boolean[] {
-  const lengths = lengthsOf(clip, joints);
-  const isAtRoot: boolean[] = [];
-  return joints.map(({ parent }, joint) => {
-    const length = lengths[joint];
-    isAtRoot.push(!length || (isAtRoot[parent!] && length[1] < stretching * size));
+  const children = joints.map((_, i) => joints.filter(({ parent }) => parent === i).length);
+  return lengthsOf(clip, joints).map((length, joint) => {
     if (!length) return true;
     const [least, largest] = length;
-    return largest - least <= stretching * largest && !(isAtRoot[parent!] && largest > farFromRoot * size);
+    return largest - least <= stretching * largest && !(children[joints[joint].parent!] >= many && largest > far * size);
   });
 }

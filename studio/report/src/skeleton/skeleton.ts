@@ -53,7 +53,8 @@ function controls(scene: SkeletonScene): HTMLElement {
 export function showSkeleton(skeleton: Skeleton): void {
   if (clips.length === 0 || skeleton.joints.length === 0) return;
   const [, time] = clips[0].joints[worstJoint(clips[0], 'distance')].distance;
-  choose({ ...withClip(0, time), joint: firstJoint(skeleton, clips[0]) });
+  const isOne = skeleton.joints.length === 1; // a body, of which the path is all that can be seen
+  choose({ ...withClip(0, time), joint: firstJoint(skeleton, clips[0]), place: isOne ? 'path' : 'follow' });
   place('measures').parentElement!.classList.add('of-skeleton');
   place('measures').parentElement!.classList.toggle('beside', clips.length >= manyClips);
   place('measures').append(clipTable(skeleton));

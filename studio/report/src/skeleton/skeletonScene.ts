@@ -136,6 +136,13 @@ export class SkeletonScene {
     this.stage.draw();
   }
 
+  /** The length of a square of the floor. */
+  private square(): string {
+    const { unit } = this.skeleton;
+    const { square } = this.space;
+    return unit === 'mm' && square >= 1000 ? `${chosen(square / 1000)} m` : `${chosen(square)} ${unit}`;
+  }
+
   private showCaption(worst: ReturnType<typeof worstAt>, colours: Colours, { joint }: State): void {
     const { before, after, unit, joints } = this.skeleton;
     const sign = (text: string, colour: string, ...more: (Node | string)[]) => {
@@ -150,7 +157,7 @@ export class SkeletonScene {
       sign(after, colours.first),
       sign(joints[joint].name, colours.second),
       ...(worst ? [sign(`farthest: ${joints[worst.joint].name} `, colours.mark, element('b', {}, length(shown(worst.distance))))] : []),
-      element('span', {}, `squares of ${length(chosen(this.space.square))}`),
+      element('span', {}, `squares of ${this.square()}`),
     );
   }
 }
