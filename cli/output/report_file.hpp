@@ -31,7 +31,7 @@ class ReportFile {
   template <class MakePage>
   [[nodiscard]] Expected<void> write(MakePage make_page) {
     if constexpr (has_pages)
-      if (output_) return output_->file.write(report::document(make_page(head())));
+      if (output_) return output_->file.write(html_of(make_page(head())));
     return {};
   }
 
@@ -41,6 +41,8 @@ class ReportFile {
  private:
   ReportFile() = default;
   [[nodiscard]] pages::PageHead head() const;
+  [[nodiscard]] static std::string html_of(const report::Page& page) { return report::document(page); }
+  [[nodiscard]] static std::string html_of(const report::SkeletonPage& page) { return report::skeleton_document(page); }
 
   std::string command_line_;
   std::optional<Noted<io::OutputFile>> output_;

@@ -64,7 +64,7 @@ int main(int argc, char** argv) {
   if (argc != 2) return std::fputs("usage: arm_page HTML\n", stderr), 2;
   const auto written = orispline::arm_page().and_then([&](const orispline::report::SkeletonPage& page) {
     return orispline::io::OutputFile::open(argv[1]).and_then([&](orispline::io::OutputFile file) {
-      return file.write(orispline::report::document(page)).and_then([&] { return file.finish(); });
+      return file.write(orispline::report::skeleton_document(page)).and_then([&] { return file.finish(); });
     });
   });
   if (!written) return std::fprintf(stderr, "%s\n", orispline::describe(written.error()).c_str()), 1;

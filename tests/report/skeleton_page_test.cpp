@@ -42,7 +42,7 @@ TEST(SkeletonPage, IsTheSameTemplateWithItsDataInTheMarkersPlace) {
   for (const std::string_view piece : page_template()) parts += piece;
   const SkeletonPage page = small_page();
   const std::size_t at = parts.find(data_marker);
-  EXPECT_EQ(document(page), parts.substr(0, at) + json_of(page) + parts.substr(at + data_marker.size()));
+  EXPECT_EQ(skeleton_document(page), parts.substr(0, at) + json_of(page) + parts.substr(at + data_marker.size()));
 }
 
 TEST(SkeletonPage, SaysWhatTheMotionsAreAndHowTheJointsHang) {

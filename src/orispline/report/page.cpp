@@ -17,6 +17,6 @@ std::string with_data(const std::string& json) {
 }  // namespace
 
 std::string document(const Page& page) { return with_data(json_of(page)); }
-std::string document(const SkeletonPage& page) { return with_data(json_of(page)); }
+std::string skeleton_document(const SkeletonPage& page) { return with_data(json_of(page)); }
 
 }  // namespace orispline::inline ORISPLINE_ABI::report

@@ -75,6 +75,6 @@ struct SkeletonPage {
 /// Positions are rounded to an eight thousandth of what the clip takes up, their differences and errors to a five
 /// hundredth of the largest. 76 clips of 54 joints with 40 times each make about 4 MB. Texts as in document(const
 /// Page&). Not in a build without ORISPLINE_PAGE; the JSON alone (skeleton_page_json.hpp) is in every build.
-[[nodiscard]] ORISPLINE_EXPORT std::string document(const SkeletonPage& page);
+[[nodiscard]] ORISPLINE_EXPORT std::string skeleton_document(const SkeletonPage& page);
 
 }  // namespace orispline::inline ORISPLINE_ABI::report
