@@ -138,7 +138,7 @@ report::SkeletonPage reduced_clips_page(const NamedClips& before, std::string af
   std::vector<Clip> clips;
   std::vector<ClipPair> pairs;
   for (std::size_t i = 0; i < reductions.size(); ++i) {
-    clips.push_back(reductions[i].clip);
+    clips.push_back(as_stored(reductions[i].clip, options));
     std::vector<double> times = key_times(before.clips[i]);
     if (times.empty()) times.push_back(0.0);
     pairs.push_back({i, i, std::move(times)});

@@ -15,6 +15,17 @@
 #include <orispline/reduce/hermite_channel.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
+
+Clip as_stored(Clip clip, const ClipReduceOptions& options) {
+  if (options.precision == options.precision_before || options.precision == KeyPrecision::float64) return clip;
+  const auto store = [](auto& channels) {
+    for (auto& channel : channels)
+      if (channel.interpolation != ChannelInterpolation::step) channel = in_single_precision(std::move(channel));
+  };
+  store(clip.rotations), store(clip.translations), store(clip.scales);
+  return clip;
+}
+
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -169,20 +180,8 @@ class ClipReducer {
     work.factor = next;
   }
 
-  /// The clip as a reader of the file finds it. Steps are left out: at the time of a key, which is rounded, they may be
-  /// before it or after it.
-  [[nodiscard]] Clip stored(Clip clip) const {
-    if (options_.precision == options_.precision_before || options_.precision == KeyPrecision::float64) return clip;
-    const auto store = [](auto& channels) {
-      for (auto& channel : channels)
-        if (channel.interpolation != ChannelInterpolation::step) channel = in_single_precision(std::move(channel));
-    };
-    store(clip.rotations), store(clip.translations), store(clip.scales);
-    return clip;
-  }
-
   [[nodiscard]] ClipReduction measured(const Clip& before, Clip clip) const {
-    const Clip after = stored(clip);
+    const Clip after = as_stored(clip, options_);
     ClipReduction reduction;
     for (const RotationChannel& channel : before.rotations) {
       if (channel.size() < 3) continue;

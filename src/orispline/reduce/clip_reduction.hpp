@@ -57,6 +57,10 @@ struct ClipReduction {
   Worst from_smooth{}, from_stored{};
 };
 
+/// The clip as a reader of the file finds it. Steps are left out: at the time of a key, which is rounded, they may be
+/// before it or after it.
+[[nodiscard]] ORISPLINE_EXPORT Clip as_stored(Clip clip, const ClipReduceOptions& options);
+
 /// Every one of the clips with the fewest keys found whose rotations and translations are within the tolerances at
 /// every key that they had, and whose places in the world are within theirs at all times of the clip's keys; the first
 /// and the last key of each channel stay. Rotations are reduced where `tolerance` or `world_tolerance` is finite,
