@@ -102,7 +102,7 @@ report::SkeletonPage unscaled_page(const NamedClips& before, const NamedClips& a
   return page;
 }
 
-/// `8407 of 55868 keys of rotations`
+/// `8377 of 55868 keys of rotations`
 std::string keys_text(std::span<const ClipReduction> reductions) {
   std::size_t after = 0, before = 0;
   for (const ClipReduction& reduction : reductions) {
