@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The curve of log λ, and how much of the penalised rate the samples determine in each interval.
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -61,6 +62,15 @@ TEST(LogLambdaCurve, StaysWithinBoundsWhereNothingIsSaid) {
   LogLambdaCurve curve(times, 5, 2.0);
   for (int k = 0; k < 20; ++k) curve.update(energies, freedoms, 1.0);
   EXPECT_DOUBLE_EQ(curve(0), 20.0);
+}
+
+TEST(LogLambdaCurve, RisesNoHigherThanItMay) {
+  const std::vector<double> times = uneven_times(50), energies(49, 0.0), freedoms(49, 1.0);
+  for (const double most : {1.0, 5.0}) {
+    LogLambdaCurve curve(times, 5, 2.0, most);
+    for (int k = 0; k < 20; ++k) curve.update(energies, freedoms, 1.0);
+    EXPECT_DOUBLE_EQ(curve(0), std::max(most, 2.0));
+  }
 }
 
 }  // namespace

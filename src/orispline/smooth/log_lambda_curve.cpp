@@ -30,8 +30,10 @@ std::vector<double> solved(std::vector<double> diagonal, const std::vector<doubl
 
 }  // namespace
 
-LogLambdaCurve::LogLambdaCurve(std::span<const double> times, std::size_t knots, double log_lambda)
-    : values_(knots, log_lambda), least_(log_lambda - farthest), most_(log_lambda + farthest) {
+LogLambdaCurve::LogLambdaCurve(std::span<const double> times, std::size_t knots, double log_lambda, double most)
+    : values_(knots, log_lambda),
+      least_(log_lambda - farthest),
+      most_(std::clamp(most, log_lambda, log_lambda + farthest)) {
   const auto segments = static_cast<double>(knots - 1);
   for (std::size_t i = 0; i + 1 < times.size(); ++i) {
     const double middle = 0.5 * (times[i] + times[i + 1]) - times.front();

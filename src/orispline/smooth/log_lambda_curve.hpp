@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -16,8 +17,10 @@ namespace orispline::inline ORISPLINE_ABI {
 /// determine (MacKay's update); its minimum over all knots is found by Newton steps, each one tridiagonal system.
 class LogLambdaCurve {
  public:
-  /// One value for all of the intervals between these times [s]. `knots`: at least 2.
-  LogLambdaCurve(std::span<const double> times, std::size_t knots, double log_lambda);
+  /// One value for all of the intervals between these times [s]. `knots`: at least 2. No value rises above `most` but
+  /// those that begin there.
+  LogLambdaCurve(std::span<const double> times, std::size_t knots, double log_lambda,
+                 double most = std::numeric_limits<double>::infinity());
 
   /// The next values. `energies`: E; `freedoms`: d; both of every interval. The largest change of a value is returned.
   double update(std::span<const double> energies, std::span<const double> freedoms, double stiffness);

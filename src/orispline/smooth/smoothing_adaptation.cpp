@@ -30,14 +30,16 @@ constexpr std::size_t samples_per_knot = 3;
 class Adaptation {
  public:
   Adaptation(const StretchProblems& problems, const SmoothingObjective& objective, const StretchFits& fits,
-             SmoothingCriterion criterion, double noise)
+             SmoothingCriterion criterion, double noise, double interval)
       : problems_(problems), objective_(objective), fits_(fits), criterion_(criterion), noise_(noise) {
+    const double longest = longest_smoothing_time(problems, interval),
+                 highest = elementary::natural_logarithm(lambda_of(longest, objective.penalty, noise, interval));
     for (std::size_t k = 0; k < problems.size(); ++k) {
       const double trace =
           hat_trace(StretchProblems{problems[k]}, StretchFits{{fits.fits[k]}}, objective.penalty, objective.lambda);
       const std::size_t most = std::max<std::size_t>(2, problems[k].size() / samples_per_knot);
       const auto knots = std::clamp(static_cast<std::size_t>(std::max(0.0, trace)), std::size_t{2}, most);
-      curves_.emplace_back(problems[k].times, knots, elementary::natural_logarithm(objective.lambda));
+      curves_.emplace_back(problems[k].times, knots, elementary::natural_logarithm(objective.lambda), highest);
     }
   }
 
@@ -125,7 +127,7 @@ class Adaptation {
 
 void adapt_lambda(StretchProblems& problems, SmoothingObjective& objective, StretchFits& fits,
                   SmoothingCriterion criterion, double noise, double interval) {
-  Adaptation adaptation(problems, objective, fits, criterion, noise);
+  Adaptation adaptation(problems, objective, fits, criterion, noise, interval);
   double best = adaptation.value();
   const double cost_of_freedom = adaptation.freedom();
   bool taken = false;

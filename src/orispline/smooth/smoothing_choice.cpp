@@ -48,12 +48,6 @@ double parabola_minimum(double before, double middle, double after) {
   return curvature > 0.0 && std::isfinite(curvature) ? 0.5 * (before - after) / curvature : 0.0;
 }
 
-double longest_smoothing_time(const StretchProblems& stretches, double interval) {
-  double span = 0.0;
-  for (const SmoothingProblem& stretch : stretches) span = std::max(span, stretch.times.back() - stretch.times.front());
-  return std::min(longest_relative_time * interval, span);
-}
-
 /// The criterion at τ = τ₀ ratio^k, each value found once.
 class Scan {
  public:
@@ -138,6 +132,12 @@ std::vector<T> part_of(const std::vector<T>& all, std::size_t first, std::size_t
 }
 
 }  // namespace
+
+double longest_smoothing_time(const StretchProblems& stretches, double interval) {
+  double span = 0.0;
+  for (const SmoothingProblem& stretch : stretches) span = std::max(span, stretch.times.back() - stretch.times.front());
+  return std::min(longest_relative_time * interval, span);
+}
 
 double lambda_of(double smoothing_time, Penalty penalty, double noise, double interval) {
   return power(smoothing_time, 2 * order_of(penalty)) / (noise * noise * interval);

@@ -56,6 +56,9 @@ struct ORISPLINE_EXPORT StretchFits {
                                                       SmoothingCriterion criterion,
                                                       const SmoothingObjective& objective);
 
+/// The longest τ that is to be trusted [s]: beyond it rounding spoils the fit, and no motion is left to find.
+[[nodiscard]] double longest_smoothing_time(const StretchProblems& stretches, double interval);
+
 /// λ of least criterion.
 struct LambdaChoice {
   double lambda = 0.0;
