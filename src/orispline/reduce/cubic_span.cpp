@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <orispline/reduce/hermite_basis.hpp>
+
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
@@ -44,8 +46,8 @@ class CubicSpans<P>::Fit {
         terms_((j - i - 1) / every) {
     const Components<P>&start = targets.points[i], &end = targets.points[j];
     for (std::size_t k = 0; k < terms_.size(); ++k) {
-      const double u = (targets.times[i + (k + 1) * every] - targets.times[i]) / step_, v = 1.0 - u;
-      terms_[k] = {{u * v * v, -u * u * v}, v * v * (1.0 + 2.0 * u) * start + u * u * (1.0 + 2.0 * v) * end, 1.0, 1.0};
+      const HermiteBasis basis = hermite_basis((targets.times[i + (k + 1) * every] - targets.times[i]) / step_);
+      terms_[k] = {{basis.leaving, basis.arriving}, basis.start * start + basis.end * end, 1.0, 1.0};
       if (given.leaving) give(terms_[k], 0, *given.leaving);
       if (given.arriving) give(terms_[k], 1, *given.arriving);
     }
@@ -189,9 +191,9 @@ bool CubicSpans<P>::holds(std::size_t i, std::size_t j, const CubicTangents<P>& 
   const double h = targets_.times[j] - targets_.times[i];
   const Components<P>&start = targets_.points[i], &end = targets_.points[j];
   for (std::size_t k = i + 1; k < j; ++k) {
-    const double u = (targets_.times[k] - targets_.times[i]) / h, v = 1.0 - u;
-    const Components<P> p = v * v * (1.0 + 2.0 * u) * start + u * u * (1.0 + 2.0 * v) * end +
-                            h * (u * v * v * tangents.leaving - u * u * v * tangents.arriving);
+    const HermiteBasis basis = hermite_basis((targets_.times[k] - targets_.times[i]) / h);
+    const Components<P> p = basis.start * start + basis.end * end +
+                            h * (basis.leaving * tangents.leaving + basis.arriving * tangents.arriving);
     if (!(miss_of(p, targets_.points[k]) <= square_bound_)) return false;
   }
   return true;

@@ -47,10 +47,10 @@ HermiteSpan<P>::HermiteSpan(const CubicTargets<P>& targets, std::size_t i, std::
 
 template <CurvePoint P>
 typename HermiteSpan<P>::Term HermiteSpan<P>::term_of(std::size_t target) const {
-  const double u = local_time(target), v = 1.0 - u;
-  Term term{.first = length_ * u * v * v,
-            .last = -length_ * u * u * v,
-            .rest = -share_of_ends(u) * whole_,
+  const HermiteBasis basis = basis_at(target);
+  Term term{.first = length_ * basis.leaving,
+            .last = length_ * basis.arriving,
+            .rest = -basis.end * whole_,
             .counted = {1.0, 1.0, 1.0, 0.0, 0.0, 0.0},
             .right = {}};
   if constexpr (std::same_as<P, Eigen::Quaterniond>) {
@@ -113,8 +113,8 @@ bool HermiteSpan<P>::holds(const Eigen::Vector3d& rate_first, const Eigen::Vecto
   if (!is_bound_) return true;
   const Eigen::Vector3d last = to_chart_ * rate_last;
   const auto square_miss = [&](std::size_t k) {
-    const double u = local_time(k), v = 1.0 - u;
-    const Eigen::Vector3d there = share_of_ends(u) * whole_ + length_ * u * v * (v * rate_first - u * last);
+    const HermiteBasis basis = basis_at(k);
+    const Eigen::Vector3d there = basis.end * whole_ + length_ * (basis.leaving * rate_first + basis.arriving * last);
     if constexpr (std::same_as<P, Eigen::Quaterniond>)
       return (turn_between(targets_.points[k], targets_.points[first_]) * exp<double>(there)).vec().squaredNorm();
     else return (targets_.points[first_] + there - targets_.points[k]).squaredNorm();

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <orispline/reduce/cubic_span.hpp>
+#include <orispline/reduce/hermite_basis.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
 
@@ -56,10 +57,8 @@ class HermiteSpan {
   };
 
   [[nodiscard]] Term term_of(std::size_t target) const;
-  /// What the ends alone give there, of the whole turn.
-  [[nodiscard]] double share_of_ends(double u) const { return (3.0 - 2.0 * u) * u * u; }
-  [[nodiscard]] double local_time(std::size_t target) const {
-    return (targets_.times[target] - targets_.times[first_]) / length_;
+  [[nodiscard]] HermiteBasis basis_at(std::size_t target) const {
+    return hermite_basis((targets_.times[target] - targets_.times[first_]) / length_);
   }
 
   const CubicTargets<P>& targets_;
