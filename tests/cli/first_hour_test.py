@@ -100,7 +100,7 @@ class FirstHour(CommandTest):
 
     def test_files_of_other_kinds_are_named(self):
         for name, text, kind in (("v.aem", "CCSDS_AEM_VERS = 1.0\nCREATION_DATE = 2024\n", "an attitude ephemeris (AEM) of CCSDS, which is not read; "),
-                                 ("walk.txt", "HIERARCHY\nROOT Hips\n{\n", "a BVH file, which is not read as rows; it needs --input-format bvh, or none and a name"),
+                                 ("walk.txt", "HIERARCHY\nROOT Hips\n{\n", "a BVH file, which is not read as rows; it is read with --input-format bvh, or without that option under a name"),
                                  ("walk.json", '{\n  "asset": {}\n}\n', "a JSON file, which is not read as rows; "),
                                  ("ck.xc", "DAFETF NAIF DAF ENCODED TRANSFER FILE\n'DAF/CK'\n", "a transfer file of SPICE, which is not read; ")):
             self.write(name, text)

@@ -76,7 +76,7 @@ class ReduceRates(SceneTest):
             self.assertEqual((told["rotation_tracks"], told["open_tracks"]), (2, 1))  # the elbow ends elsewhere
             self.assertLessEqual(told["angle_deg"]["largest"], 0.2)
         self.assert_fails("reduce arm.bvh --tolerance 0.2deg --closed --method auto -o other.glb", BAD_USAGE,
-                          "--closed: found the method auto, wanted cubicspline or hermite-c1, whose tangents are free")
+                          "--closed: found the method auto, wanted cubicspline, or hermite-c1 in its form chart: their tangents are free")
         self.assertFalse((self.folder / "other.glb").exists())
 
 

@@ -136,7 +136,8 @@ TEST(ClosedClip, OtherMethodsHaveNoTangentsToClose) {
   const auto found =
       reduce_clips(one_joint(), std::span(&clip, 1), {.tolerance = 0.01, .method = {"slerp"}, .closed = true}, 1);
   ASSERT_FALSE(found);
-  EXPECT_EQ(found.error().message, "found the method slerp, wanted cubicspline or hermite-c1, whose tangents are free");
+  EXPECT_EQ(found.error().message,
+            "found the method slerp, wanted cubicspline, or hermite-c1 in its form chart: their tangents are free");
 }
 
 }  // namespace

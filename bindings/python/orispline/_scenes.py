@@ -69,10 +69,10 @@ def reduce_scene(scene: Scene, tolerance: Any = None, *, method: Any = "cubicspl
     ----------
     scene : Scene
     method : str or Curve
-        "cubicspline", which is glTF's; "slerp", which makes linear channels; or another one that `reduce` takes, written as
-        cubics within the tolerance.
+        "cubicspline", which is glTF's; "hermite-c1", whose keys have one rate each; "slerp", which makes linear channels; or
+        another one that `reduce` takes, written as cubics within the tolerance.
     closed : bool
-        With "cubicspline", channels that end as they begin have the same tangents at both ends.
+        With "cubicspline" and "hermite-c1", channels that end as they begin have the same tangents at both ends.
     threads : int
         At most so many at work, 0 means one for each core. The result is the same on any.
     {options}
@@ -99,9 +99,7 @@ def reduce_scene(scene: Scene, tolerance: Any = None, *, method: Any = "cubicspl
     if all(stated.get(name) is None for name in TOLERANCES):
         raise ArgumentError(f"tolerance: found none, wanted one of {', '.join(TOLERANCES)}")
     words = method_words(method)
-    if flag("closed", closed) and words != "cubicspline":
-        raise ArgumentError(f"closed: found it with the method {words!r}, wanted 'cubicspline'")
-    reduced, clips = core.reduced(words, stated, closed, checked_threads(threads))
+    reduced, clips = core.reduced(words, stated, flag("closed", closed), checked_threads(threads))
     return Scene._of(reduced, scene._scalar_first), _report(scene, clips)
 
 

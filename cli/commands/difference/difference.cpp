@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include <orispline/base/counted.hpp>
@@ -64,9 +65,8 @@ Expected<std::vector<double>> times_of(const Clip& clip, std::optional<double> r
 }
 
 ClipDifference compared(const scenes::Scene& first, const scenes::Scene& second, const pages::ClipPair& pair,
-                        double shell) {
+                        std::span<const std::size_t> counterparts, double shell) {
   const Clip& clip = first.clips[pair.before];
-  const auto counterparts = counterparts_of(first.skeleton, second.skeleton);
   const auto found =
       differences(ClipMotion(first.skeleton, clip), ClipMotion(second.skeleton, second.clips[pair.after]), counterparts,
                   pair.times, shell);
@@ -94,7 +94,7 @@ Expected<std::vector<pages::ClipPair>> compare_clips(const scenes::Scene& first,
   }
   report.clips.resize(pairs.size());
   parallel_for(pairs.size(), 0,
-               [&](std::size_t i) { report.clips[i] = compared(first, second, pairs[i], report.shell); });
+               [&](std::size_t i) { report.clips[i] = compared(first, second, pairs[i], counterparts, report.shell); });
   return pairs;
 }
 

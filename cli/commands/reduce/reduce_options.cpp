@@ -21,7 +21,7 @@ constexpr auto reduce_footer = R"(Examples:
 
 The curve of the method that is named in the summary is within the tolerance at every sample. The keys
 of slerp are the fewest that its curve can have among the samples; those of auto and timed-c2 are found by insertion and
-pruning. hermite-c1 needs fewer than these: its keys have rates too, wx,wy,wz in a CSV. docs/reduce.md says more.)";
+pruning. hermite-c1 mostly needs fewer: its keys have rates too, wx,wy,wz in a CSV. docs/reduce.md says more.)";
 
 }  // namespace
 
@@ -45,8 +45,10 @@ void add_reduce_options(Command& app, ReduceOptions& o) {
                  "Metres in one unit of length of the file, such as 0.01 [1 for glTF; a BVH file has no unit]")
       ->type_name("X")
       ->group("Clips");
-  app.add_flag("--closed", o.closed,
-               "Give rotations that end as they begin the same tangents at both ends, so that loops do not jerk there")
+  app.add_flag(
+         "--closed", o.closed,
+         "Give channels that end as they begin the same tangents at both ends, so that the speed of loops does not "
+         "jump there")
       ->group("Clips");
   add_method_options(app, o.shape);
   add_word_flag(app, o.reduction, field_named(fields, "values"), "refit", group);

@@ -174,7 +174,8 @@ Expected<void> reduce_scene(const ReduceOptions& options) {
   const auto make_page = [&](const auto& head) {
     return pages::reduced_clips_page(
         {report.input, scene->skeleton, before}, report.output, report.reductions, report.options,
-        {.metres = report.metres, .are_known = !report.unit.empty(), .shell = report.options.shell}, head);
+        {.metres = report.metres, .are_known = !report.unit.empty(), .shell = report.options.shell}, head,
+        request->threads);
   };
   return page->write(make_page)
       .and_then([&] { return write_scene(options.output.path, *scene, request->writing); })

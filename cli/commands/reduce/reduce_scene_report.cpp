@@ -85,8 +85,8 @@ std::string text_of(const ReduceSceneReport& report) {
   if (totals.translations < totals.translations_before)
     text += formatted("translations    {} of {}\n", totals.translations, counted(totals.translations_before, "key"));
   if (report.options.closed)
-    text += formatted("closed          {} end as they begin; {} stay open\n",
-                      counted(totals.tracks - totals.open_tracks, "track"), totals.open_tracks);
+    text += formatted("closed          {} of {}: those that end as they begin\n", totals.tracks - totals.open_tracks,
+                      counted(totals.tracks, "track"));
   if (totals.angle)
     text +=
         formatted("largest angle   {:.6g}° at every key of the input, {}\n",

@@ -5,11 +5,12 @@
 #include <utility>
 
 #include <orispline/clip/channel_curve.hpp>
+#include <orispline/curve/key_alignment.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
-constexpr int places = 16;            // of an interval where it is looked at
+constexpr int parts = 16;             // of an interval, between which it is looked at
 constexpr double shortest = 0x1p-20;  // interval that is halved, as a part of the curve
 
 /// A value with its time derivative, component by component [1/s].
@@ -61,10 +62,18 @@ class Follower {
                            .out_tangents = {left.derivative, right.derivative}};
     const auto [farthest, at] = distance_of(piece);
     const double middle = start + 0.5 * (end - start);
-    if (farthest > tolerance_ && end - start > shortest_) return follow(start, middle), follow(middle, end);
+    if ((farthest > tolerance_ || turns_far(piece)) && end - start > shortest_)
+      return follow(start, middle), follow(middle, end);
     if (farthest > found_.largest_distance) found_.largest_distance = farthest, found_.largest_at = at;
     found_.channel.out_tangents.back() = left.derivative;
     append(end, right);
+  }
+
+  /// By nearly 180°, where readers may turn the other way.
+  static bool turns_far(const Channel<P>& piece) {
+    if constexpr (std::same_as<P, Eigen::Quaterniond>)
+      return piece.values[0].dot(piece.values[1]) < cosine_near_half_turn;
+    else return false;
   }
 
   /// Gives it the sign of the nearer of the two quaternions that are its orientation.
@@ -77,8 +86,8 @@ class Follower {
   [[nodiscard]] std::pair<double, double> distance_of(const Channel<P>& piece) const {
     const ChannelCurve<P> cubic(piece);
     std::pair<double, double> worst{0.0, piece.times.front()};
-    for (int k = 1; k < places; ++k) {
-      const double t = piece.times[0] + (piece.times[1] - piece.times[0]) * k / places;
+    for (int k = 1; k < parts; ++k) {
+      const double t = piece.times[0] + (piece.times[1] - piece.times[0]) * k / parts;
       worst = std::max(worst, {distance(cubic.at(t), moving(curve_, t, Side::right).value), t});
     }
     return worst;
@@ -103,8 +112,8 @@ double largest_distance_of(const C& curve, const Channel<P>& channel) {
   const ChannelCurve<P> cubic(channel);
   double worst = 0.0;
   for (std::size_t i = 0; i + 1 < channel.size(); ++i)
-    for (int k = 1; k < places; ++k) {
-      const double t = channel.times[i] + (channel.times[i + 1] - channel.times[i]) * k / places;
+    for (int k = 1; k < parts; ++k) {
+      const double t = channel.times[i] + (channel.times[i + 1] - channel.times[i]) * k / parts;
       worst = std::max(worst, distance(cubic.at(t), moving(curve, t, Side::right).value));
     }
   return worst;

@@ -16,10 +16,10 @@ struct CubicChannel {
 };
 
 /// The curve as `cubicspline`: keys at its knots and, where that is not enough, at the middles of intervals that are
-/// halved until the channel is within the tolerance [rad] everywhere. The tangents are the curve's own, on either side
-/// of a key: dq/dt = ½ q ω.
+/// halved until the channel is within the tolerance [rad] everywhere and turns by less than 179° from key to key. The
+/// tangents are the curve's own, on either side of a key: dq/dt = ½ q ω.
 ///
-/// An interval is looked at in 16 places. One that is shorter than 2⁻²⁰ of the curve is halved no more: where the curve
+/// An interval is looked at in 15 places. One that is shorter than 2⁻²⁰ of the curve is halved no more: where the curve
 /// jumps, as steps do, the channel goes from one value to the other in so short a time, and the largest distance is
 /// nearly what it jumps by. Precondition: the tolerance is greater than 0.
 [[nodiscard]] ORISPLINE_EXPORT CubicChannel<Eigen::Quaterniond> cubic_channel(const AnyCurve& curve, double tolerance);

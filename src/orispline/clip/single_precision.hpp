@@ -5,9 +5,9 @@
 
 namespace orispline::inline ORISPLINE_ABI {
 
-/// A channel as a reader finds it in a file that holds floats, with quaternions made unit. What it is after that, it is
-/// after the next file too; of quaternions a few in a thousand go on by the last digit of a float. Where two times
-/// become one it is as it was, for no such file can hold it.
+/// A channel as a reader finds it in a file that holds floats, with quaternions made unit. Doing it again changes
+/// nothing but the last digit of a few quaternions in a thousand. Where two times become one it is as it was, for no
+/// such file can hold it.
 template <CurvePoint P>
 [[nodiscard]] Channel<P> in_single_precision(Channel<P> channel);
 

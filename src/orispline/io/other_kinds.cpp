@@ -20,15 +20,14 @@ constexpr std::array other_kinds{
     OtherKind{"CCSDS_OEM_VERS", "an orbit ephemeris (OEM) of CCSDS, which holds no orientations and is not read",
               "the attitude is in another file"},
     OtherKind{"HIERARCHY", "a BVH file, which is not read as rows",
-              "it needs `input_format` bvh, or none and a name that ends in .bvh"},
+              "it is read with `input_format` bvh, or without that option under a name that ends in .bvh"},
     OtherKind{"glTF", "a glTF file, which is not read as rows",
-              "it needs `input_format` gltf, or none and a name that ends in .glb"},
+              "it is read with `input_format` gltf, or without that option under a name that ends in .glb"},
     OtherKind{"DAFETF", "a transfer file of SPICE, which is not read",
               "write the quaternions of the C-kernel as rows below a header, t,qw,qx,qy,qz"},
     OtherKind{"{", "a JSON file, which is not read as rows",
-              "as glTF it needs `input_format` gltf, or none and a name that ends in .gltf; else write the keys as "
-              "rows below a "
-              "header, t,qw,qx,qy,qz"},
+              "glTF is read with `input_format` gltf, or without that option under a name that ends in .gltf; of other "
+              "JSON write the keys as rows below a header, t,qw,qx,qy,qz"},
     OtherKind{"[", "a JSON file, which is not read", "write the keys as rows below a header, t,qw,qx,qy,qz"}};
 
 }  // namespace

@@ -86,14 +86,14 @@ report::SkeletonPage begun_skeleton_page(const NamedClips& before, const NamedCl
 
 /// In the unit of the file.
 report::SkeletonPage unscaled_page(const NamedClips& before, const NamedClips& after, std::span<const ClipPair> pairs,
-                                   const PageLengths& lengths, const PageHead& head) {
+                                   const PageLengths& lengths, const PageHead& head, unsigned threads) {
   report::SkeletonPage page = begun_skeleton_page(before, after, lengths, head);
   const auto counterparts = counterparts_of(before.skeleton, after.skeleton);
   page.joints = joints_of(before.skeleton, counterparts);
   const std::size_t most = pairs.size() > few_clips ? times_of_many : times_of_few;
   add_notes(page, pairs, most);
   page.clips.resize(pairs.size());
-  parallel_for(pairs.size(), 0, [&](std::size_t i) {
+  parallel_for(pairs.size(), threads, [&](std::size_t i) {
     page.clips[i] =
         clip_in_page({before.skeleton, before.clips[pairs[i].before]}, {after.skeleton, after.clips[pairs[i].after]},
                      {counterparts, pairs[i].times, lengths.shell, most});
@@ -126,15 +126,15 @@ std::string tolerance_text(const ClipReduceOptions& options, const PageLengths& 
 }  // namespace
 
 report::SkeletonPage skeleton_page(const NamedClips& before, const NamedClips& after, std::span<const ClipPair> pairs,
-                                   const PageLengths& lengths, const PageHead& head) {
-  report::SkeletonPage page = unscaled_page(before, after, pairs, lengths, head);
+                                   const PageLengths& lengths, const PageHead& head, unsigned threads) {
+  report::SkeletonPage page = unscaled_page(before, after, pairs, lengths, head, threads);
   scale(page, lengths);
   return page;
 }
 
 report::SkeletonPage reduced_clips_page(const NamedClips& before, std::string after,
                                         std::span<const ClipReduction> reductions, const ClipReduceOptions& options,
-                                        const PageLengths& lengths, const PageHead& head) {
+                                        const PageLengths& lengths, const PageHead& head, unsigned threads) {
   std::vector<Clip> clips;
   std::vector<ClipPair> pairs;
   for (std::size_t i = 0; i < reductions.size(); ++i) {
@@ -143,7 +143,8 @@ report::SkeletonPage reduced_clips_page(const NamedClips& before, std::string af
     if (times.empty()) times.push_back(0.0);
     pairs.push_back({i, i, std::move(times)});
   }
-  report::SkeletonPage page = unscaled_page(before, {std::move(after), before.skeleton, clips}, pairs, lengths, head);
+  report::SkeletonPage page =
+      unscaled_page(before, {std::move(after), before.skeleton, clips}, pairs, lengths, head, threads);
   if (head.title.empty())
     page.title = formatted("{} within {}: {}", page.before, tolerance_text(options, lengths), keys_text(reductions));
   page.notes.insert(page.notes.begin(), "Both motions are compared at every key of the input.");

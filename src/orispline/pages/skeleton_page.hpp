@@ -33,18 +33,20 @@ struct PageLengths {
 };
 
 /// The page to look at of two motions of a skeleton, clip by clip, those that are farthest from each other in the world
-/// first. Joints go by their names. The pairs are compared as differences() does, on all cores.
+/// first. Joints go by their names. The pairs are compared as differences() does, on up to that many threads; 0 means
+/// one per core.
 ///
 /// Of a clip 300 times are shown at most, of up to ten clips 600 each: of more the largest errors of every few.
 [[nodiscard]] ORISPLINE_EXPORT report::SkeletonPage skeleton_page(const NamedClips& before, const NamedClips& after,
                                                                   std::span<const ClipPair> pairs,
-                                                                  const PageLengths& lengths, const PageHead& head);
+                                                                  const PageLengths& lengths, const PageHead& head,
+                                                                  unsigned threads = 0);
 
 /// The page of clips that were reduced by reduce_clips(), as many as there were before, compared at their keys.
 [[nodiscard]] ORISPLINE_EXPORT report::SkeletonPage reduced_clips_page(const NamedClips& before, std::string after,
                                                                        std::span<const ClipReduction> reductions,
                                                                        const ClipReduceOptions& options,
-                                                                       const PageLengths& lengths,
-                                                                       const PageHead& head);
+                                                                       const PageLengths& lengths, const PageHead& head,
+                                                                       unsigned threads = 0);
 
 }  // namespace orispline::inline ORISPLINE_ABI::pages

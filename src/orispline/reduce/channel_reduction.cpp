@@ -2,12 +2,14 @@
 #include <orispline/reduce/channel_reduction.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
 #include <orispline/clip/channel_curve.hpp>
 #include <orispline/clip/cubic_channel.hpp>
 #include <orispline/clip/single_precision.hpp>
+#include <orispline/curve/key_alignment.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/reduce/cubic_samples.hpp>
 #include <orispline/reduce/hermite_channel.hpp>
@@ -49,6 +51,24 @@ VectorChannel followed(const PoseCurve& curve, double tolerance, const VectorCha
   return cubic_channel(*curve.position, tolerance).channel;
 }
 
+/// With a key of the channel before in the middle of steps of nearly 180°, which readers turn by either way.
+RotationChannel without_half_turns(RotationChannel channel, const RotationChannel& before) {
+  for (std::size_t k = 0; k + 1 < channel.size();) {
+    const auto from = std::ranges::lower_bound(before.times, channel.times[k]),
+               to = std::ranges::lower_bound(before.times, channel.times[k + 1]);
+    if (to - from < 2 || std::abs(channel.values[k].dot(channel.values[k + 1])) > cosine_near_half_turn) {
+      ++k;
+      continue;
+    }
+    const auto middle = static_cast<std::ptrdiff_t>(from - before.times.begin()) + (to - from) / 2;
+    const auto place = static_cast<std::ptrdiff_t>(k) + 1;
+    channel.times.insert(channel.times.begin() + place, before.times[static_cast<std::size_t>(middle)]);
+    channel.values.insert(channel.values.begin() + place, before.values[static_cast<std::size_t>(middle)]);
+  }
+  return channel;
+}
+VectorChannel without_half_turns(VectorChannel channel, const VectorChannel&) { return channel; }
+
 /// By a method of the registry: `slerp` as geodesics, others as cubics that follow their curve.
 template <CurvePoint P>
 Expected<Channel<P>> by_method(const Channel<P>& channel, double tolerance, const Method& method) {
@@ -69,7 +89,7 @@ Expected<Channel<P>> by_method(const Channel<P>& channel, double tolerance, cons
   result.times.assign(found.times().begin(), found.times().end());
   const auto points = found.points<P>();
   result.values.assign(points.begin(), points.end());
-  return result;
+  return without_half_turns(std::move(result), channel);
 }
 
 /// How far apart two values may be that are the same but for rounding of files [rad, or a length].

@@ -10,6 +10,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/parallel.hpp>
 #include <orispline/clip/single_precision.hpp>
+#include <orispline/families/method_text.hpp>
 #include <orispline/math/degrees.hpp>
 #include <orispline/reduce/channel_reduction.hpp>
 #include <orispline/reduce/hermite_channel.hpp>
@@ -239,8 +240,9 @@ Expected<void> check(const ClipReduceOptions& options) {
                       formatted("found {:.6g}°, wanted 180° at most, which is as far as rotations can be apart",
                                 options.tolerance * degrees));
   if (options.closed && options.method.name != cubicspline_method && !seeks_rates(options.method))
-    return bad_option("closed", formatted("found the method {}, wanted {} or {}, whose tangents are free",
-                                          options.method.name, cubicspline_method, "hermite-c1"));
+    return bad_option("closed",
+                      formatted("found the method {}, wanted {}, or {} in its form chart: their tangents are free",
+                                text_of(options.method), cubicspline_method, "hermite-c1"));
   return {};
 }
 

@@ -20,10 +20,11 @@ enum class KeyPrecision { float64, float32 };
 
 /// How the keys of clips are reduced. At least one of the tolerances is finite.
 struct ClipReduceOptions {
-  double tolerance = std::numeric_limits<double>::infinity();  ///< of rotations, at every key of the clip [rad]
-  double position_tolerance = std::numeric_limits<double>::infinity();  ///< of translations, likewise
-  double world_tolerance = std::numeric_limits<double>::infinity();  ///< of the shell distance in the world, likewise
-  double shell = default_shell;                                      ///< for that distance
+  double tolerance = std::numeric_limits<double>::infinity();  ///< of rotations, at every key that they had [rad]
+  double position_tolerance =
+      std::numeric_limits<double>::infinity();  ///< of translations, likewise [the skeleton's unit]
+  double world_tolerance = std::numeric_limits<double>::infinity();  ///< of the shell distance at all keys, likewise
+  double shell = default_shell;                                      ///< for that distance, likewise
   /// That; or `slerp`, whose channels are `linear`; or another one that reduce() takes, of which cubics follow the
   /// curve. The rates of `hermite-c1` are sought with its keys.
   Method method{cubicspline_method};
@@ -57,8 +58,8 @@ struct ClipReduction {
   Worst from_smooth{}, from_stored{};
 };
 
-/// The clip as a reader of the file finds it. Steps are left out: at the time of a key, which is rounded, they may be
-/// before it or after it.
+/// The clip as a reader of the file finds it. Channels of steps stay as they are: at the time of a key, which is
+/// rounded, they may be before it or after it.
 [[nodiscard]] ORISPLINE_EXPORT Clip as_stored(Clip clip, const ClipReduceOptions& options);
 
 /// Every one of the clips with the fewest keys found whose rotations and translations are within the tolerances at

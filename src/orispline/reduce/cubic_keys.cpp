@@ -89,7 +89,8 @@ class CubicChains {
   }
   /// Those that hold, else those that miss least.
   [[nodiscard]] CubicTangents<P> nearest(std::size_t i, std::size_t j, const GivenTangents<P>& given) const {
-    return spans_.within(at(i), at(j), given).value_or(spans_.nearest(at(i), at(j), given));
+    if (auto found = spans_.within(at(i), at(j), given)) return *std::move(found);
+    return spans_.nearest(at(i), at(j), given);
   }
 
   /// Of a quaternion that is the same rotation as the first one.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <orispline/curve/key_alignment.hpp>
 #include <orispline/reduce/hermite_basis.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
@@ -155,8 +156,8 @@ template <CurvePoint P>
 std::optional<CubicTangents<P>> CubicSpans<P>::within(std::size_t i, std::size_t j,
                                                       const GivenTangents<P>& given) const {
   if (j == i + 1) return nearest(i, j, given);
-  if constexpr (std::same_as<P, Eigen::Quaterniond>)  // readers turn keys that are farther apart than 180°
-    if (targets_.points[i].dot(targets_.points[j]) < 0.0) return std::nullopt;
+  if constexpr (std::same_as<P, Eigen::Quaterniond>)  // readers may turn the other way by nearly 180°, and do by more
+    if (targets_.points[i].dot(targets_.points[j]) < cosine_near_half_turn) return std::nullopt;
   if (const std::size_t every = (j - i) / (most_at_once / 2); j - i > most_at_once) {
     const auto of_some = within(i, j, given, every);
     if (!of_some || holds(i, j, *of_some)) return of_some;

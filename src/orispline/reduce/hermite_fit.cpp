@@ -18,12 +18,12 @@ class RateEquations {
         above_(rates, Eigen::Matrix3d::Zero()),
         right_(rates, Eigen::Vector3d::Zero()) {}
 
-  void add(std::size_t piece, const HermiteEquations& more) {
-    diagonal_[piece] += more.first;
-    above_[piece] += more.mixed;
-    diagonal_[piece + 1] += more.last;
-    right_[piece] += more.right_first;
-    right_[piece + 1] += more.right_last;
+  void add(std::size_t span, const HermiteEquations& more) {
+    diagonal_[span] += more.first;
+    above_[span] += more.mixed;
+    diagonal_[span + 1] += more.last;
+    right_[span] += more.right_first;
+    right_[span + 1] += more.right_last;
   }
 
   /// The rates from `first` up to `end`; those outside stay.
@@ -77,7 +77,7 @@ void fit_rates(std::span<HermiteSpan<P>* const> spans, std::span<Eigen::Vector3d
 template <CurvePoint P>
 bool find_rates(std::span<HermiteSpan<P>* const> spans, std::span<Eigen::Vector3d> rates, FreeEnds free,
                 double square_bound) {
-  for (HermiteSpan<P>* span : spans) span->level();
+  for (HermiteSpan<P>* span : spans) span->reset_weights();
   double before = std::numeric_limits<double>::infinity();
   for (int round = 0; round <= rounds_of_rates; ++round) {
     fit_rates(spans, rates, free);

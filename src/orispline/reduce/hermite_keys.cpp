@@ -5,7 +5,7 @@
 #include <cmath>
 #include <memory>
 
-#include <orispline/curve/keyframe.hpp>
+#include <orispline/curve/key_alignment.hpp>
 #include <orispline/reduce/hermite_fit.hpp>
 
 namespace orispline::inline ORISPLINE_ABI {
@@ -14,10 +14,10 @@ namespace {
 /// How many keys on either side of a change get new rates: farther ones feel less than a fiftieth of it.
 constexpr std::size_t rates_moved = 2;
 constexpr int passes = 6;
-/// How many earlier ends of a piece are tried.
+/// How many earlier ends of a span are tried.
 constexpr std::size_t most_ends = 16;
 
-/// Keys in a chain of pieces that hold, which becomes shorter.
+/// Keys in a chain of spans that hold, which becomes shorter.
 template <CurvePoint P>
 class HermiteChain {
  public:
@@ -29,22 +29,22 @@ class HermiteChain {
         previous_(samples.size(), none),
         rates_(samples.size(), seam.value_or(Eigen::Vector3d::Zero())),
         spans_(samples.size()),
-        is_open_(samples.size(), true) {
+        may_be_spared_(samples.size(), true) {
     const double bound = std::same_as<P, Eigen::Quaterniond> ? std::sin(0.5 * std::min(tolerance, 3.0)) : tolerance;
     square_bound_ = bound * bound;
   }
 
   /// Pieces from the first sample on: each ends where the next one gets farthest.
   void build(const std::function<bool()>& stopped) {
-    std::size_t known = 1;  // a sample that the next piece is taken to reach
+    std::size_t known = 1;  // a sample that the next span is taken to reach
     for (std::size_t key = 0; key < last_;) {
       if (stopped && stopped()) return append_rest(key);
       const std::size_t reached = farthest({.first = key, .inner = {}, .last = std::max(known, key + 1)});
       Change best{.first = key, .inner = {reached}, .last = reached + 1};
       if (reached < last_) {
         best.last = farthest(best);
-        const std::size_t half = (reached - key) * 3 / 4, step = half / most_ends + 1;
-        for (std::size_t less = step; less < half && best.last < last_; less += step) {
+        const std::size_t tried_back = (reached - key) * 3 / 4, step = tried_back / most_ends + 1;
+        for (std::size_t less = step; less < tried_back && best.last < last_; less += step) {
           Change other{.first = key, .inner = {reached - less}, .last = best.last + 1};
           if (!holds(other)) continue;
           other.last = farthest(other);
@@ -69,10 +69,10 @@ class HermiteChain {
       has_changed = false;
       for (std::size_t key = next_[0]; key != last_; key = next_[key]) {
         if (stopped && stopped()) return;
-        while (key != last_ && is_open_[key]) {
+        while (key != last_ && may_be_spared_[key]) {
           const auto found = spared(key);
           if (!found) {
-            is_open_[key] = false;
+            may_be_spared_[key] = false;
             break;
           }
           has_changed = true;
@@ -114,11 +114,11 @@ class HermiteChain {
   [[nodiscard]] std::unique_ptr<Span> made(std::size_t i, std::size_t j) const {
     return std::make_unique<Span>(samples_.targets, i * samples_.stride, j * samples_.stride, j > i + 1);
   }
-  /// Readers turn keys that are farther apart than 180° the other way, and may where they are nearly so far.
+  /// Readers may turn the other way by nearly 180°, and do by more.
   [[nodiscard]] bool may_join(std::size_t i, std::size_t j) const {
     if constexpr (std::same_as<P, Eigen::Quaterniond>)
       return j == i + 1 || samples_.targets.points[i * samples_.stride].dot(
-                               samples_.targets.points[j * samples_.stride]) > std::sin(half_turn_margin);
+                               samples_.targets.points[j * samples_.stride]) > cosine_near_half_turn;
     else return true;
   }
 
@@ -174,7 +174,7 @@ class HermiteChain {
     }
     for (std::size_t k = 0; k < row.keys.size(); ++k) {
       rates_[row.keys[k]] = row.rates[k];
-      is_open_[row.keys[k]] = true;
+      may_be_spared_[row.keys[k]] = true;
     }
   }
 
@@ -218,7 +218,7 @@ class HermiteChain {
     return reached;
   }
 
-  /// The first piece of a change at the end of the chain, with the rates of the whole change.
+  /// The first span of a change at the end of the chain, with the rates of the whole change.
   bool put_first_of(const Change& change) {
     const Change first{.first = change.first, .inner = {}, .last = change.inner.front()};
     if (first.last == last_) return put(first);
@@ -253,7 +253,7 @@ class HermiteChain {
   std::vector<std::size_t> next_, previous_;  ///< of every sample that is a key
   std::vector<Eigen::Vector3d> rates_;
   std::vector<std::unique_ptr<Span>> spans_;  ///< from a key to the next
-  std::vector<bool> is_open_;                 ///< whether a key may be spared, as far as is known
+  std::vector<bool> may_be_spared_;           ///< whether a key may be spared, as far as is known
 };
 
 }  // namespace

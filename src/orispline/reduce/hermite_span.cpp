@@ -9,7 +9,7 @@
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
-/// A piece of more targets is fitted to some of them, and looked at in all.
+/// A span of more targets is fitted to some of them, and looked at in all.
 constexpr std::size_t most_fitted = 4096;
 
 Eigen::Quaterniond turn_between(const Eigen::Vector4d& from, const Eigen::Vector4d& to) {
@@ -36,10 +36,10 @@ HermiteSpan<P>::HermiteSpan(const CubicTargets<P>& targets, std::size_t i, std::
       is_bound_(is_bound),
       length_(targets.times[j] - targets.times[i]) {
   if constexpr (std::same_as<P, Eigen::Quaterniond>) {
-    whole_ = log<double>(turn_between(targets.points[i], targets.points[j]));
-    to_chart_ = right_jacobian_inverse<double>(whole_);
+    turn_ = log<double>(turn_between(targets.points[i], targets.points[j]));
+    to_chart_ = right_jacobian_inverse<double>(turn_);
   } else {
-    whole_ = targets.points[j] - targets.points[i];
+    turn_ = targets.points[j] - targets.points[i];
   }
   terms_.reserve((j - i) / every_);
   for (std::size_t k = i + every_; k < j; k += every_) terms_.push_back(term_of(k));
@@ -50,8 +50,8 @@ typename HermiteSpan<P>::Term HermiteSpan<P>::term_of(std::size_t target) const 
   const HermiteBasis basis = basis_at(target);
   Term term{.first = length_ * basis.leaving,
             .last = length_ * basis.arriving,
-            .rest = -basis.end * whole_,
-            .counted = {1.0, 1.0, 1.0, 0.0, 0.0, 0.0},
+            .rest = -basis.end * turn_,
+            .metric = {1.0, 1.0, 1.0, 0.0, 0.0, 0.0},
             .right = {}};
   if constexpr (std::same_as<P, Eigen::Quaterniond>) {
     const Eigen::Quaterniond turn = turn_between(targets_.points[first_], targets_.points[target]);
@@ -60,18 +60,18 @@ typename HermiteSpan<P>::Term HermiteSpan<P>::term_of(std::size_t target) const 
     if (const double square = there.squaredNorm(); square > 1e-8) {
       const double across = 4.0 * turn.vec().squaredNorm() / square;  // (sin(θ/2) / (θ/2))²
       const Eigen::Vector3d &n = there, along = ((1.0 - across) / square) * n;
-      term.counted = {across + along.x() * n.x(), across + along.y() * n.y(), across + along.z() * n.z(),
-                      along.x() * n.y(),          along.x() * n.z(),          along.y() * n.z()};
+      term.metric = {across + along.x() * n.x(), across + along.y() * n.y(), across + along.z() * n.z(),
+                     along.x() * n.y(),          along.x() * n.z(),          along.y() * n.z()};
     }
   } else {
     term.rest += targets_.points[target] - targets_.points[first_];
   }
-  term.right = times(term.counted, term.rest);
+  term.right = times(term.metric, term.rest);
   return term;
 }
 
 template <CurvePoint P>
-void HermiteSpan<P>::level() {
+void HermiteSpan<P>::reset_weights() {
   for (Term& term : terms_) term.weight = 1.0;
 }
 
@@ -81,9 +81,9 @@ HermiteEquations HermiteSpan<P>::equations() const {
   HermiteEquations sum;
   for (const Term& term : terms_) {
     const double of_first = term.weight * term.first, of_last = term.weight * term.last;
-    first += of_first * term.first * term.counted;
-    mixed += of_first * term.last * term.counted;
-    last += of_last * term.last * term.counted;
+    first += of_first * term.first * term.metric;
+    mixed += of_first * term.last * term.metric;
+    last += of_last * term.last * term.metric;
     sum.right_first += of_first * term.right;
     sum.right_last += of_last * term.right;
   }
@@ -102,7 +102,7 @@ double HermiteSpan<P>::measure(const Eigen::Vector3d& rate_first, const Eigen::V
   double largest = 0.0;
   for (Term& term : terms_) {
     const Eigen::Vector3d off = term.first * rate_first + term.last * last - term.rest;
-    largest = std::max(largest, term.miss = unit * off.dot(times(term.counted, off)));
+    largest = std::max(largest, term.miss = unit * off.dot(times(term.metric, off)));
   }
   return largest;
 }
@@ -114,7 +114,7 @@ bool HermiteSpan<P>::holds(const Eigen::Vector3d& rate_first, const Eigen::Vecto
   const Eigen::Vector3d last = to_chart_ * rate_last;
   const auto square_miss = [&](std::size_t k) {
     const HermiteBasis basis = basis_at(k);
-    const Eigen::Vector3d there = basis.end * whole_ + length_ * (basis.leaving * rate_first + basis.arriving * last);
+    const Eigen::Vector3d there = basis.end * turn_ + length_ * (basis.leaving * rate_first + basis.arriving * last);
     if constexpr (std::same_as<P, Eigen::Quaterniond>)
       return (turn_between(targets_.points[k], targets_.points[first_]) * exp<double>(there)).vec().squaredNorm();
     else return (targets_.points[first_] + there - targets_.points[k]).squaredNorm();
@@ -126,8 +126,8 @@ bool HermiteSpan<P>::holds(const Eigen::Vector3d& rate_first, const Eigen::Vecto
 
 template <CurvePoint P>
 void HermiteSpan<P>::weigh(double largest) {
-  if (is_bound_)
-    for (Term& term : terms_) term.weight = std::max(term.weight * std::sqrt(term.miss / largest), 1e-9);
+  for (Term& term : terms_)
+    term.weight = std::max(term.weight * (is_bound_ ? std::sqrt(term.miss / largest) : 0.3), 1e-9);
 }
 
 template class HermiteSpan<Eigen::Quaterniond>;

@@ -8,13 +8,13 @@
 
 namespace orispline::inline ORISPLINE_ABI {
 
-/// What one piece adds to the linear equations for the rates at its two ends.
+/// What one span adds to the linear equations for the rates at its two ends.
 struct HermiteEquations {
   Eigen::Matrix3d first = Eigen::Matrix3d::Zero(), mixed = Eigen::Matrix3d::Zero(), last = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right_first = Eigen::Vector3d::Zero(), right_last = Eigen::Vector3d::Zero();
 };
 
-/// One piece of `hermite-c1` from one target to another, and what it misses the targets between by.
+/// One span of `hermite-c1` from one target to another, and what it misses the targets between by.
 ///
 /// With v = 1 - u and φ the whole turn it is ψ(u) = (3 - 2u) u² φ + h u v² ω₀ - h u² v J_r⁻¹(φ) ω₁ in the rotation
 /// vector from its first key: linear in the body rates ω₀ and ω₁ of its ends. A target at the rotation vector φ_k is
@@ -30,29 +30,29 @@ class HermiteSpan {
   [[nodiscard]] std::size_t last() const noexcept { return last_; }
 
   /// All targets count alike again.
-  void level();
-  /// Those of the least weighted squares of the misses.
+  void reset_weights();
+  /// The equations of the rates [rad/s, or lengths per second] with the least weighted sum of squared misses.
   [[nodiscard]] HermiteEquations equations() const;
   /// The largest square miss with these rates, of rotations the square of half the angle, but for terms of a higher
-  /// order; 0 of a piece that is not bound. Of a long piece only some targets are looked at.
+  /// order; 0 of a span that is not bound. Of a long span only some targets are looked at.
   double measure(const Eigen::Vector3d& rate_first, const Eigen::Vector3d& rate_last);
   /// Whether all targets are within the bound, those too that measure() does not look at; of rotations that of the
   /// square of half the angle's sine.
   [[nodiscard]] bool holds(const Eigen::Vector3d& rate_first, const Eigen::Vector3d& rate_last,
                            double square_bound) const;
-  /// Every target's weight by its miss, as against the largest.
+  /// Every target's weight by its miss, as against the largest; those that are not bound count ever less.
   void weigh(double largest);
 
  private:
   /// A symmetric matrix: xx, yy, zz, xy, xz, yz.
   using Symmetric = Eigen::Array<double, 6, 1>;
 
-  /// A target in the chart of the piece.
+  /// A target in the chart of the span.
   struct Term {
     double first, last;               ///< the basis of the rates: h u v² and -h u² v [s]
     Eigen::Vector3d rest;             ///< of the target, what the ends alone do not give
-    Symmetric counted;                ///< J_r(φ_k)ᵀ J_r(φ_k): what a miss across the turn's axis counts for
-    Eigen::Vector3d right;            ///< of the equations: `counted` times `rest`
+    Symmetric metric;                 ///< J_r(φ_k)ᵀ J_r(φ_k): what a miss across the turn's axis counts for
+    Eigen::Vector3d right;            ///< of the equations: `metric` times `rest`
     double weight = 1.0, miss = 0.0;  ///< miss: square
   };
 
@@ -65,7 +65,7 @@ class HermiteSpan {
   std::size_t first_, last_, every_;
   bool is_bound_;
   double length_;                                           ///< [s]
-  Eigen::Vector3d whole_;                                   ///< from the first key to the last one, in the chart
+  Eigen::Vector3d turn_;                                    ///< from the first key to the last one, in the chart
   Eigen::Matrix3d to_chart_ = Eigen::Matrix3d::Identity();  ///< of the rate at the last key: J_r⁻¹(φ)
   std::vector<Term> terms_;
 };

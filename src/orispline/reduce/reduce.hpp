@@ -40,11 +40,10 @@ inline constexpr std::array<std::string_view, 3> reducing_methods{"auto", "timed
 /// among theirs. Settings of the method or of the recording that have a value per sample are those of the keys chosen.
 ///
 /// `slerp` by breadth-first search: no chain of geodesics through fewer samples will do. `hermite-c1` with the rates of
-/// its keys, which are sought too and are part of them; but by estimated rates where positions are bounded, which have
-/// none, where keys are refitted, and in its cumulative form. Other local methods by insertion of the worst samples and
-/// pruning, which is near to the optimum but has no bound. The deviation is taken
-/// anew from the finished keys by the curve's own evaluator at every sample. Positions without a tolerance are carried
-/// along. Source: docs/reduce.md.
+/// its keys, which are sought too and are part of them. Its rates are estimated instead where positions are bounded,
+/// where keys are refitted, and in its cumulative form. Other local methods by insertion of the worst samples and
+/// pruning, which is near to the optimum but has no bound. The deviation is taken anew from the finished keys by the
+/// curve's own evaluator at every sample. Positions without a tolerance are carried along. Source: docs/reduce.md.
 /// Errors: bad_argument for a method that is unknown, not local, does not pass through its keys, is a loop or needs
 /// more than two keys, and for a tolerance that is not greater than the rounding of orientations (1e-12 rad) or of
 /// positions; bad_data for fewer than two samples; cancelled.

@@ -17,8 +17,8 @@ namespace orispline::inline ORISPLINE_ABI {
 /// determine (MacKay's update); its minimum over all knots is found by Newton steps, each one tridiagonal system.
 class LogLambdaCurve {
  public:
-  /// One value for all of the intervals between these times [s]. `knots`: at least 2. No value rises above `most` but
-  /// those that begin there.
+  /// One value for all of the intervals between these times [s]. `knots`: at least 2. No value rises above `most`;
+  /// values that begin above it do not rise.
   LogLambdaCurve(std::span<const double> times, std::size_t knots, double log_lambda,
                  double most = std::numeric_limits<double>::infinity());
 

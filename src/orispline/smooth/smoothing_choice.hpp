@@ -57,7 +57,7 @@ struct ORISPLINE_EXPORT StretchFits {
                                                       const SmoothingObjective& objective);
 
 /// The longest τ that is to be trusted [s]: beyond it rounding spoils the fit, and no motion is left to find.
-[[nodiscard]] double longest_smoothing_time(const StretchProblems& stretches, double interval);
+[[nodiscard]] ORISPLINE_EXPORT double longest_smoothing_time(const StretchProblems& stretches, double interval);
 
 /// λ of least criterion.
 struct LambdaChoice {
