@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/io/file_format.hpp>
@@ -36,6 +38,17 @@ bool is_same_file(const std::string& a, const std::string& b) {
   return place_of(a) == place_of(b) || fs::equivalent(a, b, unknown);
 }
 
+bool is_part_of(const std::string& path, const std::string& scene) {
+  std::error_code unknown;
+  const fs::path part = fs::path(path);
+  if (!has_extension(scene, ".gltf") || !fs::is_regular_file(part, unknown) ||
+      place_of(path).parent_path() != place_of(scene).parent_path())
+    return false;
+  std::ifstream file(scene, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  return text.find(formatted("\"{}\"", part.filename().string())) != std::string::npos;
+}
+
 Expected<void> check_output_apart(std::string_view option, const std::string& output,
                                   const std::vector<OtherFile>& read) {
   std::error_code unknown;  // such as systems without that name
@@ -43,6 +56,8 @@ Expected<void> check_output_apart(std::string_view option, const std::string& ou
     if (is_same_file(output, other.path) ||
         (other.path == io::standard_stream && !io::is_stream(output) && fs::equivalent("/dev/stdin", output, unknown)))
       return wanted({option, output}, formatted("another file than {}, which would be lost", other.name));
+    else if (is_part_of(output, other.path))
+      return wanted({option, output}, formatted("another file than a part of {}, which would be lost", other.name));
   return {};
 }
 

@@ -22,6 +22,9 @@ struct OtherFile {
 /// Whether both paths lead to one file, through links too. Streams are never the same file.
 [[nodiscard]] bool is_same_file(const std::string& a, const std::string& b);
 
+/// Whether a file is one that a scene in a .gltf file names, such as its buffer.
+[[nodiscard]] bool is_part_of(const std::string& path, const std::string& scene);
+
 /// Error (bad_argument): the file of this option is one of those that are read, which would be lost.
 [[nodiscard]] Expected<void> check_output_apart(std::string_view option, const std::string& output,
                                                 const std::vector<OtherFile>& read);

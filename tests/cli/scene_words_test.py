@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """What commands say of files of skeletons: the option that was typed, what was found, and the cure."""
+import base64
 import json
 
 from command import BAD_DATA, BAD_USAGE, SUCCESS, main, rows_of
@@ -45,9 +46,30 @@ class Formats(SceneTest):
             word = cure.replace("glb", "gltf")
             for command in (f"convert {name} -o x.csv", f"convert {name} -o x.glb", f"sample {name} --rate 5"):
                 self.assert_fails(f"{command} --input-format csv", BAD_DATA,
-                                  f"{name}: found a {kind} file, which is not read as rows; it needs --input-format {word}, or none "
-                                  f"and a name that ends in .{cure}")
-        self.assertIn("as glTF it needs --input-format gltf", self.run_command("convert swing.gltf --input-format csv").stderr)
+                                  f"{name}: found a {kind} file, which is not read as rows; it is read with --input-format {word}, "
+                                  f"or without that option under a name that ends in .{cure}")
+        self.assertIn("glTF is read with --input-format gltf", self.run_command("convert swing.gltf --input-format csv").stderr)
+
+
+class Parts(SceneTest):
+    def test_a_buffer_of_the_input_is_not_replaced(self):
+        document = gltf_document()
+        data = base64.b64decode(document["buffers"][0]["uri"].partition(",")[2])
+        document["buffers"][0]["uri"] = "swing.bin"
+        self.write("swing.gltf", json.dumps(document))
+        (self.folder / "swing.bin").write_bytes(data)
+        self.assert_fails("reduce swing.gltf --tolerance 1deg -o small.glb --report swing.bin", BAD_USAGE,
+                          "--report: found 'swing.bin', wanted another file than a part of INPUT")
+        self.assert_fails("convert swing.gltf --joint base --output-format csv -o swing.bin", BAD_USAGE,
+                          "-o: found 'swing.bin', wanted another file than a part of INPUT, which would be lost")
+        self.assertEqual((self.folder / "swing.bin").read_bytes(), data)
+        self.output_of("reduce swing.gltf --tolerance 1deg -o small.glb")
+
+    def test_a_clip_that_is_not_there_is_not_compared(self):
+        self.output_of("convert arm.bvh -o other.glb")
+        done = self.run_command("difference arm.bvh other.glb --clip walk")
+        self.assertEqual((done.returncode, done.stdout), (BAD_DATA, ""))
+        self.assertIn("'walk'", done.stderr)
 
 
 class Options(SceneTest):

@@ -120,9 +120,9 @@ Expected<scenes::Scene> opened(const std::string& path) {
   });
 }
 
-/// The chosen clips. The only clip of a file is the one that is compared, whatever its name.
-Expected<scenes::Scene> with_chosen(scenes::Scene scene, const std::vector<std::string>& clips) {
-  if (scene.clips.size() == 1 && clips.size() == 1) return scene;
+/// The chosen clips. The only clip of both files is the one that is compared, whatever its name in the second.
+Expected<scenes::Scene> with_chosen(scenes::Scene scene, const std::vector<std::string>& clips, bool is_second) {
+  if (is_second && scene.clips.size() == 1 && clips.size() == 1) return scene;
   return scenes::with_clips(std::move(scene), clips);
 }
 
@@ -136,10 +136,11 @@ Expected<void> difference(const DifferenceOptions& options) {
   FirstError checked;
   const double shell = checked(options_in<orispline::ClipReduceOptions>(options.shell)).shell;
   const auto rate = checked(if_given("--rate", options.rate, [](OptionText text) { return positive_in(text); }));
-  const auto open = [&](const std::string& path) {
-    return opened(path).and_then([&](scenes::Scene scene) { return with_chosen(std::move(scene), options.clips); });
+  const auto open = [&](const std::string& path, bool is_second) {
+    return opened(path).and_then(
+        [&](scenes::Scene scene) { return with_chosen(std::move(scene), options.clips, is_second); });
   };
-  const auto first = checked(open(options.first)), second = checked(open(options.second));
+  const auto first = checked(open(options.first, false)), second = checked(open(options.second, true));
   DifferenceReport report{.first = options.first, .second = options.second, .shell = shell};
   if (auto understood = std::move(checked).or_else(true); !understood) return tl::unexpected(understood.error());
   const auto pairs = compare_clips(first, second, rate, report);

@@ -10,7 +10,7 @@
 namespace orispline::inline ORISPLINE_ABI {
 namespace {
 
-constexpr int rounds_of_radii = 3, rounds_of_directions = 2, rounds_of_weights = 10;
+constexpr int rounds_of_radii = 3, rounds_of_directions = 2, rounds_of_weights = 10, rounds_of_nearest = 6;
 /// Lengths of the polynomial of a quaternion at its targets: readers that do not normalise at once shall not see
 /// others.
 constexpr double shortest_radius = 0.5, longest_radius = 2.0;
@@ -207,8 +207,13 @@ CubicTangents<P> CubicSpans<P>::nearest(std::size_t i, std::size_t j, const Give
     return {given.leaving.value_or(rate), given.arriving.value_or(rate)};
   }
   Fit fit(targets_, i, j, given, 1);
-  for (int round = 0; round < rounds_of_radii; ++round) static_cast<void>(fit.solve());
-  return fit.tangents();
+  double least = 0.0;
+  for (int round = 0; round < rounds_of_radii; ++round) least = fit.solve();
+  CubicTangents<P> best = fit.tangents();
+  if constexpr (std::same_as<P, Eigen::Quaterniond>)
+    for (int round = 0; round < rounds_of_nearest && j - i > 2 && least > square_bound_; ++round)
+      if (const double miss = fit.solve_directions(); miss < least) least = miss, best = fit.tangents();
+  return best;
 }
 
 template class CubicSpans<Eigen::Quaterniond>;
