@@ -21,7 +21,7 @@ export function spanAt(times: number[], t: number): number {
 }
 
 /** How far t is from time i to the next one, 0 to 1. */
-function fraction(times: number[], i: number, t: number): number {
+export function fraction(times: number[], i: number, t: number): number {
   const step = times[i + 1] - times[i];
   return step > 0 ? Math.min(Math.max((t - times[i]) / step, 0), 1) : 0;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where joints are, and how far they are off, at any time of a clip.
-import { spanAt } from '../motion';
+import { fraction, spanAt } from '../motion';
 import { clips, type Clip, type Errors, type Joint, type Poses, type Skeleton } from '../report';
 
 /** x, y, z of every joint at every time. */
@@ -31,8 +31,7 @@ export function placesOf(clip: Clip): Places {
 /** The place in the list of times, with the part of the way to the next one. */
 function between(t: number[], time: number): [index: number, part: number] {
   const i = spanAt(t, time);
-  const step = t[i + 1] - t[i];
-  return [i, step > 0 ? Math.min(Math.max((time - t[i]) / step, 0), 1) : 0];
+  return [i, fraction(t, i, time)];
 }
 
 /** x, y, z of every joint at one time. */
