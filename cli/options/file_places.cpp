@@ -30,14 +30,7 @@ std::string in_small_letters(std::string text) {
   return text;
 }
 
-}  // namespace
-
-bool is_same_file(const std::string& a, const std::string& b) {
-  if (io::is_stream(a) || io::is_stream(b)) return false;
-  std::error_code unknown;  // such as a file that is not there
-  return place_of(a) == place_of(b) || fs::equivalent(a, b, unknown);
-}
-
+/// Whether a .gltf file names it.
 bool is_part_of(const std::string& path, const std::string& scene) {
   std::error_code unknown;
   const fs::path part = fs::path(path);
@@ -49,16 +42,31 @@ bool is_part_of(const std::string& path, const std::string& scene) {
   return text.find(formatted("\"{}\"", part.filename().string())) != std::string::npos;
 }
 
+}  // namespace
+
+bool is_same_file(const std::string& a, const std::string& b) {
+  if (io::is_stream(a) || io::is_stream(b)) return false;
+  std::error_code unknown;  // such as a file that is not there
+  return place_of(a) == place_of(b) || fs::equivalent(a, b, unknown);
+}
+
+std::string lost_with(const std::string& path, const std::vector<OtherFile>& others) {
+  for (const OtherFile& other : others) {
+    if (is_same_file(path, other.path)) return std::string(other.name);
+    if (is_part_of(path, other.path)) return formatted("a part of {}", other.name);
+  }
+  return {};
+}
+
 Expected<void> check_output_apart(std::string_view option, const std::string& output,
                                   const std::vector<OtherFile>& read) {
+  std::string lost = lost_with(output, read);
   std::error_code unknown;  // such as systems without that name
   for (const OtherFile& other : read)
-    if (is_same_file(output, other.path) ||
-        (other.path == io::standard_stream && !io::is_stream(output) && fs::equivalent("/dev/stdin", output, unknown)))
-      return wanted({option, output}, formatted("another file than {}, which would be lost", other.name));
-    else if (is_part_of(output, other.path))
-      return wanted({option, output}, formatted("another file than a part of {}, which would be lost", other.name));
-  return {};
+    if (other.path == io::standard_stream && !io::is_stream(output) && fs::equivalent("/dev/stdin", output, unknown))
+      lost = other.name;
+  if (lost.empty()) return {};
+  return wanted({option, output}, formatted("another file than {}, which would be lost", lost));
 }
 
 bool has_extension(const std::string& path, std::string_view extension) {

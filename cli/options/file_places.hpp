@@ -22,8 +22,9 @@ struct OtherFile {
 /// Whether both paths lead to one file, through links too. Streams are never the same file.
 [[nodiscard]] bool is_same_file(const std::string& a, const std::string& b);
 
-/// Whether a file is one that a scene in a .gltf file names, such as its buffer.
-[[nodiscard]] bool is_part_of(const std::string& path, const std::string& scene);
+/// What is lost where this file is written: `INPUT`, or `a part of INPUT` where that is a .gltf file which names the
+/// other one, such as its buffer. Empty if none of them is.
+[[nodiscard]] std::string lost_with(const std::string& path, const std::vector<OtherFile>& others);
 
 /// Error (bad_argument): the file of this option is one of those that are read, which would be lost.
 [[nodiscard]] Expected<void> check_output_apart(std::string_view option, const std::string& output,

@@ -13,12 +13,8 @@ Expected<void> check_report(const ReportOptions& options, const std::vector<Othe
   if (!options.path) return {};
   if (options.path->empty() || *options.path == io::standard_stream)
     return wanted({"--report", *options.path}, "the name of a file");
-  for (const OtherFile& other : others) {
-    if (is_same_file(other.path, *options.path))
-      return wanted({"--report", *options.path}, formatted("another file than {}", other.name));
-    if (is_part_of(*options.path, other.path))
-      return wanted({"--report", *options.path}, formatted("another file than a part of {}", other.name));
-  }
+  if (const std::string lost = lost_with(*options.path, others); !lost.empty())
+    return wanted({"--report", *options.path}, formatted("another file than {}", lost));
   if (!has_pages)
     return usage_failure("--report: orispline was built without pages, wanted a build with ORISPLINE_PAGE");
   return {};
