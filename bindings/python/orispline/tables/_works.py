@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
 from typing import Any
 
 import numpy as np
@@ -91,14 +92,15 @@ class Reduction:
 
     def schema(self, layout: Layout, given: Any) -> Any:
         """Those of the keys with the rates that are part of them, and the method."""
-        fields = list(sampled_schema(layout, given, self._orders(layout), world=False))
+        fields = list(sampled_schema(layout, given, self._orders, world=False))
         return pa.schema([*fields[:-1], pa.field("method", pa.string()), fields[-1]])
 
-    def _orders(self, layout: Layout) -> int:
+    @functools.cached_property
+    def _orders(self) -> int:
         """1 where a method seeks the rates of its keys as well, else 0."""
         methods = self.options.get("method")
         options = {name: self.options[name] for name in ("values", "position_tolerance") if name in self.options}
-        recording = turning_keys(9, positions=bool(layout.position))
+        recording = turning_keys(9, positions="position_tolerance" in options)
         with collected():
             kept = [reduce(recording, 1.0, method=method, threads=1, **options).keys
                     for method in (methods if isinstance(methods, (list, tuple)) else [methods]) if method is not None]
@@ -110,8 +112,8 @@ class Reduction:
         reduction = reduce(track.keys(), self.tolerance, threads=1, **self.options)
         kept = reduction.keys
         columns = columns_of(kept.rotations, kept.positions, kept.angular_velocities)
-        if kept.angular_velocities is None and isinstance(self.options.get("method"), (list, tuple)):
-            columns += [pa.nulls(len(kept), pa.float64())] * (3 * self._orders(layout))
+        if kept.angular_velocities is None:
+            columns += [pa.nulls(len(kept), pa.float64())] * (3 * self._orders)
         method = pa.array([reduction.method] * len(kept), pa.string())
         return Result(rows, _same_row(len(kept)), [track.back(kept.times), *columns, method])
 
