@@ -12,12 +12,6 @@
 namespace orispline::scenes {
 namespace {
 
-template <CurvePoint P>
-const Channel<P>* channel_of(const std::vector<Channel<P>>& channels, std::size_t joint) {
-  const auto found = std::ranges::find(channels, joint, &Channel<P>::joint);
-  return found == channels.end() ? nullptr : &*found;
-}
-
 TEST(BvhOfGltf, EveryClipHasItsRotationsAndTranslationsInTheFrames) {
   const std::string path = ORISPLINE_SHARED_DATA "/gltf/kaykit_mage_76clips.glb";
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "no " << path;

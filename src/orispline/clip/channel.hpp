@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <type_traits>
 #include <vector>
@@ -31,6 +32,13 @@ struct Channel {
 };
 using RotationChannel = Channel<Eigen::Quaterniond>;
 using VectorChannel = Channel<Eigen::Vector3d>;
+
+/// The channel of that joint; null where there is none.
+template <CurvePoint P>
+[[nodiscard]] const Channel<P>* channel_of(const std::vector<Channel<P>>& channels, std::size_t joint) noexcept {
+  const auto found = std::ranges::find(channels, joint, &Channel<P>::joint);
+  return found == channels.end() ? nullptr : &*found;
+}
 
 // GCC 12 fails where it meets a list of members by their names before any other use of their defaults.
 static_assert(std::is_default_constructible_v<RotationChannel> && std::is_default_constructible_v<VectorChannel>);

@@ -32,6 +32,17 @@ Moving<Eigen::Vector3d> moving(const AnyPath& path, double t, Side side) {
 double distance(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) { return angular_distance(a, b); }
 double distance(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return (a - b).norm(); }
 
+/// The farthest that a curve is from cubics in an interval, and when.
+template <CurvePoint P, class C>
+std::pair<double, double> farthest_between(const C& curve, const ChannelCurve<P>& cubics, double start, double end) {
+  std::pair<double, double> worst{0.0, start};
+  for (int k = 1; k < parts; ++k) {
+    const double t = start + (end - start) * k / parts;
+    worst = std::max(worst, {distance(cubics.at(t), moving(curve, t, Side::right).value), t});
+  }
+  return worst;
+}
+
 /// Goes from the start of a curve to its end.
 template <CurvePoint P, class C>
 class Follower {
@@ -60,7 +71,7 @@ class Follower {
                            .values = {found_.channel.values.back(), right.value},
                            .in_tangents = {left.derivative, right.derivative},
                            .out_tangents = {left.derivative, right.derivative}};
-    const auto [farthest, at] = distance_of(piece);
+    const auto [farthest, at] = farthest_between(curve_, ChannelCurve<P>(piece), start, end);
     const double middle = start + 0.5 * (end - start);
     if ((farthest > tolerance_ || turns_far(piece)) && end - start > shortest_)
       return follow(start, middle), follow(middle, end);
@@ -82,17 +93,6 @@ class Follower {
       if (before.dot(key.value) < 0.0) key.value.coeffs() *= -1.0, key.derivative.coeffs() *= -1.0;
   }
 
-  /// The farthest that the curve is from the piece, and when.
-  [[nodiscard]] std::pair<double, double> distance_of(const Channel<P>& piece) const {
-    const ChannelCurve<P> cubic(piece);
-    std::pair<double, double> worst{0.0, piece.times.front()};
-    for (int k = 1; k < parts; ++k) {
-      const double t = piece.times[0] + (piece.times[1] - piece.times[0]) * k / parts;
-      worst = std::max(worst, {distance(cubic.at(t), moving(curve_, t, Side::right).value), t});
-    }
-    return worst;
-  }
-
   /// A key with its tangents; the one after it is the same until the next piece says otherwise.
   void append(double t, const Moving<P>& key) {
     Channel<P>& channel = found_.channel;
@@ -112,10 +112,7 @@ double largest_distance_of(const C& curve, const Channel<P>& channel) {
   const ChannelCurve<P> cubic(channel);
   double worst = 0.0;
   for (std::size_t i = 0; i + 1 < channel.size(); ++i)
-    for (int k = 1; k < parts; ++k) {
-      const double t = channel.times[i] + (channel.times[i + 1] - channel.times[i]) * k / parts;
-      worst = std::max(worst, distance(cubic.at(t), moving(curve, t, Side::right).value));
-    }
+    worst = std::max(worst, farthest_between(curve, cubic, channel.times[i], channel.times[i + 1]).first);
   return worst;
 }
 

@@ -120,8 +120,8 @@ class ChainBuilder {
  private:
   template <CurvePoint P>
   ChannelPieces<P> pieces(const std::vector<Channel<P>>& channels, std::size_t joint, const P& rest) {
-    const auto channel = std::ranges::find(channels, joint, &Channel<P>::joint);
-    if (channel == channels.end()) return ConstantCurve<P>(0.0, rest);
+    const Channel<P>* const channel = channel_of(channels, joint);
+    if (!channel) return ConstantCurve<P>(0.0, rest);
     times_.insert(times_.end(), channel->times.begin(), channel->times.end());
     return pieces_of(*channel);
   }
@@ -131,8 +131,8 @@ class ChainBuilder {
       return v.maxCoeff() - v.minCoeff() <= 1e-5 * std::max(size, v.cwiseAbs().maxCoeff());
     };
     const auto is_scale = [&](const Eigen::Vector3d& scale) { return scale.minCoeff() > 0.0 && is_even(scale, 0.0); };
-    const auto channel = std::ranges::find(clip_.scales, joint, &VectorChannel::joint);
-    if (channel == clip_.scales.end()) return is_scale(skeleton_[joint].rest.scale);
+    const VectorChannel* const channel = channel_of(clip_.scales, joint);
+    if (!channel) return is_scale(skeleton_[joint].rest.scale);
     const auto is_rate = [&](const Eigen::Vector3d& rate) { return is_even(rate, channel->values.front().x()); };
     return std::ranges::all_of(channel->values, is_scale) && std::ranges::all_of(channel->in_tangents, is_rate) &&
            std::ranges::all_of(channel->out_tangents, is_rate);

@@ -113,12 +113,6 @@ void add_positions(report::PageClip& clip, const ClipMotion& before, const ClipM
   }
 }
 
-template <CurvePoint P>
-const Channel<P>* channel_of(const std::vector<Channel<P>>& channels, std::size_t joint) {
-  const auto found = std::ranges::find(channels, joint, &Channel<P>::joint);
-  return found == channels.end() ? nullptr : &*found;
-}
-
 void count_keys(report::PageClip& page, const Clip& before, const Clip& after,
                 std::span<const std::size_t> counterparts) {
   for (std::size_t i = 0; i < counterparts.size(); ++i) {

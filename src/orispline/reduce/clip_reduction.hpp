@@ -36,7 +36,8 @@ struct ClipReduceOptions {
   bool closed = false;
 };
 
-/// Error (bad_argument): options that do not fit together, or a tolerance that is not greater than 0.
+/// Error (bad_argument): options that do not fit together, a tolerance that is not greater than 0, an angle beyond
+/// 180°.
 [[nodiscard]] ORISPLINE_EXPORT Expected<void> check(const ClipReduceOptions& options);
 
 /// A clip with fewer keys, and how far it is from the clip that it was.

@@ -34,7 +34,7 @@ class HermiteChain {
     square_bound_ = bound * bound;
   }
 
-  /// Pieces from the first sample on: each ends where the next one gets farthest.
+  /// Spans from the first sample on: each ends where the next one gets farthest.
   void build(const std::function<bool()>& stopped) {
     std::size_t known = 1;  // a sample that the next span is taken to reach
     for (std::size_t key = 0; key < last_;) {

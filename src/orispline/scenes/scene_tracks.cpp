@@ -38,12 +38,6 @@ std::vector<std::string> names_of_joints(const Scene& scene, const Clip& clip) {
   return names;
 }
 
-template <CurvePoint P>
-const Channel<P>* channel_of(const std::vector<Channel<P>>& channels, std::size_t joint) {
-  const auto found = std::ranges::find(channels, joint, &Channel<P>::joint);
-  return found == channels.end() ? nullptr : &*found;
-}
-
 bool moves(const VectorChannel* channel) {
   return channel && std::ranges::any_of(channel->values, [&](const auto& v) { return v != channel->values.front(); });
 }
