@@ -80,6 +80,7 @@ void ask_everything(const Sizes& sizes) {
 }
 
 }  // namespace
+
 }  // namespace orispline::bench
 
 int main(int count, char** arguments) {

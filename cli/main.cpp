@@ -30,8 +30,7 @@
 #include "output/standard_output.hpp"
 #include "papers/reproduce.hpp"
 
-namespace orispline::cli {
-namespace {
+namespace orispline::cli { namespace {
 
 constexpr auto app_footer = R"(Examples:
   orispline sample keys.csv --rate 100 -o motion.csv
@@ -261,6 +260,7 @@ class CommandLine {
 };
 
 }  // namespace
+
 }  // namespace orispline::cli
 
 int main(int argc, char** argv) {

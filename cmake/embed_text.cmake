@@ -19,7 +19,7 @@ file(WRITE ${OUTPUT} "// Made from ${INPUT} at build time.
 
 #include <array>
 
-namespace orispline::inline ORISPLINE_ABI::report {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
 namespace {
 constexpr std::array pieces = std::to_array<std::string_view>({
 ${pieces}});
@@ -27,5 +27,5 @@ ${pieces}});
 
 std::span<const std::string_view> ${FUNCTION}() { return pieces; }
 
-}  // namespace orispline::inline ORISPLINE_ABI::report
+}}}  // namespace orispline::report
 ")

@@ -103,7 +103,7 @@ def write_constants():
     (ROOT / "src/orispline/math/elementary_tables.hpp").write_text(
         "// SPDX-License-Identifier: Apache-2.0\n#pragma once\n\n#include <array>\n#include <cstdint>\n\n#include <orispline/base/abi.hpp>\n\n"
         "// Made by tools/make_elementary.py (mpmath, 60 digits): change that, not this.\n\n"
-        "namespace orispline::inline ORISPLINE_ABI::elementary {\n\n// clang-format off\n"
+        "namespace orispline { inline namespace ORISPLINE_ABI { namespace elementary {\n\n// clang-format off\n"
         + pairs("Of sin r = r + r³ P(r²) and cos r = 1 - r²/2 + r⁴ Q(r²), |r| ≤ π/4: P and Q side by side.",
                 "sine_cosine_terms", sine, cosine)
         + table("atan t = t + t³ P(t²), |t| ≤ 1/16.", "arctangent_terms", arctangent)
@@ -115,7 +115,7 @@ def write_constants():
         + table(f"atan(i/{ARCTANGENT_STEPS}) as the nearest double.", "arctangents", [float(a) for a in steps])
         + table("What is missing there.", "arctangent_rests", [float(a - float(a)) for a in steps])
         + table(f"Bits of 2/π, {LEADING_ZEROS} zeros before the point.", "two_over_pi", words, "std::uint32_t")
-        + "// clang-format on\n}  // namespace orispline::inline ORISPLINE_ABI::elementary\n", "utf-8")
+        + "// clang-format on\n}}}  // namespace orispline::elementary\n", "utf-8")
 
 
 def beside(x, steps=2):

@@ -21,6 +21,7 @@ test  librapidcheck-dev  rapidcheck.h
 test  python3            python3
 test  pkg-config?        pkg-config
 test  clang-format-14?   clang-format-14
+test  universal-ctags?   ctags
 test  nodejs?            node
 test  npm?               npm
 test  chromium?          chromium

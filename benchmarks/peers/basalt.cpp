@@ -7,6 +7,7 @@
 #include <peers/uniform_time.hpp>
 
 namespace orispline::bench {
+
 namespace {
 
 using Spline = basalt::So3Spline<4>;

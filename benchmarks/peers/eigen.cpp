@@ -8,6 +8,7 @@
 #include <workload/quintic_blending.hpp>
 
 namespace orispline::bench {
+
 namespace {
 
 using Eigen::Quaterniond;

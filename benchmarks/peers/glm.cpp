@@ -7,6 +7,7 @@
 #include <peers/search.hpp>
 
 namespace orispline::bench {
+
 namespace {
 
 template <class T>

@@ -4,6 +4,7 @@
 #include <probes/probes.hpp>
 
 namespace orispline::bench {
+
 namespace {
 
 #if defined(__AVX512F__)

@@ -9,6 +9,7 @@
 #include <workload/verify.hpp>
 
 namespace orispline::bench {
+
 namespace {
 
 constexpr double tolerance = 1e-9, float_tolerance = 1e-6;  // [rad]

@@ -10,6 +10,7 @@
 #include <workload/keys.hpp>
 
 namespace orispline::bench {
+
 namespace {
 
 void fma_loop(benchmark::State& state, const FmaProbe& probe) {

@@ -11,6 +11,7 @@
 #include <workload/verify.hpp>
 
 namespace orispline::bench {
+
 namespace {
 
 constexpr double time = 1.4, tension = 0.5;  // in the second of three segments, from 1 to 2 s

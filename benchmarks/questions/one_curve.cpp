@@ -9,6 +9,7 @@
 #include <workload/keys.hpp>
 
 namespace orispline::bench {
+
 namespace {
 
 /// What all contenders share: the keys, the curve and room for the samples.

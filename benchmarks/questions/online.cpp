@@ -10,6 +10,7 @@
 #include <workload/keys.hpp>
 
 namespace orispline::bench {
+
 namespace {
 
 template <class Call>

@@ -10,6 +10,7 @@
 #include <workload/verify.hpp>
 
 namespace orispline::bench {
+
 namespace {
 
 struct Scene {

@@ -9,6 +9,7 @@
 #include <workload/keys.hpp>
 
 namespace orispline::bench {
+
 namespace {
 
 struct Scene {

@@ -8,6 +8,7 @@
 #include <workload/keys.hpp>
 
 namespace orispline::bench {
+
 namespace {
 
 /// Work that makes something, which is destroyed outside the measurement.

@@ -5,6 +5,7 @@
 #include <workload/quintic_blending.hpp>
 
 namespace orispline::bench {
+
 namespace {
 
 LongQuaternion exp_of_half(const LongVector& v) {

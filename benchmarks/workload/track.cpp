@@ -6,6 +6,7 @@
 #include <workload/track.hpp>
 
 namespace orispline::bench {
+
 namespace {
 
 /// The same numbers with every standard library.

@@ -9,6 +9,7 @@
 #include <orispline/base/suggestion.hpp>
 
 namespace orispline::cli {
+
 namespace {
 
 /// Defines an option in the terms of CLI11.

@@ -11,6 +11,7 @@
 #include "options/option_text.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 std::string upper(std::string_view text) {

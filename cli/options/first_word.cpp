@@ -10,6 +10,7 @@
 #include "options/option_text.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 constexpr std::array<std::string_view, 3> flags{"--help", "-h", "--version"};  // of the program itself

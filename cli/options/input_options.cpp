@@ -2,6 +2,7 @@
 #include "options/input_options.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 Expected<io::Reading> reading_in(const InputOptions& options) {

@@ -12,6 +12,7 @@
 #include "options/option_text.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 /// Who says how the ends are to be.

@@ -6,6 +6,7 @@
 #include <orispline/fields/typed_numbers.hpp>
 
 namespace orispline::cli {
+
 namespace {
 
 /// What is wrong with a text begins with its option.

@@ -9,6 +9,7 @@
 #include "options/file_places.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 constexpr std::string_view format_option = "output_format";

@@ -10,6 +10,7 @@
 #include "options/option_text.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 constexpr std::string_view sort_rows = "sort_rows";  // of compare, where --sort is for its table

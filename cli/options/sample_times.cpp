@@ -9,6 +9,7 @@
 #include "options/option_text.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 using Rate = SampleGrid::Rate;

@@ -16,6 +16,7 @@
 #include "options/option_text.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 namespace fs = std::filesystem;

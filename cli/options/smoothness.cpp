@@ -9,6 +9,7 @@
 #include "options/option_text.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 constexpr std::string_view section = "Smoothing";

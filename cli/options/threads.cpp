@@ -7,6 +7,7 @@
 #include <orispline/base/formatted.hpp>
 
 namespace orispline::cli {
+
 namespace {
 
 Expected<std::size_t> thread_count_in(OptionText option) {

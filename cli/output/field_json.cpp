@@ -2,6 +2,7 @@
 #include "output/field_json.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 Json place_json(std::size_t sample, const Places& places) {

@@ -10,6 +10,7 @@
 #include "options/method_options.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 /// A model in the words of the summary.

@@ -2,6 +2,7 @@
 #include "output/gathered_output.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 thread_local Gathered* here = nullptr;

@@ -12,6 +12,7 @@
 #include <orispline/io/output_file.hpp>
 
 namespace orispline::cli {
+
 namespace {
 
 using Place = std::atomic<const char*>;  // a signal handler may touch nothing that locks or allocates

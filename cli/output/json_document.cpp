@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 namespace orispline::cli {
+
 namespace {
 
 using Written = nlohmann::ordered_json;

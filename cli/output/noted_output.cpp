@@ -8,6 +8,7 @@
 #include "output/output_folder.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 template <class File>

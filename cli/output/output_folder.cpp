@@ -22,6 +22,7 @@
 #include "options/output_options.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 namespace fs = std::filesystem;

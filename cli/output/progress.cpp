@@ -11,6 +11,7 @@
 #include <orispline/base/formatted.hpp>
 
 namespace orispline::cli {
+
 namespace {
 
 constexpr std::size_t steps_between_looks = 4096;  // reading the clock costs more than a sample

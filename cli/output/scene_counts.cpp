@@ -7,6 +7,7 @@
 #include <orispline/math/so3.hpp>
 
 namespace orispline::cli {
+
 namespace {
 
 std::size_t keys_of(const std::vector<VectorChannel>& channels) {

@@ -7,6 +7,7 @@
 #include <orispline/smooth/smooth_fields.hpp>
 
 namespace orispline::cli {
+
 namespace {
 
 using orispline::Smoothing;

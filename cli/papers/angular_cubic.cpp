@@ -11,6 +11,7 @@
 #include <orispline/report/chart.hpp>
 
 namespace orispline::cli {
+
 namespace {
 
 using report::Notation;

@@ -13,6 +13,7 @@
 #include "papers/sampling.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 using report::Point;

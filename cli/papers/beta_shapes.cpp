@@ -13,6 +13,7 @@
 #include "papers/recipe.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 using report::Notation;

@@ -12,6 +12,7 @@
 #include <orispline/report/chart.hpp>
 
 namespace orispline::cli {
+
 namespace {
 
 using report::Chart;

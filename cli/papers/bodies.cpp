@@ -7,6 +7,7 @@
 #include <numbers>
 
 namespace orispline::cli {
+
 namespace {
 
 using Eigen::Vector3d;

@@ -5,6 +5,7 @@
 #include <array>
 
 namespace orispline::cli {
+
 namespace {
 
 constexpr std::array list{

@@ -9,6 +9,7 @@
 #include <orispline/families/registry.hpp>
 
 namespace orispline::cli {
+
 namespace {
 
 using Controls = std::vector<Eigen::Quaterniond>;

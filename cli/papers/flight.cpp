@@ -4,6 +4,7 @@
 #include "papers/example_data.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 Expected<Flight> flight(std::span<const DataRow> truth, std::span<const DataRow> keys) {

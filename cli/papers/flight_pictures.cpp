@@ -12,6 +12,7 @@
 #include "papers/sampling.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 namespace color = report::color;

@@ -14,6 +14,7 @@
 #include "papers/sampling.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 using report::Notation;

@@ -11,6 +11,7 @@
 #include "papers/papers_algebra.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 using Unit = Eigen::Quaterniond;

@@ -13,6 +13,7 @@
 #include "papers/papers_algebra.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 using report::Notation;

@@ -16,6 +16,7 @@
 #include "papers/sampling.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 using report::Notation;

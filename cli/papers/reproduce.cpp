@@ -20,6 +20,7 @@
 #include "papers/reproduce_report.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 namespace fs = std::filesystem;

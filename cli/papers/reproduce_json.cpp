@@ -4,6 +4,7 @@
 #include "output/json_document.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 Json table(const report::Table& table) {

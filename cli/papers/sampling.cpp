@@ -10,6 +10,7 @@
 #include <orispline/base/formatted.hpp>
 
 namespace orispline::cli {
+
 namespace {
 
 constexpr int steps_per_segment = 100;

@@ -11,6 +11,7 @@
 #include "papers/sampling.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 using report::Notation;

@@ -15,6 +15,7 @@
 #include "papers/sampling.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 using report::Notation;

@@ -5,8 +5,7 @@
 
 #include <orispline/families/registry.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 Keyframes turning_keys() {
   KeyframeData data{.times = {0.0}, .orientations = {Eigen::Quaterniond::Identity()}};
@@ -59,4 +58,5 @@ TEST(AngleTravelled, OfOneKeyIsNone) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -5,8 +5,7 @@
 #include <orispline/analysis/compared_keys.hpp>
 #include <orispline/math/so3.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 /// A steady turn, from an epoch [s], at these times behind it [s].
 Track turn(const Decimal& epoch, std::vector<double> times) {
@@ -67,4 +66,5 @@ TEST(ComparedKeys, AreWarnedOfWhereTheRecordingIsNoDenser) {
 }
 
 }  // namespace
+
 }  // namespace orispline

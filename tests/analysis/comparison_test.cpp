@@ -13,8 +13,7 @@
 #include <orispline/families/registry.hpp>
 #include <orispline/math/slerp.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 Eigen::Quaterniond about_x(double angle) { return exp<double>({angle, 0.0, 0.0}); }
 
@@ -206,4 +205,5 @@ TEST(LeaveOut, WantsThreeKeys) {
 }
 
 }  // namespace
+
 }  // namespace orispline

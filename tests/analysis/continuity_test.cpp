@@ -7,8 +7,7 @@
 
 #include "tumbling_keys.hpp"
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 Eigen::Quaterniond about_x(double angle) { return exp<double>({angle, 0.0, 0.0}); }
 
@@ -83,4 +82,5 @@ TEST(Continuity, OfOneKeyIsComplete) {
 }
 
 }  // namespace
+
 }  // namespace orispline

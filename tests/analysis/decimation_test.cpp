@@ -6,8 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using Indices = std::vector<std::size_t>;
 
@@ -82,4 +81,5 @@ TEST(Decimation, HasAName) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -6,8 +6,7 @@
 #include <orispline/analysis/sampled.hpp>
 #include <orispline/families/registry.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 Eigen::Quaterniond about_x(double angle) { return exp<double>({angle, 0.0, 0.0}); }
 
@@ -92,4 +91,5 @@ TEST(Distance, OfNothingIsZero) {
 }
 
 }  // namespace
+
 }  // namespace orispline

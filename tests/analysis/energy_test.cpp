@@ -10,8 +10,7 @@
 #include <support/golden_case.hpp>
 #include <support/random_motion.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using testing_support::DataTable;
 
@@ -137,4 +136,5 @@ TEST(Energies, OfOneKeyAreNone) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -5,8 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using std::numbers::pi;
 
@@ -57,4 +56,5 @@ TEST(KeyStatistics, HasNeitherSpacingNorStepsForOneKey) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -9,8 +9,7 @@
 #include <orispline/analysis/compared_method.hpp>
 #include <orispline/math/degrees.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 const MeasureInfo& measure_of(std::string_view id) { return *std::ranges::find(measures_info(), id, &MeasureInfo::id); }
 
@@ -92,4 +91,5 @@ TEST(ComparedMethods, AreSortedInEachSetOfKeysWithTheFailedOnesLast) {
 }
 
 }  // namespace
+
 }  // namespace orispline

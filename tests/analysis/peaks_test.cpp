@@ -6,8 +6,7 @@
 #include <orispline/curve/torque.hpp>
 #include <orispline/families/registry.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 Eigen::Quaterniond about_x(double angle) { return exp<double>({angle, 0.0, 0.0}); }
 
@@ -82,4 +81,5 @@ TEST(Torque, ChangesAtItsRate) {
 }
 
 }  // namespace
+
 }  // namespace orispline

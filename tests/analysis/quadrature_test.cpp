@@ -6,8 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 constexpr double today = 1.7e9;  // [s]; a double there is exact to 1.2e-7 s
 
@@ -61,4 +60,5 @@ TEST(Quadrature, TakesAPieceOfAFewRoundingsOfTimeAsItIs) {
 }
 
 }  // namespace
+
 }  // namespace orispline

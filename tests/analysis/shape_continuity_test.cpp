@@ -7,8 +7,7 @@
 
 #include "tumbling_keys.hpp"
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 ShapeContinuity shape_of(std::string_view method, const Keyframes& keys) {
   return shape_continuity_at_keys(make_curve(method, keys).value());
@@ -99,4 +98,5 @@ TEST(ShapeContinuity, OfALoopIncludesItsSeam) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -5,8 +5,7 @@
 #include <support/key_use.hpp>
 #include <support/properties.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -123,4 +122,5 @@ TEST(Batch, GoesThroughTheKernelForPolynomialFamilies) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -6,8 +6,7 @@
 #include <batch/specimen_curves.hpp>
 #include <curve/counting_new.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -47,4 +46,5 @@ TEST(BatchAllocation, DoesNotHappenOnOneThread) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -9,8 +9,7 @@
 #include <support/follower.hpp>
 #include <support/tracks.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -272,4 +271,5 @@ TEST(BakedCurve, IsFollowedAndStopped) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -7,8 +7,7 @@
 #include <support/near.hpp>
 #include <support/specimens.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -87,4 +86,5 @@ TEST(CurveBundle, RefusesRoomForAnotherNumberAndRates) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -8,8 +8,7 @@
 #include <batch/specimen_curves.hpp>
 #include <support/tracks.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -248,4 +247,5 @@ TYPED_TEST(BatchTable, GivesAllOutputsAtOnceAsTheScalarEvaluatorDoes) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -10,8 +10,7 @@
 #include <orispline/families/registry.hpp>
 #include <support/tracks.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -128,4 +127,5 @@ TEST(Extrapolate, RefusesRoomThatDoesNotFit) {
 }
 
 }  // namespace
+
 }  // namespace orispline

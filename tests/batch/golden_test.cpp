@@ -5,8 +5,7 @@
 #include <support/golden_case.hpp>
 #include <support/specimens.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -60,4 +59,5 @@ TEST(BatchOnGoldenCases, AgreesWithTheScalarEvaluatorForAuto) {
 }
 
 }  // namespace
+
 }  // namespace orispline

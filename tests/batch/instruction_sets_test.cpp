@@ -9,8 +9,7 @@
 #include <batch/sampled.hpp>
 #include <batch/specimen_curves.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 using batch::Clock;
@@ -184,4 +183,5 @@ TEST(InstructionSets, AndCompilersGiveTheBitsThatAreWrittenHere) {
 }
 
 }  // namespace
+
 }  // namespace orispline

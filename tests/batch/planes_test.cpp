@@ -7,8 +7,7 @@
 #include <orispline/batch/curve_bundle.hpp>
 #include <support/tracks.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -170,4 +169,5 @@ TEST(BatchPlanes, ThatDoNotBelongTogetherAreAnError) {
 }
 
 }  // namespace
+
 }  // namespace orispline

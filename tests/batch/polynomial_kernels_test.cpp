@@ -11,8 +11,7 @@
 #include <orispline/batch/path_sampler.hpp>
 #include <support/tracks.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 using batch::Clock;
@@ -168,4 +167,5 @@ TEST(PolynomialKernels, AndCompilersGiveTheBitsThatAreWrittenHere) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -7,8 +7,7 @@
 #include <curve/counting_new.hpp>
 #include <support/tracks.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -230,4 +229,5 @@ TEST(BatchPositions, ThatAreNotThereAreAnError) {
 }
 
 }  // namespace
+
 }  // namespace orispline

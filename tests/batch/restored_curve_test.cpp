@@ -6,8 +6,7 @@
 #include <batch/specimen_curves.hpp>
 #include <support/tracks.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -51,4 +50,5 @@ TEST(BakedCurve, IsNotRestoredFromWhatIsNone) {
 }
 
 }  // namespace
+
 }  // namespace orispline

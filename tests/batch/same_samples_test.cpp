@@ -5,8 +5,7 @@
 #include <batch/sampled.hpp>
 #include <batch/specimen_curves.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -124,4 +123,5 @@ TEST(BatchDoors, ManyCurvesGiveEachItsOwnSample) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -11,8 +11,7 @@
 
 #include <gtest/gtest.h>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using Rate = SampleGrid::Rate;
 using Count = SampleGrid::Count;
@@ -229,4 +228,5 @@ TEST(SampleGrid, LivesWithRatesOfAnySize) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -5,8 +5,7 @@
 #include <batch/agreement.hpp>
 #include <batch/specimen_curves.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -153,4 +152,5 @@ TEST(BatchSpans, AreLeftAloneWhenTheStepIsNone) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -11,8 +11,7 @@
 #include <batch/sampled.hpp>
 #include <batch/specimen_curves.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -100,4 +99,5 @@ TEST(TimesKernel, BlocksInOrderAndOthersGiveTheSamplesOfSingleTimes) {
 }
 
 }  // namespace
+
 }  // namespace orispline

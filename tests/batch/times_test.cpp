@@ -5,8 +5,7 @@
 #include <batch/agreement.hpp>
 #include <batch/specimen_curves.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -148,4 +147,5 @@ TEST(BatchTimesOfOneKey, AreAllAnsweredByIt) {
 }
 
 }  // namespace
+
 }  // namespace orispline

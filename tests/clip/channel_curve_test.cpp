@@ -7,8 +7,7 @@
 #include <orispline/clip/channel_curve.hpp>
 #include <orispline/clip/clip.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 constexpr double pi = std::numbers::pi;
 
@@ -120,4 +119,5 @@ TEST(ChannelCurve, OfOneKeyStandsStill) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -5,8 +5,7 @@
 
 #include <orispline/clip/clip_difference.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 Eigen::Quaterniond about_z(double angle) { return {std::cos(angle / 2), 0.0, 0.0, std::sin(angle / 2)}; }
 
@@ -57,4 +56,5 @@ TEST(KeyTimes, AreThoseOfAllChannelsEachOnce) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -6,8 +6,7 @@
 
 #include <orispline/clip/clip_motion.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 constexpr double pi = std::numbers::pi;
 
@@ -62,4 +61,5 @@ TEST(ClipMotion, TakesTheRestPoseWhereThereIsNoChannel) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -6,8 +6,7 @@
 
 #include <orispline/clip/clip.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 Skeleton one_joint() { return Skeleton::make({{.name = "hand.r"}}).value(); }
 
@@ -60,4 +59,5 @@ TEST(Skeleton, WantsParentsFirst) {
 }
 
 }  // namespace
+
 }  // namespace orispline

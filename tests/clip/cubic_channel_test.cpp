@@ -10,8 +10,7 @@
 #include <support/data_table.hpp>
 #include <support/tracks.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -154,4 +153,5 @@ TEST(CubicChannel, OfStepsFollowsThemOutsideOfAShortTimeAndSaysHowFarItIs) {
 }
 
 }  // namespace
+
 }  // namespace orispline

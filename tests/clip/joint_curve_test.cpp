@@ -5,8 +5,7 @@
 #include <orispline/clip/joint_curve.hpp>
 #include <support/specimens.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -193,4 +192,5 @@ TEST(JointCurve, BearsEvenScalesAboveAndAnyOfItsOwn) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -5,8 +5,7 @@
 
 #include <orispline/clip/single_precision.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 RotationChannel made_at_random(std::size_t keys) {
   std::mt19937 dice(20240607);
@@ -48,4 +47,5 @@ TEST(SinglePrecision, LeavesAChannelWhoseTimesItCannotTellApart) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -2,8 +2,7 @@
 // Contract: a family that closes runs through its seam as through any key; one that does not says so.
 #include <contract/family_contract.hpp>
 
-namespace orispline::contract {
-namespace {
+namespace orispline::contract { namespace {
 
 using namespace testing_support;
 
@@ -233,4 +232,5 @@ TEST_P(RefusesToClose, UnlessItIsDeclaredToClose) {
 ORISPLINE_FOR_EVERY_FAMILY(RefusesToClose);
 
 }  // namespace
+
 }  // namespace orispline::contract

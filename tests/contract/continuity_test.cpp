@@ -3,8 +3,7 @@
 #include <contract/family_contract.hpp>
 #include <support/relative_jumps.hpp>
 
-namespace orispline::contract {
-namespace {
+namespace orispline::contract { namespace {
 
 using namespace testing_support;
 
@@ -114,4 +113,5 @@ TEST_P(MotionContinuity, OfBodyRatesIsTheDeclaredOrder) {
 ORISPLINE_FOR_EVERY_FAMILY(MotionContinuity);
 
 }  // namespace
+
 }  // namespace orispline::contract

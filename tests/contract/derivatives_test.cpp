@@ -3,8 +3,7 @@
 #include <contract/family_contract.hpp>
 #include <support/typed_curves.hpp>
 
-namespace orispline::contract {
-namespace {
+namespace orispline::contract { namespace {
 
 using namespace testing_support;
 
@@ -65,4 +64,5 @@ TYPED_TEST(JetOracle, EvaluatorAgreesWithJetsOfTheWholeQuaternion) {
 }
 
 }  // namespace
+
 }  // namespace orispline::contract

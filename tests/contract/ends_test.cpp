@@ -2,8 +2,7 @@
 // Contract: the rule of the start acts at the start and that of the end at the end, whatever the other one is.
 #include <contract/family_contract.hpp>
 
-namespace orispline::contract {
-namespace {
+namespace orispline::contract { namespace {
 
 using namespace testing_support;
 
@@ -88,4 +87,5 @@ TEST_P(EndContract, EachRuleActsAtItsOwnEndOfASolvedCurve) {
 ORISPLINE_FOR_EVERY_FAMILY(EndContract);
 
 }  // namespace
+
 }  // namespace orispline::contract

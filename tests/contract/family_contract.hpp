@@ -50,6 +50,7 @@ inline constexpr testing_support::MotionTolerance same_motion{tolerance::algebra
                                                               tolerance::rates};
 
 }  // namespace contract
+
 }  // namespace orispline
 
 /// Puts one suite of the contract under every family of the list.

@@ -6,8 +6,7 @@
 
 #include <orispline/fields.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 void expect_whole(std::span<const FieldInfo> fields) {
   std::set<std::string_view> names;
@@ -91,4 +90,5 @@ TEST(Fields, HoldOptionsToTheirRanges) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -3,8 +3,7 @@
 // its rates, and its orientations are unit.
 #include <contract/family_contract.hpp>
 
-namespace orispline::contract {
-namespace {
+namespace orispline::contract { namespace {
 
 using namespace testing_support;
 
@@ -163,4 +162,5 @@ TEST_P(FiniteContract, OnEvenStepsOfEveryLengthThatIsAdmitted) {
 ORISPLINE_FOR_EVERY_FAMILY(FiniteContract);
 
 }  // namespace
+
 }  // namespace orispline::contract

@@ -3,8 +3,7 @@
 // solved families that declare it may answer instead that their equations were not solved, and where.
 #include <contract/family_contract.hpp>
 
-namespace orispline::contract {
-namespace {
+namespace orispline::contract { namespace {
 
 using namespace testing_support;
 
@@ -102,4 +101,5 @@ TEST_P(HardKeyContract, SpacingFromMicrosecondsToHours) {
 ORISPLINE_FOR_EVERY_FAMILY(HardKeyContract);
 
 }  // namespace
+
 }  // namespace orispline::contract

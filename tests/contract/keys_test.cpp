@@ -3,8 +3,7 @@
 #include <contract/family_contract.hpp>
 #include <support/properties.hpp>
 
-namespace orispline::contract {
-namespace {
+namespace orispline::contract { namespace {
 
 using namespace testing_support;
 
@@ -124,4 +123,5 @@ TEST_P(KeyContract, FewestKeysOnAGreatArcGiveACurveOnIt) {
 ORISPLINE_FOR_EVERY_FAMILY(KeyContract);
 
 }  // namespace
+
 }  // namespace orispline::contract

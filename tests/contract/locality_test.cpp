@@ -3,8 +3,7 @@
 // The segments of a solved family depend on all keys, the less the further these are.
 #include <contract/family_contract.hpp>
 
-namespace orispline::contract {
-namespace {
+namespace orispline::contract { namespace {
 
 using namespace testing_support;
 
@@ -164,4 +163,5 @@ std::vector<FamilyInfo> solved_families() {
 INSTANTIATE_TEST_SUITE_P(Family, InfluenceContract, testing::ValuesIn(solved_families()), test_name);
 
 }  // namespace
+
 }  // namespace orispline::contract

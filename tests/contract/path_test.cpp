@@ -3,8 +3,7 @@
 #include <contract/family_contract.hpp>
 #include <support/typed_curves.hpp>
 
-namespace orispline::contract {
-namespace {
+namespace orispline::contract { namespace {
 
 using namespace testing_support;
 
@@ -73,4 +72,5 @@ TYPED_TEST(PathContinuity, IsThatOfThePathThatTheRegistryGives) {
 }
 
 }  // namespace
+
 }  // namespace orispline::contract

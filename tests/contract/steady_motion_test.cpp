@@ -3,8 +3,7 @@
 #include <contract/family_contract.hpp>
 #include <support/properties.hpp>
 
-namespace orispline::contract {
-namespace {
+namespace orispline::contract { namespace {
 
 using namespace testing_support;
 
@@ -55,4 +54,5 @@ TEST_P(SteadyMotionContract, ConstantRateOnUnevenTimesIsKeptAsDeclared) {
 ORISPLINE_FOR_EVERY_FAMILY(SteadyMotionContract);
 
 }  // namespace
+
 }  // namespace orispline::contract

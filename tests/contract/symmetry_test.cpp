@@ -3,8 +3,7 @@
 #include <contract/family_contract.hpp>
 #include <support/properties.hpp>
 
-namespace orispline::contract {
-namespace {
+namespace orispline::contract { namespace {
 
 using namespace testing_support;
 
@@ -94,4 +93,5 @@ TEST_P(SymmetryContract, EpochOfUnixTimeChangesNothing) {
 ORISPLINE_FOR_EVERY_FAMILY(SymmetryContract);
 
 }  // namespace
+
 }  // namespace orispline::contract

@@ -4,8 +4,7 @@
 
 #include <orispline/fields.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 constexpr double degree = 0.017453292519943295;
 
@@ -48,4 +47,5 @@ TEST(TypedField, IsRefusedInWords) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -9,8 +9,7 @@
 #include <orispline/families/registry.hpp>
 #include <support/specimens.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -54,4 +53,5 @@ TEST(Allocation, DoesNotHappenDuringEvaluation) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -10,8 +10,7 @@
 #include <support/specimens.hpp>
 #include <support/tolerance.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -159,4 +158,5 @@ TEST(ConstantCurve, HoldsItsOnlyKeyForEver) {
 }
 
 }  // namespace
+
 }  // namespace orispline

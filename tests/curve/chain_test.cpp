@@ -7,8 +7,7 @@
 #include <support/specimens.hpp>
 #include <support/tolerance.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -209,4 +208,5 @@ TEST(Chain, ToldNotANumberIsNotSolved) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -8,8 +8,7 @@
 #include <support/specimens.hpp>
 #include <support/tolerance.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -115,4 +114,5 @@ TEST(Ghost, PolygonHoldsItsIncrementsEvenBeyondAFullTurn) {
 }
 
 }  // namespace
+
 }  // namespace orispline

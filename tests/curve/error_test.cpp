@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 TEST(Error, IsOneLineWithThePlacesThatAreKnown) {
   EXPECT_EQ(describe({ErrorCode::bad_data, "what", {}}), "what");
@@ -32,4 +31,5 @@ TEST(Error, TravelsAsTheFailureOfAnExpected) {
 }
 
 }  // namespace
+
 }  // namespace orispline

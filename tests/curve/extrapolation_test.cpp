@@ -11,8 +11,7 @@
 #include <support/near.hpp>
 #include <support/tracks.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -153,4 +152,5 @@ TEST(Extrapolation, ThroughOneKeyNothingMovesAndNotANumberStaysOne) {
 }
 
 }  // namespace
+
 }  // namespace orispline

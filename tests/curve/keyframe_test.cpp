@@ -14,8 +14,7 @@
 #include <support/specimens.hpp>
 #include <support/tolerance.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using testing_support::near;
 using testing_support::pi;
@@ -261,4 +260,5 @@ TEST(Keyframes, PositionsAndRatesAreOptional) {
 }
 
 }  // namespace
+
 }  // namespace orispline

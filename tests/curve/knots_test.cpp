@@ -5,8 +5,7 @@
 
 #include <orispline/math/jet.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 TEST(Knots, FindTheSegmentOfATime) {
   const Knots knots({0.0, 1.0, 3.0, 3.5});
@@ -58,4 +57,5 @@ TEST(KnotSpan, NormalisesExactlyAtItsEndsAndScalesTheRate) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -11,8 +11,7 @@
 #include <support/specimens.hpp>
 #include <support/tolerance.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -172,4 +171,5 @@ TEST(ClosedKnots, WrapTheirStepsAround) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -7,8 +7,7 @@
 #include <support/near.hpp>
 #include <support/tolerance.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using testing_support::near;
 using J = Jet<double, 3>;
@@ -51,4 +50,5 @@ TEST(Motion, HasWorldRatesOnRequest) {
 }
 
 }  // namespace
+
 }  // namespace orispline

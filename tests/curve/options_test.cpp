@@ -9,8 +9,7 @@
 #include <orispline/families/registry.hpp>
 #include <support/specimens.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -161,4 +160,5 @@ TEST(PerKey, GivesOneValueToAllOrEachItsOwn) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -7,8 +7,7 @@
 #include <support/specimens.hpp>
 #include <support/tolerance.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -202,4 +201,5 @@ TEST(Position, OfSquadsIsCatmullRomInTime) {
 }
 
 }  // namespace
+
 }  // namespace orispline

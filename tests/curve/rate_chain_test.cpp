@@ -7,8 +7,7 @@
 #include <support/near.hpp>
 #include <support/specimens.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -74,4 +73,5 @@ TEST(ChartAcceleration, IsTheDerivativeOfTheBodyRate) {
 }
 
 }  // namespace
+
 }  // namespace orispline

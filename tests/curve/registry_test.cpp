@@ -8,8 +8,7 @@
 
 #include <orispline/families/families.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 TEST(Registry, DescribesEveryFamilyOnce) {
   std::set<std::string_view> names;
@@ -82,4 +81,5 @@ TEST(Registry, RefusesAPoseCurveAsItRefusesACurve) {
 }
 
 }  // namespace
+
 }  // namespace orispline

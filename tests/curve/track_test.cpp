@@ -11,8 +11,7 @@
 
 // What belongs to keys goes along when some of them are picked, moved in time or given rates.
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using Indices = std::array<std::size_t, 3>;
 
@@ -105,4 +104,5 @@ TEST(Method, TakesSettingsOfItsOwnFromATrackWhereItIsSilent) {
 }
 
 }  // namespace
+
 }  // namespace orispline

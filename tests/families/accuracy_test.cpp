@@ -7,8 +7,7 @@
 #include <orispline/families/registry.hpp>
 #include <support/specimens.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -95,4 +94,5 @@ TEST(EndAccuracy, OfTheFirstSegmentDependsOnTheEndRule) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -8,8 +8,7 @@
 #include <support/tolerance.hpp>
 #include <support/typed_curves.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 using J = Jet<double, 5>;
@@ -77,4 +76,5 @@ TEST(Atbi, AboutOneAxisHasTheRatesOfItsBasisAtAKey) {
 }
 
 }  // namespace
+
 }  // namespace orispline

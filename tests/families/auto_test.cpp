@@ -8,8 +8,7 @@
 #include <support/specimens.hpp>
 #include <support/tolerance.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -142,4 +141,5 @@ TEST(Auto, IsDefinedForTwoThreeAndFourKeysAndForLargeSteps) {
 }
 
 }  // namespace
+
 }  // namespace orispline

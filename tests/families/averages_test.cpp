@@ -8,8 +8,7 @@
 #include <support/tolerance.hpp>
 #include <support/typed_curves.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 using families::Averages;
@@ -226,4 +225,5 @@ TEST(Averages, OfControlPointsAllAroundAreRefusedRatherThanJump) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -8,8 +8,7 @@
 #include <support/specimens.hpp>
 #include <support/tolerance.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -68,4 +67,5 @@ TEST(BarryGoldman, IsTheSameCurveWhenKeysAndTimeAreReversed) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -10,8 +10,7 @@
 #include <support/specimens.hpp>
 #include <support/tolerance.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -113,4 +112,5 @@ TEST(BetaExample2, ChangesShapeWithBeta2OfPoint1) {
 }
 
 }  // namespace
+
 }  // namespace orispline

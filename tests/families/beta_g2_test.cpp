@@ -8,8 +8,7 @@
 #include <support/near.hpp>
 #include <support/tolerance.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 using families::BetaG2;
@@ -159,4 +158,5 @@ TEST(BetaG2Global, TellsWhereItsEquationsHaveNoSolution) {
 }
 
 }  // namespace
+
 }  // namespace orispline

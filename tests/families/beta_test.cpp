@@ -8,8 +8,7 @@
 #include <support/specimens.hpp>
 #include <support/tolerance.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 using families::Beta;
@@ -164,4 +163,5 @@ TEST(Beta, StaysFiniteOverItsWholeRange) {
 }
 
 }  // namespace
+
 }  // namespace orispline

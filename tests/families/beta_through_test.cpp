@@ -9,8 +9,7 @@
 #include <support/near.hpp>
 #include <support/tolerance.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 using families::BetaThrough;
@@ -156,4 +155,5 @@ TEST(BetaThrough, TellsWhereItsEquationsHaveNoSolution) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -7,8 +7,7 @@
 #include <support/specimens.hpp>
 #include <support/tolerance.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -80,4 +79,5 @@ TEST(Bezier, InSpaceIsTheBezierCurve) {
 }
 
 }  // namespace
+
 }  // namespace orispline

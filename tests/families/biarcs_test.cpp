@@ -8,8 +8,7 @@
 #include <support/tolerance.hpp>
 #include <support/tracks.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 using Eigen::Quaterniond;
@@ -177,4 +176,5 @@ TEST(Biarcs, MovePositionsOnCirclesAndStraightLines) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -8,8 +8,7 @@
 #include <support/specimens.hpp>
 #include <support/tolerance.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 using families::Circular;
@@ -159,4 +158,5 @@ TEST(Circular, IsLogParabolaWhereKeysAreTooCloseToTellACircle) {
 }
 
 }  // namespace
+
 }  // namespace orispline

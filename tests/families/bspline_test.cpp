@@ -9,8 +9,7 @@
 #include <support/specimens.hpp>
 #include <support/tolerance.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -173,4 +172,5 @@ TEST(BSpline, RefusesADegreeThatItHasNot) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -10,8 +10,7 @@
 #include <support/tolerance.hpp>
 #include <support/tracks.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -212,4 +211,5 @@ TEST(BSplineThrough, SaysWhereAndHowFarItDoesNotConverge) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -5,8 +5,7 @@
 #include <orispline/families/method_warnings.hpp>
 #include <orispline/math/so3.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using Vector = Eigen::Vector3d;
 
@@ -101,4 +100,5 @@ TEST(ContradictingAccelerations, AreNeitherTrueOnesNorNoisyOnes) {
 }
 
 }  // namespace
+
 }  // namespace orispline

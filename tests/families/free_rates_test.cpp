@@ -12,8 +12,7 @@
 #include <support/specimens.hpp>
 #include <support/tolerance.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -114,4 +113,5 @@ TEST(FreeRates, AreNoneOfAGyro) {
 }
 
 }  // namespace
+
 }  // namespace orispline

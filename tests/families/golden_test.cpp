@@ -12,8 +12,7 @@
 #include <support/near.hpp>
 #include <support/tolerance.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using testing_support::DataTable;
 using testing_support::MotionTolerance;
@@ -125,4 +124,5 @@ INSTANTIATE_TEST_SUITE_P(InR4, Golden,
                          name_of_test);
 
 }  // namespace
+
 }  // namespace orispline

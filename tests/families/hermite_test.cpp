@@ -11,8 +11,7 @@
 #include <support/specimens.hpp>
 #include <support/tolerance.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -274,4 +273,5 @@ TEST(Hermite, RefusesRatesThatTurnFartherWithinAStepThanItsJerkCanHold) {
 }
 
 }  // namespace
+
 }  // namespace orispline

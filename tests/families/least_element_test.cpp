@@ -6,8 +6,7 @@
 #include <support/random_motion.hpp>
 #include <support/specimens.hpp>
 
-namespace orispline::families {
-namespace {
+namespace orispline::families { namespace {
 
 using namespace testing_support;
 
@@ -53,4 +52,5 @@ TEST(LeastElement, HasExactSecondDerivatives) {
 }
 
 }  // namespace
+
 }  // namespace orispline::families

@@ -10,8 +10,7 @@
 #include <support/specimens.hpp>
 #include <support/tolerance.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -168,4 +167,5 @@ TEST(Least, RefusesNodesThatAreNoWholeNumber) {
 }
 
 }  // namespace
+
 }  // namespace orispline

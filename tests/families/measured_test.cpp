@@ -10,8 +10,7 @@
 #include <support/specimens.hpp>
 #include <support/tolerance.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -256,4 +255,5 @@ TEST(Measured, MovesPositionsByTheirOwnModels) {
 }
 
 }  // namespace
+
 }  // namespace orispline

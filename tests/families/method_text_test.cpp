@@ -7,8 +7,7 @@
 
 // The text form of methods: what it says, that it reads back bit for bit, and what is refused.
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 void expect_equal(const Method& a, const Method& b) {
   EXPECT_EQ(a.name, b.name);
@@ -93,4 +92,5 @@ TEST(MethodText, IsSilentAboutWhatOthersSay) {
 }
 
 }  // namespace
+
 }  // namespace orispline

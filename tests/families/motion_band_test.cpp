@@ -8,8 +8,7 @@
 #include <support/specimens.hpp>
 #include <support/tolerance.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -95,4 +94,5 @@ TEST(MotionBand, RefusesSharesAndMethodsWithoutABand) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -6,8 +6,7 @@
 #include <support/near.hpp>
 #include <support/tolerance.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -53,4 +52,5 @@ TEST(NotConverged, KeySetsWithoutAKnownInterpolatingBSplineAreRefusedOrSolvedInE
 TEST(NotConverged, EveryCaseOfTheTableIsOneOfThese) { EXPECT_EQ(DataTable("golden/not_converged.csv").size(), 10u); }
 
 }  // namespace
+
 }  // namespace orispline

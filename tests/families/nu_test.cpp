@@ -12,8 +12,7 @@
 #include <support/tolerance.hpp>
 #include <support/tracks.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -232,4 +231,5 @@ TEST(Nu, RefusesAnEndRateWhoseHandleWouldWindRound) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -9,8 +9,7 @@
 #include <support/near.hpp>
 #include <support/specimens.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -83,4 +82,5 @@ TEST(WoundHandle, OfASingleKeyIsNone) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -9,8 +9,7 @@
 #include <support/tolerance.hpp>
 #include <support/typed_curves.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 using families::Quintic;
@@ -146,4 +145,5 @@ TEST(Quintic, IsNotTheSameRunBackwards) {
 }
 
 }  // namespace
+
 }  // namespace orispline

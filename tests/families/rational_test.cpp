@@ -11,8 +11,7 @@
 #include <support/tolerance.hpp>
 #include <support/tracks.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -157,4 +156,5 @@ TEST(Rational, CarriesPositionsOnTheCubicSpline) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -5,8 +5,7 @@
 
 #include <orispline/families/method_text.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 TEST(Recipe, NamesTheMethodWithoutWhatTheTrackStatesKeyByKey) {
   Track track;
@@ -49,4 +48,5 @@ TEST(Recipe, SaysWhereTheCurveOfAnotherMethodIsAskedFor) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -6,8 +6,7 @@
 #include <support/data_table.hpp>
 #include <support/near.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -58,4 +57,5 @@ INSTANTIATE_TEST_SUITE_P(Tracks, RotationSplineOfSciPy, testing::Values("smooth"
                          [](const auto& test) { return std::string(test.param); });
 
 }  // namespace
+
 }  // namespace orispline

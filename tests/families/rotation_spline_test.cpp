@@ -9,8 +9,7 @@
 #include <support/tolerance.hpp>
 #include <support/tracks.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -126,4 +125,5 @@ TEST(RotationSpline, CarriesPositionsOnTheCubicSplineWithTheSameEnds) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -9,8 +9,7 @@
 #include <support/tolerance.hpp>
 #include <support/typed_curves.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 using families::Sextic;
@@ -118,4 +117,5 @@ TEST(Sextic, RepeatedEndKeyHasTheStatedRates) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -8,8 +8,7 @@
 #include <support/specimens.hpp>
 #include <support/tolerance.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -127,4 +126,5 @@ TEST(Shoemake, LosesC1WhereAHandleIsLongerThanAFullTurn) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -8,8 +8,7 @@
 #include <support/specimens.hpp>
 #include <support/tolerance.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -38,4 +37,5 @@ TEST(SlerpFamily, GoesTheLongWayWithSignsAsGiven) {
 }
 
 }  // namespace
+
 }  // namespace orispline

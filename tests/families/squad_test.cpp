@@ -8,8 +8,7 @@
 #include <support/specimens.hpp>
 #include <support/tolerance.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -131,4 +130,5 @@ TEST(SquadTimed, GoesThroughAFullTurnWithContinuousRates) {
 }
 
 }  // namespace
+
 }  // namespace orispline

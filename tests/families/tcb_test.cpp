@@ -7,8 +7,7 @@
 #include <support/specimens.hpp>
 #include <support/tolerance.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -154,4 +153,5 @@ TEST(Tcb, LosesC1WhereAHandleIsLongerThanAFullTurn) {
 }
 
 }  // namespace
+
 }  // namespace orispline

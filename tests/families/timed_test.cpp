@@ -8,8 +8,7 @@
 #include <support/tolerance.hpp>
 #include <support/typed_curves.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 using Parameters = std::map<std::string, std::vector<double>, std::less<>>;
@@ -204,4 +203,5 @@ INSTANTIATE_TEST_SUITE_P(Each, TimedFamily, testing::ValuesIn(timed_names), [](c
 });
 
 }  // namespace
+
 }  // namespace orispline

@@ -10,6 +10,7 @@
 #include <support/typed_curves.hpp>
 
 namespace orispline {
+
 namespace {
 
 using namespace testing_support;
@@ -175,4 +176,5 @@ TEST(UniformFamily, RefusesAnOrderThatIsNotAWholeNumber) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -8,8 +8,7 @@
 #include <support/tolerance.hpp>
 #include <support/typed_curves.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 using families::XingQuartic;
@@ -100,4 +99,5 @@ TEST(XingQuintic, RipplesOnASteadyRotation) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -7,6 +7,7 @@
 #include <support/tolerance.hpp>
 
 namespace orispline::fuzz {
+
 namespace {
 
 /// Ten times a segment, the knots among them, and beside the domain.

@@ -8,8 +8,7 @@
 #include <orispline/math/so3.hpp>
 #include <orispline/scenes/scene_format.hpp>
 
-namespace orispline::fuzz {
-namespace {
+namespace orispline::fuzz { namespace {
 
 using namespace scenes;
 
@@ -74,6 +73,7 @@ void claim_same_motion_from_elsewhere(Scene scene) {
 }
 
 }  // namespace
+
 }  // namespace orispline::fuzz
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

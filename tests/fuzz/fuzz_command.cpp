@@ -19,8 +19,7 @@ int orispline_command(int argc, char** argv);  // cli/main.cpp under another nam
 
 extern "C" void __sanitizer_set_report_fd(void* fd) __attribute__((weak));
 
-namespace orispline::fuzz {
-namespace {
+namespace orispline::fuzz { namespace {
 
 namespace fs = std::filesystem;
 
@@ -158,6 +157,7 @@ void try_command(const Words& words, std::string_view keys) {
 }
 
 }  // namespace
+
 }  // namespace orispline::fuzz
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -4,8 +4,7 @@
 #include <fuzz/curve_claims.hpp>
 #include <fuzz/fuzzed_method.hpp>
 
-namespace orispline::fuzz {
-namespace {
+namespace orispline::fuzz { namespace {
 
 constexpr std::size_t most_keys = 12;
 
@@ -23,6 +22,7 @@ void try_method(const FamilyInfo& family, const Method& method, const FuzzedKeys
 }
 
 }  // namespace
+
 }  // namespace orispline::fuzz
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -11,8 +11,7 @@
 #include <orispline/base/time_origin.hpp>
 #include <orispline/io/text_table.hpp>
 
-namespace orispline::fuzz {
-namespace {
+namespace orispline::fuzz { namespace {
 
 void claim_written_and_read_back(const Decimal& x) {
   const auto again = Decimal::parse(x.to_string());
@@ -60,6 +59,7 @@ void claim_origin(const Decimal& time, double offset) {
 }
 
 }  // namespace
+
 }  // namespace orispline::fuzz
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

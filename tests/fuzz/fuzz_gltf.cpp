@@ -7,8 +7,7 @@
 #include <fuzz/fuzz_input.hpp>
 #include <orispline/scenes/scene_format.hpp>
 
-namespace orispline::fuzz {
-namespace {
+namespace orispline::fuzz { namespace {
 
 using namespace scenes;
 
@@ -71,6 +70,7 @@ void claim_same_when_written(const Scene& scene, const std::string& path) {
 }
 
 }  // namespace
+
 }  // namespace orispline::fuzz
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

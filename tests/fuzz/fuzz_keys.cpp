@@ -11,8 +11,7 @@
 #include <orispline/io/key_reader.hpp>
 #include <orispline/io/track_file.hpp>
 
-namespace orispline::fuzz {
-namespace {
+namespace orispline::fuzz { namespace {
 
 using io::KeyFile;
 using io::ReadOptions;
@@ -166,6 +165,7 @@ void claim_track_or_plain_error(KeyFile file) {
 }
 
 }  // namespace
+
 }  // namespace orispline::fuzz
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -8,8 +8,7 @@
 #include <online/online_stream.hpp>
 #include <orispline/online/online_curve.hpp>
 
-namespace orispline::fuzz {
-namespace {
+namespace orispline::fuzz { namespace {
 
 using testing_support::FinalKeys;
 using testing_support::key_of;
@@ -112,6 +111,7 @@ void try_stream(const Method& method, const FuzzedKeys& fuzzed, FuzzInput& input
 }
 
 }  // namespace
+
 }  // namespace orispline::fuzz
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

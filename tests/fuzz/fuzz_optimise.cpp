@@ -13,8 +13,7 @@
 #include <orispline/tune/tune.hpp>
 #include <support/specimens.hpp>
 
-namespace orispline::fuzz {
-namespace {
+namespace orispline::fuzz { namespace {
 
 /// Of a length; infinite where there is none.
 double size_of(const std::optional<Limit>& limit) { return limit ? limit->sizes[0] : HUGE_VAL; }
@@ -209,6 +208,7 @@ void try_compare(FuzzInput& input, const Track& track) {
 }
 
 }  // namespace
+
 }  // namespace orispline::fuzz
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -7,8 +7,7 @@
 #include <fuzz/temporary_file.hpp>
 #include <orispline/io/times_file.hpp>
 
-namespace orispline::fuzz {
-namespace {
+namespace orispline::fuzz { namespace {
 
 void claim_sound(const io::TimesList& list) {
   claim(list.times.size() == list.lines.size(), "{} times, {} lines", list.times.size(), list.lines.size());
@@ -27,6 +26,7 @@ void claim_read_back(const TemporaryFolder& folder, const io::TimesList& list) {
 }
 
 }  // namespace
+
 }  // namespace orispline::fuzz
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

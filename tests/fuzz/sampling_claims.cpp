@@ -10,6 +10,7 @@
 #include <support/specimens.hpp>
 
 namespace orispline::fuzz {
+
 namespace {
 
 using namespace testing_support;

@@ -8,6 +8,7 @@
 #include <support/specimens.hpp>
 
 namespace orispline::fuzz {
+
 namespace {
 
 using testing_support::Dice;

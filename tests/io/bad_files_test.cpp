@@ -8,8 +8,7 @@
 
 #include "io/text_file.hpp"
 
-namespace orispline::io {
-namespace {
+namespace orispline::io { namespace {
 
 using namespace std::string_literals;
 
@@ -254,4 +253,5 @@ TEST(BadFile, ThatCannotBeReadIsBadAccess) {
 }
 
 }  // namespace
+
 }  // namespace orispline::io

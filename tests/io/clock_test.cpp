@@ -13,8 +13,7 @@
 
 #include "io/text_file.hpp"
 
-namespace orispline::io {
-namespace {
+namespace orispline::io { namespace {
 
 using test::text_of;
 using test::TextFile;
@@ -163,4 +162,5 @@ TEST(Clock, OfAFileOfTimes) {
 }
 
 }  // namespace
+
 }  // namespace orispline::io

@@ -9,8 +9,7 @@
 
 #include "io/text_file.hpp"
 
-namespace orispline::io {
-namespace {
+namespace orispline::io { namespace {
 
 using test::text_of;
 using test::TextFile;
@@ -242,4 +241,5 @@ TEST(Csv, PlacesTheErrorsOfKeys) {
 }
 
 }  // namespace
+
 }  // namespace orispline::io

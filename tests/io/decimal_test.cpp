@@ -12,8 +12,7 @@
 
 #include <gtest/gtest.h>
 
-namespace orispline::io {
-namespace {
+namespace orispline::io { namespace {
 
 Decimal decimal(std::string_view text) {
   auto number = Decimal::parse(text);
@@ -205,4 +204,5 @@ TEST(Decimal, RoundsToTheNearestWholeNumber) {
 }
 
 }  // namespace
+
 }  // namespace orispline::io

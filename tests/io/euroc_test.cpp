@@ -8,8 +8,7 @@
 
 #include "io/text_file.hpp"
 
-namespace orispline::io {
-namespace {
+namespace orispline::io { namespace {
 
 using namespace std::string_literals;
 using test::content_of;
@@ -145,4 +144,5 @@ TEST(EuRoC, RefusesTwoSamplesOnOneNanosecond) {
 }
 
 }  // namespace
+
 }  // namespace orispline::io

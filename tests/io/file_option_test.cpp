@@ -6,8 +6,7 @@
 
 #include <orispline/io/file_option.hpp>
 
-namespace orispline::io {
-namespace {
+namespace orispline::io { namespace {
 
 Reading read_by(const StatedOptions& stated) {
   Reading reading;
@@ -125,4 +124,5 @@ TEST(WritingOptions, AskForAnglesByTheirOrderOrTheirUnitAlone) {
 }
 
 }  // namespace
+
 }  // namespace orispline::io

@@ -14,8 +14,7 @@
 
 #include "io/text_file.hpp"
 
-namespace orispline::io {
-namespace {
+namespace orispline::io { namespace {
 
 using test::text_of;
 using test::TextFile;
@@ -250,4 +249,5 @@ TEST(FileBesideAnother, IsRefusedForWhatItsOwnReaderSays) {
 }
 
 }  // namespace
+
 }  // namespace orispline::io

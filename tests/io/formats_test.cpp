@@ -15,8 +15,7 @@
 
 #include "io/text_file.hpp"
 
-namespace orispline::io {
-namespace {
+namespace orispline::io { namespace {
 
 using test::content_of;
 using test::ScratchDirectory;
@@ -127,4 +126,5 @@ TEST(Formats, MayBeACallersOwnAndHoldSeveralTracks) {
 }
 
 }  // namespace
+
 }  // namespace orispline::io

@@ -10,8 +10,7 @@
 
 #include "io/text_file.hpp"
 
-namespace orispline::io {
-namespace {
+namespace orispline::io { namespace {
 
 const std::string header = "t,qw,qx,qy,qz,wx,wy,wz,ax,ay,az\n";
 
@@ -92,4 +91,5 @@ TEST(FreeRates, AreWrittenSoThatTheyAreReadAgain) {
 }
 
 }  // namespace
+
 }  // namespace orispline::io

@@ -8,8 +8,7 @@
 
 #include "text_file.hpp"
 
-namespace orispline::io {
-namespace {
+namespace orispline::io { namespace {
 
 using test::TextFile;
 
@@ -139,4 +138,5 @@ TEST(KeyReader, CountsTheBytesThatItReads) {
 }
 
 }  // namespace
+
 }  // namespace orispline::io

@@ -7,8 +7,7 @@
 
 #include "io/text_file.hpp"
 
-namespace orispline::io {
-namespace {
+namespace orispline::io { namespace {
 
 TEST(KeyTable, TakesTheNamesOfColumnsThatHaveCells) {
   const test::TextFile file("t,qw,qx,qy,qz,\n0,1,0,0,0,\n1,0.8,0.6,0,0,\n");
@@ -46,4 +45,5 @@ TEST(KeyTable, IsReadAsItWasWritten) {
 }
 
 }  // namespace
+
 }  // namespace orispline::io

@@ -8,8 +8,7 @@
 
 #include "io/text_file.hpp"
 
-namespace orispline::io {
-namespace {
+namespace orispline::io { namespace {
 
 using test::text_of;
 using test::TextFile;
@@ -101,4 +100,5 @@ TEST(LineReader, SaysWhyAFileCannotBeRead) {
 }
 
 }  // namespace
+
 }  // namespace orispline::io

@@ -15,8 +15,7 @@
 
 #include "io/text_file.hpp"
 
-namespace orispline::io {
-namespace {
+namespace orispline::io { namespace {
 
 using namespace std::string_view_literals;
 using test::content_of;
@@ -154,4 +153,5 @@ TEST(Npy, IsNoFileOfKeys) {
 }
 
 }  // namespace
+
 }  // namespace orispline::io

@@ -8,8 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace orispline::io {
-namespace {
+namespace orispline::io { namespace {
 
 std::string refusal(std::string_view cell) {
   const auto number = number_of(cell);
@@ -68,4 +67,5 @@ TEST(Number, IsReadExactlyAsADecimal) {
 }
 
 }  // namespace
+
 }  // namespace orispline::io

@@ -16,8 +16,7 @@
 
 #include <orispline/base/decimal.hpp>
 
-namespace orispline::io {
-namespace {
+namespace orispline::io { namespace {
 
 std::string text_of(double value) {
   std::array<char, shortest_text_room> text;
@@ -85,4 +84,5 @@ TEST(ShortestDecimal, DoesNotEndInAZero) {
 }
 
 }  // namespace
+
 }  // namespace orispline::io

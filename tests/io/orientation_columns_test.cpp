@@ -15,8 +15,7 @@
 
 #include "io/text_file.hpp"
 
-namespace orispline::io {
-namespace {
+namespace orispline::io { namespace {
 
 using test::ScratchDirectory;
 using test::text_of;
@@ -206,4 +205,5 @@ TEST(OrientationForm, IsReadBackAsItWasWritten) {
 }
 
 }  // namespace
+
 }  // namespace orispline::io

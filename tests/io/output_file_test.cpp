@@ -27,8 +27,7 @@ extern "C" int fsync(int descriptor) {
   return sync_error == 0 ? 0 : -1;
 }
 
-namespace orispline::io {
-namespace {
+namespace orispline::io { namespace {
 
 class Synced : public ::testing::Test {
  protected:
@@ -105,4 +104,5 @@ TEST(Parts, HoldsItsPartUntilItIsInItsPlace) {
 }
 
 }  // namespace
+
 }  // namespace orispline::io

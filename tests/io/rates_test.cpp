@@ -15,8 +15,7 @@
 
 #include "io/text_file.hpp"
 
-namespace orispline::io {
-namespace {
+namespace orispline::io { namespace {
 
 using namespace testing_support;
 
@@ -155,4 +154,5 @@ TEST(Rates, OfAnyNameAreThoseOfTheWorldWhereTheyAreMapped) {
 }
 
 }  // namespace
+
 }  // namespace orispline::io

@@ -10,8 +10,7 @@
 
 // Recordings that are not part of the project, for their licences differ: read where they lie beside it.
 
-namespace orispline::io {
-namespace {
+namespace orispline::io { namespace {
 
 using test::text_of;
 
@@ -90,4 +89,5 @@ TEST_F(RealFile, SpacecraftAttitudeInTicksAndConjugate) {
 }
 
 }  // namespace
+
 }  // namespace orispline::io

@@ -12,8 +12,7 @@
 
 #include "io/text_file.hpp"
 
-namespace orispline::io {
-namespace {
+namespace orispline::io { namespace {
 
 using test::content_of;
 using test::ScratchDirectory;
@@ -141,4 +140,5 @@ TEST(WriteTracks, StatesNoRecipeWhoseCurveTheFileCannotGive) {
 }
 
 }  // namespace
+
 }  // namespace orispline::io

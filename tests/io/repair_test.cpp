@@ -8,8 +8,7 @@
 
 #include "io/text_file.hpp"
 
-namespace orispline::io {
-namespace {
+namespace orispline::io { namespace {
 
 using test::text_of;
 using test::TextFile;
@@ -135,4 +134,5 @@ TEST(Repairs, TouchNothingInAGoodFile) {
 }
 
 }  // namespace
+
 }  // namespace orispline::io

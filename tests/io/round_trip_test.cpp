@@ -13,8 +13,7 @@
 
 #include "io/text_file.hpp"
 
-namespace orispline::io {
-namespace {
+namespace orispline::io { namespace {
 
 using test::ScratchDirectory;
 
@@ -132,4 +131,5 @@ TEST(RoundTrip, ReadsAMillionRowsInTwoHundredBytesAKey) {
 #endif
 
 }  // namespace
+
 }  // namespace orispline::io

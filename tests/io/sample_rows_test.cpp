@@ -10,8 +10,7 @@
 
 #include "io/text_file.hpp"
 
-namespace orispline::io {
-namespace {
+namespace orispline::io { namespace {
 
 using test::content_of;
 using test::ScratchDirectory;
@@ -60,4 +59,5 @@ TEST(SampleRows, MayNotRepeatTheLastNanosecondOfThoseBefore) {
 }
 
 }  // namespace
+
 }  // namespace orispline::io

@@ -14,8 +14,7 @@
 
 #include "io/text_file.hpp"
 
-namespace orispline::io {
-namespace {
+namespace orispline::io { namespace {
 
 using test::content_of;
 using test::ScratchDirectory;
@@ -283,4 +282,5 @@ TEST(OutputFile, WritesDevicesDirectly) {
 }
 
 }  // namespace
+
 }  // namespace orispline::io

@@ -5,8 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 constexpr std::array<std::string_view, 6> words{"auto", "squad", "timed-c2", "timed-c3", "hermite-c1", "--rate"};
 
@@ -39,4 +38,5 @@ TEST(Suggestion, IsSaidInOneSentence) {
 }
 
 }  // namespace
+
 }  // namespace orispline

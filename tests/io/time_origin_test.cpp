@@ -6,8 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 TEST(TimeOrigin, GivesTheNearestDoubleOfTheExactSum) {
   std::mt19937_64 random(11);
@@ -32,4 +31,5 @@ TEST(TimeOrigin, RoundsOnceWhereTheSumIsHalfwayBetweenDoubles) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -8,8 +8,7 @@
 
 #include "io/text_file.hpp"
 
-namespace orispline::io {
-namespace {
+namespace orispline::io { namespace {
 
 using test::text_of;
 using test::TextFile;
@@ -99,4 +98,5 @@ TEST(TimesFile, MustExist) {
 }
 
 }  // namespace
+
 }  // namespace orispline::io

@@ -13,8 +13,7 @@
 
 #include "io/text_file.hpp"
 
-namespace orispline::io {
-namespace {
+namespace orispline::io { namespace {
 
 using test::content_of;
 using test::ScratchDirectory;
@@ -131,4 +130,5 @@ TEST(WriteTracks, WritesSeveralWhereTheFormatHoldsThem) {
 }
 
 }  // namespace
+
 }  // namespace orispline::io

@@ -7,8 +7,7 @@
 
 #include "io/text_file.hpp"
 
-namespace orispline::io {
-namespace {
+namespace orispline::io { namespace {
 
 using test::TextFile;
 
@@ -37,4 +36,5 @@ TEST(Tum, IsScaledAndConjugatedLikeCsv) {
 }
 
 }  // namespace
+
 }  // namespace orispline::io

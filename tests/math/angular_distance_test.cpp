@@ -7,8 +7,7 @@
 #include <support/specimens.hpp>
 #include <support/tolerance.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using testing_support::pi;
 
@@ -37,4 +36,5 @@ TEST(AngularDistance, IsSymmetricAndBlindToTheSign) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -11,8 +11,7 @@
 #include <support/near.hpp>
 #include <support/specimens.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -94,4 +93,5 @@ TEST(BandedMatrix, AddsBlocks) {
 }
 
 }  // namespace
+
 }  // namespace orispline

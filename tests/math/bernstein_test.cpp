@@ -8,8 +8,7 @@
 #include <orispline/math/jet.hpp>
 #include <support/tolerance.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 TEST(Bernstein, HasTheValuesOfTheBinomialDistribution) {
   const auto basis = bernstein_basis<4>(0.25);  // C(4,i) 3^(4-i) / 4^4
@@ -40,4 +39,5 @@ TEST(Bernstein, EndDerivativesAreDegreeTimesTheFirstDifference) {
 }
 
 }  // namespace
+
 }  // namespace orispline

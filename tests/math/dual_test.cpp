@@ -8,8 +8,7 @@
 #include <support/near.hpp>
 #include <support/specimens.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -79,4 +78,5 @@ TEST(Dual, PlainMatricesAndVectorsMixWithDuals) {
 }
 
 }  // namespace
+
 }  // namespace orispline

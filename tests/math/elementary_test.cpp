@@ -11,8 +11,7 @@
 
 #include <support/data_table.hpp>
 
-namespace orispline::elementary {
-namespace {
+namespace orispline::elementary { namespace {
 
 using testing_support::DataTable;
 
@@ -160,4 +159,5 @@ TEST(Elementary, HasTheCommittedBits) {
 }
 
 }  // namespace
+
 }  // namespace orispline::elementary

@@ -13,8 +13,7 @@
 #include <support/specimens.hpp>
 #include <support/tolerance.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using testing_support::DataTable;
 using testing_support::Dice;
@@ -170,4 +169,5 @@ TEST(Euler, StaysAccurateHoweverNearAGimbalLock) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -8,8 +8,7 @@
 
 #include <support/specimens.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 constexpr double few_ulp = 4.0 * static_cast<double>(std::numeric_limits<float>::epsilon());
 
@@ -61,4 +60,5 @@ TEST(Float, JetsOfFloatDifferentiate) {
 }
 
 }  // namespace
+
 }  // namespace orispline

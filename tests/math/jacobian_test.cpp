@@ -9,8 +9,7 @@
 #include <support/specimens.hpp>
 #include <support/tolerance.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using testing_support::near;
 using testing_support::pi;
@@ -70,4 +69,5 @@ TEST(Jacobian, HasTheDerivativesOfTheAngularVelocity) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -6,8 +6,7 @@
 
 #include <support/tolerance.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using Jet5 = Jet<double, 5>;
 
@@ -108,4 +107,5 @@ TEST(Jet, OfOrderZeroIsThePlainNumber) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -7,8 +7,7 @@
 #include <support/specimens.hpp>
 #include <support/tolerance.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using testing_support::Dice;
 using testing_support::near;
@@ -70,4 +69,5 @@ TEST(OrthonormalityError, MeasuresTheColumns) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -13,8 +13,7 @@
 #include <support/data_table.hpp>
 #include <support/tolerance.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using testing_support::DataTable;
 using Jet3 = Jet<double, 3>;
@@ -70,4 +69,5 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
+
 }  // namespace orispline

@@ -9,8 +9,7 @@
 #include <support/specimens.hpp>
 #include <support/tolerance.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using testing_support::near;
 using J = Jet<double, 3>;
@@ -100,4 +99,5 @@ TEST(Squad, WithTheKeysAsInnerPointsIsSlerp) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -9,8 +9,7 @@
 #include <support/specimens.hpp>
 #include <support/tolerance.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using testing_support::DataTable;
 using testing_support::near;
@@ -195,4 +194,5 @@ TEST(LogOfJets, HasTheDerivativesOnBothSidesOfEveryThreshold) {
 }
 
 }  // namespace
+
 }  // namespace orispline

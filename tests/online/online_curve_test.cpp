@@ -7,8 +7,7 @@
 #include <online/online_stream.hpp>
 #include <orispline/families/registry.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -172,4 +171,5 @@ TEST(OnlineCurve, IsAsSmoothInTimeAsItsFamilyAcrossEveryAppend) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -8,8 +8,7 @@
 #include <online/online_stream.hpp>
 #include <orispline/base/formatted.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -207,4 +206,5 @@ TEST(OnlineCurve, EndsOnceAndBeginsAnewAfterReset) {
 }
 
 }  // namespace
+
 }  // namespace orispline

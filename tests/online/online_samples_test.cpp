@@ -9,8 +9,7 @@
 #include <orispline/families/registry.hpp>
 #include <orispline/online/online_curve.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -98,4 +97,5 @@ TEST(OnlineSamples, RefuseRoomThatDoesNotFit) {
 }
 
 }  // namespace
+
 }  // namespace orispline

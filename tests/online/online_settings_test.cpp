@@ -5,8 +5,7 @@
 
 #include <online/online_stream.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -131,4 +130,5 @@ TEST(OnlineCurve, RefusesAKeyWhoseSettingsMakeNoCurve) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -7,8 +7,7 @@
 #include <online/track_stream.hpp>
 #include <support/follower.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -212,4 +211,5 @@ TEST(SampleTracks, RefusesColumnsThatDoNotBelongTogether) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -7,8 +7,7 @@
 #include <online/track_stream.hpp>
 #include <orispline/online/state_bytes.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -171,4 +170,5 @@ TEST(TrackSampler, LivesWithStatesThatAreForged) {
 }
 
 }  // namespace
+
 }  // namespace orispline

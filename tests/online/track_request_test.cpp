@@ -6,8 +6,7 @@
 
 #include <online/track_stream.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -127,4 +126,5 @@ TEST(TrackSampler, FillsPlanesOnAnyNumberOfThreads) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -7,8 +7,7 @@
 
 #include <online/track_stream.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -197,4 +196,5 @@ TEST(TrackSampler, BeginsANewCurveAfterAGap) {
 }
 
 }  // namespace
+
 }  // namespace orispline

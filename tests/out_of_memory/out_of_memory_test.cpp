@@ -19,8 +19,7 @@
 #include <orispline/tune.hpp>
 #endif
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -90,4 +89,5 @@ TEST(OutOfMemory, EndsReading) {
 #endif
 
 }  // namespace
+
 }  // namespace orispline

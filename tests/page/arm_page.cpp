@@ -6,8 +6,7 @@
 #include <orispline/io/output_file.hpp>
 #include <orispline/pages/skeleton_page.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
@@ -58,6 +57,7 @@ Expected<report::SkeletonPage> arm_page() {
 }
 
 }  // namespace
+
 }  // namespace orispline
 
 int main(int argc, char** argv) {

@@ -12,8 +12,7 @@
 #include <orispline/io/output_file.hpp>
 #include <orispline/report/page_samples.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 constexpr double degree = 3.14159265358979323846 / 180.0;
 
@@ -71,6 +70,7 @@ Expected<report::Page> flight_page(const char* keys_path, const char* truth_path
 }
 
 }  // namespace
+
 }  // namespace orispline
 
 int main(int argc, char** argv) {

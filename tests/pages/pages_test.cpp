@@ -14,8 +14,7 @@
 #include <orispline/report/page_json.hpp>
 #include <support/specimens.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 const pages::PageHead head{.command = "a command", .date = "a day", .notes = {"A note."}};
 
@@ -274,4 +273,5 @@ TEST(Page, OfVeryManyKeysShowsSomeAndSaysSo) {
 }
 
 }  // namespace
+
 }  // namespace orispline

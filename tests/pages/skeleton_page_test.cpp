@@ -10,8 +10,7 @@
 #include <orispline/base/version.hpp>
 #include <orispline/math/degrees.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 const pages::PageHead head{.command = "a command", .date = "a day", .notes = {"A note."}};
 
@@ -137,4 +136,5 @@ TEST(ReducedClipsPage, HasTheTolerancesAndTheClipThatIsFarthestOffFirst) {
 }
 
 }  // namespace
+
 }  // namespace orispline

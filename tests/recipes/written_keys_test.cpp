@@ -16,8 +16,7 @@
 #include "io/text_file.hpp"
 #include "support/random_motion.hpp"
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 constexpr int samples = 401;
 
@@ -117,4 +116,5 @@ TEST(WrittenKeys, KeepSignsThatMeanTurns) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -8,8 +8,7 @@
 #include <reduce/recorded_walk.hpp>
 #include <support/specimens.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using testing_support::degree;
 
@@ -288,4 +287,5 @@ TEST(ReduceClips, NamesWhatIsWrong) {
 }
 
 }  // namespace
+
 }  // namespace orispline

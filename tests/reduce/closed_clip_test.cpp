@@ -6,8 +6,7 @@
 #include <orispline/reduce/clip_reduction.hpp>
 #include <reduce/recorded_walk.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using testing_support::degree;
 
@@ -141,4 +140,5 @@ TEST(ClosedClip, OtherMethodsHaveNoTangentsToClose) {
 }
 
 }  // namespace
+
 }  // namespace orispline

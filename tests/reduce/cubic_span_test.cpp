@@ -6,8 +6,7 @@
 #include <reduce/recorded_walk.hpp>
 #include <support/specimens.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using testing_support::degree;
 
@@ -200,4 +199,5 @@ TEST(CubicSamples, LieOnTheCurveThatIsAskedFor) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -9,8 +9,7 @@
 #include <orispline/reduce/hermite_fit.hpp>
 #include <reduce/recorded_walk.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using testing_support::degree;
 using testing_support::Walk;
@@ -206,4 +205,5 @@ TEST(Reduce, StopsWhileItSeeksRates) {
 }
 
 }  // namespace
+
 }  // namespace orispline

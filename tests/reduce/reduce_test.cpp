@@ -5,8 +5,7 @@
 #include <reduce/recorded_walk.hpp>
 #include <support/follower.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -270,4 +269,5 @@ TEST(Reduce, IsFollowedAndStopped) {
 }
 
 }  // namespace
+
 }  // namespace orispline

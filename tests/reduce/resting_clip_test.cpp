@@ -8,8 +8,7 @@
 #include <orispline/clip/channel_curve.hpp>
 #include <orispline/reduce/clip_reduction.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 TEST(ReduceClips, LeavesAClipThatRestsAsLongAsItWas) {
   const auto skeleton = Skeleton::make({{.name = "a"}, {.name = "b"}});
@@ -60,4 +59,5 @@ TEST(ReduceClips, StandsStillBetweenEqualKeysAndIsJudgedAtTheKeysOfEachJoint) {
 }
 
 }  // namespace
+
 }  // namespace orispline

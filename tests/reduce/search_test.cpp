@@ -4,8 +4,7 @@
 #include <orispline/reduce/span_reach.hpp>
 #include <reduce/recorded_walk.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -94,4 +93,5 @@ TEST(SpanReach, EndsAtWhatNoSpanPasses) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -7,8 +7,7 @@
 
 #include <support/counted.hpp>
 
-namespace orispline::report {
-namespace {
+namespace orispline::report { namespace {
 
 using testing_support::count_of;
 
@@ -108,4 +107,5 @@ TEST(Chart, LegendNamesEveryLabelOnce) {
 }
 
 }  // namespace
+
 }  // namespace orispline::report

@@ -7,8 +7,7 @@
 #include <orispline/report/view.hpp>
 #include <support/counted.hpp>
 
-namespace orispline::report {
-namespace {
+namespace orispline::report { namespace {
 
 using testing_support::count_of;
 
@@ -107,4 +106,5 @@ TEST(MotionDrawing, SaysWhatItsChartsShow) {
 }
 
 }  // namespace
+
 }  // namespace orispline::report

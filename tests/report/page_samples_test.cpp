@@ -9,8 +9,7 @@
 
 #include <orispline/families/registry.hpp>
 
-namespace orispline::report {
-namespace {
+namespace orispline::report { namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
 
@@ -169,4 +168,5 @@ TEST(PageSamples, KeysAreTakenAsTheyAre) {
 }
 
 }  // namespace
+
 }  // namespace orispline::report

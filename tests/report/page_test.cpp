@@ -10,8 +10,7 @@
 #include <orispline/report/page_template.hpp>
 #include <support/counted.hpp>
 
-namespace orispline::report {
-namespace {
+namespace orispline::report { namespace {
 
 using testing_support::count_of;
 
@@ -101,4 +100,5 @@ TEST(Page, NamesColumnsBodiesAndFailures) {
 }
 
 }  // namespace
+
 }  // namespace orispline::report

@@ -7,8 +7,7 @@
 #include <orispline/report/skeleton_page_json.hpp>
 #include <support/counted.hpp>
 
-namespace orispline::report {
-namespace {
+namespace orispline::report { namespace {
 
 using testing_support::count_of;
 
@@ -91,4 +90,5 @@ TEST(SkeletonPage, OfAClipThatStandsStillAtOnePlaceHasStepsOfOne) {
 }
 
 }  // namespace
+
 }  // namespace orispline::report

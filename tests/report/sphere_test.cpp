@@ -8,8 +8,7 @@
 
 #include <support/counted.hpp>
 
-namespace orispline::report {
-namespace {
+namespace orispline::report { namespace {
 
 using Eigen::Vector3d;
 using testing_support::count_of;
@@ -90,4 +89,5 @@ TEST(Sphere, HasAViewWhereThereIsNoMiddle) {
 }
 
 }  // namespace
+
 }  // namespace orispline::report

@@ -8,8 +8,7 @@
 
 #include <support/counted.hpp>
 
-namespace orispline::report {
-namespace {
+namespace orispline::report { namespace {
 
 using testing_support::count_of;
 
@@ -72,4 +71,5 @@ TEST(Drawing, WritesWordsThatXmlWouldMisunderstand) {
 }
 
 }  // namespace
+
 }  // namespace orispline::report

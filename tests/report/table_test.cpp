@@ -5,8 +5,7 @@
 
 #include <orispline/report/characters.hpp>
 
-namespace orispline::report {
-namespace {
+namespace orispline::report { namespace {
 
 TEST(Table, AlignsWordsToTheLeftAndNumbersToTheRight) {
   const Table table{
@@ -84,4 +83,5 @@ TEST(Characters, AreCountedAsTheyAreSeen) {
 }
 
 }  // namespace
+
 }  // namespace orispline::report

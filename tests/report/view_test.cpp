@@ -9,8 +9,7 @@
 #include <support/counted.hpp>
 #include <support/tolerance.hpp>
 
-namespace orispline::report {
-namespace {
+namespace orispline::report { namespace {
 
 using Eigen::Vector3d;
 using testing_support::count_of;
@@ -72,4 +71,5 @@ TEST(View, ShowsAFaceOfASolidFromOutsideOnly) {
 }
 
 }  // namespace
+
 }  // namespace orispline::report

@@ -5,8 +5,7 @@
 
 #include <orispline/math/degrees.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 TEST(Certificate, IsThatOfTheSegmentWithTheLargestBound) {
   const std::vector<SegmentPeaks> peaks{{{.found = 1.0, .bound = 1.1, .time = 0.5}, {.bound = 7.0}},
@@ -40,4 +39,5 @@ TEST(Certificate, OfComponentsIsOneForEachAxisInTheUnitThatWasStated) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -7,8 +7,7 @@
 #include "retime/retimed_motion.hpp"
 #include "support/random_motion.hpp"
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 // Keys a few roundings of time apart: no attempt at less slowing makes two of them one.
 TEST(Retime, KeepsKeysApartThatAreNextToEachOtherInTime) {
@@ -99,4 +98,5 @@ TEST(Retime, StatesTheSlackThatItsBoundsLeave) {
 }
 
 }  // namespace
+
 }  // namespace orispline

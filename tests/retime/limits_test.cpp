@@ -7,8 +7,7 @@
 #include "retime/retimed_motion.hpp"
 #include "support/random_motion.hpp"
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 TEST(Retime, LimitsTheJerk) {
   const Keyframes slew = turning([](double u) { return 2.0 * u * u * u * (10.0 + u * (-15.0 + 6.0 * u)); }, 24);
@@ -71,4 +70,5 @@ TEST(Retime, LimitsThePosition) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -12,8 +12,7 @@
 #include "retime/retimed_motion.hpp"
 #include "support/random_motion.hpp"
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 constexpr double degrees = std::numbers::pi / 180.0;
 const Eigen::Vector3d moments(1.0, 2.0, 2.5);
@@ -239,4 +238,5 @@ TEST(RateBounds, AreUnknownWithoutPolynomials) {
 }
 
 }  // namespace
+
 }  // namespace orispline

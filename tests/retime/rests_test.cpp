@@ -7,8 +7,7 @@
 #include "retime/retimed_motion.hpp"
 #include "support/random_motion.hpp"
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 /// From rest to rest and on, by 2 rad about one axis each: equal keys for 1 s, then eight segments of 1/8 s.
 Keyframes stop_and_go(std::size_t slews) {
@@ -115,4 +114,5 @@ TEST(Retime, MeetsADuration) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -11,8 +11,7 @@
 #include "support/follower.hpp"
 #include "support/random_motion.hpp"
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 double angle_between(const Eigen::Quaterniond& p, const Eigen::Quaterniond& q) { return increment(p, q).norm(); }
 
@@ -189,4 +188,5 @@ TEST(Retime, IsFollowedAndStopped) {
 }
 
 }  // namespace
+
 }  // namespace orispline

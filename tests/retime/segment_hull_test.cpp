@@ -8,8 +8,7 @@
 #include <orispline/curve/motion.hpp>
 #include <orispline/math/bernstein.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 constexpr double duration = 1.7;  // [s]
 using Time = Jet<double, 3>;
@@ -145,4 +144,5 @@ TEST(SegmentHull, IsNearToTheRateWhereTheBodyWhirlsAboutTheSecondIncrement) {
 TEST(SegmentHull, IsNothingWithoutPolynomials) { EXPECT_FALSE(SegmentHull::of({}, duration)); }
 
 }  // namespace
+
 }  // namespace orispline

@@ -5,8 +5,7 @@
 
 #include <orispline/scenes/scene_file.hpp>
 
-namespace orispline::scenes {
-namespace {
+namespace orispline::scenes { namespace {
 
 /// Of Debian's package assimp-testmodels.
 struct Model {
@@ -43,4 +42,5 @@ TEST(Assimp, DoesNotWrite) {
 }
 
 }  // namespace
+
 }  // namespace orispline::scenes

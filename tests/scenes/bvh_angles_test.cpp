@@ -8,8 +8,7 @@
 
 #include "scenes/bvh_file.hpp"
 
-namespace orispline::scenes {
-namespace {
+namespace orispline::scenes { namespace {
 
 using test::frames_of;
 using test::scene_of;
@@ -71,4 +70,5 @@ TEST(BvhAngles, AnglesAreContinuousThroughManyTurnsAndThroughGimbalLock) {
 }
 
 }  // namespace
+
 }  // namespace orispline::scenes

@@ -9,8 +9,7 @@
 
 #include "scenes/bvh_file.hpp"
 
-namespace orispline::scenes {
-namespace {
+namespace orispline::scenes { namespace {
 
 TEST(BvhOfGltf, EveryClipHasItsRotationsAndTranslationsInTheFrames) {
   const std::string path = ORISPLINE_SHARED_DATA "/gltf/kaykit_mage_76clips.glb";
@@ -47,4 +46,5 @@ TEST(BvhOfGltf, EveryClipHasItsRotationsAndTranslationsInTheFrames) {
 }
 
 }  // namespace
+
 }  // namespace orispline::scenes

@@ -11,8 +11,7 @@
 
 #include "scenes/bvh_file.hpp"
 
-namespace orispline::scenes {
-namespace {
+namespace orispline::scenes { namespace {
 
 using test::one_joint;
 using test::read_bvh;
@@ -251,4 +250,5 @@ TEST_F(CmuFile, HasTheProductsOfItsTurnsAndIsReadQuickly) {
 }
 
 }  // namespace
+
 }  // namespace orispline::scenes

@@ -9,8 +9,7 @@
 
 #include "scenes/bvh_file.hpp"
 
-namespace orispline::scenes {
-namespace {
+namespace orispline::scenes { namespace {
 
 using test::frames_of;
 using test::made_scene;
@@ -265,4 +264,5 @@ TEST_F(CmuRoundTrip, KeepsTheFrameTimeAndTheMotionThroughFloats) {
 }
 
 }  // namespace
+
 }  // namespace orispline::scenes

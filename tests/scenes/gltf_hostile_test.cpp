@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenes/gltf_file.hpp"
 
-namespace orispline::scenes {
-namespace {
+namespace orispline::scenes { namespace {
 
 using test::bytes_of;
 using test::GltfFile;
@@ -231,4 +230,5 @@ TEST(GltfHostile, FewBytesThatStandForManyKeys) {
 }
 
 }  // namespace
+
 }  // namespace orispline::scenes

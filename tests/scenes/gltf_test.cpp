@@ -4,8 +4,7 @@
 
 #include "scenes/gltf_file.hpp"
 
-namespace orispline::scenes {
-namespace {
+namespace orispline::scenes { namespace {
 
 using test::bytes_of;
 using test::GltfFile;
@@ -199,4 +198,5 @@ TEST(Gltf, ReadsTheRecordingsBesideTheProject) {
 }
 
 }  // namespace
+
 }  // namespace orispline::scenes

@@ -3,8 +3,7 @@
 
 #include "scenes/gltf_written.hpp"
 
-namespace orispline::scenes {
-namespace {
+namespace orispline::scenes { namespace {
 
 using gltf::Json;
 using test::bytes_of;
@@ -276,4 +275,5 @@ TEST(GltfWriter, WritesTheRecordingBesideTheProjectAsItWas) {
 }
 
 }  // namespace
+
 }  // namespace orispline::scenes

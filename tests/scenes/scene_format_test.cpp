@@ -3,8 +3,7 @@
 
 #include <orispline/scenes/scene_file.hpp>
 
-namespace orispline::scenes {
-namespace {
+namespace orispline::scenes { namespace {
 
 TEST(SceneFormat, IsToldByTheExtensionInAnyCaseOfLetters) {
   EXPECT_EQ(scene_format_of("a/Walk.BVH"), &bvh_format);
@@ -22,4 +21,5 @@ TEST(SceneFormat, OfAnotherExtensionIsAnErrorThatNamesThoseThereAre) {
 }
 
 }  // namespace
+
 }  // namespace orispline::scenes

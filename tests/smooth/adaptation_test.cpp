@@ -9,8 +9,7 @@
 
 #include "smooth/safety_net.hpp"
 
-namespace orispline::known_truth {
-namespace {
+namespace orispline::known_truth { namespace {
 
 constexpr double step = 1.3;  // of τ, in the search for the best single one
 
@@ -183,4 +182,5 @@ TEST(Adaptation, IsNotWhereOneTimeIsStatedOrAGyroIsUsed) {
 }
 
 }  // namespace
+
 }  // namespace orispline::known_truth

@@ -9,8 +9,7 @@
 #include <orispline/smooth/log_lambda_curve.hpp>
 #include <orispline/smooth/smoothing_trace.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 std::vector<double> uneven_times(std::size_t count) {
   std::vector<double> times;
@@ -74,4 +73,5 @@ TEST(LogLambdaCurve, RisesNoHigherThanItMay) {
 }
 
 }  // namespace
+
 }  // namespace orispline

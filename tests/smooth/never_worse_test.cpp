@@ -9,8 +9,7 @@
 
 #include "smooth/safety_net.hpp"
 
-namespace orispline::known_truth {
-namespace {
+namespace orispline::known_truth { namespace {
 
 struct Errors {
   double samples, robust, l2;
@@ -104,4 +103,5 @@ TEST(NeverWorse, OfRecordings) {
 }
 
 }  // namespace
+
 }  // namespace orispline::known_truth

@@ -11,8 +11,7 @@
 #include "smooth/noisy_motion.hpp"
 #include "smooth/smoothing_case.hpp"
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using testing_support::DataTable;
 using testing_support::relative_error;
@@ -175,4 +174,5 @@ TEST(NodeSigmas, KnowWhatAGyroTellsAndThatItsBiasIsEstimated) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -10,8 +10,7 @@
 
 #include "smooth/noisy_motion.hpp"
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 TEST(Smooth, ComesNearTheTruthWithoutBeingToldAnything) {
   const auto recording = recorded(1500, degree);
@@ -245,4 +244,5 @@ TEST(Smooth, IsFollowedAndStopped) {
 }
 
 }  // namespace
+
 }  // namespace orispline

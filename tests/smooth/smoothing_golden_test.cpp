@@ -10,8 +10,7 @@
 
 #include "smooth/smoothing_case.hpp"
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using testing_support::DataTable;
 using testing_support::relative_error;
@@ -86,4 +85,5 @@ TEST(SmoothingGolden, PositionsAreThoseOfExactSplines) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -7,8 +7,7 @@
 
 #include "smooth/noisy_motion.hpp"
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using Indices = std::vector<std::size_t>;
 
@@ -71,4 +70,5 @@ TEST(SmoothingVerdict, AsksTheNeighboursThatCount) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -9,8 +9,7 @@
 
 #include "smooth/noisy_motion.hpp"
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using Indices = std::vector<std::size_t>;
 using Vectors = std::vector<Eigen::Vector3d>;
@@ -290,4 +289,5 @@ TEST(SmoothPositions, TakeLinearTime) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -10,8 +10,7 @@
 
 #include "smooth/noisy_motion.hpp"
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 /// Two stretches of ten samples in 20, one apart from the other by a second.
 Smoothing two_stretches() {
@@ -99,4 +98,5 @@ TEST(SmoothingResult, BringsItsWarnings) {
 }
 
 }  // namespace
+
 }  // namespace orispline

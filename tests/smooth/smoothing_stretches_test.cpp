@@ -9,8 +9,7 @@
 #include <orispline/smooth/smoothing_stretches.hpp>
 #include <support/specimens.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using testing_support::Dice;
 
@@ -129,4 +128,5 @@ TEST(RepresentativeParts, AreSpreadEvenlyAndNoMoreThanAskedFor) {
 }
 
 }  // namespace
+
 }  // namespace orispline

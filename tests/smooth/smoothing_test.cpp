@@ -13,8 +13,7 @@
 
 #include "smooth/noisy_motion.hpp"
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using testing_support::relative_error;
 
@@ -152,4 +151,5 @@ TEST(SmoothingTrace, IsThatOfTheSplineFilter) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -7,8 +7,7 @@
 #include <orispline/batch/baked_curve.hpp>
 #include <support/together.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -69,4 +68,5 @@ TEST(Compare, MeasuresEveryMethodOnManyThreads) {
 }
 
 }  // namespace
+
 }  // namespace orispline

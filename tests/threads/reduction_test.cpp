@@ -6,8 +6,7 @@
 #include <orispline/reduce/reduce.hpp>
 #include <support/specimens.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -36,4 +35,5 @@ TEST(ReduceTracks, FindsTheSameKeysOnManyThreads) {
 }
 
 }  // namespace
+
 }  // namespace orispline

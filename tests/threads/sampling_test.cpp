@@ -8,8 +8,7 @@
 #include <batch/specimen_curves.hpp>
 #include <orispline/base/parallel.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -56,4 +55,5 @@ TEST(BatchThreads, ChangeNoBit) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -7,8 +7,7 @@
 #include <orispline/families/registry.hpp>
 #include <support/specimens.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -39,4 +38,5 @@ TEST(Threads, ShareACurveAndItsCopies) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -5,8 +5,7 @@
 #include <orispline/online/sample_tracks.hpp>
 #include <support/specimens.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using namespace testing_support;
 
@@ -48,4 +47,5 @@ TEST(TracksOnThreads, AreThoseOfOneWithItsErrors) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -9,8 +9,7 @@
 #include <orispline/tune/tune.hpp>
 #include "tune/some_keys.hpp"
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using testing_support::some_keys;
 using testing_support::turned;
@@ -111,4 +110,5 @@ TEST(Construction, FitsTheParametersThatMadeTheReference) {
 }
 
 }  // namespace
+
 }  // namespace orispline

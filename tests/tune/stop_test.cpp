@@ -9,8 +9,7 @@
 #include <orispline/math/so3.hpp>
 #include <orispline/tune/tune.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 TEST(Tune, MayBeStoppedAtAnyMoment) {
   KeyframeData data;
@@ -40,4 +39,5 @@ TEST(Tune, MayBeStoppedAtAnyMoment) {
 }
 
 }  // namespace
+
 }  // namespace orispline

@@ -14,8 +14,7 @@
 #include <support/random_motion.hpp>
 #include "tune/some_keys.hpp"
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using testing_support::DataTable;
 using testing_support::some_keys;
@@ -259,4 +258,5 @@ TEST(Tune, IsFollowedAndStopped) {
 }
 
 }  // namespace
+
 }  // namespace orispline

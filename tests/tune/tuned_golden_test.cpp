@@ -6,8 +6,7 @@
 #include <support/data_table.hpp>
 #include <support/golden_case.hpp>
 
-namespace orispline {
-namespace {
+namespace orispline { namespace {
 
 using testing_support::DataTable;
 using testing_support::named_texts;
@@ -52,4 +51,5 @@ TEST(TunedGolden, EnergiesAreThoseOfTheReference) {
 }
 
 }  // namespace
+
 }  // namespace orispline

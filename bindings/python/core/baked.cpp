@@ -18,6 +18,7 @@
 using namespace nanobind::literals;
 
 namespace orispline::python {
+
 namespace {
 
 template <class T>

@@ -13,6 +13,7 @@
 namespace nb = nanobind;
 
 namespace orispline::python {
+
 namespace {
 
 std::string_view name_of(ErrorCode code) {

@@ -13,6 +13,7 @@
 namespace nb = nanobind;
 
 namespace orispline::python {
+
 namespace {
 
 /// What Python states, where it is no text; nothing where it is of another type.

@@ -21,6 +21,7 @@
 using namespace nanobind::literals;
 
 namespace orispline::python {
+
 namespace {
 
 Keys shared(Track track) { return {std::make_shared<const Track>(std::move(track))}; }

@@ -20,6 +20,7 @@
 using namespace nanobind::literals;
 
 namespace orispline::python {
+
 namespace {
 
 using Text = std::optional<std::string>;

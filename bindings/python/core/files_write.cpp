@@ -22,6 +22,7 @@ namespace nb = nanobind;
 using namespace nanobind::literals;
 
 namespace orispline::python {
+
 namespace {
 
 constexpr int highest_order = 3;  // of rates that keys may have

@@ -14,6 +14,7 @@
 using namespace nanobind::literals;
 
 namespace orispline::python {
+
 namespace {
 
 /// What is asked beside the samples themselves.

@@ -16,6 +16,7 @@
 using namespace nanobind::literals;
 
 namespace orispline::python {
+
 namespace {
 
 Expected<std::optional<Decimal>> decimal_in(const std::optional<std::string>& text) {

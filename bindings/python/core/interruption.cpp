@@ -9,6 +9,7 @@
 namespace nb = nanobind;
 
 namespace orispline::python {
+
 namespace {
 
 constexpr std::chrono::milliseconds between_looks{20};

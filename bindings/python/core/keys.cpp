@@ -15,6 +15,7 @@
 using namespace nanobind::literals;
 
 namespace orispline::python {
+
 namespace {
 
 using Settings = std::map<std::string, std::vector<double>>;

@@ -13,6 +13,7 @@ namespace nb = nanobind;
 using namespace nanobind::literals;
 
 namespace orispline::python {
+
 namespace {
 
 nb::object text(std::string_view words) { return nb::str(words.data(), words.size()); }

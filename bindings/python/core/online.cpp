@@ -20,6 +20,7 @@
 using namespace nanobind::literals;
 
 namespace orispline::python {
+
 namespace {
 
 using Four = nb::ndarray<const double, nb::shape<4>, nb::c_contig, nb::device::cpu>;

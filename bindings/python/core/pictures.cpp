@@ -23,6 +23,7 @@
 using namespace nanobind::literals;
 
 namespace orispline::python {
+
 namespace {
 
 using Vector = nb::ndarray<const double, nb::shape<3>, nb::c_contig, nb::device::cpu>;

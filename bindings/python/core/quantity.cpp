@@ -10,6 +10,7 @@
 #include "errors.hpp"
 
 namespace orispline::python {
+
 namespace {
 
 constexpr std::size_t samples_of_a_cache = std::size_t{1} << 13, samples_of_a_thread = std::size_t{1} << 16;

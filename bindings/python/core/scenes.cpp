@@ -21,6 +21,7 @@ namespace nb = nanobind;
 using namespace nanobind::literals;
 
 namespace orispline::python {
+
 namespace {
 
 /// A scene as Python holds it: shared, for it never changes.

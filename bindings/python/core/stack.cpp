@@ -15,6 +15,7 @@
 using namespace nanobind::literals;
 
 namespace orispline::python {
+
 namespace {
 
 constexpr std::size_t times_of_a_part = 256;  // of all joints: what is written then fits into a thread's cache

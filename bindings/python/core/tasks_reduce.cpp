@@ -18,6 +18,7 @@ namespace nb = nanobind;
 using namespace nanobind::literals;
 
 namespace orispline::python {
+
 namespace {
 
 /// What was done to a recording before, and how far the chosen curve is from it as it was [rad] and its path [m], samples

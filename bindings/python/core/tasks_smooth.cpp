@@ -16,6 +16,7 @@ namespace nb = nanobind;
 using namespace nanobind::literals;
 
 namespace orispline::python {
+
 namespace {
 
 using Task = TaskResult<Smoothing>;

@@ -13,6 +13,7 @@ namespace nb = nanobind;
 using namespace nanobind::literals;
 
 namespace orispline::python {
+
 namespace {
 
 /// With the objective, which the result does not know.

@@ -22,6 +22,7 @@
 using namespace nanobind::literals;
 
 namespace orispline::python {
+
 namespace {
 
 using Column = nb::ndarray<double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;

@@ -15,6 +15,7 @@
 #include "output/terminal_width.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 /// Progress looks at the clock only once in so many steps.

@@ -4,6 +4,7 @@
 #include "output/standard_output.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 /// Rows are sorted by an option of another name here, where that of this name is for the table.

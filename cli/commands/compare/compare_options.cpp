@@ -6,6 +6,7 @@
 #include "commands/compare/compare_report.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 constexpr auto compare_footer = R"(Examples:

@@ -14,6 +14,7 @@
 #include "output/repairs_text.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 constexpr std::string_view none = "–";

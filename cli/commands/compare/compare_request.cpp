@@ -12,6 +12,7 @@
 #include "options/threads.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 constexpr std::size_t default_step = 8;

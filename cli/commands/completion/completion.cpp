@@ -8,6 +8,7 @@
 #include <orispline/base/formatted.hpp>
 
 namespace orispline::cli {
+
 namespace {
 
 using Commands = std::vector<CommandOutline>;

@@ -16,6 +16,7 @@
 #include "output/standard_output.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 constexpr int highest_order = 3;  // of rates that keys may have

@@ -2,6 +2,7 @@
 #include "commands/convert/convert_options.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 constexpr auto convert_footer = R"(Examples:

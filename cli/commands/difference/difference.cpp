@@ -22,6 +22,7 @@
 #include "output/standard_output.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 constexpr double most_times = 1e8;

@@ -6,6 +6,7 @@
 #include "options/command_options.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 constexpr auto difference_footer = R"(Examples:

@@ -9,6 +9,7 @@
 #include <orispline/math/degrees.hpp>
 
 namespace orispline::cli {
+
 namespace {
 
 constexpr std::size_t clips_shown = 10;

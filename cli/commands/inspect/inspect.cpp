@@ -16,6 +16,7 @@
 #include "output/standard_output.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 /// Read with every repair, so that a faulty file is reported instead of refused.

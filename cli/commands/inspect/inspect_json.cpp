@@ -8,6 +8,7 @@
 #include "output/json_document.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 /// Three members for a key: its index, its line in the file, its exact time.

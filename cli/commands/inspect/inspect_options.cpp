@@ -2,6 +2,7 @@
 #include "commands/inspect/inspect_options.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 constexpr auto inspect_footer = R"(Examples:

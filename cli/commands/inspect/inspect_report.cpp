@@ -9,6 +9,7 @@
 #include "output/findings_text.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 constexpr std::size_t places_shown = 3;

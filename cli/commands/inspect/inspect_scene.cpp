@@ -13,6 +13,7 @@
 #include "output/standard_output.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 std::string tracks_text(std::size_t tracks, std::size_t keys) {

@@ -6,6 +6,7 @@
 #include "commands/methods/page_lines.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 std::string line(std::string_view label, std::string_view words) {

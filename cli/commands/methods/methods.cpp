@@ -12,6 +12,7 @@
 #include "output/standard_output.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 constexpr std::size_t name_width = 20, label_width = 10;  // of the two columns beside the text

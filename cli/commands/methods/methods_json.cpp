@@ -4,6 +4,7 @@
 #include "output/json_document.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 Json parameters_of(const FamilyInfo& family) {

@@ -7,6 +7,7 @@
 #include "options/option_text.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 constexpr std::size_t page_width = 100;

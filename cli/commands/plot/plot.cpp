@@ -17,6 +17,7 @@
 #include "output/standard_output.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 /// The command line, understood.

@@ -4,6 +4,7 @@
 #include <orispline/base/formatted.hpp>
 
 namespace orispline::cli {
+
 namespace {
 
 constexpr auto plot_footer = R"(Examples:

@@ -21,6 +21,7 @@
 #include "output/standard_output.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 /// The command line, understood.

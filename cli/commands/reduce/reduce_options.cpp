@@ -6,6 +6,7 @@
 #include <orispline/reduce/reduce_fields.hpp>
 
 namespace orispline::cli {
+
 namespace {
 
 constexpr auto reduce_footer = R"(Examples:

@@ -14,6 +14,7 @@
 #include "output/summary.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 std::string line_of(const ReduceReport& report, const orispline::Reduction& reduction) {

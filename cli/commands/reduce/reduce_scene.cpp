@@ -23,6 +23,7 @@
 #include "output/standard_output.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 /// The command line, understood.

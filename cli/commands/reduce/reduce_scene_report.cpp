@@ -10,6 +10,7 @@
 #include "output/summary.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 /// Of all clips together.

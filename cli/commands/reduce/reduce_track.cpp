@@ -8,6 +8,7 @@
 #include "options/output_options.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 Expected<ReducedTrack> smoothed(ReducedTrack track, const orispline::SmoothOptions& options) {

@@ -16,6 +16,7 @@
 #include "output/noted_output.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 /// The command line, understood.

@@ -5,6 +5,7 @@
 #include <orispline/retime/retime_fields.hpp>
 
 namespace orispline::cli {
+
 namespace {
 
 constexpr auto retime_footer = R"(Examples:

@@ -12,6 +12,7 @@
 #include "output/summary.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 double duration_of(const RetimeReport& report) {

@@ -2,6 +2,7 @@
 #include "commands/sample/sample_buffer.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 Eigen::Vector3d vector_of(const std::vector<double>& numbers, std::size_t k) {

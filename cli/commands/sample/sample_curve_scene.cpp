@@ -18,6 +18,7 @@
 #include "output/summary.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 /// What was written into a file of skeletons.

@@ -15,6 +15,7 @@
 #include "output/summary.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 /// Names of clips and joints as those of files: no two are the same.

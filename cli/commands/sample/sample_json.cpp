@@ -9,6 +9,7 @@
 #include "output/repairs_json.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 Json truth(const TruthReport& truth) {

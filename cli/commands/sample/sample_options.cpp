@@ -7,6 +7,7 @@
 #include <orispline/curve/extrapolation.hpp>
 
 namespace orispline::cli {
+
 namespace {
 
 constexpr auto sample_footer = R"(Examples:

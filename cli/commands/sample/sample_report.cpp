@@ -16,6 +16,7 @@
 #include "output/summary.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 constexpr std::size_t many_keys = 1'000'000;  // some hundred megabytes, worth a word

@@ -12,6 +12,7 @@
 #include <orispline/fields/typed_numbers.hpp>
 
 namespace orispline::cli {
+
 namespace {
 
 constexpr int default_csv_derivatives = 2;

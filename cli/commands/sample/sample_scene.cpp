@@ -15,6 +15,7 @@
 #include "output/summary.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 Error located(Error error, const std::string& file) {

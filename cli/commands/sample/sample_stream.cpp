@@ -18,6 +18,7 @@
 #include "output/standard_output.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -10,6 +10,7 @@
 #include "commands/sample/sample_buffer.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 constexpr std::size_t chunk_size = 16384;  // samples that a thread makes at a time: far dearer than the thread

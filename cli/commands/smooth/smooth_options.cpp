@@ -2,6 +2,7 @@
 #include "commands/smooth/smooth_options.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 constexpr auto smooth_footer = R"(Examples:

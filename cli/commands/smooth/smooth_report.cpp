@@ -14,6 +14,7 @@
 #include "output/summary.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 using orispline::Smoothing;

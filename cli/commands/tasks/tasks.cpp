@@ -9,6 +9,7 @@
 #include "output/standard_output.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 constexpr std::size_t name_width = 31, type_width = 18;

@@ -4,6 +4,7 @@
 #include <orispline/fields.hpp>
 
 namespace orispline::cli {
+
 namespace {
 
 template <class... Structs>

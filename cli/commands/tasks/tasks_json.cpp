@@ -6,6 +6,7 @@
 #include "output/field_json.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 Json words_of(const FieldInfo& field) {

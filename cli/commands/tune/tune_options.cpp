@@ -5,6 +5,7 @@
 #include <orispline/tune/tune_fields.hpp>
 
 namespace orispline::cli {
+
 namespace {
 
 constexpr auto tune_footer = R"(Examples:

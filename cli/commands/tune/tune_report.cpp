@@ -13,6 +13,7 @@
 #include "output/summary.hpp"
 
 namespace orispline::cli {
+
 namespace {
 
 std::string energy_line(const TuneReport& report) {

@@ -6,7 +6,8 @@
 #include <orispline/analysis/quadrature.hpp>
 #include <orispline/analysis/rounding.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr int most_steps = 80;  // bisection alone needs fewer than 64
@@ -54,4 +55,4 @@ double AngleTravelled::time_at(double angle) const {
   return t;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -5,7 +5,7 @@
 
 #include <orispline/curve/curve.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// The angle ∫|ω| dt that a curve has travelled [rad]: the arc length of orientations, and its inverse.
 ///
@@ -29,4 +29,4 @@ class ORISPLINE_EXPORT AngleTravelled {
   std::vector<double> at_knots_;  // [rad]
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

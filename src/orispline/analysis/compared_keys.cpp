@@ -7,7 +7,8 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/curve/free_rate.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 Expected<void> check_two_keys(const Track& track) {
@@ -97,4 +98,4 @@ Expected<ComparedData> beside_recording(const Track& keys, const Track& recordin
   return data;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -10,7 +10,7 @@
 #include <orispline/analysis/measure_info.hpp>
 #include <orispline/curve/track.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// One set of keys that every method is given.
 struct ComparedKeys {
@@ -45,4 +45,4 @@ struct ORISPLINE_EXPORT ComparedData {
 /// recording lies between the keys.
 [[nodiscard]] ORISPLINE_EXPORT Expected<ComparedData> beside_recording(const Track& keys, const Track& recording);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

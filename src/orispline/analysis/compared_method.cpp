@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <limits>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 /// Rising from the best; infinite where nothing can be said.
@@ -25,4 +26,4 @@ void sort_by(const MeasureInfo& measure, std::vector<ComparedMethod>& methods, c
   });
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

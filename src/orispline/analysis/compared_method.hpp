@@ -6,7 +6,7 @@
 
 #include <orispline/analysis/measure_info.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A method by the name that its user gives it, on one of several sets of keys.
 struct ComparedMethod {
@@ -20,4 +20,4 @@ struct ComparedMethod {
 ORISPLINE_EXPORT void sort_by(const MeasureInfo& measure, std::vector<ComparedMethod>& methods,
                               const MeasureTimes& times);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -17,7 +17,8 @@
 #include <orispline/families/motion_band.hpp>
 #include <orispline/families/registry.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -138,4 +139,4 @@ Comparison compare(std::span<const Candidate> candidates, const RecordedMotion& 
   return comparison;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

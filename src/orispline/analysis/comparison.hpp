@@ -16,7 +16,7 @@
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/method.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A motion known densely. The caller's memory.
 struct RecordedMotion {
@@ -81,4 +81,4 @@ struct ORISPLINE_EXPORT Comparison {
                                                   const RecordedMotion& recording, const MeasureOptions& options = {},
                                                   unsigned threads = 1, const Progress& progress = {});
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

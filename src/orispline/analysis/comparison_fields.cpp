@@ -6,7 +6,7 @@
 #include <orispline/curve/torque.hpp>
 #include <orispline/fields/field_codec.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 template <>
 struct FieldCodec<LeaveOut> : PlainCodec<LeaveOut, bool, FieldType::flag> {};
@@ -45,4 +45,4 @@ Expected<void> check(const MeasureOptions& options) {
   return checked_inertia(options.inertia).map([](const auto&) {});
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -5,7 +5,7 @@
 #include <orispline/analysis/decimation.hpp>
 #include <orispline/fields/field_info.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 template <>
 inline constexpr std::array words<Spacing>{
@@ -18,4 +18,4 @@ ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<MeasureOptions>() noexcept
 template <>
 ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<Decimation>() noexcept;
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

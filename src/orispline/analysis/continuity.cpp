@@ -7,7 +7,8 @@
 #include <orispline/analysis/joints.hpp>
 #include <orispline/analysis/rounding.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 using Rate = Eigen::Vector3d Motion::*;
@@ -52,4 +53,4 @@ Continuity continuity_at_keys(const AnyCurve& curve, Seam seam) {
   return {jumps[0], jumps[1], jumps[2]};
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

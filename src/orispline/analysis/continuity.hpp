@@ -3,7 +3,7 @@
 
 #include <orispline/curve/curve.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// How far one rate of a curve jumps where its segments meet.
 struct RateJump {
@@ -33,4 +33,4 @@ enum class Seam { open, closed };
 /// a rate of order k within 256 ε/h^k, h [s] being the smaller spacing beside the key, is rounding.
 [[nodiscard]] ORISPLINE_EXPORT Continuity continuity_at_keys(const AnyCurve& curve, Seam seam = Seam::open);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

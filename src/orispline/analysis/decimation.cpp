@@ -9,7 +9,8 @@
 #include <orispline/base/expect.hpp>
 #include <orispline/base/formatted.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr double largest_jitter = 0.35;  // of the step: neighbours meet by rounding only, where the step is 2
@@ -86,4 +87,4 @@ std::string name_of(const Decimation& decimation) {
   return every;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -7,7 +7,7 @@
 
 #include <orispline/curve/keyframe.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// How the samples are spaced that stay.
 enum class Spacing {
@@ -34,4 +34,4 @@ struct Decimation {
 /// `every 8th`, `every 8th, jittered (seed 1)`
 [[nodiscard]] ORISPLINE_EXPORT std::string name_of(const Decimation& decimation);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -8,7 +8,8 @@
 #include <orispline/base/expect.hpp>
 #include <orispline/curve/free_rate.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 double percentile(std::span<const double> rising, double part) {
@@ -76,4 +77,4 @@ DistanceStatistics rate_error(const AnyCurve& curve, RateSeries logged) {
   return rate_statistics(samples.angular_velocities, logged.angular_velocities.subspan(first, count), first);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

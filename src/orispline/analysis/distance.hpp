@@ -6,7 +6,7 @@
 
 #include <orispline/curve/curve.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Distances between two motions: of their orientations [rad] or of their angular velocities [rad/s].
 struct DistanceStatistics {
@@ -61,4 +61,4 @@ struct RateSeries {
 /// jumps at a key, the mean of both sides counts.
 [[nodiscard]] ORISPLINE_EXPORT DistanceStatistics rate_error(const AnyCurve& curve, RateSeries logged);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -5,7 +5,8 @@
 #include <orispline/analysis/rounding.hpp>
 #include <orispline/curve/torque.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 /// Integrals that are rounding altogether, on a segment of h seconds.
@@ -31,4 +32,4 @@ Energies energies(const AnyCurve& curve, const Eigen::Matrix3d& inertia) {
   return {.acceleration = sum[0], .jerk = sum[1], .torque = sum[2]};
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

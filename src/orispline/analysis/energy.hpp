@@ -3,7 +3,7 @@
 
 #include <orispline/curve/curve.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// How much a curve accelerates, summed over its segments.
 ///
@@ -23,4 +23,4 @@ struct Energies {
 [[nodiscard]] ORISPLINE_EXPORT Energies energies(const AnyCurve& curve,
                                                  const Eigen::Matrix3d& inertia = Eigen::Matrix3d::Identity());
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

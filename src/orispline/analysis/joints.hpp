@@ -8,7 +8,7 @@
 
 // The places where segments of a curve meet, with the rates on both sides.
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Where two segments meet.
 struct Joint {
@@ -39,4 +39,4 @@ void for_each_probe(const AnyCurve& curve, Look&& look) {
     for (const double u : {0.25, 0.5, 0.75}) look(curve.motion(std::lerp(t[i], t[i + 1], u)));
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

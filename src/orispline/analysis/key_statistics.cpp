@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 KeyStatistics key_statistics(const Keyframes& keys) {
   const auto t = keys.times();
@@ -25,4 +25,4 @@ KeyStatistics key_statistics(const Keyframes& keys) {
   return statistics;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -8,7 +8,7 @@
 #include <orispline/analysis/spread.hpp>
 #include <orispline/curve/keyframe.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// What the keys are like, before any curve is drawn through them.
 struct KeyStatistics {
@@ -20,4 +20,4 @@ struct KeyStatistics {
 
 [[nodiscard]] ORISPLINE_EXPORT KeyStatistics key_statistics(const Keyframes& keys);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -4,7 +4,7 @@
 #include <orispline/analysis/energy.hpp>
 #include <orispline/families/registry.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 std::optional<double> least_energy(const Keyframes& keys) {
   if (keys.size() < 2 || keys.size() > most_keys_for_least_energy) return std::nullopt;
@@ -16,4 +16,4 @@ std::optional<double> least_energy(const Keyframes& keys) {
   return curve ? std::optional(energies(*curve).acceleration) : std::nullopt;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -5,7 +5,7 @@
 
 #include <orispline/curve/keyframe.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// With more keys the least energy is not looked for, which takes a quarter of a millisecond a key.
 inline constexpr std::size_t most_keys_for_least_energy = 10000;
@@ -14,4 +14,4 @@ inline constexpr std::size_t most_keys_for_least_energy = 10000;
 /// Absent for fewer than two keys, for more than `most_keys_for_least_energy`, and where the optimum was not found.
 [[nodiscard]] ORISPLINE_EXPORT std::optional<double> least_energy(const Keyframes& keys);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

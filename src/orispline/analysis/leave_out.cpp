@@ -5,7 +5,8 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/registry.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr std::size_t phases = 4;
@@ -48,4 +49,4 @@ Expected<DistanceStatistics> leave_out_error(const Keyframes& keys, const Method
   return distance_statistics(std::move(distances), 1);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

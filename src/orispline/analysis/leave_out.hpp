@@ -6,7 +6,7 @@
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/method.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// How far a method misses keys that it is not given [rad]: every 4th inner key is left out, four times over, so that
 /// each is left out once; the curve through the others is compared with those.
@@ -20,4 +20,4 @@ namespace orispline::inline ORISPLINE_ABI {
 [[nodiscard]] ORISPLINE_EXPORT Expected<DistanceStatistics> leave_out_error(const Keyframes& keys,
                                                                             const Method& method = {});
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

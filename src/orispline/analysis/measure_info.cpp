@@ -6,7 +6,7 @@
 
 #include <orispline/base/suggestion.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 Expected<MeasureInfo> measure_of_word(std::string_view word) {
   std::vector<std::string_view> words;
@@ -29,4 +29,4 @@ std::vector<MeasureInfo> measures_of(std::initializer_list<MeasureGroup> groups)
   return measures_of(std::span(groups.begin(), groups.size()));
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

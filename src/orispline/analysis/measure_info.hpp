@@ -10,7 +10,7 @@
 #include <orispline/base/better.hpp>
 #include <orispline/base/decimal.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// What measures that are times are told by.
 struct MeasureTimes {
@@ -62,4 +62,4 @@ struct MeasureInfo {
 [[nodiscard]] ORISPLINE_EXPORT std::vector<MeasureInfo> measures_of(std::span<const MeasureGroup> groups);
 [[nodiscard]] ORISPLINE_EXPORT std::vector<MeasureInfo> measures_of(std::initializer_list<MeasureGroup> groups);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

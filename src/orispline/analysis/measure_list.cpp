@@ -5,7 +5,8 @@
 
 #include <orispline/analysis/measure_value.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 using D = DistanceStatistics;
@@ -282,4 +283,4 @@ constexpr auto all = std::to_array<MeasureInfo>({
 
 std::span<const MeasureInfo> measures_info() noexcept { return all; }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

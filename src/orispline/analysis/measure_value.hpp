@@ -6,7 +6,7 @@
 
 // How each measure of the list takes its value from the results, in its unit.
 
-namespace orispline::inline ORISPLINE_ABI::measure_value {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace measure_value {
 
 using Value = std::optional<double>;
 
@@ -85,4 +85,4 @@ template <double Measures::*figure>
   return m.*figure;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::measure_value
+}}}  // namespace orispline::measure_value

@@ -8,7 +8,8 @@
 #include <cmath>
 #include <vector>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr std::size_t steps_per_segment = 16;
@@ -98,4 +99,4 @@ Peaks peaks(const AnyCurve& curve, const Eigen::Matrix3d& inertia) {
   return {peak_of(searches[0], searched, 0), peak_of(searches[1], searched, 1), peak_of(searches[2], searched, 2)};
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

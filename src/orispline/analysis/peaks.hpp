@@ -3,7 +3,7 @@
 
 #include <orispline/curve/curve.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// The largest length of a rate, and the first time when it is reached [s].
 struct Peak {
@@ -23,4 +23,4 @@ struct Peaks {
 [[nodiscard]] ORISPLINE_EXPORT Peaks peaks(const AnyCurve& curve,
                                            const Eigen::Matrix3d& inertia = Eigen::Matrix3d::Identity());
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

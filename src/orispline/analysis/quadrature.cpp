@@ -5,7 +5,8 @@
 #include <cmath>
 #include <limits>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 using Nodes = std::array<double, gauss_nodes>;  // in [0, 1]
@@ -76,4 +77,4 @@ double quadrature_tolerance(double a, double b) noexcept {
 
 bool can_be_halved(double a, double b) noexcept { return is_long_enough(a, 0.5 * (a + b)); }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -7,7 +7,7 @@
 
 #include <orispline/math/gauss_legendre.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A row of N figures that are integrated at the same times.
 template <int N>
@@ -65,4 +65,4 @@ template <int N, class F>
   return halved_integral<N>(f, a, b, whole, allowed, most_halvings);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

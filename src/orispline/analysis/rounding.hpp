@@ -5,7 +5,7 @@
 
 #include <orispline/base/abi.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// So much of an increment is rounding [rad], and of a rate of order k over steps of h seconds so much over h^k.
 inline constexpr double rounding_of_increments = 256.0 * std::numeric_limits<double>::epsilon();
@@ -17,4 +17,4 @@ inline constexpr double rounding_of_increments = 256.0 * std::numeric_limits<dou
   return rounding;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

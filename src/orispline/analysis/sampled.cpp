@@ -6,7 +6,8 @@
 #include <orispline/base/expect.hpp>
 #include <orispline/batch/sample.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 /// Sampling in bulk gives the rates on leaving a key: neither side is the right one where they jump.
@@ -43,4 +44,4 @@ TimesWithin times_within(std::span<const double> times, Domain domain) {
   return {static_cast<std::size_t>(first - times.begin()), static_cast<std::size_t>(std::max(last - first, {}))};
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -6,7 +6,7 @@
 
 #include <orispline/curve/curve.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A curve at the times of something else.
 struct SampledCurve {
@@ -26,4 +26,4 @@ struct TimesWithin {
 };
 [[nodiscard]] TimesWithin times_within(std::span<const double> times, Domain domain);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -6,7 +6,7 @@
 #include <orispline/analysis/joints.hpp>
 #include <orispline/analysis/rounding.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 PathShape path_shape(const Motion& motion) noexcept {
   const double v = motion.angular_velocity.norm();
@@ -82,4 +82,4 @@ ShapeContinuity shape_continuity_at_keys(const AnyCurve& curve, Seam seam) {
   return found;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

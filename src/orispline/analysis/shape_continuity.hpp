@@ -5,7 +5,7 @@
 
 #include <orispline/analysis/continuity.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Where a path goes at a moment, and how it bends by the angle travelled, whatever its speed.
 struct PathShape {
@@ -47,4 +47,4 @@ struct ORISPLINE_EXPORT ShapeContinuity {
 /// at most `continuity_tolerance` times the largest one. Jumps that the rounding of the rates explains are rounding.
 [[nodiscard]] ORISPLINE_EXPORT ShapeContinuity shape_continuity_at_keys(const AnyCurve& curve, Seam seam = Seam::open);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

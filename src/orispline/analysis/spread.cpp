@@ -7,7 +7,7 @@
 #include <orispline/base/expect.hpp>
 #include <orispline/math/median.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 Spread spread_of(std::vector<double> figures) {
   ORISPLINE_EXPECT(!figures.empty());
@@ -21,4 +21,4 @@ Spread spread_of(std::vector<double> figures) {
   return spread;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -6,7 +6,7 @@
 
 #include <orispline/base/abi.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Smallest, median and largest of a row of figures, and where the largest stands.
 struct Spread {
@@ -17,4 +17,4 @@ struct Spread {
 /// At least one figure, none of them NaN. The median of an even number is the mean of the middle two.
 [[nodiscard]] ORISPLINE_EXPORT Spread spread_of(std::vector<double> figures);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

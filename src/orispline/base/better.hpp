@@ -3,9 +3,9 @@
 
 #include <orispline/base/abi.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Which of two values of a measure is the better one.
 enum class Better { less, more, neither };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

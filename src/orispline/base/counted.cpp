@@ -3,10 +3,10 @@
 
 #include <orispline/base/formatted.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 std::string counted(std::size_t count, std::string_view noun) {
   return formatted("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -7,9 +7,9 @@
 
 #include <orispline/base/abi.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// `1 key`, `2 keys`
 [[nodiscard]] std::string counted(std::size_t count, std::string_view noun);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -6,7 +6,7 @@
 
 #include <orispline/base/progress.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Work of so many parts, which any threads may do: each shows the share that is done with it.
 class CountedWork {
@@ -24,4 +24,4 @@ class CountedWork {
   std::mutex showing_;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

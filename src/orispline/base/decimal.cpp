@@ -18,7 +18,8 @@
 #include <orispline/base/number_text.hpp>
 #include <orispline/base/quoted.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 Integer magnitude(Integer value) { return value < 0 ? -value : value; }
@@ -281,4 +282,4 @@ std::strong_ordering Decimal::operator<=>(const Decimal& other) const noexcept {
   return a <=> b;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -7,7 +7,7 @@
 
 #include <orispline/base/expected.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Decimal number of up to 37 significant digits: time stamps as files write them, without the rounding of a double.
 ///
@@ -70,4 +70,4 @@ struct Decimal::Quotient {
   bool is_exact;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 Digits::Digits(Integer value) {
   constexpr int piece = 18;  // digits that 64 bits hold
@@ -31,4 +31,4 @@ std::string_view Digits::with_exponent(int exponent) {
   return {text_.data() + begin_, written.ptr};
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

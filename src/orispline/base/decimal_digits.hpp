@@ -8,7 +8,7 @@
 
 #include <orispline/base/abi.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 __extension__ typedef __int128 Integer;  ///< holds 38 decimal digits
 
@@ -50,4 +50,4 @@ class Digits {
   std::size_t begin_ = end_of_digits;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

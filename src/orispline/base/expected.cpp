@@ -4,7 +4,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 std::string describe(const Error& error) {
   std::string text = error.where.file;
@@ -19,4 +19,4 @@ std::string describe(const Error& error) {
   return printable(error.remedy.empty() ? text : formatted("{} (option {})", text, error.remedy));
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -11,7 +11,7 @@
 
 #include <orispline/base/abi.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// What kind of thing went wrong; each face maps it to its own habit (exit code, exception type).
 enum class ErrorCode {
@@ -68,4 +68,4 @@ using Expected = tl::expected<T, Error>;
 /// line for people.
 [[nodiscard]] ORISPLINE_EXPORT std::string describe(const Error& error);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

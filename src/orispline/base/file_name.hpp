@@ -6,7 +6,7 @@
 
 #include <orispline/base/abi.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// The name of a file without its folders; text that ends with a folder is left as it is.
 [[nodiscard]] constexpr std::string_view file_name_of(std::string_view path) noexcept {
@@ -22,4 +22,4 @@ namespace orispline::inline ORISPLINE_ABI {
                                                       [small](char a, char b) { return a == small(b); });
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

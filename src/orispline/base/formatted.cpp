@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 std::string formatted_values(fmt::string_view text, fmt::format_args values) { return fmt::vformat(text, values); }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -13,7 +13,7 @@
 // The door to fmt, which is header-only inside the library: its formatting is compiled once, behind this door, and not
 // in every source that writes a message.
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 [[nodiscard]] std::string formatted_values(fmt::string_view text, fmt::format_args values);
 
@@ -36,4 +36,4 @@ template <class List>
   return text;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -5,7 +5,8 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 /// Whether its products with parsed numbers are finite doubles, as those of two such numbers are.
@@ -57,4 +58,4 @@ std::string Fraction::to_string() const {
   return is_decimal() ? numerator_.to_string() : formatted("{}/{}", numerator_.to_string(), denominator_.to_string());
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

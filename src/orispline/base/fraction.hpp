@@ -6,7 +6,7 @@
 
 #include <orispline/base/decimal.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A quotient of two decimals: rates, scales and intervals as people state them, such as 30000/1001 frames a second.
 class ORISPLINE_EXPORT Fraction {
@@ -43,4 +43,4 @@ class ORISPLINE_EXPORT Fraction {
   Decimal numerator_, denominator_;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -5,7 +5,7 @@
 
 #include <orispline/base/abi.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Numbers from the lowest to the highest, both included; all by default.
 struct Interval {
@@ -14,4 +14,4 @@ struct Interval {
   [[nodiscard]] constexpr bool contains(double x) const noexcept { return lowest <= x && x <= highest; }
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -5,7 +5,7 @@
 
 #include <orispline/base/decimal_digits.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 inline constexpr int largest_power_of_nearest_quotient = 22;
 
@@ -28,4 +28,4 @@ inline constexpr int largest_power_of_nearest_quotient = 22;
   return std::ldexp(static_cast<double>(mantissa), dropped - zeros);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -16,7 +16,8 @@
 
 #include <orispline/base/decimal_digits.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr int most_digits = 17;                       // of the shortest decimal of a double
@@ -140,4 +141,4 @@ std::optional<double> number_in(std::string_view text) {
   return is_whole && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

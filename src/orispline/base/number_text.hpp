@@ -8,7 +8,7 @@
 
 #include <orispline/base/abi.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// significand · 10^exponent without digits that are not needed: the significand does not end in a zero digit.
 struct ShortestDecimal {
@@ -31,4 +31,4 @@ inline constexpr std::size_t shortest_text_room = 40;     ///< [characters] that
 /// The finite number that the whole text is, whatever the language of the machine: `-1.5e-3`; nothing where it is none.
 [[nodiscard]] std::optional<double> number_in(std::string_view text);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -9,7 +9,8 @@
 #include <thread>
 #include <vector>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 /// Calls `work` with the numbers that the threads have not yet taken. What it throws ends them all.
@@ -61,4 +62,4 @@ void parallel_for(std::size_t count, unsigned threads, const std::function<void(
   parts.rethrow();
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -6,7 +6,7 @@
 
 #include <orispline/base/abi.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Calls `work(0)` … `work(count - 1)` on up to `threads` threads, this one among them; 0 means one per core.
 ///
@@ -14,4 +14,4 @@ namespace orispline::inline ORISPLINE_ABI {
 /// work, and comes out of here.
 ORISPLINE_EXPORT void parallel_for(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& work);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -6,7 +6,7 @@
 
 #include <orispline/base/abi.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// The pieces of a text between the separators; one empty piece for an empty text. They refer to the text.
 [[nodiscard]] inline std::vector<std::string_view> pieces_of(std::string_view text, char separator) {
@@ -19,4 +19,4 @@ namespace orispline::inline ORISPLINE_ABI {
   return pieces;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -7,7 +7,7 @@
 
 #include <orispline/base/expected.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// How a caller follows a task that may take long, and ends it before it is done.
 ///
@@ -49,4 +49,4 @@ class OpenEndedWork {
   return failure(ErrorCode::cancelled, "stopped before it was done");
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

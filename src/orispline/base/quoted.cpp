@@ -3,7 +3,8 @@
 
 #include <algorithm>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 bool continues_utf8(char c) { return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u; }
@@ -31,4 +32,4 @@ std::string in_quotes(std::string_view text, std::size_t longest) {
   return "'" + printable(text.substr(0, end)) + (shortened ? "...'" : "'");
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -7,7 +7,7 @@
 
 #include <orispline/base/abi.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Text of strangers, such as a name of a file or of a column, fit for one line of a terminal: control characters (C0,
 /// DEL and C1 in UTF-8, line ends among them) replaced by `?`.
@@ -16,4 +16,4 @@ namespace orispline::inline ORISPLINE_ABI {
 /// Text of a file as a message shows it: in quotes, cut after `longest` bytes, and printable.
 [[nodiscard]] std::string in_quotes(std::string_view text, std::size_t longest = 40);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

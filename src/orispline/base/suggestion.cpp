@@ -8,7 +8,8 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr std::size_t longest_word = 64;  // [bytes] no vocabulary has a longer one
@@ -61,4 +62,4 @@ std::string unknown_word(std::string_view kind, std::string_view typed, std::spa
   return formatted("unknown {} '{}', wanted one of {}", kind, printable(typed), joined(words, ", "));
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

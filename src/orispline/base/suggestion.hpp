@@ -8,7 +8,7 @@
 
 #include <orispline/base/abi.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Letters to insert, remove, replace or exchange with their neighbour so that one word becomes the other; capitals
 /// count as small letters.
@@ -24,4 +24,4 @@ namespace orispline::inline ORISPLINE_ABI {
 [[nodiscard]] ORISPLINE_EXPORT std::string unknown_word(std::string_view kind, std::string_view typed,
                                                         std::span<const std::string_view> words);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

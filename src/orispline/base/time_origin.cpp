@@ -3,7 +3,8 @@
 
 #include <cmath>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr double split_unit = 0x1p-20;     // [s] of which `high_` is a whole multiple, an exact decimal of 20 places
@@ -32,4 +33,4 @@ double TimeOrigin::nearest_plus(double offset) const {
   return plus(offset).to_double();
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -3,7 +3,7 @@
 
 #include <orispline/base/decimal.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// An exact time that doubles are counted from.
 class ORISPLINE_EXPORT TimeOrigin {
@@ -22,4 +22,4 @@ class ORISPLINE_EXPORT TimeOrigin {
   double high_, low_ = 0.0;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/base/warning.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 double Warning::number(std::string_view name) const noexcept {
   for (const auto& [known, value] : numbers)
@@ -13,4 +13,4 @@ std::string describe(const Warning& warning) {
   return describe(Error{ErrorCode::bad_data, warning.message, warning.where, warning.option, {}});
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -8,7 +8,7 @@
 
 #include <orispline/base/expected.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Something noteworthy about a result, or about what it was made from.
 struct ORISPLINE_EXPORT Warning {
@@ -25,4 +25,4 @@ struct ORISPLINE_EXPORT Warning {
 /// As an Error is described.
 [[nodiscard]] ORISPLINE_EXPORT std::string describe(const Warning& warning);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -12,7 +12,8 @@
 #include <orispline/batch/interpolation.hpp>
 #include <orispline/families/registry.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 using batch::BakedRecord;
@@ -185,4 +186,4 @@ template Expected<BakedCurve<double>> bake<double>(const Method&, const Keyframe
 template Expected<BakedCurve<float>> bake<float>(const Method&, const Keyframes&, double, const BakeOptions&,
                                                  const Progress&);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -10,7 +10,7 @@
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/method.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// What bounds a bake, besides its tolerance.
 struct BakeOptions {
@@ -86,4 +86,4 @@ template <class T = double>
                                                             double tolerance, const BakeOptions& options = {},
                                                             const Progress& progress = {});
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

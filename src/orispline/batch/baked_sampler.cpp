@@ -6,7 +6,8 @@
 #include <orispline/batch/kernel/dispatch.hpp>
 #include <orispline/batch/sample_layout.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::batch {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace batch {
+
 namespace {
 
 const auto& baked_kernel(const PolynomialKernels& k, double) noexcept { return k.baked; }
@@ -42,4 +43,4 @@ template void sample_piece(const BakedRecord<float>&, const Clock&, std::size_t,
 template class BakedSampler<double>;
 template class BakedSampler<float>;
 
-}  // namespace orispline::inline ORISPLINE_ABI::batch
+}}}  // namespace orispline::batch

@@ -5,7 +5,7 @@
 #include <orispline/batch/sample.hpp>
 #include <orispline/batch/segment_runs.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::batch {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace batch {
 
 /// Writes the samples of one piece.
 template <class T>
@@ -26,4 +26,4 @@ class BakedSampler {
   const Samples<T>& out_;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::batch
+}}}  // namespace orispline::batch

@@ -7,7 +7,8 @@
 
 #include <orispline/math/so3.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::batch {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace batch {
+
 namespace {
 
 using Powers = std::array<double, record_degree + 1>;
@@ -244,4 +245,4 @@ template CompiledSegment<CumulativeRecord<float>> compile_segment<float>(const C
 template CompiledSegment<ChartRecord<double>> compile_segment<double>(const ChartForm&, const KnotSpan&) noexcept;
 template CompiledSegment<ChartRecord<float>> compile_segment<float>(const ChartForm&, const KnotSpan&) noexcept;
 
-}  // namespace orispline::inline ORISPLINE_ABI::batch
+}}}  // namespace orispline::batch

@@ -7,7 +7,7 @@
 #include <orispline/curve/knots.hpp>
 #include <orispline/curve/segment_form.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::batch {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace batch {
 
 /// Half angles of a segment beyond this [rad] are left to the scalar evaluator: the kernel's series end there, or it
 /// would take off quarter turns that its numbers cannot tell any more.
@@ -56,4 +56,4 @@ struct CompiledRational {
 template <class T>
 [[nodiscard]] CompiledRational<T> compile_segment(const RationalForm& form, const KnotSpan& span) noexcept;
 
-}  // namespace orispline::inline ORISPLINE_ABI::batch
+}}}  // namespace orispline::batch

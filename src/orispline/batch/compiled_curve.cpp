@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 template <class T>
 CompiledCurve<T>::CompiledCurve(AnyCurve curve) : curve_(std::move(curve)) {
   const Knots& knots = curve_.knots();
@@ -26,4 +26,4 @@ Eigen::Quaternion<T> CompiledCurve<T>::operator()(double t) const noexcept {
 template class CompiledCurve<double>;
 template class CompiledCurve<float>;
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -5,7 +5,7 @@
 
 #include <orispline/batch/segment_record.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A curve with all its segments compiled for evaluation in bulk: for curves that are evaluated again and again.
 ///
@@ -26,4 +26,4 @@ class ORISPLINE_EXPORT CompiledCurve {
   std::vector<batch::SegmentRecord<T>> records_;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

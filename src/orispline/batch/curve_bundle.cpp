@@ -8,7 +8,8 @@
 #include <orispline/batch/sample_layout.hpp>
 #include <orispline/batch/segment_sampler.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr std::size_t plane_step = 128;  // the kernel reads whole blocks
@@ -115,4 +116,4 @@ Expected<void> CurveBundle<T>::sample(double t, const Samples<T>& out) const {
 template class CurveBundle<double>;
 template class CurveBundle<float>;
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

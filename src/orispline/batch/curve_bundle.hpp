@@ -6,7 +6,7 @@
 
 #include <orispline/batch/sample.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Many curves with the same key times and the same blending, such as the joints of a figure: all orientations at one
 /// time, side by side in the lanes of the processor.
@@ -43,4 +43,4 @@ class ORISPLINE_EXPORT CurveBundle {
   std::size_t plane_ = 0;  ///< the length of a plane
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -6,7 +6,8 @@
 #include <orispline/base/parallel.hpp>
 #include <orispline/batch/sample_layout.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr std::size_t part_size =
@@ -47,4 +48,4 @@ template Expected<void> extrapolate<double>(const PoseCurve&, std::span<const do
 template Expected<void> extrapolate<float>(const PoseCurve&, std::span<const double>, Extrapolation,
                                            const Samples<float>&, Work);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -6,7 +6,7 @@
 #include <orispline/batch/sample.hpp>
 #include <orispline/curve/extrapolation.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Writes the samples outside the curve again, which `sample…` holds at rest; those inside stay as they are.
 ///
@@ -19,4 +19,4 @@ template <class T>
 /// The error (bad_argument, with its index) of the first time that is outside the curve. NaN is none.
 [[nodiscard]] ORISPLINE_EXPORT Expected<void> check_inside(const AnyCurve& curve, std::span<const double> times);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

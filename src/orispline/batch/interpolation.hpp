@@ -9,7 +9,7 @@
 #include <orispline/math/eigen.hpp>
 #include <orispline/math/elementary.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::batch {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace batch {
 
 /// A part of a segment [s].
 struct Subinterval {
@@ -85,4 +85,4 @@ template <int Components, std::size_t N, class Value>
   return series;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::batch
+}}}  // namespace orispline::batch

@@ -5,7 +5,8 @@
 #include <orispline/batch/kernel/dispatch.hpp>
 #include <orispline/batch/sample_layout.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::batch {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace batch {
+
 namespace {
 
 const auto& path_kernel(const PolynomialKernels& k, double) noexcept { return k.path; }
@@ -81,4 +82,4 @@ template std::optional<PathRecord<float>> record_of<float>(const AnyPath&, std::
 template class PathSampler<double>;
 template class PathSampler<float>;
 
-}  // namespace orispline::inline ORISPLINE_ABI::batch
+}}}  // namespace orispline::batch

@@ -8,7 +8,7 @@
 #include <orispline/batch/segment_runs.hpp>
 #include <orispline/curve/path.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::batch {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace batch {
 
 /// A segment of a path for the kernel, where it is a polynomial.
 template <class T>
@@ -34,4 +34,4 @@ class PathSampler {
   std::optional<PathRecord<T>> record_{};
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::batch
+}}}  // namespace orispline::batch

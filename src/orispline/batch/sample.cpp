@@ -13,7 +13,8 @@
 #include <orispline/batch/segment_runs.hpp>
 #include <orispline/batch/segment_sampler.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 using batch::check_room;
@@ -251,4 +252,4 @@ Expected<void> sample_many(std::span<const CompiledCurve<T>> curves, double t, c
 ORISPLINE_SAMPLE(double)
 ORISPLINE_SAMPLE(float)
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -9,7 +9,7 @@
 #include <orispline/batch/compiled_curve.hpp>
 #include <orispline/curve/pose_curve.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// How the components of samples lie in memory.
 enum class Layout {
@@ -128,4 +128,4 @@ template <class T>
 [[nodiscard]] ORISPLINE_EXPORT Expected<void> sample_many(std::span<const CompiledCurve<T>> curves, double t,
                                                           const Samples<T>& out, Work work = {});
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

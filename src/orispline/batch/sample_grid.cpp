@@ -8,7 +8,8 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/batch/kernel/dispatch.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -184,4 +185,4 @@ std::uint64_t SampleGrid::settled_until(double t) const noexcept {
   return sure > 0.0 ? static_cast<std::uint64_t>(std::min(sure, most_samples)) : 0;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -9,7 +9,7 @@
 #include <orispline/base/time_origin.hpp>
 #include <orispline/batch/kernel/record.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// One time of a grid.
 struct Instant {
@@ -109,4 +109,4 @@ class ORISPLINE_EXPORT SampleGrid {
   std::optional<Decimals> decimals_;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

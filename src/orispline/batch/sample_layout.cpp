@@ -3,7 +3,7 @@
 
 #include <orispline/base/formatted.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::batch {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace batch {
 
 template <class T>
 std::optional<Error> check_room(const Samples<T>& out, std::size_t wanted) {
@@ -43,4 +43,4 @@ template std::optional<Error> check_positions(const PoseCurve&, const Samples<fl
 template std::optional<Error> check_room(const Samples<double>&, std::size_t);
 template std::optional<Error> check_room(const Samples<float>&, std::size_t);
 
-}  // namespace orispline::inline ORISPLINE_ABI::batch
+}}}  // namespace orispline::batch

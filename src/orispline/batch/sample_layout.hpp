@@ -6,7 +6,7 @@
 
 #include <orispline/batch/sample.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::batch {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace batch {
 
 /// The error (bad_argument) of spans or planes that do not belong together, or are for another number of samples.
 template <class T>
@@ -81,4 +81,4 @@ void put_held(const Samples<T>& out, std::size_t at, std::size_t count,
   return clock.times ? clock.times[k] : (clock.first + static_cast<double>(k)) * clock.step + clock.start;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::batch
+}}}  // namespace orispline::batch

@@ -4,7 +4,8 @@
 #include <orispline/batch/compile_segment.hpp>
 #include <orispline/batch/kernel/dispatch.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::batch {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace batch {
+
 namespace {
 
 const auto& cumulative_kernel(const Kernels& k, double) noexcept { return k.cumulative; }
@@ -94,4 +95,4 @@ template bool by_kernel<double>(const AnyCurve&, std::size_t, const Clock&, std:
                                 const Target<double>&) noexcept;
 template bool by_kernel<float>(const AnyCurve&, std::size_t, const Clock&, std::size_t, const Target<float>&) noexcept;
 
-}  // namespace orispline::inline ORISPLINE_ABI::batch
+}}}  // namespace orispline::batch

@@ -6,7 +6,7 @@
 #include <orispline/batch/kernel/polynomial_record.hpp>
 #include <orispline/curve/curve.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::batch {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace batch {
 
 /// A segment ready for the kernel; empty: left to the scalar evaluator.
 template <class T>
@@ -31,4 +31,4 @@ template <class T>
 [[nodiscard]] ORISPLINE_EXPORT bool by_kernel(const AnyCurve& curve, std::size_t segment, const Clock& clock,
                                               std::size_t count, const Target<T>& target) noexcept;
 
-}  // namespace orispline::inline ORISPLINE_ABI::batch
+}}}  // namespace orispline::batch

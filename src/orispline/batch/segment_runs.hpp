@@ -11,7 +11,7 @@
 #include <orispline/batch/kernel/record.hpp>
 #include <orispline/curve/knots.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::batch {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace batch {
 
 /// What is held: one end of a curve, or nothing for a time that is not a number.
 enum class Held { first, last, nothing };
@@ -129,4 +129,4 @@ void sample_one(Sampler& sampler, const double& t, std::size_t at) {
   else sampler.on_segment(knots.segment_at(t), Clock{.times = &t, .start = 0.0, .step = 0.0, .first = 0.0}, at, 1);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::batch
+}}}  // namespace orispline::batch

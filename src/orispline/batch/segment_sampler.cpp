@@ -3,7 +3,7 @@
 
 #include <orispline/batch/sample_layout.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::batch {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace batch {
 
 template <class T>
 void SegmentSampler<T>::on_segment(std::size_t segment, const Clock& clock, std::size_t at,
@@ -32,4 +32,4 @@ Eigen::Quaterniond SegmentSampler<T>::orientation_at(double t) const noexcept {
 template class SegmentSampler<double>;
 template class SegmentSampler<float>;
 
-}  // namespace orispline::inline ORISPLINE_ABI::batch
+}}}  // namespace orispline::batch

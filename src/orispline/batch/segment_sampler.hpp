@@ -3,7 +3,7 @@
 
 #include <orispline/batch/sample.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::batch {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace batch {
 
 /// Writes runs of samples that lie on one segment: by the kernel, or where the segment is no polynomial by the scalar
 /// evaluator.
@@ -26,4 +26,4 @@ class SegmentSampler {
   const Samples<T>& out_;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::batch
+}}}  // namespace orispline::batch

@@ -8,7 +8,7 @@
 
 #include <orispline/math/geodesic.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// How a channel goes from one key to the next. The words are glTF's.
 enum class ChannelInterpolation {
@@ -43,4 +43,4 @@ template <CurvePoint P>
 // GCC 12 fails where it meets a list of members by their names before any other use of their defaults.
 static_assert(std::is_default_constructible_v<RotationChannel> && std::is_default_constructible_v<VectorChannel>);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

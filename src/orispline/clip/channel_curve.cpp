@@ -5,7 +5,8 @@
 
 #include <orispline/clip/channel_pieces.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 template <CurvePoint P>
@@ -43,4 +44,4 @@ MotionOf<P> ChannelCurve<P>::motion(double t) const noexcept {
 template class ChannelCurve<Eigen::Quaterniond>;
 template class ChannelCurve<Eigen::Vector3d>;
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -5,7 +5,7 @@
 #include <orispline/curve/curve_through.hpp>
 #include <orispline/curve/knots.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// The value of a channel over time. Before its first key and after its last one it stands still.
 ///
@@ -34,4 +34,4 @@ class ORISPLINE_EXPORT ChannelCurve {
 extern template class ChannelCurve<Eigen::Quaterniond>;
 extern template class ChannelCurve<Eigen::Vector3d>;
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -13,7 +13,7 @@
 
 // What a channel is between its keys, over any number type.
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// The value of the key before.
 template <CurvePoint P>
@@ -109,4 +109,4 @@ template <CurvePoint P>
   return GeodesicCurve<P>(channel);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

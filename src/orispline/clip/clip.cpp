@@ -8,7 +8,8 @@
 #include <orispline/base/quoted.hpp>
 #include <orispline/curve/keyframe.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 bool is_finite(const Eigen::Quaterniond& value) { return value.coeffs().allFinite(); }
@@ -111,4 +112,4 @@ std::string place_of(const Skeleton& skeleton, const Clip& clip, std::size_t joi
   return formatted("clip {}, joint {}", in_quotes(clip.name), in_quotes(skeleton[joint].name));
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -8,7 +8,7 @@
 #include <orispline/clip/skeleton.hpp>
 #include <orispline/curve/curve.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// One animation of a skeleton. Of a joint there is at most one channel in each list.
 struct ORISPLINE_EXPORT Clip {
@@ -30,4 +30,4 @@ struct ORISPLINE_EXPORT Clip {
 /// `clip 'Walking_A', joint 'hand.r'`: what messages name a channel by.
 [[nodiscard]] ORISPLINE_EXPORT std::string place_of(const Skeleton& skeleton, const Clip& clip, std::size_t joint);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -5,7 +5,8 @@
 #include <map>
 #include <string_view>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 double shell_distance(const Eigen::Affine3d& a, const Eigen::Affine3d& b, double shell) {
@@ -70,4 +71,4 @@ std::vector<double> key_times(const Clip& clip) {
   return times;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

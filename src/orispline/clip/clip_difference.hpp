@@ -6,7 +6,7 @@
 
 #include <orispline/clip/clip_motion.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// How far the points that a joint is judged by are from it, in the skeleton's unit of length: 3 cm in metres.
 inline constexpr double default_shell = 0.03;
@@ -47,4 +47,4 @@ struct JointDifference {
 /// All times of keys of a clip [s], rising, each once.
 [[nodiscard]] ORISPLINE_EXPORT std::vector<double> key_times(const Clip& clip);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/clip/clip_motion.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 Eigen::Affine3d transform(const JointPose& pose) {
@@ -48,4 +49,4 @@ std::vector<Eigen::Affine3d> world_poses(const Skeleton& skeleton, const Clip& c
   return poses;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -7,7 +7,7 @@
 #include <orispline/clip/channel_curve.hpp>
 #include <orispline/clip/clip.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A skeleton that moves as a clip says: where its joints are at any time. Refers to the skeleton. Evaluation allocates
 /// nothing.
@@ -40,4 +40,4 @@ class ORISPLINE_EXPORT ClipMotion {
 [[nodiscard]] ORISPLINE_EXPORT std::vector<Eigen::Affine3d> world_poses(const Skeleton& skeleton, const Clip& clip,
                                                                         std::span<const double> times);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

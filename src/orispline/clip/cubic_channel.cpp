@@ -7,7 +7,8 @@
 #include <orispline/clip/channel_curve.hpp>
 #include <orispline/curve/key_alignment.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr int parts = 16;             // of an interval, between which it is looked at
@@ -133,4 +134,4 @@ CubicChannel<Eigen::Vector3d> cubic_channel(const AnyPath& path, double toleranc
   return Follower<Eigen::Vector3d, AnyPath>(path, tolerance).followed();
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -5,7 +5,7 @@
 #include <orispline/curve/curve.hpp>
 #include <orispline/curve/path.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A channel that follows a curve, and how far it is from it at most, at the places where that was looked at.
 template <CurvePoint P>
@@ -31,4 +31,4 @@ struct CubicChannel {
 [[nodiscard]] ORISPLINE_EXPORT double largest_distance(const AnyCurve& curve, const RotationChannel& channel);
 [[nodiscard]] ORISPLINE_EXPORT double largest_distance(const AnyPath& path, const VectorChannel& channel);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

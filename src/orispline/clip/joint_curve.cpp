@@ -7,7 +7,8 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/clip/channel_pieces.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 /// What moves one joint in the frame of its parent.
@@ -152,4 +153,4 @@ Expected<PoseCurve> joint_curve(const Skeleton& skeleton, const Clip& clip, std:
   });
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

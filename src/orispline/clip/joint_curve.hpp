@@ -4,7 +4,7 @@
 #include <orispline/clip/clip.hpp>
 #include <orispline/curve/pose_curve.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// What a joint's motion is seen from.
 enum class JointSpace {
@@ -19,4 +19,4 @@ enum class JointSpace {
 [[nodiscard]] ORISPLINE_EXPORT Expected<PoseCurve> joint_curve(const Skeleton& skeleton, const Clip& clip,
                                                                std::size_t joint, JointSpace space);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -5,7 +5,8 @@
 #include <functional>
 #include <utility>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 double as_float(double number) { return static_cast<double>(static_cast<float>(number)); }
@@ -45,4 +46,4 @@ Channel<P> in_single_precision(Channel<P> channel) {
 template RotationChannel in_single_precision(RotationChannel);
 template VectorChannel in_single_precision(VectorChannel);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

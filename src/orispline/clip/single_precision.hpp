@@ -3,7 +3,7 @@
 
 #include <orispline/clip/channel.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A channel as a reader finds it in a file that holds floats, with quaternions made unit. Doing it again changes
 /// nothing but the last digit of a few quaternions in a thousand. Where two times become one it is as it was, for no
@@ -14,4 +14,4 @@ template <CurvePoint P>
 extern template RotationChannel in_single_precision(RotationChannel);
 extern template VectorChannel in_single_precision(VectorChannel);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

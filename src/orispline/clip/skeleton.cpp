@@ -7,7 +7,8 @@
 #include <orispline/base/quoted.hpp>
 #include <orispline/curve/keyframe.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 Expected<void> check(const std::vector<Joint>& joints, std::size_t i) {
@@ -40,4 +41,4 @@ std::optional<std::size_t> Skeleton::find(std::string_view name) const noexcept 
   return static_cast<std::size_t>(found - joints_.begin());
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -12,7 +12,7 @@
 #include <orispline/base/expected.hpp>
 #include <orispline/math/so3.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Where a joint is in the frame of its parent: a point p of the joint is at translation + rotation (scale ∘ p) there.
 struct JointPose {
@@ -52,4 +52,4 @@ class ORISPLINE_EXPORT Skeleton {
   std::vector<Joint> joints_;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -8,7 +8,7 @@
 #include <orispline/curve/bspline_basis.hpp>
 #include <orispline/math/so3.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Spherical averages of control orientations: q(t) solves Σ N_k(t) log(q⁻¹ p_k) = 0 with the cubic B-spline functions
 /// N.
@@ -109,4 +109,4 @@ class AverageCurve {
   std::vector<Eigen::Quaterniond> points_;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

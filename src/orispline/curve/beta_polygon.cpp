@@ -3,7 +3,7 @@
 
 #include <orispline/base/formatted.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 Expected<BetaShape> beta_shape(std::string_view method, const std::vector<double>& beta1,
                                const std::vector<double>& beta2) {
@@ -40,4 +40,4 @@ ControlPolygon<Eigen::Vector3d> beta_polygon(std::span<const Eigen::Vector3d> po
   return polygon_through<Eigen::Vector3d>(controls, 3, 3);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

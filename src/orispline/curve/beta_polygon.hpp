@@ -10,7 +10,7 @@
 #include <orispline/curve/cumulative_bezier.hpp>
 #include <orispline/math/geodesic.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// How a Beta curve divides the arcs between its auxiliary points. Source: He et al. 2022, section 3.1.
 template <Number T>
@@ -75,4 +75,4 @@ template <Number T>
 [[nodiscard]] ControlPolygon<Eigen::Vector3d> beta_polygon(std::span<const Eigen::Vector3d> points,
                                                            const BetaShape& shape);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

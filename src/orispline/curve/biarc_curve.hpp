@@ -7,7 +7,7 @@
 #include <orispline/curve/motion.hpp>
 #include <orispline/math/series.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// The space that a point of a kind lies in: unit quaternions in R⁴ (qx, qy, qz, qw), positions in R³.
 template <CurvePoint P>
@@ -100,4 +100,4 @@ class BiarcCurve {
   std::vector<Piece> pieces_;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -5,7 +5,7 @@
 
 #include <orispline/curve/cumulative_basis.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Tails of the Cox–de Boor functions: β̃_k is the sum of those of control points k, k+1, … active on the span.
 template <std::size_t Degree>
@@ -36,4 +36,4 @@ struct BSplineBasis {
   }
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

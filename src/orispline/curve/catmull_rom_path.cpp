@@ -3,7 +3,7 @@
 
 #include <orispline/curve/three_key_rates.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 CatmullRomPath::CatmullRomPath(const Keyframes& keys, const PerKey& tension)
     : knots_({keys.times().begin(), keys.times().end()}), positions_(keys.positions().begin(), keys.positions().end()) {
@@ -15,4 +15,4 @@ CatmullRomPath::CatmullRomPath(const Keyframes& keys, const PerKey& tension)
   for (std::size_t i = 0; i < velocities_.size(); ++i) velocities_[i] *= tension[i];
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -8,7 +8,7 @@
 #include <orispline/curve/knots.hpp>
 #include <orispline/math/bernstein.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Catmull–Rom in time: cubic Hermite pieces whose velocity at a key is that of the parabola through it and its two
 /// neighbours, at the ends that of the chord. C1 on any key times, exact at constant velocity.
@@ -37,4 +37,4 @@ class CatmullRomPath {
   std::vector<Eigen::Vector3d> positions_, velocities_;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

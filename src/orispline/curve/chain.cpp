@@ -7,7 +7,8 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/math/banded_lu.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::chain {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace chain {
+
 namespace {
 
 Outcome largest(const Steps& residual) {
@@ -142,4 +143,4 @@ Error not_converged(std::string_view method, const Outcome& outcome, double shar
           {.key = outcome.worst}};
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::chain
+}}}  // namespace orispline::chain

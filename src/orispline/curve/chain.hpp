@@ -13,7 +13,7 @@
 #include <orispline/curve/chain_jacobian.hpp>
 #include <orispline/math/eigen.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Unknown vectors in a row and as many equations, each of which involves one unknown and its two neighbours: what the
 /// curves solve that depend on all keys.
@@ -107,4 +107,4 @@ template <class Make>
   return std::move(*last);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -3,7 +3,8 @@
 
 #include <algorithm>
 
-namespace orispline::inline ORISPLINE_ABI::chain {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace chain {
+
 namespace {
 
 /// Unknowns of one colour share no equation: one pass over duals differentiates by all of three colours at once.
@@ -43,4 +44,4 @@ void differentiate(std::size_t size, bool closed, const std::function<DualSteps(
   }
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::chain
+}}}  // namespace orispline::chain

@@ -7,7 +7,7 @@
 #include <orispline/math/dual.hpp>
 #include <orispline/math/eigen.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::chain {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace chain {
 
 /// Takes the derivative of an equation by an unknown, entry (i, k) that of component i by component k; what is told of
 /// the same two more than once adds up.
@@ -38,4 +38,4 @@ template <std::size_t N>
   return block;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::chain
+}}}  // namespace orispline::chain

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/curve/chart_curve.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 /// The polynomial path with value p and the derivatives d so far, as jets in t.
@@ -56,4 +57,4 @@ template ChartDerivatives chart_derivatives<1>(const Eigen::Vector3d&, const std
 template ChartDerivatives chart_derivatives<2>(const Eigen::Vector3d&, const std::array<Eigen::Vector3d, 3>&);
 template ChartDerivatives chart_derivatives<3>(const Eigen::Vector3d&, const std::array<Eigen::Vector3d, 3>&);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

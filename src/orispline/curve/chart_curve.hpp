@@ -9,7 +9,7 @@
 #include <orispline/curve/two_point_blending.hpp>
 #include <orispline/math/bernstein.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Body rate of exp(p(t)) as a power series of one order less: ω = J_r(p) ṗ.
 template <Number T, int N>
@@ -150,4 +150,4 @@ template <std::size_t K>
   return piece;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

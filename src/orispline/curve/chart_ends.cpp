@@ -3,7 +3,8 @@
 
 #include <array>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 using Derivative = Jet<double, 1>;
@@ -66,4 +67,4 @@ template ChartEnd<3> chart_end<3>(const InverseJacobian&, const Eigen::Vector3d&
 template ChartEndSlopes<3> chart_end_slopes<3>(const InverseJacobian&, const Eigen::Vector3d&, double,
                                                const ChartEnd<3>&, double);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

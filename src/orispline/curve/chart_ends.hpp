@@ -3,7 +3,7 @@
 
 #include <orispline/curve/chart_curve.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// J_r⁻¹(y) and how it changes with y.
 class InverseJacobian {
@@ -73,4 +73,4 @@ template <int P>
 [[nodiscard]] ChartEndSlopes<P> chart_end_slopes(const InverseJacobian& inverse, const Eigen::Vector3d& y, double side,
                                                  const ChartEnd<P>& rates, double h);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

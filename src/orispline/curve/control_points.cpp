@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/curve/control_points.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 /// Lagrange extrapolation of the displacements of `nodes` keys (the end key's own is zero) to the ghost's time.
@@ -95,4 +96,4 @@ template Expected<ControlPolygon<Eigen::Quaterniond>> ghosted_polygon(const Keyf
 template Expected<ControlPolygon<Eigen::Vector3d>> ghosted_polygon(const Keyframes&, const FamilySettings&, RateWeights,
                                                                    RateWeights);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -7,7 +7,7 @@
 #include <orispline/curve/family.hpp>
 #include <orispline/curve/keyframe.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// End rules of the local four-key families; the first is the default.
 inline constexpr std::array four_key_ends_repeat{EndRule::repeat, EndRule::natural, EndRule::quadratic,
@@ -60,4 +60,4 @@ template <CumulativeBasis B>
   return {.before = b[1].c[1], .after = b[2].c[1]};
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

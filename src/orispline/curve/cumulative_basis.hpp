@@ -7,7 +7,7 @@
 #include <orispline/curve/knots.hpp>
 #include <orispline/math/jet.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Cumulative blending functions: what a family of the form q(t) = q₀ ∏ exp(β̃_k(t) φ_k) states about itself.
 ///
@@ -23,4 +23,4 @@ concept CumulativeBasis = requires(const B& b, KnotSpan span, double t, Jet<doub
   { b(span, jet) } -> std::same_as<std::array<Jet<double, 3>, B::increments>>;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/curve/cumulative_bezier.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 CubicBezierCurve hermite_curve(Knots knots, std::span<const Eigen::Quaterniond> joints,
                                std::span<const Eigen::Vector3d> rates) {
@@ -17,4 +17,4 @@ CubicBezierCurve hermite_curve(Knots knots, std::span<const Eigen::Quaterniond> 
   return {std::move(knots), CubicBezierBasis{}, std::move(polygon)};
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

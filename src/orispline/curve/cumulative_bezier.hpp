@@ -3,7 +3,7 @@
 
 #include <orispline/curve/cumulative_curve.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Cumulative cubic Bernstein polynomials: segment i runs through control orientations 3i … 3i+3.
 ///
@@ -32,4 +32,4 @@ using CubicBezierPath = CumulativePath<CubicBezierBasis>;
 [[nodiscard]] CubicBezierCurve hermite_curve(Knots knots, std::span<const Eigen::Quaterniond> joints,
                                              std::span<const Eigen::Vector3d> rates);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -11,7 +11,7 @@
 #include <orispline/curve/segment_form.hpp>
 #include <orispline/curve/two_point_blending.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// What a cumulative curve multiplies together, or in space adds up: segment i is
 /// bases[i] ∏ exp(β̃_k increments[i·stride + k - 1]).
@@ -144,4 +144,4 @@ class CumulativeCurve {
 template <CumulativeBasis B>
 using CumulativePath = CumulativeCurve<B, Eigen::Vector3d>;
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -6,7 +6,7 @@
 #include <orispline/curve/cumulative_curve.hpp>
 #include <orispline/math/bernstein.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Cumulative Bernstein polynomials: segment i has increments of its own, Degree·i … Degree·i + Degree - 1.
 template <std::size_t Degree>
@@ -60,4 +60,4 @@ template <std::size_t K>
   return increments;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

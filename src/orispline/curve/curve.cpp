@@ -3,7 +3,7 @@
 
 #include <orispline/base/formatted.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 Expected<Motion> AnyCurve::checked_motion(double t) const {
   const Domain d = domain();
@@ -13,4 +13,4 @@ Expected<Motion> AnyCurve::checked_motion(double t) const {
   return motion(t);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

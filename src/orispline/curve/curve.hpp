@@ -4,7 +4,7 @@
 #include <orispline/base/expected.hpp>
 #include <orispline/curve/curve_through.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A curve of orientations.
 template <class C>
@@ -62,4 +62,4 @@ class ORISPLINE_EXPORT AnyCurve {
   ErasedCurve<Eigen::Quaterniond> curve_;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

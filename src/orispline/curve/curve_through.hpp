@@ -8,7 +8,7 @@
 #include <orispline/curve/motion.hpp>
 #include <orispline/curve/segment_form.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A curve through points of one kind over knots, evaluated segment by segment. Every family builds one.
 ///
@@ -90,4 +90,4 @@ class ErasedCurve {
   std::shared_ptr<const Interface> model_;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/curve/extrapolation.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 Motion kept(const Motion& end, double seconds) noexcept {
@@ -43,4 +44,4 @@ LinearMotion extrapolated(const AnyPath& path, double t, Extrapolation how) noex
   return extrapolated_through<Eigen::Vector3d>(path, t, how);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -6,7 +6,7 @@
 #include <orispline/curve/pose_curve.hpp>
 #include <orispline/fields/words.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// What a time outside a curve gets.
 enum class Extrapolation {
@@ -33,4 +33,4 @@ inline constexpr std::array words<Extrapolation>{
 /// The same of a position, which goes on in a straight line with `rate`.
 [[nodiscard]] ORISPLINE_EXPORT LinearMotion extrapolated(const AnyPath& path, double t, Extrapolation how) noexcept;
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

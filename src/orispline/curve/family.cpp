@@ -9,7 +9,8 @@
 #include <orispline/base/suggestion.hpp>
 #include <orispline/curve/key_check.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr std::array<std::string_view, 12> end_rule_names{"none", "repeat", "natural", "quadratic", "cubic",  "clamped",
@@ -185,4 +186,4 @@ Expected<FamilySettings> settle(const FamilyInfo& family, const CurveOptions& op
   return settings;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -15,7 +15,7 @@
 #include <orispline/curve/key_use.hpp>
 #include <orispline/math/eigen.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A number that shapes a family's curves.
 struct Parameter {
@@ -215,4 +215,4 @@ template <class Named>
 /// The end rule of that name, or an error that lists those of the family.
 [[nodiscard]] ORISPLINE_EXPORT Expected<EndRule> end_rule_by_name(const FamilyInfo& family, std::string_view name);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

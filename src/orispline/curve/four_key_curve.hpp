@@ -5,7 +5,7 @@
 #include <orispline/curve/key_knots.hpp>
 #include <orispline/curve/loop.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 [[nodiscard]] inline Knots four_key_knots(const Keyframes& keys, const FamilySettings& settings) {
   return settings.closure ? closed_knots(keys, *settings.closure) : key_knots(keys);
@@ -24,4 +24,4 @@ template <CurvePoint P = Eigen::Quaterniond, CumulativeBasis B>
       [&](ControlPolygon<P>&& p) { return CumulativeCurve<B, P>(std::move(knots), std::move(basis), std::move(p)); });
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

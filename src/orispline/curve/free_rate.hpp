@@ -8,7 +8,7 @@
 #include <orispline/base/abi.hpp>
 #include <orispline/math/eigen.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// What stands for a rate that a key leaves free, so that a method chooses or estimates it there: three NaN.
 [[nodiscard]] inline Eigen::Vector3d free_rate() noexcept {
@@ -22,4 +22,4 @@ namespace orispline::inline ORISPLINE_ABI {
   return !std::ranges::all_of(rates, is_free);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -6,7 +6,7 @@
 #include <orispline/curve/cumulative_bezier.hpp>
 #include <orispline/curve/slerp_bezier.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// The composite cubic of de Casteljau's algorithm; in space that is the cumulative one.
 template <CurvePoint P>
@@ -29,4 +29,4 @@ template <CurvePoint P>
   else return CubicBezierPath(std::move(knots), {}, controls);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

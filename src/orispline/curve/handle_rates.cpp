@@ -3,7 +3,7 @@
 
 #include <utility>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 HandleTurn widest_handle(std::span<const double> times, const HandleRates& rates) {
   return widest_handle(times.size(), [&](std::size_t i) {
@@ -14,4 +14,4 @@ HandleTurn widest_handle(std::span<const double> times, const HandleRates& rates
   });
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

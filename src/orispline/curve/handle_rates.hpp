@@ -7,7 +7,7 @@
 
 #include <orispline/math/eigen.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// The rates with which a curve leaves every key and arrives at it [1/s]: three times its Bézier handles per step.
 struct HandleRates {
@@ -42,4 +42,4 @@ template <class HandlesOf>
 /// The Bézier handle that turns farthest from its key, from the rates of the handles.
 [[nodiscard]] ORISPLINE_EXPORT HandleTurn widest_handle(std::span<const double> times, const HandleRates& rates);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

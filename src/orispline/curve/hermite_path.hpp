@@ -9,7 +9,7 @@
 #include <orispline/math/bernstein.hpp>
 #include <orispline/math/eigen.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Piecewise polynomial path of odd degree 2K+1 through positions with given derivatives of orders 1…K at the keys.
 template <std::size_t Degree>
@@ -48,4 +48,4 @@ class HermitePath {
   std::vector<Derivatives> derivatives_;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

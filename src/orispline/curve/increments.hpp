@@ -5,7 +5,7 @@
 
 #include <orispline/math/geodesic.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// From each point of a list to the next: n of them give n-1 displacements, rotation vectors [rad] or differences [m].
 template <class Points>
@@ -18,4 +18,4 @@ template <class Points>
   return increments;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

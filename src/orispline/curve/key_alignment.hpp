@@ -6,7 +6,7 @@
 
 #include <orispline/curve/keyframe.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// sin(half_turn_margin / 2)
 inline constexpr double cosine_near_half_turn = 0.008726535498373935;
@@ -35,4 +35,4 @@ struct KeyAlignment {
   }
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

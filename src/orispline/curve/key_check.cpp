@@ -6,7 +6,8 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/curve/free_rate.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 Error key_error(std::size_t key, std::string message) {
@@ -103,4 +104,4 @@ std::optional<Error> check_rate(std::size_t key, const char* what, const Eigen::
   return check_vector(key, what, rate);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

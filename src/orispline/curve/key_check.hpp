@@ -14,7 +14,7 @@
 // What one key must be, whether it comes with all the others or alone. Errors are bad_data with the key's index;
 // success allocates nothing.
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A time that is not finite, or that does not come after those of the keys before, at a step in range and comparable
 /// with theirs. Of the times before the last ones count, as many as are seen together with this one.
@@ -69,4 +69,4 @@ class RecentTimes {
 [[nodiscard]] ORISPLINE_EXPORT std::optional<Error> check_rate(std::size_t key, const char* what,
                                                                const Eigen::Vector3d& rate);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -6,7 +6,7 @@
 
 #include <orispline/base/abi.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// The text of a table of keys, column by column as it was read.
 struct KeyTable {
@@ -14,4 +14,4 @@ struct KeyTable {
   std::vector<std::vector<std::string>> rows{};  ///< one cell per name, one row per key
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -5,7 +5,7 @@
 
 #include <orispline/base/abi.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// How a family uses the keys of a curve, beyond passing through all of them and blending its neighbours.
 struct KeyUse {
@@ -27,4 +27,4 @@ struct KeyUse {
   }
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -9,7 +9,8 @@
 #include <orispline/curve/key_alignment.hpp>
 #include <orispline/curve/key_check.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 /// What a key may have besides its time and orientation, with its name in the singular and in the plural, and what it
@@ -144,4 +145,4 @@ Expected<Keyframes> Keyframes::with_rates(std::vector<Eigen::Vector3d> angular_v
   return with(std::move(data));
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -10,7 +10,7 @@
 #include <orispline/base/expected.hpp>
 #include <orispline/math/geodesic.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// How the signs of the key quaternions are chosen; q and -q are the same orientation.
 enum class Signs {
@@ -137,4 +137,4 @@ class ORISPLINE_EXPORT Keyframes {
   KeyframeReport report_;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

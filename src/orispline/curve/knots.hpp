@@ -12,7 +12,7 @@
 #include <orispline/base/expect.hpp>
 #include <orispline/math/number.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// At a knot two segments meet: which of them is meant.
 enum class Side { right, left };
@@ -106,4 +106,4 @@ class Knots {
   std::vector<std::uint32_t> knots_before_slot_;  ///< inner knots in earlier slots; at the end all of them
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

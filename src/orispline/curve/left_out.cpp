@@ -5,7 +5,8 @@
 
 #include <orispline/base/expect.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr std::size_t count = Window::capacity, last = count - 1;
@@ -69,4 +70,4 @@ LeftOutErrors left_out_errors(const Window& window, std::size_t first, std::size
   return {polynomial_error(window, first, past), natural_spline_error(window, first, past)};
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -5,7 +5,8 @@
 #include <orispline/curve/key_check.hpp>
 #include <orispline/math/degrees.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 /// What keeps the last key from being the first one come back; nothing if it is.
@@ -92,4 +93,4 @@ ControlPolygon<P> closed_polygon(const Keyframes& keys, const Closure& closure) 
 template ControlPolygon<Eigen::Quaterniond> closed_polygon(const Keyframes&, const Closure&);
 template ControlPolygon<Eigen::Vector3d> closed_polygon(const Keyframes&, const Closure&);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -5,7 +5,7 @@
 #include <orispline/curve/family.hpp>
 #include <orispline/curve/keyframe.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A key this near to the first one [rad], [m] is the first one come back.
 inline constexpr double closing_tolerance = 1e-6;
@@ -34,4 +34,4 @@ struct ClosedKeys {
 template <CurvePoint P>
 [[nodiscard]] ControlPolygon<P> closed_polygon(const Keyframes& keys, const Closure& closure);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/curve/method.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 Method Method::at(std::span<const std::size_t> indices, std::size_t keys) const {
   Method picked = *this;
@@ -16,4 +16,4 @@ Method Method::at(std::span<const std::size_t> indices, std::size_t keys) const 
   return picked;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -9,7 +9,7 @@
 
 #include <orispline/curve/family.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Near the motion, local, C2 in time on any keys, nothing to tune: for whoever says nothing.
 inline constexpr std::string_view default_method = "auto";
@@ -32,4 +32,4 @@ struct ORISPLINE_EXPORT Method {
   [[nodiscard]] Method at(std::span<const std::size_t> indices, std::size_t keys) const;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -5,7 +5,7 @@
 
 #include <orispline/math/geodesic.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Orientation with its rates at one time, over any Number. The rates are in the **body** frame.
 template <Number T>
@@ -83,4 +83,4 @@ template <Number T>
   return {.position = order(0), .velocity = order(1), .acceleration = order(2), .jerk = order(3)};
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

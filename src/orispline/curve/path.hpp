@@ -3,7 +3,7 @@
 
 #include <orispline/curve/curve_through.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A curve of positions.
 template <class C>
@@ -48,4 +48,4 @@ class AnyPath {
   int degree_;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -9,7 +9,7 @@
 #include <orispline/curve/chain.hpp>
 #include <orispline/math/geodesic.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// The keys from the same first one on with every step shortened to a share of its length.
 template <CurvePoint P>
@@ -108,4 +108,4 @@ template <CurvePoint P, class Rule>
   }
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

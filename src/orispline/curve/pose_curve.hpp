@@ -6,7 +6,7 @@
 #include <orispline/curve/curve.hpp>
 #include <orispline/curve/path.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Any curve through points of one kind.
 template <CurvePoint P>
@@ -18,4 +18,4 @@ struct PoseCurve {
   std::optional<AnyPath> position{};
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

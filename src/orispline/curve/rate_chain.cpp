@@ -6,7 +6,8 @@
 #include <orispline/curve/four_key_curve.hpp>
 #include <orispline/curve/increments.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 std::optional<Eigen::Vector3d> end_rate(const End& end, const Eigen::Vector3d& secant) {
@@ -66,4 +67,4 @@ Expected<HermitePath<3>> cubic_spline_path(std::string_view method, const Keyfra
       });
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

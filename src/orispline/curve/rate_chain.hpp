@@ -11,7 +11,7 @@
 #include <orispline/curve/hermite_path.hpp>
 #include <orispline/curve/keyframe.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// The accelerations of one piece of a curve at its two ends.
 template <Number T>
@@ -236,4 +236,4 @@ template <class Piece>
 [[nodiscard]] Expected<HermitePath<3>> cubic_spline_path(std::string_view method, const Keyframes& keys,
                                                          const FamilySettings& settings);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

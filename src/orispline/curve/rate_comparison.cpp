@@ -8,7 +8,8 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/math/degrees.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr double contradiction = 0.25;  // from this misfit on another meaning is looked for
@@ -190,4 +191,4 @@ std::optional<RateMeaning> RateComparison::better_meaning() const {
   return best;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -9,7 +9,7 @@
 
 #include <orispline/math/eigen.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// What angular velocities may be, other than those of the body in its own frame [rad/s].
 struct RateMeaning {
@@ -37,4 +37,4 @@ struct RateComparison {
   [[nodiscard]] std::optional<RateMeaning> better_meaning() const;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -8,7 +8,7 @@
 #include <orispline/curve/motion.hpp>
 #include <orispline/curve/segment_form.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A cubic of R⁴ from one key to the next, as qx, qy, qz, qw: its ends, and the steps from control point to control
 /// point, which keep their digits where keys lie close together.
@@ -93,4 +93,4 @@ class RationalCurve {
   std::vector<RationalPiece> pieces_;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -6,7 +6,7 @@
 
 #include <orispline/curve/keyframe.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// What keys say about the curve that they are for: with it a file of keys carries its meaning.
 struct Recipe {
@@ -17,4 +17,4 @@ struct Recipe {
   [[nodiscard]] bool is_empty() const noexcept { return method.empty(); }
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -7,7 +7,7 @@
 
 #include <orispline/curve/chart_curve.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// One of the pieces that a segment is cut into.
 template <std::size_t Degree>
@@ -66,4 +66,4 @@ class RefinedChartCurve {
   std::vector<std::size_t> first_;  ///< piece of each segment; at the end their number
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -6,7 +6,7 @@
 
 #include <orispline/math/geodesic.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A time mirrored at another one.
 [[nodiscard]] inline double mirrored(double at, double t) noexcept { return 2.0 * at - t; }
@@ -34,4 +34,4 @@ template <class Element>
   return Reflected<Element>(elements);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

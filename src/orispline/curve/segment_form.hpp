@@ -6,7 +6,7 @@
 
 #include <orispline/math/eigen.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Largest degree of the polynomials in which a segment may state itself.
 inline constexpr std::size_t form_degree = 7;
@@ -40,4 +40,4 @@ struct RationalForm {
 /// What a segment is made of, where it is made of polynomials: for evaluation in bulk.
 using SegmentForm = std::variant<std::monostate, CumulativeForm, ChartForm, RationalForm>;
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

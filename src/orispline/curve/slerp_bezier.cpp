@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/curve/slerp_bezier.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 SlerpBezierCurve::SlerpBezierCurve(Knots knots, std::span<const Eigen::Quaterniond> controls)
     : knots_(std::move(knots)) {
@@ -13,4 +13,4 @@ SlerpBezierCurve::SlerpBezierCurve(Knots knots, std::span<const Eigen::Quaternio
   }
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -8,7 +8,7 @@
 #include <orispline/curve/knots.hpp>
 #include <orispline/math/slerp.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// The cubic at u by de Casteljau's algorithm with slerps, from the three arcs of its control polygon.
 template <Number T>
@@ -47,4 +47,4 @@ class SlerpBezierCurve {
   std::vector<Segment> segments_;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

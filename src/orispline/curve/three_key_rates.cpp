@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/curve/three_key_rates.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 std::vector<Eigen::Vector3d> three_key_rates(std::span<const double> times,
                                              std::span<const Eigen::Vector3d> increments) {
@@ -18,4 +18,4 @@ std::vector<Eigen::Vector3d> three_key_rates(std::span<const double> times,
   return rates;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

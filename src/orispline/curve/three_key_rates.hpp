@@ -6,7 +6,7 @@
 
 #include <orispline/math/eigen.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Rates at the keys from the increments between them: that of the parabola through a key and its two neighbours, at
 /// the ends that of the first and the last increment. The same for rotation vectors and for displacements.
@@ -15,4 +15,4 @@ namespace orispline::inline ORISPLINE_ABI {
 [[nodiscard]] std::vector<Eigen::Vector3d> three_key_rates(std::span<const double> times,
                                                            std::span<const Eigen::Vector3d> increments);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -5,7 +5,8 @@
 
 #include <orispline/base/formatted.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr double rounding_of_tensor = 1e-12;  // of an inertia tensor that was computed
@@ -35,4 +36,4 @@ std::vector<Warning> warnings_of(const Eigen::Matrix3d& inertia) {
            .option = "inertia"}};
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -7,7 +7,7 @@
 #include <orispline/base/warning.hpp>
 #include <orispline/curve/motion.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// What turns a free rigid body so: J α + ω × J ω [N m], body frame (Euler's equation).
 ///
@@ -35,4 +35,4 @@ template <Number T>
 /// `no_rigid_body`, where the inertia is not a physical one.
 [[nodiscard]] ORISPLINE_EXPORT std::vector<Warning> warnings_of(const Eigen::Matrix3d& inertia);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

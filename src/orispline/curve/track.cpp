@@ -4,7 +4,8 @@
 #include <cmath>
 #include <utility>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr double rounding = 1e-15;  // of the components of a unit quaternion
@@ -92,4 +93,4 @@ Method completed(Method method, const FamilyInfo& family, const Track& track) {
   return method;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -14,7 +14,7 @@
 #include <orispline/curve/method.hpp>
 #include <orispline/curve/recipe.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Keyframes with where they come from: what tasks take and give back, and what files hold.
 ///
@@ -63,4 +63,4 @@ struct ORISPLINE_EXPORT Track {
 /// The method, completed by the settings of the track that it does not state itself.
 [[nodiscard]] ORISPLINE_EXPORT Method completed(Method method, const FamilyInfo& family, const Track& track);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -9,7 +9,7 @@
 #include <orispline/math/bernstein.hpp>
 #include <orispline/math/jet.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Derivatives of orders 1…K of the two factors beside a key: φ of the increment before it, ψ of the one after it.
 ///
@@ -120,4 +120,4 @@ template <std::size_t Count, int Degree, class Functions>
   return forms;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -3,7 +3,7 @@
 
 #include <orispline/base/expect.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 std::array<Eigen::Vector3d, Window::capacity> divided_differences(const Window& window) noexcept {
   std::array<Eigen::Vector3d, Window::capacity> difference = window.displacements;
@@ -60,4 +60,4 @@ WindowRates natural_spline_rates(const Window& window) noexcept {
   return {slope, second[c]};
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

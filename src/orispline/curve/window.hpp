@@ -8,7 +8,7 @@
 
 #include <orispline/math/eigen.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A few neighbouring keys seen from one of them: times and increments from it, at most seven.
 struct Window {
@@ -66,4 +66,4 @@ struct WindowRates {
 /// Of the natural cubic spline through the keys of the window (2 to 7).
 [[nodiscard]] WindowRates natural_spline_rates(const Window& window) noexcept;
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -5,7 +5,7 @@
 
 #include <orispline/curve/four_key_curve.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 /// The type of the algebraic-trigonometric blending spline: the one local interpolant of four keys that is C2 on
 /// uniform knots with blending functions in the span of 1, u, u², sin πu and cos πu.
@@ -43,4 +43,4 @@ struct Atbi {
   [[nodiscard]] static Basis basis(const FamilySettings&) { return {}; }
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

@@ -3,7 +3,8 @@
 
 #include <orispline/families/auto_rates.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
+
 namespace {
 
 Expected<bool> holds(const FamilySettings& settings) {
@@ -46,4 +47,4 @@ Expected<HermitePath<5>> Auto5::path(const Keyframes& keys, const FamilySettings
   return path_of_reach(keys, 2, settings);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

@@ -6,7 +6,7 @@
 #include <orispline/curve/hermite_path.hpp>
 #include <orispline/curve/keyframe.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 /// Local, closed form, C2 in time on any key times, and near to the true motion wherever the keys resolve it.
 ///
@@ -44,4 +44,4 @@ struct Auto5 {
   [[nodiscard]] static Expected<HermitePath<5>> path(const Keyframes& keys, const FamilySettings& settings);
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

@@ -11,7 +11,7 @@
 
 // The steps are numbered as on docs/families/auto.md, which also says where the constants come from.
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 using Rates = WindowRates;
 
@@ -226,4 +226,4 @@ HermitePath<5> quintic_path_through(const Keyframes& keys, AutoRates& along, con
   return HermitePath<5>(key_knots(keys), {keys.positions().begin(), keys.positions().end()}, std::move(derivatives));
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

@@ -11,7 +11,7 @@
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/window.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 /// Smooth switch: 0 up to `low`, 1 from `high` on.
 [[nodiscard]] double switched(double x, double low, double high) noexcept;
@@ -110,4 +110,4 @@ using RatesAt = std::function<WindowRates(std::size_t key)>;
 /// In space, which needs no chart, the Hermite quintic.
 [[nodiscard]] HermitePath<5> quintic_path_through(const Keyframes& keys, AutoRates& along, const RatesAt& rates_at);
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

@@ -10,7 +10,8 @@
 #include <orispline/curve/points_through.hpp>
 #include <orispline/curve/reflected.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
+
 namespace {
 
 BSplineBasis<3> basis_on(std::span<const double> key_times) {
@@ -141,4 +142,4 @@ Expected<CumulativePath<BSplineBasis<3>>> Averages::path(const Keyframes& keys, 
   });
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

@@ -6,7 +6,7 @@
 #include <orispline/curve/family.hpp>
 #include <orispline/curve/keyframe.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 /// Spherical averages on a cubic B-spline basis: C2 in time on any key times, whatever the order of the control points.
 ///
@@ -32,4 +32,4 @@ struct Averages {
                                                                       const FamilySettings& settings);
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

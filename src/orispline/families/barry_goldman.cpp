@@ -4,7 +4,7 @@
 #include <orispline/curve/key_knots.hpp>
 #include <orispline/curve/reflected.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 template <CurvePoint P>
 Expected<Pyramid<P>> BarryGoldman::curve(const Keyframes& keys, const FamilySettings&) {
@@ -24,4 +24,4 @@ template Expected<Pyramid<Eigen::Quaterniond>> BarryGoldman::curve<Eigen::Quater
 template Expected<Pyramid<Eigen::Vector3d>> BarryGoldman::curve<Eigen::Vector3d>(const Keyframes&,
                                                                                  const FamilySettings&);
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

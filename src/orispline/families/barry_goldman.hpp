@@ -10,7 +10,7 @@
 #include <orispline/curve/knots.hpp>
 #include <orispline/math/geodesic.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 /// Barry and Goldman's pyramid over four points of each segment, for orientations by slerps, for positions by lines.
 ///
@@ -67,4 +67,4 @@ struct BarryGoldman {
   [[nodiscard]] static Expected<Pyramid<P>> curve(const Keyframes& keys, const FamilySettings&);
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

@@ -3,7 +3,8 @@
 
 #include <orispline/curve/beta_polygon.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
+
 namespace {
 
 Expected<BetaShape> shape_of(std::size_t points, const FamilySettings& settings) {
@@ -26,4 +27,4 @@ template Expected<CumulativeCurve<CubicBezierBasis, Eigen::Quaterniond>> Beta::c
 template Expected<CumulativeCurve<CubicBezierBasis, Eigen::Vector3d>> Beta::curve<Eigen::Vector3d>(
     const Keyframes&, const FamilySettings&);
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

@@ -5,7 +5,7 @@
 #include <orispline/curve/family.hpp>
 #include <orispline/curve/keyframe.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 /// The Beta quaternion spline as published: approximates its keys, which are auxiliary control points.
 ///
@@ -32,4 +32,4 @@ struct Beta {
                                                                             const FamilySettings& settings);
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

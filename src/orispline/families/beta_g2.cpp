@@ -6,7 +6,8 @@
 #include <orispline/curve/points_through.hpp>
 #include <orispline/families/beta_g2_handles.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
+
 namespace {
 
 using Betas = BetasOver<double>;
@@ -95,4 +96,4 @@ Expected<CubicBezierPath> BetaG2::path(const Keyframes& keys, const FamilySettin
   });
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

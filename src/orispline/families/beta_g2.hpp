@@ -6,7 +6,7 @@
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/families/beta_g2_handles.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 /// Beta quaternion splines that are truly G2: s'' after a joint is β₁² s'' + β₂ s' before it, in the local parameter.
 ///
@@ -57,4 +57,4 @@ struct BetaG2 {
   [[nodiscard]] static Expected<CubicBezierPath> path(const Keyframes& keys, const FamilySettings& settings);
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

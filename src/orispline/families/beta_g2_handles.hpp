@@ -12,7 +12,7 @@
 #include <orispline/curve/family.hpp>
 #include <orispline/math/geodesic.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 /// One of each per key.
 template <Number T>
@@ -122,4 +122,4 @@ class HandleChain {
   std::vector<Eigen::Vector3d> handles_;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

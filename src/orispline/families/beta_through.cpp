@@ -8,7 +8,8 @@
 #include <orispline/curve/points_through.hpp>
 #include <orispline/curve/reflected.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
+
 namespace {
 
 Expected<BetaShape> shape_of(std::size_t keys, const FamilySettings& settings) {
@@ -61,4 +62,4 @@ template Expected<CumulativeCurve<CubicBezierBasis, Eigen::Quaterniond>> BetaThr
 template Expected<CumulativeCurve<CubicBezierBasis, Eigen::Vector3d>> BetaThrough::curve<Eigen::Vector3d>(
     const Keyframes&, const FamilySettings&);
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

@@ -8,7 +8,7 @@
 #include <orispline/curve/family.hpp>
 #include <orispline/curve/keyframe.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 /// What the joint of a key misses it by; auxiliary point i + 1 belongs to key i.
 template <Number R>
@@ -53,4 +53,4 @@ struct BetaThrough {
                                                                             const FamilySettings& settings);
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

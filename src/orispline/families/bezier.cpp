@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/families/bezier.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
+
 namespace {
 
 Knots joint_times(const Keyframes& keys) {
@@ -23,4 +24,4 @@ template Expected<CumulativeCurve<CubicBezierBasis, Eigen::Quaterniond>> Bezier:
 template Expected<CumulativeCurve<CubicBezierBasis, Eigen::Vector3d>> Bezier::curve<Eigen::Vector3d>(
     const Keyframes&, const FamilySettings&);
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

@@ -5,7 +5,7 @@
 #include <orispline/curve/family.hpp>
 #include <orispline/curve/keyframe.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 /// Composite cumulative cubic Bézier curve: every third key is a joint, the two between shape the segment.
 ///
@@ -27,4 +27,4 @@ struct Bezier {
                                                                             const FamilySettings&);
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

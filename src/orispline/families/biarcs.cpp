@@ -8,7 +8,8 @@
 #include <orispline/curve/four_key_curve.hpp>
 #include <orispline/curve/increments.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
+
 namespace {
 
 /// A body that turns by more than this from one step to the next stops in the key between: the cosine of 150°.
@@ -153,4 +154,4 @@ template Expected<BiarcCurve<Eigen::Quaterniond>> Biarcs::curve<Eigen::Quaternio
                                                                                     const FamilySettings&);
 template Expected<BiarcCurve<Eigen::Vector3d>> Biarcs::curve<Eigen::Vector3d>(const Keyframes&, const FamilySettings&);
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

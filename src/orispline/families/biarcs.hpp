@@ -5,7 +5,7 @@
 #include <orispline/curve/family.hpp>
 #include <orispline/curve/keyframe.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 /// Two circular arcs of S³ from key to key, which meet with one tangent; their length is run through by a monotone
 /// cubic of time: C1 in time on any knots.
@@ -28,4 +28,4 @@ struct Biarcs {
   [[nodiscard]] static Expected<BiarcCurve<P>> curve(const Keyframes& keys, const FamilySettings& settings);
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

@@ -7,7 +7,8 @@
 
 #include <orispline/curve/reflected.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
+
 namespace {
 
 /// Keys nearer to each other than this in R⁴ do not tell the circle through them.
@@ -98,4 +99,4 @@ Expected<Circular::Curve> Circular::curve(const Keyframes& keys, const FamilySet
   return blended<Curve>(keys.orientations(), keys.times(), settings, circle);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

@@ -10,7 +10,7 @@
 #include <orispline/curve/knots.hpp>
 #include <orispline/math/geodesic.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 /// Where a parabola through 0 at its own key is, `time` after it: linear · time + quadratic · time².
 template <class Value>
@@ -144,4 +144,4 @@ struct Circular {
   }
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

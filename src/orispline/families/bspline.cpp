@@ -5,7 +5,8 @@
 #include <orispline/curve/cumulative_curve.hpp>
 #include <orispline/curve/reflected.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
+
 namespace {
 
 /// Control points on either side of a span's first one, beyond the two that it lies between.
@@ -78,4 +79,4 @@ template Expected<AnyCurveThrough<Eigen::Quaterniond>> BSpline::curve<Eigen::Qua
 template Expected<AnyCurveThrough<Eigen::Vector3d>> BSpline::curve<Eigen::Vector3d>(const Keyframes&,
                                                                                     const FamilySettings&);
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

@@ -5,7 +5,7 @@
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/pose_curve.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 /// Cumulative B-spline of degree 2…5 on the key times: approximates its keys, C^(degree-1) in time on any knots.
 ///
@@ -35,4 +35,4 @@ struct BSpline {
   [[nodiscard]] static Expected<AnyCurveThrough<P>> curve(const Keyframes& keys, const FamilySettings& settings);
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

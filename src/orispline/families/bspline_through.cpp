@@ -8,7 +8,8 @@
 #include <orispline/curve/rate_chain.hpp>
 #include <orispline/curve/reflected.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
+
 namespace {
 
 using Basis = BSplineBasis<3>;
@@ -155,4 +156,4 @@ Expected<HermitePath<3>> BSplineThrough::path(const Keyframes& keys, const Famil
   return cubic_spline_path(info.name, keys, settings);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

@@ -7,7 +7,7 @@
 #include <orispline/curve/hermite_path.hpp>
 #include <orispline/curve/keyframe.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 /// Kim's cumulative cubic B-spline through the keys: its control orientations are solved for. C2 in time on any knots.
 ///
@@ -36,4 +36,4 @@ struct BSplineThrough {
   [[nodiscard]] static Expected<HermitePath<3>> path(const Keyframes& keys, const FamilySettings& settings);
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

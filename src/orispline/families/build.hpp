@@ -3,7 +3,7 @@
 
 #include <orispline/curve/four_key_curve.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A family that states a four-key basis: the common rule builds its curves.
 template <class F>
@@ -21,4 +21,4 @@ template <class F, CurvePoint P>
   else return F::path(keys, settings);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

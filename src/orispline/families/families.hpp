@@ -33,7 +33,7 @@
 #include <orispline/families/uniform.hpp>
 #include <orispline/families/xing.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// THE list of families: the registry, the command line, the docs table and the contract tests all read it.
 using Families =
@@ -47,4 +47,4 @@ using Families =
                families::BSplineThrough, families::Averages, families::Beta, families::BetaThrough, families::BetaG2,
                families::Least, families::Measured>;
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -6,7 +6,8 @@
 #include <orispline/curve/increments.hpp>
 #include <orispline/curve/rate_chain.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
+
 namespace {
 
 Expected<SlerpBezierCurve> solved_curve(std::string_view method, const Keyframes& keys,
@@ -41,4 +42,4 @@ Expected<HermitePath<3>> NuExact::path(const Keyframes& keys, const FamilySettin
   return cubic_spline_path(info.name, keys, settings);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

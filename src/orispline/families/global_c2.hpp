@@ -7,7 +7,7 @@
 #include <orispline/curve/rate_chain.hpp>
 #include <orispline/curve/slerp_bezier.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 /// The C2 curve of slerp cubics whose rates at the keys solve for equal accelerations: close to the least ∫|α|².
 ///
@@ -60,4 +60,4 @@ struct NuExact {
   [[nodiscard]] static Expected<HermitePath<3>> path(const Keyframes& keys, const FamilySettings& settings);
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

@@ -5,10 +5,10 @@
 
 #include <orispline/base/abi.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Whether the curves of a method have handles that may turn too far, which overwound_tangent() looks for.
 /// Precondition: there is such a method.
 [[nodiscard]] bool can_overwind(std::string_view method);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

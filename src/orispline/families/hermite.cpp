@@ -9,7 +9,8 @@
 #include <orispline/curve/key_knots.hpp>
 #include <orispline/curve/window.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
+
 namespace {
 
 /// Steps nearer than this to a full turn [rad] have no rotation vector that rates could be carried to.
@@ -118,4 +119,4 @@ template struct Hermite<1>;
 template struct Hermite<2>;
 template struct Hermite<3>;
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

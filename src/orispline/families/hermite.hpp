@@ -8,7 +8,7 @@
 #include <orispline/curve/hermite_path.hpp>
 #include <orispline/curve/keyframe.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 /// Hermite interpolation of orders 1…K: a polynomial of degree 2K+1 in the rotation vector from the key before, with
 /// the body rates of both keys; C^K in time on any key times.
@@ -51,4 +51,4 @@ using HermiteC1 = Hermite<1>;
 using HermiteC2 = Hermite<2>;
 using HermiteC3 = Hermite<3>;
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

@@ -8,7 +8,7 @@
 #include <orispline/curve/key_knots.hpp>
 #include <orispline/curve/three_key_rates.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 std::vector<Eigen::Vector3d> HermiteCumulative::key_rates(const Keyframes& keys) {
   const auto given = keys.angular_velocities();
@@ -26,4 +26,4 @@ Expected<CubicBezierCurve> HermiteCumulative::curve(const Keyframes& keys, const
   return hermite_curve(key_knots(keys), keys.orientations(), rates);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

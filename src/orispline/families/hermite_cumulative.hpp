@@ -6,7 +6,7 @@
 #include <orispline/curve/family.hpp>
 #include <orispline/curve/keyframe.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 /// Kim's cubic Hermite curve: C1 in time on any knots through given or estimated rates at the keys.
 ///
@@ -34,4 +34,4 @@ struct HermiteCumulative {
   }
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

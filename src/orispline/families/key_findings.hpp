@@ -9,7 +9,7 @@
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/method.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 namespace families {
 
@@ -54,4 +54,4 @@ struct KeyFindings {
 /// The method with these findings as settings: a segment of its curve depends on ten keys.
 [[nodiscard]] ORISPLINE_EXPORT Method with_findings(Method method, const KeyFindings& findings);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -5,7 +5,8 @@
 #include <cmath>
 #include <limits>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
+
 namespace {
 
 constexpr std::size_t reach = window_keys / 2;
@@ -132,4 +133,4 @@ Eigen::Vector3d KeyWindows::applied(const std::array<double, window_keys>& facto
   return sum;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

@@ -9,7 +9,7 @@
 #include <orispline/families/model_weights.hpp>
 #include <orispline/families/motion_models.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 /// Fewer keys have no window.
 inline constexpr std::size_t least_window = window_keys;
@@ -66,4 +66,4 @@ class KeyWindows {
 [[nodiscard]] WindowTimes window_times(std::span<const double> times, std::size_t first, std::size_t i,
                                        double interval);
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

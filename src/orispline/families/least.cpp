@@ -17,7 +17,8 @@
 #include <orispline/families/least_refinement.hpp>
 #include <orispline/families/rotation_spline.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
+
 namespace {
 
 constexpr std::size_t omega = 3, alpha = 6;  // first of their three unknowns at a node
@@ -224,4 +225,4 @@ Expected<RefinedChartCurve<5>> Least::curve(const Keyframes& keys, const FamilyS
   }
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

@@ -6,7 +6,7 @@
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/refined_chart_curve.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 /// The curve through the keys with the least ∫|α|² dt, the Riemannian cubic; or with the least ∫|torque|² or ∫|jerk|².
 ///
@@ -38,4 +38,4 @@ struct Least {
   [[nodiscard]] static Expected<HermitePath<5>> path(const Keyframes& keys, const FamilySettings& settings);
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

@@ -2,7 +2,8 @@
 #include <orispline/families/least_rate_sum.hpp>
 #include <orispline/families/least_rule.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
+
 namespace {
 
 template <LeastOf F>
@@ -162,4 +163,4 @@ template LeastElement<LeastOf::jerk>::Curved LeastElement<LeastOf::jerk>::curved
                                                                                  const Rates&, double,
                                                                                  const Eigen::Matrix3d&);
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

@@ -9,7 +9,8 @@
 #include <orispline/families/least_rule.hpp>
 #include <orispline/math/gauss_legendre.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
+
 namespace {
 
 /// The functions of the parts at u, as series in u.
@@ -209,4 +210,4 @@ template LeastElement<LeastOf::jerk>::Linearised LeastElement<LeastOf::jerk>::li
                                                                                          double,
                                                                                          const Eigen::Matrix3d&);
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

@@ -5,7 +5,7 @@
 
 #include <orispline/curve/chart_ends.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 /// What a curve is to have the least of.
 enum class LeastOf { acceleration, torque, jerk };
@@ -56,4 +56,4 @@ extern template struct LeastElement<LeastOf::acceleration>;
 extern template struct LeastElement<LeastOf::torque>;
 extern template struct LeastElement<LeastOf::jerk>;
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

@@ -5,7 +5,8 @@
 #include <cmath>
 #include <limits>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
+
 namespace {
 
 constexpr int first_steps = 4, most_first_steps = 60;  // of Gauss and Newton, before and after what they gain is asked
@@ -151,4 +152,4 @@ LeastOutcome minimise(LeastProblem& problem) {
   return with_energy(problem.of, [&]<LeastOf F>() { return minimised<F>(problem); });
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

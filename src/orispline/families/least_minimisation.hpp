@@ -3,7 +3,7 @@
 
 #include <orispline/families/least_problem.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 /// What the iteration came to.
 struct LeastOutcome {
@@ -23,4 +23,4 @@ inline constexpr double least_tolerance = 1e-9;
 /// get shorter by those of Newton in a region of trust.
 [[nodiscard]] LeastOutcome minimise(LeastProblem& problem);
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

@@ -4,7 +4,8 @@
 #include <orispline/math/chain_elimination.hpp>
 #include <orispline/math/scalar_link.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
+
 namespace {
 
 using Derivatives = HermitePath<5>::Derivatives;
@@ -80,4 +81,4 @@ Expected<HermitePath<5>> Least::path(const Keyframes& keys, const FamilySettings
   return HermitePath<5>(std::move(knots), {positions.begin(), positions.end()}, std::move(derivatives));
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

@@ -9,7 +9,7 @@
 
 #include <orispline/families/least_element.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 /// Where a curve of least energy is at the end of a piece.
 struct LeastNode {
@@ -78,4 +78,4 @@ class LeastNewton {
   std::vector<Eigen::Array3d> weights_{};
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

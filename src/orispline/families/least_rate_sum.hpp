@@ -9,7 +9,7 @@
 #include <orispline/math/series.hpp>
 #include <orispline/math/so3.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 /// w·α + z·ω of the motion exp(ψ) for constant w and z, with its second derivatives by ψ, ψ' and ψ'', which are called
 /// p, v and a.
@@ -107,4 +107,4 @@ class LeastRateSum {
   Eigen::Matrix<T, scalars, scalars> curvature_;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

@@ -6,7 +6,8 @@
 
 #include <orispline/curve/torque.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
+
 namespace {
 
 constexpr double excess_share = 2e-9;        // of the energy, that is let be
@@ -55,4 +56,4 @@ std::vector<std::size_t> refined(const std::vector<std::size_t>& counts, const s
   return more == counts ? std::vector<std::size_t>() : more;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

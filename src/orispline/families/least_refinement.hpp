@@ -7,7 +7,7 @@
 #include <orispline/curve/refined_chart_curve.hpp>
 #include <orispline/families/least_element.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 /// How much of a piece's energy is more than it need be, by its residual of the equations of Euler and Lagrange.
 ///
@@ -19,4 +19,4 @@ namespace orispline::inline ORISPLINE_ABI::families {
 [[nodiscard]] std::vector<std::size_t> refined(const std::vector<std::size_t>& counts,
                                                const std::vector<double>& excesses, double energy);
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

@@ -8,7 +8,7 @@
 
 // What both orders of derivatives of an element are made of.
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 /// What ψ is made of, each with a function of the local time u: φ, then ψ' and ψ'' at the start, then at the end.
 inline constexpr std::size_t least_parts = 5;
@@ -64,4 +64,4 @@ template <LeastOf F>
 template <LeastOf F>
 [[nodiscard]] double least_scale(double h);
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

@@ -6,7 +6,8 @@
 #include <orispline/families/least_problem.hpp>
 #include <orispline/math/chain_elimination.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
+
 namespace {
 
 constexpr int unknowns = 9;
@@ -127,4 +128,4 @@ template LeastNewton LeastNewton::at<LeastOf::acceleration>(const LeastProblem&)
 template LeastNewton LeastNewton::at<LeastOf::torque>(const LeastProblem&);
 template LeastNewton LeastNewton::at<LeastOf::jerk>(const LeastProblem&);
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

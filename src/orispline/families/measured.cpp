@@ -9,7 +9,8 @@
 #include <orispline/families/key_windows.hpp>
 #include <orispline/math/median.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace families {
 namespace {
 
@@ -150,4 +151,4 @@ Method with_findings(Method method, const KeyFindings& findings) {
   return method;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -11,7 +11,7 @@
 #include <orispline/families/auto_rates.hpp>
 #include <orispline/families/key_findings.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 /// Of fewer keys the models take an undersampled stride for noise, and are not weighed.
 inline constexpr std::size_t least_weighed = 20;
@@ -53,4 +53,4 @@ struct Measured {
 /// What the keys say, or the settings instead. At least `least_window` keys.
 [[nodiscard]] KeyFindings findings_of(const Keyframes& keys, Through through, const FamilySettings& settings);
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

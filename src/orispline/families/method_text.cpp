@@ -9,7 +9,8 @@
 #include <orispline/base/pieces.hpp>
 #include <orispline/families/registry.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr std::string_view ends = "ends", start_rate = "start_rate", end_rate = "end_rate", closed = "closed",
@@ -194,4 +195,4 @@ Method without(Method method, std::span<const std::string> names) {
   return method;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -8,7 +8,7 @@
 #include <orispline/base/expected.hpp>
 #include <orispline/curve/method.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A method from its text form `NAME:SETTING=VALUE:…`, such as `quintic:tension=0.6:ends=natural`.
 ///
@@ -43,4 +43,4 @@ enum class CurveEnd { start, end };
 /// `closed` or `period`: what others say of them can then be added. With other `ends` a rate that is stated stays.
 [[nodiscard]] ORISPLINE_EXPORT Method without(Method method, std::span<const std::string> names);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -13,7 +13,8 @@
 #include <orispline/curve/three_key_rates.hpp>
 #include <orispline/families/registry.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 /// Shorter closing steps than this share of the shortest one between keys are worth a warning.
@@ -161,4 +162,4 @@ std::vector<Warning> warnings_of(const Method& method, const Track& track) {
   return warnings;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -6,7 +6,7 @@
 #include <orispline/base/warning.hpp>
 #include <orispline/curve/track.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// `near_half_turn`: steps between keys that may as well go the other way round (`steps`).
 [[nodiscard]] ORISPLINE_EXPORT std::vector<Warning> warnings_of(const KeyframeReport& keys);
@@ -21,4 +21,4 @@ namespace orispline::inline ORISPLINE_ABI {
 /// velocities say (`summed_rad_s`, `largest_rate_rad_s`). And what is of the keys.
 [[nodiscard]] ORISPLINE_EXPORT std::vector<Warning> warnings_of(const Method& method, const Track& track);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -7,7 +7,8 @@
 
 #include <orispline/math/elementary.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
+
 namespace {
 
 constexpr std::size_t keys_per_block = 8, draws = 32;  // each draw, and the same with the blocks in reverse order
@@ -109,4 +110,4 @@ ModelBelief ModelWeighing::belief() const {
   return belief;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

@@ -8,7 +8,7 @@
 #include <orispline/families/key_findings.hpp>
 #include <orispline/families/motion_models.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 /// Squared misses of one key, when it is predicted from its neighbours, and how much each comparison heeds them.
 struct KeyMisses {
@@ -42,4 +42,4 @@ class ModelWeighing {
   std::size_t block_ = 0;  ///< of the key that came last
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

@@ -11,7 +11,8 @@
 #include <orispline/families/measured.hpp>
 #include <orispline/math/elementary.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 using namespace families;
@@ -168,4 +169,4 @@ double MotionBand::operator()(double t) const noexcept {
   return width * ((1.0 - x) * activity_[i] + x * activity_[i + 1]);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -8,7 +8,7 @@
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/method.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Where the true motion may be: the angle about the curve of `measured` that is meant to hold a share of it.
 ///
@@ -39,4 +39,4 @@ class ORISPLINE_EXPORT MotionBand {
   std::vector<double> activity_;   ///< at the keys: how much the motion does there, as a share of what is usual
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -2,7 +2,8 @@
 #include <orispline/families/auto_rates.hpp>
 #include <orispline/families/window_differences.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
+
 namespace {
 
 using models::Covariances;
@@ -93,4 +94,4 @@ PerModel model_variances(const WindowTimes& window) {
   return variances;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

@@ -8,7 +8,7 @@
 
 #include <orispline/families/key_findings.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 using PerModel = Eigen::Array<double, static_cast<int>(model_count), 1>;
 
@@ -34,4 +34,4 @@ struct ModelMaps {
 /// model. The curve joins the noise of the keys at both sides of the centre linearly.
 [[nodiscard]] PerModel model_variances(const WindowTimes& window);
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

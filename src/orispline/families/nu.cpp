@@ -9,7 +9,8 @@
 #include <orispline/curve/rate_chain.hpp>
 #include <orispline/families/nu_construction.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
+
 namespace {
 
 using Ratios = NuRatios<double>;
@@ -83,4 +84,4 @@ Expected<HermitePath<3>> Nu::path(const Keyframes& keys, const FamilySettings& s
   return cubic_spline_path(info.name, keys, settings);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

@@ -7,7 +7,7 @@
 #include <orispline/curve/slerp_bezier.hpp>
 #include <orispline/families/nu_construction.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 /// Nielson's ν-quaternion spline as published: slerp cubics on control orientations that solve for passing through the
 /// keys. A tension ν [1/s] at every key, C1 in time on any knots.
@@ -42,4 +42,4 @@ struct Nu {
   [[nodiscard]] static Expected<HermitePath<3>> path(const Keyframes& keys, const FamilySettings& settings);
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

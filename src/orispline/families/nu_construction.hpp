@@ -12,7 +12,7 @@
 // Nielson's construction over numbers that may know how they change with ν. The names γ, λ, μ, δ are his; steps and
 // ratios are indexed by key here: docs/families/nu.md.
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 /// Where the cubics' inner points lie on the arcs of the control polygon, and each key between them.
 template <Number T>
@@ -82,4 +82,4 @@ struct NuRule {
   }
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

@@ -4,7 +4,7 @@
 #include <orispline/curve/four_key_curve.hpp>
 #include <orispline/math/bernstein.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 /// Tan's quintic spline with one tension α per key: C2 on uniform knots, G2 on others.
 ///
@@ -45,4 +45,4 @@ struct Quintic {
   [[nodiscard]] static Basis basis(const FamilySettings& settings) { return {settings.per_key("tension")}; }
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

@@ -9,7 +9,8 @@
 #include <orispline/curve/four_key_curve.hpp>
 #include <orispline/curve/rate_chain.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
+
 namespace {
 
 using Eigen::Vector4d;
@@ -187,4 +188,4 @@ Expected<HermitePath<3>> Rational::path(const Keyframes& keys, const FamilySetti
   return cubic_spline_path(info.name, keys, settings);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

@@ -6,7 +6,7 @@
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/rational_curve.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 /// The C2 cubic spline of R⁴ through the quaternions of the keys, normalised: one linear system, C2 in time on any
 /// knots.
@@ -31,4 +31,4 @@ struct Rational {
   [[nodiscard]] static Expected<HermitePath<3>> path(const Keyframes& keys, const FamilySettings& settings);
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

@@ -6,7 +6,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/method_text.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 Recipe recipe_for(const Method& method, const Track& track) {
   Method shared = method;
@@ -35,4 +35,4 @@ std::optional<Warning> recipe_set_aside(const Recipe& recipe, const Method& used
                  .where = is_from_file ? Where{.file = std::string(file), .line = recipe.line} : Where{}};
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

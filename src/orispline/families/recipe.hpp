@@ -6,7 +6,7 @@
 #include <orispline/base/warning.hpp>
 #include <orispline/curve/track.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// The recipe of keys whose curve is this method's, but for the settings that the track states key by key; their signs
 /// are those of the track's own recipe.
@@ -20,4 +20,4 @@ namespace orispline::inline ORISPLINE_ABI {
 [[nodiscard]] ORISPLINE_EXPORT std::optional<Warning> recipe_set_aside(const Recipe& recipe, const Method& used,
                                                                        std::string_view file);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

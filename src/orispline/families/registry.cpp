@@ -9,7 +9,8 @@
 #include <orispline/families/families.hpp>
 #include <orispline/families/handles.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 template <class F, CurvePoint P>
@@ -122,4 +123,4 @@ Expected<PoseCurve> make_pose_curve(const Method& method, const Keyframes& keys)
   });
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -12,7 +12,7 @@
 #include <orispline/curve/method.hpp>
 #include <orispline/curve/pose_curve.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Every family's description, in the order of the list.
 [[nodiscard]] ORISPLINE_EXPORT std::span<const FamilyInfo> families_info() noexcept;
@@ -36,4 +36,4 @@ namespace orispline::inline ORISPLINE_ABI {
 [[nodiscard]] ORISPLINE_EXPORT Expected<std::optional<HandleTurn>> overwound_tangent(const Method& method,
                                                                                      const Keyframes& keys);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

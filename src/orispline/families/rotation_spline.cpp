@@ -5,7 +5,7 @@
 #include <orispline/curve/increments.hpp>
 #include <orispline/curve/rate_chain.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 Expected<ChartCurve<3>> RotationSpline::curve(const Keyframes& keys, const FamilySettings& settings) {
   Knots knots = four_key_knots(keys, settings);
@@ -29,4 +29,4 @@ Expected<HermitePath<3>> RotationSpline::path(const Keyframes& keys, const Famil
   return cubic_spline_path(info.name, keys, settings);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

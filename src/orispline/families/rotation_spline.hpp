@@ -6,7 +6,7 @@
 #include <orispline/curve/hermite_path.hpp>
 #include <orispline/curve/keyframe.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 /// McEnnan's spline, SciPy's RotationSpline: a cubic rotation vector from every key to the next, C2 in time on any
 /// knots.
@@ -29,4 +29,4 @@ struct RotationSpline {
   [[nodiscard]] static Expected<HermitePath<3>> path(const Keyframes& keys, const FamilySettings& settings);
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

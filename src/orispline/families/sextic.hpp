@@ -4,7 +4,7 @@
 #include <orispline/curve/four_key_curve.hpp>
 #include <orispline/math/bernstein.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 /// The 6th-degree spline with one tension β per key: C3 on uniform knots, G3 on others.
 ///
@@ -47,4 +47,4 @@ struct Sextic {
   [[nodiscard]] static Basis basis(const FamilySettings& settings) { return {settings.per_key("tension")}; }
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

@@ -4,7 +4,8 @@
 #include <orispline/curve/key_knots.hpp>
 #include <orispline/curve/reflected.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
+
 namespace {
 
 /// The step after a key to the step before it, as the rule has it.
@@ -58,4 +59,4 @@ HandleTurn Shoemake::widest_handle(const Keyframes& keys, const FamilySettings& 
   return widest;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

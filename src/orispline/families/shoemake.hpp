@@ -6,7 +6,7 @@
 #include <orispline/curve/handle_rates.hpp>
 #include <orispline/curve/keyframe.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 /// Shoemake's Bézier curve of slerps: the handles of a key lie on the geodesic that bisects the way to its next key
 /// from the step before, continued.
@@ -34,4 +34,4 @@ struct Shoemake {
   [[nodiscard]] static HandleTurn widest_handle(const Keyframes& keys, const FamilySettings& settings);
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

@@ -5,7 +5,7 @@
 #include <orispline/curve/family.hpp>
 #include <orispline/curve/key_knots.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 /// Piecewise slerp: the geodesic between neighbouring keys at constant rate. C0.
 struct Slerp {
@@ -33,4 +33,4 @@ struct Slerp {
   }
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/families/squad.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
+
 namespace {
 
 /// The rotation vectors from key i to its neighbours; at an end the missing one by the end rule.
@@ -68,4 +69,4 @@ HandleTurn SquadTimed::widest_handle(const Keyframes& keys, const FamilySettings
   return orispline::widest_handle(keys.size(), timed_handles(keys, settings));
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

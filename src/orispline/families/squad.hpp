@@ -7,7 +7,7 @@
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/math/slerp.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 /// A chain of spherical quadrangles: segment i is squad(Q_i, A_i, B_{i+1}, Q_{i+1}; u).
 ///
@@ -105,4 +105,4 @@ struct SquadTimed {
   }
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

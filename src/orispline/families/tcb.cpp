@@ -4,7 +4,8 @@
 #include <orispline/curve/key_knots.hpp>
 #include <orispline/curve/reflected.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
+
 namespace {
 
 /// Orientations or positions with what Kochanek and Bartels make of them.
@@ -83,4 +84,4 @@ HandleRates Tcb::handle_rates(const Keyframes& keys, const FamilySettings& setti
   return TangentRule(keys.orientations(), keys.times(), settings).rates(settings);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

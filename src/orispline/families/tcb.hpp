@@ -6,7 +6,7 @@
 #include <orispline/curve/handle_rates.hpp>
 #include <orispline/curve/keyframe.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 /// Kochanek–Bartels: a Bézier curve of slerps with tension, continuity and bias at every key.
 ///
@@ -34,4 +34,4 @@ struct Tcb {
   [[nodiscard]] static HandleRates handle_rates(const Keyframes& keys, const FamilySettings& settings);
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

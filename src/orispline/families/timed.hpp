@@ -11,7 +11,7 @@
 // whatever they are. The values below make the parabola through three keys with tensions ½ and 1:
 // docs/families/timed.md.
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 namespace timed {
 
@@ -165,4 +165,4 @@ struct TimedSextic {
   [[nodiscard]] static Basis basis(const FamilySettings& s) { return {s.per_key("tension")}; }
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/families/uniform.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 template <CurvePoint P>
 Expected<AnyCurveThrough<P>> UniformFamily::curve(const Keyframes& keys, const FamilySettings& settings) {
@@ -14,4 +14,4 @@ template Expected<AnyCurveThrough<Eigen::Quaterniond>> UniformFamily::curve<Eige
 template Expected<AnyCurveThrough<Eigen::Vector3d>> UniformFamily::curve<Eigen::Vector3d>(const Keyframes&,
                                                                                           const FamilySettings&);
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

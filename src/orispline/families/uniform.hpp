@@ -9,7 +9,7 @@
 #include <orispline/curve/two_point_blending.hpp>
 #include <orispline/math/bernstein.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 /// The general uniform four-key family of order k = 1…5: C^k on uniform knots, degree 2k+1, k tensions per key.
 ///
@@ -92,4 +92,4 @@ struct UniformFamily {
   }
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

@@ -3,7 +3,8 @@
 
 #include <orispline/families/window_differences.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::families::models {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families::models {
+
 namespace {
 
 using Velocity = Lanes<static_cast<int>(velocity_models)>;
@@ -144,4 +145,4 @@ void put_velocity_maps(ModelMaps& maps, const Differences& d) {
   put_maps<static_cast<int>(noise_models)>(maps, d, covariances, first, d.of(with_velocities));
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::families::models
+}}}  // namespace orispline::families::models

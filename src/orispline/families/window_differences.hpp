@@ -10,7 +10,7 @@
 // system, which has a line beside the keys, but the seven divided second differences, which feel no line: symmetric,
 // positive definite, and a band of five where the velocity has no memory.
 
-namespace orispline::inline ORISPLINE_ABI::families::models {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families::models {
 
 /// Intervals of a window, and its keys between others.
 inline constexpr std::size_t intervals = window_keys - 1, inner = window_keys - 2;
@@ -129,4 +129,4 @@ void put_maps(ModelMaps& maps, const Differences& d, const Covariances<N, Band>&
 /// Fills the maps of the models of velocity.
 void put_velocity_maps(ModelMaps& maps, const Differences& d);
 
-}  // namespace orispline::inline ORISPLINE_ABI::families::models
+}}}  // namespace orispline::families::models

@@ -7,7 +7,7 @@
 // The two splines without parameters that the 6th-degree paper compares with. Their papers give only degree and
 // continuity in what we could read; the blending functions are the unique ones of that degree and continuity.
 
-namespace orispline::inline ORISPLINE_ABI::families {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 /// The quartic: C2 on uniform knots. C_0 = -½ u(1-u)³ and its mirror; second differences count threefold at a key.
 struct XingQuartic {
@@ -67,4 +67,4 @@ struct XingQuintic {
   [[nodiscard]] static Basis basis(const FamilySettings&) { return {}; }
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::families
+}}}  // namespace orispline::families

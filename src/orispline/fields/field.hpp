@@ -10,7 +10,7 @@
 
 // How a member becomes a FieldInfo. For the sources that state fields; who reads them needs field_info.hpp alone.
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// How values of a type are those of fields: `type`, `value` and `assign`, which is false for a value of another type.
 template <class T>
@@ -118,4 +118,4 @@ template <auto First, auto... Rest>
   return stated;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -4,7 +4,7 @@
 #include <orispline/fields/field.hpp>
 #include <orispline/math/eigen.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 template <>
 struct FieldCodec<Eigen::Vector3d> {
@@ -37,4 +37,4 @@ struct FieldCodec<Eigen::Matrix3d> {
   }
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

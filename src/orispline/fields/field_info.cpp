@@ -8,7 +8,8 @@
 #include <orispline/base/expect.hpp>
 #include <orispline/base/formatted.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 /// ` rad`, nothing without a unit.
@@ -82,4 +83,4 @@ Expected<void> check_ranges(std::span<const FieldInfo> fields, const void* optio
   return {};
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -15,7 +15,7 @@
 #include <orispline/fields/quantity.hpp>
 #include <orispline/fields/words.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// What the value of a field is.
 enum class FieldType {
@@ -103,4 +103,4 @@ template <class Options>
   return check_ranges(fields_of<Options>(), &options);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

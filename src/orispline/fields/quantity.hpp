@@ -7,7 +7,7 @@
 
 #include <orispline/math/degrees.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A unit as people type it, and how many of the unit of the library it is.
 struct Unit {
@@ -78,4 +78,4 @@ inline constexpr Quantity duration{"time", "s", "s", units::time, "20s"};
 inline constexpr Quantity frequency{"frequency", "Hz", "hz"};
 }  // namespace quantities
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

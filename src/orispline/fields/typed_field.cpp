@@ -8,7 +8,8 @@
 #include <orispline/base/suggestion.hpp>
 #include <orispline/fields/typed_numbers.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr std::string_view matrix_words = "three principal moments, or JXX,JYY,JZZ,JXY,JXZ,JYZ";
@@ -139,4 +140,4 @@ std::string wanted_of(const FieldInfo& field) {
   }
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

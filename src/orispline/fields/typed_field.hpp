@@ -9,7 +9,7 @@
 
 // Fields as the users of a face state them: by name, and by text.
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// The field of that name. Error (bad_argument): there is none, with the one that is near.
 [[nodiscard]] ORISPLINE_EXPORT Expected<const FieldInfo*> find_field(std::span<const FieldInfo> fields,
@@ -23,4 +23,4 @@ namespace orispline::inline ORISPLINE_ABI {
 /// What a field takes, in words: `a number [rad]`, `body or world`, `a whole number from 1 on`.
 [[nodiscard]] ORISPLINE_EXPORT std::string wanted_of(const FieldInfo& field);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -10,7 +10,8 @@
 #include <orispline/base/number_text.hpp>
 #include <orispline/base/pieces.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::typed {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace typed {
+
 namespace {
 
 /// One name for each unit, the first.
@@ -113,4 +114,4 @@ Expected<Measured> measured(std::string_view text, std::span<const Unit> units, 
                 most == 1 ? "" : formatted(", or three with commas between them, such as 1,2,3{}", units[0].name)));
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::typed
+}}}  // namespace orispline::typed

@@ -11,7 +11,7 @@
 
 // What people type where numbers are wanted. Every error is bad_argument: what was found, and what was wanted.
 
-namespace orispline::inline ORISPLINE_ABI::typed {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace typed {
 
 /// `found 'fast', wanted a number`.
 [[nodiscard]] tl::unexpected<Error> wanted(std::string_view text, std::string_view what);
@@ -35,4 +35,4 @@ namespace orispline::inline ORISPLINE_ABI::typed {
 /// or `most` of them with commas between them and one unit, as in `90,60,120deg/s`.
 [[nodiscard]] Expected<Measured> measured(std::string_view text, std::span<const Unit> units, std::size_t most);
 
-}  // namespace orispline::inline ORISPLINE_ABI::typed
+}}}  // namespace orispline::typed

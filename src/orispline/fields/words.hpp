@@ -8,7 +8,7 @@
 
 #include <orispline/base/abi.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A word of a vocabulary and what it stands for.
 struct Word {
@@ -43,4 +43,4 @@ template <class E>
   return text;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

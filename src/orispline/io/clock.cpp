@@ -5,7 +5,8 @@
 #include <orispline/base/quoted.hpp>
 #include <orispline/io/iso_time.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
+
 namespace {
 
 constexpr char frame_mark = 'f';
@@ -33,4 +34,4 @@ Expected<Decimal> time_in(std::string_view text, const Clock& clock) {
                            in_quotes(text), frame_mark));
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

@@ -6,7 +6,7 @@
 
 #include <orispline/base/fraction.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 /// What times that are no numbers of seconds are counted by.
 struct Clock {
@@ -21,4 +21,4 @@ struct Clock {
 /// Errors (bad_data): none of these; a frame where nobody says how many there are in a second.
 [[nodiscard]] ORISPLINE_EXPORT Expected<Decimal> time_in(std::string_view text, const Clock& clock);
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

@@ -4,7 +4,8 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
+
 namespace {
 
 constexpr std::size_t longest_list = 200;  // [bytes] of column names in a message
@@ -76,4 +77,4 @@ tl::unexpected<Error> ColumnSearch::two_columns(std::string_view canonical, std:
                    formatted("{} and {} could both be {}, wanted one of them", name(one), name(other), canonical));
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

@@ -12,7 +12,7 @@
 
 #include <orispline/base/expected.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 /// Suffix of column names: value · numerator / denominator is in the unit of this library.
 struct Unit {
@@ -112,4 +112,4 @@ class ORISPLINE_EXPORT ColumnSearch {
   const Names& mapped_;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

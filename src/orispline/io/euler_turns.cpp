@@ -9,7 +9,8 @@
 #include <orispline/io/orientation_form.hpp>
 #include <orispline/math/degrees.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
+
 namespace {
 
 constexpr double full = 2.0 * std::numbers::pi;
@@ -93,4 +94,4 @@ std::vector<Warning> EulerTurns::warnings(Signs signs, const EulerOrder& order) 
       .numbers = {{"steps", static_cast<double>(steps)}, {"from_deg", from}, {"to_deg", to}}}};
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

@@ -9,7 +9,7 @@
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/math/euler.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 /// Notices what is lost of the turns that Euler angles state: yaw from 0° to 350° is a step of -10° the short way, and
 /// from 0° to 720° it is none at all. Recordings whose angles begin anew at 180° or 360° lose nothing: there an angle
@@ -48,4 +48,4 @@ class ORISPLINE_EXPORT EulerTurns {
   Lost half_{}, whole_{};       // those that signs as given would keep, and the others
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

@@ -9,7 +9,8 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/io/formats/formats.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
+
 namespace {
 
 /// The list, to which rooms above add theirs. It allocates nothing, for reading may have to fail in want of memory.
@@ -66,4 +67,4 @@ std::string any_of(std::span<const FormatInfo* const> formats) {
   return formatted("{} or {}", joined(titles, ", "), last);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

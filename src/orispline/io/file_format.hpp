@@ -12,13 +12,13 @@
 
 #include <orispline/base/expected.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 class Decimal;
 struct KeyTable;
 struct Track;
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 class LineReader;
 class OutputFile;
@@ -122,4 +122,4 @@ ORISPLINE_EXPORT void add_formats(std::span<const FormatInfo* const> more);
 /// The titles as a message names them: `CSV, TUM or EuRoC`.
 [[nodiscard]] ORISPLINE_EXPORT std::string any_of(std::span<const FormatInfo* const> formats);
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

@@ -11,7 +11,7 @@
 #include <orispline/io/key_file.hpp>
 #include <orispline/io/sample_columns.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 /// How a user wants a file of keys to be read.
 struct Reading {
@@ -71,4 +71,4 @@ using StatedOptions = std::vector<std::pair<std::string, std::string>>;
 [[nodiscard]] ORISPLINE_EXPORT SampleColumns columns_like(const FormatInfo& input, SampleColumns columns,
                                                           const std::string& path, const StatedOptions& stated);
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

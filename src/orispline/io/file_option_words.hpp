@@ -14,7 +14,7 @@
 
 // What is stated of options of files, understood.
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 template <class T>
 using OptionWord = std::pair<std::string_view, T>;
@@ -97,4 +97,4 @@ template <class Target>
   return {};
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

@@ -8,7 +8,8 @@
 #include <algorithm>
 #include <utility>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
+
 namespace {
 
 using Candidates = std::vector<const FormatInfo*>;
@@ -115,4 +116,4 @@ Expected<Source> open_keys(KeyInput input, const ReadOptions& options) {
   return likest_source(candidates, std::move(lines), options);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

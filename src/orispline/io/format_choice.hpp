@@ -8,7 +8,7 @@
 #include <orispline/io/key_input.hpp>
 #include <orispline/io/table_layout.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 /// The format that a row is most like, at least that much; of equals the first. Null: none.
 [[nodiscard]] ORISPLINE_EXPORT const FormatInfo* likest(std::span<const FormatInfo* const> formats,
@@ -33,4 +33,4 @@ struct TracksSource {
 [[nodiscard]] ORISPLINE_EXPORT Expected<std::variant<KeyRowsSource, TracksSource>> open_keys(
     KeyInput input, const ReadOptions& options);
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

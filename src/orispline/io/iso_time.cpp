@@ -7,7 +7,8 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
+
 namespace {
 
 constexpr int seconds_of_minute = 60, minutes_of_hour = 60, hours_of_day = 24;
@@ -127,4 +128,4 @@ Expected<Decimal> parse_iso_time(std::string_view text) {
                  formatted("found {}, wanted a time of ISO 8601 such as 2024-02-29T12:30:00.25Z", in_quotes(text)));
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

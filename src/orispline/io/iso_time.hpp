@@ -5,7 +5,7 @@
 
 #include <orispline/base/decimal.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 /// Whether a text begins as a date of ISO 8601 does, which no number does: four digits and a dash.
 [[nodiscard]] ORISPLINE_EXPORT bool looks_like_iso_time(std::string_view text) noexcept;
@@ -18,4 +18,4 @@ namespace orispline::inline ORISPLINE_ABI::io {
 /// the next day. Error: bad_data.
 [[nodiscard]] ORISPLINE_EXPORT Expected<Decimal> parse_iso_time(std::string_view text);
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

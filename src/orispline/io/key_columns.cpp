@@ -7,7 +7,8 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/io/time_column.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
+
 namespace {
 
 constexpr std::array<std::string_view, 3> position_names{"px", "py", "pz"};
@@ -148,4 +149,4 @@ Expected<KeyColumns> columns_of_order(std::size_t columns, QuaternionOrder order
   return result;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

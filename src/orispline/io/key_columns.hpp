@@ -12,7 +12,7 @@
 #include <orispline/io/rate_columns.hpp>
 #include <orispline/io/text_table.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 /// Order of the quaternion columns of a table without a header.
 enum class QuaternionOrder { wxyz, xyzw };
@@ -72,4 +72,4 @@ struct HeaderReading {
   return {NumberColumn{first}, NumberColumn{first + 1}, NumberColumn{first + 2}};
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

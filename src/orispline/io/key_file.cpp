@@ -8,7 +8,8 @@
 #include <orispline/io/key_input.hpp>
 #include <orispline/io/key_reader.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
+
 namespace {
 
 Expected<std::vector<KeyFile>> keys_in(KeyRowsSource source, const ReadOptions& options) {
@@ -55,4 +56,4 @@ Error located(const KeyFile& file, Error error) {
   return error;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

@@ -16,7 +16,7 @@
 #include <orispline/io/key_columns.hpp>
 #include <orispline/io/key_table.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 class KeyInput;
 
@@ -132,4 +132,4 @@ struct KeyFile {
 /// The error with the file and, where it names a key, the line.
 [[nodiscard]] ORISPLINE_EXPORT Error located(const KeyFile& file, Error error);
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

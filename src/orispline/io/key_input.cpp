@@ -3,7 +3,8 @@
 
 #include <orispline/io/recipe_line.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
+
 namespace {
 
 constexpr std::size_t most_comments = std::size_t{1} << 20;  // [bytes] read ahead for a recipe
@@ -45,4 +46,4 @@ Expected<KeyInput> KeyInput::open(const std::string& path, RecipeUse use) {
   });
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

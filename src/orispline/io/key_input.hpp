@@ -8,7 +8,7 @@
 #include <orispline/io/key_file.hpp>
 #include <orispline/io/line_reader.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 /// A file of keys at its beginning, and what the comments there say: a caller learns which curve the keys are for
 /// before it decides how they are read.
@@ -31,4 +31,4 @@ class ORISPLINE_EXPORT KeyInput {
   Recipe recipe_;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

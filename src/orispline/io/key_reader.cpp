@@ -5,7 +5,8 @@
 
 #include <orispline/base/formatted.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
+
 namespace {
 
 /// The track of a file of one.
@@ -86,4 +87,4 @@ Expected<KeyFile> KeyReader::next(std::size_t most) {
   });
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

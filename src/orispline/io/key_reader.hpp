@@ -10,7 +10,7 @@
 #include <orispline/io/key_input.hpp>
 #include <orispline/io/key_rows.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 /// Reads the keys of a file of one track, or of standard input for `-`, in pieces where they are rows of a table.
 class ORISPLINE_EXPORT KeyReader {
@@ -54,4 +54,4 @@ class ORISPLINE_EXPORT KeyReader {
   bool is_at_end_ = false;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

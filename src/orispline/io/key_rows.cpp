@@ -15,7 +15,8 @@
 #include <orispline/io/row_reader.hpp>
 #include <orispline/io/time_column.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
+
 namespace {
 
 Expected<void> check_width(const TextTable& table, std::size_t width) {
@@ -259,4 +260,4 @@ KeyFile KeyRows::take() {
   return std::exchange(file_, std::move(rest));
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

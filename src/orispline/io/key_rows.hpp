@@ -7,7 +7,7 @@
 
 #include <orispline/io/key_file.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 /// Of a quaternion that is too far from a unit one to be read without being asked.
 [[nodiscard]] ORISPLINE_EXPORT Error norm_refused(double norm, Where where);
@@ -49,4 +49,4 @@ class ORISPLINE_EXPORT KeyRows {
   std::vector<Decimal> times_;           // of all rows, gathered only to be sorted
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

@@ -6,7 +6,8 @@
 
 #include <orispline/base/number_text.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
+
 namespace {
 
 /// In quotes where it holds what separates cells or rows, or looks like a comment.
@@ -53,4 +54,4 @@ std::string csv_with_columns(const KeyTable& table, const NumberColumns& columns
   return text;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

@@ -8,7 +8,8 @@
 #include <orispline/io/file_format.hpp>
 #include <orispline/io/other_kinds.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
+
 namespace {
 
 constexpr std::size_t chunk = std::size_t{64} << 10;  // [bytes] read at a time
@@ -89,4 +90,4 @@ Expected<std::optional<std::string_view>> LineReader::give(std::string_view line
   return line;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

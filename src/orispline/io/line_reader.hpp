@@ -9,7 +9,7 @@
 
 #include <orispline/base/expected.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 /// Streams a text file line by line in constant memory.
 ///
@@ -56,4 +56,4 @@ class ORISPLINE_EXPORT LineReader {
   bool keeps_ = false;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

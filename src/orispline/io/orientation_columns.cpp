@@ -6,7 +6,8 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
+
 namespace {
 
 constexpr std::array plain_numbers{Unit{""}};
@@ -123,4 +124,4 @@ Expected<OrientationColumns> orientation_columns(const ColumnSearch& search, con
   });
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

@@ -7,7 +7,7 @@
 #include <orispline/io/column_search.hpp>
 #include <orispline/io/orientation_form.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 /// What the caller says about the orientation columns of a table.
 struct OrientationReading {
@@ -35,4 +35,4 @@ struct OrientationColumns {
 [[nodiscard]] ORISPLINE_EXPORT Expected<OrientationColumns> orientation_columns(const ColumnSearch& search,
                                                                                 const OrientationReading& reading);
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

@@ -4,7 +4,8 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/math/rotation_matrix.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
+
 namespace {
 
 constexpr std::array<std::string_view, 4> quaternion_names{"qw", "qx", "qy", "qz"};
@@ -91,4 +92,4 @@ Expected<Eigen::Quaterniond> orientation_from(const OrientationNumbers& numbers,
   return quaternion_wxyz(numbers[0], numbers[1], numbers[2], numbers[3]);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

@@ -11,7 +11,7 @@
 #include <orispline/base/expected.hpp>
 #include <orispline/math/euler.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 /// What columns may state an orientation by.
 enum class Representation {
@@ -73,4 +73,4 @@ using OrientationNumbers = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMa
 [[nodiscard]] ORISPLINE_EXPORT Expected<Eigen::Quaterniond> orientation_from(const OrientationNumbers& numbers,
                                                                              const OrientationForm& form);
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

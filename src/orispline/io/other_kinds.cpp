@@ -6,7 +6,8 @@
 
 #include <orispline/base/formatted.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
+
 namespace {
 
 struct OtherKind {
@@ -39,4 +40,4 @@ std::optional<std::string> other_kind(std::string_view first_cell) {
   return formatted("found {}; {}", found->name, found->cure);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

@@ -15,7 +15,8 @@
 #include <orispline/base/expect.hpp>
 #include <orispline/io/file_format.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -175,4 +176,4 @@ Expected<void> check_output(const std::string& path) {
   return OutputFile::open(path).map([](const OutputFile&) {});
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

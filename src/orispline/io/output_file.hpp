@@ -9,7 +9,7 @@
 #include <orispline/base/expected.hpp>
 #include <orispline/io/part_lock.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 /// A file that appears complete or not at all, after a power cut too.
 ///
@@ -62,4 +62,4 @@ class ORISPLINE_EXPORT OutputFile {
 /// at their word. Error (bad_access): what OutputFile::open() would say.
 [[nodiscard]] ORISPLINE_EXPORT Expected<void> check_output(const std::string& path);
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

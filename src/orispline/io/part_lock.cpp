@@ -11,7 +11,7 @@
 #include <unistd.h>
 #endif
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 #ifdef _WIN32
 
@@ -65,4 +65,4 @@ PartLock::~PartLock() {
 
 #endif
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

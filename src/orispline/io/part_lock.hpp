@@ -7,7 +7,7 @@
 
 #include <orispline/base/abi.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 // Parts are locked while their process lives: one that nobody holds was left by a run that was killed. Where files
 // cannot be locked, nothing is taken for left.
@@ -36,4 +36,4 @@ class ORISPLINE_EXPORT PartLock {
   int descriptor_ = none;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

@@ -4,7 +4,8 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/io/orientation_form.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
+
 namespace {
 
 using Names = std::array<std::string_view, 3>;
@@ -90,4 +91,4 @@ Expected<RateColumns> rate_columns(const ColumnSearch& search, const RateReading
   return columns;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

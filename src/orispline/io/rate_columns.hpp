@@ -9,7 +9,7 @@
 #include <orispline/io/column_search.hpp>
 #include <orispline/io/frame.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 /// What a rate without a number in its three cells is.
 enum class FreeRates {
@@ -42,4 +42,4 @@ using RateColumns = std::array<std::optional<RateVector>, 3>;
 [[nodiscard]] ORISPLINE_EXPORT Expected<RateColumns> rate_columns(const ColumnSearch& search,
                                                                   const RateReading& reading);
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

@@ -9,7 +9,8 @@
 #include <orispline/io/file_option_words.hpp>
 #include <orispline/io/iso_time.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
+
 namespace {
 
 Expected<Fraction> positive_in(std::string_view option, std::string_view text) {
@@ -200,4 +201,4 @@ Expected<void> take_options(Reading& reading, const StatedOptions& stated) {
   return take_all<Reading>(reading, reading_list, stated);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

@@ -8,7 +8,8 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
+
 namespace {
 
 constexpr std::string_view label = "orispline:", blanks = " \t";
@@ -61,4 +62,4 @@ Expected<std::optional<Recipe>> recipe_in(std::string_view comment) {
   return Recipe{.method = std::string(*named), .signs = signed_as == as_given ? Signs::as_given : Signs::shortest};
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

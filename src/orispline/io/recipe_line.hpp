@@ -8,7 +8,7 @@
 #include <orispline/base/expected.hpp>
 #include <orispline/curve/recipe.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 /// The comment that states a recipe, with the end of its line: `# orispline: method=timed-c2:ends=rest`, and
 /// `signs=as-given` where the signs of the keys mean something. Nothing for an empty recipe.
@@ -18,4 +18,4 @@ namespace orispline::inline ORISPLINE_ABI::io {
 /// not understood, or stands twice; no method.
 [[nodiscard]] ORISPLINE_EXPORT Expected<std::optional<Recipe>> recipe_in(std::string_view comment);
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

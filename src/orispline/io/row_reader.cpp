@@ -9,7 +9,7 @@
 #include <orispline/curve/free_rate.hpp>
 #include <orispline/io/iso_time.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 KeyRow RowReader::key(const KeyColumns& columns) {
   KeyRow key{.time = time(columns)};
@@ -89,4 +89,4 @@ void RowReader::note_not_finite(std::size_t index) {
   if (!not_finite_) not_finite_ = index;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

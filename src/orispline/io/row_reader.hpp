@@ -9,7 +9,7 @@
 #include <orispline/io/key_columns.hpp>
 #include <orispline/math/eigen.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 /// One key as a row states it.
 struct KeyRow {
@@ -52,4 +52,4 @@ class RowReader {
   bool not_finite_in_rate_ = false;  // which could be free
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

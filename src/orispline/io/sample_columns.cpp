@@ -7,7 +7,8 @@
 
 #include <orispline/base/formatted.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
+
 namespace {
 
 constexpr int highest_derivative = 3, highest_position_derivative = 2;
@@ -106,4 +107,4 @@ bool RowNumbers::are_finite() const noexcept {
   return true;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

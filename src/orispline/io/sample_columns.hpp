@@ -13,7 +13,7 @@
 #include <orispline/io/frame.hpp>
 #include <orispline/io/orientation_form.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 /// What a file of samples holds.
 struct SampleColumns {
@@ -76,4 +76,4 @@ class ORISPLINE_EXPORT RowNumbers {
 /// Those of a sample in the order of `column_names`.
 [[nodiscard]] ORISPLINE_EXPORT RowNumbers named_numbers(const Sample& sample, const SampleColumns& columns);
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

@@ -6,7 +6,8 @@
 
 #include <orispline/base/formatted.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
+
 namespace {
 
 tl::unexpected<Error> not_finite(const Decimal& time) {
@@ -80,4 +81,4 @@ void SampleRows::continue_after(const SampleRows& others) noexcept {
   if (others.last_whole_) last_whole_ = others.last_whole_;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

@@ -8,7 +8,7 @@
 #include <orispline/base/time_origin.hpp>
 #include <orispline/io/sample_columns.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 inline constexpr std::size_t written_block = std::size_t{256} << 10;  ///< [bytes] of rows, best written at a time
 
@@ -55,4 +55,4 @@ class ORISPLINE_EXPORT SampleRows {
   std::optional<Decimal> first_whole_, last_whole_;  // in units of the format, where it has some
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 Expected<SampleWriter> SampleWriter::open(const std::string& path, const SampleColumns& columns, std::size_t rows) {
   if (auto checked = check_columns(columns); !checked) return tl::unexpected(std::move(checked.error()));
@@ -49,4 +49,4 @@ Expected<void> SampleWriter::finish() {
   return file_.finish();
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

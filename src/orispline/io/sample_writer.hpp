@@ -9,7 +9,7 @@
 #include <orispline/io/sample_columns.hpp>
 #include <orispline/io/sample_rows.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 /// Streams samples into a file, or to standard output for `-`.
 ///
@@ -48,4 +48,4 @@ class ORISPLINE_EXPORT SampleWriter {
   SampleRows pending_;  // not written yet
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

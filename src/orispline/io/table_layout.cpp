@@ -3,7 +3,7 @@
 
 #include <orispline/io/key_file.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 std::size_t width_of(std::span<const std::string_view> cells) noexcept {
   while (!cells.empty() && cells.back().empty()) cells = cells.first(cells.size() - 1);
@@ -29,4 +29,4 @@ Expected<KeyColumns> located(const TextTable& table, Expected<KeyColumns> column
   return columns;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

@@ -12,7 +12,7 @@
 #include <orispline/io/key_columns.hpp>
 #include <orispline/io/text_table.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 struct ReadOptions;
 
@@ -36,4 +36,4 @@ struct TableLayout {
 /// The columns, or what is wrong with them at the row of the table.
 [[nodiscard]] ORISPLINE_EXPORT Expected<KeyColumns> located(const TextTable& table, Expected<KeyColumns> columns);
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

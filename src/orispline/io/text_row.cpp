@@ -7,7 +7,7 @@
 #include <orispline/base/number_text.hpp>
 #include <orispline/io/sample_columns.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 void append_text_row(std::string& text, const Decimal& time, std::span<const double> numbers, char separator) {
   time.append_to(text);
@@ -21,4 +21,4 @@ void append_text_row(std::string& text, const Decimal& time, std::span<const dou
   text.append(row.data(), end);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

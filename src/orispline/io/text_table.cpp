@@ -10,7 +10,8 @@
 
 #include <orispline/base/quoted.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
+
 namespace {
 
 constexpr bool is_blank(char c) { return c == ' ' || c == '\t'; }
@@ -149,4 +150,4 @@ Where TextTable::here(std::optional<std::size_t> cell) const {
   return {path(), line(), cell ? std::optional(*cell + 1) : std::nullopt, std::nullopt};
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

@@ -11,7 +11,7 @@
 #include <orispline/base/decimal.hpp>
 #include <orispline/io/line_reader.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 /// What stands between two cells of a line.
 enum class Delimiter { comma, semicolon, tab, blanks };
@@ -70,4 +70,4 @@ class ORISPLINE_EXPORT TextTable {
   std::string comment_;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

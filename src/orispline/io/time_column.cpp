@@ -8,7 +8,8 @@
 #include <orispline/base/quoted.hpp>
 #include <orispline/io/column_search.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
+
 namespace {
 
 /// Suffix of time columns: value · 10^exponent is in seconds.
@@ -72,4 +73,4 @@ std::optional<TimeUnitGuess> time_unit_by_size(const Decimal& first) {
   return std::nullopt;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

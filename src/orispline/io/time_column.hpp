@@ -8,7 +8,7 @@
 #include <orispline/base/warning.hpp>
 #include <orispline/io/clock.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 /// The canonical name of the column of times.
 inline constexpr std::string_view time_name = "t";
@@ -39,4 +39,4 @@ struct TimeUnitGuess {
 };
 [[nodiscard]] ORISPLINE_EXPORT std::optional<TimeUnitGuess> time_unit_by_size(const Decimal& first);
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

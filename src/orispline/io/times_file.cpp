@@ -12,7 +12,8 @@
 #include <orispline/io/text_table.hpp>
 #include <orispline/io/time_column.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
+
 namespace {
 
 tl::unexpected<Error> at_row(const TextTable& table, std::string message) {
@@ -116,4 +117,4 @@ Expected<TimesList> read_times(const std::string& path, const Decimal& epoch, co
   return list;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

@@ -9,7 +9,7 @@
 #include <orispline/base/warning.hpp>
 #include <orispline/io/key_file.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 /// The times of a file in its order.
 struct TimesList {
@@ -28,4 +28,4 @@ struct TimesList {
 [[nodiscard]] ORISPLINE_EXPORT Expected<TimesList> read_times(const std::string& path, const Decimal& epoch,
                                                               const ReadOptions& options = {});
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

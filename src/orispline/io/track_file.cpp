@@ -7,7 +7,8 @@
 #include <orispline/io/key_reader.hpp>
 #include <orispline/io/line_reader.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
+
 namespace {
 
 Expected<TrackFile> checked(KeyFile file, const ReadOptions& options, std::optional<Signs> signs) {
@@ -110,4 +111,4 @@ Expected<TrackFile> read_track_beside(const TrackFile& other, const std::string&
   });
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

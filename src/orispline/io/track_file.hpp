@@ -9,7 +9,7 @@
 #include <orispline/io/key_file.hpp>
 #include <orispline/io/key_input.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 /// A track as a file holds it, with what reading did to it.
 struct TrackFile {
@@ -46,4 +46,4 @@ struct TrackFile {
 /// What was read of a file, with its keys when they have been checked; the file's recipe states their signs.
 [[nodiscard]] ORISPLINE_EXPORT TrackFile track_file(KeyFile file, Keyframes keys);
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

@@ -12,7 +12,8 @@
 #include <orispline/io/recipe_line.hpp>
 #include <orispline/io/sample_rows.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
+
 namespace {
 
 /// The highest order that there is.
@@ -108,4 +109,4 @@ Expected<void> write_tracks(OutputFile& file, std::span<const Track> tracks, con
       .and_then([&] { return write_rows(file, track, filled); });
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

@@ -9,7 +9,7 @@
 #include <orispline/io/output_file.hpp>
 #include <orispline/io/sample_columns.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 /// Whether a file with these columns says which curve the keys are for: the format has comments, and room for the rates
 /// that are part of them.
@@ -31,4 +31,4 @@ namespace orispline::inline ORISPLINE_ABI::io {
 [[nodiscard]] ORISPLINE_EXPORT Expected<void> write_tracks(OutputFile& file, std::span<const Track> tracks,
                                                            const SampleColumns& columns);
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

@@ -8,7 +8,8 @@
 #include <orispline/io/file_option_words.hpp>
 #include <orispline/io/output_file.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
+
 namespace {
 
 using WritingOption = FileOption<SampleColumns>;
@@ -127,4 +128,4 @@ SampleColumns columns_like(const FormatInfo& input, SampleColumns columns, const
   return columns;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 /// Of what stands in the rows or columns of one place within the band.
@@ -93,4 +94,4 @@ void BandedLu::bring_up_pivot(std::size_t k) {
   std::swap_ranges(row, row + (end_column(k) - k), &matrix_(pivot, k));
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -8,7 +8,7 @@
 
 #include <orispline/base/abi.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A square matrix whose entries lie at most `band` places from the diagonal.
 class BandedMatrix {
@@ -67,4 +67,4 @@ class BandedLu {
   bool regular_ = true;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

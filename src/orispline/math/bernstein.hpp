@@ -6,7 +6,7 @@
 
 #include <orispline/math/number.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// The Bernstein polynomials of degree N at u: B_i(u) = C(N,i) uⁱ (1-u)^(N-i), i = 0…N.
 template <std::size_t N, Number T>
@@ -49,4 +49,4 @@ template <std::size_t K, std::size_t M, Number T>
   return sums;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

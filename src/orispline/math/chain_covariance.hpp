@@ -3,7 +3,7 @@
 
 #include <orispline/math/chain_elimination.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// The blocks of the covariance (RᵀR)⁻¹ of an eliminated chain about each node, from the last one to the first: calls
 /// `take(node, covariance, gain)`. That of the node with the next one is -gain times the next one's covariance.
@@ -22,4 +22,4 @@ void for_each_covariance(const ChainElimination<M, Data, Sides, Link>& chain, Ta
   }
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -9,7 +9,7 @@
 
 #include <orispline/math/elementary.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Linear least squares along a chain: rows about one node, and rows that link it to the next, by Householder QR from
 /// node to node. Linear time; the normal matrix RᵀR is never formed, so its condition number is square-rooted.
@@ -97,4 +97,4 @@ class ChainElimination {
   Row carried_ = Row::Zero();  // what the nodes before say about the next one
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -8,7 +8,7 @@
 
 #include <orispline/math/jet.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A value with its first derivatives in N directions at once: a dual number with N infinitesimal parts.
 ///
@@ -111,7 +111,7 @@ template <std::size_t N>
   return Dual<N>::combined(atan2_of(y.value, x.value), x.value / r2, y, -y.value / r2, x);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline
 
 namespace Eigen {
 

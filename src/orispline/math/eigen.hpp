@@ -37,7 +37,7 @@ struct NumTraits<orispline::Jet<T, N>> : NumTraits<T> {
 
 }  // namespace Eigen
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 template <Number T>
 using Vector3 = Eigen::Matrix<T, 3, 1>;
@@ -77,4 +77,4 @@ template <Number T>
   else return Vector3<T>(T(v.x()), T(v.y()), T(v.z()));
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

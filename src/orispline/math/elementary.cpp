@@ -8,7 +8,8 @@
 
 #include <orispline/math/elementary_tables.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::elementary {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace elementary {
+
 namespace {
 
 constexpr double round_to_even =
@@ -213,4 +214,4 @@ double natural_logarithm(double x) noexcept {
   return e * log_of_two[0] - ((half - rest) - f);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::elementary
+}}}  // namespace orispline::elementary

@@ -10,7 +10,7 @@
 ///
 /// Each result is within 1 ulp of the true value, for every argument; zeros, infinities and NaN are answered as by
 /// `<cmath>`. The formulas: docs/conventions.md, "The same bits everywhere".
-namespace orispline::inline ORISPLINE_ABI::elementary {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace elementary {
 
 struct SineCosine {
   double sine, cosine;
@@ -28,4 +28,4 @@ struct SineCosine {
 /// Logarithm to the base e.
 [[nodiscard]] ORISPLINE_EXPORT double natural_logarithm(double x) noexcept;
 
-}  // namespace orispline::inline ORISPLINE_ABI::elementary
+}}}  // namespace orispline::elementary

@@ -8,7 +8,7 @@
 
 // Made by tools/make_elementary.py (mpmath, 60 digits): change that, not this.
 
-namespace orispline::inline ORISPLINE_ABI::elementary {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace elementary {
 
 // clang-format off
 /// Of sin r = r + r³ P(r²) and cos r = 1 - r²/2 + r⁴ Q(r²), |r| ≤ π/4: P and Q side by side.
@@ -85,4 +85,4 @@ inline constexpr std::array<std::uint32_t, 39> two_over_pi{
 };
 
 // clang-format on
-}  // namespace orispline::inline ORISPLINE_ABI::elementary
+}}}  // namespace orispline::elementary

@@ -11,7 +11,7 @@
 
 #include <orispline/math/so3.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// The axes of three turns in their order, and which axes they are.
 struct EulerOrder {
@@ -89,4 +89,4 @@ inline constexpr double gimbal_lock_tolerance = 16.0 * std::numeric_limits<doubl
   return of_world ? Eigen::Vector3d(angles.reverse()) : angles;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

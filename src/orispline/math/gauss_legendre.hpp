@@ -8,7 +8,7 @@
 
 #include <orispline/base/abi.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A node of a quadrature rule on [0, 1].
 struct QuadratureNode {
@@ -38,4 +38,4 @@ template <std::size_t N>
   return rule;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -10,7 +10,7 @@
 // The same words for orientations and for positions: a construction from geodesics is written once and gives the curve
 // and its Euclidean analogue.
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// What a curve goes through: an orientation or a position.
 template <class P>
@@ -78,4 +78,4 @@ template <Number T>
   return 2.0 * at - point;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -7,7 +7,7 @@
 
 #include <orispline/math/number.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Truncated Taylor number in one variable: a value with its first N derivatives.
 ///
@@ -160,4 +160,4 @@ template <class T, int N>
   return angle;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -8,7 +8,7 @@
 
 #include <orispline/base/abi.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// The middle one of some numbers, or the mean of the two in the middle; 0 of none.
 [[nodiscard]] inline double median(std::vector<double> numbers) {
@@ -26,4 +26,4 @@ namespace orispline::inline ORISPLINE_ABI {
   return median(std::move(intervals));
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

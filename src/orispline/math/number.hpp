@@ -6,7 +6,7 @@
 #include <cmath>
 #include <concepts>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 template <class T, int N>
 struct Jet;
@@ -58,4 +58,4 @@ template <std::floating_point T>
   return x;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

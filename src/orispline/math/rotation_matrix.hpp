@@ -5,7 +5,7 @@
 
 #include <orispline/math/eigen.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// How far a matrix is from orthonormal: the largest element, in size, of RᵀR - 1.
 [[nodiscard]] inline double orthonormality_error(const Matrix3<double>& m) noexcept {
@@ -35,4 +35,4 @@ namespace orispline::inline ORISPLINE_ABI {
   return q;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

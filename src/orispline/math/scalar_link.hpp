@@ -7,7 +7,7 @@
 
 #include <orispline/base/abi.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// The link of two nodes of the scalar smoother: its value and P-1 derivatives at both ends, whose combination has the
 /// squared norm ∫|f^(P)|² dt.
@@ -28,4 +28,4 @@ Eigen::Matrix<double, P, 2 * P> scalar_link(double h) {
   }
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -13,7 +13,7 @@
 // polynomials are long enough for three derivatives in x, which jets take; the closed forms have lost less than four
 // bits at the threshold.
 
-namespace orispline::inline ORISPLINE_ABI::series {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace series {
 
 template <Number T, std::size_t N>
 [[nodiscard]] T horner(const std::array<double, N>& coefficients, const T& x) noexcept {
@@ -127,4 +127,4 @@ template <std::size_t K>
   return Dual<K>::chained(angle_over_sine(Jet<double, 1>::variable(y.value)), y);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::series
+}}}  // namespace orispline::series

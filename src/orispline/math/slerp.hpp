@@ -3,7 +3,7 @@
 
 #include <orispline/math/so3.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Spherical linear interpolation a (a⁻¹b)^s: the geodesic from a (s = 0) to b (s = 1) at constant rate.
 ///
@@ -24,4 +24,4 @@ template <Number T>
   return slerp<T>(slerp<T>(p, q, s), slerp<T>(a, b, s), T(2.0) * s * (T(1.0) - s));
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -7,7 +7,7 @@
 #include <orispline/math/eigen.hpp>
 #include <orispline/math/series.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Euclidean norm, where squares would overflow or underflow too.
 template <std::floating_point T>
@@ -173,4 +173,4 @@ template <Number T>
   return right_jacobian_inverse<T>(-phi);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

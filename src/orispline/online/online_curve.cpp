@@ -8,7 +8,8 @@
 #include <orispline/batch/sample_layout.hpp>
 #include <orispline/families/registry.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 Error argument_error(std::string message) { return {ErrorCode::bad_argument, std::move(message), {}}; }
@@ -198,4 +199,4 @@ void OnlineCurve::hold(double end, const Samples<double>& out, std::size_t at) c
   if (wants_positions(out)) batch::put(out, at, LinearMotion{.position = linear_motion(end)->position});
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -13,7 +13,7 @@
 #include <orispline/curve/method.hpp>
 #include <orispline/online/online_segments.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A curve whose keys arrive one by one, for loops that cannot wait for the last one.
 ///
@@ -140,4 +140,4 @@ class ORISPLINE_EXPORT OnlineCurve {
   bool finished_ = false;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -10,7 +10,7 @@
 #include <orispline/math/bernstein.hpp>
 #include <orispline/online/recent_keys.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A basis on one knot span, its polynomials formed once.
 template <std::size_t M>
@@ -135,4 +135,4 @@ requires(B::increments == 3)
   return segment;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -9,7 +9,8 @@
 #include <orispline/families/registry.hpp>
 #include <orispline/online/online_segment.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 template <CumulativeBasis B>
@@ -121,4 +122,4 @@ std::unique_ptr<OnlineSegments> segments_in_place(const StreamMethod& method, st
 
 std::span<const std::string_view> online_methods() noexcept { return local_names; }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

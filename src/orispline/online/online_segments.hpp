@@ -11,7 +11,7 @@
 #include <orispline/curve/path.hpp>
 #include <orispline/online/stream_keys.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// The keys that the next segments need, and the segments of one method by their place in a ring.
 class OnlineSegments {
@@ -53,4 +53,4 @@ ORISPLINE_EXPORT void sample_on_segment(const PoseCurve& curve, std::size_t segm
 /// The names of the methods whose segments depend on a few keys.
 [[nodiscard]] ORISPLINE_EXPORT std::span<const std::string_view> online_methods() noexcept;
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 /// Keys counted inwards from one end. The functions of an EndNeighbourhood hold one pointer to it: what is larger would
@@ -60,4 +61,4 @@ Expected<GhostIncrements> ghost_beyond(EndKey which, const RecentKeys& keys, con
   return GhostIncrements{.turn = *turn, .shift = *shift};
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

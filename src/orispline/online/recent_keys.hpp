@@ -6,7 +6,7 @@
 
 #include <orispline/curve/control_points.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// The newest keys of a stream, at most the four that a segment depends on; their signs are chosen already.
 struct RecentKeys {
@@ -33,4 +33,4 @@ struct GhostIncrements {
 [[nodiscard]] Expected<GhostIncrements> ghost_beyond(EndKey which, const RecentKeys& keys, const End& end,
                                                      RateWeights weights);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -10,7 +10,8 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/parallel.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 /// Of a track.
@@ -233,4 +234,4 @@ Expected<SampledTracks> sample_tracks(const Method& method, const TrackColumns& 
   });
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -9,7 +9,7 @@
 #include <orispline/base/progress.hpp>
 #include <orispline/online/track_sampler.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Keys of many tracks, column by column. Those of track i are offsets[i] … offsets[i + 1] - 1.
 struct TrackColumns {
@@ -92,4 +92,4 @@ class ORISPLINE_EXPORT TrackBatch {
                                                                      const TrackOptions& options = {}, Work work = {},
                                                                      const Progress& progress = {});
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/online/state_bytes.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr std::size_t word = 8;  // bytes
@@ -86,4 +87,4 @@ Eigen::Vector3d StateReader::vector() noexcept {
   return {x, y, z};
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -12,7 +12,7 @@
 
 #include <orispline/math/eigen.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Numbers as bytes, the lowest byte first.
 class StateWriter {
@@ -57,4 +57,4 @@ class StateReader {
   bool sound_;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -6,7 +6,8 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/curve/key_check.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 struct Part {
@@ -54,4 +55,4 @@ Expected<Eigen::Quaterniond> checked_orientation(std::uint64_t index, const Stre
   return normalised(key.orientation, *norm);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

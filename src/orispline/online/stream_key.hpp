@@ -10,7 +10,7 @@
 #include <orispline/base/expected.hpp>
 #include <orispline/math/eigen.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// One key of a stream, body to world.
 struct StreamKey {
@@ -42,4 +42,4 @@ struct KeyParts {
                                                                                 std::span<const double> before,
                                                                                 const KeyParts& wanted);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

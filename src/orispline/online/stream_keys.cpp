@@ -6,7 +6,8 @@
 
 #include <orispline/families/registry.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 /// Calls `change` with every list of the data that has an entry per key, empty ones included.
@@ -117,4 +118,4 @@ Expected<PoseCurve> StreamKeys::curve_from(std::uint64_t key, const StreamMethod
   return tl::unexpected(std::move(error));
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

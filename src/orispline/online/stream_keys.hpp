@@ -8,7 +8,7 @@
 #include <orispline/curve/pose_curve.hpp>
 #include <orispline/online/stream_method.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Whether more keys may come.
 enum class Stream { open, finished };
@@ -60,4 +60,4 @@ class ORISPLINE_EXPORT StreamKeys {
   std::uint64_t first_ = 0;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -6,7 +6,8 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/registry.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 /// Enough for every end rule and every family.
@@ -105,4 +106,4 @@ std::optional<Error> StreamMethod::check_settings(std::uint64_t index, const Str
                                           joined(names, ", "), joined(per_key, ", "))));
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -9,7 +9,7 @@
 #include <orispline/curve/family.hpp>
 #include <orispline/online/stream_key.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A family with the options of a curve whose keys arrive one by one, and which keys a part of that curve needs to have
 /// the bits of the whole.
@@ -35,4 +35,4 @@ struct ORISPLINE_EXPORT StreamMethod {
   [[nodiscard]] std::optional<Error> check_settings(std::uint64_t index, const StreamKey& key) const;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

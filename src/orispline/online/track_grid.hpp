@@ -5,7 +5,7 @@
 
 #include <orispline/batch/sample_grid.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Which samples a track has: those of steps that lie between its keys, or those of a request.
 struct TrackGrid {
@@ -17,4 +17,4 @@ struct TrackGrid {
   std::optional<SampleGrid::Request> request{};
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

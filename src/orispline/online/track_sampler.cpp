@@ -12,7 +12,8 @@
 #include <orispline/curve/key_check.hpp>
 #include <orispline/online/track_state.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 /// Samples that one thread takes at a time.
@@ -269,4 +270,4 @@ Expected<TrackSampler> TrackSampler::from_state(std::span<const std::byte> bytes
   return TrackState::sampler_from(bytes);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -11,7 +11,7 @@
 #include <orispline/curve/method.hpp>
 #include <orispline/online/track_stretch.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// How the keys of a track become curves.
 struct TrackOptions {
@@ -113,4 +113,4 @@ class ORISPLINE_EXPORT TrackSampler {
   bool finished_ = false;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -3,7 +3,8 @@
 
 #include <cmath>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr std::uint64_t mark = 0x334b434152545249u;  // "IRTRACK3", lowest byte first
@@ -234,4 +235,4 @@ Expected<void> TrackState::read_rest(StateReader& in, TrackSampler& sampler) {
   return in.is_complete() ? sampler.check_order() : Expected<void>(failure(ErrorCode::bad_data, "they end elsewhere"));
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -4,7 +4,7 @@
 #include <orispline/online/state_bytes.hpp>
 #include <orispline/online/track_sampler.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// The state of a TrackSampler as bytes and back: its method and options, the grid, the keys that are still needed.
 class TrackState {
@@ -17,4 +17,4 @@ class TrackState {
   [[nodiscard]] static Expected<void> read_rest(StateReader& in, TrackSampler& sampler);
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 void TrackStretch::push(const StreamKey& key, const StreamMethod& method) {
   keys_.push(key);
@@ -92,4 +92,4 @@ Expected<TrackStretch> TrackStretch::from_kept(StreamKeys keys, Stream stream, s
   return stretch;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -6,7 +6,7 @@
 #include <orispline/online/stream_keys.hpp>
 #include <orispline/online/track_grid.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Samples `first` … `end - 1` of a grid.
 struct SampleRange {
@@ -63,4 +63,4 @@ class ORISPLINE_EXPORT TrackStretch {
   std::optional<PoseCurve> curve_;  ///< of the keys that are there, once it is asked for
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

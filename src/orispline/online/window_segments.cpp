@@ -7,7 +7,8 @@
 #include <orispline/online/online_segments.hpp>
 #include <orispline/online/stream_keys.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 /// A curve of which the part between two times has the bits of the whole.
@@ -82,4 +83,4 @@ std::unique_ptr<OnlineSegments> segments_of_windows(const StreamMethod& method, 
   return std::make_unique<WindowSegments>(method, places);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

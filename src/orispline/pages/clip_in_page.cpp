@@ -7,7 +7,8 @@
 
 #include <orispline/math/degrees.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::pages {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {
+
 namespace {
 
 constexpr double longest_step = 1.01 / 30.0;  ///< [s] between positions, which are joined by straight lines
@@ -144,4 +145,4 @@ report::PageClip clip_in_page(const ClipOf& before, const ClipOf& after, const C
   return page;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::pages
+}}}  // namespace orispline::pages

@@ -6,7 +6,7 @@
 #include <orispline/clip/clip_difference.hpp>
 #include <orispline/report/skeleton_page.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::pages {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {
 
 /// A clip of a skeleton.
 struct ClipOf {
@@ -28,4 +28,4 @@ struct ClipComparison {
 [[nodiscard]] report::PageClip clip_in_page(const ClipOf& before, const ClipOf& after,
                                             const ClipComparison& comparison);
 
-}  // namespace orispline::inline ORISPLINE_ABI::pages
+}}}  // namespace orispline::pages

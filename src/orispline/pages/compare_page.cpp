@@ -14,7 +14,8 @@
 #include <orispline/math/degrees.hpp>
 #include <orispline/pages/curve_page.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::pages {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {
+
 namespace {
 
 constexpr std::size_t samples_per_method = 600;
@@ -148,4 +149,4 @@ report::Page compare_page(const ComparedCurves& compared, const PageHead& head, 
   return page;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::pages
+}}}  // namespace orispline::pages

@@ -10,7 +10,7 @@
 #include <orispline/pages/page_head.hpp>
 #include <orispline/report/page.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::pages {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {
 
 /// Methods on sets of keys, with what they were compared with.
 struct ComparedCurves {
@@ -32,4 +32,4 @@ struct ComparedCurves {
 [[nodiscard]] ORISPLINE_EXPORT report::Page compare_page(const ComparedCurves& compared, const PageHead& head,
                                                          unsigned threads = 0);
 
-}  // namespace orispline::inline ORISPLINE_ABI::pages
+}}}  // namespace orispline::pages

@@ -10,7 +10,8 @@
 #include <orispline/curve/torque.hpp>
 #include <orispline/math/degrees.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::pages {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {
+
 namespace {
 
 constexpr std::size_t most_keys = 2000;
@@ -114,4 +115,4 @@ report::PageMethod with_errors(report::PageMethod method, const report::PageErro
   return method;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::pages
+}}}  // namespace orispline::pages

@@ -12,7 +12,7 @@
 
 // What the pages have alike.
 
-namespace orispline::inline ORISPLINE_ABI::pages {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {
 
 /// A page that says what it is about, with the keys; of very many some, and a note that says so.
 [[nodiscard]] ORISPLINE_EXPORT report::Page begun_page(std::string title, const PageHead& head, const Decimal& epoch,
@@ -76,4 +76,4 @@ ORISPLINE_EXPORT void extend(report::PageBand& band, double t, double low, doubl
                                                               const report::PageErrors& errors,
                                                               const report::Covers& covers);
 
-}  // namespace orispline::inline ORISPLINE_ABI::pages
+}}}  // namespace orispline::pages

@@ -11,7 +11,8 @@
 #include <orispline/families/registry.hpp>
 #include <orispline/pages/curve_page.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::pages {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {
+
 namespace {
 
 std::string title_of(const Track& track, const Method& method) {
@@ -62,4 +63,4 @@ report::Page curves_page(std::span<const NamedCurve> curves, const PageHead& hea
   return page;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::pages
+}}}  // namespace orispline::pages

@@ -10,7 +10,7 @@
 #include <orispline/pages/page_head.hpp>
 #include <orispline/report/page.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::pages {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {
 
 /// The page to look at of one curve: its motion with the keys, and the measures of its shape. With an inertia [kg m²]
 /// its torques are shown and measured too. Errors: those of make_pose_curve().
@@ -30,4 +30,4 @@ struct NamedCurve {
 [[nodiscard]] ORISPLINE_EXPORT report::Page curves_page(std::span<const NamedCurve> curves, const PageHead& head,
                                                         const Keyframes& truth = {});
 
-}  // namespace orispline::inline ORISPLINE_ABI::pages
+}}}  // namespace orispline::pages

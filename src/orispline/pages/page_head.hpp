@@ -6,7 +6,7 @@
 
 #include <orispline/base/abi.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::pages {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {
 
 /// What a page says about its making, which only the caller knows.
 struct PageHead {
@@ -16,4 +16,4 @@ struct PageHead {
   std::vector<std::string> notes{};  ///< sentences that stand before those of the page, such as warnings
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::pages
+}}}  // namespace orispline::pages

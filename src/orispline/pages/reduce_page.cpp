@@ -10,7 +10,8 @@
 #include <orispline/math/degrees.hpp>
 #include <orispline/pages/curve_page.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::pages {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {
+
 namespace {
 
 std::string title_of(const Track& recording, const Reduction& chosen, const Tolerance& allowed) {
@@ -69,4 +70,4 @@ report::Page reduce_page(const Track& recording, std::span<const Reduction> redu
   return page;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::pages
+}}}  // namespace orispline::pages

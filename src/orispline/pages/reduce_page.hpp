@@ -8,7 +8,7 @@
 #include <orispline/reduce/reduce.hpp>
 #include <orispline/report/page.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::pages {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {
 
 /// The page to look at: the recording that was reduced, and the curves of all reductions, one at least, the smallest
 /// first. `smoothing_time`: that the recording was smoothed with before [s].
@@ -16,4 +16,4 @@ namespace orispline::inline ORISPLINE_ABI::pages {
                                                         const ReduceOptions& options, const PageHead& head,
                                                         std::optional<double> smoothing_time = std::nullopt);
 
-}  // namespace orispline::inline ORISPLINE_ABI::pages
+}}}  // namespace orispline::pages

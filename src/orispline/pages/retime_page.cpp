@@ -11,7 +11,8 @@
 #include <orispline/pages/curve_page.hpp>
 #include <orispline/retime/certificate.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::pages {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {
+
 namespace {
 
 /// Of the motion before it was slowed; nothing where it has none.
@@ -111,4 +112,4 @@ report::Page retime_page(const Track& before, const Retiming& retiming, const Mo
   return page;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::pages
+}}}  // namespace orispline::pages

@@ -13,7 +13,8 @@
 #include <orispline/math/degrees.hpp>
 #include <orispline/pages/clip_in_page.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::pages {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {
+
 namespace {
 
 constexpr std::size_t few_clips = 10, times_of_few = 600, times_of_many = 300;
@@ -154,4 +155,4 @@ report::SkeletonPage reduced_clips_page(const NamedClips& before, std::string af
   return page;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::pages
+}}}  // namespace orispline::pages

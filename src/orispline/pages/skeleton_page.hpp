@@ -10,7 +10,7 @@
 #include <orispline/reduce/clip_reduction.hpp>
 #include <orispline/report/skeleton_page.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::pages {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {
 
 /// A skeleton with its clips, and what the page calls them, such as the name of a file.
 struct NamedClips {
@@ -49,4 +49,4 @@ struct PageLengths {
                                                                        const PageLengths& lengths, const PageHead& head,
                                                                        unsigned threads = 0);
 
-}  // namespace orispline::inline ORISPLINE_ABI::pages
+}}}  // namespace orispline::pages

@@ -16,7 +16,8 @@
 #include <orispline/math/degrees.hpp>
 #include <orispline/pages/curve_page.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::pages {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {
+
 namespace {
 
 constexpr std::string_view rms_of_accepted = "rms_accepted_deg";
@@ -218,4 +219,4 @@ report::Page smooth_page(const Track& recording, const Smoothing& smoothing, con
   return page;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::pages
+}}}  // namespace orispline::pages

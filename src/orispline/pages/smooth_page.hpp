@@ -5,10 +5,10 @@
 #include <orispline/report/page.hpp>
 #include <orispline/smooth/smooth.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::pages {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {
 
 /// The page to look at: the smoothed motion beside the recording as it was read.
 [[nodiscard]] ORISPLINE_EXPORT report::Page smooth_page(const Track& recording, const Smoothing& smoothing,
                                                         const PageHead& head);
 
-}  // namespace orispline::inline ORISPLINE_ABI::pages
+}}}  // namespace orispline::pages

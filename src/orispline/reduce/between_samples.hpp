@@ -3,7 +3,7 @@
 
 #include <orispline/base/abi.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// What the motion between the samples of a recording is taken to be.
 enum class BetweenSamples {
@@ -11,4 +11,4 @@ enum class BetweenSamples {
   stored   ///< what the channel says: its own interpolation
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -15,7 +15,8 @@
 #include <orispline/reduce/hermite_channel.hpp>
 #include <orispline/reduce/reduce.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr int attempts = 4;  // to hold the tolerance with the numbers of the file too
@@ -179,4 +180,4 @@ template bool ends_as_it_begins(const VectorChannel&);
 template Expected<RotationChannel> reduced_channel(const RotationChannel&, double, const ClipReduceOptions&);
 template Expected<VectorChannel> reduced_channel(const VectorChannel&, double, const ClipReduceOptions&);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

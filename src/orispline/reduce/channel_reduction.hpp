@@ -3,7 +3,7 @@
 
 #include <orispline/reduce/clip_reduction.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A channel with fewer keys, within the tolerance [rad, or a length] at every key that it had; itself where that
 /// cannot be had with fewer.
@@ -41,4 +41,4 @@ extern template bool ends_as_it_begins(const VectorChannel&);
 extern template Expected<RotationChannel> reduced_channel(const RotationChannel&, double, const ClipReduceOptions&);
 extern template Expected<VectorChannel> reduced_channel(const VectorChannel&, double, const ClipReduceOptions&);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

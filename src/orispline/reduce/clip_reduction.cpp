@@ -15,7 +15,7 @@
 #include <orispline/reduce/channel_reduction.hpp>
 #include <orispline/reduce/hermite_channel.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 Clip as_stored(Clip clip, const ClipReduceOptions& options) {
   if (options.precision == options.precision_before || options.precision == KeyPrecision::float64) return clip;
@@ -254,4 +254,4 @@ Expected<std::vector<ClipReduction>> reduce_clips(const Skeleton& skeleton, std:
   return ClipReducer(skeleton, options, threads).reduced(clips);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -9,7 +9,7 @@
 #include <orispline/curve/method.hpp>
 #include <orispline/reduce/between_samples.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// The method of clips that joins keys by cubic polynomials of the components with tangents of their own on either side
 /// of a key: glTF's CUBICSPLINE.
@@ -81,4 +81,4 @@ struct ClipReduction {
                                                                                  const ClipReduceOptions& options,
                                                                                  unsigned threads = 0);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

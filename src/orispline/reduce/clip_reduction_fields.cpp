@@ -6,7 +6,8 @@
 
 #include <orispline/fields/field.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr Interval positive_or_none{positive.lowest, std::numeric_limits<double>::infinity()};
@@ -48,4 +49,4 @@ std::span<const FieldInfo> fields_of<ClipReduceOptions>() noexcept {
   return fields;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -4,7 +4,7 @@
 #include <orispline/fields/field_info.hpp>
 #include <orispline/reduce/clip_reduction.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 template <>
 inline constexpr std::array words<BetweenSamples>{
@@ -14,4 +14,4 @@ inline constexpr std::array words<BetweenSamples>{
 template <>
 ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<ClipReduceOptions>() noexcept;
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <optional>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 /// How many earlier ends of a span are tried: more hardly ever lead farther.
@@ -183,4 +184,4 @@ Channel<P> fewest_cubics(const CubicSamples<P>& samples, double tolerance, bool 
 template Channel<Eigen::Quaterniond> fewest_cubics(const CubicSamples<Eigen::Quaterniond>&, double, bool);
 template Channel<Eigen::Vector3d> fewest_cubics(const CubicSamples<Eigen::Vector3d>&, double, bool);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -6,7 +6,7 @@
 #include <orispline/clip/channel.hpp>
 #include <orispline/reduce/cubic_span.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Targets of which every `stride`-th, from the first to the last, is a sample that may become a key.
 template <CurvePoint P>
@@ -31,4 +31,4 @@ template <CurvePoint P>
 extern template Channel<Eigen::Quaterniond> fewest_cubics(const CubicSamples<Eigen::Quaterniond>&, double, bool);
 extern template Channel<Eigen::Vector3d> fewest_cubics(const CubicSamples<Eigen::Vector3d>&, double, bool);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -7,7 +7,8 @@
 #include <orispline/clip/channel_curve.hpp>
 #include <orispline/families/registry.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr std::size_t stride = 4;  // three points between two samples
@@ -77,4 +78,4 @@ CubicSamples<P> cubic_samples(const Channel<P>& channel, BetweenSamples between)
 template CubicSamples<Eigen::Quaterniond> cubic_samples(const Channel<Eigen::Quaterniond>&, BetweenSamples);
 template CubicSamples<Eigen::Vector3d> cubic_samples(const Channel<Eigen::Vector3d>&, BetweenSamples);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -5,7 +5,7 @@
 #include <orispline/reduce/between_samples.hpp>
 #include <orispline/reduce/cubic_keys.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// The keys of a channel as samples, and three points between two of them. A `cubicspline` is its own motion in any
 /// case.
@@ -18,4 +18,4 @@ template <CurvePoint P>
 extern template CubicSamples<Eigen::Quaterniond> cubic_samples(const Channel<Eigen::Quaterniond>&, BetweenSamples);
 extern template CubicSamples<Eigen::Vector3d> cubic_samples(const Channel<Eigen::Vector3d>&, BetweenSamples);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -7,7 +7,8 @@
 #include <orispline/curve/key_alignment.hpp>
 #include <orispline/reduce/hermite_basis.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr int rounds_of_radii = 3, rounds_of_directions = 2, rounds_of_weights = 10, rounds_of_nearest = 6;
@@ -219,4 +220,4 @@ CubicTangents<P> CubicSpans<P>::nearest(std::size_t i, std::size_t j, const Give
 template class CubicSpans<Eigen::Quaterniond>;
 template class CubicSpans<Eigen::Vector3d>;
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -7,7 +7,7 @@
 
 #include <orispline/math/geodesic.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// The components of a point: qx, qy, qz, qw, or x, y, z.
 template <CurvePoint P>
@@ -76,4 +76,4 @@ class CubicSpans {
 extern template class CubicSpans<Eigen::Quaterniond>;
 extern template class CubicSpans<Eigen::Vector3d>;
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

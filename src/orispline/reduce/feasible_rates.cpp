@@ -5,7 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr double largest_angle = 0.999 * std::numbers::pi;  // below the cut of the logarithm
@@ -66,4 +67,4 @@ double FeasibleRates::distance(const Eigen::Vector3d& rate) const {
       {(lowest_ - along).max(along - highest_).maxCoeff(), beyond_balls(rate).maxCoeff(), least_ - rate.norm()});
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

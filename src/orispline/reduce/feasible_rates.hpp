@@ -5,7 +5,7 @@
 
 #include <orispline/reduce/tolerance_check.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Body rates at which a geodesic the shorter way passes all samples so far within the tolerance, or a few more: in a
 /// few balls, between planes across some directions, and not below a least rate.
@@ -45,4 +45,4 @@ class FeasibleRates {
   }
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

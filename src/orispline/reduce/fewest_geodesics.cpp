@@ -12,7 +12,8 @@
 #include <orispline/reduce/span_targets.hpp>
 #include <orispline/reduce/spans_to_end.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 class Chains {
@@ -160,4 +161,4 @@ class Chains {
 
 std::vector<std::size_t> fewest_geodesics(const ToleranceCheck& recording) { return Chains(recording).shortest(); }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

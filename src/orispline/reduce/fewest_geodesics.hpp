@@ -5,7 +5,7 @@
 
 #include <orispline/reduce/tolerance_check.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// The samples that are keys of `slerp` in the shortest chain of geodesics within the tolerance: no chain through fewer
 /// of the samples is.
@@ -16,4 +16,4 @@ namespace orispline::inline ORISPLINE_ABI {
 /// derivation, docs/reduce.md.
 [[nodiscard]] std::vector<std::size_t> fewest_geodesics(const ToleranceCheck& recording);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

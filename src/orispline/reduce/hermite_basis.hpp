@@ -3,7 +3,7 @@
 
 #include <orispline/base/abi.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// The cubic Hermite basis at a local time u in [0, 1]: what the ends count for, and the derivatives there times the
 /// length of the piece.
@@ -17,4 +17,4 @@ struct HermiteBasis {
       .start = v * v * (1.0 + 2.0 * u), .leaving = u * v * v, .arriving = -u * u * v, .end = u * u * (1.0 + 2.0 * v)};
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

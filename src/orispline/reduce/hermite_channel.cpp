@@ -8,7 +8,8 @@
 #include <orispline/families/hermite.hpp>
 #include <orispline/families/registry.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 /// Of the tolerance, for the keys of rotations; the rest is for the cubics.
@@ -74,4 +75,4 @@ template Expected<Channel<Eigen::Quaterniond>> hermite_channel(const CubicSample
 template Expected<Channel<Eigen::Vector3d>> hermite_channel(const CubicSamples<Eigen::Vector3d>&, double, const Method&,
                                                             bool);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -4,7 +4,7 @@
 #include <orispline/curve/method.hpp>
 #include <orispline/reduce/hermite_keys.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Whether the rates of the keys of that method are sought with the keys: those of `hermite-c1` in the chart.
 [[nodiscard]] bool seeks_rates(const Method& method);
@@ -27,4 +27,4 @@ extern template Expected<Channel<Eigen::Quaterniond>> hermite_channel(const Cubi
 extern template Expected<Channel<Eigen::Vector3d>> hermite_channel(const CubicSamples<Eigen::Vector3d>&, double,
                                                                    const Method&, bool);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -5,7 +5,8 @@
 #include <limits>
 #include <vector>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr int rounds_of_rates = 8;
@@ -97,4 +98,4 @@ template bool find_rates(std::span<HermiteSpan<Eigen::Quaterniond>* const>, std:
                          double);
 template bool find_rates(std::span<HermiteSpan<Eigen::Vector3d>* const>, std::span<Eigen::Vector3d>, FreeEnds, double);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

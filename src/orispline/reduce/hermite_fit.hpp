@@ -5,7 +5,7 @@
 
 #include <orispline/reduce/hermite_span.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Whether the first and the last of a row of rates may change.
 struct FreeEnds {
@@ -23,4 +23,4 @@ template <CurvePoint P>
 [[nodiscard]] bool find_rates(std::span<HermiteSpan<P>* const> spans, std::span<Eigen::Vector3d> rates, FreeEnds free,
                               double square_bound);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

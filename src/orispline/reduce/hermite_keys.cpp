@@ -8,7 +8,8 @@
 #include <orispline/curve/key_alignment.hpp>
 #include <orispline/reduce/hermite_fit.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 /// How many keys on either side of a change get new rates: farther ones feel less than a fiftieth of it.
@@ -272,4 +273,4 @@ template HermiteKeys fewest_hermite_keys(const CubicSamples<Eigen::Quaterniond>&
 template HermiteKeys fewest_hermite_keys(const CubicSamples<Eigen::Vector3d>&, double,
                                          const std::optional<Eigen::Vector3d>&, const std::function<bool()>&);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

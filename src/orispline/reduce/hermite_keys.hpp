@@ -7,7 +7,7 @@
 
 #include <orispline/reduce/cubic_keys.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Samples that are keys of `hermite-c1`, each with its body rate [rad/s], or of positions with its velocity.
 struct HermiteKeys {
@@ -30,4 +30,4 @@ extern template HermiteKeys fewest_hermite_keys(const CubicSamples<Eigen::Quater
 extern template HermiteKeys fewest_hermite_keys(const CubicSamples<Eigen::Vector3d>&, double,
                                                 const std::optional<Eigen::Vector3d>&, const std::function<bool()>&);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

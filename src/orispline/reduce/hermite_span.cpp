@@ -6,7 +6,8 @@
 
 #include <orispline/math/so3.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 /// A span of more targets is fitted to some of them, and looked at in all.
@@ -133,4 +134,4 @@ void HermiteSpan<P>::weigh(double largest) {
 template class HermiteSpan<Eigen::Quaterniond>;
 template class HermiteSpan<Eigen::Vector3d>;
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -6,7 +6,7 @@
 #include <orispline/reduce/cubic_span.hpp>
 #include <orispline/reduce/hermite_basis.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// What one span adds to the linear equations for the rates at its two ends.
 struct HermiteEquations {
@@ -73,4 +73,4 @@ class HermiteSpan {
 extern template class HermiteSpan<Eigen::Quaterniond>;
 extern template class HermiteSpan<Eigen::Vector3d>;
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

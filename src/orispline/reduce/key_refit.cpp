@@ -6,7 +6,8 @@
 
 #include <orispline/math/geodesic.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr std::size_t keys_moved = 3;  // on either side of a key that is taken out
@@ -83,4 +84,4 @@ Expected<KeySet> with_keys_refitted(const LocalMethod& method, const ToleranceCh
   return with_keys_removed(method, recording, std::move(keys), {.keys_moved = keys_moved, .apply = apply});
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -3,7 +3,7 @@
 
 #include <orispline/reduce/key_removal.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Takes out more keys where the rest can be moved so that the curve is within the tolerance again.
 ///
@@ -13,4 +13,4 @@ namespace orispline::inline ORISPLINE_ABI {
 [[nodiscard]] Expected<KeySet> with_keys_refitted(const LocalMethod& method, const ToleranceCheck& recording,
                                                   KeySet keys);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -3,7 +3,8 @@
 
 #include <algorithm>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 /// Which inner keys may be worth a trial without them, and which of those can be tried at once.
@@ -143,4 +144,4 @@ Expected<KeySet> with_keys_removed(const LocalMethod& method, const ToleranceChe
   return Removal(method, recording, repair, std::move(keys)).run();
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

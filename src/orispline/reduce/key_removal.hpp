@@ -6,7 +6,7 @@
 
 #include <orispline/reduce/tolerance_check.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A local method, as far as it concerns the search for keys: moving a key changes `reach` segments on either side.
 struct LocalMethod {
@@ -37,4 +37,4 @@ struct Repair {
 [[nodiscard]] std::vector<std::size_t> missed_keys(const std::vector<std::size_t>& removed,
                                                    const std::vector<WorstSample>& worst);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

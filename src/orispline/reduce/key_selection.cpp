@@ -4,7 +4,8 @@
 #include <array>
 #include <cmath>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 Expected<KeySet> with_keys_added(const LocalMethod& method, const ToleranceCheck& recording, KeySet keys) {
@@ -57,4 +58,4 @@ Expected<KeySet> selected_keys(const LocalMethod& method, const ToleranceCheck& 
   return keys;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

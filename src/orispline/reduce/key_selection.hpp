@@ -3,7 +3,7 @@
 
 #include <orispline/reduce/key_removal.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Few samples that are keys of a curve within the tolerance.
 ///
@@ -12,4 +12,4 @@ namespace orispline::inline ORISPLINE_ABI {
 /// moving its neighbours to other samples by fixed shares of the gap.
 [[nodiscard]] Expected<KeySet> selected_keys(const LocalMethod& method, const ToleranceCheck& recording);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -17,7 +17,8 @@
 #include <orispline/reduce/key_refit.hpp>
 #include <orispline/reduce/key_selection.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr double usual_curves = 100.0;        // that are tried
@@ -195,4 +196,4 @@ std::size_t smallest(std::span<const Reduction> reductions) {
   return static_cast<std::size_t>(std::ranges::min_element(reductions, {}, size) - reductions.begin());
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -11,7 +11,7 @@
 #include <orispline/curve/track.hpp>
 #include <orispline/reduce/tolerance_check.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// What may become of the keys that are chosen among the samples.
 enum class KeyValues {
@@ -70,4 +70,4 @@ inline constexpr std::array<std::string_view, 3> reducing_methods{"auto", "timed
 /// The index of the one with the fewest keys, of equals the first.
 [[nodiscard]] ORISPLINE_EXPORT std::size_t smallest(std::span<const Reduction> reductions);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -5,7 +5,8 @@
 
 #include <orispline/fields/field.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 /// Nothing where the recording has no positions.
@@ -61,4 +62,4 @@ std::span<const FieldInfo> fields_of<Reduction>() noexcept {
   return fields;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -4,7 +4,7 @@
 #include <orispline/fields/field_info.hpp>
 #include <orispline/reduce/reduce.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 template <>
 inline constexpr std::array words<KeyValues>{
@@ -16,4 +16,4 @@ ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<ReduceOptions>() noexcept;
 template <>
 ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<Reduction>() noexcept;
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

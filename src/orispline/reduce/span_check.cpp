@@ -7,7 +7,8 @@
 
 #include <orispline/math/geodesic.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr double rounding_of_bounds = 1e-12;  // of bounds, relative, against acceptance
@@ -211,4 +212,4 @@ std::optional<Violation> SpanTest::violation(std::size_t i, std::size_t j, const
   return std::nullopt;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -7,7 +7,7 @@
 
 #include <orispline/reduce/tolerance_check.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A sample that a geodesic misses by more than the tolerance.
 struct Violation {
@@ -80,4 +80,4 @@ class SpanTest {
   std::size_t failed_ = 0;     ///< the last violation found
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

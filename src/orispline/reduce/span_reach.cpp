@@ -5,7 +5,8 @@
 
 #include <orispline/reduce/feasible_rates.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr std::size_t steps_for_one_proof = 32;  // it is sought anew for every 32nd of its span: closer, but slower
@@ -91,4 +92,4 @@ std::vector<std::size_t> farthest_of_spans(const ToleranceCheck& recording, cons
   return farthest;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -6,7 +6,7 @@
 #include <orispline/reduce/tolerance_check.hpp>
 #include <orispline/reduce/witness_samples.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Which way spans from a sample go.
 enum class SpanDirection { to_end, to_start };
@@ -19,4 +19,4 @@ enum class SpanDirection { to_end, to_start };
 [[nodiscard]] std::vector<std::size_t> farthest_of_spans(const ToleranceCheck& recording, const WitnessSamples& telling,
                                                          SpanDirection direction);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -8,7 +8,7 @@
 
 #include <orispline/base/abi.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Samples that no chain has reached yet, each with the first sample from which a span to it may begin.
 class SpanTargets {
@@ -48,4 +48,4 @@ class SpanTargets {
   std::vector<std::size_t> earliest_;  ///< a tree of minima: node n has the children 2n and 2n + 1
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 SpansToEnd::SpansToEnd(std::vector<std::size_t> farthest) : spans_(farthest.size(), 0) {
   for (std::size_t i = 1; i < farthest.size(); ++i) farthest[i] = std::max(farthest[i], farthest[i - 1]);
@@ -15,4 +15,4 @@ std::size_t SpansToEnd::first_within(std::size_t spans) const {
   return static_cast<std::size_t>(first - spans_.begin());
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

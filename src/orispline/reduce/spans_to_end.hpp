@@ -6,7 +6,7 @@
 
 #include <orispline/base/abi.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// How many spans a chain from a sample to the last one has at least. Later samples never have more.
 class SpansToEnd {
@@ -22,4 +22,4 @@ class SpansToEnd {
   std::vector<std::size_t> spans_;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -9,7 +9,8 @@
 #include <orispline/families/registry.hpp>
 #include <orispline/math/elementary.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 double per_square(double bound) { return 1.0 / (bound * bound); }
@@ -117,4 +118,4 @@ Expected<Deviation> ToleranceCheck::deviation(const Method& method, const Keyfra
   });
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

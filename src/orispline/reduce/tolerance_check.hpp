@@ -12,7 +12,7 @@
 #include <orispline/curve/pose_curve.hpp>
 #include <orispline/math/so3.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Between an orientation and the same one evaluated in another order of operations [rad].
 inline constexpr double angle_rounding = 4e-15;
@@ -104,4 +104,4 @@ class ORISPLINE_EXPORT ToleranceCheck {
 [[nodiscard]] ORISPLINE_EXPORT std::vector<WorstSample> worst_of_segments(const KeySet& keys,
                                                                           const std::vector<Miss>& misses);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <bit>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 WitnessSamples::WitnessSamples(const SpanTest& spans, std::size_t size) : size_(size) {
   for (std::size_t intervals = 2; intervals < size; intervals *= 2) {
@@ -37,4 +37,4 @@ std::size_t WitnessSamples::before(std::size_t i, std::size_t looked) const {
   return next == samples->begin() ? 0 : *(next - 1);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

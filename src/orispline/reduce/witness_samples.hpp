@@ -5,7 +5,7 @@
 
 #include <orispline/reduce/span_check.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Which samples are worth a look to find out how far spans go: about 16 for every doubling of the distance, those that
 /// are farthest from the geodesics fitted to their blocks, for they forbid most.
@@ -25,4 +25,4 @@ class WitnessSamples {
   std::vector<std::vector<std::size_t>> levels_;  ///< rising, of blocks of 2, 4, 8 … intervals
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

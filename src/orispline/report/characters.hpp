@@ -7,7 +7,7 @@
 
 #include <orispline/base/abi.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::report {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
 
 /// How many characters a UTF-8 text shows: not its bytes, and no marks above letters such as that of û.
 [[nodiscard]] inline std::size_t characters(std::string_view utf8) {
@@ -19,4 +19,4 @@ namespace orispline::inline ORISPLINE_ABI::report {
   return static_cast<std::size_t>(std::ranges::count_if(utf8, shows_one));
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::report
+}}}  // namespace orispline::report

@@ -10,7 +10,8 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/report/characters.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::report {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
+
 namespace {
 
 /// From values to places in the box.
@@ -115,4 +116,4 @@ void draw_legend(Drawing& drawing, Point at, std::span<const Series> series) {
   }
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::report
+}}}  // namespace orispline::report

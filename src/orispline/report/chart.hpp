@@ -6,7 +6,7 @@
 
 #include <orispline/report/svg.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::report {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
 
 struct Range {
   double low, high;
@@ -50,4 +50,4 @@ ORISPLINE_EXPORT void draw(Drawing& drawing, const Box& box, const Chart& chart)
 /// The labels of the series in a row from `at` to the right; a label that another series had before is left out.
 ORISPLINE_EXPORT void draw_legend(Drawing& drawing, Point at, std::span<const Series> series);
 
-}  // namespace orispline::inline ORISPLINE_ABI::report
+}}}  // namespace orispline::report

@@ -8,7 +8,8 @@
 
 #include <fmt/format.h>
 
-namespace orispline::inline ORISPLINE_ABI::report {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
+
 namespace {
 
 /// What a line on a screen can show; keeps the file small.
@@ -76,4 +77,4 @@ std::string object_of(std::initializer_list<Member> members) {
   return json + '}';
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::report
+}}}  // namespace orispline::report

@@ -12,7 +12,7 @@
 
 // The JSON of pages: numbers rounded to what a line on a screen can show, and texts that end no script.
 
-namespace orispline::inline ORISPLINE_ABI::report {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
 
 /// In quotes; `<` stands as \u003c.
 [[nodiscard]] std::string text_of(std::string_view text);
@@ -36,4 +36,4 @@ template <class Value, class JsonOf>
   return json + ']';
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::report
+}}}  // namespace orispline::report

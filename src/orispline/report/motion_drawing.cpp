@@ -11,7 +11,8 @@
 #include <orispline/report/chart.hpp>
 #include <orispline/report/sphere.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::report {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
+
 namespace {
 
 constexpr double width = 1180.0, chart_height = 130.0, chart_pitch = 185.0, charts_top = 85.0;
@@ -132,4 +133,4 @@ Drawing motion_drawing(const MotionPicture& picture) {
   return drawing;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::report
+}}}  // namespace orispline::report

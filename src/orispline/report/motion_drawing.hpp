@@ -10,7 +10,7 @@
 #include <orispline/report/svg.hpp>
 #include <orispline/report/view.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::report {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
 
 /// As many methods have a colour of their own in one drawing.
 inline constexpr std::size_t most_drawn_methods = 6;
@@ -52,4 +52,4 @@ struct MotionPicture {
 /// method.
 [[nodiscard]] ORISPLINE_EXPORT Drawing motion_drawing(const MotionPicture& picture);
 
-}  // namespace orispline::inline ORISPLINE_ABI::report
+}}}  // namespace orispline::report

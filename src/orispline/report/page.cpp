@@ -5,7 +5,8 @@
 #include <orispline/report/page_template.hpp>
 #include <orispline/report/skeleton_page_json.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::report {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
+
 namespace {
 
 std::string with_data(const std::string& json) {
@@ -19,4 +20,4 @@ std::string with_data(const std::string& json) {
 std::string document(const Page& page) { return with_data(json_of(page)); }
 std::string skeleton_document(const SkeletonPage& page) { return with_data(json_of(page)); }
 
-}  // namespace orispline::inline ORISPLINE_ABI::report
+}}}  // namespace orispline::report

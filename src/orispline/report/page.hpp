@@ -9,7 +9,7 @@
 #include <orispline/base/better.hpp>
 #include <orispline/math/eigen.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::report {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
 
 using orispline::Better;
 
@@ -112,4 +112,4 @@ struct Page {
 /// Not in a build without ORISPLINE_PAGE; the JSON alone (page_json.hpp) is in every build.
 [[nodiscard]] ORISPLINE_EXPORT std::string document(const Page& page);
 
-}  // namespace orispline::inline ORISPLINE_ABI::report
+}}}  // namespace orispline::report

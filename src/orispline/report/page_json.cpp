@@ -6,7 +6,8 @@
 
 #include <orispline/report/json_text.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::report {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
+
 namespace {
 
 std::string json_of(double value) { return number_text(value); }
@@ -117,4 +118,4 @@ std::string json_of(const Page& page) {
                     {"methods", array_of(page.methods, [](const PageMethod& m) { return json_of(m); })}});
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::report
+}}}  // namespace orispline::report

@@ -5,9 +5,9 @@
 
 #include <orispline/report/page.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::report {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
 
 /// The JSON document that the page reads; `<` stands as \u003c in it, so that no text can end the script around it.
 [[nodiscard]] std::string json_of(const Page& page);
 
-}  // namespace orispline::inline ORISPLINE_ABI::report
+}}}  // namespace orispline::report

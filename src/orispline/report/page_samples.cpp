@@ -13,7 +13,8 @@
 #include <orispline/math/degrees.hpp>
 #include <orispline/math/slerp.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::report {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
+
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -228,4 +229,4 @@ PageKeys thinned(const PageKeys& keys, std::size_t count) {
   return {.path = thinned(keys.path, count), .positions = picked(keys.positions, count)};
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::report
+}}}  // namespace orispline::report

@@ -7,7 +7,7 @@
 #include <orispline/curve/pose_curve.hpp>
 #include <orispline/report/page.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::report {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
 
 [[nodiscard]] ORISPLINE_EXPORT PageKeys page_keys(const Keyframes& keys);
 
@@ -45,4 +45,4 @@ using Covers = std::function<bool(double)>;
 /// Of the keys likewise.
 [[nodiscard]] ORISPLINE_EXPORT PageKeys thinned(const PageKeys& keys, std::size_t count);
 
-}  // namespace orispline::inline ORISPLINE_ABI::report
+}}}  // namespace orispline::report

@@ -9,7 +9,7 @@
 #include <orispline/base/abi.hpp>
 #include <orispline/math/eigen.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::report {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
 
 /// A joint of the skeleton that a page shows.
 struct PageJoint {
@@ -77,4 +77,4 @@ struct SkeletonPage {
 /// Page&). Not in a build without ORISPLINE_PAGE; the JSON alone (skeleton_page_json.hpp) is in every build.
 [[nodiscard]] ORISPLINE_EXPORT std::string skeleton_document(const SkeletonPage& page);
 
-}  // namespace orispline::inline ORISPLINE_ABI::report
+}}}  // namespace orispline::report

@@ -6,7 +6,8 @@
 
 #include <orispline/report/json_text.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::report {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
+
 namespace {
 
 constexpr double steps_of_extent = 8000.0;  ///< how finely positions are rounded: a step is less than a pixel
@@ -160,4 +161,4 @@ std::string json_of(const SkeletonPage& page) {
                     {"skeleton", skeleton_json(page)}});
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::report
+}}}  // namespace orispline::report

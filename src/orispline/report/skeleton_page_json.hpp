@@ -5,9 +5,9 @@
 
 #include <orispline/report/skeleton_page.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::report {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
 
 /// The JSON document that the page reads, as json_of(const Page&).
 [[nodiscard]] std::string json_of(const SkeletonPage& page);
 
-}  // namespace orispline::inline ORISPLINE_ABI::report
+}}}  // namespace orispline::report

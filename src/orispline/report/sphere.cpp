@@ -9,7 +9,8 @@
 #include <orispline/math/degrees.hpp>
 #include <orispline/report/characters.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::report {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
+
 namespace {
 
 /// Not std::hypot, whose version of glibc 2.35 would keep programs from older systems.
@@ -124,4 +125,4 @@ View facing(std::span<const Eigen::Vector3d> directions) {
   return View(sum.normalized() + Eigen::Vector3d(0.0, 0.0, 0.2));
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::report
+}}}  // namespace orispline::report

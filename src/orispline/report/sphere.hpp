@@ -6,7 +6,7 @@
 
 #include <orispline/report/view.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::report {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
 
 /// A path on the unit sphere, such as that of a body axis.
 struct SpherePath {
@@ -33,4 +33,4 @@ ORISPLINE_EXPORT void draw(Drawing& drawing, const View& view, Point center, dou
 /// The view that has the middle of the directions in front, a little from above.
 [[nodiscard]] ORISPLINE_EXPORT View facing(std::span<const Eigen::Vector3d> directions);
 
-}  // namespace orispline::inline ORISPLINE_ABI::report
+}}}  // namespace orispline::report

@@ -7,7 +7,7 @@
 
 #include <orispline/base/abi.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::report {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
 
 /// The colours of the project's pictures: told apart by every eye and in print.
 namespace color {
@@ -67,4 +67,4 @@ class ORISPLINE_EXPORT Drawing {
   std::string parts_;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::report
+}}}  // namespace orispline::report

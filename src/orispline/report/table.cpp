@@ -7,7 +7,8 @@
 #include <orispline/base/pieces.hpp>
 #include <orispline/report/characters.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::report {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
+
 namespace {
 
 bool is_word(const Cell& cell) { return std::holds_alternative<std::string>(cell); }
@@ -150,4 +151,4 @@ std::string text_of(Table table, std::size_t longest, std::string_view left_out)
   return text;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::report
+}}}  // namespace orispline::report

@@ -9,7 +9,7 @@
 
 #include <orispline/base/abi.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::report {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
 
 /// A word or a number.
 using Cell = std::variant<std::string, double>;
@@ -38,4 +38,4 @@ struct Table {
 /// which there is no room. A note begins with `left_out` and names those. What fits as it is stays so.
 [[nodiscard]] ORISPLINE_EXPORT std::string text_of(Table table, std::size_t longest, std::string_view left_out);
 
-}  // namespace orispline::inline ORISPLINE_ABI::report
+}}}  // namespace orispline::report

@@ -5,7 +5,8 @@
 
 #include <orispline/math/so3.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::report {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
+
 namespace {
 
 Eigen::Vector3d middle_of(const Face& face) {
@@ -51,4 +52,4 @@ void draw_body(Drawing& drawing, const View& view, Point center, double size, co
   }
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::report
+}}}  // namespace orispline::report

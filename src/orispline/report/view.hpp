@@ -8,7 +8,7 @@
 #include <orispline/math/eigen.hpp>
 #include <orispline/report/svg.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::report {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
 
 /// How the world is looked at from far away: z is up in the picture, as far as the eye allows.
 class View {
@@ -58,4 +58,4 @@ ORISPLINE_EXPORT void draw_body(Drawing& drawing, const View& view, Point center
                                 const Eigen::Quaterniond& orientation, std::string_view color,
                                 std::span<const Face> body = aircraft());
 
-}  // namespace orispline::inline ORISPLINE_ABI::report
+}}}  // namespace orispline::report

@@ -6,7 +6,8 @@
 
 #include <orispline/curve/torque.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 using Limited = LimitedQuantity::Vector;
@@ -122,4 +123,4 @@ QuantitySizes Moving::bounds(const Stretch& part) const {
   return sizes;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

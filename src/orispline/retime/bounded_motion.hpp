@@ -10,7 +10,7 @@
 
 // What a motion is at a time, and what it is nowhere above around that time: for orientations and for positions.
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A part of a segment in its two units.
 struct Stretch {
@@ -65,4 +65,4 @@ class Moving {
   LinearMotion m_{};
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -7,7 +7,8 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/math/degrees.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 /// How a limited vector is named and shown.
@@ -57,4 +58,4 @@ std::vector<Certificate> certificates_of(const MotionLimits& limits, std::span<c
   return certificates;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

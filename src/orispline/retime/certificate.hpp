@@ -9,7 +9,7 @@
 #include <orispline/retime/motion_limits.hpp>
 #include <orispline/retime/rate_bounds.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A limited quantity at the segment where its bound is largest. Values are in the units of the library.
 struct ORISPLINE_EXPORT Certificate {
@@ -30,4 +30,4 @@ struct ORISPLINE_EXPORT Certificate {
 [[nodiscard]] ORISPLINE_EXPORT std::vector<Certificate> certificates_of(const MotionLimits& limits,
                                                                         std::span<const SegmentPeaks> peaks);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

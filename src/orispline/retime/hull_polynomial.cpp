@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 HullDerivatives derivatives_of(const BernsteinForm& form, std::size_t degree, double duration) {
   HullDerivatives all{HullPolynomial{form, degree}};
@@ -45,4 +45,4 @@ double longest(const HullVector& components) {
   return length;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -6,7 +6,7 @@
 
 #include <orispline/curve/segment_form.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A polynomial of u in [0, 1], in Bernstein form: its values lie in the hull of its coefficients.
 struct HullPolynomial {
@@ -30,4 +30,4 @@ using HullVector = std::array<HullPolynomial, 3>;       ///< components, of one 
 /// The length that no vector of these components exceeds.
 [[nodiscard]] double longest(const HullVector& components);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -9,7 +9,8 @@
 #include <orispline/curve/family.hpp>
 #include <orispline/math/elementary.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr std::size_t most_descents = 60;
@@ -156,4 +157,4 @@ Expected<std::vector<double>> least_interval_times(const LimitedMotion& motion, 
   return stretched(motion, std::move(*times), &LimitedMotion::certified_factors);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -5,7 +5,7 @@
 
 #include <orispline/retime/limited_motion.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Times [s] of the keys at which the motion keeps its limits, but for a little that is left to one factor, and takes
 /// little longer than it must: no interval is shorter than it was given.
@@ -20,4 +20,4 @@ namespace orispline::inline ORISPLINE_ABI {
 /// About how many curves that takes.
 [[nodiscard]] double curves_for_interval_times(int support_keys) noexcept;
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -8,7 +8,8 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/registry.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 /// A segment that is slowed by itself is so near to its limits, where nothing else holds it.
@@ -162,4 +163,4 @@ Expected<double> LimitedMotion::largest_slack(std::vector<double> times) const {
       });
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

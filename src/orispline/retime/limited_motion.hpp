@@ -13,7 +13,7 @@
 #include <orispline/retime/motion_limits.hpp>
 #include <orispline/retime/rate_bounds.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// By which factor a segment must be slowed at least, below 1 where it could be faster: each quantity goes with 1/s to
 /// the power of its order.
@@ -71,4 +71,4 @@ class LimitedMotion {
   OpenEndedWork& work_;  ///< every curve is a piece of it; when it is stopped, none is made any more
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

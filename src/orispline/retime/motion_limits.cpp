@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/retime/motion_limits.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 int LimitedQuantity::order() const noexcept {
   switch (vector) {
@@ -33,4 +33,4 @@ std::vector<LimitedQuantity> quantities_of(const MotionLimits& limits) {
   return quantities;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

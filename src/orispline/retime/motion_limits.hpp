@@ -12,7 +12,7 @@
 #include <orispline/fields/quantity.hpp>
 #include <orispline/math/eigen.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// What a vector shall not exceed: its length, or each of its three components.
 struct Limit {
@@ -69,4 +69,4 @@ inline constexpr std::size_t most_quantities = 16;
 /// A value for each of the quantities of a motion, in their order.
 using QuantitySizes = std::array<double, most_quantities>;
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

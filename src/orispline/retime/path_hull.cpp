@@ -3,7 +3,8 @@
 
 #include <algorithm>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 /// Of evaluation and of the coefficients, of the size of what they are made of.
@@ -64,4 +65,4 @@ double PathHull::bound(const LimitedQuantity& quantity, double start, double end
          rounding;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -7,7 +7,7 @@
 #include <orispline/retime/hull_polynomial.hpp>
 #include <orispline/retime/motion_limits.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// The velocity of a path on one segment, a polynomial in Bernstein form.
 class PathHull {
@@ -23,4 +23,4 @@ class PathHull {
   double rounding_[2]{};  // of velocity and acceleration
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

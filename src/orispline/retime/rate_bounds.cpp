@@ -7,7 +7,8 @@
 #include <orispline/base/parallel.hpp>
 #include <orispline/retime/bounded_motion.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr double gap = 1e-4;           // of a bound above the largest value found, relative
@@ -181,4 +182,4 @@ std::optional<std::vector<SegmentPeaks>> certified_peaks(const PoseCurve& curve,
   return peaks;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

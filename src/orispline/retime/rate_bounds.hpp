@@ -8,7 +8,7 @@
 #include <orispline/curve/pose_curve.hpp>
 #include <orispline/retime/motion_limits.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// The largest of a quantity on one segment: what was found at a time, and what it is nowhere above.
 struct CertifiedPeak {
@@ -52,4 +52,4 @@ struct MotionQuantities {
 [[nodiscard]] ORISPLINE_EXPORT std::optional<std::vector<SegmentPeaks>> certified_peaks(
     const PoseCurve& curve, const MotionQuantities& quantities, const QuantitySizes& floors);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -16,7 +16,8 @@
 #include <orispline/retime/retime_checks.hpp>
 #include <orispline/retime/retime_fields.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr double margin = 1e-9;  // of a factor, for the rounding of the new times; twice as much in every round
@@ -251,4 +252,4 @@ Expected<Retiming> retime(const Track& track, const Method& given, const RetimeO
   });
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -11,7 +11,7 @@
 #include <orispline/retime/motion_limits.hpp>
 #include <orispline/retime/rate_bounds.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Which intervals between keys are slowed.
 enum class Slowing {
@@ -65,4 +65,4 @@ struct Retiming {
 [[nodiscard]] ORISPLINE_EXPORT Expected<Retiming> retime(const Track& track, const Method& method,
                                                          const RetimeOptions& options, const Progress& progress = {});
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

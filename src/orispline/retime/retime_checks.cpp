@@ -5,7 +5,8 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/registry.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 /// Whether slowing can bring what is limited within limits at all: where a derivative jumps, the next one is infinite.
@@ -65,4 +66,4 @@ Expected<void> check_limits(const FamilyInfo& family, const Method& method, cons
   return order == 0 ? Expected<void>() : check_continuity(family, method, keys, order, options.slowing);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -4,7 +4,7 @@
 #include <orispline/curve/family.hpp>
 #include <orispline/retime/retime.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Whether keys of a method may get other times at all. Errors: those of retime().
 [[nodiscard]] Expected<void> check_motion(const FamilyInfo& family, const Method& method, const Keyframes& keys);
@@ -14,4 +14,4 @@ namespace orispline::inline ORISPLINE_ABI {
 [[nodiscard]] Expected<void> check_limits(const FamilyInfo& family, const Method& method, const Keyframes& keys,
                                           const RetimeOptions& options);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -5,7 +5,7 @@
 
 #include <orispline/fields/field_codec.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 template <>
 struct FieldCodec<Limit> {
@@ -93,4 +93,4 @@ std::span<const FieldInfo> fields_of<Retiming>() noexcept {
   return fields;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -4,7 +4,7 @@
 #include <orispline/fields/field_info.hpp>
 #include <orispline/retime/retime.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 template <>
 inline constexpr std::array words<Slowing>{
@@ -16,4 +16,4 @@ ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<RetimeOptions>() noexcept;
 template <>
 ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<Retiming>() noexcept;
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -6,7 +6,8 @@
 #include <orispline/curve/torque.hpp>
 #include <orispline/retime/rate_bounds.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 Eigen::Vector3d vector_at(const std::vector<double>& numbers, std::size_t k) {
@@ -62,4 +63,4 @@ std::vector<QuantitySizes> sampled_peaks(const PoseCurve& curve, const MotionQua
   return peaks;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

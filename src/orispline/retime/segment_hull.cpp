@@ -5,7 +5,8 @@
 
 #include <orispline/math/so3.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 using Orders = std::array<double, 6>;  // of order 0 to 5
@@ -180,4 +181,4 @@ HullBounds SegmentHull::chart_on(double start, double end) const {
   return bounds_of(speed, change + speed * turning, {0.0, 0.5 * speed, 0.5 * change, half(3), half(4), half(5)});
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -6,7 +6,7 @@
 
 #include <orispline/retime/hull_polynomial.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// What the motion is nowhere above: |ω| [rad/s], |α| [rad/s²], the jerk [rad/s³] and the snap, its derivative
 /// [rad/s⁴].
@@ -39,4 +39,4 @@ class SegmentHull {
   std::array<double, 3> lengths_{}, along_{}, across_{};
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

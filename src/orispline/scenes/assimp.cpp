@@ -14,9 +14,9 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes {
-namespace {
-namespace guest {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes {
+
+namespace { namespace guest {
 
 constexpr std::array<std::string_view, 1> fbx_extensions{".fbx"}, collada_extensions{".dae"};
 constexpr std::size_t most_joints = 1'000'000;
@@ -178,8 +178,9 @@ constinit const SceneFormat collada{.id = "collada",
 constexpr std::array formats{&fbx, &collada};
 
 }  // namespace guest
+
 }  // namespace
 
 std::span<const SceneFormat* const> assimp_formats() noexcept { return guest::formats; }
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes
+}}}  // namespace orispline::scenes

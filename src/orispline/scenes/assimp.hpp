@@ -5,9 +5,9 @@
 
 #include <orispline/scenes/scene_format.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes {
 
 /// The formats that are read through assimp: none where the library is built without it.
 [[nodiscard]] std::span<const SceneFormat* const> assimp_formats() noexcept;
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes
+}}}  // namespace orispline::scenes

@@ -4,7 +4,8 @@
 #include <orispline/scenes/bvh_reader.hpp>
 #include <orispline/scenes/bvh_writer.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes {
+
 namespace {
 
 constexpr std::array<std::string_view, 1> bvh_extensions{".bvh"};
@@ -19,4 +20,4 @@ constinit const SceneFormat bvh_format{.id = "bvh",
                                        .read = bvh::read,
                                        .write = bvh::write};
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes
+}}}  // namespace orispline::scenes

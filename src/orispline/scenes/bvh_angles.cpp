@@ -7,7 +7,8 @@
 #include <orispline/math/degrees.hpp>
 #include <orispline/math/euler.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::bvh {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::bvh {
+
 namespace {
 
 constexpr double pi = std::numbers::pi, full_turn = 2.0 * pi;
@@ -115,4 +116,4 @@ std::optional<JointAngles> angles_of(std::span<const int> turns, std::span<const
   return three_turns({.turns = {turns[0], turns[1], turns[2]}}, rotations, start);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::bvh
+}}}  // namespace orispline::scenes::bvh

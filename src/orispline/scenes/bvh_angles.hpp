@@ -7,7 +7,7 @@
 
 #include <orispline/math/eigen.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::bvh {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::bvh {
 
 /// The turns of a joint over the frames.
 struct JointAngles {
@@ -23,4 +23,4 @@ struct JointAngles {
                                                    std::span<const Eigen::Quaterniond> rotations,
                                                    std::span<const double> start);
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::bvh
+}}}  // namespace orispline::scenes::bvh

@@ -5,7 +5,8 @@
 #include <cmath>
 #include <limits>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::bvh {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::bvh {
+
 namespace {
 
 constexpr int most_parts = 64;  // of the shortest step between keys, which need not be at every frame
@@ -80,4 +81,4 @@ std::optional<StepRange> even_steps_of(std::span<const double> times, TimeRoundi
   return std::nullopt;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::bvh
+}}}  // namespace orispline::scenes::bvh

@@ -6,7 +6,7 @@
 
 #include <orispline/base/decimal.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::bvh {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::bvh {
 
 /// How far times are rounded.
 enum class TimeRounding { to_float, to_double };
@@ -31,4 +31,4 @@ inline constexpr double most_frames = 1e8;
 /// there is none. `times`: two at least, rising.
 [[nodiscard]] std::optional<StepRange> even_steps_of(std::span<const double> times, TimeRounding rounding);
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::bvh
+}}}  // namespace orispline::scenes::bvh

@@ -8,7 +8,8 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/scenes/bvh_even_times.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::bvh {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::bvh {
+
 namespace {
 
 /// All times of keys, each once.
@@ -85,4 +86,4 @@ Expected<Frames> frames_of(const Clip& clip, const SceneWriting& writing, const 
   return mended_by("rate", "found keys at uneven times, wanted even key times or a `rate`");
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::bvh
+}}}  // namespace orispline::scenes::bvh

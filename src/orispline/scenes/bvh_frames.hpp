@@ -6,7 +6,7 @@
 #include <orispline/scenes/bvh_source.hpp>
 #include <orispline/scenes/scene_format.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::bvh {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::bvh {
 
 /// When the frames of a file are.
 struct Frames {
@@ -20,4 +20,4 @@ struct Frames {
 /// Errors: bad_data for keys on no such grid; bad_argument for the rate.
 [[nodiscard]] Expected<Frames> frames_of(const Clip& clip, const SceneWriting& writing, const Source* source);
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::bvh
+}}}  // namespace orispline::scenes::bvh

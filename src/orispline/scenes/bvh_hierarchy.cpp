@@ -9,7 +9,8 @@
 #include <orispline/base/quoted.hpp>
 #include <orispline/scenes/bvh_word.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::bvh {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::bvh {
+
 namespace {
 
 constexpr std::size_t most_columns = 6;  // of a joint
@@ -154,4 +155,4 @@ class HierarchyReader {
 
 Expected<Hierarchy> read_hierarchy(Text& text) { return HierarchyReader(text).read(); }
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::bvh
+}}}  // namespace orispline::scenes::bvh

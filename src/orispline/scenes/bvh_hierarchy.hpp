@@ -6,7 +6,7 @@
 #include <orispline/scenes/bvh_source.hpp>
 #include <orispline/scenes/bvh_text.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::bvh {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::bvh {
 
 /// The joints of a file, in its order.
 struct Hierarchy {
@@ -18,4 +18,4 @@ struct Hierarchy {
 /// Reads up to the word MOTION, and that. Errors (bad_data) name the line.
 [[nodiscard]] Expected<Hierarchy> read_hierarchy(Text& text);
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::bvh
+}}}  // namespace orispline::scenes::bvh

@@ -2,7 +2,8 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/scenes/bvh_plan.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::bvh {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::bvh {
+
 namespace {
 
 /// A name without what ends names in BVH.
@@ -65,4 +66,4 @@ HierarchyText text_of(const Plan& plan, std::string_view line_end) {
   return writer.finish();
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::bvh
+}}}  // namespace orispline::scenes::bvh

@@ -9,7 +9,8 @@
 #include <orispline/math/degrees.hpp>
 #include <orispline/scenes/bvh_angles.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::bvh {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::bvh {
+
 namespace {
 
 constexpr double same_turn = 1e-12;  // [rad]
@@ -149,4 +150,4 @@ Expected<JointNumbers> NumberFinder::of(const PlannedJoint& planned, const Euler
   return found;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::bvh
+}}}  // namespace orispline::scenes::bvh

@@ -6,7 +6,7 @@
 #include <orispline/scenes/bvh_frames.hpp>
 #include <orispline/scenes/bvh_plan.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::bvh {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::bvh {
 
 /// The numbers of a joint in all frames, one frame after the other.
 struct JointNumbers {
@@ -41,4 +41,4 @@ class NumberFinder {
   std::vector<std::size_t> first_columns_;          // of the joints in a frame of the source
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::bvh
+}}}  // namespace orispline::scenes::bvh

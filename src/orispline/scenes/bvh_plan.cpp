@@ -8,7 +8,8 @@
 #include <orispline/base/number_text.hpp>
 #include <orispline/base/quoted.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::bvh {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::bvh {
+
 namespace {
 
 std::string offset_of(const Eigen::Vector3d& offset) {
@@ -139,4 +140,4 @@ std::vector<Column> position_columns() {
   return columns;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::bvh
+}}}  // namespace orispline::scenes::bvh

@@ -7,7 +7,7 @@
 #include <orispline/scenes/bvh_source.hpp>
 #include <orispline/scenes/scene_format.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::bvh {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::bvh {
 
 /// A joint of a file that is to be written.
 struct PlannedJoint {
@@ -37,4 +37,4 @@ struct HierarchyText {
 };
 [[nodiscard]] HierarchyText text_of(const Plan& plan, std::string_view line_end);
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::bvh
+}}}  // namespace orispline::scenes::bvh

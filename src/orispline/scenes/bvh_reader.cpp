@@ -11,7 +11,8 @@
 #include <orispline/scenes/bvh_hierarchy.hpp>
 #include <orispline/scenes/bvh_word.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::bvh {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::bvh {
+
 namespace {
 
 /// The frames of a file.
@@ -181,4 +182,4 @@ Expected<Scene> read(std::string_view bytes, const std::string& path, const Scen
   return scene;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::bvh
+}}}  // namespace orispline::scenes::bvh

@@ -6,7 +6,8 @@
 #include <orispline/math/degrees.hpp>
 #include <orispline/math/so3.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::bvh {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::bvh {
+
 namespace {
 
 bool is_same(const Joint& a, const Joint& b) {
@@ -46,4 +47,4 @@ std::size_t count_of(std::span<const Column> columns, Column::Kind kind) noexcep
   return static_cast<std::size_t>(std::ranges::count(columns, kind, &Column::kind));
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::bvh
+}}}  // namespace orispline::scenes::bvh

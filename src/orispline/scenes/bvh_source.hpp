@@ -8,7 +8,7 @@
 #include <orispline/base/decimal.hpp>
 #include <orispline/scenes/scene.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::bvh {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::bvh {
 
 /// What a number of a frame says of its joint: one coordinate of its translation, or one turn [°].
 struct Column {
@@ -55,4 +55,4 @@ inline constexpr std::size_t deepest_joint = 512;
 /// How many columns are of a kind.
 [[nodiscard]] std::size_t count_of(std::span<const Column> columns, Column::Kind kind) noexcept;
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::bvh
+}}}  // namespace orispline::scenes::bvh

@@ -6,7 +6,7 @@
 
 #include <orispline/base/expected.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::bvh {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::bvh {
 
 /// Whether a word is a keyword, in any case of letters.
 [[nodiscard]] bool is_word(std::string_view word, std::string_view keyword) noexcept;
@@ -47,4 +47,4 @@ class Text {
   std::size_t line_ = 1;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::bvh
+}}}  // namespace orispline::scenes::bvh

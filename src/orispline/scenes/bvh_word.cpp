@@ -8,7 +8,8 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/io/text_table.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::bvh {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::bvh {
+
 namespace {
 
 constexpr double greatest_length = 1e100;  // so that squares and sums of them are finite
@@ -65,4 +66,4 @@ std::string text_of_unicode(std::string_view name) {
   return text;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::bvh
+}}}  // namespace orispline::scenes::bvh

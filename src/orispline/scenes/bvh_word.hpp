@@ -6,7 +6,7 @@
 
 #include <orispline/scenes/bvh_text.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::bvh {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::bvh {
 
 /// The number that the last word of a text is. Errors (bad_data) name its line: no number, not finite, too large.
 [[nodiscard]] Expected<double> number_of_length(const Text& text, std::string_view word);
@@ -17,4 +17,4 @@ namespace orispline::inline ORISPLINE_ABI::scenes::bvh {
 /// A name with U+FFFD for what is not UTF-8.
 [[nodiscard]] std::string text_of_unicode(std::string_view name);
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::bvh
+}}}  // namespace orispline::scenes::bvh

@@ -11,7 +11,8 @@
 #include <orispline/scenes/bvh_numbers.hpp>
 #include <orispline/scenes/scene_tracks.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::bvh {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::bvh {
+
 namespace {
 
 constexpr std::size_t most_numbers = std::size_t{1} << 28;  // of all frames: 2 GiB in memory, more as text
@@ -188,4 +189,4 @@ Expected<SceneWritten> write(const Scene& scene, const std::string& path, const 
   return Writer(scene, **clip, path, writing).write(*order);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::bvh
+}}}  // namespace orispline::scenes::bvh

@@ -8,7 +8,8 @@
 #include <orispline/scenes/gltf_writer.hpp>
 #include <orispline/scenes/scene_format.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes {
+
 namespace {
 
 constexpr std::array<std::string_view, 2> gltf_extensions{".glb", ".gltf"};
@@ -48,4 +49,4 @@ constinit const SceneFormat gltf_format{.id = "gltf",
                                         .read = read_gltf,
                                         .write = gltf::written_scene};
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes
+}}}  // namespace orispline::scenes

@@ -11,7 +11,8 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::gltf {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
+
 namespace {
 
 /// Zeros that no byte of the file stands for are made up to this many.
@@ -218,4 +219,4 @@ Expected<std::vector<double>> values_of(const Document& document, const Accessor
   return with_sparse(std::move(values), document.binary, accessor);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::gltf
+}}}  // namespace orispline::scenes::gltf

@@ -8,7 +8,7 @@
 
 #include <orispline/scenes/gltf_document.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::gltf {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
 
 enum class ComponentType { i8 = 5120, u8 = 5121, i16 = 5122, u16 = 5123, u32 = 5125, f32 = 5126 };
 
@@ -39,4 +39,4 @@ struct Accessor {
 /// Errors (bad_data): the indices of sparse elements do not rise or are too large.
 [[nodiscard]] Expected<std::vector<double>> values_of(const Document& document, const Accessor& accessor);
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::gltf
+}}}  // namespace orispline::scenes::gltf

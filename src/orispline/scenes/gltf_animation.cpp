@@ -8,7 +8,8 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::gltf {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
+
 namespace {
 
 constexpr std::array all_properties{Property::rotation, Property::translation, Property::scale};
@@ -128,4 +129,4 @@ std::vector<Warning> AnimationReader::warnings() const {
                             counted(strided_.size(), "accessor"), strided_.front())}};
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::gltf
+}}}  // namespace orispline::scenes::gltf

@@ -10,7 +10,7 @@
 #include <orispline/scenes/gltf_keys.hpp>
 #include <orispline/scenes/gltf_nodes.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::gltf {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
 
 /// What a channel of ours moves, by the words of glTF.
 enum class Property { rotation, translation, scale };
@@ -59,4 +59,4 @@ class AnimationReader {
   std::vector<std::string> strided_{};
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::gltf
+}}}  // namespace orispline::scenes::gltf

@@ -12,7 +12,8 @@
 
 #include <orispline/scenes/gltf_accessor.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::gltf {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
+
 namespace {
 
 /// The corners of an octahedron: its two ends, then four around the axis, against the clock seen from the second end.
@@ -131,4 +132,4 @@ Document with_bones(Document document, const Skeleton& skeleton) {
   return document;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::gltf
+}}}  // namespace orispline::scenes::gltf

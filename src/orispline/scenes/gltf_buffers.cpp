@@ -10,7 +10,8 @@
 #include <orispline/scenes/gltf_container.hpp>
 #include <orispline/scenes/scene_file.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::gltf {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
+
 namespace {
 
 int hexadecimal(char digit) {
@@ -104,4 +105,4 @@ Expected<Buffers> buffers_of(const Object& root, std::optional<std::string_view>
   return buffers;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::gltf
+}}}  // namespace orispline::scenes::gltf

@@ -9,7 +9,7 @@
 
 #include <orispline/scenes/gltf_json.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::gltf {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
 
 /// Where a buffer begins in the merged one. One without data is there for an extension to fill.
 struct BufferPlace {
@@ -28,4 +28,4 @@ struct Buffers {
 [[nodiscard]] Expected<Buffers> buffers_of(const Object& root, std::optional<std::string_view> binary,
                                            const std::string& path);
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::gltf
+}}}  // namespace orispline::scenes::gltf

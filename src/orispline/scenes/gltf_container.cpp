@@ -7,7 +7,8 @@
 
 #include <orispline/base/formatted.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::gltf {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
+
 namespace {
 
 constexpr std::string_view glb_magic = "glTF", json_type = "JSON", binary_type{"BIN\0", 4};
@@ -130,4 +131,4 @@ std::string base64_of(std::string_view bytes) {
   return text;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::gltf
+}}}  // namespace orispline::scenes::gltf

@@ -7,7 +7,7 @@
 
 #include <orispline/base/expected.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::gltf {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
 
 /// The parts of a file: a GLB has both, a .gltf is all document.
 struct Container {
@@ -25,4 +25,4 @@ struct Container {
 [[nodiscard]] std::optional<std::string> from_base64(std::string_view text);
 [[nodiscard]] std::string base64_of(std::string_view bytes);
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::gltf
+}}}  // namespace orispline::scenes::gltf

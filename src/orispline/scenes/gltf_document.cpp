@@ -10,7 +10,8 @@
 #include <orispline/scenes/gltf_buffers.hpp>
 #include <orispline/scenes/gltf_container.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::gltf {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
+
 namespace {
 
 Expected<void> check_version(const Object& root) {
@@ -129,4 +130,4 @@ Expected<std::vector<Warning>> extension_warnings(const Document& document) {
   return warnings;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::gltf
+}}}  // namespace orispline::scenes::gltf

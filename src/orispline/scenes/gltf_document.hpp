@@ -10,7 +10,7 @@
 #include <orispline/base/warning.hpp>
 #include <orispline/scenes/gltf_json.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::gltf {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
 
 /// A stretch of the binary.
 struct View {
@@ -36,4 +36,4 @@ struct Document {
 /// known not to.
 [[nodiscard]] Expected<std::vector<Warning>> extension_warnings(const Document& document);
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::gltf
+}}}  // namespace orispline::scenes::gltf

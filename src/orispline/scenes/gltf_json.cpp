@@ -8,7 +8,8 @@
 #include <orispline/base/quoted.hpp>
 #include <orispline/scenes/scene_file.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::gltf {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
+
 namespace {
 
 bool is_nested_too_deeply(std::string_view text) {
@@ -167,4 +168,4 @@ Expected<const Json*> Object::list_of_numbers(const char* key, std::size_t size)
   return value;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::gltf
+}}}  // namespace orispline::scenes::gltf

@@ -13,7 +13,7 @@
 
 #include <orispline/base/expected.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::gltf {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
 
 using Json = nlohmann::json;
 
@@ -80,4 +80,4 @@ Expected<std::optional<std::array<double, n>>> Object::numbers(const char* key) 
   return values;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::gltf
+}}}  // namespace orispline::scenes::gltf

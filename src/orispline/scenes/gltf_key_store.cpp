@@ -5,7 +5,7 @@
 
 #include <orispline/scenes/gltf_accessor.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::gltf {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
 
 std::size_t KeyStore::add(std::string_view type, std::size_t components, const std::vector<float>& numbers) {
   std::string key(type);
@@ -33,4 +33,4 @@ Json KeyStore::accessor(std::size_t entry, std::size_t view) const {
   return json;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::gltf
+}}}  // namespace orispline::scenes::gltf

@@ -10,7 +10,7 @@
 
 #include <orispline/scenes/gltf_json.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::gltf {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
 
 /// The accessors of new animation data, equal ones once.
 class KeyStore {
@@ -49,4 +49,4 @@ class KeyStore {
   std::unordered_map<std::string, std::size_t> entry_of_bytes_{};  ///< by the type and the bytes
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::gltf
+}}}  // namespace orispline::scenes::gltf

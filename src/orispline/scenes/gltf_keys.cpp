@@ -11,7 +11,8 @@
 #include <orispline/scenes/gltf_accessor.hpp>
 #include <orispline/scenes/gltf_nodes.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::gltf {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
+
 namespace {
 
 Expected<ChannelInterpolation> interpolation_of(const Object& sampler) {
@@ -166,4 +167,4 @@ Expected<Channel<P>> channel_of(const SamplerKeys& keys, std::size_t joint, Norm
 template Expected<RotationChannel> channel_of(const SamplerKeys&, std::size_t, Norm);
 template Expected<VectorChannel> channel_of(const SamplerKeys&, std::size_t, Norm);
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::gltf
+}}}  // namespace orispline::scenes::gltf

@@ -11,7 +11,7 @@
 #include <orispline/scenes/gltf_document.hpp>
 #include <orispline/scenes/scene_format.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::gltf {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
 
 /// What the sampler of an animation holds: per key a value, of splines a tangent, a value and a tangent.
 struct SamplerKeys {
@@ -43,4 +43,4 @@ enum class Norm { one, as_in_file };
 template <CurvePoint P>
 [[nodiscard]] Expected<Channel<P>> channel_of(const SamplerKeys& keys, std::size_t joint, Norm norm = Norm::one);
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::gltf
+}}}  // namespace orispline::scenes::gltf

@@ -6,7 +6,8 @@
 
 #include <orispline/scenes/gltf_bones.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::gltf {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
+
 namespace {
 
 template <class Vector>
@@ -54,4 +55,4 @@ Source made_source(const Skeleton& skeleton, const SceneWriting& writing) {
   return Source(std::move(document), std::move(nodes), {});
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::gltf
+}}}  // namespace orispline::scenes::gltf

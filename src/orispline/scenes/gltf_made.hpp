@@ -3,9 +3,9 @@
 
 #include <orispline/scenes/gltf_source.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::gltf {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
 
 /// A document without animations for a skeleton that no glTF file had, one node per joint.
 [[nodiscard]] Source made_source(const Skeleton& skeleton, const SceneWriting& writing);
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::gltf
+}}}  // namespace orispline::scenes::gltf

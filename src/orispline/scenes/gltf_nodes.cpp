@@ -8,7 +8,8 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::gltf {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
+
 namespace {
 
 /// Quaternions of files in 16 bits and less are this far from norm 1 at most.
@@ -167,4 +168,4 @@ Expected<Nodes> nodes_of(const Document& document) {
   });
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::gltf
+}}}  // namespace orispline::scenes::gltf

@@ -7,7 +7,7 @@
 #include <orispline/clip/skeleton.hpp>
 #include <orispline/scenes/gltf_document.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::gltf {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
 
 /// The nodes of a document as joints.
 struct Nodes {
@@ -22,4 +22,4 @@ struct Nodes {
 /// is.
 [[nodiscard]] std::string norm_fault(double norm);
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::gltf
+}}}  // namespace orispline::scenes::gltf

@@ -8,7 +8,8 @@
 #include <orispline/scenes/gltf_accessor.hpp>
 #include <orispline/scenes/scene_file.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::gltf {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
+
 namespace {
 
 /// Bytes of the binary.
@@ -191,4 +192,4 @@ Expected<Packed> packed(const Document& document, const Uses& uses, KeyStore sto
       [&] { return Packing(document, uses).with(std::move(store), uses.free_accessors); });
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::gltf
+}}}  // namespace orispline::scenes::gltf

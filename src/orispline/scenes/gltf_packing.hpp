@@ -7,7 +7,7 @@
 #include <orispline/scenes/gltf_key_store.hpp>
 #include <orispline/scenes/gltf_uses.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::gltf {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
 
 /// The lists of a document and its only buffer.
 struct Packed {
@@ -21,4 +21,4 @@ struct Packed {
 /// Errors (bad_data): a bufferView whose data only an extension knows; more than 2 GiB.
 [[nodiscard]] Expected<Packed> packed(const Document& document, const Uses& uses, KeyStore store);
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::gltf
+}}}  // namespace orispline::scenes::gltf

@@ -5,7 +5,7 @@
 #include <orispline/scenes/gltf_nodes.hpp>
 #include <orispline/scenes/scene_format.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::gltf {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
 
 /// All that the file of a scene holds, with the node of each joint.
 class Source final : public SceneSource {
@@ -23,4 +23,4 @@ class Source final : public SceneSource {
   SceneReading reading_;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::gltf
+}}}  // namespace orispline::scenes::gltf

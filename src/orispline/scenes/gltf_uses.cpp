@@ -3,7 +3,8 @@
 
 #include <string_view>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::gltf {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
+
 namespace {
 
 /// Nothing for what is no number of an entry of a list.
@@ -126,4 +127,4 @@ Uses uses_of(const Document& document, const KeptSamplers& kept) {
   return uses;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::gltf
+}}}  // namespace orispline::scenes::gltf

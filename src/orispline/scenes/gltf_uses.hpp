@@ -7,7 +7,7 @@
 
 #include <orispline/scenes/gltf_document.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::gltf {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
 
 /// Which samplers of each animation stay as they are.
 using KeptSamplers = std::vector<std::vector<bool>>;
@@ -26,4 +26,4 @@ struct Uses {
 
 [[nodiscard]] Uses uses_of(const Document& document, const KeptSamplers& kept);
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::gltf
+}}}  // namespace orispline::scenes::gltf

@@ -16,7 +16,8 @@
 #include <orispline/scenes/gltf_packing.hpp>
 #include <orispline/scenes/gltf_written_animations.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::gltf {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
+
 namespace {
 
 void set_list(Json& json, const char* key, Json list) {
@@ -122,4 +123,4 @@ Expected<SceneWritten> written_scene(const Scene& scene, const std::string& path
       });
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::gltf
+}}}  // namespace orispline::scenes::gltf

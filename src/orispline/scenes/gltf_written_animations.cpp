@@ -13,7 +13,8 @@
 #include <orispline/base/quoted.hpp>
 #include <orispline/scenes/gltf_written_channel.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::gltf {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
+
 namespace {
 
 using Place = std::pair<std::size_t, Property>;  ///< a node, and what of it moves
@@ -221,4 +222,4 @@ Expected<WrittenAnimations> written_animations(const Scene& scene, const Source&
   return Writer(scene, source, std::move(store)).all(plan);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::gltf
+}}}  // namespace orispline::scenes::gltf

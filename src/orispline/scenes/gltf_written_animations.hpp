@@ -8,7 +8,7 @@
 #include <orispline/scenes/gltf_source.hpp>
 #include <orispline/scenes/gltf_uses.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::gltf {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
 
 /// Which animation of the document each clip takes the place of: that at its place where there are as many, else the
 /// next one of its name.
@@ -29,4 +29,4 @@ struct WrittenAnimations {
 [[nodiscard]] Expected<WrittenAnimations> written_animations(const Scene& scene, const Source& source,
                                                              const AnimationPlan& plan, KeyStore store);
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::gltf
+}}}  // namespace orispline::scenes::gltf

@@ -9,7 +9,8 @@
 
 #include <orispline/base/formatted.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::gltf {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
+
 namespace {
 
 std::array<double, 4> numbers_of(const Eigen::Quaterniond& value) {
@@ -144,4 +145,4 @@ WrittenChannel held_to_end(WrittenChannel channel) {
   return channel;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::gltf
+}}}  // namespace orispline::scenes::gltf

@@ -8,7 +8,7 @@
 #include <orispline/clip/clip.hpp>
 #include <orispline/scenes/gltf_animation.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes::gltf {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
 
 /// A channel in single precision, as the file holds it.
 struct WrittenChannel {
@@ -34,4 +34,4 @@ struct RotationOfFile {
 /// With its last key again, which was left out because nothing moves.
 [[nodiscard]] WrittenChannel held_to_end(WrittenChannel channel);
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes::gltf
+}}}  // namespace orispline::scenes::gltf

@@ -8,7 +8,7 @@
 #include <orispline/base/warning.hpp>
 #include <orispline/clip/clip.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes {
 
 struct SceneFormat;
 
@@ -28,4 +28,4 @@ struct Scene {
   std::shared_ptr<const SceneSource> source{};  ///< null likewise
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes
+}}}  // namespace orispline::scenes

@@ -11,7 +11,8 @@
 #include <orispline/io/file_format.hpp>
 #include <orispline/io/output_file.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes {
+
 namespace {
 
 Expected<const SceneFormat*> format_for(const std::string& path) {
@@ -95,4 +96,4 @@ Expected<std::vector<Warning>> write_scene(const Scene& scene, const std::string
   });
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes
+}}}  // namespace orispline::scenes

@@ -5,7 +5,7 @@
 
 #include <orispline/scenes/scene_format.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes {
 
 /// A file larger than this is not read [bytes].
 inline constexpr std::size_t largest_scene_file = std::size_t{2} << 30;
@@ -32,4 +32,4 @@ inline constexpr std::size_t largest_scene_file = std::size_t{2} << 30;
 [[nodiscard]] ORISPLINE_EXPORT Expected<std::vector<Warning>> write_scene(const Scene& scene, const std::string& path,
                                                                           const SceneWriting& writing = {});
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes
+}}}  // namespace orispline::scenes

@@ -7,7 +7,8 @@
 #include <orispline/base/file_name.hpp>
 #include <orispline/scenes/assimp.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes {
+
 namespace {
 
 const std::vector<const SceneFormat*>& all_formats() {
@@ -39,4 +40,4 @@ const SceneFormat* scene_format_of(std::string_view path) noexcept {
   return found == all_formats().end() ? nullptr : *found;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes
+}}}  // namespace orispline::scenes

@@ -11,7 +11,7 @@
 #include <orispline/math/euler.hpp>
 #include <orispline/scenes/scene.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes {
 
 struct SceneFormat;
 
@@ -62,4 +62,4 @@ extern const SceneFormat bvh_format, gltf_format;
 [[nodiscard]] ORISPLINE_EXPORT const SceneFormat* scene_format_named(std::string_view id) noexcept;
 [[nodiscard]] ORISPLINE_EXPORT const SceneFormat* scene_format_of(std::string_view path) noexcept;
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes
+}}}  // namespace orispline::scenes

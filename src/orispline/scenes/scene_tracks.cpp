@@ -13,7 +13,8 @@
 #include <orispline/io/line_reader.hpp>
 #include <orispline/scenes/scene_file.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::scenes {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes {
+
 namespace {
 
 /// The first few of many names: `'a', 'b', 'c' and 40 more`.
@@ -211,4 +212,4 @@ Expected<Scene> scene_of(const Track& track) {
   });
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes
+}}}  // namespace orispline::scenes

@@ -8,7 +8,7 @@
 
 // One joint of a scene as a track: the door for whoever reads files of keys.
 
-namespace orispline::inline ORISPLINE_ABI::scenes {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes {
 
 /// From now on io::read_keys() and all that is built on it read one track of files of skeletons too.
 ORISPLINE_EXPORT void join_formats();
@@ -36,4 +36,4 @@ ORISPLINE_EXPORT void join_formats();
 /// the file of the track.
 [[nodiscard]] ORISPLINE_EXPORT Expected<Scene> scene_of(const Track& track);
 
-}  // namespace orispline::inline ORISPLINE_ABI::scenes
+}}}  // namespace orispline::scenes

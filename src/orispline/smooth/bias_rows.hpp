@@ -7,7 +7,7 @@
 
 #include <orispline/math/elementary.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// What a chain of eliminated nodes leaves for three unknowns that all of them share: `Rows` of `Sides` right-hand
 /// sides per node, the first of the data, the last three of a unit of each shared unknown.
@@ -47,4 +47,4 @@ class BiasRows {
   Eigen::Matrix<double, Sides, Sides> factor_ = Eigen::Matrix<double, Sides, Sides>::Zero();
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -7,7 +7,8 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/parallel.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 bool rests(const RotationChannel& channel) {
@@ -104,4 +105,4 @@ Expected<std::vector<ClipSmoothing>> smooth_clips(const Skeleton& skeleton, std:
   return smoothings;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -7,7 +7,7 @@
 #include <orispline/clip/clip.hpp>
 #include <orispline/smooth/smooth.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A clip whose joints were smoothed, and what was found.
 struct ClipSmoothing {
@@ -39,4 +39,4 @@ inline constexpr std::size_t fewest_smoothed_keys = 20;
                                                                                  const SmoothOptions& options = {},
                                                                                  unsigned threads = 0);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

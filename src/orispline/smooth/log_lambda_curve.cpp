@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr int most_newton_steps = 20;
@@ -101,4 +102,4 @@ std::vector<double> LogLambdaCurve::newton_step(std::span<const double> energies
   return solved(std::move(diagonal), beside, std::move(right));
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

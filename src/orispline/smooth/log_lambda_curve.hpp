@@ -7,7 +7,7 @@
 
 #include <orispline/base/abi.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// log λ of one stretch, piecewise linear over evenly spaced knots.
 ///
@@ -46,4 +46,4 @@ class LogLambdaCurve {
   double least_, most_;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -4,7 +4,7 @@
 #include <orispline/math/chain_covariance.hpp>
 #include <orispline/smooth/smoothing.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// The variances of turn and angular velocity at every node of an eliminated chain, the first six unknowns of each.
 class NodeVariances {
@@ -42,4 +42,4 @@ class NodeVariances {
   std::vector<Eigen::Matrix<double, 6, 1>> values_;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -9,7 +9,8 @@
 #include <orispline/math/scalar_link.hpp>
 #include <orispline/smooth/smoothing_loss.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 /// The spline for a penalty of order P: its value and P-1 derivatives at every node, in three columns for the axes.
@@ -107,4 +108,4 @@ SmoothingFit fit_positions(const SmoothingProblem& problem, const SmoothingObjec
                                                     : PositionSpline<3>(problem, objective).run(iteration, start);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

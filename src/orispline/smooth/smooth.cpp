@@ -11,7 +11,8 @@
 #include <orispline/smooth/smoothing_positions.hpp>
 #include <orispline/smooth/smoothing_search.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 /// Whether the residuals are those of any motion at all.
@@ -180,4 +181,4 @@ Expected<Smoothing> smooth(const Track& recording, const SmoothOptions& options,
       });
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

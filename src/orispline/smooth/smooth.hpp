@@ -7,7 +7,7 @@
 #include <orispline/curve/track.hpp>
 #include <orispline/smooth/smoothing_result.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// How samples that fit badly are treated.
 enum class Loss {
@@ -53,4 +53,4 @@ inline constexpr std::size_t most_times_for_choice = 10000;
 [[nodiscard]] ORISPLINE_EXPORT Expected<Smoothing> smooth(const Track& recording, const SmoothOptions& options = {},
                                                           const Progress& progress = {});
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -7,7 +7,8 @@
 #include <orispline/fields/field_codec.hpp>
 #include <orispline/smooth/smoothing_noise.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 /// Nothing without a gyro.
@@ -233,4 +234,4 @@ std::span<const FieldInfo> fields_of<Smoothing>() noexcept {
   return smoothing_results;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

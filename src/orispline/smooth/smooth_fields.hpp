@@ -4,7 +4,7 @@
 #include <orispline/fields/field_info.hpp>
 #include <orispline/smooth/smooth.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 template <>
 inline constexpr std::array words<Penalty>{word("acceleration", Penalty::acceleration, "∫|α|² dt"),
@@ -27,4 +27,4 @@ ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<SmoothOptions>() noexcept;
 template <>
 ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<Smoothing>() noexcept;
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

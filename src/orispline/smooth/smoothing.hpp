@@ -7,7 +7,7 @@
 #include <orispline/base/progress.hpp>
 #include <orispline/math/eigen.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// What a smoothing curve keeps small.
 enum class Penalty {
@@ -114,4 +114,4 @@ struct NodeSigmas {
 [[nodiscard]] ORISPLINE_EXPORT double log_determinant(const SmoothingProblem& problem,
                                                       const SmoothingObjective& objective, const SmoothedNodes& nodes);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

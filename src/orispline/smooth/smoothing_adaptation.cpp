@@ -11,7 +11,8 @@
 #include <orispline/smooth/smooth.hpp>
 #include <orispline/smooth/smoothing_trace.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 /// How much of a difference between neighbours is allowed, and by how much the criterion is to fall for it: this share
@@ -147,4 +148,4 @@ void adapt_lambda(StretchProblems& problems, SmoothingObjective& objective, Stre
   if (taken) fits = fit_stretches(problems, objective, {}, fits);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

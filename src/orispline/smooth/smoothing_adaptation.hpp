@@ -3,7 +3,7 @@
 
 #include <orispline/smooth/smoothing_choice.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Lets λ vary within the stretches of a recording where that predicts the samples clearly better than one λ.
 ///
@@ -17,4 +17,4 @@ namespace orispline::inline ORISPLINE_ABI {
 void adapt_lambda(StretchProblems& problems, SmoothingObjective& objective, StretchFits& fits,
                   SmoothingCriterion criterion, double noise, double interval);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -9,7 +9,8 @@
 #include <orispline/smooth/smooth_fields.hpp>
 #include <orispline/smooth/smoothing_stretches.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 /// Below them the samples are joined as they are; above, a steady rotation is left or rounding decides.
@@ -51,4 +52,4 @@ Expected<void> check_recording(const Keyframes& recording, const SmoothOptions& 
   return {};
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -3,10 +3,10 @@
 
 #include <orispline/smooth/smooth.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// check() of the options, and whether they suit the recording. Errors: bad_argument for a smoothing time out of range,
 /// bad_data for a gyro without rates.
 [[nodiscard]] Expected<void> check_recording(const Keyframes& recording, const SmoothOptions& options);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -10,7 +10,8 @@
 #include <orispline/math/elementary.hpp>
 #include <orispline/smooth/smoothing_trace.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 using elementary::natural_logarithm;
@@ -234,4 +235,4 @@ double expected_work(std::size_t samples, std::size_t most_of_choice) noexcept {
   return of_choice * static_cast<double>(std::min(samples, most_of_choice)) + of_fits * static_cast<double>(samples);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -7,7 +7,7 @@
 
 #include <orispline/smooth/smoothing.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// How the weight of the penalty is chosen where nobody states it.
 enum class SmoothingCriterion {
@@ -85,4 +85,4 @@ struct LambdaChoice {
 /// About how many steps of the iteration, each times its samples, the choice on so many of them and the fits take.
 [[nodiscard]] ORISPLINE_EXPORT double expected_work(std::size_t samples, std::size_t most_of_choice) noexcept;
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -6,7 +6,8 @@
 #include <orispline/curve/chart_curve.hpp>
 #include <orispline/curve/chart_ends.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 const double root3 = std::sqrt(3.0), root5 = std::sqrt(5.0);
@@ -89,4 +90,4 @@ std::vector<Eigen::Vector3d> mean_accelerations(std::span<const double> times, s
   return sums;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -6,7 +6,7 @@
 
 #include <orispline/math/so3.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// One segment of a smoothing curve: the polynomial ψ of degree 2P-1 in the chart at its middle, from -φ/2 to φ/2, that
 /// has the body rates of both ends.
@@ -50,4 +50,4 @@ extern template struct SmoothingElement<3>;
                                                               std::span<const Eigen::Vector3d> steps,
                                                               std::span<const Eigen::Vector3d> rates);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -8,7 +8,8 @@
 #include <orispline/curve/rate_comparison.hpp>
 #include <orispline/math/median.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr double fault_threshold = 20.0;   // of the difference, in its medians: the fit's own errors come in bursts
@@ -111,4 +112,4 @@ Expected<std::vector<std::size_t>> gyro_faults(const StretchFits& fits, const Ke
   return faults;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -3,7 +3,7 @@
 
 #include <orispline/smooth/smoothing_stretches.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Whether a gyro measures the motion of the orientations: samples of it that do not count, faults of one or two in a
 /// row, far from the rates of a fit without it.
@@ -13,4 +13,4 @@ namespace orispline::inline ORISPLINE_ABI {
 [[nodiscard]] Expected<std::vector<std::size_t>> gyro_faults(const StretchFits& fits, const Keyframes& recording,
                                                              const std::vector<Stretch>& stretches);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

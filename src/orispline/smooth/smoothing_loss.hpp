@@ -6,7 +6,7 @@
 
 #include <orispline/smooth/smoothing.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// ρ(s), ρ'(s), and the share of the weight ρ' that is left to the second derivative along the residual.
 struct LossValue {
@@ -36,4 +36,4 @@ inline constexpr double straight_curvature = 0.1;
   return {s, 1.0};
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

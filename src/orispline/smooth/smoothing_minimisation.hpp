@@ -13,7 +13,7 @@
 #include <orispline/smooth/smoothing_loss.hpp>
 #include <orispline/smooth/smoothing_start.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 inline constexpr double cost_rounding = 1e-12;  // a cost that rises by no more than this share has not risen
 inline constexpr double contraction = 0.5;      // of steps, that tells that the iteration converges
@@ -287,4 +287,4 @@ class Minimisation {
   double lowest_cost_ = std::numeric_limits<double>::infinity();
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

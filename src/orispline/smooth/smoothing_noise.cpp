@@ -9,7 +9,8 @@
 #include <orispline/math/median.hpp>
 #include <orispline/smooth/smoothing_element.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr double medians_that_count = 3.0, lopsided = 4.0;  // lengths, variances
@@ -59,4 +60,4 @@ double local_noise(std::span<const double> times, std::span<const Eigen::Vector3
   });
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -6,7 +6,7 @@
 
 #include <orispline/math/eigen.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Median of the length of a vector of three normal variables of variance 1: of a chi variable with 3 degrees of
 /// freedom.
@@ -34,4 +34,4 @@ inline constexpr double largest_noise = 0.5;
 [[nodiscard]] double local_noise(std::span<const double> times, std::span<const Eigen::Vector3d> vectors,
                                  double least = least_noise);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

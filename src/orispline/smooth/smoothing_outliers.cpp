@@ -8,7 +8,8 @@
 #include <orispline/smooth/smoothing_element.hpp>
 #include <orispline/smooth/smoothing_trace.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr double least_share_left = 1e-6;  // 1 - h, below which rounding decides
@@ -119,4 +120,4 @@ FarSamples judged(const FarSamples& far, const std::vector<std::vector<double>>&
   return verdict;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -3,7 +3,7 @@
 
 #include <orispline/smooth/smoothing_stretches.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// How far each sample of each stretch is from what all others predict, in standard deviations per axis of that
 /// distance: without motion that the fit misses the length of a vector of three normal variables of variance 1.
@@ -34,4 +34,4 @@ namespace orispline::inline ORISPLINE_ABI {
 /// 15 in a million are.
 inline constexpr double far_threshold = 5.0;
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -8,7 +8,8 @@
 #include <orispline/math/median.hpp>
 #include <orispline/smooth/smoothing_search.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr double rounding_of_doubles = 1e-14;  // of a sum of a few positions, relative to the largest component
@@ -96,4 +97,4 @@ Expected<SmoothedPositions> smooth_positions(const Keyframes& recording, const S
       });
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

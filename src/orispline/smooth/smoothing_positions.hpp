@@ -3,7 +3,7 @@
 
 #include <orispline/smooth/smoothing_stretches.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Positions at the times of all stretches [m], and what is to be said of them.
 struct SmoothedPositions {
@@ -16,4 +16,4 @@ struct SmoothedPositions {
 [[nodiscard]] Expected<SmoothedPositions> smooth_positions(const Keyframes& recording, const SmoothOptions& options,
                                                            const std::vector<Stretch>& stretches, OpenEndedWork& work);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

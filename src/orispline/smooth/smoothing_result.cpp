@@ -9,7 +9,8 @@
 #include <orispline/fields/field_info.hpp>
 #include <orispline/math/so3.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr std::size_t motion_run = 3;  // of rejected samples; the loss tukey may have it
@@ -156,4 +157,4 @@ std::vector<Warning> warnings_of(const Smoothing& smoothing) {
   return warnings;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -7,7 +7,7 @@
 #include <orispline/curve/track.hpp>
 #include <orispline/smooth/smoothing_choice.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Successive keys without a gap.
 struct Stretch {
@@ -98,4 +98,4 @@ enum class CountedSamples { all, accepted };
 [[nodiscard]] ORISPLINE_EXPORT SampleDistances position_distances_of(const Smoothing& smoothing,
                                                                      const Keyframes& recording, CountedSamples which);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

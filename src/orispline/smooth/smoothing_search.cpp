@@ -9,7 +9,8 @@
 #include <orispline/smooth/smoothing_adaptation.hpp>
 #include <orispline/smooth/smoothing_outliers.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr double huber_threshold = 2.5, tukey_threshold = 6.0;  // in units of σ
@@ -211,4 +212,4 @@ NodeSigmas SmoothingSearch::sigmas(double noise) const {
   return all;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

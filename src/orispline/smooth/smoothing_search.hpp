@@ -3,7 +3,7 @@
 
 #include <orispline/smooth/smoothing_stretches.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// How a recording is smoothed, whatever it is one of.
 struct SearchPlan {
@@ -79,4 +79,4 @@ class SmoothingSearch {
   Finding finding_;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

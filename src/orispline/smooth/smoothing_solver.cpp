@@ -6,7 +6,8 @@
 #include <orispline/smooth/position_fit.hpp>
 #include <orispline/smooth/smoothing_minimisation.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 /// Calls `use` with the iteration for the problem.
@@ -67,4 +68,4 @@ double log_determinant(const SmoothingProblem& problem, const SmoothingObjective
                            [](auto&& minimisation) { return minimisation.log_determinant(); });
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

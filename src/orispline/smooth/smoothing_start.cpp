@@ -6,7 +6,7 @@
 #include <orispline/base/expect.hpp>
 #include <orispline/smooth/smoothing_element.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 SmoothedNodes recorded_nodes(const SmoothingProblem& problem) {
   const auto first = std::ranges::find_if(problem.weights, [](double w) { return w > 0.0; });
@@ -28,4 +28,4 @@ SmoothedNodes recorded_nodes(const SmoothingProblem& problem) {
   return nodes;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

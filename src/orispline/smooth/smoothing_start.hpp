@@ -3,10 +3,10 @@
 
 #include <orispline/smooth/smoothing.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// The recording itself, with the mean rates about each time; times without an orientation take the nearest earlier
 /// one.
 [[nodiscard]] SmoothedNodes recorded_nodes(const SmoothingProblem& problem);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

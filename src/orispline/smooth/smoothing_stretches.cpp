@@ -7,7 +7,8 @@
 #include <orispline/math/median.hpp>
 #include <orispline/smooth/smoothing_noise.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr double time_rounding = 1e-6;   // relative, of intervals
@@ -115,4 +116,4 @@ Expected<FarSamples> reject(StretchProblems& problems, const std::vector<Stretch
   return done;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -4,7 +4,7 @@
 #include <orispline/smooth/smooth.hpp>
 #include <orispline/smooth/smoothing_noise.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// What can be read off a recording before anything is fitted.
 struct RecordingScale {
@@ -49,4 +49,4 @@ void readmit(StretchProblems& problems, double noise);
 [[nodiscard]] Expected<FarSamples> reject(StretchProblems& problems, const std::vector<Stretch>& stretches,
                                           FarSamples far, Penalty penalty);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

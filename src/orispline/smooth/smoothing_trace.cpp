@@ -7,7 +7,8 @@
 #include <orispline/math/chain_covariance.hpp>
 #include <orispline/math/scalar_link.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 /// The eliminated chain of the scalar smoother.
@@ -70,4 +71,4 @@ double hat_trace(const ScalarSmoother& smoother) {
   return std::inner_product(variances.begin(), variances.end(), smoother.weights.begin(), 0.0);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

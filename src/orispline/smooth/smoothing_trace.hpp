@@ -6,7 +6,7 @@
 
 #include <orispline/smooth/smoothing.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// The smoother of one axis, which that of orientations is to second order in the angles of the steps, for the
 /// transport from node to node is a rotation.
@@ -35,4 +35,4 @@ struct ScalarSmoother {
 /// The trace of the hat matrix of the smoother, per axis: how many samples' worth of freedom the curve has.
 [[nodiscard]] double hat_trace(const ScalarSmoother& smoother);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

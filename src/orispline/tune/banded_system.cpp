@@ -3,7 +3,8 @@
 
 #include <algorithm>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 /// A pivot that is less than this share of its diagonal is rounding.
@@ -55,4 +56,4 @@ std::vector<double> BandedSystem::solved(std::span<const std::size_t> held, doub
   return x;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

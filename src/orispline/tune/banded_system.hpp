@@ -8,7 +8,7 @@
 
 #include <orispline/base/abi.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// The normal equations of residuals that each involve neighbouring variables only: JᵀJ x = -Jᵀr, in a band.
 class BandedSystem {
@@ -36,4 +36,4 @@ class BandedSystem {
   std::vector<double> gradient_;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -5,7 +5,8 @@
 #include <orispline/families/beta_g2.hpp>
 #include <orispline/tune/moving_betas.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 using families::BetaG2;
@@ -82,4 +83,4 @@ std::unique_ptr<Construction> beta_g2_construction(const Keyframes& keys, const 
   return std::make_unique<LocalBetas>(BetaG2::info, keys, variables);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -4,7 +4,8 @@
 #include <orispline/tune/moving_betas.hpp>
 #include <orispline/tune/solved_construction.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 using families::BetaG2;
@@ -116,4 +117,4 @@ std::unique_ptr<Construction> beta_g2_global_construction(const Keyframes& keys,
   return std::make_unique<BetaG2GlobalConstruction>(keys, variables);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

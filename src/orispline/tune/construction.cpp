@@ -12,7 +12,8 @@
 #include <orispline/families/nu.hpp>
 #include <orispline/families/registry.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 /// A family that is constructed.
@@ -79,4 +80,4 @@ Expected<ConstructionModel> construction_model(const FamilyInfo& family, const K
   return found;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -8,7 +8,7 @@
 #include <orispline/base/progress.hpp>
 #include <orispline/tune/segment_residuals.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A curve at some values of its variables.
 struct ConstructedCurve {
@@ -57,4 +57,4 @@ using MakeConstruction = std::unique_ptr<Construction>(const Keyframes& keys, co
 MakeConstruction nu_construction, nu_exact_construction, beta_construction, beta_through_construction,
     beta_g2_construction, beta_g2_global_construction;
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

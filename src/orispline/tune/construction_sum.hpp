@@ -6,7 +6,7 @@
 #include <orispline/tune/construction.hpp>
 #include <orispline/tune/least_squares.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// An objective as a function of what a construction varies: one block per segment.
 class ConstructionSum final : public SumOfSquares {
@@ -44,4 +44,4 @@ class ConstructionSum final : public SumOfSquares {
   std::optional<ConstructedCurve> curve_;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -6,7 +6,8 @@
 
 #include <orispline/tune/banded_system.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr double at_rest = 1e-14;  // a step that lowers the sum by a smaller share of it is not made
@@ -125,4 +126,4 @@ Minimum minimised(SumOfSquares& sum, std::vector<double> start, std::span<const 
   return minimum;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

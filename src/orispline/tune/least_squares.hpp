@@ -9,7 +9,7 @@
 #include <orispline/base/interval.hpp>
 #include <orispline/base/progress.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A sum of squares that falls into blocks, each of which depends on few variables near to each other.
 class SumOfSquares {
@@ -68,4 +68,4 @@ struct Minimum {
                                                  std::span<const Interval> bounds, const SearchEnd& end,
                                                  OpenEndedWork& work);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -10,7 +10,7 @@
 
 // Beta curves as functions of one β.
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 using Betas = families::BetasOver<double>;
 using MovingBetas = families::BetasOver<Slope>;
@@ -66,4 +66,4 @@ template <Number T>
   return segments;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -11,7 +11,7 @@
 // Control orientations, one per key, that a rule places so that the curve passes through the keys, and how they move
 // with a variable of the rule: by the implicit function theorem.
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// A number that knows how it changes with one variable.
 using Slope = Jet<double, 1>;
@@ -93,4 +93,4 @@ class MovingControls {
   std::vector<Quaternion<Slope>> still_;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -4,7 +4,8 @@
 #include <orispline/tune/moving_controls.hpp>
 #include <orispline/tune/solved_construction.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 using families::Nu;
@@ -129,4 +130,4 @@ std::unique_ptr<Construction> nu_exact_construction(const Keyframes& keys, const
   return std::make_unique<NuExactConstruction>(keys, variables);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

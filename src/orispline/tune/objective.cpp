@@ -6,7 +6,7 @@
 #include <orispline/analysis/rounding.hpp>
 #include <orispline/math/so3.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 double rounding_of(const Goal& goal, const Keyframes& keys) noexcept {
   if (goal.objective == Objective::fit) return rounding_of_increments * rounding_of_increments;
@@ -31,4 +31,4 @@ double rounding_of(const Goal& goal, const Keyframes& keys) noexcept {
   return sum;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

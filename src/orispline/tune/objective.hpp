@@ -6,7 +6,7 @@
 
 #include <orispline/curve/keyframe.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// What tuning makes as small as it can.
 enum class Objective {
@@ -37,4 +37,4 @@ struct Goal {
 /// The rates of a segment are as uncertain as those of the shortest step beside it.
 [[nodiscard]] ORISPLINE_EXPORT double rounding_of(const Goal& goal, const Keyframes& keys) noexcept;
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

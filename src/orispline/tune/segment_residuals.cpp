@@ -9,7 +9,8 @@
 #include <orispline/math/bernstein.hpp>
 #include <orispline/math/gauss_legendre.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr std::size_t exact_nodes = 6;  // of the square of a second derivative, whose degree is 10
@@ -270,4 +271,4 @@ Eigen::MatrixXd residual_jacobian(const TensionSegment& segment, const Goal& goa
   });
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -6,7 +6,7 @@
 #include <orispline/tune/objective.hpp>
 #include <orispline/tune/tension_model.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// How many residuals a segment has: the sum of their squares is what it adds to the objective.
 [[nodiscard]] std::size_t residual_count(const Goal& goal, std::size_t segment);
@@ -33,4 +33,4 @@ struct SegmentSlope {
 [[nodiscard]] Eigen::MatrixXd residual_jacobian(const TensionSegment& segment, const Goal& goal, std::size_t index,
                                                 std::span<const SegmentSlope> slopes);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -5,7 +5,7 @@
 
 #include <orispline/tune/construction.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// What constructions that solve equations over all keys have in common: each variable reaches all segments.
 class SolvedConstruction : public Construction {
@@ -38,4 +38,4 @@ class SolvedConstruction : public Construction {
   std::vector<std::vector<std::size_t>> variables_;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -10,7 +10,8 @@
 #include <orispline/families/uniform.hpp>
 #include <orispline/math/bernstein.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 /// Influences below this share of the largest possible one are rounding.
@@ -263,4 +264,4 @@ Expected<TensionModel> tension_model(const FamilyInfo& family, const Keyframes& 
   return model_of(std::move(*segments), candidates, work);
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

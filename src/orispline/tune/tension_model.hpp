@@ -10,7 +10,7 @@
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/segment_form.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Bernstein coefficients of degree `form_degree` of a segment's blending functions β̃_1, β̃_2, β̃_3.
 using BlendingRows = std::array<BernsteinForm, 3>;
@@ -81,4 +81,4 @@ struct TensionModel {
                                                    const std::vector<std::string>& parameters,
                                                    const OpenEndedWork& work);
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -2,7 +2,7 @@
 #include <orispline/math/geodesic.hpp>
 #include <orispline/tune/tension_model.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 BernsteinForm elevated(BernsteinForm form, std::size_t degree) {
   auto& c = form.coefficients;
@@ -44,4 +44,4 @@ TensionSegment cumulative_segment(double start, double step, const Eigen::Quater
 
 BernsteinForm correction_form() { return elevated(BernsteinForm{{0.0, 0.0, 0.05}}, 5); }  // u² (1-u)³ / 2
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

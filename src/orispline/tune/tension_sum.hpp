@@ -6,7 +6,7 @@
 #include <orispline/tune/least_squares.hpp>
 #include <orispline/tune/segment_residuals.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// An objective as a function of the tensions of a model: one block per segment.
 class TensionSum final : public SumOfSquares {
@@ -43,4 +43,4 @@ class TensionSum final : public SumOfSquares {
   std::vector<double> values_;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

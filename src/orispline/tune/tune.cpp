@@ -13,7 +13,8 @@
 #include <orispline/tune/construction_sum.hpp>
 #include <orispline/tune/tension_sum.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
+
 namespace {
 
 constexpr std::size_t fewest_keys = 3;
@@ -253,4 +254,4 @@ Expected<Tuning> tune(const Track& track, const Method& given, const TuneOptions
   });
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -12,7 +12,7 @@
 #include <orispline/tune/least_squares.hpp>
 #include <orispline/tune/objective.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// How tensions are sought.
 struct TuneOptions {
@@ -53,4 +53,4 @@ struct Tuning {
 [[nodiscard]] ORISPLINE_EXPORT Expected<Tuning> tune(const Track& track, const Method& method,
                                                      const TuneOptions& options = {}, const Progress& progress = {});
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

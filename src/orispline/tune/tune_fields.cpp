@@ -5,7 +5,7 @@
 
 #include <orispline/fields/field_codec.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 template <>
 struct FieldCodec<Interval> {
@@ -73,4 +73,4 @@ std::span<const FieldInfo> fields_of<Tuning>() noexcept {
   return fields;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

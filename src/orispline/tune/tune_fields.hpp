@@ -4,7 +4,7 @@
 #include <orispline/fields/field_info.hpp>
 #include <orispline/tune/tune.hpp>
 
-namespace orispline::inline ORISPLINE_ABI {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 template <>
 inline constexpr std::array words<Objective>{
@@ -25,4 +25,4 @@ ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<TuneOptions>() noexcept;
 template <>
 ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<Tuning>() noexcept;
 
-}  // namespace orispline::inline ORISPLINE_ABI
+}}  // namespace orispline

@@ -7,8 +7,7 @@
 // Samples are computed in blocks of planes on the stack and then laid out as the caller wants them: loops over planes
 // vectorise. In an anonymous namespace, so that every instruction set has its own.
 
-namespace orispline::inline ORISPLINE_ABI::batch {
-namespace {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace batch { namespace {
 
 constexpr int block = 128;
 constexpr int lanes = 8;  // the last block is filled up to a multiple
@@ -149,4 +148,5 @@ template <class T, class Run>
 }
 
 }  // namespace
-}  // namespace orispline::inline ORISPLINE_ABI::batch
+
+}}}  // namespace orispline::batch

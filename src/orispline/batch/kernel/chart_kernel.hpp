@@ -7,8 +7,7 @@
 
 // Samples of a chart segment. In an anonymous namespace, so that every instruction set has its own.
 
-namespace orispline::inline ORISPLINE_ABI::batch {
-namespace {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace batch { namespace {
 
 /// base exp(φ) with x = ‖φ‖² ≤ 4, as qx, qy, qz, qw.
 template <class T>
@@ -121,4 +120,5 @@ void chart(const ChartRecord<T>& r, const Clock& clock, std::size_t count, const
 }
 
 }  // namespace
-}  // namespace orispline::inline ORISPLINE_ABI::batch
+
+}}}  // namespace orispline::batch

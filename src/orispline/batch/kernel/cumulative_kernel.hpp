@@ -7,8 +7,7 @@
 
 // Samples of a cumulative segment. In an anonymous namespace, so that every instruction set has its own.
 
-namespace orispline::inline ORISPLINE_ABI::batch {
-namespace {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace batch { namespace {
 
 /// What the angle of one factor makes of every sample of a block. Each factor has a loop of its own: in one loop for
 /// all, the sums of one step wait for each other longer than the processor looks ahead.
@@ -174,4 +173,5 @@ void cumulative(const CumulativeRecord<T>& r, const Clock& clock, std::size_t co
 }
 
 }  // namespace
-}  // namespace orispline::inline ORISPLINE_ABI::batch
+
+}}}  // namespace orispline::batch

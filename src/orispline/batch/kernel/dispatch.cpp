@@ -9,7 +9,7 @@
 
 #include <orispline/base/formatted.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::batch {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace batch {
 
 #if defined(ORISPLINE_X86_KERNELS)
 extern const Kernels v2, v3, v4;
@@ -77,4 +77,4 @@ const Kernels& kernels() noexcept {
   return chosen;
 }
 
-}  // namespace orispline::inline ORISPLINE_ABI::batch
+}}}  // namespace orispline::batch

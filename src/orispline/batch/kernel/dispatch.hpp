@@ -6,7 +6,7 @@
 #include <orispline/base/expected.hpp>
 #include <orispline/batch/kernel/record.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::batch {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace batch {
 
 /// The loops for the best instruction set of this processor: `v4` (AVX-512), `v3` (AVX2) or `v2` (the baseline of
 /// x86-64), `neon` on 64-bit ARM, `simd128` or `scalar` in WebAssembly, elsewhere `native`.
@@ -33,4 +33,4 @@ struct Candidate {
 [[nodiscard]] ORISPLINE_EXPORT Expected<const Kernels*> forced_kernels(std::span<const Candidate> candidates,
                                                                        const char* text);
 
-}  // namespace orispline::inline ORISPLINE_ABI::batch
+}}}  // namespace orispline::batch

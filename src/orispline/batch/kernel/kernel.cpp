@@ -6,7 +6,8 @@
 #include <orispline/batch/kernel/cumulative_kernel.hpp>
 #include <orispline/batch/kernel/times_kernel.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::batch {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace batch {
+
 namespace {
 
 template <class T>
@@ -69,4 +70,4 @@ const Kernels ORISPLINE_KERNELS{ORISPLINE_TEXT(ORISPLINE_KERNELS),
                                 &write_even_times,
                                 &ORISPLINE_POLYNOMIAL_KERNELS};
 
-}  // namespace orispline::inline ORISPLINE_ABI::batch
+}}}  // namespace orispline::batch

@@ -8,8 +8,7 @@
 // Polynomials for the kernel's loops, over numbers or over lanes. In an anonymous namespace, so that every instruction
 // set has its own.
 
-namespace orispline::inline ORISPLINE_ABI::batch {
-namespace {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace batch { namespace {
 
 /// Four numbers side by side, which add and multiply as one.
 template <class T>
@@ -116,4 +115,5 @@ template <class T, int N, class V>
 }
 
 }  // namespace
-}  // namespace orispline::inline ORISPLINE_ABI::batch
+
+}}}  // namespace orispline::batch

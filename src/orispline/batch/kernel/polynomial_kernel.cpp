@@ -4,7 +4,8 @@
 #include <orispline/batch/kernel/polynomial_record.hpp>
 #include <orispline/batch/kernel/vector.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::batch {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace batch {
+
 namespace {
 
 [[gnu::always_inline]] inline double square_root(double x) { return __builtin_sqrt(x); }
@@ -257,4 +258,4 @@ extern const PolynomialKernels ORISPLINE_POLYNOMIAL_KERNELS;
 const PolynomialKernels ORISPLINE_POLYNOMIAL_KERNELS{&baked<double>,   &baked<float>, &rational<double>,
                                                      &rational<float>, &path<double>, &path<float>};
 
-}  // namespace orispline::inline ORISPLINE_ABI::batch
+}}}  // namespace orispline::batch

@@ -7,7 +7,7 @@
 
 // Plain data only, for the reason given in record.hpp.
 
-namespace orispline::inline ORISPLINE_ABI::batch {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace batch {
 
 /// A piece of a curve whose components are polynomials in s = (t - middle) * per_step, with rising powers.
 template <class T, int Components, int Degree>
@@ -53,4 +53,4 @@ struct PolynomialKernels {
   void (*path_float)(const PathRecord<float>&, const Clock&, std::size_t count, const PathTarget<float>&);
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::batch
+}}}  // namespace orispline::batch

@@ -8,7 +8,7 @@
 // Plain data only: this header is read by translation units that are compiled for different instruction sets, and an
 // inline function that the linker merges across them would run where it cannot.
 
-namespace orispline::inline ORISPLINE_ABI::batch {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace batch {
 
 /// How large the half angles of a segment get: which series of sine and cosine will do.
 enum class AngleRange : unsigned char {
@@ -93,4 +93,4 @@ struct Kernels {
   const PolynomialKernels* polynomials;
 };
 
-}  // namespace orispline::inline ORISPLINE_ABI::batch
+}}}  // namespace orispline::batch

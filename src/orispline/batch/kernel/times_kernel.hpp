@@ -8,8 +8,7 @@
 
 // Loops over times alone. In an anonymous namespace, so that every instruction set has its own.
 
-namespace orispline::inline ORISPLINE_ABI::batch {
-namespace {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace batch { namespace {
 
 /// Looks at all times, though the first pair may tell: a loop that has no other end becomes vectors.
 bool are_in_order(const double* times, std::size_t count) {
@@ -25,4 +24,5 @@ void write_even_times(const EvenTimes& even, double first, std::size_t count, do
 }
 
 }  // namespace
-}  // namespace orispline::inline ORISPLINE_ABI::batch
+
+}}}  // namespace orispline::batch

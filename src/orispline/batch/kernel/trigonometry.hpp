@@ -11,8 +11,7 @@
 // cos x = 1 + u P(u), sin x = x + x u R(u), u = x²: the coefficients interpolate at Chebyshev nodes, computed with 60
 // digits by tools/make_kernel_series.py. Errors: below 0.02 ulp in double, 0.5 ulp in float, before rounding.
 
-namespace orispline::inline ORISPLINE_ABI::batch {
-namespace {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace batch { namespace {
 
 template <class T>
 struct Series;
@@ -185,4 +184,5 @@ struct Any {
 };
 
 }  // namespace
-}  // namespace orispline::inline ORISPLINE_ABI::batch
+
+}}}  // namespace orispline::batch

@@ -8,8 +8,7 @@
 // Vectors and quaternions in registers for the kernel's loops. In an anonymous namespace, so that every instruction set
 // has its own.
 
-namespace orispline::inline ORISPLINE_ABI::batch {
-namespace {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace batch { namespace {
 
 template <class T>
 struct Vector {
@@ -65,4 +64,5 @@ template <class T>
 }
 
 }  // namespace
-}  // namespace orispline::inline ORISPLINE_ABI::batch
+
+}}}  // namespace orispline::batch

@@ -9,9 +9,9 @@
 #include <orispline/io/table_layout.hpp>
 #include <orispline/io/text_row.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
-namespace {
-namespace csv {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
+
+namespace { namespace csv {
 
 constexpr std::array<std::string_view, 1> extensions{".csv"};
 constexpr std::array<std::string_view, 8> names_wxyz{"t", "qw", "qx", "qy", "qz", "px", "py", "pz"},
@@ -71,6 +71,7 @@ void row(std::string& bytes, const Decimal& time, std::span<const double> number
 }
 
 }  // namespace csv
+
 }  // namespace
 
 constinit const FormatInfo csv_format{
@@ -83,4 +84,4 @@ constinit const FormatInfo csv_format{
     .reading = {.layout = csv::layout},
     .writing = {.header = csv::header, .numbers = named_numbers, .row = csv::row, .table = csv_with_columns}};
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

@@ -9,9 +9,9 @@
 #include <orispline/io/table_layout.hpp>
 #include <orispline/io/text_row.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
-namespace {
-namespace euroc {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
+
+namespace { namespace euroc {
 
 constexpr std::array<std::string_view, 1> extensions{".csv"};
 constexpr int nanoseconds = 9;  // per second, as a power of ten
@@ -105,6 +105,7 @@ void row(std::string& bytes, const Decimal& time, std::span<const double> number
 }
 
 }  // namespace euroc
+
 }  // namespace
 
 constinit const FormatInfo euroc_format{
@@ -120,4 +121,4 @@ constinit const FormatInfo euroc_format{
                 .row = euroc::row,
                 .whole_times = WholeTimes{.per_second = euroc::nanoseconds, .unit = "nanosecond"}}};
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

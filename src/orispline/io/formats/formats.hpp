@@ -5,7 +5,7 @@
 
 #include <orispline/io/file_format.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 // THE list of formats. Each is stated by the file of this folder that has its name.
 
@@ -13,4 +13,4 @@ extern const FormatInfo csv_format, tum_format, euroc_format, npy_format;
 
 inline constexpr std::array all_formats{&csv_format, &tum_format, &euroc_format, &npy_format};
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

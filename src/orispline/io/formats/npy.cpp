@@ -8,9 +8,9 @@
 #include <orispline/io/formats/formats.hpp>
 #include <orispline/io/sample_columns.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
-namespace {
-namespace npy {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
+
+namespace { namespace npy {
 
 constexpr std::array<std::string_view, 1> extensions{".npy"};
 
@@ -43,6 +43,7 @@ void row(std::string& bytes, double time, std::span<const double> numbers) {
 }
 
 }  // namespace npy
+
 }  // namespace
 
 constinit const FormatInfo npy_format{
@@ -54,4 +55,4 @@ constinit const FormatInfo npy_format{
     .holds = {.forms = true, .rates = true, .settings = true},
     .writing = {.header = npy::header, .counts_rows = true, .numbers = named_numbers, .rounded_row = npy::row}};
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io

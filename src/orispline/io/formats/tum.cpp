@@ -6,9 +6,9 @@
 #include <orispline/io/table_layout.hpp>
 #include <orispline/io/text_row.hpp>
 
-namespace orispline::inline ORISPLINE_ABI::io {
-namespace {
-namespace tum {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
+
+namespace { namespace tum {
 
 constexpr std::array<std::string_view, 1> extensions{".tum"};
 constexpr std::array<std::string_view, 8> names{"t", "px", "py", "pz", "qx", "qy", "qz", "qw"};
@@ -43,6 +43,7 @@ void row(std::string& bytes, const Decimal& time, std::span<const double> number
 }
 
 }  // namespace tum
+
 }  // namespace
 
 constinit const FormatInfo tum_format{
@@ -55,4 +56,4 @@ constinit const FormatInfo tum_format{
     .reading = {.likeness = tum::likeness, .layout = tum::layout, .delimiter = Delimiter::blanks},
     .writing = {.numbers = tum::numbers, .row = tum::row}};
 
-}  // namespace orispline::inline ORISPLINE_ABI::io
+}}}  // namespace orispline::io
