@@ -2,8 +2,12 @@
 # Every target does the set-up that it needs.
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 
-.PHONY: run build test python check clang asan ubsan tsan coverage fuzz nightly mutants random sweep bench bench-quick bench-python docs page format tidy clean
+.PHONY: run build test test-more python check clang asan ubsan tsan coverage fuzz nightly mutants random sweep bench bench-quick bench-python docs page format tidy clean
 .NOTPARALLEL:
+
+# How long the parts of `make test` take, in build/times.tsv: $(call timed,PART) COMMAND.
+times = build/times.tsv
+timed = tools/timed.py $(times) "$(1)"
 
 define build_and_test
 	cmake --preset $(1)
@@ -16,21 +20,34 @@ run: build
 
 build:
 	tools/setup.sh build
+	@tools/timed.py $(times) --begin
 	cmake --preset release
-	cmake --build --preset release -j $(JOBS)
+	$(call timed,the release) cmake --build --preset release -j $(JOBS)
 
 # The Python package from the release, of which only the module is compiled; the wheel in build/python/dist is tested.
-define python_package
-	cmake --install build/release --prefix build/python/prefix > /dev/null
-	python3 bindings/python/build.py build/python build/python/prefix $(1)
-endef
+python_package = cmake --install build/release --prefix build/python/prefix > /dev/null && \
+  python3 bindings/python/build.py build/python build/python/prefix $(1)
 
-# The release first: its optimiser warns of what the tests' build does not see, and warnings are errors.
-# The Python package last, where Python's headers and the packages of its tests are to be had.
+# One build of the library serves the command, the tests, the users' programs and the Python package, which comes last, where
+# Python's headers and the packages of its tests are to be had. Clang compiles the families, which are most templates.
 test: build
-	tools/setup.sh build test python spark
-	$(call build_and_test,dev)
-	$(call python_package,--test --or-skip)
+	tools/setup.sh build test clang python spark
+	cmake --preset release -DORISPLINE_TESTS=ON
+	$(call timed,the tests' build) cmake --build build/release -j $(JOBS)
+	cmake --preset clang-families
+	$(call timed,the families by Clang) cmake --build --preset clang-families -j $(JOBS)
+	$(call timed,their tests) ctest --preset clang-families -j $(JOBS)
+	$(call timed,the tests) ctest --preset release -j $(JOBS) --output-junit junit.xml
+	$(call timed,the Python package) sh -c '$(call python_package,--test --or-skip)'
+	@tests/summary.py build/release/junit.xml
+	@tools/timed.py $(times) --table
+
+# What is too long for `make test`, or wants a machine that does nothing else: other compilers and standards, the library as
+# a part of other builds; then, one by one, what is measured by the clock.
+test-more: test
+	ctest --preset release-more -j $(JOBS)
+	ctest --preset release-timing
+	$(call python_package,--timing --or-skip)
 
 # The wheel and the source of the Python package in build/python/dist, tested in an environment of its own.
 python: build
@@ -66,7 +83,7 @@ fuzz:
 	tests/fuzz/run.py build/fuzz/tests/fuzz $(SECONDS) --jobs $(JOBS)
 
 # What is too long for every change; docs/testing.md tells what each part finds. Ten minutes a target are an hour of fuzzing.
-nightly: check random sweep
+nightly: check test-more random sweep
 	$(MAKE) fuzz SECONDS=600
 	$(MAKE) mutants
 
@@ -75,17 +92,18 @@ random: CASES = 5000
 random: SEED := $(shell od -An -N4 -tu4 /dev/urandom | tr -d ' ')
 random:
 	tools/setup.sh build test
-	cmake --preset dev
-	cmake --build --preset dev -j $(JOBS)
+	cmake --preset release -DORISPLINE_TESTS=ON
+	cmake --build build/release -j $(JOBS) --target contract_tests batch_tests
 	RC_PARAMS="seed=$(SEED) max_success=$(CASES) max_size=60" \
-	  ctest --test-dir build/dev -R '^(contract|batch)_tests\.' -j $(JOBS) --output-on-failure
+	  ctest --test-dir build/release -R '^(contract|batch)_tests\.' -j $(JOBS) --output-on-failure
 
 # Every orientation track of the recordings beside the project, with noise, is smoothed: it may not become worse.
 sweep:
 	tools/setup.sh build test
-	cmake --preset dev
-	cmake --build --preset dev -j $(JOBS) --target smooth_tests
-	ORISPLINE_SWEEP=all ctest --test-dir build/dev -R '^smooth_tests\.(NeverWorse|Strikes|Adaptation)\.' -j $(JOBS) --output-on-failure
+	cmake --preset release -DORISPLINE_TESTS=ON
+	cmake --build build/release -j $(JOBS) --target smooth_tests
+	ORISPLINE_SWEEP=all GTEST_FILTER='NeverWorse.*:Strikes.*:Adaptation.*' \
+	  ctest --test-dir build/release -R '^smooth_tests\.[01]$$' -j $(JOBS) --output-on-failure
 
 # Small faults in the library, and whether the tests find them: hours.
 mutants:

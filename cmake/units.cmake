@@ -1,16 +1,63 @@
-# orispline_units(TARGET [EXCEPT FOLDERS...]): where CMAKE_UNITY_BUILD is on, the sources of each folder are compiled as
-# one unit, since reading the headers takes longer than translating the code behind them.
+# orispline_units(TARGET ROOT [KILOBYTES SIZE] [EXCEPT FOLDERS...]): the sources of each folder are compiled in units of
+# about this size (64), since reading the headers takes longer than translating the code behind them. Twice the size takes
+# less time in all, but more memory: a compiler of a unit of 64 kB takes up to 1 GB.
+#
+# A unit names its files from ROOT, which is in the target's include path. So its text is the same wherever the tree lies,
+# and ccache knows it again.
 #
 # EXCEPT: folders whose sources stay apart, such as the inner loops, which GCC inlines less in large units.
-function(orispline_units target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "EXCEPT")
-  set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+option(ORISPLINE_UNITS "Compile several sources of a folder at once" ON)
+function(orispline_units target root)
+  if(NOT ORISPLINE_UNITS)
+    return()
+  endif()
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "KILOBYTES" "EXCEPT")
+  if(NOT arg_KILOBYTES)
+    set(arg_KILOBYTES 64)
+  endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD OFF) # what CMake would make of these units is too large
   get_target_property(sources ${target} SOURCES)
+  list(FILTER sources INCLUDE REGEX "\\.cpp$")
   foreach(source IN LISTS sources)
     cmake_path(GET source PARENT_PATH folder)
-    if(folder AND NOT IS_ABSOLUTE ${source} AND NOT folder IN_LIST arg_EXCEPT)
-      string(MAKE_C_IDENTIFIER ${folder} unit)
-      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${unit})
+    if(IS_ABSOLUTE ${source} OR folder IN_LIST arg_EXCEPT)
+      continue()
     endif()
+    string(MAKE_C_IDENTIFIER "in_${folder}" name)
+    list(APPEND names ${name})
+    list(APPEND sources_of_${name} ${source})
+  endforeach()
+  list(REMOVE_DUPLICATES names)
+  foreach(name IN LISTS names)
+    orispline_units_of_folder(${target} ${root} ${name} ${arg_KILOBYTES} ${sources_of_${name}})
+  endforeach()
+endfunction()
+
+# Units of about equal size.
+function(orispline_units_of_folder target root name kilobytes)
+  set(all 0)
+  foreach(source IN LISTS ARGN)
+    file(SIZE ${CMAKE_CURRENT_SOURCE_DIR}/${source} size)
+    list(APPEND sizes ${size})
+    math(EXPR all "${all} + ${size}")
+  endforeach()
+  math(EXPR count "(${all} + ${kilobytes} * 500) / (${kilobytes} * 1000)")
+  if(count EQUAL 0)
+    set(count 1)
+  endif()
+  set(before 0)
+  foreach(source size IN ZIP_LISTS ARGN sizes)
+    math(EXPR unit "(${before} + ${size} / 2) * ${count} / ${all}")
+    math(EXPR before "${before} + ${size}")
+    cmake_path(ABSOLUTE_PATH source OUTPUT_VARIABLE path)
+    cmake_path(RELATIVE_PATH path BASE_DIRECTORY ${root})
+    string(APPEND text_of_${unit} "#include \"${path}\"\n")
+    set_source_files_properties(${source} PROPERTIES HEADER_FILE_ONLY ON)
+  endforeach()
+  math(EXPR last "${count} - 1")
+  foreach(unit RANGE ${last})
+    set(file ${CMAKE_CURRENT_BINARY_DIR}/${target}.units/${name}_${unit}.cpp)
+    file(CONFIGURE OUTPUT ${file} CONTENT "// Several sources that are compiled at once.\n${text_of_${unit}}" @ONLY)
+    target_sources(${target} PRIVATE ${file})
   endforeach()
 endfunction()

@@ -12,6 +12,8 @@
 #include <support/tolerance.hpp>
 #include <support/tracks.hpp>
 
+#include "support/places.hpp"
+
 namespace orispline { namespace {
 
 using namespace testing_support;
@@ -196,7 +198,7 @@ TEST(Nu, SaysWhereAndHowFarItDoesNotConverge) {
 }
 
 TEST(Nu, SolvesAFlightOfThreeHundredKeys) {
-  const auto file = io::read_keys(ORISPLINE_TEST_DATA "/../../examples/data/flight_truth.csv");
+  const auto file = io::read_keys(testing_support::in_project("examples/data/flight_truth.csv"));
   ASSERT_TRUE(file) << describe(file.error());
   KeyframeData data;
   for (std::size_t i = 0; i < file->data.times.size(); i += 16) {

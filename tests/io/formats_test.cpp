@@ -14,6 +14,7 @@
 #include <orispline/io/track_file.hpp>
 
 #include "io/text_file.hpp"
+#include "support/places.hpp"
 
 namespace orispline::io { namespace {
 
@@ -86,7 +87,7 @@ std::string row_of(const FormatInfo& format) {
 TEST(Formats, StandInTheDocumentsAsInTheList) {
   std::string rows;
   for (const FormatInfo* const format : formats()) rows += row_of(*format);
-  EXPECT_NE(content_of(ORISPLINE_DOCUMENTS "/files.md").find(rows + "\n"), std::string::npos) << rows;
+  EXPECT_NE(content_of(testing_support::in_project("docs/files.md")).find(rows + "\n"), std::string::npos) << rows;
 }
 
 // A format that the library does not have: a count of tracks, one key each, as lines `track NAME`.

@@ -7,6 +7,7 @@
 #include <orispline/io/key_file.hpp>
 
 #include "io/text_file.hpp"
+#include "support/places.hpp"
 
 // Recordings that are not part of the project, for their licences differ: read where they lie beside it.
 
@@ -17,9 +18,9 @@ using test::text_of;
 class RealFile : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (!std::filesystem::exists(ORISPLINE_SHARED_DATA)) GTEST_SKIP() << "no " << ORISPLINE_SHARED_DATA;
+    if (const std::string data = path_of(""); !std::filesystem::exists(data)) GTEST_SKIP() << "no " << data;
   }
-  static std::string path_of(std::string_view name) { return std::string(ORISPLINE_SHARED_DATA "/").append(name); }
+  static std::string path_of(std::string_view name) { return testing_support::beside_project("data/").append(name); }
 };
 
 TEST_F(RealFile, FlightLogWithBodyRates) {

@@ -17,6 +17,8 @@
 #include <orispline/retime.hpp>
 #include <orispline/smooth.hpp>
 #include <orispline/tune.hpp>
+
+#include "support/places.hpp"
 #endif
 
 namespace orispline { namespace {
@@ -83,7 +85,7 @@ TEST(OutOfMemory, EndsTasks) {
 }
 
 TEST(OutOfMemory, EndsReading) {
-  const std::string path = std::string(ORISPLINE_TEST_DATA) + "/../../examples/data/five_keys.csv";
+  const std::string path = testing_support::in_project("examples/data/five_keys.csv");
   expect_bad_alloc_alone("read_track", [&] { EXPECT_TRUE(io::read_track(path)); });
 }
 #endif

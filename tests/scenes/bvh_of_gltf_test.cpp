@@ -8,11 +8,12 @@
 #include <orispline/scenes/scene_file.hpp>
 
 #include "scenes/bvh_file.hpp"
+#include "support/places.hpp"
 
 namespace orispline::scenes { namespace {
 
 TEST(BvhOfGltf, EveryClipHasItsRotationsAndTranslationsInTheFrames) {
-  const std::string path = ORISPLINE_SHARED_DATA "/gltf/kaykit_mage_76clips.glb";
+  const std::string path = testing_support::beside_project("data/gltf/kaykit_mage_76clips.glb");
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "no " << path;
   auto scene = read_scene(path);
   ASSERT_TRUE(scene) << describe(scene.error());

@@ -10,6 +10,7 @@
 #include <orispline/scenes/scene_file.hpp>
 
 #include "scenes/bvh_file.hpp"
+#include "support/places.hpp"
 
 namespace orispline::scenes { namespace {
 
@@ -208,7 +209,7 @@ TEST(Bvh, DeepNestingIsRefusedBeforeItCostsAnything) {
 
 class CmuFile : public ::testing::Test {
  protected:
-  static constexpr const char* path = ORISPLINE_SHARED_DATA "/mocap/cmu_01_01_fairmotion.bvh";
+  const std::string path = testing_support::beside_project("data/mocap/cmu_01_01_fairmotion.bvh");
   void SetUp() override {
     if (!std::filesystem::exists(path)) GTEST_SKIP() << "no " << path;
   }

@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "scenes/gltf_file.hpp"
+#include "support/places.hpp"
 
 namespace orispline::scenes { namespace {
 
@@ -177,7 +178,7 @@ TEST(Gltf, WarnsOfARequiredExtensionThatIsNotKnown) {
 }
 
 TEST(Gltf, ReadsTheRecordingsBesideTheProject) {
-  const std::string folder = ORISPLINE_SHARED_DATA "/gltf/";
+  const std::string folder = testing_support::beside_project("data/gltf/");
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no " << folder;
   const auto mage = read_scene(folder + "kaykit_mage_76clips.glb");
   ASSERT_TRUE(mage) << describe(mage.error());

@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "scenes/gltf_written.hpp"
+#include "support/places.hpp"
 
 namespace orispline::scenes { namespace {
 
@@ -254,7 +255,7 @@ TEST(GltfWriter, LeavesOutAClipWithoutKeysAndSaysSo) {
 }
 
 TEST(GltfWriter, WritesTheRecordingBesideTheProjectAsItWas) {
-  const std::string path = ORISPLINE_SHARED_DATA "/gltf/kaykit_mage_76clips.glb";
+  const std::string path = testing_support::beside_project("data/gltf/kaykit_mage_76clips.glb");
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "no " << path;
   const auto scene = read_scene(path);
   ASSERT_TRUE(scene) << describe(scene.error());

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "smooth/known_truth.hpp"
+#include "support/places.hpp"
 
 // What smoothing is held to: the noises and seeds of the cases, and which of them are judged.
 
@@ -13,7 +14,7 @@ namespace orispline::known_truth {
 
 inline constexpr double allowed = 1.02;   // of the distance of the samples to the truth
 inline constexpr double own_share = 3.0;  // the noise is at least so many times that of the recording itself
-inline constexpr const char* data = ORISPLINE_SHARED_DATA;
+inline const std::string data = testing_support::beside_project("data");
 
 inline bool sweeps() {
   const char* const asked = std::getenv("ORISPLINE_SWEEP");

@@ -12,6 +12,8 @@
 
 #include <orispline/math/eigen.hpp>
 
+#include "support/places.hpp"
+
 namespace orispline::testing_support {
 
 /// Fields of one line, or of one list, at a separator.
@@ -64,7 +66,7 @@ class DataTable {
 
   /// A file of tests/data.
   explicit DataTable(const std::string& name) {
-    std::ifstream file(std::string(ORISPLINE_TEST_DATA "/") + name);
+    std::ifstream file(in_project("tests/data/") + name);
     if (!file) throw std::runtime_error("cannot open tests/data/" + name);
     for (std::string line; std::getline(file, line);) {
       if (line.starts_with('#')) continue;

@@ -15,7 +15,7 @@ ROOT = HERE.parents[1]
 WITHOUT = {"report", "pages"}
 PLACE = re.compile(r"src/orispline/([\w/.]+):(\d+)")
 LIBRARY, HOST = "src/orispline", "base/expected.cpp"  # the host has mutation.cpp behind its own text
-FLAGS = {"CMAKE_BUILD_TYPE": "Debug", "CMAKE_CXX_FLAGS_DEBUG": "-O1", "CMAKE_UNITY_BUILD": "ON", "BUILD_SHARED_LIBS": "OFF"}
+FLAGS = {"CMAKE_BUILD_TYPE": "Debug", "CMAKE_CXX_FLAGS_DEBUG": "-O1", "ORISPLINE_TESTS": "ON", "BUILD_SHARED_LIBS": "OFF"}
 
 
 def put(path, data):

@@ -60,9 +60,9 @@ def programs(build, tree, pattern):
             continue
         environment = dict(entry.split("=", 1) for entry in properties.get("ENVIRONMENT", []))
         folder = properties.get("WORKING_DIRECTORY", str(build))
-        if any(word.startswith("--gtest_filter") for word in command):
+        if "program" in properties.get("LABELS", []):  # whole, not in the halves that ctest knows
             name = pathlib.Path(command[0]).name
-            environment |= {"GTEST_FAIL_FAST": "1", "RC_PARAMS": rapidcheck_parameters(tree)}
+            environment = {"GTEST_FAIL_FAST": "1", "RC_PARAMS": rapidcheck_parameters(tree)}
             found[name] = Program(name, [command[0]], folder, environment, False)
         elif test["name"].startswith("cli.") and pathlib.Path(environment["ORISPLINE_COMMAND"]).exists():
             found[test["name"]] = Program(test["name"], [*command, "--failfast"], folder, environment, True)
