@@ -2,9 +2,12 @@
 #include <orispline/reduce/clip_reduction_fields.hpp>
 
 #include <array>
+#include <cmath>
 #include <limits>
 
+#include <orispline/base/formatted.hpp>
 #include <orispline/fields/field.hpp>
+#include <orispline/math/degrees.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -47,6 +50,16 @@ std::span<const FieldInfo> fields_of<ClipReduceOptions>() noexcept {
           {.name = "between", .sentence = "What the motion of a clip between its keys is taken to be"}),
   };
   return fields;
+}
+
+std::string tolerance_text(const ClipReduceOptions& options, double metres, std::string_view unit) {
+  std::vector<std::string> parts;
+  if (std::isfinite(options.tolerance)) parts.push_back(formatted("{:.6g}°", options.tolerance * degrees));
+  if (std::isfinite(options.position_tolerance))
+    parts.push_back(formatted("{:.6g}{} of translations", options.position_tolerance * metres, unit));
+  if (std::isfinite(options.world_tolerance))
+    parts.push_back(formatted("{:.6g}{} in the world", options.world_tolerance * metres, unit));
+  return joined(parts, ", ");
 }
 
 }}  // namespace orispline

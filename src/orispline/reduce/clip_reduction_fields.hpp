@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
+#include <string_view>
+
 #include <orispline/fields/field_info.hpp>
 #include <orispline/reduce/clip_reduction.hpp>
 
@@ -13,5 +16,11 @@ inline constexpr std::array words<BetweenSamples>{
 
 template <>
 ORISPLINE_EXPORT std::span<const FieldInfo> fields_of<ClipReduceOptions>() noexcept;
+
+/// The tolerances that are given: `0.1°, 0.02 m in the world`.
+///
+/// `metres`: in the skeleton's unit of length; `unit`: what follows a length, such as ` m`.
+[[nodiscard]] ORISPLINE_EXPORT std::string tolerance_text(const ClipReduceOptions& options, double metres,
+                                                          std::string_view unit);
 
 }}  // namespace orispline
