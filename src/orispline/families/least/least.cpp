@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/families/least.hpp>
+#include <orispline/families/least/least.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -10,16 +13,68 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/curve/curve.hpp>
 #include <orispline/curve/key_knots.hpp>
+#include <orispline/curve/refined_chart_curve.hpp>
 #include <orispline/curve/torque.hpp>
 #include <orispline/families/auto.hpp>
 #include <orispline/families/global_c2.hpp>
-#include <orispline/families/least_minimisation.hpp>
-#include <orispline/families/least_refinement.hpp>
+#include <orispline/families/least/element.hpp>
+#include <orispline/families/least/minimisation.hpp>
 #include <orispline/families/rotation_spline.hpp>
+#include <orispline/math/chain_elimination.hpp>
+#include <orispline/math/scalar_link.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 namespace {
+
+constexpr double excess_share = 2e-9;        // of the energy, that is let be
+constexpr std::size_t most_pieces = 256;     // of an interval
+constexpr double rounding_of_turns = 1e-11;  // [rad]; so little within a piece is no excess
+/// Of the excess by the change of momentum, measured against twice as many pieces.
+constexpr double scale_of_excess = 1e-4, scale_of_jerk_excess = 1e-5;
+
+/// Half the momentum of the orientation in the body frame at u of a piece, and the turn from there to the world.
+Eigen::Vector3d momentum(LeastOf of, const Eigen::Matrix3d& inertia, const ChartPiece<5>& piece, double h, double u) {
+  const auto path = rotation_vector(piece, Jet<double, 5>::variable(u));
+  const auto rate = chart_rate<double, 5>(path);
+  double power = h;
+  std::array<Eigen::Vector3d, 5> omega;  // ω and its derivatives
+  for (std::size_t k = 0; k < omega.size(); ++k, power *= h)
+    omega[k] = Eigen::Vector3d(rate.x().derivative(k), rate.y().derivative(k), rate.z().derivative(k)) / power;
+  const Motion m{.orientation = piece.base * exp<double>({path.x().c[0], path.y().c[0], path.z().c[0]}),
+                 .angular_velocity = omega[0],
+                 .angular_acceleration = omega[1],
+                 .angular_jerk = omega[2]};
+  if (of == LeastOf::jerk) return m.orientation * omega[4];
+  if (of == LeastOf::acceleration) return m.orientation * omega[2];
+  const Eigen::Vector3d force = torque(m, inertia);
+  const Eigen::Vector3d spun = (inertia * omega[0]).cross(force) + inertia * force.cross(omega[0]);
+  return m.orientation * (inertia * torque_rate(m, inertia) - spun);
+}
+
+/// How much of a piece's energy is more than it need be, by its residual of the equations of Euler and Lagrange.
+///
+/// Between keys they say that the momentum P of the orientation is constant in the world frame: P = R ω″ for the
+/// acceleration, whence ω‴ = ω″ × ω. What P changes by within a piece of h [s] tells how far it is from there.
+double excess_of(LeastOf of, const Eigen::Matrix3d& inertia, const ChartPiece<5>& piece, double h) {
+  const bool of_jerk = of == LeastOf::jerk;
+  const double moment = of == LeastOf::torque ? inertia.norm() : 1.0, power = of_jerk ? h * h * h * h * h : h * h * h;
+  const double turn =
+      power / moment * (momentum(of, inertia, piece, h, 1.0) - momentum(of, inertia, piece, h, 0.0)).norm();
+  if (turn < rounding_of_turns) return 0.0;
+  return (of_jerk ? scale_of_jerk_excess : scale_of_excess) * turn * turn * moment * moment / power;
+}
+
+/// Twice as many pieces in the intervals whose excess counts beside the whole energy; empty where none does.
+std::vector<std::size_t> refined(const std::vector<std::size_t>& counts, const std::vector<double>& excesses,
+                                 double energy) {
+  const double allowed = excess_share * energy;
+  if (!(std::accumulate(excesses.begin(), excesses.end(), 0.0) > allowed)) return {};
+  std::vector<std::size_t> more = counts;
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    if (excesses[i] * static_cast<double>(counts.size()) > allowed && counts[i] < most_pieces) more[i] *= 2;
+  return more == counts ? std::vector<std::size_t>() : more;
+}
 
 constexpr std::size_t omega = 3, alpha = 6;  // first of their three unknowns at a node
 
@@ -201,6 +256,64 @@ Error not_converged(const LeastOutcome& outcome, const Counts& counts) {
 
 constexpr int most_refinements = 5;
 
+using Derivatives = HermitePath<5>::Derivatives;
+
+bool rests(const End& end) { return end.rule == EndRule::rest; }
+
+/// The derivatives of orders 1 … P-1 at the positions that make ∫|p^(P)|² least, a row for each order.
+template <int P>
+std::vector<Eigen::Matrix<double, P - 1, 3>> least_derivatives(const Knots& knots,
+                                                               std::span<const Eigen::Vector3d> positions,
+                                                               const FamilySettings& settings) {
+  using Chain = ChainElimination<P - 1, 0, 3, P>;
+  const std::size_t last = knots.segments();
+  Chain chain;
+  chain.start(positions.size());
+  for (std::size_t i = 0; i <= last; ++i) {
+    typename Chain::Low low = Chain::Low::Zero();
+    if (i < last) {
+      const auto link = scalar_link<P>(knots.span(i).step());
+      low.template leftCols<P - 1>() = link.template middleCols<P - 1>(1);
+      low.template middleCols<P - 1>(P - 1) = link.template rightCols<P - 1>();
+      low.template rightCols<3>() = -link.col(P) * (positions[i + 1] - positions[i]).transpose();
+    }
+    if ((i == 0 && rests(settings.start)) || (i == last && rests(settings.end))) {
+      low.col(0).setZero();
+      chain.fix(0);
+    }
+    if (i + 1 == last && rests(settings.end)) low.col(P - 1).setZero();
+    static_cast<void>(chain.add(low));
+  }
+  std::vector<Eigen::Matrix<double, P - 1, 3>> derivatives(positions.size());
+  for (Eigen::Index axis = 0; axis < 3; ++axis)
+    chain.solve(Eigen::Vector3d::Unit(axis), [&](std::size_t i, const auto& x) { derivatives[i].col(axis) = x; });
+  return derivatives;
+}
+
+/// p̈ of the cubic on a segment at its start and at its end.
+std::array<Eigen::Vector3d, 2> bends(const Eigen::Vector3d& chord, const Eigen::Vector3d& leaving,
+                                     const Eigen::Vector3d& arriving, double h) {
+  const Eigen::Vector3d slope = chord / h;
+  return {(6.0 * slope - 4.0 * leaving - 2.0 * arriving) / h, (2.0 * leaving + 4.0 * arriving - 6.0 * slope) / h};
+}
+
+/// The cubics as quintics. Both segments beside a key bend alike there; that of the longer one is rounded less.
+std::vector<Derivatives> cubic_derivatives(const Knots& knots, std::span<const Eigen::Vector3d> positions,
+                                           const FamilySettings& settings) {
+  const auto velocities = least_derivatives<2>(knots, positions, settings);
+  std::vector<Derivatives> derivatives;
+  for (const auto& v : velocities) derivatives.push_back({v.row(0).transpose(), Eigen::Vector3d::Zero()});
+  double before = 0.0;
+  for (std::size_t i = 0; i < knots.segments(); ++i) {
+    const double h = knots.span(i).step();
+    const auto [start, end] = bends(positions[i + 1] - positions[i], derivatives[i][0], derivatives[i + 1][0], h);
+    if (h > before) derivatives[i][1] = start;
+    derivatives[i + 1][1] = end;
+    before = h;
+  }
+  return derivatives;
+}
+
 }  // namespace
 
 Expected<RefinedChartCurve<5>> Least::curve(const Keyframes& keys, const FamilySettings& settings) {
@@ -223,6 +336,19 @@ Expected<RefinedChartCurve<5>> Least::curve(const Keyframes& keys, const FamilyS
     if (const LeastOutcome outcome = minimise(problem); !outcome.converged)
       return tl::unexpected(not_converged(outcome, counts));
   }
+}
+
+Expected<HermitePath<5>> Least::path(const Keyframes& keys, const FamilySettings& settings) {
+  Knots knots = key_knots(keys);
+  const auto positions = keys.positions();
+  std::vector<Derivatives> derivatives;
+  if (settings.choice("energy") == "jerk") {
+    for (const auto& d : least_derivatives<3>(knots, positions, settings))
+      derivatives.push_back({d.row(0).transpose(), d.row(1).transpose()});
+  } else {
+    derivatives = cubic_derivatives(knots, positions, settings);
+  }
+  return HermitePath<5>(std::move(knots), {positions.begin(), positions.end()}, std::move(derivatives));
 }
 
 }}}  // namespace orispline::families

@@ -4,7 +4,7 @@
 #include <array>
 
 #include <orispline/curve/chart_ends.hpp>
-#include <orispline/families/least_element.hpp>
+#include <orispline/families/least/element.hpp>
 
 // What both orders of derivatives of an element are made of.
 

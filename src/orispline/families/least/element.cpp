@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/families/least_element.hpp>
+#include <orispline/families/least/element.hpp>
 
 #include <array>
 #include <cmath>
 
 #include <orispline/curve/chart_curve.hpp>
 #include <orispline/curve/torque.hpp>
-#include <orispline/families/least_rule.hpp>
+#include <orispline/families/least/expansion.hpp>
 #include <orispline/math/gauss_legendre.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
