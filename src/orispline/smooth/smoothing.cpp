@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#pragma once
+#include <orispline/smooth/smoothing.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -7,18 +7,120 @@
 #include <optional>
 #include <vector>
 
-#include <orispline/smooth/bias_rows.hpp>
-#include <orispline/smooth/node_variances.hpp>
+#include <Eigen/Core>
+#include <Eigen/QR>
+#include <Eigen/SVD>
+
+#include <orispline/base/expect.hpp>
+#include <orispline/math/chain_covariance.hpp>
+#include <orispline/math/elementary.hpp>
 #include <orispline/smooth/smoothing_element.hpp>
 #include <orispline/smooth/smoothing_loss.hpp>
-#include <orispline/smooth/smoothing_start.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
-inline constexpr double cost_rounding = 1e-12;  // a cost that rises by no more than this share has not risen
-inline constexpr double contraction = 0.5;      // of steps, that tells that the iteration converges
-inline constexpr int most_steps_across = 6;     // of a valley
-inline constexpr double smallest_share = 1e-4;  // of the step that Gauss and Newton propose
+namespace {
+
+/// What a chain of eliminated nodes leaves for three unknowns that all of them share: `Rows` of `Sides` right-hand
+/// sides per node, the first of the data, the last three of a unit of each shared unknown.
+template <int Rows, int Sides>
+class BiasRows {
+ public:
+  void add(const Eigen::Matrix<double, Rows, Sides>& rows) {
+    Eigen::Matrix<double, Rows + Sides, Sides> all;
+    all << factor_, rows;
+    factor_ = Eigen::HouseholderQR<decltype(all)>(all)
+                  .matrixQR()
+                  .template topRows<Sides>()
+                  .template triangularView<Eigen::Upper>();
+  }
+
+  [[nodiscard]] Eigen::Vector3d solved() const { return decomposed().solve(factor_.col(0)); }
+
+  /// A matrix whose product with its transpose is the covariance of the shared unknowns: the inverse of their normal
+  /// matrix.
+  [[nodiscard]] Eigen::Matrix3d inverse_root() const {
+    const auto decomposition = decomposed();
+    return decomposition.matrixV() * decomposition.singularValues().cwiseInverse().asDiagonal();
+  }
+
+  /// log det of the normal matrix of the shared unknowns.
+  [[nodiscard]] double log_determinant() const {
+    return 2.0 * elementary::natural_logarithm(decomposed().singularValues().prod());
+  }
+
+ private:
+  /// The right-hand side stands first; its row of the factor holds columns of the unknowns too.
+  [[nodiscard]] Eigen::JacobiSVD<Eigen::MatrixXd> decomposed() const {
+    return Eigen::JacobiSVD<Eigen::MatrixXd>(-factor_.template rightCols<3>(),
+                                             Eigen::ComputeThinU | Eigen::ComputeThinV);
+  }
+
+  Eigen::Matrix<double, Sides, Sides> factor_ = Eigen::Matrix<double, Sides, Sides>::Zero();
+};
+
+/// The variances of turn and angular velocity at every node of an eliminated chain, the first six unknowns of each.
+class NodeVariances {
+ public:
+  /// As if nothing were shared.
+  template <class Chain>
+  explicit NodeVariances(const Chain& chain) : values_(chain.rows().size()) {
+    for_each_covariance(chain, [this](std::size_t i, const auto& covariance, const auto&) {
+      values_[i] = covariance.diagonal().template head<6>();
+    });
+  }
+
+  /// Adds what the last three right-hand sides, each a unit of a shared unknown, bring along: `root` times its
+  /// transpose is the covariance of these.
+  template <int M, int Data, int Sides, int Link>
+  void add_shared(const ChainElimination<M, Data, Sides, Link>& chain, const Eigen::Matrix3d& root) {
+    for (Eigen::Index k = 0; k < 3; ++k) {
+      Eigen::Matrix<double, Sides, 1> combination = Eigen::Matrix<double, Sides, 1>::Zero();
+      combination.template tail<3>() = root.col(k);
+      chain.solve(combination,
+                  [this](std::size_t i, const auto& x) { values_[i] += x.template head<6>().cwiseAbs2(); });
+    }
+  }
+
+  [[nodiscard]] NodeSigmas roots() const {
+    NodeSigmas sigmas;
+    for (const auto& value : values_) {
+      sigmas.orientations.emplace_back(value.template head<3>().cwiseSqrt());
+      sigmas.angular_velocities.emplace_back(value.template tail<3>().cwiseSqrt());
+    }
+    return sigmas;
+  }
+
+ private:
+  std::vector<Eigen::Matrix<double, 6, 1>> values_;
+};
+
+/// The recording itself, with the mean rates about each time; times without an orientation take the nearest earlier
+/// one.
+SmoothedNodes recorded_nodes(const SmoothingProblem& problem) {
+  const auto first = std::ranges::find_if(problem.weights, [](double w) { return w > 0.0; });
+  ORISPLINE_EXPECT(first != problem.weights.end());
+  auto latest = static_cast<std::size_t>(first - problem.weights.begin());
+  SmoothedNodes nodes;
+  for (std::size_t i = 0; i < problem.size(); ++i) {
+    if (problem.weights[i] > 0.0) latest = i;
+    nodes.orientations.push_back(problem.orientations[latest]);
+  }
+  for (std::size_t i = 0; i < problem.size(); ++i) {
+    const std::size_t before = i == 0 ? 0 : i - 1, after = std::min(i + 1, problem.size() - 1);
+    Eigen::Vector3d way = Eigen::Vector3d::Zero();
+    for (std::size_t k = before; k < after; ++k)
+      way += shortest_increment(nodes.orientations[k], nodes.orientations[k + 1]);
+    nodes.angular_velocities.emplace_back(way / (problem.times[after] - problem.times[before]));
+  }
+  nodes.angular_accelerations.assign(problem.size(), Eigen::Vector3d::Zero());
+  return nodes;
+}
+
+constexpr double cost_rounding = 1e-12;  // a cost that rises by no more than this share has not risen
+constexpr double contraction = 0.5;      // of steps, that tells that the iteration converges
+constexpr int most_steps_across = 6;     // of a valley
+constexpr double smallest_share = 1e-4;  // of the step that Gauss and Newton propose
 
 /// The iteration for a penalty of order P, with or without a gyro.
 template <int P, bool Gyro>
@@ -286,5 +388,63 @@ class Minimisation {
   std::optional<State> lowest_;  // that was left uphill
   double lowest_cost_ = std::numeric_limits<double>::infinity();
 };
+
+/// Calls `use` with the iteration for the problem.
+template <class Use>
+auto with_minimisation(const SmoothingProblem& problem, const SmoothingObjective& objective, const SmoothedNodes* start,
+                       Use use) {
+  const bool jerk = objective.penalty == Penalty::jerk;
+  if (problem.gyro.empty())
+    return jerk ? use(Minimisation<3, false>(problem, objective, start))
+                : use(Minimisation<2, false>(problem, objective, start));
+  return jerk ? use(Minimisation<3, true>(problem, objective, start))
+              : use(Minimisation<2, true>(problem, objective, start));
+}
+
+/// The minima of weaker penalties that lead to a strong one of the jerk, the smoothing time doubled from each to the
+/// next; nothing where it is not strong.
+std::optional<SmoothedNodes> lead_to(const SmoothingProblem& problem, const SmoothingObjective& objective) {
+  constexpr double far = 729e6;  // (τ over the interval)⁶ of 30, up to where the iteration finds its way alone
+  const double interval =
+      (problem.times.back() - problem.times.front()) / static_cast<double>(problem.times.size() - 1);
+  const double weight = *std::ranges::max_element(problem.weights);  // of the orientations, 1/σ²
+  double share = 1.0;
+  while (objective.lambda * share > far * weight * interval * interval * interval * interval * interval &&
+         share > 1e-60)
+    share /= 64.0;
+  const SmoothingIteration roughly{.tolerance = 0.01 / std::sqrt(weight)};
+  std::optional<SmoothedNodes> nodes;
+  for (; share < 1.0 && !objective.stopped(); share *= 64.0) {
+    SmoothingObjective weaker = objective;
+    weaker.lambda *= share;
+    nodes = with_minimisation(problem, weaker, nodes ? &*nodes : nullptr,
+                              [&](auto&& minimisation) { return minimisation.run(roughly).nodes; });
+  }
+  return nodes;
+}
+
+}  // namespace
+
+SmoothingFit fit_smoothing(const SmoothingProblem& problem, const SmoothingObjective& objective,
+                           const SmoothingIteration& iteration, const SmoothedNodes* start) {
+  if (!problem.positions.empty()) return fit_positions(problem, objective, iteration, start);
+  std::optional<SmoothedNodes> lead;
+  if (!start && objective.penalty == Penalty::jerk) {
+    lead = lead_to(problem, objective);
+    if (lead) start = &*lead;
+  }
+  return with_minimisation(problem, objective, start, [&](auto&& minimisation) { return minimisation.run(iteration); });
+}
+
+NodeSigmas node_sigmas(const SmoothingProblem& problem, const SmoothingObjective& objective,
+                       const SmoothedNodes& nodes) {
+  return with_minimisation(problem, objective, &nodes, [](auto&& minimisation) { return minimisation.sigmas(); });
+}
+
+double log_determinant(const SmoothingProblem& problem, const SmoothingObjective& objective,
+                       const SmoothedNodes& nodes) {
+  return with_minimisation(problem, objective, &nodes,
+                           [](auto&& minimisation) { return minimisation.log_determinant(); });
+}
 
 }}  // namespace orispline
