@@ -12,7 +12,7 @@
 #include <orispline/base/parallel.hpp>
 #include <orispline/base/quoted.hpp>
 #include <orispline/pages/skeleton_page.hpp>
-#include <orispline/reduce/clip_reduction_fields.hpp>
+#include <orispline/reduce/reduce_fields.hpp>
 #include <orispline/scenes/scene_file.hpp>
 #include <orispline/scenes/scene_tracks.hpp>
 

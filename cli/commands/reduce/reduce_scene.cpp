@@ -10,7 +10,6 @@
 #include <orispline/families/registry.hpp>
 #include <orispline/math/degrees.hpp>
 #include <orispline/pages/skeleton_page.hpp>
-#include <orispline/reduce/clip_reduction_fields.hpp>
 #include <orispline/reduce/reduce_fields.hpp>
 #include <orispline/scenes/scene_file.hpp>
 

@@ -5,7 +5,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 #include <orispline/math/degrees.hpp>
-#include <orispline/reduce/clip_reduction_fields.hpp>
+#include <orispline/reduce/reduce_fields.hpp>
 
 #include "output/summary.hpp"
 

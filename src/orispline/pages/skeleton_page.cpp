@@ -12,7 +12,7 @@
 #include <orispline/base/version.hpp>
 #include <orispline/math/degrees.hpp>
 #include <orispline/pages/clip_in_page.hpp>
-#include <orispline/reduce/clip_reduction_fields.hpp>
+#include <orispline/reduce/reduce_fields.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {
 

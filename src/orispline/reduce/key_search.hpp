@@ -37,4 +37,19 @@ struct Repair {
 [[nodiscard]] std::vector<std::size_t> missed_keys(const std::vector<std::size_t>& removed,
                                                    const std::vector<WorstSample>& worst);
 
+/// Few samples that are keys of a curve within the tolerance.
+///
+/// Insertion: in every round the worst sample of every segment that breaks the tolerance, from the two ends on. Then
+/// pruning: keys that the curve can do without are taken out. Then exchange: two keys for one, by taking out a key and
+/// moving its neighbours to other samples by fixed shares of the gap.
+[[nodiscard]] Expected<KeySet> selected_keys(const LocalMethod& method, const ToleranceCheck& recording);
+
+/// Takes out more keys where the rest can be moved so that the curve is within the tolerance again.
+///
+/// A key moves by the mean of what is missed around it, weighted by its hat function and by the squared miss
+/// (progressive iterative approximation: Deng and Lin, Computer-Aided Design 47, 2014, with weights of our own), which
+/// needs no derivatives. The times of the keys stay. The curve is within the tolerance before and after.
+[[nodiscard]] Expected<KeySet> with_keys_refitted(const LocalMethod& method, const ToleranceCheck& recording,
+                                                  KeySet keys);
+
 }}  // namespace orispline
