@@ -5,7 +5,6 @@
 
 #include <orispline/analysis/comparison_fields.hpp>
 #include <orispline/fields/typed_field.hpp>
-#include <orispline/reduce/clip_reduction_fields.hpp>
 #include <orispline/reduce/reduce_fields.hpp>
 #include <orispline/retime/retime_fields.hpp>
 #include <orispline/smooth/smooth_fields.hpp>

@@ -2,7 +2,7 @@
 // The second derivatives of an element of least energy against differences of its first ones.
 #include <gtest/gtest.h>
 
-#include <orispline/families/least_element.hpp>
+#include <orispline/families/least/element.hpp>
 #include <support/random_motion.hpp>
 #include <support/specimens.hpp>
 

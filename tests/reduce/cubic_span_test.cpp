@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include <orispline/clip/channel_curve.hpp>
-#include <orispline/reduce/cubic_samples.hpp>
+#include <orispline/reduce/cubic_keys.hpp>
 #include <reduce/recorded_walk.hpp>
 #include <support/specimens.hpp>
 

@@ -4,9 +4,9 @@
 
 #include <orispline/clip/channel_curve.hpp>
 #include <orispline/families/registry.hpp>
-#include <orispline/reduce/cubic_samples.hpp>
-#include <orispline/reduce/hermite_channel.hpp>
-#include <orispline/reduce/hermite_fit.hpp>
+#include <orispline/reduce/cubic_keys.hpp>
+#include <orispline/reduce/hermite_keys.hpp>
+#include <orispline/reduce/hermite_span.hpp>
 #include <reduce/recorded_walk.hpp>
 
 namespace orispline { namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // How far the search for few keys comes, and what its steps promise.
-#include <orispline/reduce/key_removal.hpp>
+#include <orispline/reduce/key_search.hpp>
 #include <orispline/reduce/span_reach.hpp>
 #include <reduce/recorded_walk.hpp>
 

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <orispline/scenes/gltf_container.hpp>
+#include <orispline/scenes/gltf/document.hpp>
 #include <orispline/scenes/scene_file.hpp>
 
 #include "io/text_file.hpp"

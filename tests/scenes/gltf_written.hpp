@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include <orispline/scenes/gltf_json.hpp>
+#include <orispline/scenes/gltf/json.hpp>
 
 #include "scenes/gltf_file.hpp"
 

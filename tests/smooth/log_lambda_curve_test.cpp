@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include <orispline/smooth/log_lambda_curve.hpp>
+#include <orispline/smooth/varying_lambda.hpp>
 #include <orispline/smooth/smoothing_trace.hpp>
 
 namespace orispline { namespace {

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <orispline/smooth/smooth_fields.hpp>
+#include <orispline/smooth/smoothing.hpp>
+#include <orispline/smooth/smoothing_result.hpp>
 
 #include "smooth/noisy_motion.hpp"
 

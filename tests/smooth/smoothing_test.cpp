@@ -4,6 +4,7 @@
 
 #include <orispline/math/so3.hpp>
 #include <orispline/smooth/smooth.hpp>
+#include <orispline/smooth/smoothing_choice.hpp>
 #include <orispline/smooth/smoothing_element.hpp>
 #include <orispline/smooth/smoothing_loss.hpp>
 #include <orispline/smooth/smoothing_noise.hpp>

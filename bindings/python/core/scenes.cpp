@@ -150,7 +150,7 @@ nb::tuple reduce_scene(const SharedScene& shared, const std::string& method, con
   options.closed = closed;
   options.precision = KeyPrecision::float32;  // whatever the format that the scene will be written in
   const scenes::Scene& before = *shared.scene;
-  if (before.format == &scenes::gltf_format) options.precision_before = KeyPrecision::float32;
+  if (before.format && before.format->holds_floats) options.precision_before = KeyPrecision::float32;
   auto reductions =
       interruptible([&](const Progress&) { return reduce_clips(before.skeleton, before.clips, options, threads); });
   scenes::Scene after = before;

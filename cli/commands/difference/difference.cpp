@@ -12,7 +12,7 @@
 #include <orispline/base/parallel.hpp>
 #include <orispline/base/quoted.hpp>
 #include <orispline/pages/skeleton_page.hpp>
-#include <orispline/reduce/clip_reduction_fields.hpp>
+#include <orispline/reduce/reduce_fields.hpp>
 #include <orispline/scenes/scene_file.hpp>
 #include <orispline/scenes/scene_tracks.hpp>
 
@@ -111,9 +111,6 @@ std::vector<std::string> notes_on(const DifferenceReport& report, std::optional<
   return notes;
 }
 
-/// glTF is in metres; BVH says nothing of them.
-bool is_in_metres(const scenes::Scene& scene) { return scene.format != &scenes::bvh_format; }
-
 Expected<scenes::Scene> opened(const std::string& path) {
   return scenes::read_scene(path).map([](scenes::Scene scene) {
     warn(scene.warnings);
@@ -148,9 +145,9 @@ Expected<void> difference(const DifferenceOptions& options) {
   if (!pairs) return tl::unexpected(pairs.error());
   const auto make_page = [&](auto head) {
     head.notes = notes_on(report, rate);
-    return pages::skeleton_page({report.first, first.skeleton, first.clips},
-                                {report.second, second.skeleton, second.clips}, *pairs,
-                                {.are_known = is_in_metres(first) && is_in_metres(second), .shell = shell}, head);
+    return pages::skeleton_page(
+        {report.first, first.skeleton, first.clips}, {report.second, second.skeleton, second.clips}, *pairs,
+        {.are_known = !first.format->has_no_unit && !second.format->has_no_unit, .shell = shell}, head);
   };
   return page->write(make_page)
       .and_then([&] { return print_document(options.json ? document(json_of(report)) : text_of(report)); })

@@ -2,7 +2,6 @@
 #include "commands/reduce/reduce_options.hpp"
 
 #include <orispline/base/formatted.hpp>
-#include <orispline/reduce/clip_reduction_fields.hpp>
 #include <orispline/reduce/reduce_fields.hpp>
 
 namespace orispline::cli {

@@ -10,7 +10,6 @@
 #include <orispline/families/registry.hpp>
 #include <orispline/math/degrees.hpp>
 #include <orispline/pages/skeleton_page.hpp>
-#include <orispline/reduce/clip_reduction_fields.hpp>
 #include <orispline/reduce/reduce_fields.hpp>
 #include <orispline/scenes/scene_file.hpp>
 
@@ -74,16 +73,16 @@ Expected<orispline::ClipReduceOptions> clip_reduction_in(const ReduceOptions& op
   });
 }
 
-/// A BVH file does not say in what its lengths are.
 Expected<double> metres_in(const ReduceOptions& options, const InputRequest& input) {
   if (options.position_scale) return positive_in({"--position-scale", *options.position_scale});
-  const bool has_no_unit = scene_format_of(input) == &scenes::bvh_format;
+  const scenes::SceneFormat* const format = scene_format_of(input);
   const bool bounds_world = is_given(options.scene, "world_tolerance");
-  if (!has_no_unit || !(bounds_world || is_given(options.reduction, "position_tolerance"))) return 1.0;
+  if (!format || !format->has_no_unit || !(bounds_world || is_given(options.reduction, "position_tolerance")))
+    return 1.0;
   return usage_failure(
-      formatted("{}: found a BVH file, which has no unit of length, wanted --position-scale as well, "
+      formatted("{}: found {}, which has no unit of length, wanted --position-scale as well, "
                 "such as 0.01 for centimetres",
-                bounds_world ? "--world-tolerance" : "--position-tolerance"));
+                bounds_world ? "--world-tolerance" : "--position-tolerance", format->file));
 }
 
 Expected<SceneRequest> scene_request_in(const ReduceOptions& options) {
@@ -156,7 +155,8 @@ Expected<void> reduce_scene(const ReduceOptions& options) {
   auto scene = open_scene(request->input);
   if (!scene) return tl::unexpected(std::move(scene.error()));
   warn(scene->warnings);
-  if (scene->format == &scenes::gltf_format) request->reduction.precision_before = orispline::KeyPrecision::float32;
+  const scenes::SceneFormat* const format = scene->format;  // null for keys of a table
+  if (format && format->holds_floats) request->reduction.precision_before = orispline::KeyPrecision::float32;
   auto reductions = orispline::reduce_clips(scene->skeleton, scene->clips, request->reduction, request->threads);
   if (!reductions) {
     reductions.error().where.file = options.input.path;
@@ -169,7 +169,7 @@ Expected<void> reduce_scene(const ReduceOptions& options) {
                            .skeleton = scene->skeleton,
                            .options = request->reduction,
                            .metres = request->metres,
-                           .unit = scene->format == &scenes::bvh_format && !options.position_scale ? "" : " m",
+                           .unit = format && format->has_no_unit && !options.position_scale ? "" : " m",
                            .reductions = *std::move(reductions),
                            .bytes_before = bytes_of(options.input.path)};
   const auto make_page = [&](const auto& head) {

@@ -5,7 +5,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 #include <orispline/math/degrees.hpp>
-#include <orispline/reduce/clip_reduction_fields.hpp>
+#include <orispline/reduce/reduce_fields.hpp>
 
 #include "output/summary.hpp"
 
@@ -47,18 +47,6 @@ std::string place_of(const ReduceSceneReport& report, const ClipReduction& reduc
                    worst.largest.time);
 }
 
-std::string tolerances_of(const orispline::ClipReduceOptions& options, double metres) {
-  std::string text;
-  const auto add = [&](double tolerance, double unit, std::string_view what) {
-    if (tolerance < std::numeric_limits<double>::infinity())
-      text += formatted("{}{:.6g}{}", text.empty() ? "" : ", ", tolerance * unit, what);
-  };
-  add(options.tolerance, degrees, "°");
-  add(options.position_tolerance, metres, " m of translations");
-  add(options.world_tolerance, metres, " m in the world");
-  return text;
-}
-
 std::string size_text(std::size_t bytes) {
   const bool is_large = bytes >= 1'000'000;
   return formatted("{:.3g} {}", static_cast<double>(bytes) * (is_large ? 1e-6 : 1e-3), is_large ? "MB" : "kB");
@@ -76,9 +64,9 @@ Json worst_json(const ReduceSceneReport& report, const ClipReduction* reduction,
 
 std::string text_of(const ReduceSceneReport& report) {
   const Totals totals(report.reductions);
-  std::string text =
-      formatted("{} from {}, tolerance {}, method {}\n", counted(report.reductions.size(), "clip"),
-                printable(report.input), tolerances_of(report.options, report.metres), report.options.method.name);
+  std::string text = formatted("{} from {}, tolerance {}, method {}\n", counted(report.reductions.size(), "clip"),
+                               printable(report.input), tolerance_text(report.options, report.metres, report.unit),
+                               report.options.method.name);
   if (totals.tracks > 0)
     text += formatted("rotations       {} of {} in {} of three keys and more ({:.1f} %)\n", totals.keys,
                       counted(totals.keys_before, "key"), counted(totals.tracks, "track"),

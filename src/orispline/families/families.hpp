@@ -18,7 +18,7 @@
 #include <orispline/families/global_c2.hpp>
 #include <orispline/families/hermite.hpp>
 #include <orispline/families/hermite_cumulative.hpp>
-#include <orispline/families/least.hpp>
+#include <orispline/families/least/least.hpp>
 #include <orispline/families/measured.hpp>
 #include <orispline/families/nu.hpp>
 #include <orispline/families/quintic.hpp>

@@ -12,6 +12,7 @@
 #include <orispline/base/version.hpp>
 #include <orispline/math/degrees.hpp>
 #include <orispline/pages/clip_in_page.hpp>
+#include <orispline/reduce/reduce_fields.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {
 
@@ -113,17 +114,6 @@ std::string keys_text(std::span<const ClipReduction> reductions) {
   return formatted("{} of {} of rotations", after, counted(before, "key"));
 }
 
-std::string tolerance_text(const ClipReduceOptions& options, const PageLengths& lengths) {
-  const std::string unit = lengths.are_known ? " m" : "";
-  std::vector<std::string> parts;
-  if (std::isfinite(options.tolerance)) parts.push_back(formatted("{:.6g}°", options.tolerance * degrees));
-  if (std::isfinite(options.position_tolerance))
-    parts.push_back(formatted("{:.6g}{} of translations", options.position_tolerance * lengths.metres, unit));
-  if (std::isfinite(options.world_tolerance))
-    parts.push_back(formatted("{:.6g}{} in the world", options.world_tolerance * lengths.metres, unit));
-  return joined(parts, ", ");
-}
-
 }  // namespace
 
 report::SkeletonPage skeleton_page(const NamedClips& before, const NamedClips& after, std::span<const ClipPair> pairs,
@@ -147,7 +137,9 @@ report::SkeletonPage reduced_clips_page(const NamedClips& before, std::string af
   report::SkeletonPage page =
       unscaled_page(before, {std::move(after), before.skeleton, clips}, pairs, lengths, head, threads);
   if (head.title.empty())
-    page.title = formatted("{} within {}: {}", page.before, tolerance_text(options, lengths), keys_text(reductions));
+    page.title =
+        formatted("{} within {}: {}", page.before,
+                  tolerance_text(options, lengths.metres, lengths.are_known ? " m" : ""), keys_text(reductions));
   page.notes.insert(page.notes.begin(), "Both motions are compared at every key of the input.");
   if (std::isfinite(options.tolerance)) page.angle_limit = options.tolerance * degrees;
   if (std::isfinite(options.world_tolerance)) page.distance_limit = options.world_tolerance;

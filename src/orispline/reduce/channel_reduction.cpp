@@ -11,8 +11,8 @@
 #include <orispline/clip/single_precision.hpp>
 #include <orispline/curve/key_alignment.hpp>
 #include <orispline/families/registry.hpp>
-#include <orispline/reduce/cubic_samples.hpp>
-#include <orispline/reduce/hermite_channel.hpp>
+#include <orispline/reduce/cubic_keys.hpp>
+#include <orispline/reduce/hermite_keys.hpp>
 #include <orispline/reduce/reduce.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {

@@ -13,7 +13,7 @@
 #include <orispline/families/method_text.hpp>
 #include <orispline/math/degrees.hpp>
 #include <orispline/reduce/channel_reduction.hpp>
-#include <orispline/reduce/hermite_channel.hpp>
+#include <orispline/reduce/hermite_keys.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 

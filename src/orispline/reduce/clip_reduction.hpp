@@ -7,13 +7,18 @@
 
 #include <orispline/clip/clip_difference.hpp>
 #include <orispline/curve/method.hpp>
-#include <orispline/reduce/between_samples.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// The method of clips that joins keys by cubic polynomials of the components with tangents of their own on either side
 /// of a key: glTF's CUBICSPLINE.
 inline constexpr std::string_view cubicspline_method = "cubicspline";
+
+/// What the motion between the samples of a recording is taken to be.
+enum class BetweenSamples {
+  smooth,  ///< the curve `auto` through all samples
+  stored   ///< what the channel says: its own interpolation
+};
 
 /// The numbers of the keys, as the file that they are for holds them.
 enum class KeyPrecision { float64, float32 };

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <orispline/clip/channel.hpp>
+#include <orispline/reduce/clip_reduction.hpp>
 #include <orispline/reduce/cubic_span.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -30,5 +31,16 @@ template <CurvePoint P>
 
 extern template Channel<Eigen::Quaterniond> fewest_cubics(const CubicSamples<Eigen::Quaterniond>&, double, bool);
 extern template Channel<Eigen::Vector3d> fewest_cubics(const CubicSamples<Eigen::Vector3d>&, double, bool);
+
+/// The keys of a channel as samples, and three points between two of them. A `cubicspline` is its own motion in any
+/// case.
+///
+/// A fit of as many unknowns as samples would swing between them; the points hold it. `auto` predicts left-out frames
+/// of recorded animation better than their chords do (docs/skeletons.md). Precondition: two keys at least.
+template <CurvePoint P>
+[[nodiscard]] CubicSamples<P> cubic_samples(const Channel<P>& channel, BetweenSamples between);
+
+extern template CubicSamples<Eigen::Quaterniond> cubic_samples(const Channel<Eigen::Quaterniond>&, BetweenSamples);
+extern template CubicSamples<Eigen::Vector3d> cubic_samples(const Channel<Eigen::Vector3d>&, BetweenSamples);
 
 }}  // namespace orispline

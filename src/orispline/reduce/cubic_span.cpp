@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include <orispline/curve/key_alignment.hpp>
-#include <orispline/reduce/hermite_basis.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 

@@ -13,6 +13,18 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 template <CurvePoint P>
 using Components = std::conditional_t<std::same_as<P, Eigen::Quaterniond>, Eigen::Vector4d, Eigen::Vector3d>;
 
+/// The cubic Hermite basis at a local time u in [0, 1]: what the ends count for, and the derivatives there times the
+/// length of the piece.
+struct HermiteBasis {
+  double start, leaving, arriving, end;
+};
+
+[[nodiscard]] constexpr HermiteBasis hermite_basis(double u) noexcept {
+  const double v = 1.0 - u;
+  return {
+      .start = v * v * (1.0 + 2.0 * u), .leaving = u * v * v, .arriving = -u * u * v, .end = u * u * (1.0 + 2.0 * v)};
+}
+
 /// Misses farther than this many tolerances are not brought within it by weights.
 inline constexpr double beyond_weights = 2.0;
 
@@ -63,7 +75,7 @@ class CubicSpans {
  private:
   class Fit;
 
-  /// The same by every so many-th target.
+  /// within() by every so many-th target.
   [[nodiscard]] std::optional<CubicTangents<P>> within(std::size_t i, std::size_t j, const GivenTangents<P>& given,
                                                        std::size_t every) const;
   /// Whether that cubic holds all between.

@@ -2,19 +2,84 @@
 #include <orispline/reduce/fewest_geodesics.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <numbers>
 #include <utility>
+#include <vector>
 
+#include <orispline/base/abi.hpp>
 #include <orispline/reduce/feasible_rates.hpp>
 #include <orispline/reduce/span_check.hpp>
 #include <orispline/reduce/span_reach.hpp>
-#include <orispline/reduce/span_targets.hpp>
-#include <orispline/reduce/spans_to_end.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
 namespace {
+
+/// Samples that no chain has reached yet, each with the first sample from which a span to it may begin.
+class SpanTargets {
+ public:
+  explicit SpanTargets(const std::vector<std::size_t>& earliest) : leaves_(std::bit_ceil(earliest.size())) {
+    earliest_.assign(2 * leaves_, none);
+    std::copy(earliest.begin(), earliest.end(), earliest_.begin() + static_cast<std::ptrdiff_t>(leaves_));
+    for (std::size_t node = leaves_; node-- > 1;) update(node);
+  }
+
+  /// The first one from sample k on to which a span from sample i may go; `none` where there is none.
+  [[nodiscard]] std::size_t next(std::size_t i, std::size_t k) const {
+    if (k >= leaves_) return none;
+    std::size_t node = leaves_ + k;
+    while (earliest_[node] > i) {
+      while (node % 2 == 1) node /= 2;
+      if (node == 0) return none;
+      ++node;
+    }
+    while (node < leaves_) {
+      node *= 2;
+      if (earliest_[node] > i) ++node;
+    }
+    return node - leaves_;
+  }
+  void remove(std::size_t k) {
+    earliest_[leaves_ + k] = none;
+    for (std::size_t node = (leaves_ + k) / 2; node > 0; node /= 2) update(node);
+  }
+
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+ private:
+  void update(std::size_t node) { earliest_[node] = std::min(earliest_[2 * node], earliest_[2 * node + 1]); }
+
+  std::size_t leaves_;
+  std::vector<std::size_t> earliest_;  ///< a tree of minima: node n has the children 2n and 2n + 1
+};
+
+/// How many spans a chain from a sample to the last one has at least. Later samples never have more.
+class SpansToEnd {
+ public:
+  /// From the last sample that a span from each sample may reach.
+  explicit SpansToEnd(std::vector<std::size_t> farthest);
+
+  [[nodiscard]] std::size_t at_least(std::size_t sample) const { return spans_[sample]; }
+  /// The first sample from which that many spans may be enough.
+  [[nodiscard]] std::size_t first_within(std::size_t spans) const;
+
+ private:
+  std::vector<std::size_t> spans_;
+};
+
+SpansToEnd::SpansToEnd(std::vector<std::size_t> farthest) : spans_(farthest.size(), 0) {
+  for (std::size_t i = 1; i < farthest.size(); ++i) farthest[i] = std::max(farthest[i], farthest[i - 1]);
+  for (std::size_t i = farthest.size() - 1; i-- > 0;) spans_[i] = 1 + spans_[farthest[i]];
+}
+
+std::size_t SpansToEnd::first_within(std::size_t spans) const {
+  const auto first = std::ranges::partition_point(spans_, [spans](std::size_t n) { return n > spans; });
+  return static_cast<std::size_t>(first - spans_.begin());
+}
 
 class Chains {
  public:

@@ -11,11 +11,10 @@
 #include <orispline/families/recipe.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/families/slerp.hpp>
-#include <orispline/reduce/cubic_samples.hpp>
+#include <orispline/reduce/cubic_keys.hpp>
 #include <orispline/reduce/fewest_geodesics.hpp>
-#include <orispline/reduce/hermite_channel.hpp>
-#include <orispline/reduce/key_refit.hpp>
-#include <orispline/reduce/key_selection.hpp>
+#include <orispline/reduce/hermite_keys.hpp>
+#include <orispline/reduce/key_search.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 

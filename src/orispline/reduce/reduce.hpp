@@ -2,16 +2,35 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <limits>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include <orispline/analysis/distance.hpp>
 #include <orispline/base/progress.hpp>
+#include <orispline/curve/method.hpp>
 #include <orispline/curve/track.hpp>
-#include <orispline/reduce/tolerance_check.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
+
+/// How far a curve may be from every sample of a recording.
+struct Tolerance {
+  double angle;                                               ///< of the rotation from one to the other [rad]
+  double position = std::numeric_limits<double>::infinity();  ///< distance [m]
+
+  [[nodiscard]] bool bounds_positions() const noexcept { return position < std::numeric_limits<double>::infinity(); }
+};
+
+/// How far a curve is from the samples of a recording, at the worst of them.
+struct Deviation {
+  double angle = 0.0;                ///< [rad]
+  std::size_t angle_at = 0;          ///< index of the sample
+  std::optional<double> position{};  ///< [m]; absent where the recording has no positions
+  std::size_t position_at = 0;       ///< index of the sample
+};
 
 /// What may become of the keys that are chosen among the samples.
 enum class KeyValues {
@@ -63,7 +82,7 @@ inline constexpr std::array<std::string_view, 3> reducing_methods{"auto", "timed
                                                                         const Keyframes& samples,
                                                                         std::span<const std::size_t> left_out = {});
 
-/// The same of positions [m]. Precondition: the keys and the samples have some.
+/// How far the curve is from the positions of samples [m], likewise. Precondition: the keys and the samples have some.
 [[nodiscard]] ORISPLINE_EXPORT Expected<DistanceStatistics> position_distance_of(
     const Reduction& reduction, const Keyframes& samples, std::span<const std::size_t> left_out = {});
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <limits>
-#include <optional>
 #include <vector>
 
 #include <orispline/base/expected.hpp>
@@ -11,6 +9,7 @@
 #include <orispline/curve/method.hpp>
 #include <orispline/curve/pose_curve.hpp>
 #include <orispline/math/so3.hpp>
+#include <orispline/reduce/reduce.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -22,22 +21,6 @@ inline constexpr double angle_rounding = 4e-15;
   if (from.dot(to) < 0.0) to.coeffs() = -to.coeffs();
   return increment<double>(from, to);
 }
-
-/// How far a curve may be from every sample of a recording.
-struct Tolerance {
-  double angle;                                               ///< of the rotation from one to the other [rad]
-  double position = std::numeric_limits<double>::infinity();  ///< distance [m]
-
-  [[nodiscard]] bool bounds_positions() const noexcept { return position < std::numeric_limits<double>::infinity(); }
-};
-
-/// How far a curve is from the samples of a recording, at the worst of them.
-struct Deviation {
-  double angle = 0.0;                ///< [rad]
-  std::size_t angle_at = 0;          ///< index of the sample
-  std::optional<double> position{};  ///< [m]; absent where the recording has no positions
-  std::size_t position_at = 0;       ///< index of the sample
-};
 
 /// Keys at some times of a recording, the first and the last among them.
 struct KeySet {
@@ -63,7 +46,7 @@ struct Miss {
 };
 
 /// A recording that curves are measured against: steps between keys go the shorter way. Refers to its samples.
-class ORISPLINE_EXPORT ToleranceCheck {
+class ToleranceCheck {
  public:
   ToleranceCheck(const Keyframes& samples, Tolerance tolerance, OpenEndedWork& work);
   ToleranceCheck(Keyframes&&, Tolerance, OpenEndedWork&) = delete;
@@ -101,7 +84,6 @@ class ORISPLINE_EXPORT ToleranceCheck {
 };
 
 /// The worst sample of every segment, the keys' own samples among them.
-[[nodiscard]] ORISPLINE_EXPORT std::vector<WorstSample> worst_of_segments(const KeySet& keys,
-                                                                          const std::vector<Miss>& misses);
+[[nodiscard]] std::vector<WorstSample> worst_of_segments(const KeySet& keys, const std::vector<Miss>& misses);
 
 }}  // namespace orispline

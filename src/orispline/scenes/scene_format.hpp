@@ -41,6 +41,8 @@ struct ORISPLINE_EXPORT SceneFormat {
   std::string_view file;                           ///< with its article: `a BVH file`
   std::string_view summary;                        ///< what it is, in a few words
   std::span<const std::string_view> extensions{};  ///< in small letters, with their dots
+  bool has_no_unit = false;   ///< its files do not say in what their lengths are; others: in metres
+  bool holds_floats = false;  ///< times and values are in single precision
 
   /// From the bytes of a file; the path is for messages and for files beside it. Errors name the file, and the line or
   /// clip, joint and key: bad_data, bad_access.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/smooth/position_fit.hpp>
+#include <orispline/smooth/smoothing.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -6,14 +6,9 @@
 
 #include <orispline/base/progress.hpp>
 #include <orispline/math/eigen.hpp>
+#include <orispline/smooth/smooth.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
-
-/// What a smoothing curve keeps small.
-enum class Penalty {
-  acceleration,  ///< ∫|α|² dt [rad²/s³]
-  jerk,          ///< ∫|dα/dt|² dt [rad²/s⁵]
-};
 
 /// The order p of the penalty: that of the highest derivative of the orientation in it.
 [[nodiscard]] constexpr int order_of(Penalty penalty) noexcept { return penalty == Penalty::acceleration ? 2 : 3; }
@@ -60,15 +55,6 @@ struct SmoothingIteration {
   int most = 60;            ///< steps
 };
 
-/// The unknowns: orientations and body rates, or positions, at the times of the recording.
-struct SmoothedNodes {
-  std::vector<Eigen::Quaterniond> orientations{};
-  std::vector<Eigen::Vector3d> angular_velocities{};     ///< [rad/s]
-  std::vector<Eigen::Vector3d> angular_accelerations{};  ///< [rad/s²]
-  std::vector<Eigen::Vector3d> positions{};
-  Eigen::Vector3d gyro_correction = Eigen::Vector3d::Zero();  ///< b [rad/s]: the gyro, b added, has no bias
-};
-
 /// The minimum and what is known about it.
 struct SmoothingFit {
   SmoothedNodes nodes{};
@@ -94,24 +80,22 @@ struct SmoothingFit {
 ///
 /// `start`: the fit of a similar problem at the same times. Precondition: as many weights as times, at least p of them
 /// positive, and likewise for the gyro where there is one.
-[[nodiscard]] ORISPLINE_EXPORT SmoothingFit fit_smoothing(const SmoothingProblem& problem,
-                                                          const SmoothingObjective& objective,
-                                                          const SmoothingIteration& iteration = {},
-                                                          const SmoothedNodes* start = nullptr);
+[[nodiscard]] SmoothingFit fit_smoothing(const SmoothingProblem& problem, const SmoothingObjective& objective,
+                                         const SmoothingIteration& iteration = {},
+                                         const SmoothedNodes* start = nullptr);
 
-/// What the samples leave open of nodes: one standard deviation along each axis of the body.
-struct NodeSigmas {
-  std::vector<Eigen::Vector3d> orientations{};        ///< [rad], of a turn about that axis
-  std::vector<Eigen::Vector3d> angular_velocities{};  ///< [rad/s]
-};
+/// fit_smoothing() of positions, in their unit: the smoothing spline of degree 2p-1 by block QR from node to node, with
+/// iterated weights for the loss. Of `start` the positions are taken.
+[[nodiscard]] SmoothingFit fit_positions(const SmoothingProblem& problem, const SmoothingObjective& objective,
+                                         const SmoothingIteration& iteration, const SmoothedNodes* start);
 
 /// Of a fit of orientations, by Laplace's method: from the inverse of the normal matrix at the fit, with the weights
 /// that the loss leaves, where 1/σ² are the weights of samples and λ that of the motion. Linear time.
-[[nodiscard]] ORISPLINE_EXPORT NodeSigmas node_sigmas(const SmoothingProblem& problem,
-                                                      const SmoothingObjective& objective, const SmoothedNodes& nodes);
+[[nodiscard]] NodeSigmas node_sigmas(const SmoothingProblem& problem, const SmoothingObjective& objective,
+                                     const SmoothedNodes& nodes);
 
 /// log det of the normal matrix at a fit, with the weights that the loss leaves.
-[[nodiscard]] ORISPLINE_EXPORT double log_determinant(const SmoothingProblem& problem,
-                                                      const SmoothingObjective& objective, const SmoothedNodes& nodes);
+[[nodiscard]] double log_determinant(const SmoothingProblem& problem, const SmoothingObjective& objective,
+                                     const SmoothedNodes& nodes);
 
 }}  // namespace orispline

@@ -9,80 +9,57 @@
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
-/// How the weight of the penalty is chosen where nobody states it.
-enum class SmoothingCriterion {
-  gcv,   ///< generalised cross-validation (Craven and Wahba 1979): the noise may be unknown
-  ubre,  ///< unbiased risk estimate (Mallows' C_p): the noise is what the weights say
-  reml,  ///< restricted likelihood by Laplace's method: likewise, and for the gyro too
-};
-
 /// λ of a smoothing time τ [s]: the smoother's gain at the frequency f is 1/(1 + (2π f τ)^2p), one half at 1/(2π τ).
 /// `noise`: σ per axis, in the unit of the samples; `interval`: between samples [s].
-[[nodiscard]] ORISPLINE_EXPORT double lambda_of(double smoothing_time, Penalty penalty, double noise, double interval);
-[[nodiscard]] ORISPLINE_EXPORT double smoothing_time_of(double lambda, Penalty penalty, double noise, double interval);
+[[nodiscard]] double lambda_of(double smoothing_time, Penalty penalty, double noise, double interval);
+[[nodiscard]] double smoothing_time_of(double lambda, Penalty penalty, double noise, double interval);
 
 /// The stretches of a recording, which share λ and no motion.
 using StretchProblems = std::vector<SmoothingProblem>;
 
 /// Fits of all stretches.
-struct ORISPLINE_EXPORT StretchFits {
+struct StretchFits {
   std::vector<SmoothingFit> fits{};
 
   [[nodiscard]] double data() const noexcept;
 };
 
 /// Fits every stretch. `start`: fits of the same stretches, or none.
-[[nodiscard]] ORISPLINE_EXPORT StretchFits fit_stretches(const StretchProblems& stretches,
-                                                         const SmoothingObjective& objective,
-                                                         const SmoothingIteration& iteration = {},
-                                                         const StretchFits& start = {});
+[[nodiscard]] StretchFits fit_stretches(const StretchProblems& stretches, const SmoothingObjective& objective,
+                                        const SmoothingIteration& iteration = {}, const StretchFits& start = {});
 
 /// Whether the last steps moved no node by more than the noise.
-[[nodiscard]] ORISPLINE_EXPORT bool converged(const StretchFits& fits, double noise);
+[[nodiscard]] bool converged(const StretchFits& fits, double noise);
 
 /// Times with an orientation that counts.
-[[nodiscard]] ORISPLINE_EXPORT std::size_t observations(const StretchProblems& stretches);
+[[nodiscard]] std::size_t observations(const StretchProblems& stretches);
 
 /// The trace of the hat matrix per axis, over all stretches, with the weights that the loss leaves.
-[[nodiscard]] ORISPLINE_EXPORT double hat_trace(const StretchProblems& stretches, const StretchFits& fits,
-                                                Penalty penalty, double lambda);
+[[nodiscard]] double hat_trace(const StretchProblems& stretches, const StretchFits& fits, Penalty penalty,
+                               double lambda);
 
 /// The weights of the samples that the loss leaves at a fit.
-[[nodiscard]] ORISPLINE_EXPORT std::vector<double> weights_left(const SmoothingProblem& problem,
-                                                                const SmoothingFit& fit);
+[[nodiscard]] std::vector<double> weights_left(const SmoothingProblem& problem, const SmoothingFit& fit);
 
 /// What is to be least; by REML one λ for all intervals is meant.
-[[nodiscard]] ORISPLINE_EXPORT double criterion_value(const StretchProblems& stretches, const StretchFits& fits,
-                                                      SmoothingCriterion criterion,
-                                                      const SmoothingObjective& objective);
+[[nodiscard]] double criterion_value(const StretchProblems& stretches, const StretchFits& fits,
+                                     SmoothingCriterion criterion, const SmoothingObjective& objective);
 
 /// The longest τ that is to be trusted [s]: beyond it rounding spoils the fit, and no motion is left to find.
-[[nodiscard]] ORISPLINE_EXPORT double longest_smoothing_time(const StretchProblems& stretches, double interval);
-
-/// λ of least criterion.
-struct LambdaChoice {
-  double lambda = 0.0;
-  enum class Edge {
-    none,
-    shortest,  ///< the least value stands at the shortest smoothing time: hardly any noise, or no motion to tell it
-               ///< from
-    longest,   ///< it stands at the longest one: as good as no motion
-  } edge = Edge::none;
-};
+[[nodiscard]] double longest_smoothing_time(const StretchProblems& stretches, double interval);
 
 /// Scans τ upward from half the interval until the criterion has risen for two steps of 1.3², looks about the least
 /// value in steps of 1.3 and refines it by a parabola in log τ. `noise`, `interval`: as of lambda_of(). The objective's
 /// λ is not used. Where `near` is given the scan goes from that τ downhill.
-[[nodiscard]] ORISPLINE_EXPORT LambdaChoice chosen_lambda(const StretchProblems& stretches,
-                                                          const SmoothingObjective& objective,
-                                                          SmoothingCriterion criterion, double noise, double interval,
-                                                          std::optional<double> near = std::nullopt);
+[[nodiscard]] LambdaChoice chosen_lambda(const StretchProblems& stretches, const SmoothingObjective& objective,
+                                         SmoothingCriterion criterion, double noise, double interval,
+                                         std::optional<double> near = std::nullopt);
 
 /// Parts of the stretches, evenly spread, with `most` times altogether, or a little more; the stretches themselves
 /// where they have no more: for a choice of λ that need not see everything.
-[[nodiscard]] ORISPLINE_EXPORT StretchProblems representative_parts(const StretchProblems& stretches, std::size_t most);
+[[nodiscard]] StretchProblems representative_parts(const StretchProblems& stretches, std::size_t most);
 
 /// About how many steps of the iteration, each times its samples, the choice on so many of them and the fits take.
-[[nodiscard]] ORISPLINE_EXPORT double expected_work(std::size_t samples, std::size_t most_of_choice) noexcept;
+[[nodiscard]] double expected_work(std::size_t samples, std::size_t most_of_choice) noexcept;
 
 }}  // namespace orispline

@@ -6,8 +6,8 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/math/median.hpp>
-#include <orispline/smooth/smoothing_adaptation.hpp>
 #include <orispline/smooth/smoothing_outliers.hpp>
+#include <orispline/smooth/varying_lambda.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 

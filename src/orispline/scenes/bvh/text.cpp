@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/scenes/bvh/text.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include <orispline/base/formatted.hpp>
+#include <orispline/base/quoted.hpp>
+#include <orispline/io/text_table.hpp>
+
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::bvh {
+
+namespace {
+
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+bool is_blank(char c) noexcept { return c == ' ' || ('\t' <= c && c <= '\r'); }
+bool is_brace(char c) noexcept { return c == '{' || c == '}'; }
+char small(char c) noexcept { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; }
+
+constexpr double greatest_length = 1e100;  // so that squares and sums of them are finite
+constexpr double greatest_angle = 1e9;     // [°], beyond which little is left of the fraction of a turn
+
+Expected<double> number_below(double limit, const Text& text, std::string_view word) {
+  if (word.empty()) return text.refused(word, "a number");
+  const Expected<double> number = io::number_of(word);
+  if (!number) return text.fault(number.error().message);
+  if (!std::isfinite(*number)) return text.refused(word, "a finite number");
+  if (std::abs(*number) > limit) return text.refused(word, formatted("a number of at most {:g} in size", limit));
+  return *number;
+}
+
+/// The bytes of the character that a text begins with; 0 where it is no UTF-8.
+std::size_t character_bytes(std::string_view text) noexcept {
+  const auto at = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned first = at(0);
+  if (first < 0x80) return 1;
+  const std::size_t bytes = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+  if (first < 0xC2 || first > 0xF4 || text.size() < bytes) return 0;
+  for (std::size_t i = 1; i < bytes; ++i)
+    if ((at(i) & 0xC0u) != 0x80u) return 0;
+  const bool is_overlong = (first == 0xE0 && at(1) < 0xA0) || (first == 0xF0 && at(1) < 0x90);
+  const bool is_surrogate = first == 0xED && at(1) >= 0xA0, is_beyond = first == 0xF4 && at(1) >= 0x90;
+  return is_overlong || is_surrogate || is_beyond ? 0 : bytes;
+}
+
+}  // namespace
+
+bool is_word(std::string_view word, std::string_view keyword) noexcept {
+  return std::ranges::equal(word, keyword, {}, small, small);
+}
+
+Text::Text(std::string_view bytes, const std::string& path) : bytes_(bytes), path_(&path) {
+  if (bytes_.starts_with(byte_order_mark)) bytes_.remove_prefix(byte_order_mark.size());
+}
+
+void Text::skip_blanks() noexcept {
+  for (; at_ < bytes_.size() && is_blank(bytes_[at_]); ++at_) {
+    const bool is_lone_return = bytes_[at_] == '\r' && !(at_ + 1 < bytes_.size() && bytes_[at_ + 1] == '\n');
+    if (bytes_[at_] == '\n' || is_lone_return) ++line_;
+  }
+}
+
+std::string_view Text::next() noexcept {
+  skip_blanks();
+  begin_ = at_;
+  if (at_ < bytes_.size() && is_brace(bytes_[at_])) return bytes_.substr(at_++, 1);
+  while (at_ < bytes_.size() && !is_blank(bytes_[at_]) && !is_brace(bytes_[at_])) ++at_;
+  return bytes_.substr(begin_, at_ - begin_);
+}
+
+std::string_view Text::rest_of_line() noexcept {
+  const auto ends = [](char c) { return c == '\n' || c == '\r' || is_brace(c); };
+  const auto rest = bytes_.substr(at_);
+  std::string_view line(rest.begin(), std::ranges::find_if(rest, ends));
+  at_ += line.size();
+  while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
+  while (!line.empty() && is_blank(line.back())) line.remove_suffix(1);
+  return line;
+}
+
+bool Text::take(std::string_view word) noexcept {
+  if (!is_word(bytes_.substr(at_, word.size()), word)) return false;
+  at_ += word.size();
+  return true;
+}
+
+Expected<void> Text::label(std::string_view first, std::string_view second) {
+  skip_blanks();
+  const auto before = at_;
+  bool found = take(first);
+  if (found && !second.empty()) {
+    skip_blanks();
+    found = take(second);
+  }
+  if (!found) {
+    at_ = before;
+    return refused(next(), formatted("{}{}{}:", first, second.empty() ? "" : " ", second));
+  }
+  skip_blanks();
+  take(":");
+  return {};
+}
+
+tl::unexpected<Error> Text::refused(std::string_view word, std::string_view wanted) const {
+  return fault(formatted("found {}, wanted {}", word.empty() ? "the end of the file" : in_quotes(word), wanted));
+}
+
+tl::unexpected<Error> Text::fault(std::string message) const {
+  return failure(ErrorCode::bad_data, std::move(message), {.file = *path_, .line = line_});
+}
+
+Expected<double> number_of_length(const Text& text, std::string_view word) {
+  return number_below(greatest_length, text, word);
+}
+
+Expected<double> number_of_degrees(const Text& text, std::string_view word) {
+  return number_below(greatest_angle, text, word);
+}
+
+Expected<std::size_t> whole_number(const Text& text, std::string_view word, std::string_view wanted) {
+  std::size_t number = 0;
+  const auto [end, status] = std::from_chars(word.data(), word.data() + word.size(), number);
+  if (status != std::errc() || end != word.data() + word.size()) return text.refused(word, wanted);
+  return number;
+}
+
+std::string text_of_unicode(std::string_view name) {
+  std::string text;
+  while (!name.empty()) {
+    const std::size_t bytes = character_bytes(name);
+    if (bytes == 0) text += "\xEF\xBF\xBD";
+    else text += name.substr(0, bytes);
+    name.remove_prefix(std::max<std::size_t>(bytes, 1));
+  }
+  return text;
+}
+
+}}}  // namespace orispline::scenes::bvh

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <orispline/base/expected.hpp>
+#include <orispline/base/warning.hpp>
+#include <orispline/clip/channel.hpp>
+#include <orispline/clip/clip.hpp>
+#include <orispline/clip/skeleton.hpp>
+#include <orispline/scenes/gltf/json.hpp>
+#include <orispline/scenes/scene_format.hpp>
+
+namespace orispline { inline namespace ORISPLINE_ABI { namespace scenes::gltf {
+
+/// The parts of a file: a GLB has both, a .gltf is all document.
+struct Container {
+  std::string_view json{};
+  std::optional<std::string_view> binary{};
+};
+
+/// Views of the bytes, told apart by their first four. Errors (bad_data): a header or a chunk that is not whole.
+[[nodiscard]] Expected<Container> container_of(std::string_view bytes);
+
+/// A GLB. Errors (bad_data): more bytes than it can state.
+[[nodiscard]] Expected<std::string> glb_of(std::string_view json, std::string_view binary);
+
+[[nodiscard]] std::string base64_of(std::string_view bytes);
+
+/// A stretch of the binary.
+struct View {
+  std::size_t offset = 0, length = 0;
+  std::size_t stride = 0;  ///< from element to element; 0 where they follow each other
+};
+
+/// A document whose buffers are merged into one.
+struct Document {
+  Json json = Json::object();  ///< an object, whose lists of bufferViews, accessors, nodes and animations are lists
+  std::string binary{};
+  std::vector<std::optional<View>> views{};  ///< each within the binary; none where the buffer has no data
+
+  [[nodiscard]] Object root() const { return Object::of(json, "").value(); }
+};
+
+/// Reads the document of a file with its buffers, also those in files beside it.
+///
+/// Errors: bad_data; bad_access for a file beside it.
+[[nodiscard]] Expected<Document> document_of(std::string_view bytes, const std::string& path);
+
+/// Required extensions that are not known to leave nodes, animations and buffers alone. Errors (bad_data): one that is
+/// known not to.
+[[nodiscard]] Expected<std::vector<Warning>> extension_warnings(const Document& document);
+
+/// The nodes of a document as joints.
+struct Nodes {
+  Skeleton skeleton{};
+  std::vector<std::size_t> node_of_joint{}, joint_of_node{};
+};
+
+/// Errors (bad_data): nodes in a circle or of two parents; a pose that is no translation, rotation and scale.
+[[nodiscard]] Expected<Nodes> nodes_of(const Document& document);
+
+/// A node with a pose in parts, without those that say nothing.
+[[nodiscard]] Json with_pose(Json node, const JointPose& pose);
+
+/// What is wrong with the norm of a quaternion of a file, where values are rounded to a few digits; empty if nothing
+/// is.
+[[nodiscard]] std::string norm_fault(double norm);
+
+/// All that the file of a scene holds, with the node of each joint.
+class Source final : public SceneSource {
+ public:
+  Source(Document document, Nodes nodes, SceneReading reading)
+      : document_(std::move(document)), nodes_(std::move(nodes)), reading_(reading) {}
+
+  [[nodiscard]] const Document& document() const noexcept { return document_; }
+  [[nodiscard]] const Nodes& nodes() const noexcept { return nodes_; }
+  [[nodiscard]] const SceneReading& reading() const noexcept { return reading_; }
+
+ private:
+  Document document_;
+  Nodes nodes_;
+  SceneReading reading_;
+};
+
+/// A document without animations for a skeleton that no glTF file had, one node per joint.
+[[nodiscard]] Source made_source(const Skeleton& skeleton, const SceneWriting& writing);
+
+enum class ComponentType { i8 = 5120, u8 = 5121, i16 = 5122, u16 = 5123, u32 = 5125, f32 = 5126 };
+
+/// Elements that replace those of an accessor.
+struct Sparse {
+  std::size_t count = 0, indices = 0, values = 0;  ///< `indices` and `values` begin there in the binary
+  ComponentType index_type = ComponentType::u32;
+};
+
+/// Where the elements of an accessor lie. What one that accessor_of() gives refers to is within the binary.
+struct Accessor {
+  std::size_t count = 0, components = 1;
+  ComponentType type = ComponentType::f32;
+  bool is_normalised = false;
+  bool is_strided = false;              ///< whether its view states a stride
+  std::optional<std::size_t> offset{};  ///< of its first element in the binary; none where all are zero
+  std::size_t element_size = 0, stride = 0;
+  std::optional<Sparse> sparse{};
+
+  [[nodiscard]] std::size_t extent() const noexcept { return count == 0 ? 0 : stride * (count - 1) + element_size; }
+};
+
+/// Checked against its views. Errors (bad_data) name the accessor.
+[[nodiscard]] Expected<Accessor> accessor_of(const Document& document, std::size_t index);
+
+/// What the sampler of an animation holds: per key a value, of splines a tangent, a value and a tangent.
+struct SamplerKeys {
+  ChannelInterpolation interpolation = ChannelInterpolation::linear;
+  std::vector<double> times{};
+  std::vector<double> outputs{};
+  std::vector<std::string> strided{};  ///< accessors whose elements do not follow each other, by name
+
+  [[nodiscard]] std::size_t size() const noexcept { return times.size(); }
+};
+
+/// How many numbers one value has, with the word of glTF.
+struct ValueType {
+  std::string_view word;
+  std::size_t components;
+};
+inline constexpr ValueType quaternion_type{"VEC4", 4}, vector_type{"VEC3", 3};
+
+/// The keys of a sampler; `most`: how many there may be. Errors (bad_data): accessors that do not fit each other, times
+/// that do not rise.
+[[nodiscard]] Expected<SamplerKeys> sampler_keys(const Document& document, const Object& sampler, const ValueType& type,
+                                                 const SceneReading& reading, std::size_t most);
+
+enum class Norm { one, as_in_file };
+
+/// The channel; rotations are normalised, with their tangents in proportion, unless they are to be as in the file.
+///
+/// Errors (bad_data): a number that is not finite, a quaternion far from norm 1.
+template <CurvePoint P>
+[[nodiscard]] Expected<Channel<P>> channel_of(const SamplerKeys& keys, std::size_t joint, Norm norm = Norm::one);
+
+/// What a channel of ours moves, by the words of glTF.
+enum class Property { rotation, translation, scale };
+[[nodiscard]] std::string_view word_of(Property property) noexcept;
+/// Of that word; absent for what is not ours, such as weights.
+[[nodiscard]] std::optional<Property> property_of(std::string_view word) noexcept;
+
+/// A channel of an animation. One that moves something else, such as weights, has no target here and is passed on.
+struct ChannelTarget {
+  std::size_t node = 0;
+  Property property = Property::rotation;
+};
+struct AnimationChannel {
+  std::size_t sampler = 0;
+  std::optional<ChannelTarget> target{};
+};
+
+/// The object of an animation; it was read before, or its errors are bad_data.
+[[nodiscard]] Expected<Object> animation_of(const Document& document, std::size_t animation);
+/// `animation 3` where it has no name.
+[[nodiscard]] Expected<std::string> animation_name(const Object& animation, std::size_t index);
+[[nodiscard]] Expected<std::vector<AnimationChannel>> animation_channels(const Document& document,
+                                                                         const Object& animation);
+
+/// Reads the animations of a document one by one.
+class AnimationReader {
+ public:
+  AnimationReader(const Document& document, const Nodes& nodes, const SceneReading& reading)
+      : document_(document), nodes_(nodes), reading_(reading) {}
+
+  /// Errors (bad_data) name the clip, and the joint and the key where there are any.
+  [[nodiscard]] Expected<Clip> next();
+
+  /// Of the animations that were read.
+  [[nodiscard]] std::vector<Warning> warnings() const;
+
+ private:
+  [[nodiscard]] Expected<Clip> with(Clip clip, const Object& sampler, const ChannelTarget& target);
+  [[nodiscard]] Expected<SamplerKeys> keys_of(const Object& sampler, Property property);
+
+  const Document& document_;
+  const Nodes& nodes_;
+  const SceneReading& reading_;
+  std::size_t animation_ = 0;
+  std::size_t keys_left_ = std::size_t{1} << 26;  ///< many channels of few bytes must not fill the memory
+  std::vector<std::string> strided_{};
+};
+
+}}}  // namespace orispline::scenes::gltf
