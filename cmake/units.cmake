@@ -1,17 +1,18 @@
-# orispline_units(TARGET ROOT [KILOBYTES SIZE] [EXCEPT FOLDERS...]): the sources of each folder are compiled in units of
-# about this size (64), since reading the headers takes longer than translating the code behind them. Twice the size takes
-# less time in all, but more memory: a compiler of a unit of 64 kB takes up to 1 GB.
+# orispline_units(TARGET ROOT [KILOBYTES SIZE] [ALONE FOLDERS AND FILES...]): the sources of each folder that have the same
+# options are compiled in units of about this size (64), since reading the headers takes longer than translating the code
+# behind them. Twice the size takes less time in all, but more memory: a compiler of a unit of 64 kB takes up to 1 GB.
 #
 # A unit names its files from ROOT, which is in the target's include path. So its text is the same wherever the tree lies,
 # and ccache knows it again.
 #
-# EXCEPT: folders whose sources stay apart, such as the inner loops, which GCC inlines less in large units.
+# ALONE: what is compiled source by source: inner loops, which GCC inlines less in large units, and what is a large unit by
+# itself.
 option(ORISPLINE_UNITS "Compile several sources of a folder at once" ON)
 function(orispline_units target root)
   if(NOT ORISPLINE_UNITS)
     return()
   endif()
-  cmake_parse_arguments(PARSE_ARGV 2 arg "" "KILOBYTES" "EXCEPT")
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "KILOBYTES" "ALONE")
   if(NOT arg_KILOBYTES)
     set(arg_KILOBYTES 64)
   endif()
@@ -20,21 +21,26 @@ function(orispline_units target root)
   list(FILTER sources INCLUDE REGEX "\\.cpp$")
   foreach(source IN LISTS sources)
     cmake_path(GET source PARENT_PATH folder)
-    if(IS_ABSOLUTE ${source} OR folder IN_LIST arg_EXCEPT)
+    if(IS_ABSOLUTE ${source} OR folder IN_LIST arg_ALONE OR source IN_LIST arg_ALONE)
       continue()
     endif()
-    string(MAKE_C_IDENTIFIER "in_${folder}" name)
+    get_source_file_property(options ${source} COMPILE_OPTIONS)
+    if(NOT options)
+      set(options)
+    endif()
+    string(MAKE_C_IDENTIFIER "in_${folder}${options}" name)
+    set(options_of_${name} "${options}")
     list(APPEND names ${name})
     list(APPEND sources_of_${name} ${source})
   endforeach()
   list(REMOVE_DUPLICATES names)
   foreach(name IN LISTS names)
-    orispline_units_of_folder(${target} ${root} ${name} ${arg_KILOBYTES} ${sources_of_${name}})
+    orispline_units_of_folder(${target} ${root} ${name} ${arg_KILOBYTES} "${options_of_${name}}" ${sources_of_${name}})
   endforeach()
 endfunction()
 
 # Units of about equal size.
-function(orispline_units_of_folder target root name kilobytes)
+function(orispline_units_of_folder target root name kilobytes options)
   set(all 0)
   foreach(source IN LISTS ARGN)
     file(SIZE ${CMAKE_CURRENT_SOURCE_DIR}/${source} size)
@@ -59,5 +65,6 @@ function(orispline_units_of_folder target root name kilobytes)
     set(file ${CMAKE_CURRENT_BINARY_DIR}/${target}.units/${name}_${unit}.cpp)
     file(CONFIGURE OUTPUT ${file} CONTENT "// Several sources that are compiled at once.\n${text_of_${unit}}" @ONLY)
     target_sources(${target} PRIVATE ${file})
+    set_source_files_properties(${file} PROPERTIES COMPILE_OPTIONS "${options}")
   endforeach()
 endfunction()

@@ -66,8 +66,7 @@ std::vector<double> key_times(const Clip& clip) {
   append_times(times, clip.translations);
   append_times(times, clip.scales);
   std::ranges::sort(times);
-  const auto rest = std::ranges::unique(times);
-  times.erase(rest.begin(), rest.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
   return times;
 }
 

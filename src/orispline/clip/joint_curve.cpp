@@ -114,7 +114,7 @@ class ChainBuilder {
     }
     if (times_.empty()) times_.push_back(clip_.domain().start);
     std::ranges::sort(times_);
-    times_.erase(std::ranges::unique(times_).begin(), times_.end());
+    times_.erase(std::unique(times_.begin(), times_.end()), times_.end());
     return Chain{Knots(std::move(times_)), std::move(links)};
   }
 

@@ -256,7 +256,7 @@ Error not_converged(const LeastOutcome& outcome, const Counts& counts) {
 
 constexpr int most_refinements = 5;
 
-using Derivatives = HermitePath<5>::Derivatives;
+using PathDerivatives = HermitePath<5>::Derivatives;
 
 bool rests(const End& end) { return end.rule == EndRule::rest; }
 
@@ -298,10 +298,10 @@ std::array<Eigen::Vector3d, 2> bends(const Eigen::Vector3d& chord, const Eigen::
 }
 
 /// The cubics as quintics. Both segments beside a key bend alike there; that of the longer one is rounded less.
-std::vector<Derivatives> cubic_derivatives(const Knots& knots, std::span<const Eigen::Vector3d> positions,
+std::vector<PathDerivatives> cubic_derivatives(const Knots& knots, std::span<const Eigen::Vector3d> positions,
                                            const FamilySettings& settings) {
   const auto velocities = least_derivatives<2>(knots, positions, settings);
-  std::vector<Derivatives> derivatives;
+  std::vector<PathDerivatives> derivatives;
   for (const auto& v : velocities) derivatives.push_back({v.row(0).transpose(), Eigen::Vector3d::Zero()});
   double before = 0.0;
   for (std::size_t i = 0; i < knots.segments(); ++i) {
@@ -341,7 +341,7 @@ Expected<RefinedChartCurve<5>> Least::curve(const Keyframes& keys, const FamilyS
 Expected<HermitePath<5>> Least::path(const Keyframes& keys, const FamilySettings& settings) {
   Knots knots = key_knots(keys);
   const auto positions = keys.positions();
-  std::vector<Derivatives> derivatives;
+  std::vector<PathDerivatives> derivatives;
   if (settings.choice("energy") == "jerk") {
     for (const auto& d : least_derivatives<3>(knots, positions, settings))
       derivatives.push_back({d.row(0).transpose(), d.row(1).transpose()});
