@@ -116,7 +116,7 @@ report::Series series(double Angle::*part, std::string_view stroke) {
   return result;
 }
 
-Picture picture() {
+Picture picture_of_the_angle() {
   report::Drawing drawing(860, 520);
   const std::vector<report::Mark> marks{{1, "θ = 0.2"}, {2, "1.0"}, {3, "0.7"}, {4, "-0.1"}};
   double top = 34.0;
@@ -133,6 +133,8 @@ Picture picture() {
 
 }  // namespace
 
-Expected<Findings> experiment::angular_cubic() { return Findings{{ends_table(), agreement_table()}, {picture()}}; }
+Expected<Findings> experiment::angular_cubic() {
+  return Findings{{ends_table(), agreement_table()}, {picture_of_the_angle()}};
+}
 
 }  // namespace orispline::cli

@@ -18,7 +18,7 @@ namespace {
 
 using report::Notation;
 
-struct Choice {
+struct ShapeChoice {
   const char* which;
   std::optional<TuneOptions> options{};  ///< absent: β₁ = 1 and β₂ = 0 at every key, as they are
 };
@@ -26,7 +26,7 @@ struct Choice {
 /// `beta-g2` in the form that passes through the keys.
 Method through_keys() { return {"beta-g2", {.choices = {{"form", "global"}}}}; }
 
-Expected<Method> chosen(const Method& method, const Choice& choice, const Keyframes& keys) {
+Expected<Method> chosen(const Method& method, const ShapeChoice& choice, const Keyframes& keys) {
   if (!choice.options) return method;
   return tune(keys, method, *choice.options).map([](const Tuning& tuning) { return tuning.method; });
 }
@@ -48,12 +48,12 @@ Expected<report::Table> best_shapes(const Flight& flight) {
                                   {"RMS [degrees]", Notation::fixed, 2},
                                   {"maximum", Notation::fixed, 2}}};
   const std::array choices{
-      Choice{"as they are"}, Choice{"both, of least energy", TuneOptions{}},
-      Choice{"β₂ nearest to the truth", TuneOptions{.objective = Objective::fit,
-                                                    .reference = {flight.times, flight.orientations},
-                                                    .parameters = {"beta2"}}}};
+      ShapeChoice{"as they are"}, ShapeChoice{"both, of least energy", TuneOptions{}},
+      ShapeChoice{"β₂ nearest to the truth", TuneOptions{.objective = Objective::fit,
+                                                         .reference = {flight.times, flight.orientations},
+                                                         .parameters = {"beta2"}}}};
   for (const Method& untuned : {Method("beta-through"), through_keys()})
-    for (const Choice& choice : choices) {
+    for (const ShapeChoice& choice : choices) {
       const auto method = chosen(untuned, choice, flight.keys);
       if (!method) return tl::unexpected(method.error());
       const auto curve = make_curve(*method, flight.keys);

@@ -20,14 +20,14 @@ using report::Notation;
 using report::Series;
 namespace color = report::color;
 
-constexpr std::array colors{color::blue, color::red, color::green, color::purple};
+constexpr std::array function_colors{color::blue, color::red, color::green, color::purple};
 constexpr std::array letters{"C0", "C1", "C2", "C3"}, sum_letters{"S0", "S1", "S2", "S3"};
 
 /// The tensions of the keys at the two ends of a segment.
 struct Tensions {
   double start, end;
 };
-constexpr std::array figure{Tensions{0.35, 0.35}, Tensions{0.1, 0.5}};
+constexpr std::array tensions_of_figure1{Tensions{0.35, 0.35}, Tensions{0.1, 0.5}};
 
 /// C_0 … C_3 and their sums from j on.
 struct Blending {
@@ -66,7 +66,7 @@ Chart chart(const Tensions& tensions, std::array<double, 4> Blending::*which, st
             const std::string& title) {
   Chart chart{.title = title, .series = {}, .y = report::Range{-0.2, 1.1}};
   for (std::size_t j = 0; j < 4; ++j) {
-    Series series{.label = names[j], .x = {}, .y = {}, .stroke = {colors[j], 2.0}};
+    Series series{.label = names[j], .x = {}, .y = {}, .stroke = {function_colors[j], 2.0}};
     for (int k = 0; k <= 100; ++k) {
       series.x.push_back(k / 100.0);
       series.y.push_back((blending(tensions, k / 100.0).*which)[j]);
@@ -76,10 +76,10 @@ Chart chart(const Tensions& tensions, std::array<double, 4> Blending::*which, st
   return chart;
 }
 
-Picture picture() {
+Picture figure1() {
   report::Drawing drawing(860, 570);
   double top = 52.0;
-  for (const Tensions& tensions : figure) {
+  for (const Tensions& tensions : tensions_of_figure1) {
     const std::string values = formatted("α = {:g}, {:g}", tensions.start, tensions.end);
     double left = 50.0;
     for (const Chart& drawn :
@@ -97,7 +97,7 @@ Picture picture() {
 }  // namespace
 
 Expected<Findings> experiment::blending_functions() {
-  Findings findings{.tables = {table(figure[0]), table(figure[1])}, .pictures = {picture()}};
+  Findings findings{.tables = {table(tensions_of_figure1[0]), table(tensions_of_figure1[1])}, .pictures = {figure1()}};
   findings.tables.back().notes = {
       "They are as in the paper, (3.2). The sums are the exponents of the quaternion curve, (3.6)."};
   return findings;

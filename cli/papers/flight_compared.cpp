@@ -17,12 +17,12 @@ using report::Notation;
 namespace color = report::color;
 
 /// What the paper prints for a method.
-struct Printed {
+struct PrintedMethod {
   Recipe recipe;
   std::string degree, mse, largest, seconds;
 };
 
-std::vector<Printed> methods() {
+std::vector<PrintedMethod> printed_methods() {
   const std::string none = "–";
   return {{{"Xing, quartic", "xing-quartic"}, "4", "0.012979", "0.256878", "0.540154"},
           {{"Xing, quintic", "xing-quintic"}, "5", none, none, none},
@@ -55,7 +55,7 @@ Expected<report::Table> comparison(const std::string& title, const Flight& fligh
                                   {"MSE [rad²]", Notation::fixed, 6},
                                   {"maximum [rad]", Notation::fixed, 6},
                                   {"time [ms]", Notation::fixed, 3}}};
-  for (const Printed& method : methods()) {
+  for (const PrintedMethod& method : printed_methods()) {
     const auto curve = curve_of(method.recipe, flight.keys);
     if (!curve) return tl::unexpected(curve.error());
     const DistanceStatistics distance = distance_to_reference(*curve, {flight.times, flight.orientations});
@@ -68,7 +68,7 @@ Expected<report::Table> comparison(const std::string& title, const Flight& fligh
 
 void add_printed_figures(report::Table& table) {
   table.columns.insert(table.columns.end(), {{"paper: MSE"}, {"maximum"}, {"time [s]"}});
-  const auto printed = methods();
+  const auto printed = printed_methods();
   for (std::size_t i = 0; i < table.rows.size(); ++i)
     table.rows[i].insert(table.rows[i].end(), {printed[i].mse, printed[i].largest, printed[i].seconds});
   table.notes = {
@@ -131,7 +131,7 @@ Expected<report::Table> better_table(const Flight& flight) {
 /// The curves with a colour are in figures 2 to 6; all of the papers are in figure 1.
 std::vector<Recipe> drawn_methods() {
   std::vector<Recipe> recipes;
-  for (Printed& method : methods())
+  for (PrintedMethod& method : printed_methods())
     if (method.recipe.stroke.color != color::ink) recipes.push_back(std::move(method.recipe));
   return recipes;
 }

@@ -21,7 +21,7 @@ using report::Notation;
 namespace color = report::color;
 
 /// The paper's two curves in its colours, and the Hermite curve with the rates that the quintic has at even keys.
-std::vector<Recipe> methods() {
+std::vector<Recipe> drawn_recipes() {
   return {{"quintic, α = 1", "quintic", {1.0}, {color::ink, 2.0}},
           {"cubic Hermite", "hermite-cumulative", {}, {color::gold, 2.0}},
           {"cubic Hermite, double rates", "hermite-cumulative", {2.0}, {color::sky, 1.5}}};
@@ -60,7 +60,7 @@ report::Table table_of(const std::vector<Served>& curves, const KeysInstead& key
   return table;
 }
 
-Picture picture(const std::vector<Served>& curves, const Keyframes& keys) {
+Picture figure4(const std::vector<Served>& curves, const Keyframes& keys) {
   report::Drawing drawing(860, 640);
   report::SpherePicture sphere;
   report::Chart chart{.title = "angular acceleration |α| [rad/s²]", .series = {}, .marks = marks_at(keys.times())};
@@ -97,8 +97,8 @@ Expected<Findings> experiment::hermite_compared() {
 }
 
 Expected<Findings> experiment::hermite_compared_on(const KeysInstead& keys) {
-  return curves_through(keys.keys, methods()).map([&](const std::vector<Served>& curves) {
-    return Findings{{table_of(curves, keys)}, {picture(curves, keys.keys)}, motions_of(curves, keys.keys)};
+  return curves_through(keys.keys, drawn_recipes()).map([&](const std::vector<Served>& curves) {
+    return Findings{{table_of(curves, keys)}, {figure4(curves, keys.keys)}, motions_of(curves, keys.keys)};
   });
 }
 

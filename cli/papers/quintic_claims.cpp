@@ -21,7 +21,7 @@ namespace {
 
 using report::Notation;
 
-const Recipe quintic{"quintic", "quintic"};
+const Recipe untuned_quintic{"quintic", "quintic"};
 
 /// Another scheme's curve at 401 times.
 struct Model {
@@ -55,12 +55,12 @@ Expected<report::Table> approximations(const Keyframes& keys) {
                                   {"its maximum", Notation::fixed, 3},
                                   {"its tensions"}}};
   const auto all = models(keys);
-  const auto before = curve_of(quintic, keys);
+  const auto before = curve_of(untuned_quintic, keys);
   if (!all) return tl::unexpected(all.error());
   if (!before) return tl::unexpected(before.error());
   for (const Model& model : *all) {
     const auto recipe =
-        tuned(quintic, keys, {.objective = Objective::fit, .reference = {model.times, model.orientations}});
+        tuned(untuned_quintic, keys, {.objective = Objective::fit, .reference = {model.times, model.orientations}});
     if (!recipe) return tl::unexpected(recipe.error());
     const auto curve = curve_of(*recipe, keys);
     if (!curve) return tl::unexpected(curve.error());
@@ -109,7 +109,7 @@ Expected<Candidates> candidates(const Keyframes& keys) {
         std::pair{"least ∫|α|² dt", TuneOptions{.objective = Objective::acceleration}},
         std::pair{"least ∫|torque|² dt", TuneOptions{.objective = Objective::torque, .inertia = inertia}},
         std::pair{"least ∫|κ|² ds", TuneOptions{.objective = Objective::curvature}}}) {
-    auto recipe = tuned(quintic, keys, options);
+    auto recipe = tuned(untuned_quintic, keys, options);
     if (recipe) found.all.push_back({which, std::move(*recipe)});
     else if (options.objective == Objective::curvature) found.notes.push_back("κ: " + describe(recipe.error()) + ".");
     else return tl::unexpected(std::move(recipe.error()));

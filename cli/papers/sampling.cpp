@@ -88,4 +88,13 @@ double seconds_of(const std::function<void()>& work) {
   return seconds[seconds.size() / 2];
 }
 
+double seconds_for(const Recipe& recipe, const Keyframes& keys, std::size_t count) {
+  std::vector<Eigen::Quaterniond> frames(count);
+  return seconds_of([&] {
+    const auto curve = curve_of(recipe, keys);
+    const auto times = even_times(curve->domain(), count);
+    std::ranges::transform(times, frames.begin(), [&](double t) { return (*curve)(t); });
+  });
+}
+
 }  // namespace orispline::cli

@@ -7,6 +7,8 @@
 #include <orispline/curve/curve.hpp>
 #include <orispline/report/chart.hpp>
 
+#include "papers/recipe.hpp"
+
 namespace orispline::cli {
 
 /// `count` times from the start to the end of a domain, evenly spaced [s].
@@ -32,6 +34,9 @@ namespace orispline::cli {
 
 /// Median time that work takes [s], of nine times.
 [[nodiscard]] double seconds_of(const std::function<void()>& work);
+
+/// Likewise, to build a curve and to compute so many frames of it [s].
+[[nodiscard]] double seconds_for(const Recipe& recipe, const Keyframes& keys, std::size_t frames);
 
 inline const auto speed = [](const Motion& m) { return m.angular_velocity.norm(); };             // [rad/s]
 inline const auto acceleration = [](const Motion& m) { return m.angular_acceleration.norm(); };  // [rad/s²]

@@ -18,13 +18,13 @@ namespace {
 using report::Notation;
 
 /// A row of the paper's table; the recognised text has two of its rows mixed up, the numbers follow their order.
-struct Printed {
+struct PrintedRow {
   Recipe recipe;
   std::size_t frames;
   std::string seconds, iterations, error, construction;
 };
 
-std::vector<Printed> printed_table() {
+std::vector<PrintedRow> printed_table() {
   const Recipe bspline{"Kim's B-spline", "bspline-through"}, nu{"Nielson's ν-spline", "nu"},
       atbi{"Su's ATBI, its type", "atbi"}, quintic{"Tan's quintic, α = 0.6", "quintic", {0.6}};
   const std::string formula = "explicit formula", geometry = "geometric";
@@ -41,18 +41,8 @@ double error_at_keys(const AnyCurve& curve, const Keyframes& keys) {
   return largest;
 }
 
-/// Time to build a curve and to compute its frames [s].
-double seconds_for(const Recipe& recipe, const Keyframes& keys, std::size_t count) {
-  std::vector<Eigen::Quaterniond> frames(count);
-  return seconds_of([&] {
-    const auto curve = curve_of(recipe, keys);
-    const auto times = even_times(curve->domain(), count);
-    std::ranges::transform(times, frames.begin(), [&](double t) { return (*curve)(t); });
-  });
-}
-
 /// The number of sweeps, or that there is none.
-report::Cell text_of(std::optional<std::size_t> sweeps) {
+report::Cell cell_of(std::optional<std::size_t> sweeps) {
   if (sweeps) return static_cast<double>(*sweeps);
   return formatted("more than {}", most_sweeps);
 }
@@ -68,7 +58,7 @@ report::Table iterations_table(const Keyframes& keys) {
                                   {"paper"}}};
   const auto add = [&](const char* scheme, const char* iteration, const char* ends, const Sweeps& sweeps,
                        const char* printed) {
-    table.rows.push_back({scheme, iteration, ends, text_of(sweeps.until_near), text_of(sweeps.until_still), printed});
+    table.rows.push_back({scheme, iteration, ends, cell_of(sweeps.until_near), cell_of(sweeps.until_still), printed});
   };
   const auto by_error = "every control turns by the error at its key", by_more = "by 1.5 times the error",
              by_neighbours = "every control from its neighbours";
@@ -104,7 +94,7 @@ Expected<Findings> experiment::schemes_compared_on(const KeysInstead& given) {
                                   {"paper: time [s]"},
                                   {"iterations"},
                                   {"error"}}};
-  for (const Printed& row : printed_table()) {
+  for (const PrintedRow& row : printed_table()) {
     const auto curve = curve_of(row.recipe, keys);
     if (!curve) return tl::unexpected(curve.error());
     table.rows.push_back({row.recipe.label, row.recipe.method, measured_continuity(*curve),

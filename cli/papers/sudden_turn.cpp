@@ -21,7 +21,7 @@ const std::vector<double> paper_knots{0.0, 0.5, 1.5, 2.25, 4.0};
 constexpr auto paper_note =
     "The paper's keys are not published; these are the five of examples/data/five_keys.csv, at the paper's times.";
 
-std::vector<Recipe> methods() {
+std::vector<Recipe> recipes_of_a_turn() {
   return {{"6th degree, β = 1/12", "sextic", {1.0 / 12.0}, {color::red, 1.8}},
           {"6th degree, β = 0.025", "sextic", {0.025}, {color::purple, 1.8}},
           {"timed-c3", "timed-c3", {}, {color::blue, 1.8}},
@@ -60,7 +60,7 @@ report::Table jumps(const std::vector<Served>& curves, std::span<const double> k
   return table;
 }
 
-Picture picture(const std::vector<Served>& curves, std::span<const double> knots) {
+Picture figure7(const std::vector<Served>& curves, std::span<const double> knots) {
   report::Drawing drawing(860, 560);
   report::Chart velocity{.title = "angular velocity |ω| [rad/s]", .series = {}, .marks = marks_at(knots)};
   report::Chart acceleration_chart{
@@ -105,7 +105,7 @@ Picture body_and_angle(const std::vector<Served>& curves, const Keyframes& keys)
 Findings findings_of(const std::vector<Served>& curves, const Keyframes& keys, const std::string& title,
                      const std::string& note) {
   return {{jumps(curves, keys.times(), title, note)},
-          {body_and_angle(curves, keys), picture(curves, keys.times())},
+          {body_and_angle(curves, keys), figure7(curves, keys.times())},
           motions_of(curves, keys)};
 }
 
@@ -113,7 +113,7 @@ Findings findings_of(const std::vector<Served>& curves, const Keyframes& keys, c
 
 Expected<Findings> experiment::sudden_turn() {
   return five_keys_at(paper_knots).and_then([](const Keyframes& keys) {
-    return curves_through(keys, methods()).map([&](const std::vector<Served>& curves) {
+    return curves_through(keys, recipes_of_a_turn()).map([&](const std::vector<Served>& curves) {
       return findings_of(curves, keys, "|ω| [rad/s] before and after each inner knot of 0, 0.5, 1.5, 2.25, 4 s",
                          paper_note);
     });
@@ -121,7 +121,7 @@ Expected<Findings> experiment::sudden_turn() {
 }
 
 Expected<Findings> experiment::turns_of(const KeysInstead& keys) {
-  return curves_through(keys.keys, methods()).map([&](const std::vector<Served>& curves) {
+  return curves_through(keys.keys, recipes_of_a_turn()).map([&](const std::vector<Served>& curves) {
     return findings_of(curves, keys.keys, "|ω| [rad/s] before and after each inner key", keys.note);
   });
 }

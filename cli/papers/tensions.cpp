@@ -22,7 +22,7 @@ using report::Notation;
 namespace color = report::color;
 
 const std::vector<double> even{0.0, 1.0, 2.0, 3.0, 4.0};
-constexpr std::array colors{color::grey, color::blue, color::red, color::green, color::purple, color::gold};
+constexpr std::array curve_colors{color::grey, color::blue, color::red, color::green, color::purple, color::gold};
 
 report::SpherePicture paths_of(const std::vector<Served>& curves, const Keyframes& keys) {
   report::SpherePicture picture;
@@ -38,8 +38,10 @@ report::SpherePicture paths_of(const std::vector<Served>& curves, const Keyframe
 std::vector<Recipe> with_tension_of_key3(std::initializer_list<double> values) {
   std::vector<Recipe> recipes;
   for (const double value : values)
-    recipes.push_back(
-        {formatted("α₃ = {:g}", value), "quintic", {0.35, 0.35, value, 0.35, 0.35}, {colors[recipes.size()], 2.0}});
+    recipes.push_back({formatted("α₃ = {:g}", value),
+                       "quintic",
+                       {0.35, 0.35, value, 0.35, 0.35},
+                       {curve_colors[recipes.size()], 2.0}});
   return recipes;
 }
 

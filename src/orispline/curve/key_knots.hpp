@@ -11,4 +11,9 @@ namespace orispline { inline namespace ORISPLINE_ABI {
   return Knots({keys.times().begin(), keys.times().end()});
 }
 
+/// Those of an open curve whose joints belong to all keys but the first and the last.
+[[nodiscard]] inline Knots inner_key_knots(const Keyframes& keys) {
+  return Knots({keys.times().begin() + 1, keys.times().end() - 1});
+}
+
 }}  // namespace orispline

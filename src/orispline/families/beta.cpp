@@ -2,6 +2,7 @@
 #include <orispline/families/beta.hpp>
 
 #include <orispline/curve/beta_polygon.hpp>
+#include <orispline/curve/key_knots.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
@@ -11,14 +12,12 @@ Expected<BetaShape> shape_of(std::size_t points, const FamilySettings& settings)
   return beta_shape("beta", settings.per_key("beta1").all(points), settings.per_key("beta2").all(points));
 }
 
-Knots joint_times(const Keyframes& keys) { return Knots({keys.times().begin() + 1, keys.times().end() - 1}); }
-
 }  // namespace
 
 template <CurvePoint P>
 Expected<CumulativeCurve<CubicBezierBasis, P>> Beta::curve(const Keyframes& keys, const FamilySettings& settings) {
   return shape_of(keys.size(), settings).map([&](const BetaShape& shape) {
-    return CumulativeCurve<CubicBezierBasis, P>(joint_times(keys), {}, beta_polygon(keys.points<P>(), shape));
+    return CumulativeCurve<CubicBezierBasis, P>(inner_key_knots(keys), {}, beta_polygon(keys.points<P>(), shape));
   });
 }
 

@@ -48,8 +48,6 @@ Expected<HandleChain<P>> solved_handles(std::span<const P> keys, const Betas& be
   });
 }
 
-Knots joint_times(const Keyframes& keys) { return Knots({keys.times().begin() + 1, keys.times().end() - 1}); }
-
 }  // namespace
 
 Expected<HandleChain<Eigen::Quaterniond>> BetaG2::handles(const Keyframes& keys, const FamilySettings& settings) {
@@ -63,7 +61,7 @@ Expected<CumulativeCurve<BetaG2::Basis>> BetaG2::curve(const Keyframes& keys, co
   if (!shape) return tl::unexpected(shape.error());
   if (!is_global(settings)) {
     const ControlPolygon<> published = beta_polygon(q, *shape);
-    return CumulativeCurve<Basis>(joint_times(keys), Basis{},
+    return CumulativeCurve<Basis>(inner_key_knots(keys), Basis{},
                                   with_corrections(published, corrections(published, betas)));
   }
   return solved_handles(q, betas).map([&](const HandleChain<Eigen::Quaterniond>& chain) {
@@ -83,7 +81,7 @@ Expected<CubicBezierPath> BetaG2::path(const Keyframes& keys, const FamilySettin
   const auto shape = shape_of(betas);
   if (!shape) return tl::unexpected(shape.error());
   if (!is_global(settings))  // in space the published curve is G2 by itself
-    return CubicBezierPath(joint_times(keys), CubicBezierBasis{}, beta_polygon(p, *shape));
+    return CubicBezierPath(inner_key_knots(keys), CubicBezierBasis{}, beta_polygon(p, *shape));
   const UnitPositions unit(p);
   return solved_handles<Eigen::Vector3d>(unit.points, betas).map([&](const HandleChain<Eigen::Vector3d>& chain) {
     std::vector<Eigen::Vector3d> points{p[0]};

@@ -12,7 +12,7 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 namespace {
 
-Expected<BetaShape> shape_of(std::size_t keys, const FamilySettings& settings) {
+Expected<BetaShape> shape_with_ghosts(std::size_t keys, const FamilySettings& settings) {
   const PerKey beta1 = settings.per_key("beta1"), beta2 = settings.per_key("beta2");
   const bool ghosts_have_their_own = std::max(beta1.values().size(), beta2.values().size()) == keys + 2;
   return beta_shape(BetaThrough::info.name, beta1.all_with_ghosts(keys), beta2.all_with_ghosts(keys))
@@ -40,7 +40,7 @@ Expected<ControlPolygon<P>> polygon_through_joints(std::span<const P> keys, cons
 }  // namespace
 
 Expected<BetaThrough::Construction> BetaThrough::construction(const Keyframes& keys, const FamilySettings& settings) {
-  return shape_of(keys.size(), settings).and_then([&](const BetaShape& shape) {
+  return shape_with_ghosts(keys.size(), settings).and_then([&](const BetaShape& shape) {
     return control_points_through(keys.orientations(), info.name, JointToKey<double>{&shape}).map([&](auto&& points) {
       return Construction{shape, std::move(points)};
     });
@@ -50,7 +50,7 @@ Expected<BetaThrough::Construction> BetaThrough::construction(const Keyframes& k
 template <CurvePoint P>
 Expected<CumulativeCurve<CubicBezierBasis, P>> BetaThrough::curve(const Keyframes& keys,
                                                                   const FamilySettings& settings) {
-  return shape_of(keys.size(), settings)
+  return shape_with_ghosts(keys.size(), settings)
       .and_then([&](const BetaShape& shape) { return polygon_through_joints(keys.points<P>(), shape); })
       .map([&](ControlPolygon<P> polygon) {
         return CumulativeCurve<CubicBezierBasis, P>(key_knots(keys), {}, std::move(polygon));

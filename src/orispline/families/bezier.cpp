@@ -5,7 +5,7 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 namespace {
 
-Knots joint_times(const Keyframes& keys) {
+Knots joint_knots(const Keyframes& keys) {
   std::vector<double> times;
   times.reserve(keys.size() / 3 + 1);
   for (std::size_t i = 0; i < keys.size(); i += 3) times.push_back(keys.times()[i]);
@@ -16,7 +16,7 @@ Knots joint_times(const Keyframes& keys) {
 
 template <CurvePoint P>
 Expected<CumulativeCurve<CubicBezierBasis, P>> Bezier::curve(const Keyframes& keys, const FamilySettings&) {
-  return CumulativeCurve<CubicBezierBasis, P>(joint_times(keys), {}, keys.points<P>());
+  return CumulativeCurve<CubicBezierBasis, P>(joint_knots(keys), {}, keys.points<P>());
 }
 
 template Expected<CumulativeCurve<CubicBezierBasis, Eigen::Quaterniond>> Bezier::curve<Eigen::Quaterniond>(

@@ -9,7 +9,7 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 
 namespace {
 
-constexpr std::size_t reach = window_keys / 2;
+constexpr std::size_t window_reach = window_keys / 2;
 
 /// Where a window of so many keys around key i begins; at the ends it is shifted inwards.
 std::size_t first_of_window(std::size_t i, std::size_t count, std::size_t keys) {
@@ -64,7 +64,7 @@ WindowTimes window_times(std::span<const double> times, std::size_t first, std::
 }
 
 KeyWindows::KeyWindows(const Keyframes& keys, Through through, double interval)
-    : times_(keys.times()), along_(keys, through, 3, reach), interval_(interval) {}
+    : times_(keys.times()), along_(keys, through, 3, window_reach), interval_(interval) {}
 
 void KeyWindows::go_to(std::size_t i) {
   along_.go_to(i);
@@ -81,7 +81,7 @@ void KeyWindows::go_to(std::size_t i) {
 double KeyWindows::trust_of_window() const {
   double widest = 0.0;
   for (std::size_t k = first_; k + 1 < first_ + window_keys; ++k) widest = std::max(widest, times_[k + 1] - times_[k]);
-  return window_share(along_.turn_beside(key_, reach)) * (1.0 - gap_of(widest / interval_));
+  return window_share(along_.turn_beside(key_, window_reach)) * (1.0 - gap_of(widest / interval_));
 }
 
 /// By the five roughnesses whose keys lie in the window.
@@ -94,9 +94,9 @@ double KeyWindows::smoothness9() const {
 const WindowMaps& KeyWindows::maps() {
   if (!has_maps_) {
     window_ = window_times(times_, first_, key_, interval_);
-    is_even_ = window_.centre == reach;
+    is_even_ = window_.centre == window_reach;
     for (std::size_t j = 0; j < window_keys && is_even_; ++j)
-      is_even_ = window_.x[j] == static_cast<double>(j) - static_cast<double>(reach);
+      is_even_ = window_.x[j] == static_cast<double>(j) - static_cast<double>(window_reach);
     const std::size_t first7 = first_of_window(key_, 7, times_.size()) - first_;
     if (!is_even_) maps_ = maps_of(window_, first7);
     else if (!even_) even_ = maps_of(window_, first7);

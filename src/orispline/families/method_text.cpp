@@ -13,7 +13,7 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 
 namespace {
 
-constexpr std::string_view ends = "ends", start_rate = "start_rate", end_rate = "end_rate", closed = "closed",
+constexpr std::string_view ends = "ends", start_rate = "start_rate", end_rate = "end_rate", closed_option = "closed",
                            period = "period";
 
 Expected<std::vector<double>> numbers_of(std::string_view option, std::string_view text) {
@@ -42,7 +42,7 @@ Expected<Method> with_period_text(Method method, std::string_view text) {
 
 /// `SETTING=VALUE`, or `closed`.
 Expected<Method> with_piece(Method method, std::string_view piece) {
-  if (piece == closed) return with_loop(std::move(method), {});
+  if (piece == closed_option) return with_loop(std::move(method), {});
   const std::size_t equals = piece.find('=');
   if (equals == 0 || equals == std::string_view::npos || equals + 1 == piece.size())
     return bad_option("settings", formatted("found '{}', wanted NAME=VALUE", piece));
@@ -178,7 +178,7 @@ std::string text_of(const Method& method) {
   for (const auto& [name, word] : options.choices) text += formatted(":{}={}", name, word);
   text += ends_text(options) + rate_text(start_rate, options.start) + rate_text(end_rate, options.end);
   if (options.loop && options.loop->period) text += formatted(":{}={}", period, *options.loop->period);
-  else if (options.loop) text += formatted(":{}", closed);
+  else if (options.loop) text += formatted(":{}", closed_option);
   return text;
 }
 

@@ -12,7 +12,7 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 namespace {
 
 constexpr std::size_t keys_per_block = 8, draws = 32;  // each draw, and the same with the blocks in reverse order
-constexpr double hold = 1.08;                          // how much less a model must miss than the plain spline
+constexpr double needed_gain = 1.08;                   // how much less a model must miss than the plain spline
 constexpr double floor = 4e-24;  // added to a squared miss [rad²]: keys that are exact leave nothing to compare
 
 /// An odd number of blocks.
@@ -56,7 +56,7 @@ void handicap(std::span<double> sums) {
   double hump = sums[0] / plain;
   for (std::size_t m = 1; m < model_count; ++m) {
     const double sum = sums[m];
-    sums[m] *= hold;
+    sums[m] *= needed_gain;
     if (m >= noise_models) continue;
     sums[m] *= hump * hump;
     hump = std::max(hump, sum / plain);

@@ -9,7 +9,7 @@ namespace {
 using models::Covariances;
 using models::Differences;
 using models::in_lanes;
-using models::inner;
+using models::inner_window_keys;
 using models::product;
 using Noise = models::Lanes<static_cast<int>(noise_models)>;
 
@@ -22,8 +22,8 @@ const Noise& noise_share() {
 Covariances<Noise::RowsAtCompileTime, 2> noise_covariances(const Differences& d) {
   const Noise noise = noise_share() / 6.0, motion = 1.0 - noise_share();
   Covariances<Noise::RowsAtCompileTime, 2> covariances;
-  std::array<Noise, inner> diagonal;
-  for (std::size_t i = 0; i < inner; ++i) {
+  std::array<Noise, inner_window_keys> diagonal;
+  for (std::size_t i = 0; i < inner_window_keys; ++i) {
     covariances.m[i][i] = diagonal[i] = motion * (0.5 * (d.step(i) + d.step(i + 1))) + noise * d.overlap(i, i);
     if (i > 0) covariances.m[i][i - 1] = motion * (0.25 * d.step(i)) + noise * d.overlap(i - 1, i);
     if (i > 1) covariances.m[i][i - 2] = noise * d.overlap(i - 2, i);
@@ -58,8 +58,8 @@ void put_noise_maps(ModelMaps& maps, const Differences& d) {
   rest[0][n + 1] -= 1.0 / d.step(n);
   rest[0][n] += 1.0 / d.step(n);
   const auto first_rest = d.of(rest[0]), second_rest = d.of(rest[1]);
-  std::array<Noise, inner> first, second;
-  for (std::size_t m = 0; m < inner; ++m) {
+  std::array<Noise, inner_window_keys> first, second;
+  for (std::size_t m = 0; m < inner_window_keys; ++m) {
     const double bends = m + 1 == p ? 1.0 : 0.0, bends_beyond = m + 1 == (p == n ? p + 1 : p - 1) ? 1.0 : 0.0;
     const double slope = 0.25 * d.step(n) * (2.0 * bends + bends_beyond);
     first[m] = noise * first_rest[m] + motion * (p == n ? -slope : slope);

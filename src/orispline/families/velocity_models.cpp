@@ -61,9 +61,9 @@ struct Interval {
   Velocity beyond, mean, weighted_mean, spread;
 };
 
-std::array<Interval, intervals> remembered(const Differences& d) {
-  std::array<Interval, intervals> all;
-  for (std::size_t n = 0; n < intervals; ++n) {
+std::array<Interval, window_intervals> remembered(const Differences& d) {
+  std::array<Interval, window_intervals> all;
+  for (std::size_t n = 0; n < window_intervals; ++n) {
     const Velocity y = shapes().rate * d.step(n);
     Velocity second;
     for (Eigen::Index k = 0; k < y.size(); ++k) {
@@ -105,18 +105,18 @@ struct Seen {
 
 void put_velocity_maps(ModelMaps& maps, const Differences& d) {
   const auto interval = remembered(d);
-  std::array<std::array<Velocity, intervals>, intervals> means;  // covariances of the mean velocities
-  for (std::size_t m = 0; m < intervals; ++m) {
+  std::array<std::array<Velocity, window_intervals>, window_intervals> means;  // covariances of the mean velocities
+  for (std::size_t m = 0; m < window_intervals; ++m) {
     means[m][m] = shapes().variance * interval[m].spread;
     Seen seen;
-    for (std::size_t n = m + 1; n < intervals; ++n) {
+    for (std::size_t n = m + 1; n < window_intervals; ++n) {
       means[m][n] = means[n][m] = seen.means(interval[m], interval[n]);
       seen.pass(interval[n], d.step(n));
     }
   }
-  Covariances<Velocity::RowsAtCompileTime, inner> covariances;
-  std::array<Velocity, inner> scale;
-  for (std::size_t i = 0; i < inner; ++i) {
+  Covariances<Velocity::RowsAtCompileTime, inner_window_keys> covariances;
+  std::array<Velocity, inner_window_keys> scale;
+  for (std::size_t i = 0; i < inner_window_keys; ++i) {
     scale[i] = means[i + 1][i + 1] + means[i][i];
     for (std::size_t j = 0; j <= i; ++j)
       covariances.m[i][j] = means[i + 1][j + 1] - means[i][j + 1] - (means[i + 1][j] - means[i][j]);
@@ -124,11 +124,11 @@ void put_velocity_maps(ModelMaps& maps, const Differences& d) {
   covariances.factorise(scale);
 
   const std::size_t p = d.centre();
-  std::array<Velocity, intervals> with_velocity;      // covariances of the velocity at the centre with the means
-  std::array<Velocity, window_keys> with_velocities;  // and with the velocities at the keys
+  std::array<Velocity, window_intervals> with_velocity;  // covariances of the velocity at the centre with the means
+  std::array<Velocity, window_keys> with_velocities;     // and with the velocities at the keys
   Seen after, before;
   with_velocities[p] = -after.here();
-  for (std::size_t n = p; n < intervals; ++n) {
+  for (std::size_t n = p; n < window_intervals; ++n) {
     with_velocity[n] = after.mean(interval[n]);
     after.pass(interval[n], d.step(n));
     with_velocities[n + 1] = -after.here();
@@ -138,9 +138,9 @@ void put_velocity_maps(ModelMaps& maps, const Differences& d) {
     before.pass(interval[n], d.step(n));
     with_velocities[n] = -before.here();
   }
-  std::array<Velocity, inner> first;
+  std::array<Velocity, inner_window_keys> first;
   const auto& of_secant = means[d.interval()];
-  for (std::size_t m = 0; m < inner; ++m)
+  for (std::size_t m = 0; m < inner_window_keys; ++m)
     first[m] = with_velocity[m + 1] - with_velocity[m] - (of_secant[m + 1] - of_secant[m]);
   put_maps<static_cast<int>(noise_models)>(maps, d, covariances, first, d.of(with_velocities));
 }

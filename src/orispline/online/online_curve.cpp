@@ -12,13 +12,12 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 
 namespace {
 
-Error argument_error(std::string message) { return {ErrorCode::bad_argument, std::move(message), {}}; }
-
 std::optional<Error> check_method(std::string_view method) {
   const auto family = find_family(method);
   if (family && (!(*family)->is_global() || (*family)->keys_beside)) return std::nullopt;
-  return argument_error(
-      formatted("method '{}' has no online curve, wanted one of {}", method, joined(online_methods(), ", ")));
+  return Error{ErrorCode::bad_argument,
+               formatted("method '{}' has no online curve, wanted one of {}", method, joined(online_methods(), ", ")),
+               {}};
 }
 
 }  // namespace
@@ -34,19 +33,20 @@ OnlineCurve::OnlineCurve(StreamMethod method, std::size_t capacity, Signs signs)
 Expected<OnlineCurve> OnlineCurve::make(const Method& method, std::size_t capacity, Signs signs) {
   if (auto error = check_method(method.name)) return tl::unexpected(std::move(*error));
   if (capacity < least_capacity || capacity > greatest_capacity)
-    return tl::unexpected(argument_error(
-        formatted("the capacity is {} keys, wanted {} to {}", capacity, least_capacity, greatest_capacity)));
+    return failure(ErrorCode::bad_argument,
+                   formatted("the capacity is {} keys, wanted {} to {}", capacity, least_capacity, greatest_capacity));
   auto made = StreamMethod::make(method.name, method.options);
   if (!made) return tl::unexpected(std::move(made.error()));
   if (!made->keys_beside)
-    return tl::unexpected(argument_error(formatted(
-        "{}: with these settings a segment depends on all keys, wanted others for an online curve", method.name)));
+    return failure(ErrorCode::bad_argument,
+                   formatted("{}: with these settings a segment depends on all keys, wanted others for an online curve",
+                             method.name));
   return OnlineCurve(std::move(*made), capacity, signs);
 }
 
 Expected<void> OnlineCurve::append(const StreamKey& key) {
   if (finished_)
-    return tl::unexpected(argument_error("the curve is finished, wanted no more keys; reset() begins a new curve"));
+    return failure(ErrorCode::bad_argument, "the curve is finished, wanted no more keys; reset() begins a new curve");
   const auto orientation = checked_orientation(keys_, key, times_.all(), parts_);
   if (!orientation) return tl::unexpected(orientation.error());
   if (auto error = method_.check_settings(keys_, key)) return tl::unexpected(std::move(*error));
@@ -150,10 +150,10 @@ Motion OnlineCurve::motion(double t, Side side) const noexcept {
 
 Expected<Motion> OnlineCurve::checked_motion(double t) const {
   const auto domain = available();
-  if (!domain) return tl::unexpected(argument_error("the curve has no keys, wanted at least one"));
+  if (!domain) return failure(ErrorCode::bad_argument, "the curve has no keys, wanted at least one");
   if (domain->contains(t)) return motion(t);
-  return tl::unexpected(
-      argument_error(formatted("time {} is not available, wanted {} to {}", t, domain->start, domain->end)));
+  return failure(ErrorCode::bad_argument,
+                 formatted("time {} is not available, wanted {} to {}", t, domain->start, domain->end));
 }
 
 std::optional<LinearMotion> OnlineCurve::linear_motion(double t, Side side) const noexcept {
@@ -169,7 +169,7 @@ std::optional<LinearMotion> OnlineCurve::linear_motion(double t, Side side) cons
 Expected<void> OnlineCurve::sample(std::span<const double> times, const Samples<double>& out) const {
   if (auto error = batch::check_room(out, times.size())) return tl::unexpected(std::move(*error));
   if (wants_positions(out) && !parts_.position)
-    return tl::unexpected(argument_error("found room for positions, wanted none: the keys have no positions"));
+    return failure(ErrorCode::bad_argument, "found room for positions, wanted none: the keys have no positions");
   const auto put = [&](std::size_t at, const Motion& motion, const LinearMotion& linear_motion) {
     batch::put(out, at, motion);
     batch::put(out, at, linear_motion);

@@ -5,7 +5,7 @@ namespace orispline { inline namespace ORISPLINE_ABI {
 
 namespace {
 
-constexpr std::size_t word = 8;  // bytes
+constexpr std::size_t word_bytes = 8;
 
 /// FNV-1a of 64 bits.
 std::uint64_t checksum_of(std::span<const std::byte> bytes) noexcept {
@@ -16,14 +16,14 @@ std::uint64_t checksum_of(std::span<const std::byte> bytes) noexcept {
 
 std::uint64_t word_of(std::span<const std::byte> bytes) noexcept {
   std::uint64_t number = 0;
-  for (std::size_t i = word; i-- > 0;) number = number << 8U | std::to_integer<std::uint64_t>(bytes[i]);
+  for (std::size_t i = word_bytes; i-- > 0;) number = number << 8U | std::to_integer<std::uint64_t>(bytes[i]);
   return number;
 }
 
 }  // namespace
 
 void StateWriter::whole(std::uint64_t number) {
-  for (std::size_t i = 0; i < word; ++i) bytes_.push_back(static_cast<std::byte>(number >> 8U * i & 0xffU));
+  for (std::size_t i = 0; i < word_bytes; ++i) bytes_.push_back(static_cast<std::byte>(number >> 8U * i & 0xffU));
 }
 
 void StateWriter::text(std::string_view text) {
@@ -45,21 +45,21 @@ std::vector<std::byte> StateWriter::sealed() && {
   return std::move(bytes_);
 }
 
-StateReader::StateReader(std::span<const std::byte> bytes) noexcept : rest_(bytes), sound_(bytes.size() >= word) {
+StateReader::StateReader(std::span<const std::byte> bytes) noexcept : rest_(bytes), sound_(bytes.size() >= word_bytes) {
   if (!sound_) return;
-  rest_ = bytes.first(bytes.size() - word);
-  sound_ = checksum_of(rest_) == word_of(bytes.last(word));
+  rest_ = bytes.first(bytes.size() - word_bytes);
+  sound_ = checksum_of(rest_) == word_of(bytes.last(word_bytes));
 }
 
 std::uint64_t StateReader::whole() noexcept {
-  sound_ = sound_ && rest_.size() >= word;
+  sound_ = sound_ && rest_.size() >= word_bytes;
   if (!sound_) return 0;
   const std::uint64_t number = word_of(rest_);
-  rest_ = rest_.subspan(word);
+  rest_ = rest_.subspan(word_bytes);
   return number;
 }
 
-std::size_t StateReader::count() noexcept { return static_cast<std::size_t>(below(rest_.size() / word + 1)); }
+std::size_t StateReader::count() noexcept { return static_cast<std::size_t>(below(rest_.size() / word_bytes + 1)); }
 
 std::uint64_t StateReader::below(std::uint64_t end) noexcept {
   const std::uint64_t number = whole();
