@@ -12,10 +12,11 @@
 #include <orispline/families/motion_band.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/math/slerp.hpp>
+#include <support/specimens.hpp>
 
 namespace orispline { namespace {
 
-Eigen::Quaterniond about_x(double angle) { return exp<double>({angle, 0.0, 0.0}); }
+using testing_support::about_x;
 
 /// The angle t³ about x at 41 times from 0 to 2 s, with its rate.
 struct Motions {

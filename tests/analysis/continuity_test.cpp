@@ -4,12 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <orispline/families/registry.hpp>
+#include <support/specimens.hpp>
 
 #include "tumbling_keys.hpp"
 
 namespace orispline { namespace {
 
-Eigen::Quaterniond about_x(double angle) { return exp<double>({angle, 0.0, 0.0}); }
+using testing_support::about_x;
 
 const std::vector<double> uniform_spacings(9, 0.5);
 

@@ -5,10 +5,11 @@
 
 #include <orispline/analysis/sampled.hpp>
 #include <orispline/families/registry.hpp>
+#include <support/specimens.hpp>
 
 namespace orispline { namespace {
 
-Eigen::Quaterniond about_x(double angle) { return exp<double>({angle, 0.0, 0.0}); }
+using testing_support::about_x;
 
 /// Turns about x at 1 rad/s from 0 to 2 s.
 AnyCurve steady_turn() {

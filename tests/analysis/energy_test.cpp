@@ -9,12 +9,14 @@
 #include <support/data_table.hpp>
 #include <support/golden_case.hpp>
 #include <support/random_motion.hpp>
+#include <support/specimens.hpp>
 
 namespace orispline { namespace {
 
 using testing_support::DataTable;
 
-Eigen::Quaterniond about_x(double angle) { return exp<double>({angle, 0.0, 0.0}); }
+using testing_support::about_x;
+using testing_support::today;
 
 void expect_relative(double found, double wanted, double limit, const std::string& label) {
   EXPECT_NEAR(found, wanted, limit * std::abs(wanted)) << label;
@@ -98,8 +100,6 @@ Keyframes keys_from(double origin, double step, std::size_t count) {
   }
   return turns.with_times(std::move(times)).value();
 }
-
-constexpr double today = 1.7e9;  // [s]
 
 TEST(Energies, AskForAsFewMotionsAtTheTimesOfTodayAsAtTheStartOfTime) {
   for (const double step : {1.0, 1.0 / 64.0}) {

@@ -5,12 +5,13 @@
 
 #include <orispline/curve/torque.hpp>
 #include <orispline/families/registry.hpp>
+#include <support/specimens.hpp>
 
 namespace orispline { namespace {
 
-Eigen::Quaterniond about_x(double angle) { return exp<double>({angle, 0.0, 0.0}); }
+using testing_support::about_x;
 
-Keyframes tumbling_keys() {
+Keyframes keys_of_ever_faster_turns() {
   KeyframeData data{.times = {0.0}, .orientations = {Eigen::Quaterniond::Identity()}};
   for (std::size_t i = 0; i < 9; ++i) {
     const double x = static_cast<double>(i);
@@ -35,7 +36,7 @@ TEST(Peaks, OfACubicTurnAreInTheMiddleAndAtTheEnds) {
 TEST(Peaks, AreNeverBelowADenseSampleAndAreReachedAtTheirTimes) {
   const Eigen::Matrix3d inertia = Eigen::Vector3d(1.0, 2.0, 4.0).asDiagonal();
   for (const char* family : {"auto", "timed-c2", "global-c2", "tcb"}) {
-    const AnyCurve curve = make_curve(family, tumbling_keys()).value();
+    const AnyCurve curve = make_curve(family, keys_of_ever_faster_turns()).value();
     const Peaks p = peaks(curve, inertia);
     Eigen::Array3d largest = Eigen::Array3d::Zero();
     const auto rates = [&](const Motion& m) {
@@ -72,7 +73,7 @@ TEST(Torque, IsItsInertiaTimesTheAccelerationAndWhatTheTurningAxesAdd) {
 }
 
 TEST(Torque, ChangesAtItsRate) {
-  const AnyCurve curve = make_curve("timed-c3", tumbling_keys()).value();
+  const AnyCurve curve = make_curve("timed-c3", keys_of_ever_faster_turns()).value();
   const Eigen::Matrix3d inertia = Eigen::Vector3d(1.0, 2.0, 4.0).asDiagonal();
   const double t = 1.3, h = 1e-5;
   const Eigen::Vector3d slope =

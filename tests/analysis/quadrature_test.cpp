@@ -5,10 +5,11 @@
 #include <limits>
 
 #include <gtest/gtest.h>
+#include <support/specimens.hpp>
 
 namespace orispline { namespace {
 
-constexpr double today = 1.7e9;  // [s]; a double there is exact to 1.2e-7 s
+using testing_support::today;
 
 template <class F>
 double integral(F f, double a, double b) {

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Baked curves stay within their tolerance, whatever the curve is.
-#include <limits>
 
 #include <batch/agreement.hpp>
 #include <batch/baked_rates.hpp>
 #include <batch/specimen_curves.hpp>
 #include <curve/counting_new.hpp>
 #include <support/follower.hpp>
+#include <support/not_finite.hpp>
 #include <support/tracks.hpp>
 
 namespace orispline { namespace {
 
 using namespace testing_support;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// Twice the largest distance in R⁴ from the curve's own quaternions, signs and all, at many times of every segment.
 template <class T>
@@ -107,7 +104,7 @@ TEST(BakedCurve, AtLargeTimesIsWithinItsTolerance) {
 
 TEST(BakedCurve, RefusesTolerancesThatCannotBe) {
   const AnyCurve curve = specimen_curve("squad");
-  for (const double tolerance : {0.0, -1e-6, 9e-14, not_a_number, infinity, -infinity}) {
+  for (const double tolerance : {0.0, -1e-6, 9e-14, nan, infinity, -infinity}) {
     const auto baked = bake(curve, tolerance);
     ASSERT_FALSE(baked) << tolerance;
     EXPECT_EQ(baked.error().code, ErrorCode::bad_argument);
@@ -210,7 +207,7 @@ TEST(BakedCurve, HoldsItsEndsAndAnswersNaNByNaN) {
     EXPECT_EQ(baked(t).coeffs(), baked(start).coeffs()) << t;
   for (const double t : {infinity, end + 1.0, std::nextafter(end, infinity)})
     EXPECT_EQ(baked(t).coeffs(), baked(end).coeffs()) << t;
-  EXPECT_TRUE(baked(not_a_number).coeffs().array().isNaN().all());
+  EXPECT_TRUE(baked(nan).coeffs().array().isNaN().all());
 }
 
 TEST(BakedCurve, OfOneKeyIsThatKey) {
@@ -223,7 +220,7 @@ TEST(BakedCurve, OfOneKeyIsThatKey) {
 TEST(BakedCurve, IsAtRestBeyondItsEndsAndHasNoRatesAtTimesThatAreNoNumbers) {
   const BakedCurve<> baked = bake(specimen_curve("squad"), 1e-9).value();
   const auto [start, end] = baked.domain();
-  const std::vector<double> times{start - 1.0, start, end, end + 1.0, not_a_number};
+  const std::vector<double> times{start - 1.0, start, end, end + 1.0, nan};
   Sampled<double> samples(times.size(), Wanted::jerk);
   ASSERT_TRUE(sample_at<double>(baked, times, samples.spans()));
   for (const std::size_t i : {0U, 3U}) {

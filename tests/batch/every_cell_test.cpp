@@ -85,13 +85,13 @@ struct Pose {
   }
 };
 
-constexpr std::size_t count = 207;
+constexpr std::size_t samples_of_a_cell = 207;
 
 /// Even times, the ends of the curve among them and some beyond.
-struct Grid {
-  explicit Grid(const Domain& domain)
+struct GridWithTheEnds {
+  explicit GridWithTheEnds(const Domain& domain)
       : step((domain.end - domain.start) / 200.0), start(domain.start - 3.0 * step), domain_(domain) {
-    for (std::size_t k = 0; k < count; ++k) times.push_back(static_cast<double>(k) * step + start);
+    for (std::size_t k = 0; k < samples_of_a_cell; ++k) times.push_back(static_cast<double>(k) * step + start);
   }
   [[nodiscard]] bool is_held(double t) const { return !domain_.contains(t); }
 
@@ -105,22 +105,22 @@ struct Grid {
 // The queries. Each gives the samples in the order of the grid.
 struct Evenly {
   template <class T, class C>
-  static Expected<void> take(const C& curve, const Grid& grid, const Samples<T>& out) {
+  static Expected<void> take(const C& curve, const GridWithTheEnds& grid, const Samples<T>& out) {
     return sample_uniform<T>(curve, grid.start, grid.step, out);
   }
 };
 struct Sorted {
   template <class T, class C>
-  static Expected<void> take(const C& curve, const Grid& grid, const Samples<T>& out) {
+  static Expected<void> take(const C& curve, const GridWithTheEnds& grid, const Samples<T>& out) {
     return sample<T>(curve, grid.times, out);
   }
 };
 struct InAnyOrder {
-  static std::size_t place(std::size_t i) { return (i * 100) % count; }
+  static std::size_t place(std::size_t i) { return (i * 100) % samples_of_a_cell; }
   template <class T, class C>
-  static Expected<void> take(const C& curve, const Grid& grid, const Samples<T>& out) {
-    std::vector<double> times(count);
-    for (std::size_t i = 0; i < count; ++i) times[i] = grid.times[place(i)];
+  static Expected<void> take(const C& curve, const GridWithTheEnds& grid, const Samples<T>& out) {
+    std::vector<double> times(samples_of_a_cell);
+    for (std::size_t i = 0; i < samples_of_a_cell; ++i) times[i] = grid.times[place(i)];
     auto sampled = sample_at<T>(curve, times, out);
     sort(out.orientations, 4);
     for (const Output<T>& output : outputs<T>) sort(out.*output.room, 3);
@@ -149,8 +149,9 @@ Eigen::Vector3d three_at(const std::vector<T>& numbers, std::size_t i) {
 }
 
 template <class T>
-void expect_orientations(const std::vector<T>& found, const PoseCurve& pose, const Grid& grid, double allowed) {
-  for (std::size_t i = 0; i < count; ++i)
+void expect_orientations(const std::vector<T>& found, const PoseCurve& pose, const GridWithTheEnds& grid,
+                         double allowed) {
+  for (std::size_t i = 0; i < samples_of_a_cell; ++i)
     for (std::size_t k = 0; k < 4; ++k)
       ASSERT_NEAR(static_cast<double>(found[4 * i + k]),
                   pose.orientation(grid.times[i]).coeffs()[static_cast<Eigen::Index>(k)], allowed)
@@ -158,11 +159,11 @@ void expect_orientations(const std::vector<T>& found, const PoseCurve& pose, con
 }
 
 template <class T>
-void expect_output(const Output<T>& output, const std::vector<T>& found, const PoseCurve& pose, const Grid& grid,
-                   double share) {
+void expect_output(const Output<T>& output, const std::vector<T>& found, const PoseCurve& pose,
+                   const GridWithTheEnds& grid, double share) {
   double largest = 1.0;
   for (const double t : grid.times) largest = std::max(largest, output.wanted(pose, t).norm());
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < samples_of_a_cell; ++i) {
     const Eigen::Vector3d wanted = output.wanted(pose, grid.times[i]);
     const double allowed = grid.is_held(grid.times[i]) && output.order > 0 ? 0.0 : share * largest;
     ASSERT_LE((three_at(found, i) - wanted).norm(), allowed)
@@ -176,10 +177,10 @@ void expect_every_output(const PoseCurve& pose) {
   using T = typename Cell::Number;
   using Source = typename Cell::From;
   const auto curve = Source::template of<T>(pose);
-  const Grid grid(pose.orientation.domain());
+  const GridWithTheEnds grid(pose.orientation.domain());
   const Shares shares = Source::template shares<T>;
   for (const Output<T>& output : outputs<T>) {
-    std::vector<T> orientations(4 * count), numbers(3 * count);
+    std::vector<T> orientations(4 * samples_of_a_cell), numbers(3 * samples_of_a_cell);
     Samples<T> out{.orientations = orientations};
     out.*output.room = numbers;
     const auto sampled = Cell::By::template take<T>(curve, grid, out);
@@ -200,13 +201,13 @@ void expect_all_outputs_at_once(const PoseCurve& pose) {
   using T = typename Cell::Number;
   using Source = typename Cell::From;
   const auto curve = Source::template of<T>(pose);
-  const Grid grid(pose.orientation.domain());
-  std::vector<T> orientations(4 * count);
+  const GridWithTheEnds grid(pose.orientation.domain());
+  std::vector<T> orientations(4 * samples_of_a_cell);
   std::array<std::vector<T>, outputs<T>.size()> numbers;
   Samples<T> out{.orientations = orientations};
   for (std::size_t k = 0; k < numbers.size(); ++k) {
     if (outputs<T>[k].is_linear && !Source::has_positions) continue;
-    numbers[k].resize(3 * count);
+    numbers[k].resize(3 * samples_of_a_cell);
     out.*outputs<T>[k].room = numbers[k];
   }
   ASSERT_TRUE(Cell::By::template take<T>(curve, grid, out));

@@ -19,6 +19,8 @@ namespace orispline::testing_support {
   return all;
 }
 
+inline constexpr std::size_t block_and_part = 173;  ///< samples: a whole block and a part of one
+
 /// Writes `count` samples of a segment; none of one that is left to the scalar evaluator.
 template <class T>
 void run(const batch::Kernels& k, const batch::SegmentRecord<T>& record, const batch::Clock& clock, std::size_t count,

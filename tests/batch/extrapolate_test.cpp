@@ -2,19 +2,17 @@
 // Samples outside a curve, written over those that were held.
 #include <orispline/batch/extrapolate.hpp>
 
-#include <limits>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include <orispline/families/registry.hpp>
+#include <support/not_finite.hpp>
 #include <support/tracks.hpp>
 
 namespace orispline { namespace {
 
 using namespace testing_support;
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// Room for everything of so many samples.
 template <class T>
@@ -54,7 +52,7 @@ std::vector<double> times_about(const PoseCurve& curve, std::size_t count) {
   Dice dice(92);
   std::vector<double> times;
   for (std::size_t k = 0; k < count; ++k) times.push_back(dice.between(start - 1.0, end + 1.0));
-  times[count / 2] = not_a_number;
+  times[count / 2] = nan;
   return times;
 }
 
@@ -105,7 +103,7 @@ TEST(Extrapolate, HasTheSameSamplesOnAnyNumberOfThreadsAndInSinglePrecision) {
 TEST(Extrapolate, NamesTheFirstTimeOutsideWhereThatIsAnError) {
   const PoseCurve curve = some_curve();
   const auto [start, end] = curve.orientation.domain();
-  const std::vector<double> times{start, not_a_number, end, end + 0.5, start - 1.0};
+  const std::vector<double> times{start, nan, end, end + 0.5, start - 1.0};
   Everything<double> samples(times.size());
   const auto done = extrapolate<double>(curve, times, Extrapolation::error, samples.spans());
   ASSERT_FALSE(done);

@@ -9,10 +9,10 @@ namespace orispline { namespace {
 
 using namespace testing_support;
 
-constexpr std::size_t samples_per_segment = 23;  // not a multiple of any vector's length
+constexpr std::size_t golden_samples_per_segment = 23;  // not a multiple of any vector's length
 
 void expect_agreement(const AnyCurve& curve) {
-  const std::vector<double> times = sample_times(curve.knots().times(), samples_per_segment);
+  const std::vector<double> times = sample_times(curve.knots().times(), golden_samples_per_segment);
   EXPECT_TRUE(agree<double>(curve, times));
   EXPECT_TRUE(agree<float>(curve, times));
 }

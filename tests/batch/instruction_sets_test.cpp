@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <batch/bits_hash.hpp>
 #include <batch/every_kernel.hpp>
 #include <batch/sampled.hpp>
 #include <batch/specimen_curves.hpp>
@@ -16,11 +17,9 @@ using batch::Clock;
 using batch::Kernels;
 using batch::Target;
 
-constexpr std::size_t count = 173;  // a whole block and a part of one
-
 template <class T>
 struct Results {
-  std::vector<T> orientations = std::vector<T>(4 * count), velocities = std::vector<T>(3 * count),
+  std::vector<T> orientations = std::vector<T>(4 * block_and_part), velocities = std::vector<T>(3 * block_and_part),
                  accelerations = velocities, jerks = velocities;
 
   [[nodiscard]] Target<T> target(Wanted wanted, Layout layout) {
@@ -28,7 +27,7 @@ struct Results {
             .angular_velocity = wanted == Wanted::orientation ? nullptr : velocities.data(),
             .angular_acceleration = wanted >= Wanted::acceleration ? accelerations.data() : nullptr,
             .angular_jerk = wanted >= Wanted::jerk ? jerks.data() : nullptr,
-            .planes = layout == Layout::planar ? static_cast<std::ptrdiff_t>(count) : 0};
+            .planes = layout == Layout::planar ? static_cast<std::ptrdiff_t>(block_and_part) : 0};
   }
   [[nodiscard]] bool same_bits(const Results& other) const {
     const auto same = [](const std::vector<T>& a, const std::vector<T>& b) {
@@ -47,15 +46,15 @@ void expect_the_same_by_every_instruction_set(const AnyCurve& curve) {
     const batch::SegmentRecord<T> record = batch::record_of<T>(curve, segment);
     const KnotSpan span = curve.knots().span(segment);
     std::vector<double> times;
-    for (std::size_t k = 0; k < count; ++k)
-      times.push_back(span.start() + span.step() * static_cast<double>(k) / static_cast<double>(count));
+    for (std::size_t k = 0; k < block_and_part; ++k)
+      times.push_back(span.start() + span.step() * static_cast<double>(k) / static_cast<double>(block_and_part));
     for (const Wanted wanted : {Wanted::orientation, Wanted::velocity, Wanted::acceleration, Wanted::jerk})
       for (const Clock& clock : {Clock{.times = times.data(), .start = 0.0, .step = 0.0, .first = 0.0},
                                  Clock{nullptr, span.start() - 3.0 * span.step(), span.step() / 173.0, 519.0}}) {
         const Layout layout = clock.times ? Layout::interleaved : Layout::planar;
         Results<T> first;
         const auto into = [&](Results<T>& results, const Kernels& k) {
-          run<T>(k, record, clock, count, results.target(wanted, layout));
+          run<T>(k, record, clock, block_and_part, results.target(wanted, layout));
         };
         into(first, *kernels.front());
         for (const Kernels* other : kernels) {
@@ -121,26 +120,8 @@ TEST(InstructionSets, GiveTheSameBitsForAnyAngle) {
     expect_the_same(std::to_string(tension), tense_curve(tension));
 }
 
-/// FNV-1a over the bits.
-class Hash {
- public:
-  void add(std::span<const double> values) {
-    for (const double value : values) add_bits(__builtin_bit_cast(std::uint64_t, value), 8);
-  }
-  void add(std::span<const float> values) {
-    for (const float value : values) add_bits(__builtin_bit_cast(std::uint32_t, value), 4);
-  }
-  [[nodiscard]] std::uint64_t value() const { return state_; }
-
- private:
-  void add_bits(std::uint64_t bits, int bytes) {
-    for (int k = 0; k < bytes; ++k) state_ = (state_ ^ ((bits >> (8 * k)) & 0xffU)) * 0x100000001b3U;
-  }
-  std::uint64_t state_ = 0xcbf29ce484222325U;
-};
-
 struct Hashes {
-  Hash samples, jerks;
+  BitsHash samples, jerks;
 };
 
 template <class T>

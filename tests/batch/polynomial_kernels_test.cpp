@@ -5,9 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <batch/bits_hash.hpp>
+#include <batch/every_kernel.hpp>
 #include <batch/sampled.hpp>
 #include <batch/specimen_curves.hpp>
-#include <orispline/batch/kernel/dispatch.hpp>
 #include <orispline/batch/path_sampler.hpp>
 #include <support/tracks.hpp>
 
@@ -17,55 +18,50 @@ using namespace testing_support;
 using batch::Clock;
 using batch::PolynomialKernels;
 
-constexpr std::size_t count = 173;  // a whole block and a part of one
-
-std::vector<const PolynomialKernels*> all_kernels() {
-  std::vector<const PolynomialKernels*> all;
-  for (const char* name : {"v2", "v3", "v4", "native"})
-    if (const batch::Kernels* kernels = batch::kernels_named(name)) all.push_back(kernels->polynomials);
-  return all;
-}
-
 template <class T>
 using Numbers = std::vector<T>;
 
 template <class T>
 batch::Target<T> baked_target(Numbers<T>& to) {
   return {.orientation = to.data(),
-          .angular_velocity = to.data() + 4 * count,
-          .angular_acceleration = to.data() + 7 * count,
-          .angular_jerk = to.data() + 10 * count};
+          .angular_velocity = to.data() + 4 * block_and_part,
+          .angular_acceleration = to.data() + 7 * block_and_part,
+          .angular_jerk = to.data() + 10 * block_and_part};
 }
-void run(const PolynomialKernels& k, const batch::BakedRecord<double>& r, const Clock& clock, Numbers<double>& to) {
-  k.baked(r, clock, count, baked_target(to));
+void run_polynomial(const PolynomialKernels& k, const batch::BakedRecord<double>& r, const Clock& clock,
+                    Numbers<double>& to) {
+  k.baked(r, clock, block_and_part, baked_target(to));
 }
-void run(const PolynomialKernels& k, const batch::BakedRecord<float>& r, const Clock& clock, Numbers<float>& to) {
-  k.baked_float(r, clock, count, baked_target(to));
+void run_polynomial(const PolynomialKernels& k, const batch::BakedRecord<float>& r, const Clock& clock,
+                    Numbers<float>& to) {
+  k.baked_float(r, clock, block_and_part, baked_target(to));
 }
 template <class T>
 batch::PathTarget<T> path_target(Numbers<T>& to) {
-  return {to.data(), to.data() + 3 * count, to.data() + 6 * count, to.data() + 9 * count, 0};
+  return {to.data(), to.data() + 3 * block_and_part, to.data() + 6 * block_and_part, to.data() + 9 * block_and_part, 0};
 }
-void run(const PolynomialKernels& k, const batch::PathRecord<double>& r, const Clock& clock, Numbers<double>& to) {
-  k.path(r, clock, count, path_target(to));
+void run_polynomial(const PolynomialKernels& k, const batch::PathRecord<double>& r, const Clock& clock,
+                    Numbers<double>& to) {
+  k.path(r, clock, block_and_part, path_target(to));
 }
-void run(const PolynomialKernels& k, const batch::PathRecord<float>& r, const Clock& clock, Numbers<float>& to) {
-  k.path_float(r, clock, count, path_target(to));
+void run_polynomial(const PolynomialKernels& k, const batch::PathRecord<float>& r, const Clock& clock,
+                    Numbers<float>& to) {
+  k.path_float(r, clock, block_and_part, path_target(to));
 }
 
 /// At even times and at given ones.
 template <class T, class Record>
 void expect_the_same_by_every_instruction_set(const Record& record, const KnotSpan& span) {
   std::vector<double> times;
-  for (std::size_t k = 0; k < count; ++k)
-    times.push_back(span.start() + span.step() * static_cast<double>(k) / static_cast<double>(count));
+  for (std::size_t k = 0; k < block_and_part; ++k)
+    times.push_back(span.start() + span.step() * static_cast<double>(k) / static_cast<double>(block_and_part));
   for (const Clock& clock : {Clock{times.data(), 0.0, 0.0, 0.0},
                              Clock{nullptr, span.start() - 3.0 * span.step(), span.step() / 173.0, 519.0}}) {
-    Numbers<T> first(13 * count);
-    run(*all_kernels().front(), record, clock, first);
-    for (const PolynomialKernels* other : all_kernels()) {
-      Numbers<T> numbers(13 * count);
-      run(*other, record, clock, numbers);
+    Numbers<T> first(13 * block_and_part);
+    run_polynomial(*all_kernels().front()->polynomials, record, clock, first);
+    for (const batch::Kernels* other : all_kernels()) {
+      Numbers<T> numbers(13 * block_and_part);
+      run_polynomial(*other->polynomials, record, clock, numbers);
       EXPECT_EQ(std::memcmp(numbers.data(), first.data(), sizeof(T) * numbers.size()), 0);
     }
   }
@@ -102,41 +98,25 @@ TEST(PolynomialKernels, TakeThePathsOfTheseMethods) {
   EXPECT_GT(std::ranges::count_if(curves(), [](const PoseCurve& c) { return c.position->degree() > 0; }), 3);
 }
 
-/// FNV-1a over the bits of numbers.
-class Hash {
- public:
-  template <class T, class Bits>
-  void add(const std::vector<T>& numbers) {
-    for (const T number : numbers) {
-      const Bits bits = __builtin_bit_cast(Bits, number);
-      for (std::size_t k = 0; k < sizeof(T); ++k) state_ = (state_ ^ ((bits >> (8 * k)) & 0xffU)) * 0x100000001b3U;
-    }
-  }
-  [[nodiscard]] std::uint64_t value() const { return state_; }
-
- private:
-  std::uint64_t state_ = 0xcbf29ce484222325U;
-};
-
-template <class T, class Bits>
-void add_samples(const PoseCurve& curve, Hash& hash) {
+template <class T>
+void add_samples(const PoseCurve& curve, BitsHash& hash) {
   const auto [start, end] = curve.orientation.domain();
   Numbers<T> orientations(4 * 500), positions(3 * 500), velocities(positions), accelerations(positions);
   const double dt = (end - start) / 480.0;
   ASSERT_TRUE(
       sample_uniform<T>(bake<T>(curve.orientation, 1e-6).value(), start, dt, Samples<T>{.orientations = orientations}));
-  hash.add<T, Bits>(orientations);
+  hash.add(std::span<const T>(orientations));
   ASSERT_TRUE(sample_uniform<T>(curve, start, dt,
                                 Samples<T>{.orientations = orientations,
                                            .positions = positions,
                                            .velocities = velocities,
                                            .accelerations = accelerations}));
-  for (const Numbers<T>& numbers : {positions, velocities, accelerations}) hash.add<T, Bits>(numbers);
+  for (const Numbers<T>& numbers : {positions, velocities, accelerations}) hash.add(std::span<const T>(numbers));
 }
 
 /// What the baked curve has beside orientations, and the path beside accelerations.
-template <class T, class Bits>
-void add_rates(const PoseCurve& curve, Hash& hash) {
+template <class T>
+void add_rates(const PoseCurve& curve, BitsHash& hash) {
   const auto [start, end] = curve.orientation.domain();
   const double dt = (end - start) / 480.0;
   Numbers<T> orientations(4 * 500), velocities(3 * 500), accelerations(velocities), jerks(velocities);
@@ -146,21 +126,21 @@ void add_rates(const PoseCurve& curve, Hash& hash) {
                                            .angular_velocities = velocities,
                                            .angular_accelerations = accelerations,
                                            .angular_jerks = jerks}));
-  for (const Numbers<T>& numbers : {velocities, accelerations, jerks}) hash.add<T, Bits>(numbers);
+  for (const Numbers<T>& numbers : {velocities, accelerations, jerks}) hash.add(std::span<const T>(numbers));
   ASSERT_TRUE(sample_uniform<T>(curve, start, dt, Samples<T>{.orientations = orientations, .linear_jerks = jerks}));
-  hash.add<T, Bits>(jerks);
+  hash.add(std::span<const T>(jerks));
 }
 
 /// All the way from keys to samples, where the methods are free of the system's own functions.
 constexpr std::uint64_t hash_of_all_samples = 0xa7a148b02b1b1ff1U, hash_of_all_rates = 0x6c303eaa7f361987U;
 
 TEST(PolynomialKernels, AndCompilersGiveTheBitsThatAreWrittenHere) {
-  Hash samples, rates;
+  BitsHash samples, rates;
   for (const PoseCurve& curve : curves()) {
-    add_samples<double, std::uint64_t>(curve, samples);
-    add_samples<float, std::uint32_t>(curve, samples);
-    add_rates<double, std::uint64_t>(curve, rates);
-    add_rates<float, std::uint32_t>(curve, rates);
+    add_samples<double>(curve, samples);
+    add_samples<float>(curve, samples);
+    add_rates<double>(curve, rates);
+    add_rates<float>(curve, rates);
   }
   EXPECT_EQ(samples.value(), hash_of_all_samples) << std::hex << "0x" << samples.value();
   EXPECT_EQ(rates.value(), hash_of_all_rates) << std::hex << "0x" << rates.value();

@@ -3,16 +3,15 @@
 #include <limits>
 
 #include <batch/agreement.hpp>
+#include <batch/refused_samples.hpp>
 #include <batch/specimen_curves.hpp>
 #include <curve/counting_new.hpp>
+#include <support/not_finite.hpp>
 #include <support/tracks.hpp>
 
 namespace orispline { namespace {
 
 using namespace testing_support;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// Room for a sample of everything.
 template <class T>
@@ -171,7 +170,7 @@ TEST(BatchPositions, HaveTheSameBitsByEveryDoorAndAllocateNothing) {
 TEST(BatchPositions, HoldTheEndsAtRestAndAnswerNaNByNaN) {
   const PoseCurve curve = make_pose_curve("timed-c2", keyframes(posed_walk(127, 9, Spacing::uneven))).value();
   const auto [start, end] = curve.orientation.domain();
-  const std::vector<double> times{-infinity, start - 1.0, not_a_number, end + 1.0, infinity};
+  const std::vector<double> times{-infinity, start - 1.0, nan, end + 1.0, infinity};
   Poses<double> poses{times.size()};
   ASSERT_TRUE(sample<double>(curve, times, poses.spans()));
   for (const std::size_t i : {0U, 1U, 3U, 4U}) {
@@ -206,12 +205,6 @@ TEST(BatchPositions, MayBeWantedWithoutTheirRatesOrNotAtAll) {
   ASSERT_TRUE(sample_uniform<double>(curve, 0.0, 0.05, Samples<double>{.orientations = none.orientations}));
   EXPECT_EQ(none.orientations, all.orientations);
   EXPECT_EQ(none.positions, std::vector<double>(150));
-}
-
-void expect_bad_argument(const Expected<void>& sampled, const std::string& message) {
-  ASSERT_FALSE(sampled);
-  EXPECT_EQ(sampled.error().code, ErrorCode::bad_argument);
-  EXPECT_EQ(sampled.error().message, message);
 }
 
 TEST(BatchPositions, ThatAreNotThereAreAnError) {

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Baked curves that were stored.
-#include <limits>
 
 #include <batch/agreement.hpp>
 #include <batch/specimen_curves.hpp>
+#include <support/not_finite.hpp>
 #include <support/tracks.hpp>
 
 namespace orispline { namespace {
 
 using namespace testing_support;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 template <class T>
 void expect_the_same_when_restored(const AnyCurve& curve) {
@@ -42,7 +39,7 @@ TEST(BakedCurve, IsNotRestoredFromWhatIsNone) {
   broken[1].coefficients[3][9] = infinity;
   for (const auto& restored :
        {BakedCurve<>::restored({}, {}, 0.0), BakedCurve<>::restored({0.0, 1.0, 1.0}, two, 0.0),
-        BakedCurve<>::restored({0.0, not_a_number, 2.0}, two, 0.0), BakedCurve<>::restored({0.0, 1.0}, two, 0.0),
+        BakedCurve<>::restored({0.0, nan, 2.0}, two, 0.0), BakedCurve<>::restored({0.0, 1.0}, two, 0.0),
         BakedCurve<>::restored({0.0, 1.0, 2.0}, broken, 0.0), BakedCurve<>::restored({0.0, 1.0, 2.0}, two, infinity)}) {
     ASSERT_FALSE(restored);
     EXPECT_EQ(restored.error().code, ErrorCode::bad_data);

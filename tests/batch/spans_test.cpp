@@ -3,7 +3,9 @@
 #include <numeric>
 
 #include <batch/agreement.hpp>
+#include <batch/refused_samples.hpp>
 #include <batch/specimen_curves.hpp>
+#include <support/not_finite.hpp>
 
 namespace orispline { namespace {
 
@@ -95,12 +97,6 @@ TEST(BatchSpans, MayBeEmpty) {
   EXPECT_TRUE(sample_many<double>({}, 0.0, {}));
 }
 
-void expect_bad_argument(const Expected<void>& sampled, const std::string& message) {
-  ASSERT_FALSE(sampled);
-  EXPECT_EQ(sampled.error().code, ErrorCode::bad_argument);
-  EXPECT_EQ(sampled.error().message, message);
-}
-
 TEST(BatchSpans, OfWrongSizesAreAnError) {
   const AnyCurve curve = specimen_curve("timed-c2");
   const std::vector<CompiledCurve<>> curves(2, CompiledCurve<>(curve));
@@ -125,7 +121,6 @@ TEST(BatchSpans, OfWrongSizesAreAnError) {
 
 TEST(BatchSpans, AreLeftAloneWhenTimesDecrease) {
   const AnyCurve curve = specimen_curve("timed-c2");
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const auto fails_at = [&](const std::vector<double>& times, std::size_t index) {
     std::vector<double> memory(4 * times.size(), untouched);
     const auto sampled = sample<double>(curve, times, {.orientations = memory});
@@ -143,7 +138,7 @@ TEST(BatchSpans, AreLeftAloneWhenTimesDecrease) {
 TEST(BatchSpans, AreLeftAloneWhenTheStepIsNone) {
   const AnyCurve curve = specimen_curve("timed-c2");
   std::vector<double> memory(8, untouched);
-  for (const double dt : {-0.1, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+  for (const double dt : {-0.1, infinity, nan}) {
     const auto sampled = sample_uniform<double>(curve, 0.0, dt, {.orientations = memory});
     ASSERT_FALSE(sampled) << dt;
     EXPECT_EQ(sampled.error().code, ErrorCode::bad_argument);

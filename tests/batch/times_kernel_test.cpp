@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Loops over times: by every instruction set, and through blocks of which some are in order and some are not.
 #include <algorithm>
-#include <limits>
 #include <random>
 #include <vector>
 
@@ -10,13 +9,11 @@
 #include <batch/every_kernel.hpp>
 #include <batch/sampled.hpp>
 #include <batch/specimen_curves.hpp>
+#include <support/not_finite.hpp>
 
 namespace orispline { namespace {
 
 using namespace testing_support;
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TEST(TimesKernel, TellsWhetherTimesAreInOrder) {
   for (const batch::Kernels* kernels : all_kernels()) {
@@ -26,14 +23,14 @@ TEST(TimesKernel, TellsWhetherTimesAreInOrder) {
     };
     EXPECT_TRUE(are_in_order({}));
     EXPECT_TRUE(are_in_order({3.0}));
-    EXPECT_FALSE(are_in_order({not_a_number}));
+    EXPECT_FALSE(are_in_order({nan}));
     EXPECT_TRUE(are_in_order({-infinity, -0.0, 0.0, -0.0, 1.0, 1.0, infinity, infinity}));
     for (const std::size_t size : {2U, 7U, 8U, 9U, 40U}) {
       std::vector<double> rising(size);
       for (std::size_t k = 0; k < size; ++k) rising[k] = static_cast<double>(k / 2);
       EXPECT_TRUE(are_in_order(rising));
       for (std::size_t k = 0; k < size; ++k)
-        for (const double wrong : {not_a_number, k == 0 ? 1e9 : -1.0}) {
+        for (const double wrong : {nan, k == 0 ? 1e9 : -1.0}) {
           std::vector<double> times = rising;
           times[k] = wrong;
           EXPECT_FALSE(are_in_order(times)) << wrong << " at " << k << " of " << size;
@@ -91,7 +88,7 @@ TEST(TimesKernel, BlocksInOrderAndOthersGiveTheSamplesOfSingleTimes) {
     std::ranges::sort(times);
     expect_the_samples_of_single_times(curve, times);
     std::swap(times[2500], times[2700]);
-    times[6999] = not_a_number;
+    times[6999] = nan;
     expect_the_samples_of_single_times(curve, times);
     std::ranges::reverse(times);
     expect_the_samples_of_single_times(curve, times);

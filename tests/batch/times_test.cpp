@@ -4,13 +4,11 @@
 
 #include <batch/agreement.hpp>
 #include <batch/specimen_curves.hpp>
+#include <support/not_finite.hpp>
 
 namespace orispline { namespace {
 
 using namespace testing_support;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 class BatchTimes : public testing::TestWithParam<const char*> {
  protected:
@@ -59,8 +57,7 @@ TEST_P(BatchTimes, AtAndBesideKnotsBelongToTheRightSegment) {
 
 TEST_P(BatchTimes, ThatAreNoNumbersGiveNone) {
   const double middle = 0.5 * (start_ + end_);
-  const std::vector<double> times{not_a_number, start_ - 1.0, not_a_number, start_, middle,   not_a_number,
-                                  not_a_number, middle,       end_,         end_,   infinity, not_a_number};
+  const std::vector<double> times{nan, start_ - 1.0, nan, start_, middle, nan, nan, middle, end_, end_, infinity, nan};
   Sampled<double> samples(times.size(), Wanted::jerk);
   ASSERT_TRUE(sample<double>(curve_, times, samples.spans()));
   for (std::size_t i = 0; i < times.size(); ++i) {
@@ -112,7 +109,7 @@ TEST_P(BatchTimes, ThatStartNowhereAreAnsweredAsOneTimeIs) {
   expect_at_rest(samples, 2, sample_at_end(start_));
   ASSERT_TRUE(sample_uniform<double>(curve_, infinity, 1.0, samples.spans()));
   expect_at_rest(samples, 2, sample_at_end(end_));
-  ASSERT_TRUE(sample_uniform<double>(curve_, not_a_number, 1.0, samples.spans()));
+  ASSERT_TRUE(sample_uniform<double>(curve_, nan, 1.0, samples.spans()));
   EXPECT_TRUE(samples.orientation(2).array().isNaN().all());
   EXPECT_TRUE(samples.jerk(2).array().isNaN().all());
 }

@@ -9,7 +9,7 @@
 
 namespace orispline { namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Eigen::Quaterniond about_x(double angle) { return {std::cos(angle / 2), std::sin(angle / 2), 0.0, 0.0}; }
 

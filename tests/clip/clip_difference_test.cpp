@@ -4,10 +4,11 @@
 #include <cmath>
 
 #include <orispline/clip/clip_difference.hpp>
+#include <support/specimens.hpp>
 
 namespace orispline { namespace {
 
-Eigen::Quaterniond about_z(double angle) { return {std::cos(angle / 2), 0.0, 0.0, std::sin(angle / 2)}; }
+using testing_support::about_z;
 
 Skeleton bone(double length) {
   JointPose tip;

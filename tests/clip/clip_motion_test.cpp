@@ -5,10 +5,12 @@
 #include <numbers>
 
 #include <orispline/clip/clip_motion.hpp>
+#include <support/specimens.hpp>
 
 namespace orispline { namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
+using testing_support::about_z;
 
 /// An upper arm of length 2 along x, a forearm of length 1 behind it.
 Skeleton arm() {
@@ -20,8 +22,6 @@ Skeleton arm() {
                          {.name = "wrist", .parent = 1, .rest = wrist}})
       .value();
 }
-
-Eigen::Quaterniond about_z(double angle) { return {std::cos(angle / 2), 0.0, 0.0, std::sin(angle / 2)}; }
 
 Clip wave() {
   return {.name = "wave",

@@ -27,30 +27,30 @@ Skeleton chain() {
       .value();
 }
 
-constexpr std::size_t root = 0, shoulder = 1, elbow = 2, hand = 3;
+constexpr std::size_t root_joint = 0, shoulder_joint = 1, elbow_joint = 2, hand_joint = 3;
 
 /// Every interpolation, over times that begin and end differently.
 Clip clip() {
   return {.name = "reach",
-          .rotations = {{.joint = root,
+          .rotations = {{.joint = root_joint,
                          .interpolation = ChannelInterpolation::linear,
                          .times = {0.0, 0.7, 2.0},
                          .values = {turn(0, 0, 0), turn(0.9, 0.2, 0), turn(0.1, -0.8, 0.4)}},
-                        {.joint = shoulder,
+                        {.joint = shoulder_joint,
                          .interpolation = ChannelInterpolation::step,
                          .times = {0.25, 1.0, 1.6},
                          .values = {turn(0.3, 0, 0), turn(0, 0.5, 0), turn(0, 0, 0.7)}},
-                        {.joint = elbow,
+                        {.joint = elbow_joint,
                          .interpolation = ChannelInterpolation::cubicspline,
                          .times = {0.1, 0.9, 1.8},
                          .values = {turn(0, 0, 0), turn(0, 0, 1.1), turn(0.6, 0, 0.3)},
                          .in_tangents = {rate(0, 0, 0, 0), rate(-0.1, 0.2, 0, 0.5), rate(0, 0.3, 0, 0)},
                          .out_tangents = {rate(0, 0.1, 0.4, 0), rate(0.2, 0, -0.3, 0.1), rate(0, 0, 0, 0)}}},
-          .translations = {{.joint = elbow,
+          .translations = {{.joint = elbow_joint,
                             .interpolation = ChannelInterpolation::linear,
                             .times = {0.5, 1.5},
                             .values = {{0.4, 0.1, 0.0}, {0.6, -0.2, 0.1}}},
-                           {.joint = root,
+                           {.joint = root_joint,
                             .interpolation = ChannelInterpolation::cubicspline,
                             .times = {0.0, 2.2},
                             .values = {{0, 0, 0}, {3, 0, 1}},
@@ -89,7 +89,7 @@ TEST(JointCurve, InTheFrameOfTheParentIsTheChannel) {
   const Skeleton skeleton = chain();
   const Clip reach = clip();
   const ClipMotion motion(skeleton, reach);
-  for (const std::size_t joint : {root, shoulder, elbow, hand}) {
+  for (const std::size_t joint : {root_joint, shoulder_joint, elbow_joint, hand_joint}) {
     const PoseCurve curve = joint_curve(skeleton, reach, joint, JointSpace::local).value();
     for (double t = -0.5; t < 2.6; t += 0.013) {
       const JointPose pose =
@@ -107,10 +107,11 @@ TEST(JointCurve, HasTheKeysOfItsChannelsAsKnots) {
     const auto times = curve.orientation.knots().times();
     return std::vector<double>(times.begin(), times.end());
   };
-  EXPECT_EQ(knots(shoulder, JointSpace::local), (std::vector{0.25, 1.0, 1.6}));
-  EXPECT_EQ(knots(elbow, JointSpace::local), (std::vector{0.1, 0.5, 0.9, 1.5, 1.8}));
-  EXPECT_EQ(knots(hand, JointSpace::world), (std::vector{0.0, 0.1, 0.25, 0.5, 0.7, 0.9, 1.0, 1.5, 1.6, 1.8, 2.0, 2.2}));
-  EXPECT_EQ(knots(hand, JointSpace::local), (std::vector{0.0}));
+  EXPECT_EQ(knots(shoulder_joint, JointSpace::local), (std::vector{0.25, 1.0, 1.6}));
+  EXPECT_EQ(knots(elbow_joint, JointSpace::local), (std::vector{0.1, 0.5, 0.9, 1.5, 1.8}));
+  EXPECT_EQ(knots(hand_joint, JointSpace::world),
+            (std::vector{0.0, 0.1, 0.25, 0.5, 0.7, 0.9, 1.0, 1.5, 1.6, 1.8, 2.0, 2.2}));
+  EXPECT_EQ(knots(hand_joint, JointSpace::local), (std::vector{0.0}));
 }
 
 TEST(JointCurve, InTheWorldIsThePoseOfTheChain) {
@@ -118,7 +119,7 @@ TEST(JointCurve, InTheWorldIsThePoseOfTheChain) {
   const Clip reach = clip();
   const ClipMotion motion(skeleton, reach);
   std::vector<Eigen::Affine3d> poses(skeleton.size());
-  for (const std::size_t joint : {root, shoulder, elbow, hand}) {
+  for (const std::size_t joint : {root_joint, shoulder_joint, elbow_joint, hand_joint}) {
     const PoseCurve curve = joint_curve(skeleton, reach, joint, JointSpace::world).value();
     const Domain domain = curve.orientation.domain();
     for (double t = domain.start; t <= domain.end; t += 0.01) {
@@ -133,9 +134,9 @@ TEST(JointCurve, HasTheRatesOfThePosesOfTheChain) {
   const Skeleton skeleton = chain();
   const Clip reach = clip();
   const ClipMotion motion(skeleton, reach);
-  const PoseCurve curve = joint_curve(skeleton, reach, hand, JointSpace::world).value();
+  const PoseCurve curve = joint_curve(skeleton, reach, hand_joint, JointSpace::world).value();
   for (const double t : inner_times) {
-    const Differences wanted = differences_at(motion, hand, t);
+    const Differences wanted = differences_at(motion, hand_joint, t);
     const Motion found = curve.orientation.motion(t);
     const LinearMotion path = curve.position->linear_motion(t);
     EXPECT_LT((found.angular_velocity - wanted.angular_velocity).norm(), 1e-6) << t;
@@ -147,7 +148,7 @@ TEST(JointCurve, HasTheRatesOfThePosesOfTheChain) {
 }
 
 TEST(JointCurve, OfStepsJumpsAtTheirKeys) {
-  const PoseCurve curve = joint_curve(chain(), clip(), shoulder, JointSpace::local).value();
+  const PoseCurve curve = joint_curve(chain(), clip(), shoulder_joint, JointSpace::local).value();
   EXPECT_LT(angular_distance(curve.orientation.motion(1.0, Side::left).orientation, turn(0.3, 0, 0)), 1e-15);
   EXPECT_LT(angular_distance(curve.orientation.motion(1.0).orientation, turn(0, 0.5, 0)), 1e-15);
   EXPECT_LT(angular_distance(curve.orientation(1.6), turn(0, 0, 0.7)), 1e-15);
@@ -157,7 +158,7 @@ TEST(JointCurve, OfStepsJumpsAtTheirKeys) {
 std::string fault_in_world(const VectorChannel& scale) {
   Clip scaled = clip();
   scaled.scales.push_back(scale);
-  const auto curve = joint_curve(chain(), scaled, hand, JointSpace::world);
+  const auto curve = joint_curve(chain(), scaled, hand_joint, JointSpace::world);
   return curve ? "" : describe(curve.error());
 }
 
@@ -166,9 +167,9 @@ TEST(JointCurve, IsAnErrorBelowScalesThatLeaveNoOrientation) {
       "clip 'reach', joint 'elbow': found a scale that is zero, negative or not the same along all axes, wanted "
       "another "
       "one for the world";
-  EXPECT_EQ(fault_in_world({.joint = elbow, .times = {0.0, 1.0}, .values = {{1, 1, 1}, {1, 2, 1}}}), uneven);
-  EXPECT_EQ(fault_in_world({.joint = elbow, .times = {0.0}, .values = {{1, 1, -1}}}), uneven);
-  EXPECT_EQ(fault_in_world({.joint = elbow,
+  EXPECT_EQ(fault_in_world({.joint = elbow_joint, .times = {0.0, 1.0}, .values = {{1, 1, 1}, {1, 2, 1}}}), uneven);
+  EXPECT_EQ(fault_in_world({.joint = elbow_joint, .times = {0.0}, .values = {{1, 1, -1}}}), uneven);
+  EXPECT_EQ(fault_in_world({.joint = elbow_joint,
                             .interpolation = ChannelInterpolation::cubicspline,
                             .times = {0.0, 1.0},
                             .values = {{1, 1, 1}, {1, 1, 1}},
@@ -178,14 +179,14 @@ TEST(JointCurve, IsAnErrorBelowScalesThatLeaveNoOrientation) {
 }
 
 TEST(JointCurve, BearsEvenScalesAboveAndAnyOfItsOwn) {
-  EXPECT_EQ(fault_in_world({.joint = hand, .times = {0.0}, .values = {{1, -2, 3}}}), "");
+  EXPECT_EQ(fault_in_world({.joint = hand_joint, .times = {0.0}, .values = {{1, -2, 3}}}), "");
   const Skeleton skeleton = chain();
   Clip grown = clip();
-  grown.scales.push_back({.joint = shoulder, .times = {0.0, 2.0}, .values = {{1, 1, 1}, {3, 3, 3}}});
+  grown.scales.push_back({.joint = shoulder_joint, .times = {0.0, 2.0}, .values = {{1, 1, 1}, {3, 3, 3}}});
   const ClipMotion motion(skeleton, grown);
-  const PoseCurve curve = joint_curve(skeleton, grown, hand, JointSpace::world).value();
+  const PoseCurve curve = joint_curve(skeleton, grown, hand_joint, JointSpace::world).value();
   for (const double t : inner_times) {
-    const Differences wanted = differences_at(motion, hand, t);
+    const Differences wanted = differences_at(motion, hand_joint, t);
     EXPECT_LT((curve.position->linear_motion(t).velocity - wanted.velocity).norm(), 1e-6) << t;
     EXPECT_LT((curve.position->linear_motion(t).acceleration - wanted.acceleration).norm(), 2e-5) << t;
   }

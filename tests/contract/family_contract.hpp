@@ -19,6 +19,8 @@ inline void PrintTo(const FamilyInfo& family, std::ostream* out) { *out << famil
 
 namespace contract {
 
+using testing_support::Spacing;  // beside that of the analysis, which a test may include
+
 /// What every family promises, checked through the registry: a new family is under contract without a line of test
 /// code.
 class FamilyContract : public testing::TestWithParam<FamilyInfo> {
@@ -28,7 +30,7 @@ class FamilyContract : public testing::TestWithParam<FamilyInfo> {
   }
   [[nodiscard]] static const KeyUse& use() { return GetParam().key_use; }
   /// Keys of a random walk, as many as the family needs for a curve of `segments` segments.
-  [[nodiscard]] static KeyframeData walk(std::uint64_t seed, std::size_t segments, testing_support::Spacing spacing,
+  [[nodiscard]] static KeyframeData walk(std::uint64_t seed, std::size_t segments, Spacing spacing,
                                          double largest_step = 1.5) {
     return testing_support::random_walk(seed, use().keys_for(segments), spacing,
                                         testing_support::step_on(GetParam(), spacing, largest_step));

@@ -7,6 +7,7 @@
 #include <orispline/families/registry.hpp>
 #include <orispline/families/slerp.hpp>
 #include <support/near.hpp>
+#include <support/not_finite.hpp>
 #include <support/specimens.hpp>
 #include <support/tolerance.hpp>
 
@@ -75,7 +76,6 @@ TEST(AnyCurve, TakesTheSegmentOnTheSideThatIsAskedFor) {
 }
 
 TEST(AnyCurve, AnswersNotANumberToNotANumber) {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
   const Keyframes keys = keyframes(random_walk(202, 7, Spacing::uneven, 0.8));
   for (const FamilyInfo& family : families_info()) {
     const AnyCurve curve = make_curve(family.name, keys).value();
@@ -85,7 +85,6 @@ TEST(AnyCurve, AnswersNotANumberToNotANumber) {
 }
 
 TEST(AnyCurve, ThroughOneKeyAnswersNotANumberToNotANumber) {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
   KeyframeData data = random_walk(203, 1, Spacing::even);
   data.positions.emplace_back(1, 0, -2);
   const PoseCurve pose = make_pose_curve("auto", keyframes(data)).value();

@@ -9,21 +9,22 @@
 #include <orispline/families/registry.hpp>
 #include <support/key_use.hpp>
 #include <support/near.hpp>
+#include <support/not_finite.hpp>
 #include <support/tracks.hpp>
 
 namespace orispline { namespace {
 
 using namespace testing_support;
 
-const Eigen::Vector3d axis(0.36, -0.48, 0.8);
+const Eigen::Vector3d oblique(0.36, -0.48, 0.8);
 
 /// A turn about one axis by the angle t³/20 − t²/10 + 2t/5 + 3/10 rad, and its rates.
 Motion cubic_turn(double t) {
   const double angle = ((0.05 * t - 0.1) * t + 0.4) * t + 0.3;
-  return {.orientation = exp<double>(angle * axis),
-          .angular_velocity = ((0.15 * t - 0.2) * t + 0.4) * axis,
-          .angular_acceleration = (0.3 * t - 0.2) * axis,
-          .angular_jerk = 0.3 * axis};
+  return {.orientation = exp<double>(angle * oblique),
+          .angular_velocity = ((0.15 * t - 0.2) * t + 0.4) * oblique,
+          .angular_acceleration = (0.3 * t - 0.2) * oblique,
+          .angular_jerk = 0.3 * oblique};
 }
 
 KeyframeData keys_of_cubic_turn() {
@@ -145,7 +146,6 @@ TEST(Extrapolation, ThroughOneKeyNothingMovesAndNotANumberStaysOne) {
   for (const Extrapolation how : {Extrapolation::hold, Extrapolation::rate, Extrapolation::segment}) {
     EXPECT_TRUE(near(extrapolated(curve.orientation, 9.0, how), curve.orientation.motion(9.0), {0, 0, 0, 0}));
     EXPECT_EQ(extrapolated(*curve.position, -9.0, how).position, place);
-    const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_TRUE(extrapolated(curve.orientation, nan, how).orientation.coeffs().hasNaN());
     EXPECT_TRUE(extrapolated(*curve.position, nan, how).position.hasNaN());
   }

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <support/near.hpp>
+#include <support/not_finite.hpp>
 #include <support/specimens.hpp>
 #include <support/tolerance.hpp>
 
@@ -19,7 +20,7 @@ namespace orispline { namespace {
 using testing_support::near;
 using testing_support::pi;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using testing_support::nan;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 KeyframeData three_keys() {

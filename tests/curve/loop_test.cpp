@@ -52,8 +52,7 @@ TEST_P(LoopRefuses, WithWhatWasFoundAndWhatWasWanted) {
   EXPECT_EQ(describe(c.error()), GetParam().message);
 }
 
-constexpr auto bad_argument = ErrorCode::bad_argument;
-constexpr auto bad_data = ErrorCode::bad_data;
+using enum ErrorCode;
 
 INSTANTIATE_TEST_SUITE_P(
     Bad, LoopRefuses,

@@ -7,6 +7,7 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/registry.hpp>
+#include <support/not_finite.hpp>
 #include <support/specimens.hpp>
 
 namespace orispline { namespace {
@@ -44,9 +45,8 @@ CurveOptions tension(std::vector<double> values) { return {.parameters = {{"tens
 CurveOptions start_at(EndRule rule) { return {.start = {.rule = rule}}; }
 CurveOptions end_at(EndRule rule) { return {.end = {.rule = rule}}; }
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr auto bad_argument = ErrorCode::bad_argument;
-constexpr auto bad_data = ErrorCode::bad_data;
+using testing_support::nan;
+using enum ErrorCode;
 
 INSTANTIATE_TEST_SUITE_P(
     Bad, OptionsRefuse,

@@ -11,19 +11,19 @@
 namespace orispline { namespace {
 
 using namespace testing_support;
-using J = Jet<double, 5>;
+using Jet5 = Jet<double, 5>;
 
 /// The four blending functions C_0 … C_3 as jets at u, from the cumulative ones.
-std::array<J, 4> blending(double u) {
+std::array<Jet5, 4> atbi_blending(double u) {
   const Knots unit({0.0, 1.0});
-  const auto sums = families::Atbi::Basis{}(unit.span(0), J::variable(u));
-  return {J(1.0) - sums[0], sums[0] - sums[1], sums[1] - sums[2], sums[2]};
+  const auto sums = families::Atbi::Basis{}(unit.span(0), Jet5::variable(u));
+  return {Jet5(1.0) - sums[0], sums[0] - sums[1], sums[1] - sums[2], sums[2]};
 }
 
 TEST(Atbi, BlendsWithinTheSpanOfOneUUSquaredSineAndCosine) {
   // Exactly these functions satisfy f⁗' + π² f''' = 0.
   for (const double u : {0.0, 0.15, 0.4, 0.8, 1.0})
-    for (const J& c : blending(u))
+    for (const Jet5& c : atbi_blending(u))
       EXPECT_NEAR(c.derivative(5) + pi * pi * c.derivative(3), 0.0, 1e3 * tolerance::algebra) << u;
 }
 
@@ -32,7 +32,7 @@ TEST(Atbi, MeetsTheKeysWithTheCentralDifferenceAndQuarterPiSquaredTimesTheSecond
   const double bend = pi * pi / 4.0;
   const std::array<std::array<double, 4>, 3> start{{{0, 1, 0, 0}, {-0.5, 0, 0.5, 0}, {bend, -2 * bend, bend, 0}}};
   const std::array<std::array<double, 4>, 3> end{{{0, 0, 1, 0}, {0, -0.5, 0, 0.5}, {0, bend, -2 * bend, bend}}};
-  const auto at_start = blending(0.0), at_end = blending(1.0);
+  const auto at_start = atbi_blending(0.0), at_end = atbi_blending(1.0);
   for (std::size_t order = 0; order < 3; ++order)
     for (std::size_t k = 0; k < 4; ++k) {
       EXPECT_NEAR(at_start[k].derivative(order), start[order][k], tolerance::algebra) << "C_" << k;
@@ -42,7 +42,7 @@ TEST(Atbi, MeetsTheKeysWithTheCentralDifferenceAndQuarterPiSquaredTimesTheSecond
 
 TEST(Atbi, SumsToOneAndReproducesEvenSteps) {
   for (const double u : {0.0, 0.2, 0.5, 0.9}) {
-    const auto c = blending(u);
+    const auto c = atbi_blending(u);
     EXPECT_NEAR(c[0].c[0] + c[1].c[0] + c[2].c[0] + c[3].c[0], 1.0, tolerance::algebra);
     EXPECT_NEAR(-c[0].c[0] + c[2].c[0] + 2.0 * c[3].c[0], u, tolerance::algebra);
   }
@@ -54,10 +54,10 @@ TEST(Atbi, IsTheFormulaOfItsPage) {
     const double outer =
         0.125 - linear * u + pi * pi / 16.0 * u * u - (2.0 - pi * pi / 2.0) / (8.0 * pi) * sine - 0.125 * cosine;
     const double inner = 0.375 + linear * u - pi * pi / 16.0 * u * u + (0.5 - linear) / pi * sine - 0.375 * cosine;
-    EXPECT_NEAR(blending(u)[0].c[0], outer, tolerance::algebra);
-    EXPECT_NEAR(blending(1.0 - u)[3].c[0], outer, tolerance::algebra);
-    EXPECT_NEAR(blending(u)[2].c[0], inner, tolerance::algebra);
-    EXPECT_NEAR(blending(1.0 - u)[1].c[0], inner, tolerance::algebra);
+    EXPECT_NEAR(atbi_blending(u)[0].c[0], outer, tolerance::algebra);
+    EXPECT_NEAR(atbi_blending(1.0 - u)[3].c[0], outer, tolerance::algebra);
+    EXPECT_NEAR(atbi_blending(u)[2].c[0], inner, tolerance::algebra);
+    EXPECT_NEAR(atbi_blending(1.0 - u)[1].c[0], inner, tolerance::algebra);
   }
 }
 

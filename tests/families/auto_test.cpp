@@ -13,9 +13,9 @@ namespace orispline { namespace {
 using namespace testing_support;
 
 /// What golden_auto.json states: its reference is double precision itself.
-constexpr double golden_orientation = 1e-11, golden_velocity = 1e-9, golden_acceleration = 1e-7;
+constexpr double auto_orientation = 1e-11, auto_velocity = 1e-9, auto_acceleration = 1e-7;
 
-AnyCurve curve_of(const KeyframeData& data, std::string_view family = "auto", const CurveOptions& options = {}) {
+AnyCurve auto_curve(const KeyframeData& data, std::string_view family = "auto", const CurveOptions& options = {}) {
   return make_curve({family, options}, Keyframes::make(data).value()).value();
 }
 
@@ -36,12 +36,12 @@ std::size_t sequences_that_agree(const DataTable& keys, const DataTable& rows) {
         data.times.push_back(key.number("t"));
         data.orientations.push_back(key.quaternion("qw", "qx", "qy", "qz"));
       }
-      curves.emplace(name, curve_of(data));
+      curves.emplace(name, auto_curve(data));
     }
     const Motion m = curves.at(name).motion(row.number("t"));
-    EXPECT_LE(relative_error(m.orientation, row.quaternion("qw", "qx", "qy", "qz")), golden_orientation) << name;
-    EXPECT_LE(relative_error(m.angular_velocity, row.vector("wx", "wy", "wz")), golden_velocity) << name;
-    EXPECT_LE(relative_error(m.angular_acceleration, row.vector("ax", "ay", "az")), golden_acceleration) << name;
+    EXPECT_LE(relative_error(m.orientation, row.quaternion("qw", "qx", "qy", "qz")), auto_orientation) << name;
+    EXPECT_LE(relative_error(m.angular_velocity, row.vector("wx", "wy", "wz")), auto_velocity) << name;
+    EXPECT_LE(relative_error(m.angular_acceleration, row.vector("ax", "ay", "az")), auto_acceleration) << name;
   }
   return curves.size();
 }
@@ -62,7 +62,7 @@ TEST(Auto, IsTheSameBackwardsInTime) {
     reversed.orientations.push_back(data.orientations[i]);
   }
   for (const char* family : {"auto", "auto5"}) {
-    const AnyCurve forward = curve_of(data, family), backward = curve_of(reversed, family);
+    const AnyCurve forward = auto_curve(data, family), backward = auto_curve(reversed, family);
     for (const double t : sample_times(data.times, 5))
       EXPECT_LE(angular_distance(forward(t), backward(-t)), tolerance::algebra) << family << " at " << t;
   }
@@ -71,7 +71,7 @@ TEST(Auto, IsTheSameBackwardsInTime) {
 TEST(Auto, IsExactForAFixedAxisWithACubicAngle) {
   const std::vector<double> times{0.0, 0.3, 0.4, 0.9, 1.1, 1.6, 1.9, 2.0};
   const auto angle = [](double t) { return 0.2 + 0.5 * t - 0.6 * t * t + 0.25 * t * t * t; };
-  const AnyCurve curve = curve_of(about_one_axis(times, angle));
+  const AnyCurve curve = auto_curve(about_one_axis(times, angle));
   for (const double t : sample_times(times, 7)) {
     const Eigen::Quaterniond truth = exp<double>(angle(t) * Eigen::Vector3d(0.6, 0.0, 0.8));
     EXPECT_LE(angular_distance(curve(t), truth), tolerance::series) << t;
@@ -84,7 +84,7 @@ TEST(Auto, MovingOneKeyMovesTheStatedSegmentsOnly) {
   KeyframeData moved = data;
   moved.orientations[moved_key] = moved.orientations[moved_key] * exp<double>(Eigen::Vector3d(0.05, -0.02, 0.03));
   for (const auto& [family, before, after] : {std::tuple("auto", 4u, 3u), std::tuple("auto5", 3u, 2u)}) {
-    const AnyCurve a = curve_of(data, family), b = curve_of(moved, family);
+    const AnyCurve a = auto_curve(data, family), b = auto_curve(moved, family);
     for (std::size_t segment = 0; segment + 1 < data.times.size(); ++segment) {
       const double t = 0.5 * (data.times[segment] + data.times[segment + 1]);
       const bool near_the_key = segment + before >= moved_key && segment <= moved_key + after;
@@ -102,7 +102,7 @@ TEST(Auto, HoldsStillBetweenEqualKeysOnRequest) {
   KeyframeData data = random_walk(403, 9, Spacing::even);
   data.orientations[5] = data.orientations[4];
   const double in_the_rest = 0.5 * (data.times[4] + data.times[5]);
-  const AnyCurve free = curve_of(data), holding = curve_of(data, "auto", {.parameters = {{"hold", {1.0}}}});
+  const AnyCurve free = auto_curve(data), holding = auto_curve(data, "auto", {.parameters = {{"hold", {1.0}}}});
   EXPECT_GT(free.motion(in_the_rest).angular_velocity.norm(), 1e-3);
   const Motion rest = holding.motion(in_the_rest);
   EXPECT_LE(angular_distance(rest.orientation, data.orientations[4]), tolerance::exact);
@@ -123,7 +123,7 @@ TEST(Auto, IsDefinedForTwoThreeAndFourKeysAndForLargeSteps) {
   for (const char* family : {"auto", "auto5"}) {
     for (std::size_t keys = 2; keys <= 8; ++keys) {
       const KeyframeData data = random_walk(404 + keys, keys, Spacing::uneven);
-      const AnyCurve curve = curve_of(data, family);
+      const AnyCurve curve = auto_curve(data, family);
       for (std::size_t i = 0; i < keys; ++i)
         EXPECT_LE(angular_distance(curve(data.times[i]), data.orientations[i]), tolerance::algebra);
     }
@@ -132,7 +132,7 @@ TEST(Auto, IsDefinedForTwoThreeAndFourKeysAndForLargeSteps) {
       spin.times.push_back(i);
       spin.orientations.push_back(exp<double>(Eigen::Vector3d(3.1 * i, 0, 0)));
     }
-    const AnyCurve curve = curve_of(spin, family);
+    const AnyCurve curve = auto_curve(spin, family);
     for (const double t : sample_times(spin.times, 5)) {
       EXPECT_TRUE(near(curve.motion(t).angular_velocity, Eigen::Vector3d(3.1, 0, 0), tolerance::series)) << family;
       EXPECT_LE(curve.motion(t).angular_acceleration.norm(), tolerance::rates);

@@ -17,7 +17,7 @@ using namespace testing_support;
 /// The paper prints four digits after the point.
 constexpr double printed_digits = 0.5e-4;
 
-KeyframeData at_whole_times(std::vector<Eigen::Quaterniond> points) {
+KeyframeData keys_at_whole_times(std::vector<Eigen::Quaterniond> points) {
   KeyframeData data{.orientations = std::move(points)};
   for (std::size_t i = 0; i < data.orientations.size(); ++i) data.times.push_back(static_cast<double>(i));
   return data;
@@ -25,14 +25,14 @@ KeyframeData at_whole_times(std::vector<Eigen::Quaterniond> points) {
 
 /// Example 1. The paper's points are used with the signs that it prints, whichever way round that leads.
 KeyframeData example1() {
-  return at_whole_times(
+  return keys_at_whole_times(
       {quaternion_wxyz(-0.2011, -0.7478, 0.0791, 0.6278), quaternion_wxyz(-0.1603, 0.6073, 0.3653, 0.6871),
        quaternion_wxyz(-0.4696, 0.0554, -0.8480, -0.2394), quaternion_wxyz(-0.5268, -0.5665, -0.4194, -0.4751),
        quaternion_wxyz(0.6921, -0.2551, 0.1314, 0.6623)});
 }
 
 KeyframeData example2() {
-  return at_whole_times(
+  return keys_at_whole_times(
       {quaternion_wxyz(0.6387, -0.6301, -0.3306, 0.2927), quaternion_wxyz(0.4412, -0.7009, -0.5567, 0.0646),
        quaternion_wxyz(-0.8180, 0.5011, 0.0249, 0.2813), quaternion_wxyz(0.7494, -0.5340, -0.0433, -0.3891),
        quaternion_wxyz(0.9914, 0.0398, 0.1179, -0.0393)});

@@ -2,6 +2,7 @@
 // The cumulative cubic Bézier curve: joints, handles, the count of control points.
 #include <gtest/gtest.h>
 
+#include <families/key_steps.hpp>
 #include <orispline/families/registry.hpp>
 #include <support/near.hpp>
 #include <support/specimens.hpp>
@@ -10,10 +11,6 @@
 namespace orispline { namespace {
 
 using namespace testing_support;
-
-Eigen::Vector3d step(const Keyframes& keys, std::size_t from) {
-  return increment<double>(keys.orientations()[from], keys.orientations()[from + 1]);
-}
 
 TEST(Bezier, PassesThroughEveryThirdKeyAtItsTime) {
   const Keyframes keys = keyframes(random_walk(341, 10, Spacing::uneven));

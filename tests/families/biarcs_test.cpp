@@ -15,7 +15,7 @@ using Eigen::Quaterniond;
 using Eigen::Vector3d;
 using Eigen::Vector4d;
 
-AnyCurve curve_of(const KeyframeData& data, const CurveOptions& options = {}, Signs signs = Signs::shortest) {
+AnyCurve biarcs_curve(const KeyframeData& data, const CurveOptions& options = {}, Signs signs = Signs::shortest) {
   return make_curve({"biarcs", options}, keyframes(data, signs)).value();
 }
 
@@ -76,7 +76,7 @@ KeyframeData on_a_circle(std::span<const double> times) {
 
 TEST(Biarcs, ThroughEvenKeysOfASteadyPrecessionAreThatPrecession) {
   const std::array times{0.0, 1.0, 2.0, 3.0, 4.0, 5.0};
-  const AnyCurve c = curve_of(on_a_circle(times));
+  const AnyCurve c = biarcs_curve(on_a_circle(times));
   std::vector<double> between;
   for (double t = 0.0; t <= 5.0; t += 0.13) between.push_back(t);
   const KeyframeData truth = on_a_circle(between);
@@ -94,7 +94,7 @@ TEST(Biarcs, NeverTurnBackOnTheirWay) {
     data.orientations.push_back(exp<double>(Vector3d(angles.at(i), 0.0, 0.0)));
   }
   for (const EndRule rule : {EndRule::natural, EndRule::rest}) {
-    const AnyCurve c = curve_of(data, {.start = {.rule = rule}, .end = {.rule = rule}});
+    const AnyCurve c = biarcs_curve(data, {.start = {.rule = rule}, .end = {.rule = rule}});
     for (std::size_t i = 0; i + 1 < angles.size(); ++i)
       for (double u = 0.0; u <= 1.0; u += 0.05) {
         const Motion m = c.motion(data.times[i] + u * (data.times[i + 1] - data.times[i]));
@@ -110,7 +110,7 @@ TEST(Biarcs, NeverTurnBackOnTheirWay) {
 TEST(Biarcs, StopWhereTheBodyIsAThousandTimesSlowerOnOneSide) {
   KeyframeData data = random_walk(702, 5, Spacing::even, 0.8);
   data.orientations[2] = data.orientations[1] * exp<double>(Vector3d(0.0, 1e-7, 0.0));  // noise of an encoder
-  const AnyCurve c = curve_of(data);
+  const AnyCurve c = biarcs_curve(data);
   for (const std::size_t key : {1u, 2u}) EXPECT_EQ(c.motion(data.times[key]).angular_velocity, Vector3d::Zero());
   // The way on does not begin in the direction of the noise: two stops would be joined by the shortest arc, and this
   // arc has the tangent of key 3 only.
@@ -126,7 +126,7 @@ TEST(Biarcs, OfTwoKeysAreTheGreatArcAtConstantRateWhateverTheirStep) {
     const Vector3d axis(0.48, -0.6, 0.64);
     const KeyframeData data{.times = {0.0, 2.0},
                             .orientations = {Quaterniond::Identity(), exp<double>(Vector3d(angle * axis))}};
-    const AnyCurve c = curve_of(data, {}, Signs::as_given);
+    const AnyCurve c = biarcs_curve(data, {}, Signs::as_given);
     const Vector3d rate = 0.5 * increment<double>(data.orientations[0], data.orientations[1]);
     for (const double t : {0.0, 0.3, 1.0, 1.7, 2.0}) {
       EXPECT_TRUE(near(c.motion(t).angular_velocity, rate, tolerance::series)) << angle << ", " << t;
@@ -137,13 +137,13 @@ TEST(Biarcs, OfTwoKeysAreTheGreatArcAtConstantRateWhateverTheirStep) {
 
 TEST(Biarcs, AreTheSameBackwardsInTime) {
   const KeyframeData data = random_walk(703, 10, Spacing::uneven);
-  EXPECT_LE(largest_distance_from_backwards(curve_of(data), curve_of(reversed(data))), tolerance::series);
+  EXPECT_LE(largest_distance_from_backwards(biarcs_curve(data), biarcs_curve(reversed(data))), tolerance::series);
 }
 
 TEST(Biarcs, RunThroughTheSamePathWhateverTheSpeedOfEvenKeys) {
   const KeyframeData data = random_walk(704, 7, Spacing::even);
-  const AnyCurve moving = curve_of(data);
-  const AnyCurve resting = curve_of(data, {.start = {.rule = EndRule::rest}, .end = {.rule = EndRule::rest}});
+  const AnyCurve moving = biarcs_curve(data);
+  const AnyCurve resting = biarcs_curve(data, {.start = {.rule = EndRule::rest}, .end = {.rule = EndRule::rest}});
   EXPECT_LE(resting.motion(data.times.front()).angular_velocity.norm(), tolerance::algebra);
   EXPECT_LE(resting.motion(data.times.back()).angular_velocity.norm(), tolerance::algebra);
   for (const double t : sample_times(std::span(data.times).subspan(0, 2), 9)) {

@@ -2,6 +2,7 @@
 // Blended parabolas and circles: what they reproduce, how smooth they are, and where the circle gives way.
 #include <gtest/gtest.h>
 
+#include <families/same_curve.hpp>
 #include <orispline/families/registry.hpp>
 #include <support/near.hpp>
 #include <support/relative_jumps.hpp>
@@ -14,7 +15,6 @@ using namespace testing_support;
 using families::Circular;
 using families::LogParabola;
 
-constexpr MotionTolerance same_curve{tolerance::algebra, tolerance::series, tolerance::rates, tolerance::rates};
 const std::vector<double> uneven_times{0.0, 0.4, 1.5, 1.7, 2.6, 3.0, 4.1};
 
 CurveOptions of_order(double order) { return {.parameters = {{"order", {order}}}}; }

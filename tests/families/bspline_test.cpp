@@ -8,6 +8,7 @@
 #include <support/relative_jumps.hpp>
 #include <support/specimens.hpp>
 #include <support/tolerance.hpp>
+#include <support/tracks.hpp>
 
 namespace orispline { namespace {
 
@@ -22,13 +23,6 @@ double cox_de_boor(std::span<const double> knots, std::size_t i, std::size_t d, 
   if (d == 0) return knots[i] <= t && t < knots[i + 1] ? 1.0 : 0.0;
   return (t - knots[i]) / (knots[i + d] - knots[i]) * cox_de_boor(knots, i, d - 1, t) +
          (knots[i + d + 1] - t) / (knots[i + d + 1] - knots[i + 1]) * cox_de_boor(knots, i + 1, d - 1, t);
-}
-
-Keyframes posed_walk(std::uint64_t seed, std::size_t count, Spacing spacing) {
-  KeyframeData data = random_walk(seed, count, spacing);
-  Dice dice(seed + 1);
-  for (std::size_t i = 0; i < count; ++i) data.positions.push_back(3.0 * dice.vector());
-  return keyframes(data);
 }
 
 template <class Degree>
@@ -61,7 +55,7 @@ TYPED_TEST(BSplineDegree, BlendsByTheTailsOfCoxDeBoor) {
 TYPED_TEST(BSplineDegree, IsTheCurveOfItsDefinition) {
   constexpr std::size_t degree = TypeParam::value;
   for (const std::size_t count : {2u, 3u, 4u, 9u}) {
-    const Keyframes keys = posed_walk(352, count, Spacing::uneven);
+    const Keyframes keys = keyframes(posed_walk(352, count, Spacing::uneven, 1.5));
     const PoseCurve found = bspline(keys, degree);
     const AnyCurve curve(bspline_curve<degree>(keys));
     const AnyPath path(bspline_curve<degree, Eigen::Vector3d>(keys));
@@ -85,7 +79,7 @@ TYPED_TEST(BSplineDegree, IsExactlyAsSmoothInTimeOnUnevenKnots) {
 
 TYPED_TEST(BSplineDegree, IsOfItsDegreeInSpace) {
   constexpr std::size_t degree = TypeParam::value;
-  const auto path = bspline_curve<degree, Eigen::Vector3d>(posed_walk(356, 6, Spacing::uneven));
+  const auto path = bspline_curve<degree, Eigen::Vector3d>(keyframes(posed_walk(356, 6, Spacing::uneven, 1.5)));
   using J = Jet<double, static_cast<int>(degree) + 1>;
   for (std::size_t s = 0; s < path.knots().segments(); ++s) {
     const KnotSpan span = path.knots().span(s);
@@ -109,7 +103,7 @@ TYPED_TEST(BSplineDegree, RunsFromTheFirstKeyTimeToTheLast) {
 }
 
 TYPED_TEST(BSplineDegree, StartsAndEndsAtItsEndKeysOnEvenTimes) {
-  const Keyframes keys = posed_walk(358, 6, Spacing::even);
+  const Keyframes keys = keyframes(posed_walk(358, 6, Spacing::even, 1.5));
   const PoseCurve pose = bspline(keys, TypeParam::value);
   for (const std::size_t i : {std::size_t{0}, keys.size() - 1}) {
     EXPECT_TRUE(near(pose.orientation(keys.times()[i]), keys.orientations()[i], tolerance::algebra));

@@ -20,7 +20,7 @@ CurveOptions with_phantom(const char* phantom, const End& start = {}, const End&
   return {.choices = {{"phantom", phantom}}, .start = start, .end = end};
 }
 
-AnyCurve curve_of(const KeyframeData& data, const CurveOptions& options = {}) {
+AnyCurve bspline_through_curve(const KeyframeData& data, const CurveOptions& options = {}) {
   return make_curve({"bspline-through", options}, keyframes(data)).value();
 }
 
@@ -30,7 +30,7 @@ TEST(BSplineThrough, PassesThroughItsKeysWithEveryPhantomAndEnd) {
     for (const EndRule rule : {EndRule::natural, EndRule::clamped, EndRule::rest}) {
       End end{.rule = rule};
       if (rule == EndRule::clamped) end.angular_velocity = {0.3, -0.2, 0.5};
-      const AnyCurve c = curve_of(data, with_phantom(phantom, end, end));
+      const AnyCurve c = bspline_through_curve(data, with_phantom(phantom, end, end));
       for (std::size_t i = 0; i < data.times.size(); ++i)
         for (const Side side : {Side::left, Side::right})
           EXPECT_TRUE(near(c.motion(data.times[i], side).orientation, data.orientations[i], tolerance::series))
@@ -67,7 +67,7 @@ TEST(BSplineThrough, FindsTheBSplineThatTheKeysWereTakenFrom) {
   const End start{EndRule::clamped, wanted.motion(data.times.front()).angular_velocity};
   const End end{EndRule::clamped, wanted.motion(data.times.back()).angular_velocity};
   for (const char* phantom : phantoms) {
-    const AnyCurve found = curve_of(data, with_phantom(phantom, start, end));
+    const AnyCurve found = bspline_through_curve(data, with_phantom(phantom, start, end));
     for (const double t : sample_times(data.times, 7)) {
       EXPECT_TRUE(near(found(t), wanted(t), tolerance::series)) << t;
       EXPECT_TRUE(near(found.motion(t).angular_acceleration, wanted.motion(t).angular_acceleration, tolerance::rates));
@@ -79,7 +79,8 @@ TEST(BSplineThrough, HasTheGivenRatesAtClampedEnds) {
   const Eigen::Vector3d first(0.4, -1.2, 0.3), last(-0.7, 0.1, 0.9);
   const KeyframeData data = random_walk(574, 8, Spacing::uneven, 0.8);
   for (const char* phantom : phantoms) {
-    const AnyCurve c = curve_of(data, with_phantom(phantom, {EndRule::clamped, first}, {EndRule::clamped, last}));
+    const AnyCurve c =
+        bspline_through_curve(data, with_phantom(phantom, {EndRule::clamped, first}, {EndRule::clamped, last}));
     EXPECT_TRUE(near(c.motion(data.times.front()).angular_velocity, first, tolerance::series)) << phantom;
     EXPECT_TRUE(near(c.motion(data.times.back()).angular_velocity, last, tolerance::series)) << phantom;
   }
@@ -88,7 +89,8 @@ TEST(BSplineThrough, HasTheGivenRatesAtClampedEnds) {
 TEST(BSplineThrough, StandsStillAtEndsAtRest) {
   const KeyframeData data = random_walk(575, 8, Spacing::uneven, 0.8);
   for (const char* phantom : phantoms) {
-    const AnyCurve c = curve_of(data, with_phantom(phantom, {.rule = EndRule::rest}, {.rule = EndRule::rest}));
+    const AnyCurve c =
+        bspline_through_curve(data, with_phantom(phantom, {.rule = EndRule::rest}, {.rule = EndRule::rest}));
     for (const double t : {data.times.front(), data.times.back()}) {
       EXPECT_LE(c.motion(t).angular_velocity.norm(), tolerance::series) << phantom;
       EXPECT_GE(c.motion(t).angular_acceleration.norm(), 0.1) << phantom;
@@ -99,7 +101,7 @@ TEST(BSplineThrough, StandsStillAtEndsAtRest) {
 TEST(BSplineThrough, DoesNotAccelerateAtNaturalEndsWhereItsKnotsAreMirrored) {
   for (const auto& [phantom, spacing] : {std::pair{"reflect", Spacing::even}, std::pair{"reflect", Spacing::uneven},
                                          std::pair{"equal", Spacing::even}}) {
-    const AnyCurve c = curve_of(random_walk(576, 8, spacing, 0.8), with_phantom(phantom));
+    const AnyCurve c = bspline_through_curve(random_walk(576, 8, spacing, 0.8), with_phantom(phantom));
     for (const double t : {c.domain().start, c.domain().end}) {
       EXPECT_LE(c.motion(t).angular_acceleration.norm(), tolerance::rates) << phantom;
       EXPECT_GE(c.motion(t).angular_velocity.norm(), 0.1) << phantom;
@@ -110,7 +112,8 @@ TEST(BSplineThrough, DoesNotAccelerateAtNaturalEndsWhereItsKnotsAreMirrored) {
 TEST(BSplineThrough, DependsOnItsPhantomsOnUnevenTimesOnly) {
   const auto distance = [](Spacing spacing) {
     const KeyframeData data = random_walk(577, 8, spacing, 0.8);
-    return largest_distance(curve_of(data, with_phantom("reflect")), curve_of(data, with_phantom("equal")));
+    return largest_distance(bspline_through_curve(data, with_phantom("reflect")),
+                            bspline_through_curve(data, with_phantom("equal")));
   };
   EXPECT_LE(distance(Spacing::even), tolerance::algebra);
   EXPECT_GE(distance(Spacing::uneven), tolerance::visible_jump);
@@ -118,7 +121,8 @@ TEST(BSplineThrough, DependsOnItsPhantomsOnUnevenTimesOnly) {
 
 TEST(BSplineThrough, IsC2OnLongTracksAtUnevenTimes) {
   for (const char* phantom : phantoms) {
-    const auto jumps = relative_jumps(curve_of(random_walk(578, 60, Spacing::uneven, 0.8), with_phantom(phantom)));
+    const auto jumps =
+        relative_jumps(bspline_through_curve(random_walk(578, 60, Spacing::uneven, 0.8), with_phantom(phantom)));
     for (const std::size_t order : {0u, 1u, 2u}) EXPECT_LE(jumps[order], tolerance::continuity) << phantom;
     EXPECT_GE(jumps[3], tolerance::visible_jump) << phantom;
   }
@@ -129,7 +133,7 @@ TEST(BSplineThrough, OfTwoKeysIsTheGreatArcAtConstantRate) {
   const Eigen::Vector3d rate =
       increment<double>(data.orientations[0], data.orientations[1]) / (data.times[1] - data.times[0]);
   for (const char* phantom : phantoms) {
-    const AnyCurve c = curve_of(data, with_phantom(phantom));
+    const AnyCurve c = bspline_through_curve(data, with_phantom(phantom));
     for (const double t : sample_times(data.times, 7))
       EXPECT_TRUE(near(c.motion(t).angular_velocity, rate, tolerance::series)) << phantom;
   }
@@ -137,7 +141,8 @@ TEST(BSplineThrough, OfTwoKeysIsTheGreatArcAtConstantRate) {
 
 TEST(BSplineThrough, IsAnotherCurveBackwardsInTime) {
   const KeyframeData data = random_walk(580, 8, Spacing::even, 0.8);
-  const double distance = largest_distance_from_backwards(curve_of(data), curve_of(reversed(data)));
+  const double distance =
+      largest_distance_from_backwards(bspline_through_curve(data), bspline_through_curve(reversed(data)));
   EXPECT_GE(distance, tolerance::visible_jump);
   EXPECT_LE(distance, 0.3);
 }
@@ -146,7 +151,7 @@ TEST(BSplineThrough, IsTheSameOnAnotherClock) {
   const KeyframeData data = random_walk(581, 7, Spacing::uneven, 0.8);
   KeyframeData rescaled = data;
   for (double& t : rescaled.times) t = 4.0 * t + 11.0;
-  const AnyCurve c = curve_of(data), d = curve_of(rescaled);
+  const AnyCurve c = bspline_through_curve(data), d = bspline_through_curve(rescaled);
   for (const double t : sample_times(data.times)) EXPECT_TRUE(near(d(4.0 * t + 11.0), c(t), tolerance::series)) << t;
 }
 

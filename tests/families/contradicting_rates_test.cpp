@@ -3,13 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <orispline/families/method_warnings.hpp>
+#include <orispline/math/degrees.hpp>
 #include <orispline/math/so3.hpp>
 
 namespace orispline { namespace {
 
 using Vector = Eigen::Vector3d;
-
-constexpr double degree = 0.017453292519943295;
 
 /// Turns about z by 2 sin t, then about x by sin 3t, at 20 Hz; `meant` makes the rates of what they are in the body.
 template <class Meant>
@@ -46,8 +45,9 @@ TEST(ContradictingRates, AreToldWithWhatTheyMayBe) {
   expect_cure(track_with([](const Turn&, const Vector& w) { return Vector(-w); }), "with all signs reversed");
   expect_cure(track_with([](const Turn& q, const Vector& w) { return Vector(q * w); }), "`columns` wx_world=");
   expect_cure(track_with([](const Turn& q, const Vector& w) { return Vector(-(q * w)); }), "give `conjugate`");
-  expect_cure(track_with([](const Turn&, const Vector& w) { return Vector(w / degree); }), "end in _deg_s");
-  expect_cure(track_with([](const Turn&, const Vector& w) { return Vector(w * degree); }), "do not end in _deg_s");
+  expect_cure(track_with([](const Turn&, const Vector& w) { return Vector(w / radians_per_degree); }), "end in _deg_s");
+  expect_cure(track_with([](const Turn&, const Vector& w) { return Vector(w * radians_per_degree); }),
+              "do not end in _deg_s");
   expect_cure(track_with([](const Turn& q, const Vector& w) { return Vector(q.conjugate() * w); }), "`columns` wx=");
   expect_cure(track_with([](const Turn&, const Vector& w) { return Vector(-w.y(), -w.z(), -w.x()); }),
               "x, y and z of the rates are -y, -z, -x of the body");

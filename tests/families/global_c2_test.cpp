@@ -13,9 +13,9 @@ namespace orispline { namespace {
 
 using namespace testing_support;
 
-constexpr const char* both[] = {"global-c2", "nu-exact"};
+constexpr const char* the_c2_families[] = {"global-c2", "nu-exact"};
 
-AnyCurve curve_of(std::string_view family, const KeyframeData& data, const CurveOptions& options = {}) {
+AnyCurve global_curve(std::string_view family, const KeyframeData& data, const CurveOptions& options = {}) {
   return make_curve({family, options}, keyframes(data)).value();
 }
 
@@ -24,8 +24,9 @@ CurveOptions with_nu(std::vector<double> nu) { return {.parameters = {{"nu", std
 TEST(GlobalC2, HasTheGivenRatesAtClampedEnds) {
   const Eigen::Vector3d first(0.4, -1.2, 0.3), last(-0.7, 0.1, 2.0);
   const KeyframeData data = random_walk(501, 8, Spacing::uneven);
-  for (const char* family : both) {
-    const AnyCurve c = curve_of(family, data, {.start = {EndRule::clamped, first}, .end = {EndRule::clamped, last}});
+  for (const char* family : the_c2_families) {
+    const AnyCurve c =
+        global_curve(family, data, {.start = {EndRule::clamped, first}, .end = {EndRule::clamped, last}});
     EXPECT_TRUE(near(c.motion(c.domain().start).angular_velocity, first, tolerance::series)) << family;
     EXPECT_TRUE(near(c.motion(c.domain().end).angular_velocity, last, tolerance::series)) << family;
   }
@@ -33,8 +34,8 @@ TEST(GlobalC2, HasTheGivenRatesAtClampedEnds) {
 
 TEST(GlobalC2, StandsStillAtEndsAtRest) {
   const End rest{.rule = EndRule::rest};
-  for (const char* family : both) {
-    const AnyCurve c = curve_of(family, random_walk(502, 8, Spacing::uneven), {.start = rest, .end = rest});
+  for (const char* family : the_c2_families) {
+    const AnyCurve c = global_curve(family, random_walk(502, 8, Spacing::uneven), {.start = rest, .end = rest});
     for (const double t : {c.domain().start, c.domain().end}) {
       EXPECT_LE(c.motion(t).angular_velocity.norm(), tolerance::series) << family;
       EXPECT_GE(c.motion(t).angular_acceleration.norm(), 0.1) << family;
@@ -44,8 +45,8 @@ TEST(GlobalC2, StandsStillAtEndsAtRest) {
 
 TEST(GlobalC2, HasNoAccelerationAtNaturalEnds) {
   for (const std::uint64_t seed : {503u, 504u})
-    for (const char* family : both) {
-      const AnyCurve c = curve_of(family, random_walk(seed, 8, Spacing::uneven), with_nu({1.5}));
+    for (const char* family : the_c2_families) {
+      const AnyCurve c = global_curve(family, random_walk(seed, 8, Spacing::uneven), with_nu({1.5}));
       for (const double t : {c.domain().start, c.domain().end}) {
         EXPECT_LE(c.motion(t).angular_acceleration.norm(), tolerance::rates) << family;
         EXPECT_GE(c.motion(t).angular_velocity.norm(), 0.1) << family;
@@ -55,7 +56,7 @@ TEST(GlobalC2, HasNoAccelerationAtNaturalEnds) {
 
 TEST(GlobalC2, IsC2OnLongTracksAtUnevenTimesWithWideTurns) {
   for (const double widest : {0.5, 1.5}) {
-    const auto jumps = relative_jumps(curve_of("global-c2", random_walk(505, 60, Spacing::uneven, widest)));
+    const auto jumps = relative_jumps(global_curve("global-c2", random_walk(505, 60, Spacing::uneven, widest)));
     for (const std::size_t order : {0u, 1u, 2u}) EXPECT_LE(jumps[order], tolerance::continuity) << widest;
     EXPECT_GE(jumps[3], tolerance::visible_jump) << widest;
   }
@@ -63,7 +64,7 @@ TEST(GlobalC2, IsC2OnLongTracksAtUnevenTimesWithWideTurns) {
 
 /// α⁺ - α⁻ = ν ω at every inner key, ω the same from both sides.
 void expect_jumps_of_nu(const KeyframeData& data, const std::vector<double>& nu) {
-  const AnyCurve c = curve_of("nu-exact", data, with_nu(nu));
+  const AnyCurve c = global_curve("nu-exact", data, with_nu(nu));
   for (std::size_t i = 1; i + 1 < data.times.size(); ++i) {
     const Motion left = c.motion(data.times[i], Side::left), right = c.motion(data.times[i]);
     const Eigen::Vector3d jump = right.angular_acceleration - left.angular_acceleration;
@@ -86,8 +87,8 @@ TEST(NuExact, TakesANuOfItsOwnAtEveryKey) {
 
 TEST(NuExact, WithoutNuIsGlobalC2) {
   const KeyframeData data = random_walk(508, 9, Spacing::uneven);
-  const AnyCurve nu = curve_of("nu-exact", data, with_nu({0.0})), c2 = curve_of("global-c2", data);
-  const AnyCurve tense = curve_of("nu-exact", data, with_nu({2.0}));
+  const AnyCurve nu = global_curve("nu-exact", data, with_nu({0.0})), c2 = global_curve("global-c2", data);
+  const AnyCurve tense = global_curve("nu-exact", data, with_nu({2.0}));
   for (const double t : sample_times(data.times)) EXPECT_EQ(nu(t).coeffs(), c2(t).coeffs()) << t;
   EXPECT_GT(largest_distance(tense, c2), 0.01);
 }
@@ -98,7 +99,7 @@ TEST(NuExact, TendsToSlerpsThatStopAtEveryKeyAsOneOverNu) {
   const auto distance = [&](double nu) {
     CurveOptions options = with_nu({nu});
     options.start = options.end = rest;
-    return largest_distance_from_stopping_slerps(curve_of("nu-exact", data, options), data);
+    return largest_distance_from_stopping_slerps(global_curve("nu-exact", data, options), data);
   };
   // The rate left at a key is the jump there, from 6 d/h² of either stopping slerp, over ν; it leads 4/27 h away.
   constexpr double turn = 1.5, shortest = 0.1, longest = 1.0;
@@ -110,8 +111,8 @@ TEST(GlobalC2, OfTwoKeysIsTheGreatArcAtConstantRate) {
   const KeyframeData data = random_walk(510, 2, Spacing::even, 2.5);
   const Eigen::Vector3d rate =
       increment<double>(data.orientations[0], data.orientations[1]) / (data.times[1] - data.times[0]);
-  for (const char* family : both) {
-    const AnyCurve c = curve_of(family, data);
+  for (const char* family : the_c2_families) {
+    const AnyCurve c = global_curve(family, data);
     for (const double t : sample_times(data.times, 7)) {
       EXPECT_TRUE(near(c.motion(t).angular_velocity, rate, tolerance::series)) << family;
       EXPECT_LE(c.motion(t).angular_acceleration.norm(), tolerance::rates) << family;
@@ -121,7 +122,7 @@ TEST(GlobalC2, OfTwoKeysIsTheGreatArcAtConstantRate) {
 
 TEST(GlobalC2, IsTheSameBackwardsInTime) {
   const KeyframeData data = random_walk(511, 10, Spacing::uneven);
-  EXPECT_LE(largest_distance_from_backwards(curve_of("global-c2", data), curve_of("global-c2", reversed(data))),
+  EXPECT_LE(largest_distance_from_backwards(global_curve("global-c2", data), global_curve("global-c2", reversed(data))),
             tolerance::series);
 }
 
@@ -129,8 +130,8 @@ TEST(NuExact, BackwardsInTimeHasItsNuBackwards) {
   // Backwards the rate and its jump both change their sign: ν stays.
   const KeyframeData data = random_walk(512, 6, Spacing::uneven);
   const std::vector<double> nu{0.0, 1.0, 4.0, 0.3, 7.0, 0.0};
-  const AnyCurve forward = curve_of("nu-exact", data, with_nu(nu));
-  const AnyCurve backward = curve_of("nu-exact", reversed(data), with_nu({nu.rbegin(), nu.rend()}));
+  const AnyCurve forward = global_curve("nu-exact", data, with_nu(nu));
+  const AnyCurve backward = global_curve("nu-exact", reversed(data), with_nu({nu.rbegin(), nu.rend()}));
   EXPECT_LE(largest_distance_from_backwards(forward, backward), tolerance::series);
 }
 
@@ -139,9 +140,9 @@ TEST(NuExact, ScalesItsNuWithTheClock) {
   const double slower = 4.0, shift = 11.0;
   KeyframeData rescaled = data;
   for (double& t : rescaled.times) t = slower * t + shift;
-  const AnyCurve c = curve_of("nu-exact", data, with_nu({3.0}));
-  const AnyCurve d = curve_of("nu-exact", rescaled, with_nu({3.0 / slower}));
-  const AnyCurve unscaled = curve_of("nu-exact", rescaled, with_nu({3.0}));
+  const AnyCurve c = global_curve("nu-exact", data, with_nu({3.0}));
+  const AnyCurve d = global_curve("nu-exact", rescaled, with_nu({3.0 / slower}));
+  const AnyCurve unscaled = global_curve("nu-exact", rescaled, with_nu({3.0}));
   for (const double t : sample_times(data.times)) {
     EXPECT_TRUE(near(d(slower * t + shift), c(t), tolerance::series)) << t;
     EXPECT_TRUE(
@@ -154,10 +155,10 @@ TEST(GlobalC2, AcceleratesLessInAllThanTheOtherC2Curves) {
   for (const Spacing spacing : {Spacing::even, Spacing::uneven})
     for (const std::uint64_t seed : {514u, 515u, 516u}) {
       const KeyframeData data = random_walk(seed, 12, spacing, 0.8);
-      const double least = energy(curve_of("global-c2", data));
+      const double least = energy(global_curve("global-c2", data));
       for (const char* other : {"rotation-spline", "bspline-through", "timed-c2", "auto", "auto5"})
-        EXPECT_LT(least, energy(curve_of(other, data))) << other;
-      EXPECT_LT(least, energy(curve_of("nu-exact", data, with_nu({1.0}))));
+        EXPECT_LT(least, energy(global_curve(other, data))) << other;
+      EXPECT_LT(least, energy(global_curve("nu-exact", data, with_nu({1.0}))));
     }
 }
 
@@ -174,11 +175,11 @@ TEST(GlobalC2, HasTheEnergyOfTheComparisonOfMethods) {
                        quaternion_wxyz(-0.635652287178, -0.370382968856, -0.476524726805, 0.481338561648),
                        quaternion_wxyz(-0.743192006337, -0.419528482721, -0.518874571645, -0.049301853949)}};
   constexpr double shown = 0.0051;  // the reference shows two decimals
-  EXPECT_NEAR(energy(curve_of("global-c2", data)), 32.02, shown);
-  EXPECT_NEAR(energy(curve_of("bspline-through", data)), 32.60, shown);
-  EXPECT_NEAR(energy(curve_of("rotation-spline", data)), 34.12, shown);
-  EXPECT_NEAR(energy(curve_of("nu", data)), 32.04, shown);
-  EXPECT_NEAR(energy(curve_of("nu", data, with_nu({2.0}))), 35.06, shown);
+  EXPECT_NEAR(energy(global_curve("global-c2", data)), 32.02, shown);
+  EXPECT_NEAR(energy(global_curve("bspline-through", data)), 32.60, shown);
+  EXPECT_NEAR(energy(global_curve("rotation-spline", data)), 34.12, shown);
+  EXPECT_NEAR(energy(global_curve("nu", data)), 32.04, shown);
+  EXPECT_NEAR(energy(global_curve("nu", data, with_nu({2.0}))), 35.06, shown);
 }
 
 /// Positions against the ν-spline as defined, at order 0, 1, 2.
@@ -238,8 +239,8 @@ TEST(GlobalC2, FollowsTheCubicSplineAboutOneAxis) {
   }
   const std::vector<double> nu(9, 1.7);
   const CubicSplineByDefinition spline(data.times, turns, {}, nu);
-  for (const char* family : both) {
-    const AnyCurve c = curve_of(family, data, with_nu(nu));
+  for (const char* family : the_c2_families) {
+    const AnyCurve c = global_curve(family, data, with_nu(nu));
     for (const double t : sample_times(data.times)) {
       const std::size_t segment = c.knots().segment_at(t);
       EXPECT_TRUE(near(c(t), exp<double>(spline.derivative(0, t, segment)), tolerance::series)) << t;

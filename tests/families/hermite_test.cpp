@@ -16,7 +16,7 @@ namespace orispline { namespace {
 using namespace testing_support;
 
 /// Order 1 to 3 in one of the two forms.
-struct Method {
+struct HermiteForm {
   std::size_t order;
   const char* form;
 
@@ -26,27 +26,28 @@ struct Method {
   }
 };
 
-void PrintTo(const Method& method, std::ostream* out) { *out << method.name() << ' ' << method.form; }
+void PrintTo(const HermiteForm& method, std::ostream* out) { *out << method.name() << ' ' << method.form; }
 
-class Hermite : public testing::TestWithParam<Method> {};
+class Hermite : public testing::TestWithParam<HermiteForm> {};
 
 INSTANTIATE_TEST_SUITE_P(Form, Hermite,
-                         testing::Values(Method{1, "chart"}, Method{2, "chart"}, Method{3, "chart"},
-                                         Method{1, "cumulative"}, Method{2, "cumulative"}, Method{3, "cumulative"}),
+                         testing::Values(HermiteForm{1, "chart"}, HermiteForm{2, "chart"}, HermiteForm{3, "chart"},
+                                         HermiteForm{1, "cumulative"}, HermiteForm{2, "cumulative"},
+                                         HermiteForm{3, "cumulative"}),
                          [](const auto& test) { return test.param.form + std::to_string(test.param.order); });
 
 std::array<Eigen::Vector3d, 3> rates_of(const Motion& m) {
   return {m.angular_velocity, m.angular_acceleration, m.angular_jerk};
 }
 
-using Rates = std::vector<Eigen::Vector3d> KeyframeData::*;
-constexpr std::array<Rates, 3> rates_by_order{&KeyframeData::angular_velocities, &KeyframeData::angular_accelerations,
-                                              &KeyframeData::angular_jerks};
+using RatesOfKeys = std::vector<Eigen::Vector3d> KeyframeData::*;
+constexpr std::array<RatesOfKeys, 3> rates_by_order{&KeyframeData::angular_velocities,
+                                                    &KeyframeData::angular_accelerations, &KeyframeData::angular_jerks};
 
 KeyframeData keys_with_rates(std::uint64_t seed, Spacing spacing) {
   KeyframeData data = random_walk(seed, 6, spacing);
   Dice dice(seed + 1);
-  for (const Rates rates : rates_by_order)
+  for (const RatesOfKeys rates : rates_by_order)
     for (std::size_t i = 0; i < 6; ++i) (data.*rates).push_back(2.0 * dice.vector());
   return data;
 }
@@ -154,7 +155,7 @@ TEST_P(Hermite, WithThreeKeysDependsOnFourAndWithFiveOnSix) {
 
 TEST(HermiteStencil, OfThreeKeysGivesTheRatesOfTheParabola) {
   const KeyframeData data = random_walk(347, 5, Spacing::uneven);
-  const AnyCurve c = Method{2, "chart"}.through(keyframes(data), "3");
+  const AnyCurve c = HermiteForm{2, "chart"}.through(keyframes(data), "3");
   for (std::size_t i = 1; i + 1 < 5; ++i) {
     const double before = data.times[i] - data.times[i - 1], after = data.times[i + 1] - data.times[i];
     const Eigen::Vector3d back = -increment<double>(data.orientations[i], data.orientations[i - 1]) / before;
@@ -204,7 +205,7 @@ TEST(HermiteChart, RefusesAFullTurnAndNamesTheKeyBeforeIt) {
 
 /// A smooth motion whose angular velocities at different times do not commute, with exact rates.
 template <Number T>
-Quaternion<T> smooth_motion(const T& t) {
+Quaternion<T> motion_with_rates(const T& t) {
   const T t2 = t * t, t3 = t2 * t, t4 = t3 * t, t5 = t4 * t;
   const Vector3<T> first(t * 0.9 - t3 * 0.15 + t5 * 0.01, t * 0.5, T(0.3) - t2 * 0.25 + t4 * 0.04);
   const Vector3<T> second(t2 * 0.2, T(-0.4) + t2 * 0.2 - t4 * 0.02, t * 0.42 - t3 * 0.034);
@@ -213,12 +214,12 @@ Quaternion<T> smooth_motion(const T& t) {
 
 enum class Source { exact_rates, five_keys, three_keys };
 
-double error_with(const Method& method, Source source, std::size_t segments) {
+double error_with(const HermiteForm& method, Source source, std::size_t segments) {
   KeyframeData data;
   for (std::size_t i = 0; i <= segments; ++i) {
     const double x = static_cast<double>(i) / static_cast<double>(segments);
     data.times.push_back(2.0 * (std::pow(4.0, x) - 1.0) / 3.0);  // the last step is four times the first
-    const Motion m = motion_from_jet(smooth_motion(Jet<double, 3>::variable(data.times.back())));
+    const Motion m = motion_from_jet(motion_with_rates(Jet<double, 3>::variable(data.times.back())));
     data.orientations.push_back(m.orientation);
     if (source != Source::exact_rates) continue;
     for (std::size_t k = 0; k < 3; ++k) (data.*rates_by_order[k]).push_back(rates_of(m)[k]);
@@ -226,11 +227,11 @@ double error_with(const Method& method, Source source, std::size_t segments) {
   const AnyCurve c = method.through(keyframes(data), source == Source::three_keys ? "3" : "5");
   double largest = 0.0;
   for (const double t : sample_times(data.times, 10))
-    largest = std::max(largest, angular_distance(c(t), smooth_motion(t)));
+    largest = std::max(largest, angular_distance(c(t), motion_with_rates(t)));
   return largest;
 }
 
-double observed_order(const Method& method, Source source, std::size_t segments) {
+double observed_order(const HermiteForm& method, Source source, std::size_t segments) {
   return std::log2(error_with(method, source, segments) / error_with(method, source, 2 * segments));
 }
 

@@ -29,7 +29,7 @@ Keyframes keys_named(const std::string& sequence, const std::string& file = "gol
   return Keyframes::make(std::move(data)).value();
 }
 
-CurveOptions options_of(const DataTable::Row& row) {
+CurveOptions options_of_least(const DataTable::Row& row) {
   CurveOptions options{.parameters = {{"inertia", row.numbers("inertia")}},
                        .choices = {{"energy", row.text("energy")}}};
   const FamilyInfo& family = *find_family("least").value();
@@ -58,7 +58,7 @@ TEST(Least, EnergiesAreThoseOfMultipleShooting) {
   ASSERT_EQ(cases.size(), 10u);
   for (const auto& row : cases.rows()) {
     SCOPED_TRACE(row.text("sequence") + " " + row.text("energy") + " " + row.text("ends"));
-    const auto curve = make_curve({"least", options_of(row)}, keys_named(row.text("sequence")));
+    const auto curve = make_curve({"least", options_of_least(row)}, keys_named(row.text("sequence")));
     ASSERT_TRUE(curve) << describe(curve.error());
     EXPECT_NEAR(energy_of(*curve, row) / row.number("value"), 1.0, energy_agreement);
   }
@@ -78,7 +78,7 @@ TEST(Least, MotionsAreThoseOfMultipleShooting) {
   const DataTable cases("golden/least_energies.csv"), motions("golden/least_motions.csv");
   for (const auto& row : cases.rows()) {
     SCOPED_TRACE(row.text("sequence") + " " + row.text("energy") + " " + row.text("ends"));
-    const AnyCurve curve = make_curve({"least", options_of(row)}, keys_named(row.text("sequence"))).value();
+    const AnyCurve curve = make_curve({"least", options_of_least(row)}, keys_named(row.text("sequence"))).value();
     const auto expected = motions.rows_where("case", row.text("case"));
     ASSERT_FALSE(expected.empty());
     for (const auto& motion : expected) {

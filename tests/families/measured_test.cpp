@@ -15,7 +15,7 @@ namespace orispline { namespace {
 using namespace testing_support;
 
 /// The reference is double precision itself, with an inverse of 11 rows where the library has a factor of 7.
-constexpr double golden_orientation = 1e-12, golden_velocity = 1e-11, golden_acceleration = 1e-9;
+constexpr double measured_orientation = 1e-12, measured_velocity = 1e-11, measured_acceleration = 1e-9;
 
 KeyframeData keys_of(const DataTable& table, const std::string& name) {
   KeyframeData data;
@@ -26,7 +26,7 @@ KeyframeData keys_of(const DataTable& table, const std::string& name) {
   return data;
 }
 
-AnyCurve curve_of(const KeyframeData& data, const Method& method = "measured") {
+AnyCurve measured_curve(const KeyframeData& data, const Method& method = "measured") {
   return make_curve(method, Keyframes::make(data).value()).value();
 }
 
@@ -58,11 +58,11 @@ TEST(Measured, AgreesWithTheReferenceInEveryRow) {
   std::map<std::string, AnyCurve> curves;
   for (const auto& row : rows.rows()) {
     const std::string name(row.text("sequence"));
-    if (!curves.contains(name)) curves.emplace(name, curve_of(keys_of(keys, name)));
+    if (!curves.contains(name)) curves.emplace(name, measured_curve(keys_of(keys, name)));
     const Motion m = curves.at(name).motion(row.number("t"));
-    EXPECT_LE(relative_error(m.orientation, row.quaternion("qw", "qx", "qy", "qz")), golden_orientation) << name;
-    EXPECT_LE(relative_error(m.angular_velocity, row.vector("wx", "wy", "wz")), golden_velocity) << name;
-    EXPECT_LE(relative_error(m.angular_acceleration, row.vector("ax", "ay", "az")), golden_acceleration) << name;
+    EXPECT_LE(relative_error(m.orientation, row.quaternion("qw", "qx", "qy", "qz")), measured_orientation) << name;
+    EXPECT_LE(relative_error(m.angular_velocity, row.vector("wx", "wy", "wz")), measured_velocity) << name;
+    EXPECT_LE(relative_error(m.angular_acceleration, row.vector("ax", "ay", "az")), measured_acceleration) << name;
   }
   EXPECT_EQ(curves.size(), 16u);
 }
@@ -72,10 +72,10 @@ TEST(Measured, HasTheRatesOfTheReferenceAtItsKeys) {
   std::map<std::string, AnyCurve> curves;
   for (const auto& key : keys.rows()) {
     const std::string name(key.text("sequence"));
-    if (!curves.contains(name)) curves.emplace(name, curve_of(keys_of(keys, name)));
+    if (!curves.contains(name)) curves.emplace(name, measured_curve(keys_of(keys, name)));
     const Motion m = curves.at(name).motion(key.number("t"));
-    EXPECT_LE(relative_error(m.angular_velocity, key.vector("wx", "wy", "wz")), golden_velocity) << name;
-    EXPECT_LE(relative_error(m.angular_acceleration, key.vector("ax", "ay", "az")), golden_acceleration) << name;
+    EXPECT_LE(relative_error(m.angular_velocity, key.vector("wx", "wy", "wz")), measured_velocity) << name;
+    EXPECT_LE(relative_error(m.angular_acceleration, key.vector("ax", "ay", "az")), measured_acceleration) << name;
   }
 }
 
@@ -99,7 +99,7 @@ TEST(Measured, BelievesTheModelsThatTheReferenceBelieves) {
 TEST(Measured, IsTheSameBackwardsInTime) {
   for (const Spacing spacing : {Spacing::even, Spacing::uneven}) {
     const KeyframeData data = noisy_walk(911, 40, spacing, 0.4, 0.02);
-    const AnyCurve forward = curve_of(data), backward = curve_of(backwards(data));
+    const AnyCurve forward = measured_curve(data), backward = measured_curve(backwards(data));
     for (const double t : sample_times(data.times, 5))
       EXPECT_LE(angular_distance(forward(t), backward(-t)), tolerance::series) << t;
     const KeyFindings a = findings_of(data), b = findings_of(backwards(data));
@@ -137,14 +137,14 @@ TEST(Measured, TellsNoiseFromSmoothMotion) {
 TEST(Measured, IsAutoWhereItKnowsNothing) {
   for (const std::size_t keys : {2u, 3u, 5u, 8u}) {
     const KeyframeData data = noisy_walk(914 + keys, keys, Spacing::uneven, 0.5, 0.05);
-    const AnyCurve measured = curve_of(data), automatic = curve_of(data, "auto");
+    const AnyCurve measured = measured_curve(data), automatic = measured_curve(data, "auto");
     for (const double t : sample_times(data.times, 5))
       EXPECT_EQ(measured(t).coeffs(), automatic(t).coeffs()) << keys << " keys";
     EXPECT_FALSE(key_findings("measured", keyframes(data)).value());
   }
   const KeyframeData fast = random_walk(915, 40, Spacing::even, 3.0);
   ASSERT_EQ(findings_of(fast).trust, 0.0);
-  const AnyCurve measured = curve_of(fast), automatic = curve_of(fast, "auto");
+  const AnyCurve measured = measured_curve(fast), automatic = measured_curve(fast, "auto");
   for (const double t : sample_times(fast.times, 5)) EXPECT_EQ(measured(t).coeffs(), automatic(t).coeffs());
 }
 
@@ -153,7 +153,7 @@ TEST(Measured, TakesTheNumbersThatItIsGiven) {
   const KeyFindings found = findings_of(data);
   EXPECT_FALSE(found.given);
   const Method given = with_findings("measured", found);
-  const AnyCurve a = curve_of(data), b = curve_of(data, given);
+  const AnyCurve a = measured_curve(data), b = measured_curve(data, given);
   for (const double t : sample_times(data.times, 5)) EXPECT_EQ(a(t).coeffs(), b(t).coeffs()) << t;
   const KeyFindings again = key_findings(given, keyframes(data)).value().value();
   EXPECT_TRUE(again.given);
@@ -167,7 +167,7 @@ TEST(Measured, WithGivenNumbersMovesFourIntervalsOnEitherSideOfAKey) {
   constexpr std::size_t moved_key = 18;
   KeyframeData moved = data;
   moved.orientations[moved_key] = moved.orientations[moved_key] * exp<double>(Eigen::Vector3d(0.05, -0.02, 0.03));
-  const AnyCurve a = curve_of(data, given), b = curve_of(moved, given);
+  const AnyCurve a = measured_curve(data, given), b = measured_curve(moved, given);
   for (std::size_t segment = 0; segment + 1 < data.times.size(); ++segment) {
     const double t = 0.5 * (data.times[segment] + data.times[segment + 1]);
     const bool near_the_key = segment + 5 >= moved_key && segment <= moved_key + 4;
@@ -178,7 +178,7 @@ TEST(Measured, WithGivenNumbersMovesFourIntervalsOnEitherSideOfAKey) {
 TEST(Measured, WithGivenNumbersIsMadeAsKeysArrive) {
   const KeyframeData data = noisy_walk(918, 40, Spacing::uneven, 0.3, 0.03);
   const Method given = with_findings("measured", findings_of(data));
-  const AnyCurve offline = curve_of(data, given);
+  const AnyCurve offline = measured_curve(data, given);
   OnlineCurve online = OnlineCurve::make(given, 40).value();
   for (std::size_t i = 0; i < data.times.size(); ++i)
     ASSERT_TRUE(online.append({.time = data.times[i], .orientation = data.orientations[i]}));
@@ -217,7 +217,7 @@ TEST(Measured, KeepsAConstantRateOnUnevenKeys) {
     data.orientations.push_back(exp<double>(t * Eigen::Vector3d(0.4, -0.3, 0.2)));
     t += dice.between(0.1, 0.9);
   }
-  const AnyCurve curve = curve_of(data);
+  const AnyCurve curve = measured_curve(data);
   for (const double at : sample_times(data.times, 5)) {
     EXPECT_TRUE(near(curve.motion(at).angular_velocity, Eigen::Vector3d(0.4, -0.3, 0.2), tolerance::series));
     EXPECT_LE(curve.motion(at).angular_acceleration.norm(), tolerance::rates);
@@ -228,7 +228,7 @@ TEST(Measured, IsFiniteOverGapsAndKeysAtNearlyTheSameTime) {
   for (const double step : {1e-13, 1e-9, 1e-3, 1e3, 1e9}) {
     KeyframeData data = noisy_walk(921, 40, Spacing::even, 0.3, 0.02);
     for (std::size_t i = 0; i < 40; ++i) data.times[i] = static_cast<double>(i) + (i > 20 ? step - 1.0 : 0.0);
-    const AnyCurve curve = curve_of(data);
+    const AnyCurve curve = measured_curve(data);
     for (const double t : sample_times(data.times, 5)) {
       const Motion m = curve.motion(t);
       EXPECT_TRUE(m.orientation.coeffs().allFinite() && m.angular_velocity.allFinite() &&

@@ -23,7 +23,7 @@ Expected<AnyCurve> made(const KeyframeData& data, std::vector<double> nu = {0.0}
                     keyframes(data));
 }
 
-AnyCurve curve_of(const KeyframeData& data, std::vector<double> nu = {0.0}, End start = {}, End end = {}) {
+AnyCurve nu_curve(const KeyframeData& data, std::vector<double> nu = {0.0}, End start = {}, End end = {}) {
   return made(data, std::move(nu), std::move(start), std::move(end)).value();
 }
 
@@ -52,7 +52,7 @@ TEST(Nu, IsTheNuSplineAboutOneAxisWithEveryEnd) {
        {std::pair{End{.rule = EndRule::natural}, Ends{}}, std::pair{End{EndRule::clamped, rate}, Ends{rate, rate}},
         std::pair{End{.rule = EndRule::rest}, Ends{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()}}}) {
     const CubicSplineByDefinition spline(data.times, turns, wanted, nu);
-    const AnyCurve c = curve_of(data, nu, end, end);
+    const AnyCurve c = nu_curve(data, nu, end, end);
     for (const double t : sample_times(data.times)) {
       const std::size_t segment = c.knots().segment_at(t);
       EXPECT_TRUE(near(c(t), exp<double>(spline.derivative(0, t, segment)), tolerance::series)) << t;
@@ -66,7 +66,7 @@ TEST(Nu, HasTheGivenRatesAtClampedEndsWithAnyTension) {
   const Eigen::Vector3d first(0.4, -1.2, 0.3), last(-0.7, 0.1, 0.9);
   const KeyframeData data = random_walk(532, 8, Spacing::uneven, 0.8);
   for (const double nu : {0.0, 2.0, 20.0}) {
-    const AnyCurve c = curve_of(data, {nu}, {EndRule::clamped, first}, {EndRule::clamped, last});
+    const AnyCurve c = nu_curve(data, {nu}, {EndRule::clamped, first}, {EndRule::clamped, last});
     EXPECT_TRUE(near(c.motion(c.domain().start).angular_velocity, first, tolerance::series)) << nu;
     EXPECT_TRUE(near(c.motion(c.domain().end).angular_velocity, last, tolerance::series)) << nu;
   }
@@ -74,14 +74,14 @@ TEST(Nu, HasTheGivenRatesAtClampedEndsWithAnyTension) {
 
 TEST(Nu, StandsStillAtEndsAtRest) {
   const End rest{.rule = EndRule::rest};
-  const AnyCurve c = curve_of(random_walk(533, 8, Spacing::uneven, 0.8), {1.0}, rest, rest);
+  const AnyCurve c = nu_curve(random_walk(533, 8, Spacing::uneven, 0.8), {1.0}, rest, rest);
   for (const double t : {c.domain().start, c.domain().end})
     EXPECT_LE(c.motion(t).angular_velocity.norm(), tolerance::series);
 }
 
 TEST(Nu, HasNoAccelerationAtNaturalEndsWithAnyTension) {
   for (const double nu : {0.0, 2.0, 20.0}) {
-    const AnyCurve c = curve_of(random_walk(547, 8, Spacing::uneven, 0.8), {nu});
+    const AnyCurve c = nu_curve(random_walk(547, 8, Spacing::uneven, 0.8), {nu});
     for (const double t : {c.domain().start, c.domain().end}) {
       EXPECT_LE(c.motion(t).angular_acceleration.norm(), tolerance::rates) << nu;
       EXPECT_GE(c.motion(t).angular_velocity.norm(), 0.05) << nu;
@@ -91,7 +91,7 @@ TEST(Nu, HasNoAccelerationAtNaturalEndsWithAnyTension) {
 
 TEST(Nu, IsC1AtUnevenTimesAndNoSmootherWithAnyTension) {
   for (const double nu : {0.0, 2.0, 20.0}) {
-    const auto jumps = relative_jumps(curve_of(random_walk(534, 30, Spacing::uneven, 0.8), {nu}));
+    const auto jumps = relative_jumps(nu_curve(random_walk(534, 30, Spacing::uneven, 0.8), {nu}));
     EXPECT_LE(jumps[0], tolerance::continuity) << nu;
     EXPECT_LE(jumps[1], tolerance::continuity) << nu;
     EXPECT_GE(jumps[2], tolerance::visible_jump) << nu;
@@ -101,7 +101,7 @@ TEST(Nu, IsC1AtUnevenTimesAndNoSmootherWithAnyTension) {
 TEST(Nu, LeavesEveryKeyStraightAlongItsInnerPoints) {
   // Published: the key lies on the arc between the inner points beside it, which the steps divide.
   const KeyframeData data = random_walk(535, 8, Spacing::uneven, 0.8);
-  const AnyCurve c = curve_of(data, {1.5});
+  const AnyCurve c = nu_curve(data, {1.5});
   for (std::size_t i = 1; i + 1 < data.times.size(); ++i)
     EXPECT_TRUE(near(c.motion(data.times[i], Side::left).angular_velocity, c.motion(data.times[i]).angular_velocity,
                      tolerance::rates));
@@ -111,7 +111,7 @@ TEST(Nu, OfTwoKeysIsTheGreatArcAtConstantRate) {
   const KeyframeData data = random_walk(536, 2, Spacing::even, 2.5);
   const Eigen::Vector3d rate =
       increment<double>(data.orientations[0], data.orientations[1]) / (data.times[1] - data.times[0]);
-  const AnyCurve c = curve_of(data, {3.0});
+  const AnyCurve c = nu_curve(data, {3.0});
   for (const double t : sample_times(data.times, 7))
     EXPECT_TRUE(near(c.motion(t).angular_velocity, rate, tolerance::series)) << t;
 }
@@ -120,7 +120,7 @@ TEST(Nu, TendsToSlerpsThatStopAtEveryKeyAsOneOverNu) {
   const KeyframeData data = random_walk(537, 9, Spacing::uneven, 0.8);
   const End rest{.rule = EndRule::rest};
   const auto distance = [&](double nu) {
-    return largest_distance_from_stopping_slerps(curve_of(data, {nu}, rest, rest), data);
+    return largest_distance_from_stopping_slerps(nu_curve(data, {nu}, rest, rest), data);
   };
   // The rate left at a key is the jump there, from 6 d/h² of either stopping slerp, over ν; it leads 4/27 h away.
   constexpr double turn = 0.8, shortest = 0.1, longest = 1.0;
@@ -131,7 +131,7 @@ TEST(Nu, TendsToSlerpsThatStopAtEveryKeyAsOneOverNu) {
 TEST(Nu, IsTheSameBackwardsInTimeWithItsNuBackwards) {
   const KeyframeData data = random_walk(538, 6, Spacing::uneven, 0.8);
   const std::vector<double> nu{0.0, 1.0, 4.0, 0.3, 7.0, 0.0};
-  EXPECT_LE(largest_distance_from_backwards(curve_of(data, nu), curve_of(reversed(data), {nu.rbegin(), nu.rend()})),
+  EXPECT_LE(largest_distance_from_backwards(nu_curve(data, nu), nu_curve(reversed(data), {nu.rbegin(), nu.rend()})),
             tolerance::series);
 }
 
@@ -140,7 +140,7 @@ TEST(Nu, ScalesItsNuWithTheClock) {
   const double slower = 4.0, shift = 11.0;
   KeyframeData rescaled = data;
   for (double& t : rescaled.times) t = slower * t + shift;
-  const AnyCurve c = curve_of(data, {3.0}), d = curve_of(rescaled, {3.0 / slower});
+  const AnyCurve c = nu_curve(data, {3.0}), d = nu_curve(rescaled, {3.0 / slower});
   for (const double t : sample_times(data.times))
     EXPECT_TRUE(near(d(slower * t + shift), c(t), tolerance::series)) << t;
 }
@@ -148,7 +148,7 @@ TEST(Nu, ScalesItsNuWithTheClock) {
 TEST(Nu, DiffersFromTheExactConditionOnTheSphere) {
   const KeyframeData data = random_walk(540, 7, Spacing::even, 0.8);
   const AnyCurve exact = make_curve({"nu-exact", {.parameters = {{"nu", {1.0}}}}}, keyframes(data)).value();
-  const double distance = largest_distance(curve_of(data, {1.0}), exact);
+  const double distance = largest_distance(nu_curve(data, {1.0}), exact);
   EXPECT_LE(distance, 0.05);
   EXPECT_GE(distance, tolerance::visible_jump);
 }

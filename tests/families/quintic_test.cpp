@@ -13,24 +13,24 @@ namespace orispline { namespace {
 
 using namespace testing_support;
 using families::Quintic;
-using J = Jet<double, 5>;
+using Jet5 = Jet<double, 5>;
 
-const std::vector<double> tensions{0.55, 0.66, 0.41, 0.36, 0.63, 0.6};
+const std::vector<double> quintic_tensions{0.55, 0.66, 0.41, 0.36, 0.63, 0.6};
 
 AnyCurve quintic(const Keyframes& keys) {
-  return make_curve({"quintic", {.parameters = {{"tension", tensions}}}}, keys).value();
+  return make_curve({"quintic", {.parameters = {{"tension", quintic_tensions}}}}, keys).value();
 }
 
 /// The three blending functions of segment 0 over unit knots, as jets at u.
-std::array<J, 3> blending(double left, double right, double u) {
+std::array<Jet5, 3> quintic_blending(double left, double right, double u) {
   const Knots unit({0.0, 1.0});
-  return Quintic::Basis{PerKey({left, right})}(unit.span(0), J::variable(u));
+  return Quintic::Basis{PerKey({left, right})}(unit.span(0), Jet5::variable(u));
 }
 
 TEST(Quintic, BlendingFunctionsHaveTheEndValuesOfTheLemma) {
   const double a = 0.37, b = 0.81;
-  const auto start = blending(a, b, 0.0), end = blending(a, b, 1.0);
-  const auto expect = [](const J& found, double value, double first, double second) {
+  const auto start = quintic_blending(a, b, 0.0), end = quintic_blending(a, b, 1.0);
+  const auto expect = [](const Jet5& found, double value, double first, double second) {
     EXPECT_NEAR(found.derivative(0), value, tolerance::algebra);
     EXPECT_NEAR(found.derivative(1), first, tolerance::algebra);
     EXPECT_NEAR(found.derivative(2), second, tolerance::algebra);
@@ -45,7 +45,7 @@ TEST(Quintic, BlendingFunctionsHaveTheEndValuesOfTheLemma) {
 
 TEST(Quintic, BlendingFunctionsHaveTheLeadingCoefficientsOfDegreeFive) {
   const double a = 0.37, b = 0.81;
-  const auto c = blending(a, b, 0.4);
+  const auto c = quintic_blending(a, b, 0.4);
   EXPECT_NEAR(c[0].c[5], -2.5 * a, tolerance::series);
   EXPECT_NEAR(c[1].c[5], 6.0 - 3.5 * (a + b), tolerance::series);
   EXPECT_NEAR(c[2].c[5], -2.5 * b, tolerance::series);
@@ -56,12 +56,12 @@ TEST(Quintic, EndDerivativesAreEquations311To313Corrected) {
   const KeyframeData data = random_walk(101, 6, Spacing::even);
   const Keyframes keys = keyframes(data);
   const double h = 0.5;
-  const auto curve = typed_curve<Quintic>(keys, {.parameters = {{"tension", tensions}}});
+  const auto curve = typed_curve<Quintic>(keys, {.parameters = {{"tension", quintic_tensions}}});
   for (std::size_t i = 1; i + 1 < keys.size(); ++i) {
     const AnyQuaternion q = keys.orientations()[i];
     const AnyQuaternion a = half_log(keys.orientations()[i - 1], keys.orientations()[i]);
     const AnyQuaternion b = half_log(keys.orientations()[i], keys.orientations()[i + 1]);
-    const double alpha = tensions[i];
+    const double alpha = quintic_tensions[i];
     const AnyQuaternion first = alpha * (q * (a + b));
     const AnyQuaternion second = alpha * (q * (alpha * (a * a + 2.0 * (a * b) + b * b) + (b - a)));
     for (const std::size_t segment : {i - 1, i}) {
@@ -79,7 +79,7 @@ TEST(Quintic, RatesAtAKeyAreTheStatedOnes) {
   for (std::size_t i = 1; i + 1 < keys.size(); ++i) {
     const Eigen::Vector3d a = increment<double>(keys.orientations()[i - 1], keys.orientations()[i]);
     const Eigen::Vector3d b = increment<double>(keys.orientations()[i], keys.orientations()[i + 1]);
-    const double alpha = tensions[i];
+    const double alpha = quintic_tensions[i];
     const Motion m = curve.motion(keys.times()[i]);
     EXPECT_TRUE(near(m.angular_velocity, alpha * (a + b) / h, tolerance::series));
     EXPECT_TRUE(
@@ -100,7 +100,7 @@ TEST(Quintic, RatesJumpByTheRatioOfTheStepsAtUnevenKnots) {
 }
 
 TEST(Quintic, ZeroTensionStopsTheMotionAtTheKey) {
-  std::vector<double> stop = tensions;
+  std::vector<double> stop = quintic_tensions;
   stop[2] = 0.0;
   const Keyframes keys = keyframes(random_walk(104, 6, Spacing::even));
   const Motion m = make_curve({"quintic", {.parameters = {{"tension", stop}}}}, keys)->motion(keys.times()[2]);
@@ -120,13 +120,13 @@ TEST(Quintic, RepeatedEndKeyHalvesTheEndRate) {
   const double h = 0.5;
   const Eigen::Vector3d b = increment<double>(keys.orientations()[0], keys.orientations()[1]);
   const Motion first = curve.motion(keys.times().front());
-  EXPECT_TRUE(near(first.angular_velocity, tensions[0] * b / h, tolerance::series));
-  EXPECT_TRUE(near(first.angular_acceleration, tensions[0] * b / (h * h), tolerance::series));
+  EXPECT_TRUE(near(first.angular_velocity, quintic_tensions[0] * b / h, tolerance::series));
+  EXPECT_TRUE(near(first.angular_acceleration, quintic_tensions[0] * b / (h * h), tolerance::series));
 
   const Eigen::Vector3d a = increment<double>(keys.orientations()[4], keys.orientations()[5]);
   const Motion last = curve.motion(keys.times().back());
-  EXPECT_TRUE(near(last.angular_velocity, tensions[5] * a / h, tolerance::series));
-  EXPECT_TRUE(near(last.angular_acceleration, -tensions[5] * a / (h * h), tolerance::series));
+  EXPECT_TRUE(near(last.angular_velocity, quintic_tensions[5] * a / h, tolerance::series));
+  EXPECT_TRUE(near(last.angular_acceleration, -quintic_tensions[5] * a / (h * h), tolerance::series));
 }
 
 TEST(Quintic, IsNotTheSameRunBackwards) {

@@ -15,7 +15,7 @@ namespace orispline { namespace {
 
 using namespace testing_support;
 
-AnyCurve curve_of(const KeyframeData& data, const CurveOptions& options = {}) {
+AnyCurve rational_curve(const KeyframeData& data, const CurveOptions& options = {}) {
   return make_curve({"rational", options}, keyframes(data, Signs::shortest)).value();
 }
 
@@ -32,7 +32,7 @@ Eigen::Vector4d spatial(const AnyCurve& curve, std::size_t segment, double u) {
 }
 
 TEST(Rational, IsTheNormalisedCubicThatItStates) {
-  const AnyCurve c = curve_of(random_walk(601, 9, Spacing::uneven, 1.0));
+  const AnyCurve c = rational_curve(random_walk(601, 9, Spacing::uneven, 1.0));
   for (std::size_t i = 0; i < c.knots().segments(); ++i)
     for (const double u : {0.0, 0.3, 0.5, 0.9, 1.0}) {
       const KnotSpan span = c.knots().span(i);
@@ -55,10 +55,10 @@ TEST(Rational, StatesItsRatesAsJetsThroughTheCurveHaveThem) {
 TEST(Rational, HasTheGivenRatesAtClampedEndsAndStandsStillAtRest) {
   const Eigen::Vector3d first(0.4, -1.2, 0.3), last(-0.7, 0.1, 2.0);
   const KeyframeData data = random_walk(603, 8, Spacing::uneven, 1.0);
-  const AnyCurve c = curve_of(data, {.start = {EndRule::clamped, first}, .end = {EndRule::clamped, last}});
+  const AnyCurve c = rational_curve(data, {.start = {EndRule::clamped, first}, .end = {EndRule::clamped, last}});
   EXPECT_TRUE(near(c.motion(c.domain().start).angular_velocity, first, tolerance::series));
   EXPECT_TRUE(near(c.motion(c.domain().end).angular_velocity, last, tolerance::series));
-  const AnyCurve still = curve_of(data, {.start = {.rule = EndRule::rest}, .end = {.rule = EndRule::rest}});
+  const AnyCurve still = rational_curve(data, {.start = {.rule = EndRule::rest}, .end = {.rule = EndRule::rest}});
   for (const double t : {c.domain().start, c.domain().end}) {
     EXPECT_LE(still.motion(t).angular_velocity.norm(), tolerance::series);
     EXPECT_GE(still.motion(t).angular_acceleration.norm(), 0.1);
@@ -67,7 +67,7 @@ TEST(Rational, HasTheGivenRatesAtClampedEndsAndStandsStillAtRest) {
 
 TEST(Rational, HasNoAccelerationAtNaturalEnds) {
   for (const std::uint64_t seed : {604u, 605u}) {
-    const AnyCurve c = curve_of(random_walk(seed, 8, Spacing::uneven, 1.0));
+    const AnyCurve c = rational_curve(random_walk(seed, 8, Spacing::uneven, 1.0));
     for (const double t : {c.domain().start, c.domain().end}) {
       EXPECT_LE(c.motion(t).angular_acceleration.norm(), tolerance::rates);
       EXPECT_GE(c.motion(t).angular_velocity.norm(), 0.1);
@@ -77,13 +77,13 @@ TEST(Rational, HasNoAccelerationAtNaturalEnds) {
 
 TEST(Rational, IsTheSameBackwardsInTime) {
   const KeyframeData data = random_walk(606, 10, Spacing::uneven, 1.0);
-  EXPECT_LE(largest_distance_from_backwards(curve_of(data), curve_of(reversed(data))), tolerance::series);
+  EXPECT_LE(largest_distance_from_backwards(rational_curve(data), rational_curve(reversed(data))), tolerance::series);
 }
 
 TEST(Rational, OfTwoKeysStaysOnTheirGreatArc) {
   const KeyframeData data = random_walk(607, 2, Spacing::even, 2.5);
   const Eigen::Vector3d arc = increment<double>(data.orientations[0], data.orientations[1]);
-  const AnyCurve c = curve_of(data);
+  const AnyCurve c = rational_curve(data);
   for (const double t : sample_times(data.times, 7))
     EXPECT_LE(increment<double>(data.orientations[0], c(t)).cross(arc).norm(), tolerance::algebra);
 }
@@ -106,8 +106,8 @@ KeyframeData example(const std::string& name) {
 
 TEST(Rational, HasTheEnergyOfADenseSolutionWithNumPy) {
   // ∫|α|² dt [rad²/s³] by Gauss's rule of 40 nodes a segment, from a dense solution of the same conditions.
-  EXPECT_NEAR(energy(curve_of(example("five_keys.csv"))), 33.40827723493457, 1e-4);
-  EXPECT_NEAR(energy(curve_of(example("flight_keys.csv"))), 17.644222741135817, 1e-4);
+  EXPECT_NEAR(energy(rational_curve(example("five_keys.csv"))), 33.40827723493457, 1e-4);
+  EXPECT_NEAR(energy(rational_curve(example("flight_keys.csv"))), 17.644222741135817, 1e-4);
 }
 
 Error refusal(const KeyframeData& data, const CurveOptions& options = {}) {

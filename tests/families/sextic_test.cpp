@@ -13,24 +13,24 @@ namespace orispline { namespace {
 
 using namespace testing_support;
 using families::Sextic;
-using J = Jet<double, 6>;
+using Jet6 = Jet<double, 6>;
 
-const std::vector<double> tensions{0.109, 0.093, 0.055, 0.081, 0.112, 0.078};
+const std::vector<double> sextic_tensions{0.109, 0.093, 0.055, 0.081, 0.112, 0.078};
 
 AnyCurve sextic(const Keyframes& keys) {
-  return make_curve({"sextic", {.parameters = {{"tension", tensions}}}}, keys).value();
+  return make_curve({"sextic", {.parameters = {{"tension", sextic_tensions}}}}, keys).value();
 }
 
 /// The three blending functions of segment 0 over unit knots, as jets at u.
-std::array<J, 3> blending(double left, double right, double u) {
+std::array<Jet6, 3> sextic_blending(double left, double right, double u) {
   const Knots unit({0.0, 1.0});
-  return Sextic::Basis{PerKey({left, right})}(unit.span(0), J::variable(u));
+  return Sextic::Basis{PerKey({left, right})}(unit.span(0), Jet6::variable(u));
 }
 
 TEST(Sextic, BlendingFunctionsHaveTheEndValuesOfLemma1) {
   const double a = 0.07, b = 0.11;
-  const auto start = blending(a, b, 0.0), end = blending(a, b, 1.0);
-  const auto expect = [](const J& found, std::array<double, 4> wanted) {
+  const auto start = sextic_blending(a, b, 0.0), end = sextic_blending(a, b, 1.0);
+  const auto expect = [](const Jet6& found, std::array<double, 4> wanted) {
     for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(found.derivative(k), wanted[k], tolerance::series) << "order " << k;
   };
   expect(start[0], {1, 6 * a, -2.5, 30 - 360 * a});
@@ -43,7 +43,7 @@ TEST(Sextic, BlendingFunctionsHaveTheEndValuesOfLemma1) {
 
 TEST(Sextic, BlendingFunctionsHaveTheLeadingCoefficientsOfDegreeSix) {
   const double a = 0.07, b = 0.11;
-  const auto c = blending(a, b, 0.4);
+  const auto c = sextic_blending(a, b, 0.4);
   EXPECT_NEAR(c[0].c[6], 24 * a - 1.25, tolerance::series);
   EXPECT_NEAR(c[1].c[6], 24 * (a - b), tolerance::series);
   EXPECT_NEAR(c[2].c[6], 1.25 - 24 * b, tolerance::series);
@@ -52,8 +52,8 @@ TEST(Sextic, BlendingFunctionsHaveTheLeadingCoefficientsOfDegreeSix) {
 TEST(Sextic, AtBeta5Over96IsTheQuinticOf2018) {
   // C_0 = -(5/16) u (1-u)⁴, so C̃_1 = 1 - C_0.
   const double beta = 5.0 / 96.0, u = 0.3, v = 1.0 - u;
-  const auto c = blending(beta, beta, u);
-  for (const J& function : c) EXPECT_NEAR(function.c[6], 0.0, tolerance::series);
+  const auto c = sextic_blending(beta, beta, u);
+  for (const Jet6& function : c) EXPECT_NEAR(function.c[6], 0.0, tolerance::series);
   EXPECT_GT(std::abs(c[0].c[5]), 0.1);
   EXPECT_NEAR(c[0].c[0], 1.0 + 5.0 / 16.0 * u * v * v * v * v, tolerance::algebra);
   EXPECT_NEAR(c[2].c[0], -5.0 / 16.0 * u * u * u * u * v, tolerance::algebra);
@@ -62,16 +62,17 @@ TEST(Sextic, AtBeta5Over96IsTheQuinticOf2018) {
 TEST(Sextic, EndDerivativesAreLemmas3And4Corrected) {
   const Keyframes keys = keyframes(random_walk(111, 6, Spacing::even));
   const double h = 0.5;
-  const auto curve = typed_curve<Sextic>(keys, {.parameters = {{"tension", tensions}}});
+  const auto curve = typed_curve<Sextic>(keys, {.parameters = {{"tension", sextic_tensions}}});
   for (std::size_t i = 1; i + 1 < keys.size(); ++i) {
     const AnyQuaternion q = keys.orientations()[i];
     const AnyQuaternion a = half_log(keys.orientations()[i - 1], keys.orientations()[i]);
     const AnyQuaternion b = half_log(keys.orientations()[i], keys.orientations()[i + 1]);
-    const double s = 6.0 * tensions[i];
+    const double s = 6.0 * sextic_tensions[i];
     const AnyQuaternion first = s * (q * (a + b));
     const AnyQuaternion second = q * (s * s * (a * a + 2.0 * (a * b) + b * b) + 2.5 * (b - a));
-    const AnyQuaternion third = q * (s * s * s * (a * a * a + 3.0 * (a * a * b) + 3.0 * (a * b * b) + b * b * b) +
-                                     45.0 * tensions[i] * (b * b - a * a) + (30.0 - 360.0 * tensions[i]) * (a + b));
+    const AnyQuaternion third =
+        q * (s * s * s * (a * a * a + 3.0 * (a * a * b) + 3.0 * (a * b * b) + b * b * b) +
+             45.0 * sextic_tensions[i] * (b * b - a * a) + (30.0 - 360.0 * sextic_tensions[i]) * (a + b));
     for (const std::size_t segment : {i - 1, i}) {
       const auto found = quaternion_derivatives(curve, keys.times()[i], segment);
       EXPECT_TRUE(near(h * found[1], first.coeffs(), tolerance::series)) << "key " << i;
@@ -96,7 +97,7 @@ TEST(Sextic, RatesJumpByPowersOfTheRatioOfTheStepsAtUnevenKnots) {
 }
 
 TEST(Sextic, ZeroTensionStopsTheMotionButKeepsItsAcceleration) {
-  std::vector<double> stop = tensions;
+  std::vector<double> stop = sextic_tensions;
   stop[2] = 0.0;
   const Keyframes keys = keyframes(random_walk(113, 6, Spacing::even));
   const Motion m = make_curve({"sextic", {.parameters = {{"tension", stop}}}}, keys)->motion(keys.times()[2]);
@@ -111,9 +112,9 @@ TEST(Sextic, RepeatedEndKeyHasTheStatedRates) {
   const Eigen::Vector3d b = increment<double>(keys.orientations()[0], keys.orientations()[1]);
   const Motion m = sextic(keys).motion(keys.times().front());
   const double h = 0.5;
-  EXPECT_TRUE(near(m.angular_velocity, 6 * tensions[0] * b / h, tolerance::series));
+  EXPECT_TRUE(near(m.angular_velocity, 6 * sextic_tensions[0] * b / h, tolerance::series));
   EXPECT_TRUE(near(m.angular_acceleration, 2.5 * b / (h * h), tolerance::series));
-  EXPECT_TRUE(near(m.angular_jerk, (30 - 360 * tensions[0]) * b / (h * h * h), tolerance::series));
+  EXPECT_TRUE(near(m.angular_jerk, (30 - 360 * sextic_tensions[0]) * b / (h * h * h), tolerance::series));
 }
 
 }  // namespace

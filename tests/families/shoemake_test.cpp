@@ -2,6 +2,7 @@
 // Shoemake's Bézier curve: Double and Bisect as published, and the same in time.
 #include <gtest/gtest.h>
 
+#include <families/same_curve.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/math/slerp.hpp>
 #include <support/near.hpp>
@@ -11,8 +12,6 @@
 namespace orispline { namespace {
 
 using namespace testing_support;
-
-constexpr MotionTolerance same_curve{tolerance::algebra, tolerance::series, tolerance::rates, tolerance::rates};
 
 CurveOptions timing(const char* word) { return {.choices = {{"timing", word}}}; }
 

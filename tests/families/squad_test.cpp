@@ -2,6 +2,7 @@
 // Eberly's spline of squads and its variant for uneven times.
 #include <gtest/gtest.h>
 
+#include <families/key_steps.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/math/slerp.hpp>
 #include <support/near.hpp>
@@ -11,10 +12,6 @@
 namespace orispline { namespace {
 
 using namespace testing_support;
-
-Eigen::Vector3d step(const Keyframes& keys, std::size_t from, std::size_t to) {
-  return increment<double>(keys.orientations()[from], keys.orientations()[to]);
-}
 
 TEST(SquadFamily, LeavesAnInnerKeyWithTheMeanOfTheNeighbouringSteps) {
   // Equation 22 makes T_n = (log(q_n⁻¹q_{n+1}) - log(q_n⁻¹q_{n-1}))/2; ω = 2 T_n/h.

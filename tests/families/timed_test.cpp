@@ -2,6 +2,8 @@
 // The splines that are smooth in time on any knots: rates at a key, reductions to the papers, ends, reproduction.
 #include <gtest/gtest.h>
 
+#include <families/key_steps.hpp>
+#include <families/same_curve.hpp>
 #include <orispline/families/registry.hpp>
 #include <support/near.hpp>
 #include <support/specimens.hpp>
@@ -14,20 +16,9 @@ using namespace testing_support;
 using Parameters = std::map<std::string, std::vector<double>, std::less<>>;
 
 const std::vector<std::string> timed_names{"timed-c1", "timed-c2", "timed-c3", "timed-sextic"};
-constexpr MotionTolerance same_curve{tolerance::algebra, tolerance::series, tolerance::rates, tolerance::rates};
-
-Eigen::Vector3d step(const Keyframes& keys, std::size_t from) {
-  return increment<double>(keys.orientations()[from], keys.orientations()[from + 1]);
-}
 
 CurveOptions with(EndRule rule, Parameters parameters = {}) {
   return {.parameters = std::move(parameters), .start = {.rule = rule}, .end = {.rule = rule}};
-}
-
-void expect_same(const AnyCurve& a, const AnyCurve& b) {
-  for (const double t : sample_times(a.knots().times(), 7))
-    for (const Side side : {Side::left, Side::right})
-      EXPECT_TRUE(near(a.motion(t, side), b.motion(t, side), same_curve));
 }
 
 TEST(Timed, C2WithEqualTensionsOnEvenTimesIsTansQuintic) {

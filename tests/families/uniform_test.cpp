@@ -2,6 +2,7 @@
 // The general uniform family: every order is as smooth as its number, and the papers' splines are members.
 #include <gtest/gtest.h>
 
+#include <families/same_curve.hpp>
 #include <orispline/families/registry.hpp>
 #include <support/near.hpp>
 #include <support/relative_jumps.hpp>
@@ -17,7 +18,6 @@ using namespace testing_support;
 using families::UniformFamily;
 using Parameters = std::map<std::string, std::vector<double>, std::less<>>;
 
-constexpr MotionTolerance same_curve{tolerance::algebra, tolerance::series, tolerance::rates, tolerance::rates};
 constexpr std::size_t key_count = 8;
 
 /// Random tensions of every order at every key, of the size of those that the papers use.
@@ -93,8 +93,8 @@ TYPED_TEST(UniformOrder, HasTheStatedDerivativesInSpace) {
     }
 }
 
-void expect_same(const char* family, const Parameters& parameters, const Parameters& of_the_family,
-                 std::uint64_t seed) {
+void expect_uniform_is(const char* family, const Parameters& parameters, const Parameters& of_the_family,
+                       std::uint64_t seed) {
   const Keyframes keys = keyframes(random_walk(seed, key_count, Spacing::uneven));
   const AnyCurve wanted = make_curve({family, {.parameters = parameters}}, keys).value();
   const AnyCurve found = make_curve({"uniform", {.parameters = of_the_family}}, keys).value();
@@ -105,7 +105,7 @@ void expect_same(const char* family, const Parameters& parameters, const Paramet
 
 TEST(UniformFamily, OfOrderTwoWithEqualTensionsIsTansQuintic) {
   const std::vector<double> alpha{0.5, 0.6, 0.3, 0.45, 0.7, 0.2, 0.5, 0.55};
-  expect_same("quintic", {{"tension", alpha}}, {{"order", {2}}, {"tension1", alpha}, {"tension2", alpha}}, 321);
+  expect_uniform_is("quintic", {{"tension", alpha}}, {{"order", {2}}, {"tension1", alpha}, {"tension2", alpha}}, 321);
 }
 
 TEST(UniformFamily, OfOrderThreeWithThePapersTensionsIsThe6thDegreeSpline) {
@@ -115,13 +115,13 @@ TEST(UniformFamily, OfOrderThreeWithThePapersTensionsIsThe6thDegreeSpline) {
     first.push_back(6.0 * b);
     third.push_back(30.0 - 360.0 * b);
   }
-  expect_same("sextic", {{"tension", beta}},
-              {{"order", {3}}, {"tension1", first}, {"tension2", {2.5}}, {"tension3", third}}, 322);
+  expect_uniform_is("sextic", {{"tension", beta}},
+                    {{"order", {3}}, {"tension1", first}, {"tension2", {2.5}}, {"tension3", third}}, 322);
 }
 
 TEST(UniformFamily, OfOrderThreeWithOneSpecialSetIsXingsQuintic) {
-  expect_same("xing-quintic", {},
-              {{"order", {3}}, {"tension1", {5.0 / 16.0}}, {"tension2", {2.5}}, {"tension3", {11.25}}}, 323);
+  expect_uniform_is("xing-quintic", {},
+                    {{"order", {3}}, {"tension1", {5.0 / 16.0}}, {"tension2", {2.5}}, {"tension3", {11.25}}}, 323);
 }
 
 TEST(UniformFamily, OfOrderOneIsCatmullRomOnEvenTimes) {
@@ -134,7 +134,7 @@ TEST(UniformFamily, OfOrderOneIsCatmullRomOnEvenTimes) {
 }
 
 TEST(UniformFamily, DefaultsToOrderTwo) {
-  expect_same("uniform", {{"order", {2}}, {"tension1", {0.5}}, {"tension2", {1.0}}}, {}, 325);
+  expect_uniform_is("uniform", {{"order", {2}}, {"tension1", {0.5}}, {"tension2", {1.0}}}, {}, 325);
 }
 
 TEST(UniformFamily, HasSpecialTensionsThatLowerItsDegree) {

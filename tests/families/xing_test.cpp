@@ -2,6 +2,7 @@
 // The two Xing splines as derived: degrees, blending functions, what they are members of.
 #include <gtest/gtest.h>
 
+#include <families/same_curve.hpp>
 #include <orispline/families/registry.hpp>
 #include <support/near.hpp>
 #include <support/specimens.hpp>
@@ -13,26 +14,18 @@ namespace orispline { namespace {
 using namespace testing_support;
 using families::XingQuartic;
 using families::XingQuintic;
-using J = Jet<double, 6>;
-
-constexpr MotionTolerance same_curve{tolerance::algebra, tolerance::series, tolerance::rates, tolerance::rates};
-
-void expect_same(const AnyCurve& a, const AnyCurve& b) {
-  for (const double t : sample_times(a.knots().times(), 7))
-    for (const Side side : {Side::left, Side::right})
-      EXPECT_TRUE(near(a.motion(t, side), b.motion(t, side), same_curve)) << t;
-}
+using Jet6 = Jet<double, 6>;
 
 /// The three blending functions as jets at u.
 template <class F>
-std::array<J, 3> blending(double u) {
+std::array<Jet6, 3> blending(double u) {
   const Knots unit({0.0, 1.0});
-  return typename F::Basis{}(unit.span(0), J::variable(u));
+  return typename F::Basis{}(unit.span(0), Jet6::variable(u));
 }
 
 TEST(XingQuartic, HasBlendingFunctionsOfDegreeFour) {
   const auto c = blending<XingQuartic>(0.3);
-  for (const J& function : c)
+  for (const Jet6& function : c)
     for (const std::size_t order : {5u, 6u}) EXPECT_NEAR(function.c[order], 0.0, tolerance::series);
   EXPECT_NEAR(c[0].c[4], -0.5, tolerance::series);
   EXPECT_NEAR(c[2].c[4], 0.5, tolerance::series);
@@ -69,7 +62,7 @@ TEST(XingQuartic, CountsTheSecondDifferenceThreefoldAtAKey) {
 
 TEST(XingQuintic, HasBlendingFunctionsOfDegreeFive) {
   const auto c = blending<XingQuintic>(0.3);
-  for (const J& function : c) {
+  for (const Jet6& function : c) {
     EXPECT_NEAR(function.c[6], 0.0, tolerance::series);
     EXPECT_GT(std::abs(function.c[5]), 0.1);
   }

@@ -21,7 +21,7 @@ struct BadFile {
   ErrorCode code = ErrorCode::bad_data;
 };
 
-const std::string header = "t,qw,qx,qy,qz\n";
+const std::string plain_header = "t,qw,qx,qy,qz\n";
 const std::string key = "0,1,0,0,0\n";
 
 std::string not_a_number(const std::string& place, const std::string& cell, int key_index = 0) {
@@ -51,9 +51,9 @@ TEST(BadFile, WithoutKeysIsCalledEmpty) {
       {"\n\r\n \t\n", empty},
       {"# only\n# comments\n", empty},
       {"\xEF\xBB\xBF", empty},
-      {header, empty},
-      {header + "\n# 0,1,0,0,0\n", empty},
-      {header + "nan,1,0,0,0\n1,,0,0,0\n",
+      {plain_header, empty},
+      {plain_header + "\n# 0,1,0,0,0\n", empty},
+      {plain_header + "nan,1,0,0,0\n1,,0,0,0\n",
        empty + " (all 2 rows were dropped as invalid)",
        "keys.csv",
        {.drop_invalid = true}},
@@ -65,12 +65,12 @@ TEST(BadFile, WithoutKeysIsCalledEmpty) {
 TEST(BadFile, ThatIsNoTextIsNamedSo) {
   expect_refusals({
       {"t,qw\0"s, "keys.csv:1: found a NUL byte, wanted a text file"},
-      {header + "0,1,0,0,0\n1,1,\0,0,0\n"s, "keys.csv:3: found a NUL byte, wanted a text file"},
+      {plain_header + "0,1,0,0,0\n1,1,\0,0,0\n"s, "keys.csv:3: found a NUL byte, wanted a text file"},
       {"\xFF\xFEt\0,\0"s, "keys.csv:1: the file is UTF-16 text, wanted UTF-8"},
       {"t,qw,qx,qy,qz\r0,1,0,0,0\r",
        "keys.csv:1: found a carriage return within the line, wanted lines that end in LF or CRLF"},
       {std::string(std::size_t{17} << 20, 'x'), "keys.csv:1: the line is longer than 16 MiB, wanted a text file"},
-      {header + "\"0,1,0,0,0\n", "keys.csv:2:1: found a quote that is not closed"},
+      {plain_header + "\"0,1,0,0,0\n", "keys.csv:2:1: found a quote that is not closed"},
   });
 }
 
@@ -133,7 +133,7 @@ TEST(BadFile, ThatContradictsTheOptionsIsBadUsage) {
     return BadFile{std::move(content), std::move(error), std::move(name), std::move(options), ErrorCode::bad_argument};
   };
   expect_refusals({
-      contradiction(header + key,
+      contradiction(plain_header + key,
                     "[order] keys.csv:1: found a header, which states the order of the columns, wanted CSV without one",
                     "keys.csv", {.order = QuaternionOrder::wxyz}),
       contradiction("0 1 2 3 0 0 0 1\n",
@@ -144,19 +144,19 @@ TEST(BadFile, ThatContradictsTheOptionsIsBadUsage) {
                     {.columns = {{"t", "x"}}}),
       contradiction(key, "[columns] keys.csv:1: found no header, wanted one that names the columns", "keys.csv",
                     {.columns = {{"t", "x"}}, .order = QuaternionOrder::wxyz}),
-      contradiction(header + key,
+      contradiction(plain_header + key,
                     "[columns] keys.csv:1: found heading=qx, wanted a name that is read before the sign: t, qw, qx, "
                     "qy, qz, roll, "
                     "pitch, yaw, e1, e2, e3, r11, r12, r13, r21, r22, r23, r31, r32, r33, rx, ry, rz, px, py, pz, wx, "
                     "wy, wz, ax, ay, az, jx, jy, jz, wx_world, wy_world, wz_world, ax_world, ay_world, az_world, "
                     "jx_world, jy_world, jz_world, tension",
                     "keys.csv", {.columns = {{"heading", "qx"}}, .parameters = {"tension"}}),
-      contradiction(header + key, "[time_scale] the time scale is 0, wanted a number greater than 0", "keys.csv",
+      contradiction(plain_header + key, "[time_scale] the time scale is 0, wanted a number greater than 0", "keys.csv",
                     {.time_scale = Decimal()}),
-      contradiction(header + key, "[time_scale] the time scale is -0.001, wanted a number greater than 0", "keys.csv",
-                    {.time_scale = -Decimal::power_of_ten(-3)}),
+      contradiction(plain_header + key, "[time_scale] the time scale is -0.001, wanted a number greater than 0",
+                    "keys.csv", {.time_scale = -Decimal::power_of_ten(-3)}),
   });
-  expect_refusals({{header + key,
+  expect_refusals({{plain_header + key,
                     "keys.csv:1: no column 'q0_w' for qw, found 't,qw,qx,qy,qz'",
                     "keys.csv",
                     {.columns = {{"qw", "q0_w"}}}}});
@@ -165,11 +165,14 @@ TEST(BadFile, ThatContradictsTheOptionsIsBadUsage) {
 TEST(BadFile, WithAWrongNumberOfCellsNamesTheLine) {
   const std::string widths = " columns without a header, wanted 5 (t and the quaternion) or 8 (px, py, pz after them)";
   expect_refusals({
-      {header + "0,1,0,0\n", "keys.csv:2: key 0: found 4 cells, wanted 5"},
-      {header + key + "1,1,0,0,0,7\n", "keys.csv:3: key 1: found 6 cells, wanted 5"},
-      {header + key + "1;1;0;0;0\n", "keys.csv:3: key 1: found 1 cell, wanted 5"},
-      {header + key + "1,1,0,0,0,,7\n", "keys.csv:3: key 1: found 7 cells, wanted 5"},
-      {header + key + "1,1,0\n", "keys.csv:3: key 1: found 3 cells, wanted 5", "keys.csv", {.drop_invalid = true}},
+      {plain_header + "0,1,0,0\n", "keys.csv:2: key 0: found 4 cells, wanted 5"},
+      {plain_header + key + "1,1,0,0,0,7\n", "keys.csv:3: key 1: found 6 cells, wanted 5"},
+      {plain_header + key + "1;1;0;0;0\n", "keys.csv:3: key 1: found 1 cell, wanted 5"},
+      {plain_header + key + "1,1,0,0,0,,7\n", "keys.csv:3: key 1: found 7 cells, wanted 5"},
+      {plain_header + key + "1,1,0\n",
+       "keys.csv:3: key 1: found 3 cells, wanted 5",
+       "keys.csv",
+       {.drop_invalid = true}},
       {"0 1 2 3 0 0 0\n", "keys.tum:1: key 0: found 7 cells, wanted 8", "keys.tum"},
       {"0,1,2,3,0,0,0,1\n", "keys.tum:1: key 0: found 1 cell, wanted 8", "keys.tum"},
       {"0 1 2 3 0 0 0 1\n1 1 2 3 0 0 0 1 9\n", "keys.txt:2: key 1: found 9 cells, wanted 8", "keys.txt"},
@@ -180,23 +183,23 @@ TEST(BadFile, WithAWrongNumberOfCellsNamesTheLine) {
 
 TEST(BadFile, WithACellThatIsNoNumberNamesLineAndColumn) {
   expect_refusals({
-      {header + "0,one,0,0,0\n", not_a_number("2:2", "one")},
-      {header + key + "# 3\n\n1,1,0,0,abc\n", not_a_number("5:5", "abc", 1)},
-      {header + "0,0x10,0,0,0\n", not_a_number("2:2", "0x10")},
+      {plain_header + "0,one,0,0,0\n", not_a_number("2:2", "one")},
+      {plain_header + key + "# 3\n\n1,1,0,0,abc\n", not_a_number("5:5", "abc", 1)},
+      {plain_header + "0,0x10,0,0,0\n", not_a_number("2:2", "0x10")},
       {"t;qw;qx;qy;qz\n0;1,0;0;0;0\n", not_a_number("2:2", "1,0")},
-      {header + "0,1.0.0,0,0,0\n", not_a_number("2:2", "1.0.0")},
-      {header + "0,1 2,0,0,0\n", not_a_number("2:2", "1 2")},
-      {header + "0,1,--0,0,0\n", not_a_number("2:3", "--0")},
-      {header + "0,1,0,1e,0\n", not_a_number("2:4", "1e")},
-      {header + "0,1,0,0,NA\n", not_a_number("2:5", "NA")},
-      {header + "12:30:01,1,0,0,0\n", not_a_number("2:1", "12:30:01")},
-      {header + "2024-05-32T12:30:01Z,1,0,0,0\n",
+      {plain_header + "0,1.0.0,0,0,0\n", not_a_number("2:2", "1.0.0")},
+      {plain_header + "0,1 2,0,0,0\n", not_a_number("2:2", "1 2")},
+      {plain_header + "0,1,--0,0,0\n", not_a_number("2:3", "--0")},
+      {plain_header + "0,1,0,1e,0\n", not_a_number("2:4", "1e")},
+      {plain_header + "0,1,0,0,NA\n", not_a_number("2:5", "NA")},
+      {plain_header + "12:30:01,1,0,0,0\n", not_a_number("2:1", "12:30:01")},
+      {plain_header + "2024-05-32T12:30:01Z,1,0,0,0\n",
        "keys.csv:2:1: key 0: found '2024-05-32T12:30:01Z', wanted a time of ISO 8601 such as 2024-02-29T12:30:00.25Z"},
-      {header + "0,1,0,0," + std::string(1 << 20, '#') + "\n", not_a_number("2:5", std::string(40, '#') + "...")},
-      {header + "0,1e999,0,0,0\n", "keys.csv:2:2: key 0: found '1e999', wanted a number below 1.8e308 in size"},
-      {header + "1e999,1,0,0,0\n",
+      {plain_header + "0,1,0,0," + std::string(1 << 20, '#') + "\n", not_a_number("2:5", std::string(40, '#') + "...")},
+      {plain_header + "0,1e999,0,0,0\n", "keys.csv:2:2: key 0: found '1e999', wanted a number below 1.8e308 in size"},
+      {plain_header + "1e999,1,0,0,0\n",
        "keys.csv:2:1: key 0: found '1e999', wanted a number between 1e-150 and 1e150 in size"},
-      {header + "0.12345678901234567890123456789012345678,1,0,0,0\n",
+      {plain_header + "0.12345678901234567890123456789012345678,1,0,0,0\n",
        "keys.csv:2:1: key 0: found '0.12345678901234567890123456789012345678', wanted at most 37 significant digits"},
       {"timestamp tx ty tz qx qy qz qw\n0 1 2 3 0 0 0 1\n",
        "keys.tum:1:1: key 0: found 'timestamp', wanted a number such as -1.5e-3", "keys.tum"},
@@ -205,18 +208,18 @@ TEST(BadFile, WithACellThatIsNoNumberNamesLineAndColumn) {
        not_a_number("2:6", "tight"),
        "keys.csv",
        {.parameters = {"tension"}}},
-      {header + "x,nan,0,0,0\n", not_a_number("2:1", "x"), "keys.csv", {.drop_invalid = true}},
+      {plain_header + "x,nan,0,0,0\n", not_a_number("2:1", "x"), "keys.csv", {.drop_invalid = true}},
   });
 }
 
 TEST(BadFile, WithACellThatIsNotFiniteNamesTheRepair) {
   expect_refusals({
-      {header + "0,nan,0,0,0\n", not_finite("2:2", "'nan'")},
-      {header + "0,1,NaN,0,0\n", not_finite("2:3", "'NaN'")},
-      {header + "-inf,1,0,0,0\n", not_finite("2:1", "'-inf'")},
-      {header + "0,1,0,0,\n", not_finite("2:5", "an empty cell")},
-      {header + ",1,0,0,0\n", not_finite("2:1", "an empty cell")},
-      {header + ",,,,\n", not_finite("2:1", "an empty cell")},
+      {plain_header + "0,nan,0,0,0\n", not_finite("2:2", "'nan'")},
+      {plain_header + "0,1,NaN,0,0\n", not_finite("2:3", "'NaN'")},
+      {plain_header + "-inf,1,0,0,0\n", not_finite("2:1", "'-inf'")},
+      {plain_header + "0,1,0,0,\n", not_finite("2:5", "an empty cell")},
+      {plain_header + ",1,0,0,0\n", not_finite("2:1", "an empty cell")},
+      {plain_header + ",,,,\n", not_finite("2:1", "an empty cell")},
       {"t,qw,qx,qy,qz,wx,wy,wz\n0,1,0,0,0,1,2,infinity\n", not_finite("2:8", "'infinity'")},
       {"t,qw,qx,qy,qz,px_km,py,pz\n0,1,0,0,0,1e308,0,0\n", not_finite("2:6", "'1e308'")},
   });
@@ -226,15 +229,15 @@ TEST(BadFile, WhoseTimesDoNotIncreaseNamesThemAsTheyStandThere) {
   const std::string duplicate = ", wanted increasing times (option drop_duplicates)";
   const std::string decrease = ", wanted increasing times (option sort)";
   expect_refusals({
-      {header + "1311868229.5760,1,0,0,0\n1311868229.5760,1,0,0,0\n",
+      {plain_header + "1311868229.5760,1,0,0,0\n1311868229.5760,1,0,0,0\n",
        "keys.csv:3: key 1: duplicate time 1311868229.5760, as in line 2" + duplicate},
-      {header + "0,1,0,0,0\n\n# four\n-0.0,1,0,0,0\n",
+      {plain_header + "0,1,0,0,0\n\n# four\n-0.0,1,0,0,0\n",
        "keys.csv:5: key 1: duplicate time -0.0, as in line 2" + duplicate},
-      {header + "1700000000.25,1,0,0,0\n1699999999.75,1,0,0,0\n",
+      {plain_header + "1700000000.25,1,0,0,0\n1699999999.75,1,0,0,0\n",
        "keys.csv:3: key 1: time 1699999999.75 comes after 1700000000.25" + decrease},
       {"t_ns,qw,qx,qy,qz\n5,1,0,0,0\n6,1,0,0,0\n4,1,0,0,0\n", "keys.csv:4: key 2: time 4 comes after 6" + decrease},
       {"2 1 2 3 0 0 0 1\n1 1 2 3 0 0 0 1\n", "keys.txt:2: key 1: time 1 comes after 2" + decrease, "keys.txt"},
-      {header + "0,1,0,0,0\n1700000000.1,1,0,0,0\n1700000000.1000000001,1,0,0,0\n",
+      {plain_header + "0,1,0,0,0\n1700000000.1,1,0,0,0\n1700000000.1000000001,1,0,0,0\n",
        "keys.csv:4: key 2: time 1700000000.1000000001 is too near to 1700000000.1 to be told apart in double "
        "precision, wanted keys farther apart"},
   });

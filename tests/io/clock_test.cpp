@@ -11,14 +11,15 @@
 #include <orispline/io/key_file.hpp>
 #include <orispline/io/times_file.hpp>
 
+#include "io/exact_number.hpp"
 #include "io/text_file.hpp"
 
 namespace orispline::io { namespace {
 
+using test::decimal;
 using test::text_of;
 using test::TextFile;
 
-Decimal decimal(std::string_view text) { return Decimal::parse(text).value(); }
 Fraction fraction(std::string_view text) { return Fraction::parse(text).value(); }
 std::string iso(std::string_view text) {
   const auto time = parse_iso_time(text);
@@ -110,7 +111,7 @@ TEST(Clock, ReadsTimesAsPeopleTypeThem) {
             "or a time such as 2024-02-29T12:30:00Z");
 }
 
-std::string read(std::string_view content, ReadOptions options = {}) {
+std::string times_in(std::string_view content, ReadOptions options = {}) {
   options.keep_exact_times = true;
   const TextFile file(content);
   const auto keys = read_keys(file.path(), options);
@@ -123,29 +124,30 @@ std::string read(std::string_view content, ReadOptions options = {}) {
 TEST(Clock, OfAFileOfKeys) {
   const std::string rows = ",1,0,0,0\n";
   const std::string dates = "t,qw,qx,qy,qz\n2024-01-01T00:00:00.000000001Z" + rows + "2024-01-01T00:00:01.5" + rows;
-  EXPECT_EQ(read(dates), "1704067200.000000001 1704067201.5 ");
-  EXPECT_EQ(read(dates, {.clock = {.zero = decimal("1704067200")}}), "0.000000001 1.5 ");
-  EXPECT_EQ(read("t_ns,qw,qx,qy,qz\n2024-01-01" + rows), "1704067200 ");
-  EXPECT_EQ(read("2024-01-01T00:00:00Z 0 0 0 0 0 0 1\n", {.format = &tum_format}), "1704067200 ");
+  EXPECT_EQ(times_in(dates), "1704067200.000000001 1704067201.5 ");
+  EXPECT_EQ(times_in(dates, {.clock = {.zero = decimal("1704067200")}}), "0.000000001 1.5 ");
+  EXPECT_EQ(times_in("t_ns,qw,qx,qy,qz\n2024-01-01" + rows), "1704067200 ");
+  EXPECT_EQ(times_in("2024-01-01T00:00:00Z 0 0 0 0 0 0 1\n", {.format = &tum_format}), "1704067200 ");
   const std::string frames = "frame,qw,qx,qy,qz\n0" + rows + "1" + rows + "24" + rows;
-  EXPECT_EQ(read(frames, {.clock = {.frames_per_second = fraction("24")}}), "0 0.041666666666666667 1 ");
-  EXPECT_EQ(read(frames, {.time_scale = fraction("1/24")}), "0 0.041666666666666667 1 ");
-  EXPECT_EQ(read("frame,t,qw,qx,qy,qz\n7,0.5" + rows), "0.5 ");
+  EXPECT_EQ(times_in(frames, {.clock = {.frames_per_second = fraction("24")}}), "0 0.041666666666666667 1 ");
+  EXPECT_EQ(times_in(frames, {.time_scale = fraction("1/24")}), "0 0.041666666666666667 1 ");
+  EXPECT_EQ(times_in("frame,t,qw,qx,qy,qz\n7,0.5" + rows), "0.5 ");
 }
 
 TEST(Clock, OfAFileOfKeysThatIsRefused) {
   const std::string rows = ",1,0,0,0\n";
-  EXPECT_EQ(read("frame,qw,qx,qy,qz\n0" + rows),
+  EXPECT_EQ(times_in("frame,qw,qx,qy,qz\n0" + rows),
             "keys.csv:1: the column 'frame' counts frames, wanted how many there are in a second (option fps)");
-  EXPECT_EQ(read("t,qw,qx,qy,qz\n2024-01-01" + rows + "5" + rows),
+  EXPECT_EQ(times_in("t,qw,qx,qy,qz\n2024-01-01" + rows + "5" + rows),
             "keys.csv:3:1: key 1: found '5', wanted a time of ISO 8601 as in the rows before");
-  EXPECT_EQ(read("t,qw,qx,qy,qz\n5" + rows + "2024-01-01" + rows),
+  EXPECT_EQ(times_in("t,qw,qx,qy,qz\n5" + rows + "2024-01-01" + rows),
             "keys.csv:3:1: key 1: found '2024-01-01', wanted a number as in the rows before");
-  EXPECT_EQ(read("t,qw,qx,qy,qz\n2024-01-32" + rows),
+  EXPECT_EQ(times_in("t,qw,qx,qy,qz\n2024-01-32" + rows),
             "keys.csv:2:1: key 0: found '2024-01-32', wanted a time of ISO 8601 such as 2024-02-29T12:30:00.25Z");
-  EXPECT_TRUE(read("t,qw,qx,qy,qz\n2024-01-01" + rows, {.time_scale = fraction("2")}).find("which needs no scale") !=
-              std::string::npos);
-  EXPECT_EQ(read("t,qw,qx,qy,qz\n0" + rows, {.clock = {.frames_per_second = fraction("-1")}}),
+  EXPECT_TRUE(
+      times_in("t,qw,qx,qy,qz\n2024-01-01" + rows, {.time_scale = fraction("2")}).find("which needs no scale") !=
+      std::string::npos);
+  EXPECT_EQ(times_in("t,qw,qx,qy,qz\n0" + rows, {.clock = {.frames_per_second = fraction("-1")}}),
             "[fps] found -1 frames per second, wanted a number greater than 0");
 }
 

@@ -11,16 +11,13 @@
 #include <utility>
 
 #include <gtest/gtest.h>
+#include <io/exact_number.hpp>
 
 namespace orispline::io { namespace {
 
-Decimal decimal(std::string_view text) {
-  auto number = Decimal::parse(text);
-  EXPECT_TRUE(number) << text << ": " << number.error().message;
-  return number.value_or(Decimal());
-}
+using test::decimal;
 
-std::string refusal(std::string_view text) {
+std::string decimal_refusal(std::string_view text) {
   const auto number = Decimal::parse(text);
   return number ? "took it as " + number->to_string() : number.error().message;
 }
@@ -53,15 +50,15 @@ TEST(Decimal, ReadsEveryWayOfWritingANumber) {
 TEST(Decimal, RefusesWhatIsNoNumber) {
   for (const char* text : {"", "+", "-", ".", "e5", "1e", "1e+", "1.2.3", "1,5", "0x10", "nan", "inf", " 1", "1 ",
                            "1_000", "--1", "+-1", "1f"})
-    EXPECT_EQ(refusal(text), "found '" + std::string(text) + "', wanted a number such as -1.5e-3");
+    EXPECT_EQ(decimal_refusal(text), "found '" + std::string(text) + "', wanted a number such as -1.5e-3");
 }
 
 TEST(Decimal, RefusesWhatItCannotHoldExactly) {
-  EXPECT_EQ(refusal("12345678901234567890123456789012345678"),
+  EXPECT_EQ(decimal_refusal("12345678901234567890123456789012345678"),
             "found '12345678901234567890123456789012345678', wanted at most 37 significant digits");
-  EXPECT_EQ(refusal("1e150"), "found '1e150', wanted a number between 1e-150 and 1e150 in size");
-  EXPECT_EQ(refusal("-1e-151"), "found '-1e-151', wanted a number between 1e-150 and 1e150 in size");
-  EXPECT_EQ(refusal("1e99999999999999999999"),
+  EXPECT_EQ(decimal_refusal("1e150"), "found '1e150', wanted a number between 1e-150 and 1e150 in size");
+  EXPECT_EQ(decimal_refusal("-1e-151"), "found '-1e-151', wanted a number between 1e-150 and 1e150 in size");
+  EXPECT_EQ(decimal_refusal("1e99999999999999999999"),
             "found '1e99999999999999999999', wanted a number between 1e-150 and 1e150 in size");
   EXPECT_EQ(decimal("9.99e149").to_double(), 9.99e149);
   EXPECT_EQ(decimal("1e-150").to_double(), 1e-150);

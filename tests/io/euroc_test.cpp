@@ -21,12 +21,12 @@ const std::string written_header =
 const std::string dataset_header =
     "#timestamp, p_RS_R_x [m], p_RS_R_y [m], p_RS_R_z [m], q_RS_w [], q_RS_x [], q_RS_y [], q_RS_z [], "
     "v_RS_R_x [m s^-1], v_RS_R_y [m s^-1], v_RS_R_z [m s^-1], b_w_RS_S_x [rad s^-1]\n";
-const std::string rows =
+const std::string two_rows =
     "1403636580838555648,4.5,-1.75,0.75,0.5,-0.5,0.5,-0.5\n"
     "1403636580843555328,4.25,-1.5,0.5,0.5,-0.5,-0.5,-0.5\n";
 
-Expected<KeyFile> read(const std::string& content, const ReadOptions& options = {},
-                       std::string_view name = "data.csv") {
+Expected<KeyFile> euroc_file(const std::string& content, const ReadOptions& options = {},
+                             std::string_view name = "data.csv") {
   return read_keys(TextFile(content, name).path(), options);
 }
 
@@ -46,18 +46,18 @@ TEST(EuRoC, IsKnownByItsHeader) {
         "# timestamp [ns],p_RS_R_x [m],p_RS_R_y [m],p_RS_R_z [m],q_RS_w [],q_RS_x [],q_RS_y [],q_RS_z []\r\n"s,
         "# made by a tracker\n\n#timestamp [ns],p_RS_R_x,p_RS_R_y,p_RS_R_z,q_RS_w,q_RS_x,q_RS_y,q_RS_z\n"s,
         "timestamp_ns,p_RS_R_x [m],p_RS_R_y [m],p_RS_R_z [m],q_RS_w [],q_RS_x [],q_RS_y [],q_RS_z []\n"s})
-    for (const char* name : {"data.csv", "data.txt"}) expect_the_two_keys(read(header + rows, {}, name));
+    for (const char* name : {"data.csv", "data.txt"}) expect_the_two_keys(euroc_file(header + two_rows, {}, name));
 }
 
 TEST(EuRoC, IsReadWithoutAHeaderWhereItIsAskedFor) {
-  expect_the_two_keys(read(rows, {.format = &euroc_format}));
-  expect_the_two_keys(read("# notes\n" + rows, {.format = &euroc_format}, "data.tum"));
+  expect_the_two_keys(euroc_file(two_rows, {.format = &euroc_format}));
+  expect_the_two_keys(euroc_file("# notes\n" + two_rows, {.format = &euroc_format}, "data.tum"));
 }
 
 TEST(EuRoC, MayHaveMoreColumns) {
   std::string wide;
-  for (const char c : rows) wide += c == '\n' ? ",0.5,nan,x,1.0,2.0\n" : std::string(1, c);
-  const auto file = read(dataset_header + wide);
+  for (const char c : two_rows) wide += c == '\n' ? ",0.5,nan,x,1.0,2.0\n" : std::string(1, c);
+  const auto file = euroc_file(dataset_header + wide);
   expect_the_two_keys(file);
   EXPECT_EQ(file->ignored_columns, std::vector<std::string>{"columns 9 to 13"});
 }
@@ -68,18 +68,18 @@ TEST(EuRoC, IsNotGuessedFromOtherHeaders) {
        {"", "#timestamp [us],p_RS_R_x [m],p_RS_R_y [m],p_RS_R_z [m],q_RS_w [],q_RS_x [],q_RS_y [],q_RS_z []\n",
         "#timestamp [ns],q_RS_w [],q_RS_x [],q_RS_y [],q_RS_z [],p_RS_R_x [m],p_RS_R_y [m],p_RS_R_z [m]\n"}) {
     const std::string line = *header ? "2" : "1";
-    EXPECT_EQ(text_of(read(header + rows).error()),
+    EXPECT_EQ(text_of(euroc_file(header + two_rows).error()),
               "data.csv:" + line + ": " + advice +
                   ", the format euroc, of which this line may be, or the order of the columns (option order)");
   }
-  EXPECT_EQ(text_of(read("1,2,3,4,5,6,7,8\n").error()),
+  EXPECT_EQ(text_of(euroc_file("1,2,3,4,5,6,7,8\n").error()),
             "data.csv:1: " + advice + " or the order of the columns (option order)");
 }
 
 TEST(EuRoC, HeaderIsOverruledByTheCaller) {
-  const auto mapped =
-      read("timestamp_ns,p_RS_R_x [m],p_RS_R_y [m],p_RS_R_z [m],q_RS_w [],q_RS_x [],q_RS_y [],q_RS_z []\n" + rows,
-           {.columns = {{"qw", "q_RS_w []"}, {"qx", "q_RS_x []"}, {"qy", "q_RS_y []"}, {"qz", "q_RS_z []"}}});
+  const auto mapped = euroc_file(
+      "timestamp_ns,p_RS_R_x [m],p_RS_R_y [m],p_RS_R_z [m],q_RS_w [],q_RS_x [],q_RS_y [],q_RS_z []\n" + two_rows,
+      {.columns = {{"qw", "q_RS_w []"}, {"qx", "q_RS_x []"}, {"qy", "q_RS_y []"}, {"qz", "q_RS_z []"}}});
   ASSERT_TRUE(mapped) << describe(mapped.error());
   EXPECT_EQ(mapped->format, &csv_format);
   EXPECT_TRUE(mapped->data.positions.empty());
@@ -88,7 +88,7 @@ TEST(EuRoC, HeaderIsOverruledByTheCaller) {
 TEST(EuRoC, RefusesWhatIsNotItsKind) {
   const auto refusal = [](const std::string& content, ReadOptions options = {}) {
     options.format = &euroc_format;
-    return text_of(read(content, options).error());
+    return text_of(euroc_file(content, options).error());
   };
   EXPECT_EQ(refusal("1403636580.5,1,2,3,1,0,0,0\n"),
             "data.csv:1:1: key 0: found '1403636580.5', wanted whole nanoseconds");
@@ -97,17 +97,18 @@ TEST(EuRoC, RefusesWhatIsNotItsKind) {
   EXPECT_EQ(refusal("1 2 3 4 1 0 0 0\n"),
             "data.csv:1: found 1 column, wanted at least 8 (time, position, quaternion w,x,y,z)");
   EXPECT_EQ(refusal("1,2,3,4,1,0,0,0,9\n2,2,3,4,1,0,0,0\n"), "data.csv:2: key 1: found 8 cells, wanted 9");
-  EXPECT_EQ(refusal(rows, {.order = QuaternionOrder::wxyz}),
+  EXPECT_EQ(refusal(two_rows, {.order = QuaternionOrder::wxyz}),
             "[order] data.csv:1: found an EuRoC file, whose columns are always time, position, quaternion w,x,y,z, "
             "wanted CSV");
-  EXPECT_EQ(refusal(rows, {.columns = {{"t", "stamp"}}}),
+  EXPECT_EQ(refusal(two_rows, {.columns = {{"t", "stamp"}}}),
             "[columns] data.csv:1: found an EuRoC file, whose columns are fixed, wanted CSV");
-  EXPECT_EQ(refusal(rows, {.orientation = {.euler = EulerOrder{}}}),
+  EXPECT_EQ(refusal(two_rows, {.orientation = {.euler = EulerOrder{}}}),
             "[euler] data.csv:1: found an EuRoC file, whose columns are fixed, wanted CSV");
 }
 
 TEST(EuRoC, TimesAreScaledByTheCaller) {
-  const auto file = read("1.5,1,2,3,1,0,0,0\n", {.format = &euroc_format, .time_scale = Decimal::power_of_ten(0)});
+  const auto file =
+      euroc_file("1.5,1,2,3,1,0,0,0\n", {.format = &euroc_format, .time_scale = Decimal::power_of_ten(0)});
   ASSERT_TRUE(file) << describe(file.error());
   EXPECT_EQ(file->epoch.to_string(), "1.5");
 }

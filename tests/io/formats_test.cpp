@@ -101,28 +101,28 @@ Expected<std::vector<KeyFile>> tracks_in(LineReader lines, const ReadOptions&) {
   return tracks;
 }
 
-constexpr FormatInfo names_format{.id = "names",
-                                  .title = "Names",
-                                  .file = "a Names file",
-                                  .summary = "names of tracks that stand still",
-                                  .reading = {.tracks = tracks_in}};
+constexpr FormatInfo read_names_format{.id = "names",
+                                       .title = "Names",
+                                       .file = "a Names file",
+                                       .summary = "names of tracks that stand still",
+                                       .reading = {.tracks = tracks_in}};
 
 TEST(Formats, MayBeACallersOwnAndHoldSeveralTracks) {
   const TextFile file("hand\nfoot\n");
-  const auto tracks = read_all_keys(file.path(), {.format = &names_format});
+  const auto tracks = read_all_keys(file.path(), {.format = &read_names_format});
   ASSERT_TRUE(tracks) << describe(tracks.error());
   ASSERT_EQ(tracks->size(), 2u);
   EXPECT_EQ(tracks->back().path, "foot");
-  const auto checked = read_tracks(file.path(), {.format = &names_format});
+  const auto checked = read_tracks(file.path(), {.format = &read_names_format});
   ASSERT_TRUE(checked) << describe(checked.error());
   EXPECT_EQ(checked->front().track.name, "hand");
   EXPECT_EQ(checked->back().track.keys.size(), 1u);
-  auto reader = KeyReader::open(TextFile("hand\n").path(), {.format = &names_format}).value();
+  auto reader = KeyReader::open(TextFile("hand\n").path(), {.format = &read_names_format}).value();
   EXPECT_EQ(reader.bytes_read(), 0u);  // nobody counts them where there is no table
   EXPECT_FALSE(reader.columns());
-  const auto one = read_keys(file.path(), {.format = &names_format});
+  const auto one = read_keys(file.path(), {.format = &read_names_format});
   EXPECT_EQ(text_of(one.error()), "keys.csv: found 2 tracks, wanted a file of one");
-  const auto writer = SampleWriter::open("-", {.format = &names_format});
+  const auto writer = SampleWriter::open("-", {.format = &read_names_format});
   EXPECT_EQ(writer.error().message, "Names files are not written, wanted " + any_of(formats_written()));
 }
 

@@ -12,20 +12,21 @@
 
 namespace orispline::io { namespace {
 
-const std::string header = "t,qw,qx,qy,qz,wx,wy,wz,ax,ay,az\n";
+const std::string rates_header = "t,qw,qx,qy,qz,wx,wy,wz,ax,ay,az\n";
 
-Expected<KeyFile> read(const std::string& rows, const ReadOptions& options = {.rate_orders = 3}) {
-  return read_keys(test::TextFile(header + rows).path(), options);
+Expected<KeyFile> free_rates_file(const std::string& rows, const ReadOptions& options = {.rate_orders = 3}) {
+  return read_keys(test::TextFile(rates_header + rows).path(), options);
 }
 
-std::string refusal(const std::string& content, const ReadOptions& options = {.rate_orders = 3, .world_rates = true}) {
+std::string free_rates_refusal(const std::string& content,
+                               const ReadOptions& options = {.rate_orders = 3, .world_rates = true}) {
   const auto file = read_keys(test::TextFile(content).path(), options);
   return file ? "" : file.error().message;
 }
 
 TEST(FreeRates, AreThoseWhoseThreeCellsAreEmptyOrNaN) {
   const auto file =
-      read("0,1,0,0,0,1,2,3,,,\n1,1,0,0,0,,,,4,5,6\n2,1,0,0,0,nan,NaN,nan,7,8,9\n3,1,0,0,0,1,1,1,2,2,2\n");
+      free_rates_file("0,1,0,0,0,1,2,3,,,\n1,1,0,0,0,,,,4,5,6\n2,1,0,0,0,nan,NaN,nan,7,8,9\n3,1,0,0,0,1,1,1,2,2,2\n");
   ASSERT_TRUE(file) << describe(file.error());
   const auto &w = file->data.angular_velocities, &a = file->data.angular_accelerations;
   ASSERT_EQ(w.size(), 4u);
@@ -47,26 +48,28 @@ TEST(FreeRates, AreFreeInTheWorldFrameToo) {
 
 TEST(FreeRates, LackAllComponentsOrNone) {
   const std::string remedy = ", wanted a finite number, or none in all three cells of the rate to leave it free";
-  EXPECT_EQ(refusal(header + "0,1,0,0,0,1,,3,1,1,1\n"), "found an empty cell" + remedy);
-  EXPECT_EQ(refusal(header + "0,1,0,0,0,1,1,1,nan,nan,1\n"), "found 'nan'" + remedy);
-  EXPECT_EQ(refusal(header + "0,1,0,0,0,inf,inf,inf,1,1,1\n"), "found 'inf', wanted a finite number");
-  const auto dropped = read("0,1,0,0,0,1,,3,1,1,1\n1,1,0,0,0,1,2,3,1,1,1\n", {.rate_orders = 2, .drop_invalid = true});
+  EXPECT_EQ(free_rates_refusal(rates_header + "0,1,0,0,0,1,,3,1,1,1\n"), "found an empty cell" + remedy);
+  EXPECT_EQ(free_rates_refusal(rates_header + "0,1,0,0,0,1,1,1,nan,nan,1\n"), "found 'nan'" + remedy);
+  EXPECT_EQ(free_rates_refusal(rates_header + "0,1,0,0,0,inf,inf,inf,1,1,1\n"), "found 'inf', wanted a finite number");
+  const auto dropped =
+      free_rates_file("0,1,0,0,0,1,,3,1,1,1\n1,1,0,0,0,1,2,3,1,1,1\n", {.rate_orders = 2, .drop_invalid = true});
   ASSERT_TRUE(dropped);
   EXPECT_EQ(dropped->data.times.size(), 1u);
   EXPECT_EQ(dropped->repairs.invalid_dropped, 1u);
 }
 
 TEST(FreeRates, AreNotFiniteWhereAllAreWanted) {
-  EXPECT_TRUE(refusal(header + "0,1,0,0,0,,,,1,1,1\n", {.rate_orders = 1, .free_rates = FreeRates::refused})
-                  .starts_with("found an empty cell, wanted a finite number"));
+  EXPECT_TRUE(
+      free_rates_refusal(rates_header + "0,1,0,0,0,,,,1,1,1\n", {.rate_orders = 1, .free_rates = FreeRates::refused})
+          .starts_with("found an empty cell, wanted a finite number"));
 }
 
 TEST(FreeRates, DoNotTurnAJerkOfTheWorld) {
   const std::string names = "t,qw,qx,qy,qz,wx,wy,wz,ax,ay,az,jx_world,jy_world,jz_world\n";
-  EXPECT_EQ(refusal(names + "0,1,0,0,0,1,2,3,,,,1,1,1\n"),
+  EXPECT_EQ(free_rates_refusal(names + "0,1,0,0,0,1,2,3,,,,1,1,1\n"),
             "found an angular jerk in the frame of the world without the angular velocity and acceleration of its key, "
             "wanted them as well, or the jerk left free");
-  EXPECT_EQ(refusal(names + "0,1,0,0,0,1,2,3,,,,,,\n"), "");
+  EXPECT_EQ(free_rates_refusal(names + "0,1,0,0,0,1,2,3,,,,,,\n"), "");
 }
 
 TEST(FreeRates, AreWrittenSoThatTheyAreReadAgain) {

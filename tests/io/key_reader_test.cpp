@@ -66,7 +66,7 @@ void expect_same(const KeyFile& file, const KeyFile& whole) {
 }
 
 /// Rows with duplicates, invalid ones and comments among them.
-std::string rows(const char* header, std::uint64_t seed) {
+std::string faulty_rows(const char* header, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::string text = header;
   double time = 1700000000.0;
@@ -79,10 +79,10 @@ std::string rows(const char* header, std::uint64_t seed) {
   return text;
 }
 
-constexpr const char* header = "t,qw,qx,qy,qz,px,py,pz,wx,wy,wz,tension,note\n";
+constexpr const char* full_header = "t,qw,qx,qy,qz,px,py,pz,wx,wy,wz,tension,note\n";
 
 TEST(KeyReader, GivesTheKeysOfTheFileHoweverItIsCut) {
-  const TextFile file(rows(header, 51));
+  const TextFile file(faulty_rows(full_header, 51));
   for (const bool sort : {false, true}) {
     const ReadOptions options{.drop_duplicates = true,
                               .drop_invalid = true,
@@ -120,7 +120,7 @@ TEST(KeyReader, FindsTheErrorsOfTheFileHoweverItIsCut) {
 }
 
 TEST(KeyReader, KnowsTheColumnsBeforeTheKeysAreRead) {
-  const TextFile file(rows(header, 52));
+  const TextFile file(faulty_rows(full_header, 52));
   const auto reader = KeyReader::open(file.path(), {.parameters = {"tension"}});
   ASSERT_TRUE(reader);
   ASSERT_TRUE(reader->columns());
@@ -131,10 +131,10 @@ TEST(KeyReader, KnowsTheColumnsBeforeTheKeysAreRead) {
 }
 
 TEST(KeyReader, CountsTheBytesThatItReads) {
-  const TextFile file(rows(header, 53));
+  const TextFile file(faulty_rows(full_header, 53));
   auto reader = KeyReader::open(file.path(), {.drop_duplicates = true, .drop_invalid = true}).value();
   ASSERT_TRUE(reader.next());
-  EXPECT_EQ(reader.bytes_read(), rows(header, 53).size());
+  EXPECT_EQ(reader.bytes_read(), faulty_rows(full_header, 53).size());
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ std::optional<Array> array_in(std::string_view file) {
   return array;
 }
 
-const Sample moving{
+const Sample moving_sample{
     .motion = {.orientation = quaternion_wxyz(0.5, -0.5, 0.5, -0.5),
                .angular_velocity = {1, 2, 3},
                .angular_acceleration = {4, 5, 6},
@@ -60,7 +60,8 @@ const Sample moving{
     .linear_motion = {.position = {10, 20, 30}, .velocity = {11, 12, 13}, .acceleration = {14, 15, 16}}};
 
 /// The array that is written for the same sample at the times.
-Array written(SampleColumns columns, const std::vector<std::string>& times, const Sample& sample = moving) {
+Array written_array(SampleColumns columns, const std::vector<std::string>& times,
+                    const Sample& sample = moving_sample) {
   columns.format = &npy_format;
   const ScratchDirectory directory;
   const std::string path = directory.file("out.npy");
@@ -84,7 +85,7 @@ TEST(Npy, HasAHeaderOf128BytesForAnyNumberOfRows) {
 
 TEST(Npy, HoldsTheColumnsOfTheCsvInTheirOrder) {
   const SampleColumns all{.positions = true, .derivatives = 3, .position_derivatives = 2};
-  const Array array = written(all, {"0.25"});
+  const Array array = written_array(all, {"0.25"});
   const std::vector<double> row{0.25, 0.5, -0.5, 0.5, -0.5, 10, 20, 30, 1,  2,  3, 4,
                                 5,    6,   7,    8,   9,    11, 12, 13, 14, 15, 16};
   EXPECT_EQ(array.rows, 1u);
@@ -94,19 +95,19 @@ TEST(Npy, HoldsTheColumnsOfTheCsvInTheirOrder) {
 
 TEST(Npy, HoldsOtherFormsOfOrientation) {
   const Sample level{.motion = {.orientation = quaternion_wxyz(0.0, 0.0, 0.0, 1.0)}};
-  const Array array = written({.form = {.representation = Representation::matrix}}, {"1"}, level);
+  const Array array = written_array({.form = {.representation = Representation::matrix}}, {"1"}, level);
   EXPECT_EQ(array.values, (std::vector<double>{1, -1, 0, 0, 0, -1, 0, 0, 0, 1}));
 }
 
 TEST(Npy, IsACompleteFileWithoutAnyRow) {
-  const Array array = written({.derivatives = 1}, {});
+  const Array array = written_array({.derivatives = 1}, {});
   EXPECT_EQ(array.rows, 0u);
   EXPECT_EQ(array.columns, 8u);
 }
 
 TEST(Npy, CountsRowsOfSeveralBlocks) {
   const std::vector<std::string> times(20000, "3.5");
-  const Array array = written({.derivatives = 2}, times);
+  const Array array = written_array({.derivatives = 2}, times);
   ASSERT_EQ(array.rows, times.size());
   EXPECT_EQ(array.values[19999 * 11], 3.5);
   EXPECT_EQ(array.values.back(), 6.0);
@@ -115,14 +116,14 @@ TEST(Npy, CountsRowsOfSeveralBlocks) {
 TEST(Npy, KeepsEveryBitOfADouble) {
   Sample sample;
   sample.linear_motion.position = {std::numeric_limits<double>::denorm_min(), -0.0, std::numeric_limits<double>::max()};
-  const Array array = written({.positions = true}, {"0"}, sample);
+  const Array array = written_array({.positions = true}, {"0"}, sample);
   for (int i = 0; i < 3; ++i)
     EXPECT_EQ(std::bit_cast<std::uint64_t>(array.values[static_cast<std::size_t>(5 + i)]),
               std::bit_cast<std::uint64_t>(sample.linear_motion.position[i]));
 }
 
 TEST(Npy, RoundsATimeToTheNearestDouble) {
-  const Array array = written({}, {"1403636580.838555648", "0.1"});
+  const Array array = written_array({}, {"1403636580.838555648", "0.1"});
   EXPECT_EQ(array.values[0], 1403636580.838555648);
   EXPECT_EQ(array.values[5], 0.1);
 }
@@ -130,7 +131,7 @@ TEST(Npy, RoundsATimeToTheNearestDouble) {
 TEST(Npy, IsWrittenToAPipeWhenTheRowsAreStated) {
   ::testing::internal::CaptureStdout();
   auto writer = SampleWriter::open("-", {.format = &npy_format}, 1);
-  const bool complete = writer && writer->write(Decimal(), moving) && writer->finish();
+  const bool complete = writer && writer->write(Decimal(), moving_sample) && writer->finish();
   const auto array = array_in(::testing::internal::GetCapturedStdout());
   EXPECT_TRUE(complete);
   ASSERT_TRUE(array);

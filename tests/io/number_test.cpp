@@ -10,7 +10,7 @@
 
 namespace orispline::io { namespace {
 
-std::string refusal(std::string_view cell) {
+std::string number_refusal(std::string_view cell) {
   const auto number = number_of(cell);
   return number ? "took it as " + std::to_string(*number) : number.error().message;
 }
@@ -33,7 +33,7 @@ TEST(Number, BelowTheRangeOfADoubleIsZero) {
 
 TEST(Number, BeyondTheRangeOfADoubleIsRefused) {
   for (const char* cell : {"1e999", "-1e999", "+1.8e308"})
-    EXPECT_EQ(refusal(cell), "found '" + std::string(cell) + "', wanted a number below 1.8e308 in size");
+    EXPECT_EQ(number_refusal(cell), "found '" + std::string(cell) + "', wanted a number below 1.8e308 in size");
 }
 
 TEST(Number, MayBeNaNOrInfiniteInAnyCaseOfLetters) {
@@ -46,14 +46,14 @@ TEST(Number, MayBeNaNOrInfiniteInAnyCaseOfLetters) {
 TEST(Number, IsRefusedWhenAnythingElseIsInTheCell) {
   for (const char* cell : {"abc", "0x10", "1,5", "1.5x", "1e", "1.2.3", "--1", "+-1", "+", "-", ".", "1 2", "NA",
                            "null", "1_000", "1e5.0"})
-    EXPECT_EQ(refusal(cell), "found '" + std::string(cell) + "', wanted a number such as -1.5e-3");
+    EXPECT_EQ(number_refusal(cell), "found '" + std::string(cell) + "', wanted a number such as -1.5e-3");
 }
 
 TEST(Number, IsShownShortenedAndPrintableWhenRefused) {
-  EXPECT_EQ(refusal(std::string(1000, 'x')),
+  EXPECT_EQ(number_refusal(std::string(1000, 'x')),
             "found '" + std::string(40, 'x') + "...', wanted a number such as -1.5e-3");
-  EXPECT_EQ(refusal("\x1b[31m"), "found '?[31m', wanted a number such as -1.5e-3");
-  EXPECT_EQ(refusal(std::string(39, 'x') + "\xC3\xA9"),
+  EXPECT_EQ(number_refusal("\x1b[31m"), "found '?[31m', wanted a number such as -1.5e-3");
+  EXPECT_EQ(number_refusal(std::string(39, 'x') + "\xC3\xA9"),
             "found '" + std::string(39, 'x') + "...', wanted a number such as -1.5e-3");
 }
 

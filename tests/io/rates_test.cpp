@@ -19,7 +19,7 @@ namespace orispline::io { namespace {
 
 using namespace testing_support;
 
-KeyframeData read(const std::string& content, const ReadOptions& options) {
+KeyframeData rated_keys(const std::string& content, const ReadOptions& options) {
   auto file = read_keys(test::TextFile(content).path(), options);
   if (!file) {
     ADD_FAILURE() << describe(file.error());
@@ -32,29 +32,29 @@ const std::string all_orders = "t,qw,qx,qy,qz,wx,wy,wz,ax,ay,az,jx,jy,jz\n0,1,0,
 
 TEST(Rates, AreReadUpToTheOrderThatIsAskedFor) {
   for (const int orders : {0, 1, 2, 3}) {
-    const KeyframeData data = read(all_orders, {.rate_orders = orders});
+    const KeyframeData data = rated_keys(all_orders, {.rate_orders = orders});
     EXPECT_EQ(data.angular_velocities.size(), orders >= 1 ? 1u : 0u);
     EXPECT_EQ(data.angular_accelerations.size(), orders >= 2 ? 1u : 0u);
     EXPECT_EQ(data.angular_jerks.size(), orders >= 3 ? 1u : 0u);
   }
-  const KeyframeData data = read(all_orders, {.rate_orders = 3});
+  const KeyframeData data = rated_keys(all_orders, {.rate_orders = 3});
   EXPECT_EQ(data.angular_velocities[0], Eigen::Vector3d(1, 2, 3));
   EXPECT_EQ(data.angular_accelerations[0], Eigen::Vector3d(4, 5, 6));
   EXPECT_EQ(data.angular_jerks[0], Eigen::Vector3d(7, 8, 9));
 }
 
 TEST(Rates, OfHigherOrdersMayBeMissing) {
-  const KeyframeData data = read("t,qw,qx,qy,qz,wx,wy,wz\n0,1,0,0,0,1,2,3\n", {.rate_orders = 3});
+  const KeyframeData data = rated_keys("t,qw,qx,qy,qz,wx,wy,wz\n0,1,0,0,0,1,2,3\n", {.rate_orders = 3});
   EXPECT_EQ(data.angular_velocities.size(), 1u);
   EXPECT_TRUE(data.angular_accelerations.empty());
 }
 
 TEST(Rates, NobodyAsksForMayHoldAnything) {
-  EXPECT_EQ(read("t,qw,qx,qy,qz,ax,jx\n0,1,0,0,0,none,nan\n", {}).times.size(), 1u);
+  EXPECT_EQ(rated_keys("t,qw,qx,qy,qz,ax,jx\n0,1,0,0,0,none,nan\n", {}).times.size(), 1u);
 }
 
 TEST(Rates, HaveUnits) {
-  const KeyframeData data = read(
+  const KeyframeData data = rated_keys(
       "t,qw,qx,qy,qz,wx_deg_s,wy,wz_rad_s,ax_deg_s2,ay_body_rad_s2,az_rad_s2,jx_body_deg_s3,jy_deg_s3,jz_body\n"
       "0,1,0,0,0,180,1,2,90,3,4,-180,360,5\n",
       {.rate_orders = 3});
@@ -64,7 +64,7 @@ TEST(Rates, HaveUnits) {
 }
 
 TEST(Rates, GoWithTheirKeysWhenRowsAreSortedAndDropped) {
-  const KeyframeData data = read(
+  const KeyframeData data = rated_keys(
       "t,qw,qx,qy,qz,wx,wy,wz,ax,ay,az,jx,jy,jz\n"
       "2,1,0,0,0,2,0,0,2,0,0,2,0,0\n1,1,0,0,0,1,0,0,1,0,0,1,0,0\n1,1,0,0,0,9,0,0,9,0,0,9,0,0\n"
       "3,1,0,0,0,3,0,0,nan,0,0,3,0,0\n",
@@ -107,8 +107,8 @@ void expect_rates(const KeyframeData& data, const std::vector<Motion>& motions) 
 TEST(Rates, WrittenInEitherFrameAreReadBackInTheBodyFrame) {
   const auto motions = random_motions(361);
   for (const Frame frame : {Frame::body, Frame::world})
-    expect_rates(read(written(motions, frame), {.rate_orders = 3, .world_rates = true}), motions);
-  EXPECT_TRUE(read(written(motions, Frame::world), {.rate_orders = 3}).angular_velocities.empty());
+    expect_rates(rated_keys(written(motions, frame), {.rate_orders = 3, .world_rates = true}), motions);
+  EXPECT_TRUE(rated_keys(written(motions, Frame::world), {.rate_orders = 3}).angular_velocities.empty());
 }
 
 TEST(Rates, InTheWorldFrameStayWhatTheyAreWhenTheFileHoldsWorldToBody) {
@@ -126,19 +126,19 @@ TEST(Rates, InTheWorldFrameStayWhatTheyAreWhenTheFileHoldsWorldToBody) {
     content += std::to_string(i) + cells(std::array{q.w(), q.x(), q.y(), q.z()}) + cells(angular_velocity_world(m)) +
                cells(angular_acceleration_world(m)) + cells(angular_jerk_world(m)) + "\n";
   }
-  expect_rates(read(content, {.conjugate = true, .rate_orders = 3, .world_rates = true}), motions);
+  expect_rates(rated_keys(content, {.conjugate = true, .rate_orders = 3, .world_rates = true}), motions);
 }
 
 TEST(Rates, OfTheBodyComeBeforeThoseOfTheWorld) {
   const KeyframeData data =
-      read("t,qw,qx,qy,qz,wx,wy,wz,wx_world,wy_world,wz_world\n0,0,1,0,0,1,2,3,4,5,6\n", {.world_rates = true});
+      rated_keys("t,qw,qx,qy,qz,wx,wy,wz,wx_world,wy_world,wz_world\n0,0,1,0,0,1,2,3,4,5,6\n", {.world_rates = true});
   EXPECT_EQ(data.angular_velocities[0], Eigen::Vector3d(1, 2, 3));
 }
 
 TEST(Rates, OfTheBodyStayWhatTheyAreWhenTheFileHoldsWorldToBody) {
   for (const char* names : {"wx,wy,wz", "wx_rad_s,wy,wz", "wx_body,wy_body,wz_body"}) {
-    const KeyframeData data = read("t,qw,qx,qy,qz," + std::string(names) + "\n0,0.6,0.8,0,0,1,2,3\n",
-                                   {.conjugate = true, .world_rates = true});
+    const KeyframeData data = rated_keys("t,qw,qx,qy,qz," + std::string(names) + "\n0,0.6,0.8,0,0,1,2,3\n",
+                                         {.conjugate = true, .world_rates = true});
     EXPECT_EQ(data.orientations[0], quaternion_wxyz(0.6, -0.8, 0.0, 0.0));
     ASSERT_EQ(data.angular_velocities.size(), 1u) << names;
     EXPECT_EQ(data.angular_velocities[0], Eigen::Vector3d(1, 2, 3));
@@ -147,8 +147,8 @@ TEST(Rates, OfTheBodyStayWhatTheyAreWhenTheFileHoldsWorldToBody) {
 
 TEST(Rates, OfAnyNameAreThoseOfTheWorldWhereTheyAreMapped) {
   const KeyframeData data =
-      read("t,qw,qx,qy,qz,wx,wy,wz\n0,0,1,0,0,1,2,3\n",
-           {.columns = {{"wx_world", "wx"}, {"wy_world", "wy"}, {"wz_world", "wz"}}, .world_rates = true});
+      rated_keys("t,qw,qx,qy,qz,wx,wy,wz\n0,0,1,0,0,1,2,3\n",
+                 {.columns = {{"wx_world", "wx"}, {"wy_world", "wy"}, {"wz_world", "wz"}}, .world_rates = true});
   ASSERT_EQ(data.angular_velocities.size(), 1u);
   EXPECT_TRUE(near(data.angular_velocities[0], Eigen::Vector3d(1, -2, -3), tolerance::algebra));
 }

@@ -19,8 +19,8 @@ using test::ScratchDirectory;
 using test::text_of;
 using test::TextFile;
 
-constexpr std::string_view rows = "t,qw,qx,qy,qz\n0,1,0,0,0\n1,0.6,0,0.8,0\n";
-constexpr std::string_view wanted =
+constexpr std::string_view recipe_rows = "t,qw,qx,qy,qz\n0,1,0,0,0\n1,0.6,0,0.8,0\n";
+constexpr std::string_view what_is_wanted =
     " in the comment that names the method of the keys, wanted method=NAME, and signs=as-given or signs=shortest, "
     "each "
     "once";
@@ -49,14 +49,15 @@ TEST(RecipeLine, RefusesWordsThatItDoesNotKnow) {
   const auto refused = [](std::string_view words) { return recipe_in("# orispline: " + std::string(words)).error(); };
   for (const std::string_view word : {"method=", "signs=", "signs=both", "band=0.9", "slerp"})
     EXPECT_EQ(refused("method=auto " + std::string(word)).message,
-              "found '" + std::string(word) + "'" + std::string(wanted));
-  EXPECT_EQ(refused("method=auto method=auto").message, "found 'method=auto'" + std::string(wanted));
-  EXPECT_EQ(refused("signs=shortest").message, "found 'orispline: signs=shortest'" + std::string(wanted));
+              "found '" + std::string(word) + "'" + std::string(what_is_wanted));
+  EXPECT_EQ(refused("method=auto method=auto").message, "found 'method=auto'" + std::string(what_is_wanted));
+  EXPECT_EQ(refused("signs=shortest").message, "found 'orispline: signs=shortest'" + std::string(what_is_wanted));
   EXPECT_EQ(refused("signs=both").remedy, "recipe");
 }
 
 TEST(KeyInput, KnowsTheRecipeBeforeTheKeysAreRead) {
-  const TextFile file("\n# by hand\n  # orispline: method=squad signs=as-given\n# two keys\n" + std::string(rows));
+  const TextFile file("\n# by hand\n  # orispline: method=squad signs=as-given\n# two keys\n" +
+                      std::string(recipe_rows));
   auto input = KeyInput::open(file.path()).value();
   EXPECT_EQ(input.recipe().method, "squad");
   EXPECT_EQ(input.recipe().signs, Signs::as_given);
@@ -68,9 +69,9 @@ TEST(KeyInput, KnowsTheRecipeBeforeTheKeysAreRead) {
 }
 
 TEST(KeyInput, PassesOverTheRecipeWhereItIsIgnored) {
-  const TextFile file("# orispline: what is this\n" + std::string(rows));
+  const TextFile file("# orispline: what is this\n" + std::string(recipe_rows));
   EXPECT_EQ(text_of(read_keys(file.path()).error()),
-            "keys.csv:1: found 'what'" + std::string(wanted) + " (option recipe)");
+            "keys.csv:1: found 'what'" + std::string(what_is_wanted) + " (option recipe)");
   const auto bare = read_track(file.path(), {.recipe = RecipeUse::ignored}).value();
   EXPECT_TRUE(bare.track.recipe.is_empty());
   EXPECT_EQ(bare.track.keys.size(), 2U);
@@ -78,7 +79,7 @@ TEST(KeyInput, PassesOverTheRecipeWhereItIsIgnored) {
 
 TEST(KeyInput, TakesOneRecipeAboveTheRows) {
   const std::string line = "# orispline: method=slerp\n";
-  const TextFile twice(line + line + std::string(rows)), below(std::string(rows) + line);
+  const TextFile twice(line + line + std::string(recipe_rows)), below(std::string(recipe_rows) + line);
   EXPECT_EQ(text_of(read_keys(twice.path()).error()),
             "keys.csv:2: a second comment names the method of the keys, wanted one at most (option recipe)");
   EXPECT_TRUE(read_keys(below.path()).value().recipe.is_empty());
@@ -96,7 +97,7 @@ TEST(KeyInput, SignsOfTheRecipeAreHonouredUnlessOthersAreGiven) {
 }
 
 TEST(WriteTracks, StatesTheRecipeInEveryFormatWithComments) {
-  Track track = read_track(TextFile(std::string(rows)).path()).value().track;
+  Track track = read_track(TextFile(std::string(recipe_rows)).path()).value().track;
   track.recipe.method = "timed-c2:ends=rest";
   const ScratchDirectory directory;
   std::size_t stated = 0;

@@ -14,7 +14,7 @@ using test::text_of;
 using test::TextFile;
 
 /// Keys at x = 1, 2, … of a half turn each, so that rows can be told apart by their position.
-Expected<KeyFile> read(const std::vector<std::string>& times, const ReadOptions& options) {
+Expected<KeyFile> repaired(const std::vector<std::string>& times, const ReadOptions& options) {
   std::string content = "t,qw,qx,qy,qz,px,py,pz,wx,wy,wz,tension\n";
   for (std::size_t i = 0; i < times.size(); ++i) {
     const std::string n = std::to_string(i + 1);
@@ -42,21 +42,21 @@ std::vector<double> rows_of(const KeyFile& file) {
 using Rows = std::vector<double>;
 
 TEST(DropDuplicates, KeepsTheFirstOfEqualTimes) {
-  const auto file = read({"1", "1.0", "2", "20e-1", "2", "3"}, {.drop_duplicates = true});
+  const auto file = repaired({"1", "1.0", "2", "20e-1", "2", "3"}, {.drop_duplicates = true});
   ASSERT_TRUE(file) << describe(file.error());
   EXPECT_EQ(rows_of(*file), (Rows{1, 3, 6}));
   EXPECT_EQ(file->repairs.duplicates_dropped, 3u);
 }
 
 TEST(DropDuplicates, ComparesTimesBeyondTheDigitsOfADouble) {
-  const auto file = read({"1700000000.1234567890", "1700000000.1234567891"}, {.drop_duplicates = true});
+  const auto file = repaired({"1700000000.1234567890", "1700000000.1234567891"}, {.drop_duplicates = true});
   ASSERT_TRUE(file) << describe(file.error());
   EXPECT_EQ(file->data.times, (std::vector<double>{0.0, 1e-10}));
   EXPECT_EQ(file->repairs.duplicates_dropped, 0u);
 }
 
 TEST(DropDuplicates, LeavesDecreasingTimesAnError) {
-  const auto file = read({"1", "2", "1"}, {.drop_duplicates = true});
+  const auto file = repaired({"1", "2", "1"}, {.drop_duplicates = true});
   ASSERT_FALSE(file);
   EXPECT_EQ(text_of(file.error()), "keys.csv:4: key 2: time 1 comes after 2, wanted increasing times (option sort)");
 }
@@ -79,19 +79,19 @@ TEST(DropInvalid, DropsRowsWithACellThatIsEmptyOrNotFinite) {
 }
 
 TEST(DropInvalid, TakesTheFirstValidRowAsTheEpoch) {
-  const auto file = read({"nan", "5", "6"}, {.drop_invalid = true});
+  const auto file = repaired({"nan", "5", "6"}, {.drop_invalid = true});
   ASSERT_TRUE(file);
   EXPECT_EQ(file->epoch.to_string(), "5");
 }
 
 TEST(DropInvalid, LeavesGarbageAnError) {
-  const auto file = read({"1", "two"}, {.drop_invalid = true});
+  const auto file = repaired({"1", "two"}, {.drop_invalid = true});
   ASSERT_FALSE(file);
   EXPECT_EQ(text_of(file.error()), "keys.csv:3:1: key 1: found 'two', wanted a number such as -1.5e-3");
 }
 
 TEST(Sort, OrdersTheRowsByTime) {
-  const auto file = read({"3", "1", "2", "-4", "5"}, {.sort = true});
+  const auto file = repaired({"3", "1", "2", "-4", "5"}, {.sort = true});
   ASSERT_TRUE(file) << describe(file.error());
   EXPECT_EQ(rows_of(*file), (Rows{4, 2, 3, 1, 5}));
   EXPECT_EQ(file->epoch.to_string(), "-4");
@@ -99,26 +99,27 @@ TEST(Sort, OrdersTheRowsByTime) {
 }
 
 TEST(Sort, CountsTheRowsThatStoodAfterALaterTime) {
-  EXPECT_EQ(read({"3", "1", "2", "-4", "5"}, {.sort = true})->repairs.rows_moved, 3u);
-  EXPECT_EQ(read({"1", "2", "3"}, {.sort = true})->repairs.rows_moved, 0u);
+  EXPECT_EQ(repaired({"3", "1", "2", "-4", "5"}, {.sort = true})->repairs.rows_moved, 3u);
+  EXPECT_EQ(repaired({"1", "2", "3"}, {.sort = true})->repairs.rows_moved, 0u);
 }
 
 TEST(Sort, ReportsEqualTimesWithBothLines) {
-  const auto file = read({"3.50", "1", "3.5"}, {.sort = true});
+  const auto file = repaired({"3.50", "1", "3.5"}, {.sort = true});
   ASSERT_FALSE(file);
   EXPECT_EQ(text_of(file.error()),
             "keys.csv:4: key 2: duplicate time 3.5, as in line 2, wanted increasing times (option drop_duplicates)");
 }
 
 TEST(Sort, KeepsTheFirstOfEqualTimesInTheFile) {
-  const auto file = read({"3", "1", "3", "1", "2"}, {.drop_duplicates = true, .sort = true});
+  const auto file = repaired({"3", "1", "3", "1", "2"}, {.drop_duplicates = true, .sort = true});
   ASSERT_TRUE(file);
   EXPECT_EQ(rows_of(*file), (Rows{2, 5, 1}));
   EXPECT_EQ(file->repairs.duplicates_dropped, 2u);
 }
 
 TEST(Repairs, WorkTogether) {
-  const auto file = read({"2", "nan", "1", "2", "0.5"}, {.drop_duplicates = true, .drop_invalid = true, .sort = true});
+  const auto file =
+      repaired({"2", "nan", "1", "2", "0.5"}, {.drop_duplicates = true, .drop_invalid = true, .sort = true});
   ASSERT_TRUE(file);
   EXPECT_EQ(rows_of(*file), (Rows{5, 3, 1}));
   EXPECT_EQ(file->repairs.duplicates_dropped, 1u);
@@ -127,7 +128,7 @@ TEST(Repairs, WorkTogether) {
 }
 
 TEST(Repairs, TouchNothingInAGoodFile) {
-  const auto file = read({"1", "2", "3"}, {.drop_duplicates = true, .drop_invalid = true, .sort = true});
+  const auto file = repaired({"1", "2", "3"}, {.drop_duplicates = true, .drop_invalid = true, .sort = true});
   ASSERT_TRUE(file);
   EXPECT_EQ(rows_of(*file), (Rows{1, 2, 3}));
   EXPECT_EQ(file->repairs.duplicates_dropped + file->repairs.invalid_dropped + file->repairs.rows_moved, 0u);

@@ -8,14 +8,14 @@
 
 #include <orispline/io/sample_writer.hpp>
 
+#include "io/exact_number.hpp"
 #include "io/text_file.hpp"
 
 namespace orispline::io { namespace {
 
 using test::content_of;
+using test::decimal;
 using test::ScratchDirectory;
-
-Decimal decimal(std::string_view text) { return Decimal::parse(text).value(); }
 
 TEST(SampleRows, AreTheRowsOfTheFile) {
   SampleRows rows(SampleColumns{});

@@ -12,11 +12,13 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include "io/exact_number.hpp"
 #include "io/text_file.hpp"
 
 namespace orispline::io { namespace {
 
 using test::content_of;
+using test::decimal;
 using test::ScratchDirectory;
 using test::text_of;
 
@@ -24,8 +26,6 @@ const Motion moving{.orientation = quaternion_wxyz(0.5, -0.5, 0.5, -0.5),
                     .angular_velocity = {1, 2, 3},
                     .angular_acceleration = {4, 5, 6},
                     .angular_jerk = {7, 8, 9}};
-
-Decimal decimal(std::string_view text) { return Decimal::parse(text).value(); }
 
 std::string written(const SampleColumns& columns, const Sample& sample, std::string_view time = "0") {
   const ScratchDirectory directory;

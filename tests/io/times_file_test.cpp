@@ -13,62 +13,63 @@ namespace orispline::io { namespace {
 using test::text_of;
 using test::TextFile;
 
-Expected<std::vector<double>> read(std::string_view content, std::string_view epoch = "0") {
+Expected<std::vector<double>> times_file(std::string_view content, std::string_view epoch = "0") {
   return read_times(TextFile(content, "times.txt").path(), Decimal::parse(epoch).value())
       .map([](const TimesList& list) { return list.times; });
 }
 
-std::string refusal(std::string_view content) {
-  const auto times = read(content);
+std::string times_refusal(std::string_view content) {
+  const auto times = times_file(content);
   return times ? "took it" : text_of(times.error());
 }
 
 using Times = std::vector<double>;
 
 TEST(TimesFile, HoldsOneNumberALineInAnyOrder) {
-  EXPECT_EQ(read("3\n1\n2\n2\n").value(), (Times{3, 1, 2, 2}));
-  EXPECT_EQ(read("# comment\r\n\r\n 1e-3 \r\n+2\r\n").value(), (Times{0.001, 2}));
-  EXPECT_EQ(read("1,\n2,\n").value(), (Times{1, 2}));
+  EXPECT_EQ(times_file("3\n1\n2\n2\n").value(), (Times{3, 1, 2, 2}));
+  EXPECT_EQ(times_file("# comment\r\n\r\n 1e-3 \r\n+2\r\n").value(), (Times{0.001, 2}));
+  EXPECT_EQ(times_file("1,\n2,\n").value(), (Times{1, 2}));
 }
 
 TEST(TimesFile, MayHaveAHeader) {
-  EXPECT_EQ(read("qw,t,qx\n1,2,0\n1,1,0\n").value(), (Times{2, 1}));
-  EXPECT_EQ(read("frame time\n7 2\n8 2.5\n").value(), (Times{2, 2.5}));
+  EXPECT_EQ(times_file("qw,t,qx\n1,2,0\n1,1,0\n").value(), (Times{2, 1}));
+  EXPECT_EQ(times_file("frame time\n7 2\n8 2.5\n").value(), (Times{2, 2.5}));
   for (const char* header : {"t", "time", "timestamp", "t_s", "\"t\""})
-    EXPECT_EQ(read(std::string(header) + "\n1\n2\n").value(), (Times{1, 2})) << header;
-  EXPECT_EQ(read("t_ms\n1500\n").value(), Times{1.5});
+    EXPECT_EQ(times_file(std::string(header) + "\n1\n2\n").value(), (Times{1, 2})) << header;
+  EXPECT_EQ(times_file("t_ms\n1500\n").value(), Times{1.5});
 }
 
 TEST(TimesFile, IsRelativeToTheEpochExactly) {
-  EXPECT_EQ(read("1700000000.123456789\n1700000000\n1699999999.9\n", "1700000000").value(),
+  EXPECT_EQ(times_file("1700000000.123456789\n1700000000\n1699999999.9\n", "1700000000").value(),
             (Times{0.123456789, 0, -0.1}));
-  EXPECT_EQ(read("t_ns\n1700000000000000001\n", "1700000000").value(), Times{1e-9});
+  EXPECT_EQ(times_file("t_ns\n1700000000000000001\n", "1700000000").value(), Times{1e-9});
 }
 
 TEST(TimesFile, NamesTheLineOfWhatItRefuses) {
-  EXPECT_EQ(refusal("1\n2\nabc\n"), "times.txt:3:1: found 'abc', wanted a number such as -1.5e-3");
-  EXPECT_EQ(refusal("x\n1\n"),
+  EXPECT_EQ(times_refusal("1\n2\nabc\n"), "times.txt:3:1: found 'abc', wanted a number such as -1.5e-3");
+  EXPECT_EQ(times_refusal("x\n1\n"),
             "times.txt:1: found 'x', wanted a column of times such as t, or numbers without a header");
-  EXPECT_EQ(refusal("t\nt\n"), "times.txt:2:1: found 't', wanted a number such as -1.5e-3");
-  EXPECT_EQ(refusal("1\nnan\n"), "times.txt:2:1: found 'nan', wanted a finite time");
-  EXPECT_EQ(refusal("1e999\n"), "times.txt:1:1: found '1e999', wanted a number between 1e-150 and 1e150 in size");
-  EXPECT_EQ(refusal("1,2\n"),
+  EXPECT_EQ(times_refusal("t\nt\n"), "times.txt:2:1: found 't', wanted a number such as -1.5e-3");
+  EXPECT_EQ(times_refusal("1\nnan\n"), "times.txt:2:1: found 'nan', wanted a finite time");
+  EXPECT_EQ(times_refusal("1e999\n"), "times.txt:1:1: found '1e999', wanted a number between 1e-150 and 1e150 in size");
+  EXPECT_EQ(times_refusal("1,2\n"),
             "times.txt:1: found 2 cells, wanted one time a line, or a header that names the column t");
-  EXPECT_EQ(refusal("x,t\n1,2\n3\n"), "times.txt:3: found 1 cell, wanted the time in cell 2");
-  EXPECT_EQ(refusal("t,time\n1,2\n"),
+  EXPECT_EQ(times_refusal("x,t\n1,2\n3\n"), "times.txt:3: found 1 cell, wanted the time in cell 2");
+  EXPECT_EQ(times_refusal("t,time\n1,2\n"),
             "times.txt:1: 't' and 'time' could both be t, wanted one of them (option columns)");
-  EXPECT_EQ(refusal(""), "times.txt: empty: no times");
-  EXPECT_EQ(refusal("t\n# nothing\n"), "times.txt: empty: no times");
+  EXPECT_EQ(times_refusal(""), "times.txt: empty: no times");
+  EXPECT_EQ(times_refusal("t\n# nothing\n"), "times.txt: empty: no times");
 }
 
 TEST(TimesFile, MayBeAnyFileOfKeys) {
   const std::string tum = "1 0 0 0 0 0 0 1\n2.5 0 0 0 0 0 0 1\n";
-  EXPECT_EQ(read(tum).value(), (Times{1, 2.5}));
-  EXPECT_EQ(read("#timestamp [ns],p_RS_R_x [m],p_RS_R_y [m],p_RS_R_z [m],q_RS_w [],q_RS_x [],q_RS_y [],q_RS_z []\n"
+  EXPECT_EQ(times_file(tum).value(), (Times{1, 2.5}));
+  EXPECT_EQ(
+      times_file("#timestamp [ns],p_RS_R_x [m],p_RS_R_y [m],p_RS_R_z [m],q_RS_w [],q_RS_x [],q_RS_y [],q_RS_z []\n"
                  "1500000000,0,0,0,1,0,0,0\n")
-                .value(),
-            Times{1.5});
-  EXPECT_EQ(read("t_ms,roll_deg,pitch_deg,yaw_deg\n500,1,2,3\n").value(), Times{0.5});
+          .value(),
+      Times{1.5});
+  EXPECT_EQ(times_file("t_ms,roll_deg,pitch_deg,yaw_deg\n500,1,2,3\n").value(), Times{0.5});
   const TextFile bare("7,1,0,0,0\n8,1,0,0,0\n", "times.txt");
   EXPECT_EQ(read_times(bare.path(), Decimal(), {.order = QuaternionOrder::wxyz}).value().times, (Times{7, 8}));
   const TextFile named("qw,when_ms\n1,250\n", "times.txt");

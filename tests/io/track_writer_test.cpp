@@ -116,17 +116,17 @@ Expected<void> write_names(OutputFile& file, std::span<const Track> tracks, cons
   return file.write(names);
 }
 
-constexpr FormatInfo names_format{.id = "names",
-                                  .title = "Names",
-                                  .file = "a Names file",
-                                  .summary = "names of tracks",
-                                  .writing = {.tracks = write_names}};
+constexpr FormatInfo written_names_format{.id = "names",
+                                          .title = "Names",
+                                          .file = "a Names file",
+                                          .summary = "names of tracks",
+                                          .writing = {.tracks = write_names}};
 
 TEST(WriteTracks, WritesSeveralWhereTheFormatHoldsThem) {
   std::vector<Track> tracks(2);
   tracks[0].name = "hand";
   tracks[1].name = "foot";
-  EXPECT_EQ(written(tracks, {.format = &names_format}), "hand\nfoot\n");
+  EXPECT_EQ(written(tracks, {.format = &written_names_format}), "hand\nfoot\n");
 }
 
 }  // namespace

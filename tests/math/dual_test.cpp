@@ -12,20 +12,20 @@ namespace orispline { namespace {
 
 using namespace testing_support;
 
-using D = Dual<6>;
-using J = Jet<double, 1>;
+using Dual6 = Dual<6>;
+using Jet1 = Jet<double, 1>;
 
 /// f of two vectors over duals has the values and derivatives that jets along the six directions give.
 template <class Function>
 void expect_as_jets(Function f, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  Vector3<D> x = constant<D>(a), y = constant<D>(b);
+  Vector3<Dual6> x = constant<Dual6>(a), y = constant<Dual6>(b);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    x[static_cast<Eigen::Index>(axis)] = D::variable(a[static_cast<Eigen::Index>(axis)], axis);
-    y[static_cast<Eigen::Index>(axis)] = D::variable(b[static_cast<Eigen::Index>(axis)], 3 + axis);
+    x[static_cast<Eigen::Index>(axis)] = Dual6::variable(a[static_cast<Eigen::Index>(axis)], axis);
+    y[static_cast<Eigen::Index>(axis)] = Dual6::variable(b[static_cast<Eigen::Index>(axis)], 3 + axis);
   }
   const auto found = f(x, y);
-  for (std::size_t k = 0; k < D::directions; ++k) {
-    Vector3<J> along_x = constant<J>(a), along_y = constant<J>(b);
+  for (std::size_t k = 0; k < Dual6::directions; ++k) {
+    Vector3<Jet1> along_x = constant<Jet1>(a), along_y = constant<Jet1>(b);
     (k < 3 ? along_x : along_y)[static_cast<Eigen::Index>(k % 3)].c[1] = 1.0;
     const auto wanted = f(along_x, along_y);
     for (Eigen::Index i = 0; i < wanted.size(); ++i) {
@@ -70,9 +70,9 @@ TEST(Dual, ExpLogAndTheJacobianHaveTheDerivativesOfJetsAtEveryAngle) {
 }
 
 TEST(Dual, PlainMatricesAndVectorsMixWithDuals) {
-  const Vector3<D> x(D::variable(1.0, 0), D::variable(2.0, 1), D::variable(3.0, 2));
+  const Vector3<Dual6> x(Dual6::variable(1.0, 0), Dual6::variable(2.0, 1), Dual6::variable(3.0, 2));
   const Eigen::Matrix3d m = skew<double>({0.3, -0.2, 0.7});
-  const Vector3<D> product = m * x;
+  const Vector3<Dual6> product = m * x;
   for (Eigen::Index i = 0; i < 3; ++i)
     for (Eigen::Index k = 0; k < 3; ++k) EXPECT_EQ(product[i].slope[static_cast<std::size_t>(k)], m(i, k));
 }

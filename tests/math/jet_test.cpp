@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <support/tolerance.hpp>
 
 namespace orispline { namespace {
@@ -81,7 +82,7 @@ TEST(Jet, ArcTangentHasItsSeries) {
 }
 
 TEST(Jet, AngleOfAPointOnACircleIsItsParameter) {
-  const double pi = 3.141592653589793;
+  using std::numbers::pi;
   for (const double angle : {-3.0, -pi / 2, -0.1, 0.0, 1.0, pi / 2, 2.0, 3.1}) {
     Jet5 sine, cosine;
     sin_cos(Jet5::variable(angle), sine, cosine);

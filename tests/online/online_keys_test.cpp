@@ -7,12 +7,12 @@
 
 #include <online/online_stream.hpp>
 #include <orispline/base/formatted.hpp>
+#include <support/not_finite.hpp>
 
 namespace orispline { namespace {
 
 using namespace testing_support;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 const Eigen::Quaterniond one = Eigen::Quaterniond::Identity();
 
 OnlineCurve timed(std::size_t capacity = 8) { return OnlineCurve::make("timed-c2", capacity).value(); }

@@ -8,12 +8,11 @@
 #include <orispline/batch/sample.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/online/online_curve.hpp>
+#include <support/not_finite.hpp>
 
 namespace orispline { namespace {
 
 using namespace testing_support;
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// Room for a sample of everything.
 struct Rows {
@@ -70,7 +69,7 @@ TEST_P(SamplesOfEveryOnlineMethod, HaveTheBitsOfTheWholeCurveInAnyOrder) {
 
 TEST(OnlineSamples, AreNotANumberWithoutKeysAndTheFirstKeyBeforeASegmentIsFinal) {
   OnlineCurve online = OnlineCurve::make("timed-c2", 4).value();
-  const std::vector<double> times{0.5, not_a_number};
+  const std::vector<double> times{0.5, nan};
   std::vector<double> orientations(8), velocities(6), positions(6);
   const Samples<double> turning{.orientations = orientations, .angular_velocities = velocities};
   ASSERT_TRUE(online.sample(times, turning));

@@ -9,7 +9,7 @@ namespace orispline { namespace {
 
 using namespace testing_support;
 
-constexpr std::size_t count = 40;
+constexpr std::size_t keys_of_stream = 40;
 
 /// How many of the times on the final segments have other bits than the curve through all keys.
 int differing(const OnlineCurve& online, const PoseCurve& offline) {
@@ -30,8 +30,8 @@ void expect_same_bits(std::string_view method, const KeyframeData& data, const C
     if (values.size() > 1) values.clear();
   const auto offline = make_pose_curve({method, options}, keyframes(data, Signs::shortest));
   ASSERT_TRUE(offline) << describe(offline.error());
-  OnlineCurve online = OnlineCurve::make({method, of_stream}, count).value();
-  for (std::size_t i = 0; i < count; ++i) {
+  OnlineCurve online = OnlineCurve::make({method, of_stream}, keys_of_stream).value();
+  for (std::size_t i = 0; i < keys_of_stream; ++i) {
     StreamKey key = key_of(data, i);
     for (const auto& [name, values] : options.parameters)
       if (values.size() > 1) key.settings.emplace(name, values[i]);
@@ -47,23 +47,23 @@ void expect_same_bits(std::string_view method, const KeyframeData& data, const C
 }
 
 TEST(OnlineCurve, TakesParametersThatComeWithTheKeysOfEveryMethod) {
-  const KeyframeData data = raw_walk(711, count);
+  const KeyframeData data = raw_walk(711, keys_of_stream);
   for (const std::string_view method : OnlineCurve::methods()) {
     Dice dice(712);
     CurveOptions options;
     for (const Parameter& parameter : find_family(method).value()->parameters) {
       if (!parameter.per_key) continue;
       auto& values = options.parameters[std::string(parameter.name)];
-      for (std::size_t i = 0; i < count; ++i) values.push_back(parameter.initial + dice.between(0.05, 0.4));
+      for (std::size_t i = 0; i < keys_of_stream; ++i) values.push_back(parameter.initial + dice.between(0.05, 0.4));
     }
     if (!options.parameters.empty()) expect_same_bits(method, data, options);
   }
 }
 
 TEST(OnlineCurve, TakesRatesOfTheKeys) {
-  KeyframeData data = raw_walk(713, count);
+  KeyframeData data = raw_walk(713, keys_of_stream);
   Dice dice(714);
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < keys_of_stream; ++i) {
     data.angular_velocities.push_back(dice.vector());
     data.angular_accelerations.push_back(dice.vector());
     data.angular_jerks.push_back(dice.vector());
@@ -73,14 +73,14 @@ TEST(OnlineCurve, TakesRatesOfTheKeys) {
 }
 
 TEST(OnlineCurve, HoldsEqualKeysAtRest) {
-  KeyframeData data = raw_walk(715, count);
+  KeyframeData data = raw_walk(715, keys_of_stream);
   for (const std::size_t i : {1u, 9u, 10u, 21u, 33u, 39u}) data.orientations[i] = data.orientations[i - 1];
   for (const std::string_view method : {"auto", "auto5"})
     expect_same_bits(method, data, {.parameters = {{"hold", {1.0}}}});
 }
 
 TEST(OnlineCurve, LooksAsFarAsTheDegreeOfABSpline) {
-  const KeyframeData data = raw_walk(716, count);
+  const KeyframeData data = raw_walk(716, keys_of_stream);
   for (const double degree : {2.0, 3.0, 4.0, 5.0})
     expect_same_bits("bspline", data, {.parameters = {{"degree", {degree}}}});
 }

@@ -11,13 +11,13 @@ namespace orispline { namespace {
 
 using namespace testing_support;
 
-constexpr double step = 0.05;  // [s]
-constexpr WantedSamples all{.angular_velocities = true,
-                            .angular_accelerations = true,
-                            .angular_jerks = true,
-                            .positions = true,
-                            .velocities = true,
-                            .accelerations = true};
+constexpr double table_step = 0.05;  // [s]
+constexpr WantedSamples everything{.angular_velocities = true,
+                                   .angular_accelerations = true,
+                                   .angular_jerks = true,
+                                   .positions = true,
+                                   .velocities = true,
+                                   .accelerations = true};
 
 struct Tracks {
   std::vector<KeyframeData> data;
@@ -59,13 +59,14 @@ TEST(SampleTracks, GivesEachTrackTheSamplesOfItsOwnCurve) {
   const Tracks tracks({30, 1, 7, 200, 2});
   for (const std::string_view method : {"auto", "rotation-spline"})
     for (const unsigned threads : {1u, 3u}) {
-      const auto table = sample_tracks(method, tracks.columns(), {.step = step}, all, {}, {.threads = threads});
+      const auto table =
+          sample_tracks(method, tracks.columns(), {.step = table_step}, everything, {}, {.threads = threads});
       ASSERT_TRUE(table) << describe(table.error());
       EXPECT_TRUE(table->errors.empty());
       ASSERT_EQ(table->offsets.size(), 6u);
       for (std::size_t i = 0; i < tracks.data.size(); ++i) {
         const auto curve = make_pose_curve(method, keyframes(tracks.data[i], Signs::shortest)).value();
-        const TrackSamples wanted = of_whole(curve, tracks.data[i].times.front(), step);
+        const TrackSamples wanted = of_whole(curve, tracks.data[i].times.front(), table_step);
         const auto first = static_cast<std::size_t>(table->offsets[i]);
         ASSERT_EQ(static_cast<std::size_t>(table->offsets[i + 1]) - first, wanted.size());
         EXPECT_TRUE(std::ranges::equal(std::span(table->times).subspan(first, wanted.size()), wanted.times));
@@ -82,11 +83,11 @@ TEST(SampleTracks, GivesEachTrackTheSamplesOfItsOwnCurve) {
 
 TEST(SampleTracks, SaysOfWhichTracksTheKeysAreBadAndSamplesTheOthers) {
   Tracks tracks({20, 20, 0, 20});
-  const auto good = sample_tracks("auto", tracks.columns(), {.step = step}).value();
+  const auto good = sample_tracks("auto", tracks.columns(), {.step = table_step}).value();
   ASSERT_EQ(good.errors.size(), 1u);
   EXPECT_EQ(describe(good.errors[0]), describe({ErrorCode::bad_data, "empty: no keys", {.curve = 2}}));
   tracks.times[25] = tracks.times[24];
-  const auto table = sample_tracks("auto", tracks.columns(), {.step = step}).value();
+  const auto table = sample_tracks("auto", tracks.columns(), {.step = table_step}).value();
   ASSERT_EQ(table.errors.size(), 2u);
   EXPECT_EQ(table.errors[0].where.curve, 1u);
   EXPECT_EQ(table.errors[0].where.key, 5u);
@@ -100,8 +101,8 @@ TEST(SampleTracks, SaysOfWhichTracksTheKeysAreBadAndSamplesTheOthers) {
 TEST(TrackBatch, CountsTheSamplesAndFillsColumnsOfTheCaller) {
   const Tracks tracks({30, 0, 700, 2});
   const SampledTracks wanted =
-      sample_tracks("auto", tracks.columns(), {.step = step}, {.positions = true, .velocities = true}).value();
-  TrackBatch batch = TrackBatch::make("auto", tracks.columns(), {.step = step}, {}, {.threads = 2}).value();
+      sample_tracks("auto", tracks.columns(), {.step = table_step}, {.positions = true, .velocities = true}).value();
+  TrackBatch batch = TrackBatch::make("auto", tracks.columns(), {.step = table_step}, {}, {.threads = 2}).value();
   EXPECT_TRUE(std::ranges::equal(batch.offsets(), wanted.offsets));
   ASSERT_EQ(batch.errors().size(), 1u);
   EXPECT_EQ(batch.errors()[0].where.curve, 1u);
@@ -132,9 +133,9 @@ TEST(TrackBatch, CountsTheSamplesAndFillsColumnsOfTheCaller) {
 TEST(TrackBatch, GivesItsSamplesInPartsAcrossTheEndsOfTracks) {
   const Tracks tracks({30, 0, 700, 2, 1, 90});
   const SampledTracks wanted =
-      sample_tracks("auto", tracks.columns(), {.step = step}, {.angular_velocities = true}).value();
+      sample_tracks("auto", tracks.columns(), {.step = table_step}, {.angular_velocities = true}).value();
   for (const std::size_t part : {std::size_t{1}, std::size_t{37}, std::size_t{2500}}) {
-    TrackBatch batch = TrackBatch::make("auto", tracks.columns(), {.step = step}).value();
+    TrackBatch batch = TrackBatch::make("auto", tracks.columns(), {.step = table_step}).value();
     const std::size_t size = batch.size();
     std::vector<std::vector<double>> own(8, std::vector<double>(size));
     for (std::size_t first = 0; first < size; first += part) {
@@ -154,9 +155,10 @@ TEST(TrackBatch, GivesItsSamplesInPartsAcrossTheEndsOfTracks) {
 
 TEST(TrackBatch, GivesTheSamplesOfOneTrackByColumns) {
   const Tracks tracks({2000});
-  const SampledTracks wanted = sample_tracks("auto", tracks.columns(), {.step = step}, {.velocities = true}).value();
+  const SampledTracks wanted =
+      sample_tracks("auto", tracks.columns(), {.step = table_step}, {.velocities = true}).value();
   for (const unsigned threads : {1u, 3u}) {
-    TrackSampler sampler = TrackSampler::make("auto", {.step = step}).value();
+    TrackSampler sampler = TrackSampler::make("auto", {.step = table_step}).value();
     ASSERT_TRUE(sampler.append(tracks.data[0]));
     ASSERT_TRUE(sampler.finish());
     const std::size_t size = wanted.times.size();
@@ -181,7 +183,7 @@ TEST(SampleTracks, ShowsTheShareOfTheTracksAndStops) {
   for (const unsigned threads : {1u, 3u})
     testing_support::expect_to_be_followed_and_stopped(
         [&](const Progress& progress) {
-          return sample_tracks("auto", tracks.columns(), {.step = step}, {}, {}, {.threads = threads}, progress);
+          return sample_tracks("auto", tracks.columns(), {.step = table_step}, {}, {}, {.threads = threads}, progress);
         },
         threads - 1);
 }
@@ -189,7 +191,7 @@ TEST(SampleTracks, ShowsTheShareOfTheTracksAndStops) {
 TEST(SampleTracks, RefusesColumnsThatDoNotBelongTogether) {
   const Tracks tracks({20, 20});
   const auto refusal = [](const TrackColumns& columns, const WantedSamples& wanted = {}) {
-    const auto table = sample_tracks("auto", columns, {.step = step}, wanted);
+    const auto table = sample_tracks("auto", columns, {.step = table_step}, wanted);
     return table ? "taken" : table.error().message;
   };
   TrackColumns columns = tracks.columns();

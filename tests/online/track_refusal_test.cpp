@@ -6,12 +6,11 @@
 
 #include <online/track_stream.hpp>
 #include <orispline/online/state_bytes.hpp>
+#include <support/not_finite.hpp>
 
 namespace orispline { namespace {
 
 using namespace testing_support;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 template <class T>
 std::string refusal(const Expected<T>& result) {
@@ -25,9 +24,9 @@ TrackSampler fed(std::string_view method, std::size_t keys, const TrackOptions& 
 }
 
 TEST(TrackSampler, RefusesOptionsWithWhatWasWanted) {
-  for (const double step : {0.0, -1.0, nan, std::numeric_limits<double>::infinity()})
+  for (const double step : {0.0, -1.0, nan, infinity})
     EXPECT_EQ(TrackSampler::make("auto", {.step = step}).error().code, ErrorCode::bad_argument);
-  for (const double parts : {0.0, -1.0, nan, std::numeric_limits<double>::infinity()})
+  for (const double parts : {0.0, -1.0, nan, infinity})
     EXPECT_EQ(TrackSampler::make("auto", {.parts = parts}).error().code, ErrorCode::bad_argument);
   EXPECT_EQ(refusal(TrackSampler::make("auto", {.step = 1.0, .start = nan})),
             "the grid starts at nan s with the step 1 s, wanted finite numbers and a step greater than 0");

@@ -10,7 +10,7 @@ namespace orispline { namespace {
 
 using namespace testing_support;
 
-constexpr double step = 0.037;  // [s]
+constexpr double request_step = 0.037;  // [s]
 
 class EveryMethodOfRequests : public testing::TestWithParam<FamilyInfo> {
  protected:
@@ -84,7 +84,7 @@ TEST(TrackSampler, ReportsWhatItNoticesOfTheKeysAsKeyframesDo) {
   for (Eigen::Quaterniond& q : data.orientations)
     q.coeffs() *= (dice() < 0.3 ? -1.0 : 1.0) * (dice() < 0.5 ? 1.0 : dice.between(0.9995, 1.0005));
   for (const Signs signs : {Signs::shortest, Signs::as_given}) {
-    TrackSampler sampler = TrackSampler::make("timed-c2", {.step = step}, {.signs = signs}).value();
+    TrackSampler sampler = TrackSampler::make("timed-c2", {.step = request_step}, {.signs = signs}).value();
     for (std::size_t first = 0; first < 300; first += 50) {
       ASSERT_TRUE(sampler.append(part_of(data, first, first + 50)));
       sampler = TrackSampler::from_state(sampler.state()).value();

@@ -11,7 +11,7 @@ namespace orispline { namespace {
 
 using namespace testing_support;
 
-constexpr double step = 0.037;  // [s]: some ten samples between two keys, or none
+constexpr double track_step = 0.037;  // [s]: some ten samples between two keys, or none
 
 class EveryMethodOfTracks : public testing::TestWithParam<FamilyInfo> {
  protected:
@@ -37,10 +37,10 @@ TEST_P(EveryMethodOfTracks, HasTheSamplesOfTheWholeCurveHoweverItsKeysAreCut) {
   for (const std::uint64_t seed : {801u, 802u, 803u}) {
     const KeyframeData data = walk(seed, count);
     const PoseCurve whole = make_pose_curve(GetParam().name, keyframes(data, Signs::shortest)).value();
-    const TrackSamples wanted = of_whole(whole, whole.orientation.domain().start, step);
+    const TrackSamples wanted = of_whole(whole, whole.orientation.domain().start, track_step);
     for (const std::uint64_t cuts : {1u, 2u, 3u})
-      EXPECT_TRUE(streamed(TrackSampler::make(GetParam().name, {.step = step}).value(), data, {}, seed + 100 * cuts) ==
-                  wanted)
+      EXPECT_TRUE(streamed(TrackSampler::make(GetParam().name, {.step = track_step}).value(), data, {},
+                           seed + 100 * cuts) == wanted)
           << seed << ", cuts " << cuts;
   }
 }
@@ -54,9 +54,10 @@ TEST_P(EveryMethodOfTracks, HasTheSamplesOfTheWholeCurveHoweverFewItsKeysAreAndW
       KeyframeData data = walk(804, 20);
       data = part_of(data, 0, count);
       const auto whole = make_pose_curve({GetParam().name, options}, keyframes(data, Signs::shortest));
-      TrackSampler sampler = TrackSampler::make({GetParam().name, options}, {.step = step}).value();
+      TrackSampler sampler = TrackSampler::make({GetParam().name, options}, {.step = track_step}).value();
       if (whole) {
-        EXPECT_TRUE(streamed(sampler, data, {}, count) == of_whole(*whole, whole->orientation.domain().start, step))
+        EXPECT_TRUE(streamed(sampler, data, {}, count) ==
+                    of_whole(*whole, whole->orientation.domain().start, track_step))
             << name_of(rule) << ", keys: " << count;
         continue;
       }
@@ -82,8 +83,9 @@ TEST_P(EveryMethodOfTracks, TakesParametersThatComeWithTheKeys) {
   }
   const auto whole = make_pose_curve({GetParam().name, options}, keyframes(data, Signs::shortest));
   ASSERT_TRUE(whole) << describe(whole.error());
-  const TrackSampler sampler = TrackSampler::make({GetParam().name, of_stream}, {.step = step}).value();
-  EXPECT_TRUE(streamed(sampler, data, settings, 807) == of_whole(*whole, whole->orientation.domain().start, step));
+  const TrackSampler sampler = TrackSampler::make({GetParam().name, of_stream}, {.step = track_step}).value();
+  EXPECT_TRUE(streamed(sampler, data, settings, 807) ==
+              of_whole(*whole, whole->orientation.domain().start, track_step));
 }
 
 TEST_P(EveryMethodOfTracks, ForgetsTheKeysThatNoSampleNeedsAnyMore) {
@@ -109,8 +111,8 @@ TEST(TrackSampler, HoldsEqualKeysAtRest) {
   const CurveOptions options{.parameters = {{"hold", {1.0}}}};
   for (const std::string_view method : {"auto", "auto5"}) {
     const PoseCurve whole = make_pose_curve({method, options}, keyframes(data, Signs::shortest)).value();
-    const TrackSampler sampler = TrackSampler::make({method, options}, {.step = step}).value();
-    EXPECT_TRUE(streamed(sampler, data, {}, 812) == of_whole(whole, data.times.front(), step)) << method;
+    const TrackSampler sampler = TrackSampler::make({method, options}, {.step = track_step}).value();
+    EXPECT_TRUE(streamed(sampler, data, {}, 812) == of_whole(whole, data.times.front(), track_step)) << method;
   }
 }
 
@@ -123,8 +125,9 @@ TEST(TrackSampler, TakesSettingsOnWhichTheKeysOfASegmentDepend) {
     curves.push_back({"bspline", {.parameters = {{"degree", {degree}}}}});
   for (const auto& [method, options] : curves) {
     const PoseCurve whole = make_pose_curve({method, options}, keyframes(data, Signs::shortest)).value();
-    const TrackSampler sampler = TrackSampler::make({method, options}, {.step = step}).value();
-    EXPECT_TRUE(streamed(sampler, data, {}, 814) == of_whole(whole, whole.orientation.domain().start, step)) << method;
+    const TrackSampler sampler = TrackSampler::make({method, options}, {.step = track_step}).value();
+    EXPECT_TRUE(streamed(sampler, data, {}, 814) == of_whole(whole, whole.orientation.domain().start, track_step))
+        << method;
   }
 }
 
@@ -138,8 +141,8 @@ TEST(TrackSampler, TakesRatesOfTheKeysAndSignsAsGiven) {
   }
   for (const std::string_view method : {"hermite-c2", "hermite-cumulative", "auto"}) {
     const PoseCurve whole = make_pose_curve(method, keyframes(data, Signs::as_given)).value();
-    const TrackSampler sampler = TrackSampler::make(method, {.step = step}, {.signs = Signs::as_given}).value();
-    EXPECT_TRUE(streamed(sampler, data, {}, 817) == of_whole(whole, data.times.front(), step)) << method;
+    const TrackSampler sampler = TrackSampler::make(method, {.step = track_step}, {.signs = Signs::as_given}).value();
+    EXPECT_TRUE(streamed(sampler, data, {}, 817) == of_whole(whole, data.times.front(), track_step)) << method;
   }
 }
 
@@ -147,8 +150,8 @@ TEST(TrackSampler, SamplesOnAGridThatStartsElsewhere) {
   const KeyframeData data = raw_walk(818, 50);
   const PoseCurve whole = make_pose_curve("auto", keyframes(data, Signs::shortest)).value();
   for (const double start : {data.times.front() - 2.0, data.times[10] + 0.01, data.times.back() + 1.0}) {
-    const TrackSampler sampler = TrackSampler::make("auto", {.step = step, .start = start}).value();
-    EXPECT_TRUE(streamed(sampler, data, {}, 819) == of_whole(whole, start, step)) << start;
+    const TrackSampler sampler = TrackSampler::make("auto", {.step = track_step, .start = start}).value();
+    EXPECT_TRUE(streamed(sampler, data, {}, 819) == of_whole(whole, start, track_step)) << start;
   }
 }
 
@@ -175,7 +178,7 @@ TEST(TrackSampler, BeginsANewCurveAfterAGap) {
     TrackSamples wanted;
     for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
       const auto part = keyframes(part_of(data, ends[k], ends[k + 1]), Signs::shortest);
-      const TrackSamples more = of_whole(make_pose_curve(method, part).value(), data.times.front(), step);
+      const TrackSamples more = of_whole(make_pose_curve(method, part).value(), data.times.front(), track_step);
       const auto behind = [](std::vector<double>& list, const std::vector<double>& other) {
         list.insert(list.end(), other.begin(), other.end());
       };
@@ -189,7 +192,7 @@ TEST(TrackSampler, BeginsANewCurveAfterAGap) {
       behind(wanted.accelerations, more.accelerations);
     }
     for (const std::uint64_t cuts : {1u, 2u, 3u, 4u}) {
-      const TrackSampler sampler = TrackSampler::make(method, {.step = step}, {.gap = 5.0}).value();
+      const TrackSampler sampler = TrackSampler::make(method, {.step = track_step}, {.gap = 5.0}).value();
       EXPECT_TRUE(streamed(sampler, data, {}, 821 + cuts) == wanted) << method;
     }
   }

@@ -12,11 +12,10 @@
 #include <orispline/pages/retime_page.hpp>
 #include <orispline/pages/smooth_page.hpp>
 #include <orispline/report/page_json.hpp>
+#include <pages/page_head.hpp>
 #include <support/specimens.hpp>
 
 namespace orispline { namespace {
-
-const pages::PageHead head{.command = "a command", .date = "a day", .notes = {"A note."}};
 
 /// Turns about z by sin(2t) at 100 Hz, turned about random axes by half a degree and less.
 Track noisy(std::size_t count) {

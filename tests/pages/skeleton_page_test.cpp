@@ -9,10 +9,9 @@
 
 #include <orispline/base/version.hpp>
 #include <orispline/math/degrees.hpp>
+#include <pages/page_head.hpp>
 
 namespace orispline { namespace {
-
-const pages::PageHead head{.command = "a command", .date = "a day", .notes = {"A note."}};
 
 Skeleton bone(std::string tip = "tip") {
   return Skeleton::make(

@@ -6,11 +6,13 @@
 #include <orispline/clip/channel_curve.hpp>
 #include <orispline/reduce/clip_reduction.hpp>
 #include <reduce/recorded_walk.hpp>
+#include <reduce/reduced_clip.hpp>
 #include <support/specimens.hpp>
 
 namespace orispline { namespace {
 
 using testing_support::degree;
+using testing_support::reduced_clip;
 
 Eigen::Quaterniond about_z(double angle) { return {std::cos(angle / 2), 0.0, 0.0, std::sin(angle / 2)}; }
 
@@ -27,7 +29,7 @@ Skeleton arm() {
 }
 
 /// Smooth turns with a little noise at 30 Hz, as linear channels.
-RotationChannel recorded(std::size_t joint, std::size_t count, double noise) {
+RotationChannel recorded_turns(std::size_t joint, std::size_t count, double noise) {
   testing_support::Dice dice(joint + 17);
   RotationChannel channel{.joint = joint};
   for (std::size_t i = 0; i < count; ++i) {
@@ -51,14 +53,12 @@ VectorChannel shifted(std::size_t count) {
 
 Clip swing(double noise = 1e-3) {
   return {.name = "swing",
-          .rotations = {recorded(0, 150, noise), recorded(1, 120, noise), recorded(2, 90, noise)},
+          .rotations = {recorded_turns(0, 150, noise), recorded_turns(1, 120, noise), recorded_turns(2, 90, noise)},
           .translations = {shifted(150)}};
 }
 
-ClipReduction reduced(const Clip& clip, const ClipReduceOptions& options, const Skeleton& skeleton = arm()) {
-  auto found = reduce_clips(skeleton, std::span(&clip, 1), options, 1);
-  EXPECT_TRUE(found) << (found ? "" : describe(found.error()));
-  return found ? found->front() : ClipReduction{.clip = clip};
+ClipReduction reduced_arm(const Clip& clip, const ClipReduceOptions& options, const Skeleton& skeleton = arm()) {
+  return reduced_clip(skeleton, clip, options);
 }
 
 double apart(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) { return angular_distance(a, b); }
@@ -91,7 +91,7 @@ TEST(ReduceClips, HoldsTheToleranceAtEveryKeyInEitherPrecisionByAnyMethod) {
   for (const char* method : {"cubicspline", "slerp", "auto", "timed-c2"})
     for (const auto precision : {KeyPrecision::float64, KeyPrecision::float32})
       for (const double tolerance : {0.05 * degree, 1.0 * degree}) {
-        const ClipReduction found = reduced(
+        const ClipReduction found = reduced_arm(
             clip, {.tolerance = tolerance, .position_tolerance = 0.01, .method = {method}, .precision = precision});
         for (std::size_t i = 0; i < clip.rotations.size(); ++i) {
           const RotationChannel& channel = found.clip.rotations[i];
@@ -109,8 +109,8 @@ TEST(ReduceClips, HoldsTheToleranceAtEveryKeyInEitherPrecisionByAnyMethod) {
 
 TEST(ReduceClips, HasFewerKeysWithCubicsAndCountsThem) {
   const Clip clip = swing();
-  const ClipReduction cubic = reduced(clip, {.tolerance = 0.5 * degree}),
-                      linear = reduced(clip, {.tolerance = 0.5 * degree, .method = {"slerp"}});
+  const ClipReduction cubic = reduced_arm(clip, {.tolerance = 0.5 * degree}),
+                      linear = reduced_arm(clip, {.tolerance = 0.5 * degree, .method = {"slerp"}});
   EXPECT_EQ(cubic.rotation_tracks, 3u);
   EXPECT_EQ(cubic.open_tracks, 3u);
   EXPECT_EQ(cubic.rotation_keys_before, 360u);
@@ -122,7 +122,7 @@ TEST(ReduceClips, HasFewerKeysWithCubicsAndCountsThem) {
 }
 
 TEST(ReduceClips, StoresTheNumbersOfTheFile) {
-  const ClipReduction found = reduced(swing(), {.tolerance = 0.2 * degree, .precision = KeyPrecision::float32});
+  const ClipReduction found = reduced_arm(swing(), {.tolerance = 0.2 * degree, .precision = KeyPrecision::float32});
   for (const RotationChannel& channel : found.clip.rotations)
     for (std::size_t k = 0; k < channel.size(); ++k) {
       EXPECT_TRUE(is_float(channel.times[k]));
@@ -153,14 +153,14 @@ TEST(ReduceClips, HoldsTheDistanceInTheWorld) {
   for (const double noise : {0.0, 2e-3, 2e-2})
     for (const double length : {0.001, 0.01, 0.1}) {
       const Clip clip = swing(noise);
-      const ClipReduction found = reduced(clip, {.world_tolerance = length, .shell = 0.05}, skeleton);
+      const ClipReduction found = reduced_arm(clip, {.world_tolerance = length, .shell = 0.05}, skeleton);
       const double distance = largest_shell_distance(skeleton, clip, found.clip, 0.05);
       EXPECT_LE(distance, length);
       EXPECT_NEAR(found.distance.largest.value, distance, 1e-15);
       EXPECT_LE(found.rotation_keys, found.rotation_keys_before);
     }
   const Clip clip = swing();
-  const ClipReduction found = reduced(clip, {.world_tolerance = 0.01}, skeleton);
+  const ClipReduction found = reduced_arm(clip, {.world_tolerance = 0.01}, skeleton);
   EXPECT_LT(found.rotation_keys, 100u);
   EXPECT_GT(found.distance.largest.value, 0.005) << "the length is used";
 }
@@ -178,7 +178,7 @@ TEST(ReduceClips, MakesOneKeyOfChannelsThatRest) {
   Clip clip{.name = "still",
             .rotations = {still(0, about_z(0.7), 1e-6), still(1, about_z(0.4), 1e-6), still(2, about_z(0.0), 1e-3)}};
   clip.scales.push_back({.joint = 1, .times = {0.0, 1.0}, .values = {{1, 1, 1}, {1, 1, 1}}});
-  const ClipReduction found = reduced(clip, {.tolerance = 1e-4 * degree}, skeleton);
+  const ClipReduction found = reduced_arm(clip, {.tolerance = 1e-4 * degree}, skeleton);
   const auto& [other, rest, moving] =
       std::tie(found.clip.rotations[0], found.clip.rotations[1], found.clip.rotations[2]);
   ASSERT_EQ(other.size(), 1u);
@@ -197,7 +197,7 @@ TEST(ReduceClips, KeepsASplineThatSwingsBetweenEqualKeys) {
                                  .values = {about_z(0), about_z(0), about_z(0)},
                                  .in_tangents = {none, down, down},
                                  .out_tangents = {up, up, none}}}};
-  const ClipReduction found = reduced(clip, {.tolerance = 0.1 * degree});
+  const ClipReduction found = reduced_arm(clip, {.tolerance = 0.1 * degree});
   const ChannelCurve<Eigen::Quaterniond> before(clip.rotations[0]), after(found.clip.rotations[0]);
   EXPECT_GT(apart(before.at(0.5), about_z(0)), 5 * degree);
   for (const double t : {0.2, 0.5, 0.9, 1.5}) EXPECT_LT(apart(before.at(t), after.at(t)), 0.2 * degree);
@@ -211,7 +211,7 @@ TEST(ReduceClips, LeavesStepsAndShortTracksAsTheyAre) {
                                  .values = {about_z(0), about_z(0), about_z(1), about_z(1)}},
                                 {.joint = 1, .times = {0.0, 3.0}, .values = {about_z(0), about_z(2)}},
                                 {.joint = 2, .times = {1.0}, .values = {about_z(1)}}}};
-  const ClipReduction found = reduced(clip, {.tolerance = 5 * degree, .world_tolerance = 0.1});
+  const ClipReduction found = reduced_arm(clip, {.tolerance = 5 * degree, .world_tolerance = 0.1});
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(found.clip.rotations[i].interpolation, clip.rotations[i].interpolation);
     EXPECT_EQ(found.clip.rotations[i].times, clip.rotations[i].times);
@@ -229,7 +229,7 @@ TEST(ReduceClips, KeepsEveryHalfTurnOfASpin) {
   const Clip clip{.name = "spin", .rotations = {spin}};
   for (const char* method : {"cubicspline", "hermite-c1", "slerp", "auto"}) {
     const RotationChannel found =
-        reduced(clip, {.tolerance = 3 * degree, .method = {method}, .precision = KeyPrecision::float32})
+        reduced_arm(clip, {.tolerance = 3 * degree, .method = {method}, .precision = KeyPrecision::float32})
             .clip.rotations[0];
     EXPECT_LE(farthest_at_keys(spin, found), 3 * degree) << method;
     EXPECT_GE(found.size(), 11u) << method;
@@ -241,7 +241,7 @@ TEST(ReduceClips, KeepsEveryHalfTurnOfASpin) {
 }
 
 TEST(ReduceClips, ClosesWhatEndsAsItBegins) {
-  RotationChannel loop{.joint = 0}, open = recorded(1, 61, 0.0);
+  RotationChannel loop{.joint = 0}, open = recorded_turns(1, 61, 0.0);
   for (int i = 0; i <= 60; ++i) {
     const double phase = i * 6.0 * degree;
     loop.times.push_back(i / 30.0);
@@ -249,7 +249,7 @@ TEST(ReduceClips, ClosesWhatEndsAsItBegins) {
   }
   loop.values.back() = Eigen::Quaterniond(-loop.values.front().coeffs());
   const ClipReduction found =
-      reduced({.name = "c", .rotations = {loop, open}}, {.tolerance = 0.2 * degree, .closed = true});
+      reduced_arm({.name = "c", .rotations = {loop, open}}, {.tolerance = 0.2 * degree, .closed = true});
   EXPECT_EQ(found.open_tracks, 1u);
   const RotationChannel& closed = found.clip.rotations[0];
   const double sign = closed.values.front().dot(closed.values.back()) < 0.0 ? -1.0 : 1.0;
@@ -261,10 +261,10 @@ TEST(ReduceClips, ClosesWhatEndsAsItBegins) {
 
 TEST(ReduceClips, SaysHowFarItIsBetweenTheKeys) {
   const Clip clip = swing(0.0);
-  const ClipReduction found = reduced(clip, {.tolerance = 0.5 * degree});
+  const ClipReduction found = reduced_arm(clip, {.tolerance = 0.5 * degree});
   EXPECT_LE(found.from_smooth.largest.value, 0.5 * degree) << "of spans over several keys";
   EXPECT_GT(found.from_smooth.largest.value, 0.1 * degree);
-  const ClipReduction stored = reduced(clip, {.tolerance = 0.5 * degree, .between = BetweenSamples::stored});
+  const ClipReduction stored = reduced_arm(clip, {.tolerance = 0.5 * degree, .between = BetweenSamples::stored});
   EXPECT_LE(stored.from_stored.largest.value, 0.5 * degree);
 }
 

@@ -5,10 +5,12 @@
 #include <orispline/clip/channel_curve.hpp>
 #include <orispline/reduce/clip_reduction.hpp>
 #include <reduce/recorded_walk.hpp>
+#include <reduce/reduced_clip.hpp>
 
 namespace orispline { namespace {
 
 using testing_support::degree;
+using testing_support::reduced_clip;
 
 Skeleton one_joint() { return Skeleton::make({{.name = "hip"}}).value(); }
 
@@ -36,10 +38,8 @@ VectorChannel path() {
   return channel;
 }
 
-ClipReduction reduced(const Clip& clip, const ClipReduceOptions& options) {
-  auto found = reduce_clips(one_joint(), std::span(&clip, 1), options, 1);
-  EXPECT_TRUE(found) << (found ? "" : describe(found.error()));
-  return found ? found->front() : ClipReduction{.clip = clip};
+ClipReduction reduced_joint(const Clip& clip, const ClipReduceOptions& options) {
+  return reduced_clip(one_joint(), clip, options);
 }
 
 /// The body rate, or the velocity, just after the start and just before the end.
@@ -80,7 +80,7 @@ TEST(ClosedClip, GoesOnWithoutAJumpOfItsRates) {
                                         .method = {method},
                                         .precision = KeyPrecision::float32,
                                         .closed = true};
-        const ClipReduction found = reduced(clip, options);
+        const ClipReduction found = reduced_joint(clip, options);
         SCOPED_TRACE(testing::Message() << method << ", " << tolerance << ", " << offset);
         expect_seamless(found.clip.rotations[0]);
         expect_seamless(found.clip.translations[0]);
@@ -88,7 +88,7 @@ TEST(ClosedClip, GoesOnWithoutAJumpOfItsRates) {
         EXPECT_LE(found.from_smooth.largest.value, 1.5 * tolerance) << "nor does it swing at the seam";
         ClipReduceOptions open = options;
         open.closed = false;
-        EXPECT_LE(found.rotation_keys, reduced(clip, open).rotation_keys + 3);
+        EXPECT_LE(found.rotation_keys, reduced_joint(clip, open).rotation_keys + 3);
       }
 }
 
@@ -100,8 +100,8 @@ TEST(ClosedClip, OneSpanThatWouldHoldIsDivided) {
     nod.values.push_back(exp<double>(Eigen::Vector3d(u * (1.0 - u), 0.0, 0.0)));
   }
   const Clip clip{.name = "nod", .rotations = {nod}};
-  EXPECT_EQ(reduced(clip, {.tolerance = 0.5 * degree}).rotation_keys, 2u);
-  const ClipReduction found = reduced(clip, {.tolerance = 0.5 * degree, .closed = true});
+  EXPECT_EQ(reduced_joint(clip, {.tolerance = 0.5 * degree}).rotation_keys, 2u);
+  const ClipReduction found = reduced_joint(clip, {.tolerance = 0.5 * degree, .closed = true});
   EXPECT_GT(found.rotation_keys, 2u);
   const auto [start, end] = rates_at_ends(found.clip.rotations[0]);
   EXPECT_LT((start - end).norm(), 1e-9);
@@ -115,7 +115,8 @@ TEST(ClosedClip, RatesThatJumpAreJoinedHalfWay) {
     saw.times.push_back(t);
     saw.values.push_back(exp<double>(Eigen::Vector3d(0.0, t <= 3.0 ? t : 3.0 * (4.0 - t), 0.0)));
   }
-  const ClipReduction found = reduced({.name = "saw", .rotations = {saw}}, {.tolerance = 0.2 * degree, .closed = true});
+  const ClipReduction found =
+      reduced_joint({.name = "saw", .rotations = {saw}}, {.tolerance = 0.2 * degree, .closed = true});
   const auto [start, end] = rates_at_ends(found.clip.rotations[0]);
   EXPECT_LT((start - end).norm(), 1e-9);
   EXPECT_NEAR(start.y(), -1.0, 0.5);
@@ -124,7 +125,8 @@ TEST(ClosedClip, RatesThatJumpAreJoinedHalfWay) {
 
 TEST(ClosedClip, HermiteKeysAreSmoothInsideToo) {
   const Clip clip{.name = "turn", .rotations = {loop(0.0)}};
-  const RotationChannel found = reduced(clip, {.tolerance = 0.5 * degree, .method = {"hermite-c1"}}).clip.rotations[0];
+  const RotationChannel found =
+      reduced_joint(clip, {.tolerance = 0.5 * degree, .method = {"hermite-c1"}}).clip.rotations[0];
   EXPECT_LT(found.size(), 30u);
   for (std::size_t k = 1; k + 1 < found.size(); ++k)
     EXPECT_LT((found.in_tangents[k].coeffs() - found.out_tangents[k].coeffs()).norm(), 1e-9) << "key " << k;

@@ -56,13 +56,11 @@ CubicSamples<P> only_samples(const Channel<P>& channel) {
   return samples;
 }
 
-double apart(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) { return angular_distance(a, b); }
-
 double farthest(const CubicTargets<Eigen::Quaterniond>& targets, const RotationChannel& channel) {
   const ChannelCurve<Eigen::Quaterniond> curve(channel);
   double farthest = 0.0;
   for (std::size_t i = 0; i < targets.times.size(); ++i)
-    farthest = std::max(farthest, apart(Eigen::Quaterniond(targets.points[i]), curve.at(targets.times[i])));
+    farthest = std::max(farthest, angular_distance(Eigen::Quaterniond(targets.points[i]), curve.at(targets.times[i])));
   return farthest;
 }
 
@@ -78,7 +76,8 @@ TEST(CubicSpan, OfSamplesOfOneCubicIsThatCubic) {
   ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(found.times, cubic.times);
   const ChannelCurve<Eigen::Quaterniond> wanted(cubic), curve(found);
-  for (double t = 0.4; t <= 2.0; t += 0.0123) EXPECT_LT(apart(wanted.at(t), curve.at(t)), 0.0105 * degree) << t;
+  for (double t = 0.4; t <= 2.0; t += 0.0123)
+    EXPECT_LT(angular_distance(wanted.at(t), curve.at(t)), 0.0105 * degree) << t;
 }
 
 TEST(CubicSpan, IsFoundWhereThePolynomialIsFarFromUnitQuaternions) {
@@ -146,7 +145,8 @@ TEST(CubicSpan, BetweenSamplesAlsoHoldsWhereItSpansSeveral) {
     const auto inside = std::ranges::count_if(
         channel.times, [&](double time) { return time > found.times[segment] && time < found.times[segment + 1]; });
     if (inside == 0) continue;
-    EXPECT_LE(apart(Eigen::Quaterniond(samples.targets.points[i]), curve.at(t)), tolerance * (1.0 + 1e-9)) << t;
+    EXPECT_LE(angular_distance(Eigen::Quaterniond(samples.targets.points[i]), curve.at(t)), tolerance * (1.0 + 1e-9))
+        << t;
   }
 }
 
@@ -164,7 +164,8 @@ TEST(CubicSpan, OfASpinTurnsByHalfATurnAtMost) {
     EXPECT_GE(found.values[i].dot(found.values[i - 1]), 0.0) << i;
     EXPECT_LE(found.times[i] - found.times[i - 1], 18.001 / 30.0) << i;
   }
-  for (std::size_t i = 0; i < spin.size(); ++i) EXPECT_LE(apart(curve.at(spin.times[i]), spin.values[i]), 0.5 * degree);
+  for (std::size_t i = 0; i < spin.size(); ++i)
+    EXPECT_LE(angular_distance(curve.at(spin.times[i]), spin.values[i]), 0.5 * degree);
 }
 
 TEST(CubicSpan, OfTwoSamplesIsTheChordBetweenThem) {

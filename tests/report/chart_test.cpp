@@ -6,12 +6,13 @@
 #include <gtest/gtest.h>
 
 #include <support/counted.hpp>
+#include <support/not_finite.hpp>
 
 namespace orispline::report { namespace {
 
 using testing_support::count_of;
+using testing_support::nan;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr Box box{100, 10, 200, 50};
 
 std::string drawn(const Chart& chart) {

@@ -9,12 +9,12 @@
 #include <orispline/report/page_json.hpp>
 #include <orispline/report/page_template.hpp>
 #include <support/counted.hpp>
+#include <support/not_finite.hpp>
 
 namespace orispline::report { namespace {
 
 using testing_support::count_of;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using testing_support::nan;
 
 TEST(Page, IsTheTemplateWithTheDataInTheMarkersPlace) {
   std::string parts;
@@ -33,14 +33,14 @@ TEST(Page, KeepsTheLicencesOfWhatItContains) {
 }
 
 TEST(Page, NoTextEndsTheScriptOrTheString) {
-  const std::string json = json_of({.title = "</script> \"a\\b\"\n\x01 ω"});
+  const std::string json = json_of(Page{.title = "</script> \"a\\b\"\n\x01 ω"});
   EXPECT_EQ(count_of("<", json), 0U);
   EXPECT_EQ(count_of(R"("title":"\u003c/script> \u0022a\u005cb\u0022\u000a\u0001 ω")", json), 1U);
 }
 
 TEST(Page, WritesQuaternionsScalarFirstAndVectorsFlat) {
   const Eigen::Quaterniond first(1.0, 0.0, 0.0, 0.0), second(0.5, -0.5, 0.5, 0.25);
-  const std::string json = json_of({.keys = {{{0.0, 1.5}, {first, second}}, {{1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}}}});
+  const std::string json = json_of(Page{.keys = {{{0.0, 1.5}, {first, second}}, {{1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}}}});
   EXPECT_EQ(count_of(R"("keys":{"t":[0,1.5],"q":[1,0,0,0,0.5,-0.5,0.5,0.25],"p":[1,2,3,4,5,6]})", json), 1U);
   EXPECT_EQ(count_of(R"("reference":null)", json), 1U);
 }
@@ -51,7 +51,7 @@ TEST(Page, RoundsToSevenDigitsAndHasNullForNoNumber) {
   method.samples = {.path = {{0.0}, {Eigen::Quaterniond::Identity()}},
                     .angular_velocities = {{1e-9, -2.0 / 3.0, 1e300}},
                     .errors = {nan}};
-  const std::string json = json_of({.methods = {method}});
+  const std::string json = json_of(Page{.methods = {method}});
   EXPECT_EQ(count_of(R"("measures":{"big":1.234568e+08,"none":null,"third":0.3333333})", json), 1U);
   EXPECT_EQ(count_of(R"("w":[1e-09,-0.6666667,1e+300])", json), 1U);
   EXPECT_EQ(count_of(R"("error_deg":[null])", json), 1U);
@@ -59,7 +59,7 @@ TEST(Page, RoundsToSevenDigitsAndHasNullForNoNumber) {
 
 TEST(Page, HasNotesLimitsMarksAndKeysOfAMethod) {
   const Eigen::Quaterniond one(1.0, 0.0, 0.0, 0.0);
-  const std::string empty = json_of({.methods = {{.name = "m"}}});
+  const std::string empty = json_of(Page{.methods = {{.name = "m"}}});
   EXPECT_EQ(count_of(R"("notes":[],)", empty), 1U);
   EXPECT_EQ(count_of(R"("marks":null,"limits":{},"units":{},)", empty), 1U);
   EXPECT_EQ(count_of(R"("torque":[],"p":[],"error_t":[],"error_deg":[]},"keys":null,"bands":{}})", empty), 1U);
@@ -68,11 +68,11 @@ TEST(Page, HasNotesLimitsMarksAndKeysOfAMethod) {
   method.samples.error_times = {0.5};
   method.samples.errors = {4.0};
   method.bands["w"] = {"σ", {0.5, 1.0}, {0.0, std::nan("")}, {0.25, std::nan("")}};
-  const std::string json = json_of({.notes = {"a", "b"},
-                                    .marks = PageMarks{"odd ones", {{1.0}, {one}}, {30.0}},
-                                    .limits = {{"w", 1.5}, {"error", 0.1}},
-                                    .units = {{"w", {"°/s", 0.0174532925}}},
-                                    .methods = {method}});
+  const std::string json = json_of(Page{.notes = {"a", "b"},
+                                        .marks = PageMarks{"odd ones", {{1.0}, {one}}, {30.0}},
+                                        .limits = {{"w", 1.5}, {"error", 0.1}},
+                                        .units = {{"w", {"°/s", 0.0174532925}}},
+                                        .methods = {method}});
   EXPECT_EQ(count_of("\"notes\":[\"a\",\n\"b\"]", json), 1U);
   EXPECT_EQ(count_of(R"("marks":{"label":"odd ones","t":[1],"q":[1,0,0,0],"error_deg":[30]})", json), 1U);
   EXPECT_EQ(count_of(R"("limits":{"error":0.1,"w":1.5},"units":{"w":{"unit":"°/s","size":0.01745329}})", json), 1U);

@@ -7,12 +7,13 @@
 #include <gtest/gtest.h>
 
 #include <support/counted.hpp>
+#include <support/not_finite.hpp>
 
 namespace orispline::report { namespace {
 
 using testing_support::count_of;
+using testing_support::nan;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TEST(Drawing, IsAWhitePageOfItsSize) {

@@ -8,13 +8,13 @@
 #include <gtest/gtest.h>
 
 #include <orispline/families/registry.hpp>
+#include <orispline/math/degrees.hpp>
 
 #include "retime/retimed_motion.hpp"
 #include "support/random_motion.hpp"
 
 namespace orispline { namespace {
 
-constexpr double degrees = std::numbers::pi / 180.0;
 const Eigen::Vector3d moments(1.0, 2.0, 2.5);
 constexpr MotionSizes low_floors{1e-3, 1e-3, 1e-3, 1e-3};
 
@@ -65,7 +65,8 @@ TEST(RateBounds, HoldEverywhereAndAreNearForEveryMethodOfPolynomialsWithRatesOfI
     const std::string name(info.name);
     unsigned seed = 7;
     for (const RandomKeys how :
-         {RandomKeys{4, 60.0 * degrees}, RandomKeys{4, 170.0 * degrees, 100.0}, RandomKeys{2, 170.0 * degrees}}) {
+         {RandomKeys{4, 60.0 * radians_per_degree}, RandomKeys{4, 170.0 * radians_per_degree, 100.0},
+          RandomKeys{2, 170.0 * radians_per_degree}}) {
       const auto curve = make_curve(info.name, random_keys(++seed, how));
       if (info.rate_orders > 0 || !curve || !certified(*curve, {}, low_floors)) continue;
       expect_bounds(*curve, name + " of " + std::to_string(how.count));

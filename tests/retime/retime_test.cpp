@@ -6,6 +6,7 @@
 #include <random>
 
 #include <gtest/gtest.h>
+#include <orispline/math/degrees.hpp>
 
 #include "retime/retimed_motion.hpp"
 #include "support/follower.hpp"
@@ -122,21 +123,19 @@ TEST(Retime, SaysHowItSlowed) {
   EXPECT_EQ(retimed("slerp", steady, {.rate = 0.1}, Slowing::per_interval).slowing, Slowing::uniform);
 }
 
-constexpr double degrees = std::numbers::pi / 180.0;
-
 TEST(Retime, KeepsItsPromiseWhereStepsDifferByAMillionAndMore) {
   const Keyframes five = at_times(random_keys(2, {5, 1.5}), {0.0, 1.0, 1.0 + 1e-6, 2.0, 3.0});
   for (const Keyframes& keys : {five, random_keys(2, {11, 1.5, 1e9})})
     for (const std::string_view method : {"timed-c1", "timed-c2", "timed-c3", "auto"}) {
-      const Retiming slow = retimed(method, keys, {.rate = 90.0 * degrees});
+      const Retiming slow = retimed(method, keys, {.rate = 90.0 * radians_per_degree});
       EXPECT_LE(slow.slack, 2e-4) << method;
       EXPECT_TRUE(slow.warnings.empty()) << method;
-      const double rate = sampled(curve_of(method, slow)).rate / (90.0 * degrees);
+      const double rate = sampled(curve_of(method, slow)).rate / (90.0 * radians_per_degree);
       EXPECT_LE(rate, 1.0) << method;
       EXPECT_GE(rate, 1.0 - 1e-2) << method;
-      const Retiming gentle = retimed(method, five, {.acceleration = 200.0 * degrees});
+      const Retiming gentle = retimed(method, five, {.acceleration = 200.0 * radians_per_degree});
       EXPECT_LE(gentle.slack, 2e-4) << method;
-      EXPECT_GE(sampled(curve_of(method, gentle)).acceleration, (1.0 - 1e-2) * 200.0 * degrees) << method;
+      EXPECT_GE(sampled(curve_of(method, gentle)).acceleration, (1.0 - 1e-2) * 200.0 * radians_per_degree) << method;
     }
 }
 

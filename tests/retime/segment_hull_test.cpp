@@ -10,13 +10,13 @@
 
 namespace orispline { namespace {
 
-constexpr double duration = 1.7;  // [s]
+constexpr double segment_duration = 1.7;  // [s]
 using Time = Jet<double, 3>;
 
 /// u as a function of time.
 Time at(double u) {
   Time t(u);
-  t.c[1] = 1.0 / duration;
+  t.c[1] = 1.0 / segment_duration;
   return t;
 }
 
@@ -86,7 +86,7 @@ class Forms {
 };
 
 void expect_above(const SegmentForm& form, const std::string& what) {
-  const SegmentHull hull = SegmentHull::of(form, duration).value();
+  const SegmentHull hull = SegmentHull::of(form, segment_duration).value();
   for (const auto& [start, end] : {std::pair(0.0, 1.0), {0.0, 0.25}, {0.6, 0.7}, {0.99, 1.0}, {0.371, 0.372}}) {
     const HullBounds bounds = hull.on(start, end);
     for (int i = 0; i <= 200; ++i) {
@@ -117,7 +117,7 @@ TEST(SegmentHull, IsNearToTheRateOfAShortPartOfACurveOfR4) {
   Forms forms(5);
   for (int i = 0; i < 10; ++i) {
     const SegmentForm form = forms.rational(0.3);
-    const HullBounds bounds = SegmentHull::of(form, duration).value().on(0.5, 0.5 + 1e-6);
+    const HullBounds bounds = SegmentHull::of(form, segment_duration).value().on(0.5, 0.5 + 1e-6);
     const auto& s = std::get<RationalForm>(form);
     Eigen::Vector4d point, rate;
     for (std::size_t k = 0; k < 4; ++k) {
@@ -134,14 +134,14 @@ TEST(SegmentHull, IsNearToTheRateWhereTheBodyWhirlsAboutTheSecondIncrement) {
   form.increments = {Eigen::Vector3d(400.0, 100.0, 0.0), Eigen::Vector3d(0.0, 900.0, 0.0),
                      Eigen::Vector3d(0.0, -300.0, 500.0)};
   for (auto& row : form.blending) row.coefficients[1] = 1.0;
-  const HullBounds bounds = SegmentHull::of(form, duration).value().on(0.5, 0.51);
+  const HullBounds bounds = SegmentHull::of(form, segment_duration).value().on(0.5, 0.51);
   double rate = 0.0;
   for (int i = 0; i <= 10000; ++i) rate = std::max(rate, motion_of(form, 0.5 + 1e-6 * i).angular_velocity.norm());
   EXPECT_NEAR(bounds.rate / rate, 1.0, 1e-5);
-  EXPECT_NEAR(bounds.rate * duration, std::hypot(900.0 + 100.0 - 300.0, 400.0 + 500.0), 1e-6);
+  EXPECT_NEAR(bounds.rate * segment_duration, std::hypot(900.0 + 100.0 - 300.0, 400.0 + 500.0), 1e-6);
 }
 
-TEST(SegmentHull, IsNothingWithoutPolynomials) { EXPECT_FALSE(SegmentHull::of({}, duration)); }
+TEST(SegmentHull, IsNothingWithoutPolynomials) { EXPECT_FALSE(SegmentHull::of({}, segment_duration)); }
 
 }  // namespace
 

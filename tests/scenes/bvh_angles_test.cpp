@@ -13,14 +13,11 @@ namespace orispline::scenes { namespace {
 using test::frames_of;
 using test::scene_of;
 using test::text_of;
+using test::turn_about;
 using test::turning;
 using test::write_bvh;
 
-constexpr double pi = std::numbers::pi;
-
-Eigen::Quaterniond turn(double angle, const Eigen::Vector3d& axis) {
-  return exp<double>(Eigen::Vector3d(angle * axis));
-}
+using std::numbers::pi;
 
 /// Whether no angle jumps, and all rotations are those that were meant.
 void expect_continuous(const std::vector<Eigen::Quaterniond>& values, std::string_view order) {
@@ -54,7 +51,7 @@ TEST(BvhAngles, AnglesAreContinuousThroughManyTurnsAndThroughGimbalLock) {
     expect_continuous(tumbling, order);
     // Straight through the lock, turn after turn: the middle angle goes on, the others stand.
     const int middle = order[1] - 'X';
-    for (int k = 0; k < 300; ++k) pitching.push_back(turn(k * pi / 20, Eigen::Vector3d::Unit(middle)));
+    for (int k = 0; k < 300; ++k) pitching.push_back(turn_about(k * pi / 20, Eigen::Vector3d::Unit(middle)));
     expect_continuous(pitching, order);
     std::vector<double> times(pitching.size());
     for (std::size_t k = 0; k < times.size(); ++k) times[k] = static_cast<double>(k);

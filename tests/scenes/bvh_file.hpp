@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <orispline/math/so3.hpp>
 #include <orispline/scenes/scene_format.hpp>
 
 namespace orispline::scenes::test {
@@ -55,6 +56,10 @@ inline std::vector<std::vector<double>> frames_of(const std::string& text) {
     for (double number = 0; numbers >> number;) frames.back().push_back(number);
   }
   return frames;
+}
+
+inline Eigen::Quaterniond turn_about(double angle, const Eigen::Vector3d& axis) {
+  return exp<double>(Eigen::Vector3d(angle * axis));
 }
 
 /// A scene that was made.

@@ -17,14 +17,11 @@ using test::made_scene;
 using test::one_joint;
 using test::scene_of;
 using test::text_of;
+using test::turn_about;
 using test::turning;
 using test::write_bvh;
 
-constexpr double pi = std::numbers::pi;
-
-Eigen::Quaterniond turn(double angle, const Eigen::Vector3d& axis) {
-  return exp<double>(Eigen::Vector3d(angle * axis));
-}
+using std::numbers::pi;
 
 std::string hierarchy_of(const std::string& text) { return text.substr(0, text.find("MOTION")); }
 
@@ -34,7 +31,7 @@ std::string line_of(const std::string& text, std::string_view begin) {
 }
 
 /// A joint that stands still at these times.
-Scene still(std::vector<double> times) {
+Scene standing(std::vector<double> times) {
   const std::size_t keys = times.size();
   return turning(std::move(times), std::vector<Eigen::Quaterniond>(keys, Eigen::Quaterniond::Identity()));
 }
@@ -60,7 +57,7 @@ TEST(BvhWriter, WhatWasReadIsWrittenWithEveryDigitOfHierarchyAndAngles) {
 TEST(BvhWriter, AJointThatChangedFollowsWithoutJumpsAndTheOthersStay) {
   Scene scene =
       scene_of(one_joint("CHANNELS 3 Zrotation Xrotation Yrotation", "350 10 20\n10 10 20\n30 10 20\n", "Frames: 3\n"));
-  scene.clips[0].rotations[0].values[2] = turn(pi / 2, Eigen::Vector3d::UnitZ());
+  scene.clips[0].rotations[0].values[2] = turn_about(pi / 2, Eigen::Vector3d::UnitZ());
   const auto frames = frames_of(text_of(scene));
   ASSERT_EQ(frames.size(), 3u);
   EXPECT_NEAR(frames[0][0], 350, 1e-9);
@@ -72,12 +69,12 @@ TEST(BvhWriter, AJointThatChangedFollowsWithoutJumpsAndTheOthersStay) {
 TEST(BvhWriter, OneOrTwoTurnsStayWhereTheyAreEnoughElseThereAreThree) {
   Scene scene = scene_of(one_joint("CHANNELS 2 Xrotation Zrotation", "0 0\n10 20\n", "Frames: 2\n"));
   std::vector<Eigen::Quaterniond>& values = scene.clips[0].rotations[0].values;
-  values[1] = turn(-1.0, Eigen::Vector3d::UnitX()) * turn(3.0, Eigen::Vector3d::UnitZ());
+  values[1] = turn_about(-1.0, Eigen::Vector3d::UnitX()) * turn_about(3.0, Eigen::Vector3d::UnitZ());
   std::string text = text_of(scene);
   EXPECT_EQ(line_of(text, "CHANNELS"), "CHANNELS 2 Xrotation Zrotation");
   EXPECT_NEAR(frames_of(text)[1][0], -180 / pi, 1e-12);
   EXPECT_NEAR(frames_of(text)[1][1], 3 * 180 / pi, 1e-12);
-  values[1] = turn(1.0, Eigen::Vector3d::UnitY());
+  values[1] = turn_about(1.0, Eigen::Vector3d::UnitY());
   text = text_of(scene);
   EXPECT_EQ(line_of(text, "CHANNELS"), "CHANNELS 3 Zrotation Yrotation Xrotation");
   EXPECT_EQ(line_of(text, "OFFSET"), "OFFSET 1 2 3");
@@ -107,7 +104,7 @@ TEST(BvhWriter, TheOrderThatIsAskedForIsThatOfAllJoints) {
 }
 
 TEST(BvhWriter, ASceneFromElsewhereBecomesAHierarchyOfItsAnimatedJoints) {
-  const Eigen::Quaterniond quarter = turn(pi / 2, Eigen::Vector3d::UnitX());
+  const Eigen::Quaterniond quarter = turn_about(pi / 2, Eigen::Vector3d::UnitX());
   const Scene scene = made_scene({{.name = "camera"},
                                   {.name = "hip bone", .rest = {.translation = {0, 1, 0}}},
                                   {.name = "mesh", .parent = 1},
@@ -150,7 +147,7 @@ TEST(BvhWriter, AllJointsAreWrittenWhereNoneIsAnimated) {
 }
 
 TEST(BvhWriter, OneClipIsWanted) {
-  Scene scene = still({0});
+  Scene scene = standing({0});
   for (const char* name : {"walk", "run\n", "sit", "lie", "fly"}) scene.clips.push_back({.name = name});
   EXPECT_EQ(warnings_of(write_bvh(scene))[0],
             "found 6 clips, wanted one of 'made', 'walk', 'run?', 'sit', 'lie', 'fly' (option clip)");
@@ -159,7 +156,7 @@ TEST(BvhWriter, OneClipIsWanted) {
 }
 
 TEST(BvhWriter, ScalesAndTheStartAreDroppedWithAWarning) {
-  Scene scene = still({1.5, 2.0});
+  Scene scene = standing({1.5, 2.0});
   scene.skeleton = Skeleton::make({{.name = "a", .rest = {.scale = {2, 1, 1}}}, {.name = "b", .parent = 0}}).value();
   scene.clips[0].scales.push_back({.joint = 1, .times = {0.0}, .values = {{1, 1, 1.5}}});
   EXPECT_EQ(warnings_of(write_bvh(scene)),
@@ -171,7 +168,7 @@ TEST(BvhWriter, TheFrameTimeIsTheShortestThatReproducesRoundedTimes) {
   const auto frame_time = [](const std::vector<int>& frames, double step) {
     std::vector<double> times;
     for (const int frame : frames) times.push_back(static_cast<double>(static_cast<float>(frame * step)));
-    const std::string text = text_of(still(times));
+    const std::string text = text_of(standing(times));
     return line_of(text, "Frames") + ", " + line_of(text, "Frame Time");
   };
   std::vector<int> all(2752);
@@ -191,8 +188,9 @@ TEST(BvhWriter, TheSourceSaysWhichFrameTimeIsMeant) {
 }
 
 TEST(BvhWriter, UnevenKeysNeedARate) {
-  const Scene scene = turning({0, 0.1, 0.37341}, {turn(0, Eigen::Vector3d::UnitX()), turn(1, Eigen::Vector3d::UnitX()),
-                                                  turn(2, Eigen::Vector3d::UnitX())});
+  const Scene scene =
+      turning({0, 0.1, 0.37341}, {turn_about(0, Eigen::Vector3d::UnitX()), turn_about(1, Eigen::Vector3d::UnitX()),
+                                  turn_about(2, Eigen::Vector3d::UnitX())});
   const auto refused = write_bvh(scene);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().message, "found keys at uneven times, wanted even key times or a `rate`");
@@ -213,8 +211,9 @@ TEST(BvhWriter, UnevenKeysNeedARate) {
 TEST(BvhWriter, AStepThatIsRoundedBeginsInItsFrame) {
   const double third = static_cast<double>(1.0f / 3.0f);  // above 1/3
   ASSERT_GT(third, 1.0 / 3.0);
-  Scene scene = turning({0, third, 2.0}, {turn(0, Eigen::Vector3d::UnitX()), turn(1, Eigen::Vector3d::UnitX()),
-                                          turn(0, Eigen::Vector3d::UnitX())});
+  Scene scene =
+      turning({0, third, 2.0}, {turn_about(0, Eigen::Vector3d::UnitX()), turn_about(1, Eigen::Vector3d::UnitX()),
+                                turn_about(0, Eigen::Vector3d::UnitX())});
   scene.clips[0].rotations[0].interpolation = ChannelInterpolation::step;
   const auto frames = frames_of(text_of(scene, {.rate = 3.0}));
   ASSERT_EQ(frames.size(), 7u);

@@ -23,8 +23,8 @@ Scene made_scene(std::vector<double> times, std::vector<Eigen::Quaterniond> valu
   return scene;
 }
 
-const Eigen::Quaterniond still = Eigen::Quaterniond::Identity(), half{0.0, 0.0, 0.0, 1.0};
-const Eigen::Quaterniond quarter{std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5)};
+const Eigen::Quaterniond no_turn = Eigen::Quaterniond::Identity(), half_turn{0.0, 0.0, 0.0, 1.0};
+const Eigen::Quaterniond quarter_turn{std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5)};
 
 TEST(GltfWriter, KeepsBitsAndWhatItDoesNotKnow) {
   GltfFile file;
@@ -151,7 +151,7 @@ TEST(GltfWriter, RefusesDataThatOnlyAnExtensionKnows) {
 }
 
 TEST(GltfWriter, MakesADocumentWithACraftForALoneJoint) {
-  const WrittenFile after = written(made_scene({0.25, 1.5}, {still, half}));
+  const WrittenFile after = written(made_scene({0.25, 1.5}, {no_turn, half_turn}));
   EXPECT_EQ(after.json["asset"], Json({{"version", "2.0"}, {"generator", "orispline"}}));
   EXPECT_EQ(after.json["nodes"], Json::array({{{"name", "craft"}, {"mesh", 0}}}));
   EXPECT_EQ(after.json["scenes"][0]["nodes"], Json::array({0}));
@@ -181,7 +181,8 @@ TEST(GltfWriter, MakesBonesToTheFarthestChild) {
 }
 
 TEST(GltfWriter, AlignsSignsButLeavesSplinesTheCurvesThatTheyAre) {
-  Scene scene = made_scene({0, 1, 2}, {still, Eigen::Quaterniond(Eigen::Vector4d(-quarter.coeffs())), half});
+  Scene scene =
+      made_scene({0, 1, 2}, {no_turn, Eigen::Quaterniond(Eigen::Vector4d(-quarter_turn.coeffs())), half_turn});
   const WrittenFile linear = written(scene);
   EXPECT_TRUE(linear.warnings.empty());
   const std::size_t output = linear.json["animations"][0]["samplers"][0]["output"];
@@ -200,7 +201,7 @@ TEST(GltfWriter, AlignsSignsButLeavesSplinesTheCurvesThatTheyAre) {
 }
 
 TEST(GltfWriter, SharesEqualKeysAndKeepsOneOfWhatDoesNotMoveButNotTheEnd) {
-  Scene scene = made_scene({0.5, 1, 2}, {quarter, quarter, quarter});
+  Scene scene = made_scene({0.5, 1, 2}, {quarter_turn, quarter_turn, quarter_turn});
   Clip& clip = scene.clips[0];
   clip.translations = {{.times = {0.5, 1}, .values = {{1, 2, 3}, {1, 2, 4}}}};
   clip.scales = {{.interpolation = ChannelInterpolation::cubicspline,
@@ -223,10 +224,10 @@ TEST(GltfWriter, SharesEqualKeysAndKeepsOneOfWhatDoesNotMoveButNotTheEnd) {
 
 TEST(GltfWriter, RefusesTimesThatSinglePrecisionCannotTellApart) {
   EXPECT_EQ(
-      refusal(made_scene({100, 100.000001}, {still, half})),
+      refusal(made_scene({100, 100.000001}, {no_turn, half_turn})),
       "out.glb: clip 'turn', joint 'craft', key 1: found time 100.000001 after 100, which are 100 and 100 in single "
       "precision, wanted increasing times");
-  EXPECT_EQ(refusal(made_scene({-1, 1}, {still, half})),
+  EXPECT_EQ(refusal(made_scene({-1, 1}, {no_turn, half_turn})),
             "out.glb: clip 'turn', joint 'craft', key 0: found time -1, wanted one from 0 on");
 }
 
@@ -246,7 +247,7 @@ TEST(GltfWriter, TakesTheMatrixOfAnAnimatedNodeApart) {
 }
 
 TEST(GltfWriter, LeavesOutAClipWithoutKeysAndSaysSo) {
-  Scene scene = made_scene({0, 1}, {still, half});
+  Scene scene = made_scene({0, 1}, {no_turn, half_turn});
   scene.clips.push_back({.name = "nothing"});
   const WrittenFile after = written(scene);
   EXPECT_EQ(after.json["animations"].size(), 1u);

@@ -11,7 +11,7 @@
 
 namespace orispline { namespace {
 
-std::vector<double> uneven_times(std::size_t count) {
+std::vector<double> wavering_times(std::size_t count) {
   std::vector<double> times;
   for (std::size_t i = 0; i < count; ++i) {
     const auto n = static_cast<double>(i);
@@ -21,7 +21,7 @@ std::vector<double> uneven_times(std::size_t count) {
 }
 
 TEST(IntervalFreedoms, AreThoseOfTheCurveButForWhatNoPenaltySees) {
-  const std::vector<double> times = uneven_times(60);
+  const std::vector<double> times = wavering_times(60);
   std::vector<double> weights, shares;
   for (std::size_t i = 0; i < 60; ++i) weights.push_back(i % 7 == 3 ? 0.0 : 1.0 + 0.01 * static_cast<double>(i));
   for (std::size_t i = 0; i < 59; ++i) shares.push_back(i < 30 ? 0.1 : 30.0);
@@ -38,14 +38,14 @@ TEST(IntervalFreedoms, AreThoseOfTheCurveButForWhatNoPenaltySees) {
 }
 
 TEST(LogLambdaCurve, IsThatOfTheLikelihoodWhereOneValueServes) {
-  const std::vector<double> times = uneven_times(50), energies(49, 0.25), freedoms(49, 2.0);
+  const std::vector<double> times = wavering_times(50), energies(49, 0.25), freedoms(49, 2.0);
   LogLambdaCurve curve(times, 7, 0.0);
   curve.update(energies, freedoms, 3.0);
   for (std::size_t i = 0; i < 49; ++i) EXPECT_NEAR(curve(i), std::log(2.0 / 0.25), 1e-6) << i;
 }
 
 TEST(LogLambdaCurve, FollowsAChangeAsFarAsItIsSoft) {
-  const std::vector<double> times = uneven_times(200), freedoms(199, 1.0);
+  const std::vector<double> times = wavering_times(200), freedoms(199, 1.0);
   std::vector<double> energies(199, 1.0);
   for (std::size_t i = 100; i < 199; ++i) energies[i] = std::exp(-6.0);
   LogLambdaCurve soft(times, 21, 1.0), stiff(times, 21, 1.0);
@@ -57,14 +57,14 @@ TEST(LogLambdaCurve, FollowsAChangeAsFarAsItIsSoft) {
 }
 
 TEST(LogLambdaCurve, StaysWithinBoundsWhereNothingIsSaid) {
-  const std::vector<double> times = uneven_times(50), energies(49, 0.0), freedoms(49, 1.0);
+  const std::vector<double> times = wavering_times(50), energies(49, 0.0), freedoms(49, 1.0);
   LogLambdaCurve curve(times, 5, 2.0);
   for (int k = 0; k < 20; ++k) curve.update(energies, freedoms, 1.0);
   EXPECT_DOUBLE_EQ(curve(0), 20.0);
 }
 
 TEST(LogLambdaCurve, RisesNoHigherThanItMay) {
-  const std::vector<double> times = uneven_times(50), energies(49, 0.0), freedoms(49, 1.0);
+  const std::vector<double> times = wavering_times(50), energies(49, 0.0), freedoms(49, 1.0);
   for (const double most : {1.0, 5.0}) {
     LogLambdaCurve curve(times, 5, 2.0, most);
     for (int k = 0; k < 20; ++k) curve.update(energies, freedoms, 1.0);

@@ -41,6 +41,10 @@ inline Recording recorded(std::size_t count, double noise, std::uint64_t seed = 
   return recording;
 }
 
+inline Smoothing smoothed(const KeyframeData& data, const SmoothOptions& options = {}) {
+  return smooth(Keyframes::make(data).value(), options).value();
+}
+
 inline double rms(const Smoothing& smoothing, const KeyframeData& clean) {
   double sum = 0.0;
   for (std::size_t k = 0; k < smoothing.keys.size(); ++k) {

@@ -14,10 +14,10 @@
 namespace orispline { namespace {
 
 using testing_support::DataTable;
+using testing_support::golden_figure;
 using testing_support::relative_error;
 using testing_support::SmoothingCase;
 
-constexpr double golden = 1e-9;
 constexpr double within_90 = 1.6448536269514722;        // standard deviations, of nine in ten normal values
 constexpr double angle_within_90 = 2.5002777108094975;  // likewise of a vector of three
 
@@ -37,9 +37,11 @@ TEST(NodeSigmas, AreThoseOfTheInverseOfTheWholeMatrix) {
     const auto wanted = table.rows_where("case", row.text("case"));
     ASSERT_EQ(wanted.size(), sigmas.orientations.size());
     for (std::size_t i = 0; i < wanted.size(); ++i, ++compared) {
-      EXPECT_LT(relative_error(sigmas.orientations[i], wanted[i].vector("sigma_x", "sigma_y", "sigma_z")), golden) << i;
+      EXPECT_LT(relative_error(sigmas.orientations[i], wanted[i].vector("sigma_x", "sigma_y", "sigma_z")),
+                golden_figure)
+          << i;
       EXPECT_LT(relative_error(sigmas.angular_velocities[i], wanted[i].vector("sigma_wx", "sigma_wy", "sigma_wz")),
-                golden)
+                golden_figure)
           << i;
     }
   }

@@ -6,6 +6,9 @@
 
 namespace orispline::testing_support {
 
+/// Relative, of what the reference gives for a case.
+inline constexpr double golden_figure = 1e-9;
+
 /// A case of golden/smooth_cases.csv with its nodes.
 struct SmoothingCase {
   DataTable::Row row;

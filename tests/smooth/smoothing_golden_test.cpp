@@ -13,10 +13,10 @@
 namespace orispline { namespace {
 
 using testing_support::DataTable;
+using testing_support::golden_figure;
 using testing_support::relative_error;
 using testing_support::SmoothingCase;
 
-constexpr double golden = 1e-9;
 constexpr SmoothingIteration to_the_end{.tolerance = 1e-12, .most = 200};
 
 std::vector<SmoothingCase> cases() {
@@ -27,7 +27,7 @@ std::vector<SmoothingCase> cases() {
 }
 
 void expect_figure(double found, const DataTable::Row& row, const char* column) {
-  EXPECT_NEAR(found, row.number(column), golden * std::abs(row.number(column))) << column;
+  EXPECT_NEAR(found, row.number(column), golden_figure * std::abs(row.number(column))) << column;
 }
 
 TEST(SmoothingGolden, NodesAreThoseOfTheReference) {
@@ -38,11 +38,12 @@ TEST(SmoothingGolden, NodesAreThoseOfTheReference) {
     for (std::size_t i = 0; i < test.nodes.size(); ++i) {
       const auto& node = test.nodes[i];
       const auto wanted = node.quaternion("found_qw", "found_qx", "found_qy", "found_qz");
-      EXPECT_LT(angular_distance(fit.nodes.orientations[i], wanted), golden) << i;
-      EXPECT_LT(relative_error(fit.nodes.angular_velocities[i], node.vector("wx", "wy", "wz")), golden) << i;
-      EXPECT_LT(relative_error(fit.nodes.angular_accelerations[i], node.vector("ax", "ay", "az")), 10 * golden) << i;
+      EXPECT_LT(angular_distance(fit.nodes.orientations[i], wanted), golden_figure) << i;
+      EXPECT_LT(relative_error(fit.nodes.angular_velocities[i], node.vector("wx", "wy", "wz")), golden_figure) << i;
+      EXPECT_LT(relative_error(fit.nodes.angular_accelerations[i], node.vector("ax", "ay", "az")), 10 * golden_figure)
+          << i;
     }
-    EXPECT_LT(relative_error(fit.nodes.gyro_correction, test.row.vector("bx", "by", "bz")), golden);
+    EXPECT_LT(relative_error(fit.nodes.gyro_correction, test.row.vector("bx", "by", "bz")), golden_figure);
   }
 }
 
@@ -76,7 +77,8 @@ TEST(SmoothingGolden, PositionsAreThoseOfExactSplines) {
     const double lambda = rows[0].number("lambda");
     const auto fit = fit_smoothing(problem, {.penalty = penalty, .lambda = lambda});
     for (std::size_t i = 0; i < rows.size(); ++i)
-      EXPECT_LT(relative_error(fit.nodes.positions[i], rows[i].vector("found_px", "found_py", "found_pz")), golden)
+      EXPECT_LT(relative_error(fit.nodes.positions[i], rows[i].vector("found_px", "found_py", "found_pz")),
+                golden_figure)
           << i;
     expect_figure(fit.penalty, rows[0], "penalty");
     EXPECT_NEAR(fit.cost, fit.data + lambda * fit.penalty, 1e-12 * fit.cost);

@@ -51,10 +51,6 @@ double rms_of(const Vectors& found, const Vectors& wanted) {
   return std::sqrt(sum / static_cast<double>(wanted.size()));
 }
 
-Smoothing smoothed(const KeyframeData& data, const SmoothOptions& options = {}) {
-  return smooth(Keyframes::make(data).value(), options).value();
-}
-
 TEST(SmoothPositions, ComeNearTheTruthWithoutBeingToldAnything) {
   for (const auto& times : {even_times(800), uneven_times(800), even_times(800, 1.7e9)})
     for (const Penalty penalty : {Penalty::acceleration, Penalty::jerk}) {

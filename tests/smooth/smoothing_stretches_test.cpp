@@ -7,13 +7,10 @@
 
 #include <orispline/math/so3.hpp>
 #include <orispline/smooth/smoothing_stretches.hpp>
-#include <support/specimens.hpp>
+#include <smooth/noisy_motion.hpp>
 
 namespace orispline { namespace {
 
-using testing_support::Dice;
-
-constexpr double degree = 0.017453292519943295;
 using Indices = std::vector<std::size_t>;
 
 /// Turns about z by sin(2t) at 100 Hz, with turns about random axes of at most `noise` per axis [rad].
@@ -31,10 +28,6 @@ KeyframeData turning(std::size_t count, double noise) {
 
 void turn(KeyframeData& data, std::size_t i, double angle) {
   data.orientations[i] = data.orientations[i] * exp<double>(Eigen::Vector3d(angle, 0.0, 0.0));
-}
-
-Smoothing smoothed(const KeyframeData& data, const SmoothOptions& options = {}) {
-  return smooth(Keyframes::make(data).value(), options).value();
 }
 
 TEST(SmoothingOutliers, AreThoseBeyondFiveTimesTheNoise) {

@@ -20,6 +20,12 @@ inline constexpr std::array specimen_angles{
     1.0,       1.44,      1.45,   1.999, 2.0,   2.001, 3.0,           pi - 1e-3,     pi,
     pi - 1e-9, pi + 1e-9, 3.2,    3.999, 4.001, 5.0,   2 * pi - 1e-2, 2 * pi - 1e-6, 2 * pi - 1e-12};
 
+[[nodiscard]] inline Eigen::Quaterniond about_x(double angle) { return exp<double>({angle, 0.0, 0.0}); }
+[[nodiscard]] inline Eigen::Quaterniond about_z(double angle) { return exp<double>({0.0, 0.0, angle}); }
+
+/// A time of these years since 1970 [s]; a double there is exact to 1.2e-7 s.
+inline constexpr double today = 1.7e9;
+
 /// Unit axes: along the frame, against it, oblique.
 [[nodiscard]] inline std::vector<Eigen::Vector3d> specimen_axes() {
   return {{1, 0, 0}, {0, 0, -1}, {2.0 / 3, -2.0 / 3, 1.0 / 3}, {-0.36, 0.48, 0.8}};

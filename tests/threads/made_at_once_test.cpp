@@ -11,7 +11,7 @@ namespace orispline { namespace {
 
 using namespace testing_support;
 
-constexpr std::size_t threads = 4;
+constexpr std::size_t racing_threads = 4;
 
 std::vector<double> components(const AnyCurve& curve) {
   std::vector<double> all;
@@ -25,8 +25,8 @@ std::vector<double> components(const AnyCurve& curve) {
 
 // First of all in this program, so that what is computed once and kept is computed by threads that race for it.
 TEST(MadeAtOnce, AreTheCurvesOfEveryFamily) {
-  std::vector<std::vector<NamedCurve>> made(threads);
-  together(threads, [&](std::size_t i) { made[i] = curve_of_every_family(421); });
+  std::vector<std::vector<NamedCurve>> made(racing_threads);
+  together(racing_threads, [&](std::size_t i) { made[i] = curve_of_every_family(421); });
   const std::vector<NamedCurve> alone = curve_of_every_family(421);
   for (const std::vector<NamedCurve>& curves : made)
     for (std::size_t k = 0; k < alone.size(); ++k)
@@ -40,8 +40,8 @@ TEST(MadeAtOnce, AreBakedCurves) {
     const auto times = baked.value().knots().times();
     return std::vector<double>(times.begin(), times.end());
   };
-  std::vector<std::vector<double>> made(threads);
-  together(threads, [&](std::size_t i) { made[i] = knots_of(); });
+  std::vector<std::vector<double>> made(racing_threads);
+  together(racing_threads, [&](std::size_t i) { made[i] = knots_of(); });
   for (const std::vector<double>& knots : made) EXPECT_EQ(knots, knots_of());
 }
 

@@ -23,14 +23,14 @@ TEST(ParallelFor, DoesEveryPartOnce) {
 }
 
 // More than three parts of work, the last one not whole.
-constexpr std::size_t samples = 3 * 65536 + 1001;
+constexpr std::size_t several_parts = 3 * 65536 + 1001;
 
 template <class Take>
 void expect_the_same_with_any_threads(Take take) {
-  Sampled<double> alone(samples, Wanted::jerk);
+  Sampled<double> alone(several_parts, Wanted::jerk);
   ASSERT_TRUE(take(alone.spans(), Work{.threads = 1}));
   for (const unsigned threads : {0U, 2U, 3U, 8U}) {
-    Sampled<double> together(samples, Wanted::jerk);
+    Sampled<double> together(several_parts, Wanted::jerk);
     ASSERT_TRUE(take(together.spans(), Work{.threads = threads}));
     EXPECT_TRUE(together.same_bits(alone)) << threads << " threads";
   }
@@ -42,9 +42,9 @@ TEST(BatchThreads, ChangeNoBit) {
     const AnyCurve curve = specimen_curve(kind, 83, 40);
     const CompiledCurve<> compiled(curve);
     const double start = curve.domain().start, end = curve.domain().end;
-    const double dt = (end - start) / (0.9 * static_cast<double>(samples));
+    const double dt = (end - start) / (0.9 * static_cast<double>(several_parts));
     std::vector<double> times;
-    for (std::size_t k = 0; k < samples; ++k) times.push_back(start + dt * static_cast<double>(k));
+    for (std::size_t k = 0; k < several_parts; ++k) times.push_back(start + dt * static_cast<double>(k));
     expect_the_same_with_any_threads(
         [&](const auto& out, Work work) { return sample_uniform<double>(curve, start, dt, out, work); });
     expect_the_same_with_any_threads(
