@@ -112,8 +112,7 @@ std::vector<double> key_times_of(const Clip& clip) {
   add(clip.rotations);
   add(clip.translations);
   std::ranges::sort(times);
-  const auto repeated = std::ranges::unique(times);
-  times.erase(repeated.begin(), repeated.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
   return times;
 }
 
