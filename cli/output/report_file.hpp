@@ -6,9 +6,8 @@
 
 #include <orispline/base/expected.hpp>
 #include <orispline/io/output_file.hpp>
-#include <orispline/pages/page_head.hpp>
+#include <orispline/pages/task_pages.hpp>
 #include <orispline/report/page.hpp>
-#include <orispline/report/skeleton_page.hpp>
 
 #include "options/has_pages.hpp"
 #include "options/report_options.hpp"

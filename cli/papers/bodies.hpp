@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include <orispline/report/view.hpp>
+#include <orispline/report/sphere.hpp>
 
 namespace orispline::cli {
 

@@ -8,7 +8,7 @@
 
 #include <orispline/base/expected.hpp>
 #include <orispline/curve/keyframe.hpp>
-#include <orispline/pages/motion_page.hpp>
+#include <orispline/pages/task_pages.hpp>
 #include <orispline/report/svg.hpp>
 #include <orispline/report/table.hpp>
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <orispline/report/view.hpp>
+#include <orispline/report/sphere.hpp>
 
 namespace orispline::cli {
 

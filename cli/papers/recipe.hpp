@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <orispline/families/registry.hpp>
-#include <orispline/pages/motion_page.hpp>
+#include <orispline/pages/task_pages.hpp>
 #include <orispline/report/svg.hpp>
 #include <orispline/tune/tune.hpp>
 

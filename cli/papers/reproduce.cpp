@@ -10,7 +10,7 @@
 #include <orispline/base/suggestion.hpp>
 #include <orispline/io/output_file.hpp>
 #include <orispline/io/track_file.hpp>
-#include <orispline/pages/motion_page.hpp>
+#include <orispline/pages/task_pages.hpp>
 
 #include "options/option_text.hpp"
 #include "output/noted_output.hpp"

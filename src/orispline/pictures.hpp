@@ -5,7 +5,7 @@
 
 #include <orispline/report/chart.hpp>
 #include <orispline/report/motion_drawing.hpp>
+#include <orispline/report/page_samples.hpp>
 #include <orispline/report/sphere.hpp>
 #include <orispline/report/svg.hpp>
 #include <orispline/report/table.hpp>
-#include <orispline/report/view.hpp>

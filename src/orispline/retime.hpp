@@ -3,5 +3,4 @@
 
 // The shortest motion within limits of rate, acceleration and torque (ORISPLINE_OPTIMISE).
 
-#include <orispline/retime/certificate.hpp>
 #include <orispline/retime/retime.hpp>

@@ -6,6 +6,5 @@
 #include <orispline/clip/clip_difference.hpp>
 #include <orispline/clip/clip_motion.hpp>
 #include <orispline/clip/cubic_channel.hpp>
-#include <orispline/clip/joint_curve.hpp>
 #include <orispline/scenes/scene_file.hpp>
 #include <orispline/scenes/scene_tracks.hpp>

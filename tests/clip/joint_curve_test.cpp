@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <orispline/clip/clip_motion.hpp>
-#include <orispline/clip/joint_curve.hpp>
 #include <support/specimens.hpp>
 
 namespace orispline { namespace {

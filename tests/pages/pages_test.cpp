@@ -6,11 +6,7 @@
 
 #include <orispline/families/registry.hpp>
 #include <orispline/math/degrees.hpp>
-#include <orispline/pages/compare_page.hpp>
-#include <orispline/pages/motion_page.hpp>
-#include <orispline/pages/reduce_page.hpp>
-#include <orispline/pages/retime_page.hpp>
-#include <orispline/pages/smooth_page.hpp>
+#include <orispline/pages/task_pages.hpp>
 #include <orispline/report/page_json.hpp>
 #include <pages/page_head.hpp>
 #include <support/specimens.hpp>

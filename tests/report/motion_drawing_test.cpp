@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <orispline/math/so3.hpp>
-#include <orispline/report/view.hpp>
+#include <orispline/report/sphere.hpp>
 #include <support/counted.hpp>
 
 namespace orispline::report { namespace {

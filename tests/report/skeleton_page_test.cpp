@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/report/skeleton_page.hpp>
+#include <orispline/report/page.hpp>
 
 #include <gtest/gtest.h>
 
 #include <orispline/report/page_template.hpp>
-#include <orispline/report/skeleton_page_json.hpp>
+#include <orispline/report/page_json.hpp>
 #include <support/counted.hpp>
 
 namespace orispline::report { namespace {

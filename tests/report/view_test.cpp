@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/report/view.hpp>
+#include <orispline/report/sphere.hpp>
 
 #include <numbers>
 

@@ -11,6 +11,7 @@
 
 #include <orispline/curve/torque.hpp>
 #include <orispline/families/registry.hpp>
+#include <orispline/retime/rate_bounds.hpp>
 #include <orispline/retime/retime.hpp>
 
 namespace orispline {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Curves that tuning varies by their construction.
-#include <orispline/tune/construction_sum.hpp>
+#include <orispline/tune/objective_sums.hpp>
 
 #include <gtest/gtest.h>
 

@@ -12,7 +12,7 @@
 #include <orispline/families/method_text.hpp>
 #include <orispline/io/output_file.hpp>
 #include <orispline/math/degrees.hpp>
-#include <orispline/pages/motion_page.hpp>
+#include <orispline/pages/task_pages.hpp>
 #include <orispline/report/motion_drawing.hpp>
 #include <orispline/report/page_samples.hpp>
 

@@ -3,7 +3,7 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
-#include <orispline/pages/compare_page.hpp>
+#include <orispline/pages/task_pages.hpp>
 #include <orispline/tune/tension_model.hpp>
 #include <orispline/tune/tune.hpp>
 

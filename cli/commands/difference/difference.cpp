@@ -61,7 +61,7 @@ Expected<std::vector<double>> times_of(const Clip& clip, std::optional<double> r
   for (std::size_t i = 0; static_cast<double>(i) <= span * *rate; ++i)
     times.push_back(start + static_cast<double>(i) / *rate);
   std::ranges::sort(times);
-  times.erase(std::ranges::unique(times).begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
   return times;
 }
 

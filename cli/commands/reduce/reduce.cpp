@@ -4,7 +4,7 @@
 #include <utility>
 
 #include <orispline/base/formatted.hpp>
-#include <orispline/pages/reduce_page.hpp>
+#include <orispline/pages/task_pages.hpp>
 #include <orispline/reduce/clip_reduction.hpp>
 #include <orispline/reduce/reduce_fields.hpp>
 

@@ -6,7 +6,7 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/registry.hpp>
-#include <orispline/pages/retime_page.hpp>
+#include <orispline/pages/task_pages.hpp>
 #include <orispline/retime/retime_fields.hpp>
 
 #include "commands/retime/retime_report.hpp"

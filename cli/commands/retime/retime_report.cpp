@@ -5,7 +5,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 #include <orispline/families/method_text.hpp>
-#include <orispline/retime/certificate.hpp>
+#include <orispline/retime/retime.hpp>
 #include <orispline/retime/retime_fields.hpp>
 
 #include "output/field_json.hpp"

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include <orispline/base/formatted.hpp>
-#include <orispline/clip/joint_curve.hpp>
+#include <orispline/clip/clip_motion.hpp>
 #include <orispline/scenes/scene_file.hpp>
 
 #include "commands/sample/sampling.hpp"

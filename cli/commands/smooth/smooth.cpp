@@ -6,7 +6,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/io/track_file.hpp>
-#include <orispline/pages/smooth_page.hpp>
+#include <orispline/pages/task_pages.hpp>
 
 #include "commands/smooth/smooth_report.hpp"
 #include "commands/smooth/smooth_scene.hpp"

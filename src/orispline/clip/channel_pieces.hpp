@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include <orispline/clip/channel.hpp>
+#include <orispline/clip/clip.hpp>
 #include <orispline/curve/curve_through.hpp>
 #include <orispline/curve/rational_curve.hpp>
 #include <orispline/math/bernstein.hpp>

@@ -1,14 +1,93 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
+#include <type_traits>
 #include <vector>
 
-#include <orispline/clip/channel.hpp>
-#include <orispline/clip/skeleton.hpp>
+#include <orispline/base/expected.hpp>
 #include <orispline/curve/curve.hpp>
+#include <orispline/math/geodesic.hpp>
+#include <orispline/math/so3.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
+
+/// How a channel goes from one key to the next. The words are glTF's.
+enum class ChannelInterpolation {
+  step,         ///< it keeps the value of the key before
+  linear,       ///< slerp the shorter way, or a straight line
+  cubicspline,  ///< a cubic Hermite polynomial of the components; of rotations normalised
+};
+
+/// One property of a joint over time: its rotation, translation or scale. Vectors have one entry per key.
+template <CurvePoint P>
+struct Channel {
+  std::size_t joint = 0;  ///< index in the skeleton
+  ChannelInterpolation interpolation = ChannelInterpolation::linear;
+  std::vector<double> times{};  ///< [s], finite, strictly increasing; one at least
+  std::vector<P> values{};      ///< unit quaternions from joint to parent, or vectors in the frame of the parent
+  /// Time derivatives of the values before and after each key, component by component [1/s]; empty unless the
+  /// interpolation is `cubicspline`.
+  std::vector<P> in_tangents{}, out_tangents{};
+
+  [[nodiscard]] std::size_t size() const noexcept { return times.size(); }
+};
+using RotationChannel = Channel<Eigen::Quaterniond>;
+using VectorChannel = Channel<Eigen::Vector3d>;
+
+/// The channel of that joint; null where there is none.
+template <CurvePoint P>
+[[nodiscard]] const Channel<P>* channel_of(const std::vector<Channel<P>>& channels, std::size_t joint) noexcept {
+  const auto found = std::ranges::find(channels, joint, &Channel<P>::joint);
+  return found == channels.end() ? nullptr : &*found;
+}
+
+// GCC 12 fails where it meets a list of members by their names before any other use of their defaults.
+static_assert(std::is_default_constructible_v<RotationChannel> && std::is_default_constructible_v<VectorChannel>);
+
+/// Where a joint is in the frame of its parent: a point p of the joint is at translation + rotation (scale ∘ p) there.
+struct JointPose {
+  Eigen::Vector3d translation = Eigen::Vector3d::Zero();         ///< in the file's unit of length
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  ///< joint to parent, a unit quaternion
+  Eigen::Vector3d scale = Eigen::Vector3d::Ones();               ///< along the joint's axes; may be negative
+};
+
+/// The parent of a joint that has none.
+inline constexpr std::size_t no_parent = std::numeric_limits<std::size_t>::max();
+
+/// A joint, or what else is placed by a parent.
+struct Joint {
+  std::string name{};
+  std::size_t parent = no_parent;  ///< index in the skeleton
+  JointPose rest{};                ///< where no channel says otherwise
+};
+
+/// Joints in an order in which parents come first.
+class ORISPLINE_EXPORT Skeleton {
+ public:
+  Skeleton() = default;
+
+  /// Errors (bad_data): a parent that does not come before its joint; a rest pose with a number that is not finite or a
+  /// rotation that is no unit quaternion. They name the joint.
+  [[nodiscard]] static Expected<Skeleton> make(std::vector<Joint> joints);
+
+  [[nodiscard]] std::size_t size() const noexcept { return joints_.size(); }
+  [[nodiscard]] std::span<const Joint> joints() const noexcept { return joints_; }
+  [[nodiscard]] const Joint& operator[](std::size_t joint) const noexcept { return joints_[joint]; }
+  /// The first joint of that name; nothing where there is none.
+  [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const noexcept;
+
+ private:
+  explicit Skeleton(std::vector<Joint> joints) : joints_(std::move(joints)) {}
+
+  std::vector<Joint> joints_;
+};
 
 /// One animation of a skeleton. Of a joint there is at most one channel in each list.
 struct ORISPLINE_EXPORT Clip {

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/clip/clip_motion.hpp>
 
+#include <algorithm>
+#include <memory>
+
+#include <orispline/base/formatted.hpp>
+#include <orispline/clip/channel_pieces.hpp>
+
 namespace orispline { inline namespace ORISPLINE_ABI {
 
 namespace {
@@ -11,6 +17,139 @@ Eigen::Affine3d transform(const JointPose& pose) {
   transform.translation() = pose.translation;
   return transform;
 }
+
+/// What moves one joint in the frame of its parent.
+struct Link {
+  ChannelPieces<Eigen::Quaterniond> rotation;
+  ChannelPieces<Eigen::Vector3d> translation, scale;
+};
+
+/// Joints from one that is carried by nothing, or by what does not count, to the one that is asked for.
+struct Chain {
+  Knots knots;
+  std::vector<Link> links;
+
+  /// A channel's value where the chain is at `t` in one of its segments: in the middle of that the channel is in the
+  /// same one of its own.
+  template <CurvePoint P, Number T>
+  [[nodiscard]] PointOver<P, T> value(const ChannelPieces<P>& pieces, const T& t, std::size_t segment) const noexcept {
+    return std::visit(
+        [&](const auto& curve) -> PointOver<P, T> {
+          const Knots& own = curve.knots();
+          const double middle =
+              knots.segments() == 0 ? knots.front() : 0.5 * (knots.span(segment).start() + knots.span(segment).end());
+          if (middle < own.front()) return constant<T>(P(curve.point(own.front(), 0)));
+          if (middle > own.back()) return constant<T>(P(curve.point(own.back(), own.segment_at(own.back()))));
+          return curve.point(t, own.segment_at(middle));
+        },
+        pieces);
+  }
+
+  template <Number T>
+  [[nodiscard]] Quaternion<T> orientation(const T& t, std::size_t segment) const noexcept {
+    Quaternion<T> orientation = constant<T>(Eigen::Quaterniond::Identity());
+    for (const Link& link : links) orientation = orientation * value<Eigen::Quaterniond>(link.rotation, t, segment);
+    return orientation;
+  }
+
+  /// Scales above are even: the x of each is that of all axes.
+  template <Number T>
+  [[nodiscard]] Vector3<T> position(const T& t, std::size_t segment) const noexcept {
+    Quaternion<T> orientation = constant<T>(Eigen::Quaterniond::Identity());
+    Vector3<T> position = constant<T>(Eigen::Vector3d(0.0, 0.0, 0.0));
+    T scale(1.0);
+    for (const Link& link : links) {
+      const Vector3<T> step = value<Eigen::Vector3d>(link.translation, t, segment) * scale;
+      position += to_world<T>(orientation, step);
+      orientation = orientation * value<Eigen::Quaterniond>(link.rotation, t, segment);
+      scale = scale * value<Eigen::Vector3d>(link.scale, t, segment).x();
+    }
+    return position;
+  }
+};
+
+class ChainOrientation {
+ public:
+  explicit ChainOrientation(std::shared_ptr<const Chain> chain) : chain_(std::move(chain)) {}
+  [[nodiscard]] const Knots& knots() const noexcept { return chain_->knots; }
+  template <Number T>
+  [[nodiscard]] Quaternion<T> point(const T& t, std::size_t segment) const noexcept {
+    return chain_->orientation(t, segment);
+  }
+
+ private:
+  std::shared_ptr<const Chain> chain_;
+};
+
+class ChainPath {
+ public:
+  explicit ChainPath(std::shared_ptr<const Chain> chain) : chain_(std::move(chain)) {}
+  [[nodiscard]] const Knots& knots() const noexcept { return chain_->knots; }
+  template <Number T>
+  [[nodiscard]] Vector3<T> point(const T& t, std::size_t segment) const noexcept {
+    return chain_->position(t, segment);
+  }
+
+ private:
+  std::shared_ptr<const Chain> chain_;
+};
+
+/// The joint and those above it, the joint last.
+std::vector<std::size_t> joints_of(const Skeleton& skeleton, std::size_t joint, JointSpace space) {
+  std::vector<std::size_t> joints{joint};
+  if (space == JointSpace::world)
+    for (joint = skeleton[joint].parent; joint != no_parent; joint = skeleton[joint].parent) joints.push_back(joint);
+  std::ranges::reverse(joints);
+  return joints;
+}
+
+/// Collects the chain's channels and their key times.
+class ChainBuilder {
+ public:
+  ChainBuilder(const Skeleton& skeleton, const Clip& clip) : skeleton_(skeleton), clip_(clip) {}
+
+  Expected<Chain> built(std::size_t joint, JointSpace space) {
+    std::vector<Link> links;
+    for (const std::size_t i : joints_of(skeleton_, joint, space)) {
+      if (i != joint && !has_even_scale(i))
+        return failure(ErrorCode::bad_data, formatted("{}: found a scale that is zero, negative or not the same along "
+                                                      "all axes, wanted another one for the world",
+                                                      place_of(skeleton_, clip_, i)));
+      const JointPose& rest = skeleton_[i].rest;
+      links.push_back({pieces(clip_.rotations, i, rest.rotation), pieces(clip_.translations, i, rest.translation),
+                       pieces(clip_.scales, i, rest.scale)});
+    }
+    if (times_.empty()) times_.push_back(clip_.domain().start);
+    std::ranges::sort(times_);
+    times_.erase(std::unique(times_.begin(), times_.end()), times_.end());
+    return Chain{Knots(std::move(times_)), std::move(links)};
+  }
+
+ private:
+  template <CurvePoint P>
+  ChannelPieces<P> pieces(const std::vector<Channel<P>>& channels, std::size_t joint, const P& rest) {
+    const Channel<P>* const channel = channel_of(channels, joint);
+    if (!channel) return ConstantCurve<P>(0.0, rest);
+    times_.insert(times_.end(), channel->times.begin(), channel->times.end());
+    return pieces_of(*channel);
+  }
+
+  [[nodiscard]] bool has_even_scale(std::size_t joint) const {
+    const auto is_even = [](const Eigen::Vector3d& v, double size) {
+      return v.maxCoeff() - v.minCoeff() <= 1e-5 * std::max(size, v.cwiseAbs().maxCoeff());
+    };
+    const auto is_scale = [&](const Eigen::Vector3d& scale) { return scale.minCoeff() > 0.0 && is_even(scale, 0.0); };
+    const VectorChannel* const channel = channel_of(clip_.scales, joint);
+    if (!channel) return is_scale(skeleton_[joint].rest.scale);
+    const auto is_rate = [&](const Eigen::Vector3d& rate) { return is_even(rate, channel->values.front().x()); };
+    return std::ranges::all_of(channel->values, is_scale) && std::ranges::all_of(channel->in_tangents, is_rate) &&
+           std::ranges::all_of(channel->out_tangents, is_rate);
+  }
+
+  const Skeleton& skeleton_;
+  const Clip& clip_;
+  std::vector<double> times_;
+};
 
 }  // namespace
 
@@ -47,6 +186,13 @@ std::vector<Eigen::Affine3d> world_poses(const Skeleton& skeleton, const Clip& c
   for (std::size_t i = 0; i < times.size(); ++i)
     motion.world_poses(times[i], std::span(poses).subspan(i * skeleton.size(), skeleton.size()));
   return poses;
+}
+
+Expected<PoseCurve> joint_curve(const Skeleton& skeleton, const Clip& clip, std::size_t joint, JointSpace space) {
+  return ChainBuilder(skeleton, clip).built(joint, space).map([](Chain chain) {
+    const auto shared = std::make_shared<const Chain>(std::move(chain));
+    return PoseCurve{.orientation = AnyCurve(ChainOrientation(shared)), .position = AnyPath(ChainPath(shared))};
+  });
 }
 
 }}  // namespace orispline

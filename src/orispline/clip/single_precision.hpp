@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <orispline/clip/channel.hpp>
+#include <orispline/clip/clip.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 

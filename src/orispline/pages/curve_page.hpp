@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <orispline/analysis/measure_info.hpp>
-#include <orispline/pages/page_head.hpp>
+#include <orispline/pages/task_pages.hpp>
 #include <orispline/report/page_samples.hpp>
 
 // What the pages have alike.
@@ -15,27 +15,27 @@
 namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {
 
 /// A page that says what it is about, with the keys; of very many some, and a note that says so.
-[[nodiscard]] ORISPLINE_EXPORT report::Page begun_page(std::string title, const PageHead& head, const Decimal& epoch,
+[[nodiscard]] report::Page begun_page(std::string title, const PageHead& head, const Decimal& epoch,
                                                        const Keyframes& keys);
 
 /// Orientations over time, all of them.
-[[nodiscard]] ORISPLINE_EXPORT report::PagePath path_of(std::span<const double> times,
+[[nodiscard]] report::PagePath path_of(std::span<const double> times,
                                                         std::span<const Eigen::Quaterniond> orientations);
-[[nodiscard]] ORISPLINE_EXPORT report::PagePath path_of(const Keyframes& keys);
+[[nodiscard]] report::PagePath path_of(const Keyframes& keys);
 
 /// The columns of measures, the ones first that people look at first.
-[[nodiscard]] ORISPLINE_EXPORT std::vector<report::PageColumn> measure_columns(std::vector<MeasureInfo> measures);
+[[nodiscard]] std::vector<report::PageColumn> measure_columns(std::vector<MeasureInfo> measures);
 
 /// Moments are told as all times of a page are: from the epoch on.
 [[nodiscard]] constexpr MeasureTimes on_page(std::span<const double> recording) noexcept { return {{}, recording}; }
 
 /// A curve as a page shows it, its torques too where the inertia [kg m²] is known.
-[[nodiscard]] ORISPLINE_EXPORT report::PageSamples samples_of(const PoseCurve& curve,
+[[nodiscard]] report::PageSamples samples_of(const PoseCurve& curve,
                                                               const std::optional<Eigen::Matrix3d>& inertia,
                                                               std::size_t count);
 
 /// `C2`
-[[nodiscard]] ORISPLINE_EXPORT std::string continuity_of(const Measures& measures);
+[[nodiscard]] std::string continuity_of(const Measures& measures);
 
 /// A curve that a page shows, with its own keys.
 struct ShownCurve {
@@ -60,19 +60,19 @@ struct CurvePage {
 inline constexpr std::size_t samples_of_few = 2000;
 
 /// The curve with its keys and measures, not yet with errors.
-[[nodiscard]] ORISPLINE_EXPORT report::PageMethod method_of(const CurvePage& page, const ShownCurve& curve);
+[[nodiscard]] report::PageMethod method_of(const CurvePage& page, const ShownCurve& curve);
 
 /// One time more of a band, from `low` to `high` there; NaN ends the band before it.
-ORISPLINE_EXPORT void extend(report::PageBand& band, double t, double low, double high);
+void extend(report::PageBand& band, double t, double low, double high);
 
 /// Angles [deg] between the curve and a recording, at times of the recording that lie on the curve.
-[[nodiscard]] ORISPLINE_EXPORT report::PageErrors errors_at(const PoseCurve& curve, const report::PagePath& recording);
+[[nodiscard]] report::PageErrors errors_at(const PoseCurve& curve, const report::PagePath& recording);
 
 /// What the head says where errors or curves of so many samples are not shown in full.
-[[nodiscard]] ORISPLINE_EXPORT std::vector<std::string> notes_on_samples(std::size_t samples);
+[[nodiscard]] std::vector<std::string> notes_on_samples(std::size_t samples);
 
 /// The method with the largest of these errors, and none over the gaps.
-[[nodiscard]] ORISPLINE_EXPORT report::PageMethod with_errors(report::PageMethod method,
+[[nodiscard]] report::PageMethod with_errors(report::PageMethod method,
                                                               const report::PageErrors& errors,
                                                               const report::Covers& covers);
 

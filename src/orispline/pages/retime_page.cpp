@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/pages/retime_page.hpp>
+#include <orispline/pages/task_pages.hpp>
 
 #include <algorithm>
 #include <iterator>
@@ -9,7 +9,8 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/pages/curve_page.hpp>
-#include <orispline/retime/certificate.hpp>
+#include <orispline/retime/rate_bounds.hpp>
+#include <orispline/retime/retime.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include <orispline/clip/clip_difference.hpp>
-#include <orispline/pages/page_head.hpp>
+#include <orispline/pages/task_pages.hpp>
 #include <orispline/reduce/clip_reduction.hpp>
-#include <orispline/report/skeleton_page.hpp>
+#include <orispline/report/page.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {
 

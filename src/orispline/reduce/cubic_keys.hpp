@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include <orispline/clip/channel.hpp>
+#include <orispline/clip/clip.hpp>
 #include <orispline/reduce/clip_reduction.hpp>
 #include <orispline/reduce/cubic_span.hpp>
 

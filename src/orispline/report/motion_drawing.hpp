@@ -7,8 +7,8 @@
 #include <vector>
 
 #include <orispline/report/page.hpp>
+#include <orispline/report/sphere.hpp>
 #include <orispline/report/svg.hpp>
-#include <orispline/report/view.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
 

@@ -3,7 +3,6 @@
 
 #include <orispline/report/page_json.hpp>
 #include <orispline/report/page_template.hpp>
-#include <orispline/report/skeleton_page_json.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
 

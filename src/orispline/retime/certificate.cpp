@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/retime/certificate.hpp>
+#include <orispline/retime/motion_limits.hpp>
 
 #include <algorithm>
 #include <array>

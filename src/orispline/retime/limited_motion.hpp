@@ -49,7 +49,7 @@ class LimitedMotion {
   [[nodiscard]] double largest_factor(std::span<const SegmentPeaks> peaks) const;
   /// By which share the motion might be shorter still, for the largest values that were found lie below the limits.
   [[nodiscard]] double slack(std::span<const SegmentPeaks> peaks) const;
-  /// The same where every segment is slowed by itself: of the one at a limit at these times where it is the largest, by
+  /// slack() where every segment is slowed by itself: of the one at a limit at these times where it is the largest, by
   /// its bounds; of all where none is at a limit.
   [[nodiscard]] Expected<double> largest_slack(std::vector<double> times) const;
 

@@ -10,15 +10,6 @@
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
-/// The largest of a quantity on one segment: what was found at a time, and what it is nowhere above.
-struct CertifiedPeak {
-  double found = 0.0, bound = 0.0;
-  double time = 0.0;  ///< of `found` [s]
-};
-
-/// The peaks of one segment, one for each quantity.
-using SegmentPeaks = std::vector<CertifiedPeak>;
-
 /// What is measured of a motion. Refers to both.
 struct MotionQuantities {
   std::span<const LimitedQuantity> all;
@@ -26,8 +17,7 @@ struct MotionQuantities {
 };
 
 /// The largest of every segment at 17 even places of its closed interval.
-[[nodiscard]] ORISPLINE_EXPORT std::vector<QuantitySizes> sampled_peaks(const PoseCurve& curve,
-                                                                        const MotionQuantities& quantities);
+[[nodiscard]] std::vector<QuantitySizes> sampled_peaks(const PoseCurve& curve, const MotionQuantities& quantities);
 
 /// What the snap, the derivative of the jerk, is nowhere above on a segment [rad/s⁴]; absent for one that is not of
 /// polynomials. `duration` [s].
@@ -36,7 +26,7 @@ struct MotionQuantities {
 /// bounded by the Bernstein coefficients of the derivatives, |q^(n)| ≤ Q_n with Q_1 = A_1, Q_2 = A_2 + A_1², Q_3 = A_3
 /// + 3 A_1 A_2 + A_1³, Q_4 = A_4 + 4 A_1 A_3 + 3 A_2² + 6 A_1² A_2 + A_1⁴, and from ω = 2 q̄ q' the snap is at most 2
 /// (Q_4 + 4 Q_1 Q_3 + 3 Q_2²). Source: our own derivation, docs/retime.md.
-[[nodiscard]] ORISPLINE_EXPORT std::optional<double> snap_bound(const SegmentForm& form, double duration);
+[[nodiscard]] std::optional<double> snap_bound(const SegmentForm& form, double duration);
 
 /// The peaks of every segment on its closed interval, by bounds and not by samples; nothing where the curve does not
 /// state its segments as polynomials.
@@ -49,7 +39,8 @@ struct MotionQuantities {
 /// is more than 1e-4 of the largest value above it, or all are below the floors, or there are very many. The rounding
 /// of the keys, also when they are written and read again, is in the bounds. Source: our own derivation,
 /// docs/retime.md.
-[[nodiscard]] ORISPLINE_EXPORT std::optional<std::vector<SegmentPeaks>> certified_peaks(
-    const PoseCurve& curve, const MotionQuantities& quantities, const QuantitySizes& floors);
+[[nodiscard]] std::optional<std::vector<SegmentPeaks>> certified_peaks(const PoseCurve& curve,
+                                                                       const MotionQuantities& quantities,
+                                                                       const QuantitySizes& floors);
 
 }}  // namespace orispline

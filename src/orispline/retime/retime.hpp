@@ -2,16 +2,45 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include <orispline/base/expected.hpp>
 #include <orispline/base/progress.hpp>
 #include <orispline/curve/track.hpp>
-#include <orispline/retime/motion_limits.hpp>
-#include <orispline/retime/rate_bounds.hpp>
+#include <orispline/fields/quantity.hpp>
+#include <orispline/math/eigen.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
+
+/// What a vector shall not exceed: its length, or each of its three components.
+struct Limit {
+  std::vector<double> sizes{};  ///< one of the length, or those of x, y, z; in the unit of the library
+  Unit stated_in{"", 1.0};      ///< that messages and pages show it in; without a name in the usual one
+
+  Limit() = default;
+  Limit(double length) : sizes{length} {}  // NOLINT: a number is a limit of the length
+  Limit(const Eigen::Vector3d& components)
+      : sizes{components.x(), components.y(), components.z()} {}  // NOLINT: three numbers are one for each axis
+
+  [[nodiscard]] bool is_per_axis() const noexcept { return sizes.size() == 3; }
+
+  [[nodiscard]] friend bool operator==(const Limit&, const Limit&) = default;
+};
+
+/// What the body that follows the motion can do, everywhere and always; absent: not limited. Components are along the
+/// axes of the body, of positions along those of the world.
+struct MotionLimits {
+  std::optional<Limit> rate{};                 ///< ω [rad/s]
+  std::optional<Limit> acceleration{};         ///< α [rad/s²]
+  std::optional<Limit> jerk{};                 ///< dα/dt [rad/s³]
+  std::optional<Limit> torque{};               ///< |I α + ω × I ω| [N m]
+  std::optional<Eigen::Matrix3d> inertia{};    ///< I [kg m²], body frame; for the torque
+  std::optional<Limit> speed{};                ///< of the position [m/s]
+  std::optional<Limit> linear_acceleration{};  ///< of the position [m/s²]
+};
 
 /// Which intervals between keys are slowed.
 enum class Slowing {
@@ -26,6 +55,15 @@ struct RetimeOptions {
   std::optional<double> duration{};       ///< [s], from the first key to the last; the limits are checked then
   std::optional<double> shorten_rests{};  ///< [s], what longer rests are cut to; absent: rests keep their duration
 };
+
+/// The largest of a quantity on one segment: what was found at a time, and what it is nowhere above.
+struct CertifiedPeak {
+  double found = 0.0, bound = 0.0;
+  double time = 0.0;  ///< of `found` [s]
+};
+
+/// The peaks of one segment, one for each quantity.
+using SegmentPeaks = std::vector<CertifiedPeak>;
 
 /// Keys at later times.
 struct Retiming {
@@ -64,5 +102,24 @@ struct Retiming {
 /// which slowing would change; bad_data for fewer than two keys; cancelled.
 [[nodiscard]] ORISPLINE_EXPORT Expected<Retiming> retime(const Track& track, const Method& method,
                                                          const RetimeOptions& options, const Progress& progress = {});
+
+/// A limited quantity at the segment where its bound is largest. Values are in the units of the library.
+struct ORISPLINE_EXPORT Certificate {
+  std::string name;            ///< `rate`, `linear acceleration`, of a component `rate about x`
+  std::string id;              ///< `rate`, `linear_acceleration`, `rate_x`
+  Unit shown, in_ids;          ///< the unit that was stated, else `°/s`; that of the ids, `deg_s`
+  double limit, bound, found;  ///< rad/s and the like, as the times
+  double time;                 ///< of `found` [s]
+  std::size_t segment;
+
+  /// `rate_bound_deg_s`
+  [[nodiscard]] std::string id_of(std::string_view part) const;
+  /// A value with its unit, `90 °/s`.
+  [[nodiscard]] std::string text_of(double value) const;
+};
+
+/// One for each of quantities_of(limits). Precondition: one segment at least.
+[[nodiscard]] ORISPLINE_EXPORT std::vector<Certificate> certificates_of(const MotionLimits& limits,
+                                                                        std::span<const SegmentPeaks> peaks);
 
 }}  // namespace orispline

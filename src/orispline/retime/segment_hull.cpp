@@ -2,6 +2,7 @@
 #include <orispline/retime/segment_hull.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 #include <orispline/math/so3.hpp>
 
@@ -79,7 +80,70 @@ double hypotenuse(double a, double b) { return norm_of(Eigen::Vector3d(a, b, 0.0
 constexpr double rounded_up = 1.0 + 1e-12;
 constexpr double rounding_share = 1e-14;  // of evaluation, of the size of what is added up
 
+/// Of evaluation and of the coefficients, of the size of what they are made of.
+constexpr double path_rounding_share = 1e-13;
+
+/// The coefficients of a velocity of this degree in u from what it is at both ends: value and two derivatives each;
+/// that in the middle of degree 6 from the distance, which is their mean. Farin, Curves and Surfaces for CAGD, 5.2.
+std::array<Eigen::Vector3d, form_degree> coefficients_of(std::size_t degree, const LinearMotion& a,
+                                                         const LinearMotion& b, double h) {
+  std::array<Eigen::Vector3d, form_degree> c{};
+  const double m = static_cast<double>(degree), bend = degree > 1 ? h * h / (m * (m - 1.0)) : 0.0;
+  const double slope = degree > 0 ? h / m : 0.0;
+  const std::array from_start{a.velocity, Eigen::Vector3d(a.velocity + slope * a.acceleration),
+                              Eigen::Vector3d(bend * a.jerk + a.velocity + 2.0 * slope * a.acceleration)};
+  const std::array from_end{b.velocity, Eigen::Vector3d(b.velocity - slope * b.acceleration),
+                            Eigen::Vector3d(bend * b.jerk + b.velocity - 2.0 * slope * b.acceleration)};
+  for (std::size_t i = 0; i <= std::min<std::size_t>(degree, 2); ++i) c[i] = from_start[i];
+  for (std::size_t i = 0; i < std::min<std::size_t>(degree, 3) && degree - i > 2; ++i) c[degree - i] = from_end[i];
+  if (degree == 6) {
+    c[3] = 7.0 * (b.position - a.position) / h;
+    for (std::size_t i = 0; i <= degree; ++i)
+      if (i != 3) c[3] -= c[i];
+  }
+  return c;
+}
+
 }  // namespace
+
+HullDerivatives derivatives_of(const BernsteinForm& form, std::size_t degree, double duration) {
+  HullDerivatives all{HullPolynomial{form, degree}};
+  for (std::size_t order = 1; order < all.size(); ++order) {
+    const HullPolynomial& before = all[order - 1];
+    HullPolynomial& next = all[order];
+    next.degree = before.degree > 0 ? before.degree - 1 : 0;
+    const double factor = static_cast<double>(before.degree) / duration;
+    for (std::size_t i = 0; i < before.degree; ++i)
+      next.form.coefficients[i] = factor * (before.form.coefficients[i + 1] - before.form.coefficients[i]);
+  }
+  return all;
+}
+
+HullPolynomial restricted(HullPolynomial p, double start, double end) {
+  auto& c = p.form.coefficients;
+  for (std::size_t r = 1; r <= p.degree; ++r)
+    for (std::size_t i = p.degree; i >= r; --i) c[i] = (1.0 - end) * c[i - 1] + end * c[i];
+  const double place = end > 0.0 ? start / end : 0.0;
+  for (std::size_t r = 1; r <= p.degree; ++r)
+    for (std::size_t i = 0; i + r <= p.degree; ++i) c[i] = (1.0 - place) * c[i] + place * c[i + 1];
+  return p;
+}
+
+double largest(const HullPolynomial& p) {
+  double value = 0.0;
+  for (std::size_t i = 0; i <= p.degree; ++i) value = std::max(value, std::abs(p.form.coefficients[i]));
+  return value;
+}
+
+Eigen::Vector3d coefficient(const HullVector& components, std::size_t i) {
+  return {components[0].form.coefficients[i], components[1].form.coefficients[i], components[2].form.coefficients[i]};
+}
+
+double longest(const HullVector& components) {
+  double length = 0.0;
+  for (std::size_t i = 0; i <= components[0].degree; ++i) length = std::max(length, coefficient(components, i).norm());
+  return length;
+}
 
 std::optional<SegmentHull> SegmentHull::of(const SegmentForm& form, double duration) {
   SegmentHull hull;
@@ -179,6 +243,38 @@ HullBounds SegmentHull::chart_on(double start, double end) const {
   }
   const auto half = [&](std::size_t order) { return 0.5 * longest(restricted(parts_, order, start, end)); };
   return bounds_of(speed, change + speed * turning, {0.0, 0.5 * speed, 0.5 * change, half(3), half(4), half(5)});
+}
+
+std::optional<PathHull> PathHull::of(const AnyPath& path, std::size_t segment) {
+  if (path.degree() < 1 || path.degree() > static_cast<int>(form_degree)) return std::nullopt;
+  const auto degree = static_cast<std::size_t>(path.degree() - 1);
+  const KnotSpan span = path.knots().span(segment);
+  const LinearMotion start = path.linear_motion_on(segment, span.start()),
+                     end = path.linear_motion_on(segment, span.end());
+  const auto c = coefficients_of(degree, start, end, span.step());
+  PathHull hull;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    BernsteinForm form;
+    for (std::size_t i = 0; i <= degree; ++i) form.coefficients[i] = c[i][static_cast<Eigen::Index>(axis)];
+    const HullDerivatives derivatives = derivatives_of(form, degree, span.step());
+    hull.velocity_[axis] = derivatives[0];
+    hull.acceleration_[axis] = derivatives[1];
+  }
+  const double size = std::max(start.position.norm(), end.position.norm()) / span.step();
+  hull.rounding_[0] = path_rounding_share * (size + longest(hull.velocity_));
+  hull.rounding_[1] =
+      path_rounding_share * static_cast<double>(path.degree()) * (size + longest(hull.velocity_)) / span.step();
+  return hull;
+}
+
+double PathHull::bound(const LimitedQuantity& quantity, double start, double end) const {
+  const bool is_speed = quantity.vector == LimitedQuantity::Vector::speed;
+  const HullVector& whole = is_speed ? velocity_ : acceleration_;
+  const double rounding = rounding_[is_speed ? 0 : 1];
+  if (quantity.axis) return largest(restricted(whole[*quantity.axis], start, end)) + rounding;
+  return longest(
+             {restricted(whole[0], start, end), restricted(whole[1], start, end), restricted(whole[2], start, end)}) +
+         rounding;
 }
 
 }}  // namespace orispline

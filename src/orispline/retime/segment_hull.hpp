@@ -2,11 +2,36 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 
-#include <orispline/retime/hull_polynomial.hpp>
+#include <orispline/curve/path.hpp>
+#include <orispline/curve/segment_form.hpp>
+#include <orispline/retime/motion_limits.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
+
+/// A polynomial of u in [0, 1], in Bernstein form: its values lie in the hull of its coefficients.
+struct HullPolynomial {
+  BernsteinForm form;
+  std::size_t degree;
+};
+using HullDerivatives = std::array<HullPolynomial, 6>;  ///< in time, of orders 0 to 5
+using HullVector = std::array<HullPolynomial, 3>;       ///< components, of one degree
+
+/// `duration` [s], of u from 0 to 1.
+[[nodiscard]] HullDerivatives derivatives_of(const BernsteinForm& form, std::size_t degree, double duration);
+
+/// The same polynomial over a part of [0, 1], by de Casteljau's algorithm.
+[[nodiscard]] HullPolynomial restricted(HullPolynomial p, double start, double end);
+
+/// The size that no value exceeds.
+[[nodiscard]] double largest(const HullPolynomial& p);
+
+[[nodiscard]] Eigen::Vector3d coefficient(const HullVector& components, std::size_t i);
+
+/// The length that no vector of these components exceeds.
+[[nodiscard]] double longest(const HullVector& components);
 
 /// What the motion is nowhere above: |ω| [rad/s], |α| [rad/s²], the jerk [rad/s³] and the snap, its derivative
 /// [rad/s⁴].
@@ -37,6 +62,20 @@ class SegmentHull {
   std::array<HullDerivatives, 4> parts_{};
   // Of a product: lengths of the increments, and of what they have along the second one and across it.
   std::array<double, 3> lengths_{}, along_{}, across_{};
+};
+
+/// The velocity of a path on one segment, a polynomial in Bernstein form.
+class PathHull {
+ public:
+  /// Nothing for a path that is not of polynomials of degree 7 at most.
+  [[nodiscard]] static std::optional<PathHull> of(const AnyPath& path, std::size_t segment);
+
+  /// What a quantity of the position is nowhere above for u from `start` to `end` in [0, 1].
+  [[nodiscard]] double bound(const LimitedQuantity& quantity, double start, double end) const;
+
+ private:
+  HullVector velocity_{}, acceleration_{};
+  double rounding_[2]{};  // of velocity and acceleration
 };
 
 }}  // namespace orispline

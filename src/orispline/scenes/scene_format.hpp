@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include <orispline/base/expected.hpp>
-#include <orispline/clip/channel.hpp>
+#include <orispline/clip/clip.hpp>
 #include <orispline/math/euler.hpp>
 #include <orispline/scenes/scene.hpp>
 

@@ -33,11 +33,11 @@ class SumOfSquares {
 };
 
 /// The sum at the present state.
-[[nodiscard]] ORISPLINE_EXPORT double value_of(const SumOfSquares& sum);
+[[nodiscard]] double value_of(const SumOfSquares& sum);
 
 /// One Gauss–Newton step from the present state: to the minimum itself where the residuals are affine. Linear time.
-[[nodiscard]] ORISPLINE_EXPORT std::vector<double> newton_step(const SumOfSquares& sum, std::size_t variables,
-                                                               std::span<const std::size_t> held = {});
+[[nodiscard]] std::vector<double> newton_step(const SumOfSquares& sum, std::size_t variables,
+                                              std::span<const std::size_t> held = {});
 
 /// A Gauss–Newton step, and by how much it lowers the sum to second order. Variables at a bound that keeps them from
 /// going down stay.
@@ -46,8 +46,8 @@ struct Descent {
   double decrease;
 };
 /// From these values, which are the present state.
-[[nodiscard]] ORISPLINE_EXPORT Descent descent(const SumOfSquares& sum, std::span<const double> values,
-                                               std::span<const Interval> bounds);
+[[nodiscard]] Descent descent(const SumOfSquares& sum, std::span<const double> values,
+                              std::span<const Interval> bounds);
 
 /// When a search for the least sum ends.
 struct SearchEnd {
@@ -64,8 +64,7 @@ struct Minimum {
 /// Gauss–Newton steps with exact derivatives from the start, which is brought within the bounds, each halved until the
 /// sum is lower and stopped at the bounds, until the sum is at rest. Moves the sum there. Every step is a piece of the
 /// work; ends early where that is stopped.
-[[nodiscard]] ORISPLINE_EXPORT Minimum minimised(SumOfSquares& sum, std::vector<double> start,
-                                                 std::span<const Interval> bounds, const SearchEnd& end,
-                                                 OpenEndedWork& work);
+[[nodiscard]] Minimum minimised(SumOfSquares& sum, std::vector<double> start, std::span<const Interval> bounds,
+                                const SearchEnd& end, OpenEndedWork& work);
 
 }}  // namespace orispline

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/families/global_c2.hpp>
 #include <orispline/families/nu.hpp>
-#include <orispline/tune/moving_controls.hpp>
 #include <orispline/tune/solved_construction.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {

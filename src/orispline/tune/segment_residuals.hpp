@@ -2,11 +2,32 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
-#include <orispline/tune/objective.hpp>
+#include <orispline/curve/keyframe.hpp>
 #include <orispline/tune/tension_model.hpp>
+#include <orispline/tune/tune.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
+
+/// An orientation that the curve should pass at u in [0, 1] of a segment.
+struct ReferenceSample {
+  double u;
+  Eigen::Quaterniond orientation;
+};
+
+/// An objective with all that it needs.
+struct Goal {
+  Objective objective = Objective::linearised;
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Identity();          ///< [kg m²], body frame; of the torque
+  std::vector<std::vector<ReferenceSample>> reference_samples{};  ///< by segment; of the fit
+  std::size_t sample_count = 0;
+};
+
+/// So much of an objective is rounding of the keys, and no gain.
+///
+/// The rates of a segment are as uncertain as those of the shortest step beside it.
+[[nodiscard]] double rounding_of(const Goal& goal, const Keyframes& keys) noexcept;
 
 /// How many residuals a segment has: the sum of their squares is what it adds to the objective.
 [[nodiscard]] std::size_t residual_count(const Goal& goal, std::size_t segment);

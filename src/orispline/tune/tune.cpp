@@ -10,8 +10,7 @@
 #include <orispline/families/method_warnings.hpp>
 #include <orispline/families/recipe.hpp>
 #include <orispline/families/registry.hpp>
-#include <orispline/tune/construction_sum.hpp>
-#include <orispline/tune/tension_sum.hpp>
+#include <orispline/tune/objective_sums.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 

@@ -7,12 +7,23 @@
 #include <vector>
 
 #include <orispline/analysis/distance.hpp>
+#include <orispline/base/interval.hpp>
 #include <orispline/base/progress.hpp>
+#include <orispline/base/warning.hpp>
+#include <orispline/curve/method.hpp>
 #include <orispline/curve/track.hpp>
-#include <orispline/tune/least_squares.hpp>
-#include <orispline/tune/objective.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
+
+/// What tuning makes as small as it can.
+enum class Objective {
+  linearised,    ///< ∫|Σ β̃_k'' φ_k|² dt [rad²/s³]: ∫|α|² less what the factors turn each other
+  acceleration,  ///< ∫|α|² dt [rad²/s³]
+  torque,        ///< ∫|J α + ω × J ω|² dt, body frame [(kg m²)² rad²/s³ = N² m² s]
+  jerk,          ///< ∫|dα/dt|² dt, body frame [rad²/s⁵]
+  curvature,     ///< ∫|κ|² ds = ∫|α⊥|²/|ω|³ dt [1/rad], of the path whatever its speed: PathShape
+  fit,           ///< mean square of the angle to a reference [rad²]
+};
 
 /// How tensions are sought.
 struct TuneOptions {

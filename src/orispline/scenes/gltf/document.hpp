@@ -9,9 +9,7 @@
 
 #include <orispline/base/expected.hpp>
 #include <orispline/base/warning.hpp>
-#include <orispline/clip/channel.hpp>
 #include <orispline/clip/clip.hpp>
-#include <orispline/clip/skeleton.hpp>
 #include <orispline/scenes/gltf/json.hpp>
 #include <orispline/scenes/scene_format.hpp>
 

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <orispline/analysis/compared_method.hpp>
+#include <orispline/base/abi.hpp>
+#include <orispline/curve/pose_curve.hpp>
+#include <orispline/curve/track.hpp>
+#include <orispline/reduce/reduce.hpp>
+#include <orispline/report/page.hpp>
+#include <orispline/retime/retime.hpp>
+#include <orispline/smooth/smooth.hpp>
+
+namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {
+
+/// What a page says about its making, which only the caller knows.
+struct PageHead {
+  std::string title{};               ///< in the place of the one that the page gives itself; empty: that one
+  std::string command{};             ///< the command line that makes the page again
+  std::string date{};                ///< of the making, as it is to be read
+  std::vector<std::string> notes{};  ///< sentences that stand before those of the page, such as warnings
+};
+
+/// The page to look at of one curve: its motion with the keys, and the measures of its shape. With an inertia [kg m²]
+/// its torques are shown and measured too. Errors: those of make_pose_curve().
+[[nodiscard]] ORISPLINE_EXPORT Expected<report::Page> motion_page(const Track& track, const Method& method,
+                                                                  const PageHead& head,
+                                                                  const std::optional<Eigen::Matrix3d>& inertia = {});
+
+/// A curve of any making, with the keys that it is for.
+struct NamedCurve {
+  std::string name;  ///< unlike those beside it
+  Keyframes keys;
+  PoseCurve curve;
+};
+
+/// The page to look at of curves side by side, one at least, each with its own keys, with the measures of their shapes.
+/// With a truth, orientations over time, it has the angles of all of them to it. Its title is that of the head.
+[[nodiscard]] ORISPLINE_EXPORT report::Page curves_page(std::span<const NamedCurve> curves, const PageHead& head,
+                                                        const Keyframes& truth = {});
+
+/// Methods on sets of keys, with what they were compared with.
+struct ComparedCurves {
+  std::span<const ComparedMethod> methods;  ///< one at least; those on the first set of keys stand first
+  RecordedMotion recording;
+  Decimal epoch{};                           ///< of all times [s]
+  std::vector<std::string> key_sets{};       ///< their names: the columns of all but the first say them
+  std::vector<std::string> named{};          ///< labels of the methods that somebody asked for by name, in that order
+  std::vector<MeasureInfo> measures{};       ///< that were taken
+  std::string_view sorted_by{};              ///< the word of one of them; empty: as the methods stand
+  std::optional<Eigen::Matrix3d> inertia{};  ///< [kg m²]: torques are shown too
+};
+
+/// The page to look at: the curves through the first set of keys, the measures on all sets. On up to `threads` threads;
+/// 0: one per core.
+///
+/// At first it shows the default method beside the first one that was named, else beside that of the widely used
+/// splines which stands last. Without the default method the best one takes its place.
+[[nodiscard]] ORISPLINE_EXPORT report::Page compare_page(const ComparedCurves& compared, const PageHead& head,
+                                                         unsigned threads = 0);
+
+/// The page to look at: the smoothed motion beside the recording as it was read.
+[[nodiscard]] ORISPLINE_EXPORT report::Page smooth_page(const Track& recording, const Smoothing& smoothing,
+                                                        const PageHead& head);
+
+/// The page to look at: the recording that was reduced, and the curves of all reductions, one at least, the smallest
+/// first. `smoothing_time`: that the recording was smoothed with before [s].
+[[nodiscard]] ORISPLINE_EXPORT report::Page reduce_page(const Track& recording, std::span<const Reduction> reductions,
+                                                        const ReduceOptions& options, const PageHead& head,
+                                                        std::optional<double> smoothing_time = std::nullopt);
+
+/// The page to look at: the motion as it was and as it is slowed, with the limits.
+[[nodiscard]] ORISPLINE_EXPORT report::Page retime_page(const Track& before, const Retiming& retiming,
+                                                        const MotionLimits& limits, const PageHead& head);
+
+}}}  // namespace orispline::pages
