@@ -3,10 +3,11 @@
 """Builds the Python package, and on demand tests it: build.py FOLDER [PREFIX] [--sdist] [--test] [--docs] [--stub] [--or-skip]
 
 The wheel goes into FOLDER/dist, by the tools in the virtual environment FOLDER/venv, where it is installed with what its tests
-need. With PREFIX, where an orispline is installed, only the module is compiled, else the library too. On Linux the wheel is
-the one that auditwheel repaired, and abi3audit has checked it.
+need; the environment is made anew only when what it is made from has changed. With PREFIX, where an orispline is installed, only
+the module is compiled, else the library too. On Linux the wheel is the one that auditwheel repaired, and abi3audit has checked it.
 """
 import argparse
+import hashlib
 import os
 import pathlib
 import shutil
@@ -16,12 +17,8 @@ import sysconfig
 import venv
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+COMPLETE = "complete"  # a file in an environment, made last
 SIDE_BY_SIDE = ["-n", min(os.cpu_count() or 1, 4), "--dist", "loadgroup"]  # conftest.py groups the tests
-
-
-def groups_for(docs):
-    """Those of [dependency-groups] that are of use: Spark needs Java."""
-    return ["build", "test", *(["docs"] if docs else []), *(["spark"] if shutil.which("java") else [])]
 
 
 class Missing(Exception):
@@ -32,35 +29,52 @@ def run(*words, **options):
     subprocess.run([str(word) for word in words], check=True, **options)
 
 
-def made(folder):
-    """The Python of the virtual environment, which is made where it is not there."""
+def packages():
+    """What the environment holds, as pip takes it: Spark is of use where there is Java."""
+    import tomllib
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))
+    groups = ["build", "test", "docs", *(["spark"] if shutil.which("java") else [])]
+    return [*project["build-system"]["requires"], *project["project"]["dependencies"],
+            *(package for group in groups for package in project["dependency-groups"][group])]
+
+
+def place_for(room, wanted):
+    """The environment of these packages: its name is the hash of all that it is made from. It cannot be moved."""
+    made_from = [sys.version, os.path.realpath(sys.executable), str(room), *sorted(wanted)]
+    return room / hashlib.sha256("\n".join(made_from).encode()).hexdigest()[:16]
+
+
+def make(place, wanted):
+    """A new virtual environment with these packages. That it is complete is noted last."""
+    shutil.rmtree(place, ignore_errors=True)
+    try:
+        venv.create(place, with_pip=True)
+    except subprocess.CalledProcessError:
+        raise Missing("found no ensurepip, wanted Python's module venv (Debian's python3-venv)") from None
+    if subprocess.run([place / "bin/python", "-m", "pip", "install", "--quiet", "--disable-pip-version-check", *wanted], check=False).returncode:
+        raise Missing("found no package index with " + ", ".join(wanted))
+    (place / COMPLETE).touch()
+
+
+def environment(folder):
+    """The Python of the environment to build and test in, to which FOLDER/venv leads. It is kept as long as it would be made
+    the same again; those that would not are removed."""
     if sys.version_info < (3, 11):
         raise Missing(f"found Python {sys.version.split()[0]}, wanted 3.11 or later to build with")
     if not (pathlib.Path(sysconfig.get_path("include")) / "Python.h").exists():
         raise Missing("found no Python.h, wanted Python's headers (Debian's python3-dev)")
-    python = folder / "bin/python"
-    if not python.exists():
-        try:
-            venv.create(folder, with_pip=True, clear=True)
-        except subprocess.CalledProcessError:
-            shutil.rmtree(folder)
-            raise Missing("found no ensurepip, wanted Python's module venv (Debian's python3-venv)") from None
-    return python
-
-
-def environment(folder, groups):
-    """Its Python, with the packages of these groups; the index is asked only where they have changed."""
-    python = made(folder)
-    import tomllib
-    project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))
-    wanted = [*project["build-system"]["requires"], *project["project"]["dependencies"],
-              *(package for group in groups for package in project["dependency-groups"][group])]
-    stamp = folder / "packages.txt"
-    if not stamp.exists() or not set(wanted) <= set(stamp.read_text("utf-8").splitlines()):
-        if subprocess.run([python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", *wanted], check=False).returncode:
-            raise Missing("found no package index with " + ", ".join(wanted))
-        stamp.write_text("\n".join(wanted), "utf-8")
-    return python
+    room, link = folder / "environments", folder / "venv"
+    wanted = packages()
+    place = place_for(room, wanted)
+    for old in set(room.glob("*")) - {place}:
+        shutil.rmtree(old)
+    if not (place / COMPLETE).exists():
+        make(place, wanted)
+    if not link.is_symlink():  # an environment from before they had names
+        shutil.rmtree(link, ignore_errors=True)
+    link.unlink(missing_ok=True)
+    link.symlink_to(place.relative_to(folder))
+    return place / "bin/python"
 
 
 def repaired(python, wheel, dist):
@@ -101,7 +115,7 @@ def main():
     options = parser.parse_args()
     folder = options.folder.resolve()
     try:
-        python = environment(folder / "venv", groups_for(options.docs))
+        python = environment(folder)
     except Missing as missing:
         sys.exit(print(f"Python package: skipped: {missing}") if options.or_skip else f"build.py: {missing}")
     wheel = built(python, folder, options.prefix, options.sdist)
