@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Builds the Python package, and on demand tests it: build.py FOLDER [PREFIX] [--sdist] [--test] [--docs] [--stub] [--or-skip]
+"""Builds the Python package, and on demand tests it: build.py FOLDER [PREFIX] [--sdist] [--test] [--timing] [--docs] [--stub] [--or-skip]
 
 The wheel goes into FOLDER/dist, by the tools in the virtual environment FOLDER/venv, where it is installed with what its tests
 need; the environment is made anew only when what it is made from has changed. With PREFIX, where an orispline is installed, only
@@ -15,8 +15,10 @@ import subprocess
 import sys
 import sysconfig
 import venv
+import zipfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+BUDGET = {"wheel": 10_260_000, "module": 4_400_000}  # bytes, compressed: a quarter above version 0.1.0
 COMPLETE = "complete"  # a file in an environment, made last
 SIDE_BY_SIDE = ["-n", min(os.cpu_count() or 1, 4), "--dist", "loadgroup"]  # conftest.py groups the tests
 
@@ -103,12 +105,29 @@ def built(python, folder, prefix, sdist):
     return repaired(python, wheel, dist) if sys.platform == "linux" else shutil.copy(wheel, dist)
 
 
+def report_sizes(wheel):
+    """Says what the wheel and the module in it take. Ends the program where that is more than its budget."""
+    with zipfile.ZipFile(wheel) as archive:
+        module = sum(entry.compress_size for entry in archive.infolist() if entry.filename.endswith((".so", ".pyd")))
+    sizes = {"wheel": wheel.stat().st_size, "module": module}
+    print(f"{wheel.name}: " + ", ".join(f"{name} {size / 1e6:.2f} MB of {BUDGET[name] / 1e6:.2f}" for name, size in sizes.items()), flush=True)
+    if any(size > BUDGET[name] for name, size in sizes.items()):
+        sys.exit("build.py: found the package larger than its budget, wanted what has made it grow, or a larger BUDGET")
+
+
+def tested(python, wheel, *words):
+    """What the tests of tests/python end with."""
+    command = [python, "-m", "pytest", "-q", "-p", "no:cacheprovider", *words, ROOT / "tests/python"]
+    return subprocess.run([str(word) for word in command], env=os.environ | {"ORISPLINE_WHEEL": str(wheel)}, check=False).returncode
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("prefix", type=pathlib.Path, nargs="?")
     parser.add_argument("--sdist", action="store_true", help="the source beside the wheel")
     parser.add_argument("--test", action="store_true", help="then the tests of tests/python")
+    parser.add_argument("--timing", action="store_true", help="then those that measure time, one by one: for a quiet machine")
     parser.add_argument("--docs", action="store_true", help="then the reference, in FOLDER/reference")
     parser.add_argument("--stub", action="store_true", help="write orispline/_core.pyi anew in the source")
     parser.add_argument("--or-skip", action="store_true", help="succeed where what building needs is not here, and say so")
@@ -120,14 +139,13 @@ def main():
         sys.exit(print(f"Python package: skipped: {missing}") if options.or_skip else f"build.py: {missing}")
     wheel = built(python, folder, options.prefix, options.sdist)
     run(python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--force-reinstall", "--no-deps", wheel)
-    print(f"{wheel.name}: {wheel.stat().st_size / 1e6:.2f} MB, installed in {folder / 'venv'}", flush=True)
+    report_sizes(wheel)
     if options.stub:
         run(python, ROOT / "tools/make_python_stub.py", ROOT / "bindings/python/orispline/_core.pyi")
     if options.docs:
         run(python, "-m", "sphinx", "-W", "--keep-going", "-q", ROOT / "bindings/python/reference", folder / "reference")
-    if options.test:
-        tests = [python, "-m", "pytest", "-q", "-p", "no:cacheprovider", *SIDE_BY_SIDE, ROOT / "tests/python"]
-        sys.exit(subprocess.run([str(word) for word in tests], env=os.environ | {"ORISPLINE_WHEEL": str(wheel)}, check=False).returncode)
+    runs = [words for wanted, words in ((options.test, SIDE_BY_SIDE), (options.timing, ["-m", "timing"])) if wanted]
+    sys.exit(max((tested(python, wheel, *words) for words in runs), default=0))
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The environment in which build.py builds and tests is made once for what it is made from."""
+"""What build.py does besides building: the environment is made once for what it is made from, and sizes have a budget."""
 import importlib.util
+import zipfile
 
 import pytest
 from conftest import ROOT
@@ -65,3 +66,16 @@ def test_one_from_before_they_had_names_gives_way(build, tmp_path):
     (tmp_path / "venv/bin").mkdir(parents=True)
     python = build.environment(tmp_path)
     assert (tmp_path / "venv").is_symlink() and (tmp_path / "venv/bin").samefile(python.parent)
+
+
+@pytest.mark.parametrize("part", ["wheel", "module"])
+def test_a_package_above_its_budget_is_refused(part, build, tmp_path, monkeypatch, capsys):
+    wheel = tmp_path / "orispline.whl"
+    with zipfile.ZipFile(wheel, "w") as archive:
+        archive.writestr("orispline/_core.abi3.so", bytes(4_000_000))
+        archive.writestr("orispline/bin/orispline", bytes(5_000_000))
+    build.report_sizes(wheel)
+    assert capsys.readouterr().out == "orispline.whl: wheel 9.00 MB of 10.26, module 4.00 MB of 4.40\n"
+    monkeypatch.setitem(build.BUDGET, part, 3_999_999)
+    with pytest.raises(SystemExit, match="found the package larger than its budget"):
+        build.report_sizes(wheel)
