@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Builds the Python package, and on demand tests it: build.py FOLDER [PREFIX] [--sdist] [--test] [--docs] [--stub] [--or-skip]
+"""Builds the Python package, and on demand tests it: build.py FOLDER [PREFIX] [--sdist] [--test] [--timing] [--docs] [--stub] [--or-skip]
 
 The wheel goes into FOLDER/dist, by the tools in the virtual environment FOLDER/venv, where it is installed with what its tests
-need. With PREFIX, where an orispline is installed, only the module is compiled, else the library too. On Linux the wheel is
-the one that auditwheel repaired, and abi3audit has checked it.
+need; the environment is made anew only when what it is made from has changed. With PREFIX, where an orispline is installed, only
+the module is compiled, else the library too. On Linux the wheel is the one that auditwheel repaired, and abi3audit has checked it.
 """
 import argparse
+import hashlib
 import os
 import pathlib
 import shutil
@@ -14,14 +15,12 @@ import subprocess
 import sys
 import sysconfig
 import venv
+import zipfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+BUDGET = {"wheel": 10_260_000, "module": 4_400_000}  # bytes, compressed: a quarter above version 0.1.0
+COMPLETE = "complete"  # a file in an environment, made last
 SIDE_BY_SIDE = ["-n", min(os.cpu_count() or 1, 4), "--dist", "loadgroup"]  # conftest.py groups the tests
-
-
-def groups_for(docs):
-    """Those of [dependency-groups] that are of use: Spark needs Java."""
-    return ["build", "test", *(["docs"] if docs else []), *(["spark"] if shutil.which("java") else [])]
 
 
 class Missing(Exception):
@@ -32,35 +31,52 @@ def run(*words, **options):
     subprocess.run([str(word) for word in words], check=True, **options)
 
 
-def made(folder):
-    """The Python of the virtual environment, which is made where it is not there."""
+def packages():
+    """What the environment holds, as pip takes it: Spark is of use where there is Java."""
+    import tomllib
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))
+    groups = ["build", "test", "docs", *(["spark"] if shutil.which("java") else [])]
+    return [*project["build-system"]["requires"], *project["project"]["dependencies"],
+            *(package for group in groups for package in project["dependency-groups"][group])]
+
+
+def place_for(room, wanted):
+    """The environment of these packages: its name is the hash of all that it is made from. It cannot be moved."""
+    made_from = [sys.version, os.path.realpath(sys.executable), str(room), *sorted(wanted)]
+    return room / hashlib.sha256("\n".join(made_from).encode()).hexdigest()[:16]
+
+
+def make(place, wanted):
+    """A new virtual environment with these packages. That it is complete is noted last."""
+    shutil.rmtree(place, ignore_errors=True)
+    try:
+        venv.create(place, with_pip=True)
+    except subprocess.CalledProcessError:
+        raise Missing("found no ensurepip, wanted Python's module venv (Debian's python3-venv)") from None
+    if subprocess.run([place / "bin/python", "-m", "pip", "install", "--quiet", "--disable-pip-version-check", *wanted], check=False).returncode:
+        raise Missing("found no package index with " + ", ".join(wanted))
+    (place / COMPLETE).touch()
+
+
+def environment(folder):
+    """The Python of the environment to build and test in, to which FOLDER/venv leads. It is kept as long as it would be made
+    the same again; those that would not are removed."""
     if sys.version_info < (3, 11):
         raise Missing(f"found Python {sys.version.split()[0]}, wanted 3.11 or later to build with")
     if not (pathlib.Path(sysconfig.get_path("include")) / "Python.h").exists():
         raise Missing("found no Python.h, wanted Python's headers (Debian's python3-dev)")
-    python = folder / "bin/python"
-    if not python.exists():
-        try:
-            venv.create(folder, with_pip=True, clear=True)
-        except subprocess.CalledProcessError:
-            shutil.rmtree(folder)
-            raise Missing("found no ensurepip, wanted Python's module venv (Debian's python3-venv)") from None
-    return python
-
-
-def environment(folder, groups):
-    """Its Python, with the packages of these groups; the index is asked only where they have changed."""
-    python = made(folder)
-    import tomllib
-    project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))
-    wanted = [*project["build-system"]["requires"], *project["project"]["dependencies"],
-              *(package for group in groups for package in project["dependency-groups"][group])]
-    stamp = folder / "packages.txt"
-    if not stamp.exists() or not set(wanted) <= set(stamp.read_text("utf-8").splitlines()):
-        if subprocess.run([python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", *wanted], check=False).returncode:
-            raise Missing("found no package index with " + ", ".join(wanted))
-        stamp.write_text("\n".join(wanted), "utf-8")
-    return python
+    room, link = folder / "environments", folder / "venv"
+    wanted = packages()
+    place = place_for(room, wanted)
+    for old in set(room.glob("*")) - {place}:
+        shutil.rmtree(old)
+    if not (place / COMPLETE).exists():
+        make(place, wanted)
+    if not link.is_symlink():  # an environment from before they had names
+        shutil.rmtree(link, ignore_errors=True)
+    link.unlink(missing_ok=True)
+    link.symlink_to(place.relative_to(folder))
+    return place / "bin/python"
 
 
 def repaired(python, wheel, dist):
@@ -89,31 +105,47 @@ def built(python, folder, prefix, sdist):
     return repaired(python, wheel, dist) if sys.platform == "linux" else shutil.copy(wheel, dist)
 
 
+def report_sizes(wheel):
+    """Says what the wheel and the module in it take. Ends the program where that is more than its budget."""
+    with zipfile.ZipFile(wheel) as archive:
+        module = sum(entry.compress_size for entry in archive.infolist() if entry.filename.endswith((".so", ".pyd")))
+    sizes = {"wheel": wheel.stat().st_size, "module": module}
+    print(f"{wheel.name}: " + ", ".join(f"{name} {size / 1e6:.2f} MB of {BUDGET[name] / 1e6:.2f}" for name, size in sizes.items()), flush=True)
+    if any(size > BUDGET[name] for name, size in sizes.items()):
+        sys.exit("build.py: found the package larger than its budget, wanted what has made it grow, or a larger BUDGET")
+
+
+def tested(python, wheel, *words):
+    """What the tests of tests/python end with."""
+    command = [python, "-m", "pytest", "-q", "-p", "no:cacheprovider", *words, ROOT / "tests/python"]
+    return subprocess.run([str(word) for word in command], env=os.environ | {"ORISPLINE_WHEEL": str(wheel)}, check=False).returncode
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("prefix", type=pathlib.Path, nargs="?")
     parser.add_argument("--sdist", action="store_true", help="the source beside the wheel")
     parser.add_argument("--test", action="store_true", help="then the tests of tests/python")
+    parser.add_argument("--timing", action="store_true", help="then those that measure time, one by one: for a quiet machine")
     parser.add_argument("--docs", action="store_true", help="then the reference, in FOLDER/reference")
     parser.add_argument("--stub", action="store_true", help="write orispline/_core.pyi anew in the source")
     parser.add_argument("--or-skip", action="store_true", help="succeed where what building needs is not here, and say so")
     options = parser.parse_args()
     folder = options.folder.resolve()
     try:
-        python = environment(folder / "venv", groups_for(options.docs))
+        python = environment(folder)
     except Missing as missing:
         sys.exit(print(f"Python package: skipped: {missing}") if options.or_skip else f"build.py: {missing}")
     wheel = built(python, folder, options.prefix, options.sdist)
     run(python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--force-reinstall", "--no-deps", wheel)
-    print(f"{wheel.name}: {wheel.stat().st_size / 1e6:.2f} MB, installed in {folder / 'venv'}", flush=True)
+    report_sizes(wheel)
     if options.stub:
         run(python, ROOT / "tools/make_python_stub.py", ROOT / "bindings/python/orispline/_core.pyi")
     if options.docs:
         run(python, "-m", "sphinx", "-W", "--keep-going", "-q", ROOT / "bindings/python/reference", folder / "reference")
-    if options.test:
-        tests = [python, "-m", "pytest", "-q", "-p", "no:cacheprovider", *SIDE_BY_SIDE, ROOT / "tests/python"]
-        sys.exit(subprocess.run([str(word) for word in tests], env=os.environ | {"ORISPLINE_WHEEL": str(wheel)}, check=False).returncode)
+    runs = [words for wanted, words in ((options.test, SIDE_BY_SIDE), (options.timing, ["-m", "timing"])) if wanted]
+    sys.exit(max((tested(python, wheel, *words) for words in runs), default=0))
 
 
 if __name__ == "__main__":

@@ -2,10 +2,8 @@
 """Baked curves: their tolerance, their rates, and storing them."""
 import copy
 import pickle
-import signal
 import subprocess
 import sys
-import time
 
 import numpy as np
 import orispline as ori
@@ -163,31 +161,3 @@ def test_a_tolerance_that_cannot_be_reached_names_the_key():
     with pytest.raises(ori.ArgumentError, match="ask for a larger tolerance") as found:
         curve.bake(1e-6)
     assert found.value.key == 0
-
-
-@pytest.mark.skipif(sys.platform == "win32", reason="sends SIGINT to a process")
-def test_ctrl_c_stops_it_soon():
-    program = """
-import signal, time, orispline as ori
-from scipy.spatial.transform import Rotation
-# Two keys so close that a single segment takes seconds.
-curve = ori.Curve([0.0, 1.0, 1.0 + 1e-6, 2.0, 3.0], Rotation.random(5, random_state=3), "circular")
-def handler(number, frame):
-    global asked
-    asked = time.process_time()
-    raise KeyboardInterrupt
-signal.signal(signal.SIGINT, handler)  # also where the shell has it ignored, as behind &
-print("begun", flush=True)
-try:
-    curve.bake(1e-6)
-except KeyboardInterrupt:
-    print("stopped", time.process_time() - asked, flush=True)
-"""
-    with subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, text=True) as process:
-        assert process.stdout.readline() == "begun\n"
-        time.sleep(0.3)
-        assert process.poll() is None
-        process.send_signal(signal.SIGINT)
-        word, seconds = process.stdout.readline().split()
-        assert word == "stopped"
-        assert float(seconds) < 0.5  # of the processor, since others may work on it

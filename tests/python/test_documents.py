@@ -27,7 +27,7 @@ def test_blocks_run_one_after_the_other(document, tmp_path):
     assert blocks
     (tmp_path / "examples").symlink_to(ROOT / "examples")
     done = subprocess.run([sys.executable, "-W", "error", "-c", "\n".join(blocks)], cwd=tmp_path, capture_output=True, text=True,
-                          env={"MPLBACKEND": "Agg", "PATH": "/usr/bin:/bin"}, timeout=120)
+                          env={"MPLBACKEND": "Agg", "PATH": "/usr/bin:/bin"}, check=False)
     assert done.returncode == 0, done.stderr
     assert done.stderr == ""
     for shown in re.findall(r"^```text\n(.*?)^```$", (ROOT / document).read_text("utf-8"), re.MULTILINE | re.DOTALL):
@@ -39,7 +39,7 @@ def test_blocks_of_many_tracks_run_one_after_the_other(tmp_path):
     blocks = blocks_of("docs/scale.md")
     runs = [block for block in blocks if "spark" not in block] if shutil.which("java") is None else blocks
     assert len(runs) >= 6 and len(blocks) == len(re.findall("^```python$", (ROOT / "docs/scale.md").read_text("utf-8"), re.MULTILINE)) - 3
-    done = subprocess.run([sys.executable, "-c", "\n".join(runs)], cwd=tmp_path, capture_output=True, text=True, timeout=300,
+    done = subprocess.run([sys.executable, "-c", "\n".join(runs)], cwd=tmp_path, capture_output=True, text=True, check=False,
                           env=os.environ | {"SPARK_LOCAL_IP": "127.0.0.1", "PYSPARK_PYTHON": sys.executable})
     assert done.returncode == 0, done.stderr
     for shown in re.findall(r"^```text\n(.*?)^```$", (ROOT / "docs/scale.md").read_text("utf-8"), re.MULTILINE | re.DOTALL):
@@ -57,6 +57,6 @@ def test_every_example_has_a_twin():
 
 @pytest.mark.parametrize("example", EXAMPLES, ids=lambda example: example.stem)
 def test_examples_print_what_their_twins_print(example, tmp_path):
-    done = subprocess.run([sys.executable, "-W", "error", example], cwd=tmp_path, capture_output=True, text=True, timeout=120)
+    done = subprocess.run([sys.executable, "-W", "error", example], cwd=tmp_path, capture_output=True, text=True, check=False)
     assert (done.returncode, done.stderr) == (0, "")
     assert done.stdout == (ROOT / "examples/expected" / f"{example.stem}.txt").read_text("utf-8")

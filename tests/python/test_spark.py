@@ -5,13 +5,11 @@ import pickle
 import signal
 import subprocess
 import sys
-import threading
-import time
 
 import numpy as np
 import orispline as ori
 import pytest
-from spark_cluster import processes
+from spark_cluster import killing_in_the_sixth_task
 from track_data import QUATERNION, expect_samples_of_curves, shuffled, table_of, tracks
 
 pa = pytest.importorskip("pyarrow")
@@ -19,12 +17,12 @@ pytest.importorskip("pyspark", reason="Spark: found no pyspark, wanted the depen
 import pyarrow.parquet as pq  # noqa: E402
 from orispline import tables  # noqa: E402
 
-MANY, BAD, FEW = 20_000, 20, 4000
+MANY, BAD, FEW = 2000, 20, 400
 
 
 @pytest.fixture(scope="module")
 def made():
-    """All tracks, of which every thousandth has two keys at the same time."""
+    """All tracks, of which every hundredth has two keys at the same time."""
     found = tracks(MANY, least=40)
     for track in range(7, MANY, MANY // BAD):
         found[track][0][30] = found[track][0][29]
@@ -77,28 +75,12 @@ def test_many_tracks_have_the_samples_of_their_curves(made, keys, frame, collect
     expect_samples_and_bad_tracks(collected(distributed.resample(frame(keys), by="track", rate=100)), made)
 
 
-def test_an_executor_that_is_killed_costs_no_row(made, keys, frame, collected, spark):
+def test_an_executor_that_is_killed_costs_no_row(made, keys, frame, collected, tmp_path):
     """Killed when some of the tracks are done: their rows are on the disk by then, or are made again."""
     from orispline import spark as distributed
-    tracker, killed, over = spark.sparkContext.statusTracker(), [], threading.Event()
-
-    def kill():
-        while not over.is_set() and not killed:
-            stages = [tracker.getStageInfo(stage) for stage in tracker.getActiveStageIds()]
-            if any(stage and 1 <= stage.numCompletedTasks < stage.numTasks and stage.numTasks == 8 for stage in stages):
-                killed.append(processes("CoarseGrainedExecutorBackend")[0])
-                os.kill(killed[0], signal.SIGKILL)
-            time.sleep(0.02)
-
-    killer = threading.Thread(target=kill)
-    df = distributed.resample(frame(keys).repartition(3), by="track", rate=100)
-    killer.start()
-    try:
-        found = collected(df)
-    finally:
-        over.set()
-        killer.join()
-    assert killed
+    df, mark = distributed.resample(frame(keys).repartition(3), by="track", rate=100), tmp_path / "killed"
+    found = collected(df.mapInArrow(killing_in_the_sixth_task(str(mark)), df.schema))
+    assert mark.exists()
     expect_samples_and_bad_tracks(found, made)
 
 
@@ -175,28 +157,36 @@ def test_rounds_that_are_done_are_not_done_again(frame, spark, tmp_path):
 
 
 KILLED = """
-import sys
+import os, sys
 sys.path.insert(0, {tests!r})
-from spark_cluster import started
+from spark_cluster import killing_in_the_sixth_task, started
 spark = started()
-import orispline.spark
-print("begins", flush=True)
-orispline.spark.resample_to(spark.read.parquet({keys!r}), {place!r}, rounds=4, rate=100)
+from orispline.spark import _rounds
+
+resample, calls = _rounds.resample, []
+
+def dying(df, **options):
+    calls.append(df)
+    found = resample(df, **options)
+    if len(calls) < 4:  # the check of the arguments and two rounds
+        return found
+    return found.mapInArrow(killing_in_the_sixth_task({mark!r}, os.getpgrp()), found.schema)
+
+_rounds.resample = dying
+_rounds.resample_to(spark.read.parquet({keys!r}), {place!r}, rounds=4, rate=100)
 """
 
 
 def test_a_killed_job_goes_on_where_it_was(made, keys, tmp_path, spark):
+    """Killed in the third of four rounds."""
     from orispline import spark as distributed
-    place, source = tmp_path / "killed", tmp_path / "keys.parquet"
+    place, source, mark = tmp_path / "killed", tmp_path / "keys.parquet", tmp_path / "mark"
     pq.write_table(keys.filter(pa.compute.field("track") < FEW), source)
-    code = KILLED.format(tests=os.path.dirname(__file__), keys=str(source), place=str(place))
-    job = subprocess.Popen([sys.executable, "-c", code], start_new_session=True, stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
-    while job.poll() is None and not list(place.glob("done/round=0/_SUCCESS")):
-        time.sleep(0.05)
-    os.killpg(job.pid, signal.SIGKILL)
-    assert job.wait() == -signal.SIGKILL, "the job was over before it could be killed"
+    code = KILLED.format(tests=os.path.dirname(__file__), keys=str(source), place=str(place), mark=str(mark))
+    job = subprocess.run([sys.executable, "-c", code], start_new_session=True, capture_output=True, text=True, check=False)
+    assert job.returncode == -signal.SIGKILL and mark.exists(), job.stderr
     done = {whole: whole.stat().st_mtime_ns for whole in place.glob("done/round=*/_SUCCESS")}
-    assert 1 <= len(done) < 4
+    assert len(done) == 2
     distributed.resample_to(spark.read.parquet(str(source)), str(place), rounds=4, rate=100)
     assert all(whole.stat().st_mtime_ns == at for whole, at in done.items())
     found = pq.read_table(place / "samples", partitioning=None).sort_by([("track", "ascending"), ("t", "ascending")])

@@ -39,7 +39,7 @@ df.write.parquet("keys")
 spark.conf.set("spark.sql.streaming.noDataMicroBatches.enabled", "false")
 live = distributed.resample_stream(spark.readStream.schema(df.schema).parquet("keys"), rate=30)
 query = live.writeStream.format("parquet").option("checkpointLocation", "notes").trigger(availableNow=True).start("live")
-assert query.awaitTermination(120)
+query.awaitTermination()
 assert 0 < spark.read.parquet("live").count() < samples.num_rows  # the last samples of each track wait for keys
 print("done")
 """
@@ -48,7 +48,7 @@ print("done")
 def test_a_client_of_spark_connect_has_the_rows_of_tables(tmp_path):
     if not shutil.which("java"):
         pytest.skip("Spark: found no Java, wanted 17 or later (Debian's openjdk-17-jre-headless)")
-    done = subprocess.run([sys.executable, "-c", CLIENT], cwd=tmp_path, capture_output=True, text=True, timeout=300,
+    done = subprocess.run([sys.executable, "-c", CLIENT], cwd=tmp_path, capture_output=True, text=True, check=False,
                           env=os.environ | {"SPARK_LOCAL_IP": "127.0.0.1", "PYSPARK_PYTHON": sys.executable,
                                             "PYTHONPATH": os.path.dirname(__file__)})
     assert "done" in done.stdout, done.stderr

@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
 """Live streams: what comes out of several triggers is what the batch job gives, once."""
-import time
-
 import numpy as np
 import pytest
 from track_data import QUATERNION, columns, rows_of, table_of, tracks
@@ -12,7 +10,7 @@ import pyarrow.parquet as pq  # noqa: E402
 from orispline import tables  # noqa: E402
 
 
-WITHIN = 90  # s
+MOST_BATCHES = 100  # for rows that wait until their track is idle
 
 
 class Stream:
@@ -24,7 +22,7 @@ class Stream:
         (folder / "in").mkdir()
 
     def trigger(self, table=None, least=0, **options):
-        """All rows so far in order, when these keys have come, and there are so many rows or it has been a long time."""
+        """All rows so far in order, when these keys have come, and there are so many rows or there have been many batches."""
         from orispline import spark as distributed
         if table is not None:
             pq.write_table(table, self._folder / f"in/{self._files}.parquet")
@@ -32,13 +30,13 @@ class Stream:
         keys = self._spark.readStream.schema(self._schema).parquet(str(self._folder / "in"))
         samples = distributed.resample_stream(keys, **{**self._options, **options})
         self._spark.conf.set("spark.sql.streaming.noDataMicroBatches.enabled", least > 0)  # they never end, and end idle tracks
-        wanted = {"processingTime": "1 second"} if least else {"availableNow": True}
+        wanted = {"processingTime": "200 milliseconds"} if least else {"availableNow": True}
         query = samples.writeStream.format("parquet").option("checkpointLocation", str(self._folder / "notes")).trigger(**wanted).start(
             str(self._folder / "out"))
         try:
-            end = time.monotonic() + WITHIN
-            while not query.awaitTermination(0.5) and time.monotonic() < end and (not least or self._rows(samples.schema).num_rows < least):
-                pass
+            while not query.awaitTermination(0.2):
+                if least and (self._rows(samples.schema).num_rows >= least or len(query.recentProgress) >= MOST_BATCHES):
+                    break
         finally:
             query.stop()
         return self._rows(samples.schema)

@@ -1,13 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tables with faults: bad tracks do not hinder the others, and everything else is said in one line."""
 import os
-import pathlib
 import re
 import resource
-import signal
 import subprocess
 import sys
-import time
+import tempfile
 
 import numpy as np
 import orispline as ori
@@ -18,7 +16,7 @@ pa = pytest.importorskip("pyarrow")
 pytest.importorskip("duckdb")
 import pyarrow.parquet as pq  # noqa: E402
 from orispline import tables  # noqa: E402
-from orispline.tables import _tracks  # noqa: E402
+from orispline.tables import _source, _tracks  # noqa: E402
 
 FAULTS = {  # of track 3, 7, … of forty: what becomes of the rows, and what is said
     "a time twice": (lambda t, q: t.__setitem__(2, t[1]), "key 2: duplicate time"),
@@ -225,41 +223,29 @@ except ori.AccessError as error:
     assert resource.getrlimit(resource.RLIMIT_FSIZE)[0] != 20000
 
 
-@pytest.mark.parametrize("task", ["tables.resample({keys}, rate=2000)", "tables.smooth({keys})",
-                                  "tables.resample({keys}, rate=2000, assume_sorted=True)"])
-def test_an_interrupted_job_ends_soon_and_leaves_nothing(tmp_path, task):
-    dice = np.random.default_rng(1)
-    made = {}
-    for track in range(400):
-        half = dice.normal(size=5000).cumsum() * 0.02
-        made[track] = np.arange(5000) * 0.01, np.column_stack([np.sin(half), 0 * half, 0 * half, np.cos(half)])
-    pq.write_table(table_of(made), tmp_path / "keys.parquet")
-    pq.write_table(table_of({track: made[track] for track in range(4)}), tmp_path / "few.parquet")
-    code = f"""
-import signal, time
-from orispline import tables
-few = {task.format(keys=repr(str(tmp_path / 'few.parquet')))}.read_all()
-cost_of_few = time.process_time()
-def handler(number, frame):
-    global asked
-    asked = time.process_time()
-    raise KeyboardInterrupt
-signal.signal(signal.SIGINT, handler)
-print("begins", flush=True)
-try:
-    tables.write({task.format(keys=repr(str(tmp_path / 'keys.parquet')))}, {str(tmp_path / 'out.parquet')!r})
-except KeyboardInterrupt:
-    print("interrupted", time.process_time() - asked, cost_of_few, flush=True)
-"""
-    job = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True)
-    assert job.stdout.readline() == "begins\n"
-    time.sleep(1.5)
-    job.send_signal(signal.SIGINT)
-    said, _ = job.communicate(timeout=60)
-    word, after, cost_of_few = said.split()
-    assert word == "interrupted" and sorted(os.listdir(tmp_path)) == ["few.parquet", "keys.parquet"]
-    assert float(after) < float(cost_of_few)  # [s] of the processor, of all threads: at most 4 of 400 tracks, and an import
-    assert not list(pathlib.Path("/tmp").glob(f"orispline-*/{job.pid}*"))
+@pytest.mark.parametrize("job", [lambda keys, progress: tables.resample(keys, progress=progress),
+                                 lambda keys, progress: tables.smooth(keys, progress=progress),
+                                 lambda keys, progress: tables.resample(keys, assume_sorted=True, progress=progress)],
+                         ids=["resample", "smooth", "assume_sorted"])
+def test_an_interrupted_job_does_no_more_and_leaves_nothing(job, tmp_path, monkeypatch):
+    """Ctrl-C comes when the third batch of keys is done."""
+    monkeypatch.setattr(_source, "ROWS_AT_A_TIME", 2048)
+    monkeypatch.setattr(_source, "ROWS_OF_DUCKDB", 2048)
+    keys, room = tmp_path / "keys.parquet", tmp_path / "room"
+    pq.write_table(table_of(tracks(400)), keys)
+    room.mkdir()
+    monkeypatch.setattr(tempfile, "tempdir", str(room))
+    shares = []
+
+    def interrupt(share):
+        shares.append(share)
+        if len(shares) == 3:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        tables.write(job(keys, interrupt), tmp_path / "out.parquet")
+    assert len(shares) == 3 and 0 < shares[-1] < 1
+    assert sorted(os.listdir(tmp_path)) == ["keys.parquet", "room"] and not os.listdir(room)
 
 
 def test_ids_and_names_are_printed_in_one_line():

@@ -77,7 +77,7 @@ def test_files_that_would_meet_are_refused(tmp_path):
 
 
 def command(*words, folder):
-    code = "import sys; from orispline._tables_command import main; sys.exit(main())"
+    code = "import sys; from orispline._command import tables; sys.exit(tables())"
     return subprocess.run([sys.executable, "-c", code, *map(str, words)], capture_output=True, text=True, cwd=folder, check=False)
 
 
@@ -133,7 +133,7 @@ def test_the_command_has_every_option_of_the_tasks():
 
 
 def test_without_pyarrow_it_says_what_to_install(tmp_path):
-    code = "import sys; sys.modules['pyarrow'] = None; from orispline._tables_command import main; sys.exit(main())"
+    code = "import sys; sys.modules['pyarrow'] = None; from orispline._command import tables; sys.exit(tables())"
     done = subprocess.run([sys.executable, "-c", code, "resample", "x", "-o", "y"], capture_output=True, text=True, check=False)
     assert done.returncode == 3
     assert done.stderr == "orispline-tables: found no pyarrow, wanted it installed: pip install 'orispline[tables]'\n"

@@ -15,10 +15,11 @@ from . import _core
 from ._baked import BakedCurve
 from ._curve import Curve
 from ._errors import AccessError, ArgumentError, ConvergenceError, DataError, Error, ShapeWarning
-from ._files import read, write
+from ._files import write
 from ._keys import Keys
 from ._online import OnlineCurve
 from ._pictures import plot_comparison, plot_sphere
+from ._reading import read
 from ._samples import Motion, Samples
 from ._scipy_twins import RotationSpline, Slerp
 from ._stack import CurveStack

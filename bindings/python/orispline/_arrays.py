@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ._errors import ArgumentError, DataError
+from . import _core
+from ._errors import ArgumentError, DataError, tell
 
 Array = NDArray[np.float64]
 
@@ -119,3 +120,12 @@ def sample_rows(out: Any, lead: tuple[int, ...], derivatives: int, linear: int, 
     if out is not None and any(np.may_share_memory(a, b) for k, a in enumerate(rows) for b in rows[:k]):
         raise ArgumentError("out: found arrays that share memory, wanted each apart")
     return [*rows[:derivatives + 1], *[None] * (3 - derivatives), *rows[derivatives + 1:], *[None] * (3 - linear)]
+
+
+def inertia_tensor(inertia: Any) -> Array:
+    """(3, 3) tensor of a tensor or of three principal moments [kg m²]."""
+    shape = np.shape(inertia)
+    matrix = numbers("inertia", inertia, (3,) if len(shape) == 1 else (3, 3))
+    matrix = np.diag(matrix) if matrix.ndim == 1 else matrix
+    tell(_core.check_inertia(matrix))
+    return matrix

@@ -9,15 +9,13 @@ from numpy.typing import NDArray
 
 from . import _core
 from ._arrays import output
+from ._checks import in_world
 from ._clock import Clock
 from ._errors import ArgumentError
-from ._keys import _span
 from ._types import baked_quantity, baked_rate
 
 if TYPE_CHECKING:
     from scipy.spatial.transform import Rotation
-
-FRAMES = ("body", "world")
 
 
 class BakedCurve:
@@ -49,8 +47,7 @@ class BakedCurve:
     @property
     def domain(self) -> tuple[Any, Any]:
         """The first and the last time."""
-        first, last = self._clock.back(np.array(self._core.domain))
-        return (first, last) if self._clock.is_calendar else (float(first), float(last))
+        return self._clock.ends(self._core.domain)
 
     @property
     def dtype(self) -> np.dtype[Any]:
@@ -102,16 +99,15 @@ class BakedCurve:
         return self._at(3, t, frame, out)
 
     def _at(self, order: int, t: Any, frame: str, out: Any) -> NDArray[Any]:
-        if frame not in FRAMES:
-            raise ArgumentError(f"frame: found {frame!r}, wanted 'body' or 'world'")
+        world = in_world(frame)
         seconds = self._clock.seconds("t", t)
         result = output("out", out, (*seconds.shape, 3 if order else 4), self._dtype, seconds)
-        self._core.many(order, seconds.reshape(-1), result.reshape(-1, result.shape[-1]), frame == "world")
+        self._core.many(order, seconds.reshape(-1), result.reshape(-1, result.shape[-1]), world)
         return result
 
     def __repr__(self) -> str:
         count = len(self)
-        return (f"BakedCurve({_span(self._clock, np.array(self._core.domain))}, {self._dtype}, "
+        return (f"BakedCurve({self._clock.span(np.array(self._core.domain))}, {self._dtype}, "
                 f"{count} piece{'' if count == 1 else 's'}, {self.largest_difference:.2g} rad off at most)")
 
     def __reduce__(self) -> Any:

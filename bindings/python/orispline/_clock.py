@@ -51,6 +51,21 @@ class Clock:
             units = np.rint(units).astype(np.int64)
         return (units + self.origin).astype("datetime64[ns]") if self.is_calendar else units + self.origin
 
+    def time(self, seconds: float) -> Any:
+        """One time of the library as the caller has it, no array."""
+        time = self.back(np.array([seconds]))[0]
+        return time if self.is_calendar else time.item()
+
+    def ends(self, domain: tuple[float, float]) -> tuple[Any, Any]:
+        """The first and the last time."""
+        first, last = self.back(np.array(domain))
+        return (first, last) if self.is_calendar else (float(first), float(last))
+
+    def span(self, seconds: Array) -> str:
+        """From the first to the last of these times, for people to read."""
+        first, last = self.back(seconds[[0, -1]])
+        return f"{first} … {last}" if self.is_calendar else f"{first:g} … {last:g} {self.unit}"
+
     def check_inside(self, seconds: Array, domain: tuple[float, float]) -> None:
         """Raises an error about the first time outside, where times are not seconds: about those the library has one."""
         outside = np.flatnonzero((seconds < domain[0]) | (seconds > domain[1]))

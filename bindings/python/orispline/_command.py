@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The command `orispline`, which is in the package."""
+"""The commands of the package: `orispline`, which is in it, and `orispline-tables`, where what that needs is installed."""
 from __future__ import annotations
 
 import os
@@ -16,3 +16,13 @@ def main() -> int:
     if os.name == "nt":
         return subprocess.run(arguments, check=False).returncode
     os.execv(COMMAND, arguments)
+
+
+def tables() -> int:
+    """Runs it, or says what to install."""
+    try:
+        from .tables._command import main as run
+    except ImportError as error:
+        print(f"orispline-tables: {str(error).removeprefix('orispline.tables: ')}", file=sys.stderr)
+        return 3
+    return run()

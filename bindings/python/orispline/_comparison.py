@@ -9,11 +9,10 @@ import os
 from typing import TYPE_CHECKING, Any, Sequence
 
 from . import _core
-from ._errors import ArgumentError
+from ._errors import ArgumentError, tell
 from ._keys import Keys
 from ._options import checked_keys, checked_threads, method_words, new_keys, plain, times_beside
 from ._results import now
-from ._warnings import tell
 
 if TYPE_CHECKING:
     from ._curve import Curve

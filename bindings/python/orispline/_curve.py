@@ -1,35 +1,39 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Curves through keyframes, and their samples."""
+"""Curves through keyframes: what they are at times, what they are worth, and how they look."""
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+import os
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._arrays import output, sample_rows
-from ._checks import check_number, flag, thread_count
-from ._curve_analysis import CurveAnalysis
-from ._errors import ArgumentError
-from ._keys import Keys, _span
-from ._pictures import CurvePictures
+from ._arrays import Array, inertia_tensor, numbers, output, quaternions, sample_rows
+from ._baked import BakedCurve, baked
+from ._charts import charts, sphere
+from ._checks import check_number, flag, in_world, index_of, rate_text, real, thread_count
+from ._errors import ArgumentError, DataError
+from ._keys import Keys
 from ._samples import Motion, Samples, samples_of
-from ._texts import rate_text
 from ._types import quantity, rate
 
 if TYPE_CHECKING:
+    import pathlib
+
+    from numpy.typing import ArrayLike
     from scipy.spatial.transform import Rotation
 
+    from ._measures import DistanceStatistics, Energies, HandleTurn, Peaks
     from ._types import Frame, Side, Time
 
 BEYOND = tuple(_core.extrapolations())
-FRAMES = ("body", "world")
 SIDES = ("right", "left")
 ORIENTATION, VELOCITY, ACCELERATION, JERK, POSITION, LINEAR_VELOCITY, LINEAR_ACCELERATION = range(7)
 
 
-class Curve(CurveAnalysis, CurvePictures):
+class Curve:
     """A smooth curve through keyframes, with exact angular velocity, acceleration and jerk.
 
     Functions of time take a time or an array of times of any shape, in any order; what they give has that shape and one
@@ -94,7 +98,7 @@ class Curve(CurveAnalysis, CurvePictures):
                         angular_accelerations=angular_accelerations, angular_jerks=angular_jerks, signs=signs,
                         scalar_first=scalar_first, normalize=normalize, time_unit=time_unit)
         text = keys._method_text(method, ends, start_rate, end_rate, closed, period, settings)
-        self._set(keys, _core.Curve(keys._core, text), _index("extrapolate", extrapolate, BEYOND))
+        self._set(keys, _core.Curve(keys._core, text), index_of("extrapolate", extrapolate, BEYOND))
 
     def _set(self, keys: Keys, core: Any, beyond: int) -> None:
         self._keys, self._core, self._beyond = keys, core, beyond
@@ -126,8 +130,28 @@ class Curve(CurveAnalysis, CurvePictures):
     @property
     def domain(self) -> tuple[Any, Any]:
         """The first and the last time."""
-        first, last = self._clock.back(np.array(self._core.domain))
-        return (first, last) if self._clock.is_calendar else (float(first), float(last))
+        return self._clock.ends(self._core.domain)
+
+    @property
+    def settings(self) -> dict[str, Any]:
+        """The parameters and choices of the method that shape the curve, defaults too, each a number, an array with one for each
+        key, or a word. `Curve(keys, curve.info["name"], **curve.settings)` has the same.
+
+        >>> import orispline as ori
+        >>> ori.Curve([0, 1], [[0, 0, 0, 1], [0, 0, 1, 0]], "quintic", tension=0.4).settings
+        {'tension': 0.4}
+        """
+        return dict(self._core.settings)
+
+    def continuity(self) -> int:
+        """The order to which it is continuous in time at its keys, measured: 2 is C², 3 the most that is looked for. A loop
+        is measured where it closes too.
+
+        >>> import orispline as ori
+        >>> ori.Curve([0, 1, 3], [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 1, 0]], "slerp").continuity()
+        0
+        """
+        return int(self._core.continuity())
 
     # What it is at times.
 
@@ -191,12 +215,12 @@ class Curve(CurveAnalysis, CurvePictures):
         """
         if np.asarray(t).ndim:
             raise ArgumentError("t: found an array, wanted one time")
-        if _index("side", side, SIDES) == 1:
+        if index_of("side", side, SIDES) == 1:
             q = self(t)  # with what a time outside gets
             seconds = float(self._clock.seconds("t", t))
             first, last = self._core.domain
             if first < seconds <= last:
-                return Motion(q, *self._core.rates_before(seconds, _index("frame", frame, FRAMES) == 1))
+                return Motion(q, *self._core.rates_before(seconds, in_world(frame)))
         rates = [self._at(what, t, frame, None, np.float64, 1) for what in (VELOCITY, ACCELERATION, JERK)]
         linear = [self._at(what, t, "body", None, np.float64, 1)
                   for what in (POSITION, LINEAR_VELOCITY, LINEAR_ACCELERATION)] if self._core.has_positions else []
@@ -213,7 +237,7 @@ class Curve(CurveAnalysis, CurvePictures):
         are the same on any. `out` is filled: an array for the orientations, or a list of all that is asked for, in the order
         of `Samples`.
         """
-        world = _index("frame", frame, FRAMES) == 1
+        world = in_world(frame)
         even = self._grid_wanted(rate, count, times, start, end, include_end, derivatives)
         seconds = np.empty(len(even)) if even is not None else self._given(times)
         linear = min(derivatives, 2) + 1 if self._core.has_positions else 0
@@ -227,6 +251,262 @@ class Curve(CurveAnalysis, CurvePictures):
             rows[0][...] = rows[0][:, [3, 0, 1, 2]]
         grid = None if even is None else (rate, count, *self._bounds(start, end), include_end, *self._core.domain)
         return samples_of(self._keys, seconds, rows, frame, grid)
+
+    # What it is worth. An `inertia` is a body's tensor about its centre of mass [kg m²], body frame: (3, 3), symmetric and positive
+    # definite, or its three principal moments.
+
+    def energies(self, inertia: Any = None) -> Energies:
+        """∫|α|² dt, ∫|jerk|² dt and, with an inertia, ∫|torque|² dt, to 1e-10 of each segment's.
+
+        Raises ArgumentError for an inertia that is not symmetric and positive definite, and warns (`ShapeWarning`) of one
+        that no rigid body has.
+
+        >>> import orispline as ori
+        >>> curve = ori.Curve([0, 1, 3], [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 1, 0]])
+        >>> round(curve.energies().acceleration, 4)
+        0.1294
+        """
+        from ._measures import Energies
+        return Energies(**self._core.energies(None if inertia is None else inertia_tensor(inertia)))
+
+    def peaks(self, inertia: Any = None) -> Peaks:
+        """The largest |ω|, |α| and, with an inertia, |torque|, and the first times when they are reached. Errors as of
+        `energies`.
+
+        >>> import orispline as ori
+        >>> curve = ori.Curve([0, 1, 3], [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 1, 0]], "slerp")
+        >>> peak = curve.peaks().angular_velocity
+        >>> round(peak.value, 12), peak.time
+        (1.287002217587, 0.0)
+        """
+        from ._measures import Peak, Peaks
+        found = self._core.peaks(None if inertia is None else inertia_tensor(inertia))
+        return Peaks(**{name: Peak(value, self._clock.time(time)) for name, (value, time) in found.items()})
+
+    @overload
+    def angle_travelled(self, t: Time | None = None) -> float: ...
+    @overload
+    def angle_travelled(self, t: ArrayLike) -> Array: ...
+
+    def angle_travelled(self, t: Any = None) -> Any:
+        """∫|ω| dt [rad]: of the whole curve, or from its start to the times `t`, which are held to its domain: a float for
+        one time, else an array of their shape.
+
+        >>> import numpy as np, orispline as ori
+        >>> curve = ori.Curve([0, 1], [[0, 0, 0, 1], [0, 0, 1, 0]], "slerp")
+        >>> bool(np.allclose([curve.angle_travelled(), curve.angle_travelled(0.5)], [np.pi, np.pi / 2]))
+        True
+        """
+        if t is None:
+            return float(self._core.whole_angle())
+        seconds = self._clock.seconds("t", t)
+        angles = np.empty(seconds.shape)
+        self._core.angles_at(seconds.reshape(-1), angles.reshape(-1))
+        return angles if angles.ndim else float(angles)
+
+    @overload
+    def time_at_angle(self, angle: float) -> Any: ...
+    @overload
+    def time_at_angle(self, angle: ArrayLike) -> NDArray[Any]: ...
+
+    def time_at_angle(self, angle: Any) -> Any:
+        """The first times at which the curve has travelled these angles [rad], which are held to 0 and `angle_travelled()`:
+        of their shape, as the caller has times.
+
+        >>> import orispline as ori
+        >>> curve = ori.Curve([0, 1], [[0, 0, 0, 1], [0, 0, 1, 0]], "slerp")
+        >>> round(curve.time_at_angle(1.5707963267948966), 12)
+        0.5
+        """
+        angles = numbers("angle", angle, (None,) * np.ndim(angle))
+        seconds = np.empty(np.shape(angle))
+        self._core.times_at(angles.reshape(-1), seconds.reshape(-1))
+        return self._clock.back(seconds) if seconds.ndim else self._clock.time(float(seconds))
+
+    @overload
+    def band(self, t: Time, share: float = ...) -> float: ...
+    @overload
+    def band(self, t: ArrayLike, share: float = ...) -> Array: ...
+
+    def band(self, t: Any, share: float = 0.9) -> Any:
+        """The angle [rad] about a curve of the method `measured` that is meant to hold this share of the true motion, at times
+        which are held to the curve's domain: a float for one time, else an array of their shape. Infinite where the keys say
+        nothing. It takes as long as making the curve.
+
+        Raises ArgumentError for the curve of another method and for a share that is not between 0 and 1.
+
+        >>> import numpy as np, orispline as ori
+        >>> times = np.arange(40.0)
+        >>> half = 0.3 * np.sin(times) + 0.01 * np.sin(7.3 * times)
+        >>> curve = ori.Curve(times, np.column_stack([0 * half, 0 * half, np.sin(half), np.cos(half)]), "measured")
+        >>> bool(0 < curve.band(20.5) < curve.band(20.5, 0.99))
+        True
+        """
+        seconds = self._clock.seconds("t", t)
+        bands = np.empty(seconds.shape)
+        self._core.bands_at(real("share", share), seconds.reshape(-1), bands.reshape(-1))
+        return bands if bands.ndim else float(bands)
+
+    def torque(self, t: Any, inertia: Any) -> NDArray[np.float64]:
+        """(..., 3) J α + ω × J ω [N m], body frame: what turns a free rigid body so. Errors as of `energies`.
+
+        >>> import orispline as ori
+        >>> curve = ori.Curve([0, 1, 3], [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 1, 0]])
+        >>> curve.torque([0.5, 1.5], [1.0, 2.0, 2.5]).shape
+        (2, 3)
+        """
+        tensor = inertia_tensor(inertia)
+        rates = self.angular_velocity(t)
+        result = np.empty(rates.shape)
+        _core.torques(rates.reshape(-1, 3), self.angular_acceleration(t).reshape(-1, 3), tensor, result.reshape(-1, 3))
+        return result
+
+    def distance(self, times: Any, rotations: Any) -> DistanceStatistics:
+        """How far the curve is from orientations at times: the full angle from one to the other [rad], at those times that
+        lie in its domain.
+
+        `times` and `rotations` are as of `Keys`: (n,) strictly increasing, (n, 4) in the order of this curve, (n, 3, 3) or a
+        SciPy Rotation. Raises DataError for such as `Keys` refuses, and where no time lies on the curve.
+
+        >>> import orispline as ori
+        >>> curve = ori.Curve([0, 1], [[0, 0, 0, 1], [0, 0, 1, 0]])
+        >>> round(curve.distance([0.5], [[0, 0, 0, 1]]).rms, 12)
+        1.570796326795
+        """
+        seconds, rows = self._series(times, quaternions("rotations", rotations, scalar_first=self._scalar_first), "rotations")
+        reference = _core.Keys(seconds, rows, None, None, None, None, settings={}, signs="as-given")
+        return self._statistics(self._core.distance(reference))
+
+    def rate_error(self, times: Any, rates: Any) -> DistanceStatistics:
+        """How far ω of the curve is from logged angular velocities, (n, 3) [rad/s], body frame, at those of the (n,) times
+        that lie in its domain. The times do not decrease. Where ω jumps at a key, the mean of both sides counts.
+
+        >>> import orispline as ori
+        >>> curve = ori.Curve([0, 1], [[0, 0, 0, 1], [0, 0, 1, 0]])
+        >>> round(curve.rate_error([0.5], [[0, 0, 3]]).largest, 12)
+        0.14159265359
+        """
+        seconds, rows = self._series(times, numbers("rates", rates, (None, 3)), "rates")
+        _check_rising(seconds)
+        bad = ~np.isfinite(rows).all(axis=1)
+        if bad.any():
+            raise DataError(f"rates: found {rows[bad][0].tolist()} at index {int(bad.argmax())}, wanted finite numbers")
+        return self._statistics(self._core.rate_error(seconds, rows))
+
+    def leave_out(self) -> DistanceStatistics:
+        """How far the method misses keys that it is not given [rad]: each inner key is left out once, with every 4th. It
+        estimates the error where nothing denser is known, and is not fit for choosing a method.
+
+        Raises DataError for fewer than 3 keys, and ArgumentError for a setting with a value for each key.
+
+        >>> import orispline as ori
+        >>> curve = ori.Curve([0, 1, 3], [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 1, 0]])
+        >>> curve.leave_out().count
+        1
+        """
+        from ._measures import DistanceStatistics
+        return DistanceStatistics(**self._core.leave_out())
+
+    def overwound_tangent(self) -> HandleTurn | None:
+        """The handle that turns farthest away from its key, where that is a full turn or more: there a curve of slerps
+        (`squad-timed`, `shoemake`, `tcb`) loses its continuity. None where there is no such handle.
+
+        >>> import orispline as ori
+        >>> ori.Curve([0, 1, 3], [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 1, 0]], "tcb").overwound_tangent()
+        """
+        from ._measures import HandleTurn
+        found = self._core.overwound_tangent()
+        return None if found is None else HandleTurn(*found)
+
+    # How it looks.
+
+    def plot(self, axes: Any = None, quantities: str | Sequence[str] = ("angle", "rate", "acceleration", "jerk"), *,
+             ghosts: int = 0) -> Any:
+        """Charts over time by matplotlib: the angle from the start [deg], |ω| [rad/s], |α| [rad/s²] and |jerk| [rad/s³], the
+        keys marked, and both sides of every jump. The peaks of a long curve are not missed.
+
+        With `ghosts`, 2 to 60, the body itself stands below at so many even times from start to end, as `orispline plot
+        --ghosts` draws it: that is one more chart.
+
+        `axes` are as many matplotlib Axes as charts, or None for a new figure. Returns an array of these Axes; nothing is
+        shown. Raises ArgumentError for a quantity that there is not, for another number of axes and of ghosts.
+
+        >>> import matplotlib, orispline as ori
+        >>> matplotlib.use("Agg")
+        >>> curve = ori.Curve([0, 1, 3], [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 1, 0]])
+        >>> [axes.get_ylabel() for axes in curve.plot(quantities="rate")]
+        ['angular velocity |ω|\\n[rad/s]']
+        >>> len(curve.plot(ghosts=12))
+        5
+        """
+        return charts({self._core.method: self}, None, axes, quantities, ghosts)
+
+    def plot_sphere(self, axis: Any = "x", axes: Any = None) -> Any:
+        """The path of a body axis over the unit sphere, with the keys: `orispline.plot_sphere` of this curve."""
+        return sphere({self._core.method: self}, axis, axes)
+
+    def report(self, path: str | os.PathLike[str], *, title: str = "", inertia: Any = None) -> None:
+        """Writes a page to look at in a browser: the motion in space, on the sphere and over time, and its measures; with an
+        inertia (as of `Curve.energies`) its torques too. One HTML file that needs nothing else; it appears complete or not
+        at all. Raises AccessError where it cannot be written.
+
+        >>> import os, tempfile, orispline as ori
+        >>> page = os.path.join(tempfile.mkdtemp(), "motion.html")
+        >>> ori.Curve([0, 1], [[0, 0, 0, 1], [0, 0, 1, 0]]).report(page)
+        >>> os.path.exists(page)
+        True
+        """
+        import datetime
+        name = os.fsdecode(path)
+        self._core.write_page(os.path.join(os.curdir, name) if name == "-" else name, str(title),
+                              datetime.datetime.now().strftime("%Y-%m-%d %H:%M"), self._clock.epoch,
+                              None if inertia is None else inertia_tensor(inertia))
+
+    def show(self, *, title: str = "", inertia: Any = None) -> pathlib.Path:
+        """Writes the page of `report` into a temporary file and opens it in the browser. Returns the path of the file, which
+        stays there."""
+        import pathlib
+        import tempfile
+        import webbrowser
+        handle, name = tempfile.mkstemp(prefix="orispline-", suffix=".html")
+        os.close(handle)
+        self.report(name, title=title, inertia=inertia)
+        path = pathlib.Path(name)
+        webbrowser.open(path.as_uri())
+        return path
+
+    def _repr_svg_(self) -> str:
+        """The drawing that a notebook shows: charts over time and the path of the x axis on the sphere, as `orispline plot`
+        makes it."""
+        count = len(self._keys)
+        title = f"{count} key{'' if count == 1 else 's'}, {self._clock.span(self._keys._core.times)}"
+        return str(self._core.svg(title))
+
+    # How it is kept.
+
+    def bake(self, tolerance: float, *, dtype: Any = np.float64) -> BakedCurve:
+        """The curve turned into polynomials, to be stored and replayed: no orientation is farther from the curve's own than
+        `tolerance` [rad]. float32 is smaller, for tolerances from 1e-6 on. Ctrl-C stops it.
+
+        Raises ArgumentError for a tolerance below 1e-13 (1e-6), and for one that cannot be reached, with the key.
+
+        >>> import orispline as ori
+        >>> curve = ori.Curve([0, 1, 3], [[0, 0, 0, 1], [0, 0, 0.6, 0.8], [0, 0, 1, 0]])
+        >>> curve.bake(1e-9).largest_difference < 1e-9
+        True
+        """
+        return baked(self._core, self._clock, self._scalar_first, tolerance, dtype)
+
+    def __repr__(self) -> str:
+        order = "".join("⁰¹²³⁴⁵⁶⁷⁸⁹"[int(digit)] for digit in str(self.continuity()))
+        count = len(self._keys)
+        return (f"Curve({self.method!r}, {count} key{'' if count == 1 else 's'}, "
+                f"{self._clock.span(np.array(self._core.domain))}, C{order})")
+
+    def __reduce__(self) -> Any:
+        return _restored, (self._keys, self.method, self._beyond)
+
+    # How it reads its arguments. A `CurveStack` does so by its first curve.
 
     def _grid_wanted(self, rate: Any, count: int | None, times: Any, start: Any, end: Any, include_end: bool,
                      derivatives: int) -> Any:
@@ -266,7 +546,7 @@ class Curve(CurveAnalysis, CurvePictures):
                 (("start", start), ("end", end))]
 
     def _at(self, what: int, t: Any, frame: str, out: Any, dtype: Any, threads: int) -> NDArray[Any]:
-        world = _index("frame", frame, FRAMES) == 1
+        world = in_world(frame)
         if isinstance(t, float) and self._plain and out is None and dtype is np.float64:
             return self._core.one(what, t, world, self._beyond)  # type: ignore[no-any-return]
         seconds = self._asked("t", t)
@@ -275,14 +555,23 @@ class Curve(CurveAnalysis, CurvePictures):
                         thread_count(threads))
         return result
 
-    def __repr__(self) -> str:
-        order = "".join("⁰¹²³⁴⁵⁶⁷⁸⁹"[int(digit)] for digit in str(self.continuity()))
-        count = len(self._keys)
-        return (f"Curve({self.method!r}, {count} key{'' if count == 1 else 's'}, "
-                f"{_span(self._clock, np.array(self._core.domain))}, C{order})")
+    def _series(self, times: Any, rows: Array, name: str) -> tuple[Array, Array]:
+        seconds = self._clock.seconds("times", times)
+        if seconds.ndim != 1:
+            raise ArgumentError(f"times: found the shape {seconds.shape}, wanted (n,)")
+        if len(rows) != len(seconds):
+            raise DataError(f"{name}: found {len(rows)}, wanted one for each of the {len(seconds)} times")
+        return seconds, rows
 
-    def __reduce__(self) -> Any:
-        return _restored, (self._keys, self.method, self._beyond)
+    def _statistics(self, found: dict[str, Any]) -> DistanceStatistics:
+        from ._measures import DistanceStatistics
+        if found["count"] == 0:
+            first, last = self._clock.back(np.array(self._core.domain))
+            raise DataError(f"times: found none from {first} to {last}, where the curve is, wanted one at least")
+        return DistanceStatistics(**found)
+
+
+Keys._curve_class = Curve
 
 
 def _restored(keys: Keys, method: str, beyond: int) -> Curve:
@@ -291,7 +580,12 @@ def _restored(keys: Keys, method: str, beyond: int) -> Curve:
     return curve
 
 
-def _index(name: str, word: str, words: tuple[str, ...]) -> int:
-    if word not in words:
-        raise ArgumentError(f"{name}: found {word!r}, wanted {', '.join(repr(w) for w in words[:-1])} or {words[-1]!r}")
-    return words.index(word)
+def _check_rising(seconds: Array) -> None:
+    bad = ~np.isfinite(seconds)
+    if bad.any():
+        raise DataError(f"times: found {seconds[bad][0]} at index {int(bad.argmax())}, wanted finite times")
+    falls = np.diff(seconds) < 0
+    if falls.any():
+        at = int(falls.argmax())
+        raise DataError(f"times: found {seconds[at + 1]:.17g} after {seconds[at]:.17g} at index {at + 1}, wanted times that do "
+                        "not decrease")

@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
 from . import _core
 from ._arrays import Array, numbers, quaternions
-from ._checks import flag, wrong_type
+from ._checks import flag, method_text, wrong_type
 from ._clock import Clock, times_of_keys
-from ._errors import ArgumentError, DataError
-from ._texts import method_text
-from ._warnings import tell
+from ._errors import ArgumentError, DataError, tell
+from ._files import Options, Writable, write
 
 if TYPE_CHECKING:
     import decimal
@@ -25,7 +24,7 @@ SIGNS = ("shortest", "as-given")
 SIGNS_AS_GIVEN = 6  # of origin_of_keys()
 
 
-class Keys:
+class Keys(Writable):
     """Orientations at times, checked: what curves are made of. They never change.
 
     Parameters
@@ -69,6 +68,7 @@ class Keys:
 
     __slots__ = ("_clock", "_core", "_scalar_first", "_source")
     _source: dict[str, Any]  # what is known of the file that they are from
+    _curve_class: ClassVar[type[Curve]]  # set by the module of curves, which knows this one
 
     def __init__(self, times: Any, rotations: Any, *, positions: Any = None, angular_velocities: Any = None,
                  angular_accelerations: Any = None, angular_jerks: Any = None, settings: Mapping[str, Any] | None = None,
@@ -185,8 +185,7 @@ class Keys:
     def curve(self, method: str | None = None, **options: Any) -> Curve:
         """The curve of a method through these keys: `Curve(keys, method=method, **options)`. Without a method that of
         the file which the keys are from, if it names one, else `auto`."""
-        from ._curve import Curve
-        return Curve(self, method=method, **options)
+        return self._curve_class(self, method=method, **options)
 
     def write(self, path: Any, **options: Any) -> None:
         """Writes them into a file, complete or not at all: `orispline.write(keys, path, **options)`.
@@ -199,8 +198,10 @@ class Keys:
         >>> path.read_text().splitlines()[1]
         '1.5 0 0 0 0 0 0.6 0.8'
         """
-        from ._files import write
         write(self, path, **options)
+
+    def _write_as(self, path: str, options: Options, method: str | None = None) -> None:
+        tell(_core.write_keys(self._core, path, options, self._read("format", ""), method))
 
     def _method_text(self, method: str | None, ends: Any, start_rate: Any, end_rate: Any, closed: bool,
                      period: float | None, settings: Mapping[str, Any]) -> str:
@@ -221,7 +222,7 @@ class Keys:
 
     def __repr__(self) -> str:
         count = len(self)
-        return f"Keys({count} key{'' if count == 1 else 's'}, {_span(self._clock, self._core.times)})"
+        return f"Keys({count} key{'' if count == 1 else 's'}, {self._clock.span(self._core.times)})"
 
     def __reduce__(self) -> Any:
         c = self._core
@@ -246,11 +247,6 @@ def _normalized(orientations: Array) -> Array:
     with np.errstate(invalid="ignore", divide="ignore"):
         # A quaternion of norm 1 but for rounding keeps its digits.
         return np.where((np.abs(norms - 1) <= 1e-12) | (norms == 0), orientations, orientations / norms)
-
-
-def _span(clock: Clock, seconds: Array) -> str:
-    first, last = clock.back(seconds[[0, -1]])
-    return f"{first} … {last}" if clock.is_calendar else f"{first:g} … {last:g} {clock.unit}"
 
 
 def _restored(times: Array, orientations: Array, rows: dict[str, Array | None], settings: dict[str, list[float]],

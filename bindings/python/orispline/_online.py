@@ -8,11 +8,11 @@ import numpy as np
 
 from . import _core
 from ._arrays import Array, array_of, numbers, quaternions
+from ._checks import method_text
 from ._clock import Clock, times_of_keys
 from ._errors import ArgumentError
 from ._keys import SIGNS
 from ._samples import Motion
-from ._texts import method_text
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

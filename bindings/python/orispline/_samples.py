@@ -10,8 +10,9 @@ from numpy.typing import NDArray
 
 from . import _core
 from ._arrays import Array
+from ._checks import rate_text
 from ._clock import Clock
-from ._texts import rate_text
+from ._files import Options, Writable, write
 
 if TYPE_CHECKING:
     import decimal
@@ -45,7 +46,7 @@ class Origin:
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
-class Samples:
+class Samples(Writable):
     """Samples of a curve: (k,) times, (k, 4) orientations and (k, 3) of all else; None is what was not asked for.
 
     Angular rates are in the frame that `frame` names, positions and their rates in the world frame.
@@ -82,7 +83,6 @@ class Samples:
         >>> path.read_text().splitlines()[0]
         't,qw,qx,qy,qz'
         """
-        from ._files import write
         write(self, path, **options)
 
     def to_arrow(self) -> Any:
@@ -116,6 +116,13 @@ class Samples:
             clock = Clock("ns", int(times[0].astype("datetime64[ns]").astype(np.int64)) if len(times) else 0, True)
             return Origin(times, clock.seconds("times", times), clock.epoch)
         return Origin(times, np.ascontiguousarray(times, dtype=np.float64))
+
+    def _write_as(self, path: str, options: Options, method: str | None = None) -> None:
+        origin = self._from
+        q = np.asarray(self.orientations, dtype=np.float64)
+        rows = [None if values is None else np.ascontiguousarray(values, dtype=np.float64) for values in self._vectors()]
+        _core.write_samples(path, options, origin.like, origin.epoch, origin.grid, self.frame == "world", origin.seconds,
+                            np.ascontiguousarray(q[:, [1, 2, 3, 0]] if origin.scalar_first else q), *rows)
 
     def _vectors(self) -> list[NDArray[Any] | None]:
         return [self.angular_velocities, self.angular_accelerations, self.angular_jerks, self.positions, self.velocities,

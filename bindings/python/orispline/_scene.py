@@ -10,9 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._checks import flag, real
-from ._errors import ArgumentError
+from ._errors import ArgumentError, tell
 from ._files import Path, path_text
-from ._warnings import tell
 
 Array = NDArray[np.float64]
 

@@ -7,11 +7,10 @@ from typing import Any
 
 from . import _core
 from ._checks import flag
-from ._errors import ArgumentError, DataError
+from ._errors import ArgumentError, DataError, tell
 from ._files import Path, path_text
 from ._options import checked_threads, method_words, plain, takes
 from ._scene import Scene, SceneReduction, Worst, positive
-from ._warnings import tell
 
 TOLERANCES = ("tolerance", "position_tolerance", "world_tolerance")
 

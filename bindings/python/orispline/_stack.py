@@ -9,10 +9,10 @@ from numpy.typing import NDArray
 
 from . import _core
 from ._arrays import array_of, output, sample_rows
-from ._checks import thread_count
-from ._curve import FRAMES, Curve, _index
+from ._checks import in_world, thread_count
+from ._curve import Curve
 from ._errors import ArgumentError, DataError, Error
-from ._keys import Keys, _span
+from ._keys import Keys
 from ._samples import Samples
 from ._types import stacked_quantity, stacked_rate
 
@@ -157,13 +157,13 @@ class CurveStack:
         return result
 
     def _fill(self, seconds: NDArray[np.float64], rows: list[Any], frame: str, threads: int) -> None:
-        _core.fill_stack(self._cores, seconds, *rows, world=_index("frame", frame, FRAMES) == 1,
+        _core.fill_stack(self._cores, seconds, *rows, world=in_world(frame),
                          beyond=self._curves[0]._beyond, threads=thread_count(threads))
 
     def __repr__(self) -> str:
         keys = self._curves[0].keys
         return (f"CurveStack({self.method!r}, {len(self)} joint{'' if len(self) == 1 else 's'}, {len(keys)} "
-                f"key{'' if len(keys) == 1 else 's'}, {_span(keys._clock, np.array(self._cores[0].domain))})")
+                f"key{'' if len(keys) == 1 else 's'}, {keys._clock.span(np.array(self._cores[0].domain))})")
 
     def __reduce__(self) -> Any:
         return _restored, (list(self._curves),)

@@ -6,11 +6,10 @@ from typing import Any, Iterable, Sequence
 
 from . import _core
 from ._checks import flag
-from ._errors import ArgumentError
+from ._errors import ArgumentError, tell
 from ._keys import Keys
 from ._options import checked_keys, checked_threads, method_words, plain, takes, times_beside
 from ._results import Reduction, Retiming, Smoothing, Tuning
-from ._warnings import tell
 
 SMOOTHNESS = ("noise", "smoothing_time", "position_noise")  # options of smoothing that reducing takes too
 

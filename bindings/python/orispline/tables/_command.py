@@ -12,7 +12,8 @@ import warnings
 from collections.abc import Callable, Sequence
 from typing import Any, NoReturn
 
-from .._curve import BEYOND, FRAMES
+from .._checks import FRAMES
+from .._curve import BEYOND
 from .._errors import AccessError, ArgumentError, Error
 from .._options import FIELDS
 from . import _jobs

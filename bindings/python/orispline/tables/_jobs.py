@@ -9,10 +9,9 @@ from typing import Any
 import numpy as np
 import pyarrow as pa
 
-from .._checks import flag, real, text, thread_count, whole
-from .._curve import BEYOND, FRAMES, _index
+from .._checks import FRAMES, flag, in_world, index_of, method_text, rate_text, real, text, thread_count, whole
+from .._curve import BEYOND
 from .._errors import ArgumentError
-from .._texts import method_text, rate_text
 from ._layout import UNIT_QUATERNION, Layout, layout
 from ._per_track import PerTrack
 from ._resampling import Resampling, sampled_schema
@@ -184,8 +183,8 @@ Job = Resampling | PerTrack
 def resampling(columns: Layout, rate: Any, align: str, method: str, derivatives: int, frame: str, gap: float | None, errors: str,
                threads: int, settings: dict[str, Any]) -> Resampling:
     """The job of these arguments."""
-    job = Resampling(columns, _method(method, settings), rate_text(rate), _index("align", align, ALIGNMENTS) == 1,
-                     None if gap is None else real("gap", gap), _derivatives(derivatives), _index("frame", frame, FRAMES) == 1,
+    job = Resampling(columns, _method(method, settings), rate_text(rate), index_of("align", align, ALIGNMENTS) == 1,
+                     None if gap is None else real("gap", gap), _derivatives(derivatives), in_world(frame),
                      _errors(errors), thread_count(threads))
     return job
 
@@ -194,7 +193,7 @@ def smoothing(columns: Layout, rate: Any, derivatives: int, frame: str, errors: 
     """The job of these arguments."""
     if options.get("sigma"):
         raise ArgumentError("sigma: a table of tracks has no columns for it, wanted orispline.smooth for each track")
-    work = Smoothing(None if rate is None else rate_text(rate), _derivatives(derivatives), FRAMES[_index("frame", frame, FRAMES)],
+    work = Smoothing(None if rate is None else rate_text(rate), _derivatives(derivatives), FRAMES[index_of("frame", frame, FRAMES)],
                      options)
     return PerTrack(columns, work, _errors(errors), thread_count(threads))
 
@@ -218,8 +217,8 @@ def evaluation(columns: Layout, keys: Any, at: Any, method: str, derivatives: in
         if at.names.count(name) != 1:
             raise ArgumentError(f"at: found the columns {', '.join(map(repr, at.names))}, wanted {name!r} once")
     beside = tuple(name for name in at.names if name not in (*columns.by, columns.time))
-    work = Evaluation(_method(method, settings), _derivatives(derivatives), FRAMES[_index("frame", frame, FRAMES)],
-                      BEYOND[_index("extrapolate", extrapolate, BEYOND)], at.field(columns.time).type, beside)
+    work = Evaluation(_method(method, settings), _derivatives(derivatives), FRAMES[index_of("frame", frame, FRAMES)],
+                      BEYOND[index_of("extrapolate", extrapolate, BEYOND)], at.field(columns.time).type, beside)
     names = [SIDE, *sampled_schema(columns, keys, work.derivatives, work.frame == "world").names]
     twice = next((name for name in beside if name in names), None)
     if twice is not None:
@@ -296,4 +295,4 @@ def _derivatives(derivatives: Any) -> int:
 
 
 def _errors(errors: str) -> str:
-    return ERRORS[_index("errors", errors, ERRORS)]
+    return ERRORS[index_of("errors", errors, ERRORS)]

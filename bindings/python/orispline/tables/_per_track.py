@@ -11,9 +11,8 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from .._errors import DataError, Error, ShapeWarning
+from .._errors import DataError, Error, ShapeWarning, collected, tell
 from .._keys import Keys
-from .._warnings import collected, tell
 from ._layout import Floats, Layout, Times, Whole, number_column, text_of
 from ._resampling import NO_ID, Answer
 from ._tracks import LongTrack, tracks_in, without_id

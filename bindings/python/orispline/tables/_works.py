@@ -12,10 +12,9 @@ import pyarrow.compute as pc
 
 from .._comparison import compare
 from .._curve import Curve
-from .._errors import ArgumentError, DataError, Error
+from .._errors import ArgumentError, DataError, Error, collected
 from .._keys import Keys
 from .._tasks import reduce, smooth
-from .._warnings import collected
 from ._layout import Layout, Times, Whole
 from ._per_track import START, Result, columns_of, track_of
 from ._resampling import sampled_schema

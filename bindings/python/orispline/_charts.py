@@ -1,0 +1,169 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What matplotlib draws of curves: charts over time, the sphere, and the body at even times."""
+from __future__ import annotations
+
+from typing import Any, Iterable, Mapping, Sequence
+
+import numpy as np
+
+from . import _core
+from ._arrays import Array, numbers
+from ._checks import whole
+from ._errors import ArgumentError, DataError
+from ._keys import Keys
+
+AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
+CHART = (8.0, 2.1)  # inches
+GHOST = 0.33  # inches, of a body where there is room for it
+GREY, INK = "0.75", "0.2"
+
+
+def charts(named: Mapping[str, Any], reference: Any, axes: Any, quantities: str | Sequence[str], ghosts: int) -> Any:
+    """Charts over time of curves by their names, with those of the errors to a reference, and the bodies."""
+    words = [quantities] if isinstance(quantities, str) else list(quantities)
+    titles = _core.titles_of_charts
+    for word in words:
+        if word not in titles:
+            raise ArgumentError(f"quantities: found {word!r}, wanted some of {', '.join(map(repr, titles))}")
+    if not words and reference is None:
+        raise ArgumentError("quantities: found none, wanted one at least")
+    count = _ghost_count(ghosts)
+    labels = [*(["angle to the reference [deg]"] if reference is not None else []), *(titles[word] for word in words)]
+    axes = _axes(axes, len(labels) + (1 if count else 0))
+    for label, chart in zip(labels, axes):
+        chart.set_ylabel(label.replace(" [", "\n["))
+    for chart in axes:
+        _mark_keys(chart, named.values())
+    for name, curve in named.items():
+        seconds, orientations, values = curve._core.drawn()
+        times = curve._clock.back(seconds)
+        if reference is not None:
+            axes[0].plot(*_errors(name, curve, times, orientations, reference), label=name)
+        for word, chart in zip(words, axes[len(labels) - len(words):]):
+            chart.plot(times, values[word], label=name)
+    if count:
+        _draw_ghosts(axes[-1], list(named.values()), [line.get_color() for line in axes[0].get_lines()[-len(named):]], count)
+    clock = next(iter(named.values()))._clock
+    axes[-1].set_xlabel("time" if clock.is_calendar else f"time [{clock.unit}]")
+    if clock.is_calendar:
+        _date(axes)
+    if len(named) > 1:
+        axes[0].legend()
+    return axes
+
+
+def sphere(named: Mapping[str, Any], axis: Any, axes: Any) -> Any:
+    """The paths of a body axis over the unit sphere, of curves by their names."""
+    direction, name = _body_axis(axis)
+    if axes is None:
+        axes = _pyplot().figure(figsize=(6, 6), layout="constrained").add_subplot(projection="3d")
+    elif getattr(axes, "name", "") != "3d":
+        raise ArgumentError("axes: found flat ones, wanted Axes of three dimensions, projection='3d'")
+    around, up = np.meshgrid(np.linspace(0, 2 * np.pi, 61), np.linspace(-np.pi / 2, np.pi / 2, 31))
+    axes.plot_wireframe(np.cos(around) * np.cos(up), np.sin(around) * np.cos(up), np.sin(up), color=GREY, linewidth=0.4,
+                        rstride=5, cstride=5)
+    for label, curve in named.items():
+        axes.plot(*_core.directions(curve._core.drawn()[1], direction).T, label=label)
+    keys = [_core.directions(curve._keys._core.orientations, direction) for curve in named.values()]
+    for dots in {rows.tobytes(): rows for rows in keys if len(rows) <= _core.most_marked_keys}.values():
+        axes.scatter(*dots.T, color=INK, s=14, depthshade=False)
+    middle = keys[0].mean(axis=0)
+    axes.view_init(elev=25, azim=np.degrees(np.arctan2(middle[1], middle[0])) if np.hypot(*middle[:2]) > 1e-9 else -60)
+    axes.set(xlabel="x", ylabel="y", zlabel="z", xticks=(-1, 0, 1), yticks=(-1, 0, 1), zticks=(-1, 0, 1),
+             title=f"body axis {name} on the unit sphere")
+    axes.set_box_aspect((1, 1, 1))
+    if len(named) > 1:
+        axes.legend()
+    return axes
+
+
+def _date(axes: Any) -> None:
+    """Dates on the axis of times, those of all marks once."""
+    from matplotlib import dates
+    formatter: Any = dates.ConciseDateFormatter
+    for chart in axes:
+        chart.xaxis.set_major_formatter(formatter(chart.xaxis.get_major_locator()))
+
+
+def _pyplot() -> Any:
+    try:
+        from matplotlib import pyplot
+    except ModuleNotFoundError as error:
+        raise ModuleNotFoundError("found no matplotlib, wanted it for charts: pip install 'orispline[plot]'") from error
+    return pyplot
+
+
+def _axes(axes: Any, count: int) -> Any:
+    if axes is None:
+        _, axes = _pyplot().subplots(count, 1, sharex=True, squeeze=False, figsize=(CHART[0], CHART[1] * count + 0.4),
+                                  layout="constrained")
+    axes = np.atleast_1d(np.asarray(axes, dtype=object)).ravel()
+    if len(axes) != count:
+        raise ArgumentError(f"axes: found {len(axes)}, wanted one for each of the {count} charts")
+    return axes
+
+
+def _mark_keys(chart: Any, curves: Iterable[Any]) -> None:
+    for times in {curve._keys._core.times.tobytes(): curve._keys.times for curve in curves}.values():
+        if len(times) <= _core.most_marked_keys:
+            chart.vlines(times, 0, 1, transform=chart.get_xaxis_transform(), color=GREY, linewidth=0.8, linestyle=(0, (3, 3)))
+
+
+def _errors(name: str, curve: Any, times: Any, orientations: Array, reference: Any) -> tuple[Any, Array]:
+    """Times and angles [deg], at those times of a curve or at those of a recording that both have."""
+    first, last = (curve if isinstance(reference, Keys) else reference).domain
+    if isinstance(reference, Keys):
+        times, orientations = reference.times, reference._core.orientations
+    inside = (times >= first) & (times <= last)
+    if not inside.any():
+        first, last = curve.domain
+        raise DataError(f"reference: found none of its times from {first} to {last}, where {name!r} is, wanted one at least")
+    times, one = times[inside], np.ascontiguousarray(orientations[inside])
+    other = curve if isinstance(reference, Keys) else reference
+    seconds, angles = _core.drawn_errors(curve._clock.seconds("reference", times), one, _in_order(other, other(times)))
+    return curve._clock.back(seconds), angles
+
+
+def _in_order(curve: Any, orientations: Array) -> Array:
+    """x, y, z, w."""
+    return np.ascontiguousarray(orientations[:, [1, 2, 3, 0]]) if curve._scalar_first else orientations
+
+
+def _body_axis(axis: Any) -> tuple[Array, str]:
+    if isinstance(axis, str):
+        if axis not in AXES:
+            raise ArgumentError(f"axis: found {axis!r}, wanted 'x', 'y', 'z' or three numbers")
+        return np.array(AXES[axis]), axis
+    direction = numbers("axis", axis, (3,))
+    length = float(np.linalg.norm(direction))
+    if not 0.0 < length < np.inf:
+        raise ArgumentError(f"axis: found {direction.tolist()}, wanted a direction of finite length greater than 0")
+    return direction / length, f"({', '.join(f'{x:g}' for x in direction)})"
+
+
+def _ghost_count(ghosts: int) -> int:
+    """As many bodies per curve; none, or from 2 on."""
+    count = whole("ghosts", ghosts, 0, _core.most_ghosts)
+    if count == 1:
+        raise ArgumentError(f"ghosts: found 1, wanted a whole number from 2 to {_core.most_ghosts}, or 0 for none")
+    return count
+
+
+def _draw_ghosts(chart: Any, curves: Sequence[Any], colors: Sequence[Any], count: int) -> None:
+    """The body of each curve at even times, a row per curve, all of one size whatever the scales of the chart."""
+    from matplotlib.collections import PolyCollection
+    from matplotlib.colors import to_rgba
+    size = min(GHOST, 0.55 * chart.bbox.width / chart.figure.dpi / count)
+    for row, (curve, color) in enumerate(zip(curves, colors)):
+        seconds, faces, opacities = curve._core.ghosts(count)
+        times = curve._clock.back(seconds)
+        chart.xaxis.update_units(times)
+        places = np.column_stack([chart.convert_xunits(times), np.full(len(times), -float(row))])
+        bodies = PolyCollection(faces.reshape(-1, 3, 2) * (size, -size), facecolors=[to_rgba(color, o) for o in opacities],
+                                edgecolors=color, linewidths=0.6, offsets=places, offset_transform=chart.transData,
+                                clip_on=False, zorder=2)
+        bodies.set_transform(chart.figure.dpi_scale_trans)
+        chart.add_collection(bodies, autolim=False)
+        chart.update_datalim(places)
+    chart.autoscale_view(scaley=False)
+    chart.set(yticks=[], ylim=(0.5 - len(curves), 0.5), ylabel=f"the body at\n{count} even times")

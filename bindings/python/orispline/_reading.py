@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Keyframes out of files, as the command reads them."""
+from __future__ import annotations
+
+import datetime
+from typing import TYPE_CHECKING, Mapping, Union
+
+import numpy as np
+
+from . import _core
+from ._clock import Clock
+from ._errors import tell
+from ._files import Path, explained, flags, path_text, stated
+from ._keys import Keys
+
+if TYPE_CHECKING:
+    import fractions
+
+    Number = Union[float, str, fractions.Fraction]
+
+
+def read(path: Path, *, input_format: str | None = None, columns: Mapping[str, str] | None = None, order: str | None = None,
+         input_orientation: str | None = None, euler: str | None = None, angle_unit: str | None = None,
+         time_scale: Number | None = None, fps: Number | None = None,
+         epoch: str | datetime.date | np.datetime64 | None = None, clip: str | None = None, joint: str | None = None,
+         space: str | None = None, conjugate: bool = False, signs: str | None = None,
+         ignore_recipe: bool = False, normalise: bool = False, drop_duplicates: bool = False, drop_invalid: bool = False,
+         sort: bool = False, scalar_first: bool = False) -> Keys:
+    """The keyframes of a file: CSV, TUM or EuRoC, told by its name and its content; of a glTF or BVH file one joint.
+
+    Times of the keys are seconds since the first one; `Keys.epoch` has the time of that, with all its digits. So
+    nanoseconds survive in a time stamp of today. Files that are written have the times of the file again. Positions,
+    rates [rad/s], [rad/s²], [rad/s³] and columns named as settings of methods are read where they are there. If the file
+    names the method that its keys are for, `Keys.curve()` is the curve of that.
+
+    The options are those of the command; `columns` is a mapping, such as `{"t": "sclk_ticks", "qw": "q0_w"}`.
+
+    Parameters
+    ----------
+    path : str or path
+        `-` is standard input.
+    {options}
+    scalar_first : bool
+        The order of quaternions in all that the keys and their curves give back: w, x, y, z.
+
+    Raises
+    ------
+    DataError
+        What the file holds is no keys; with `file`, `line` and `column`. The message says which option would mend it.
+    AccessError
+        The file is not there or cannot be read.
+    ArgumentError
+        An option that is no such thing, or that contradicts the file.
+
+    Warns
+    -----
+    ShapeWarning
+        What was noticed in the file, such as a unit of times that was told by their size.
+
+    Examples
+    --------
+    >>> import orispline as ori, pathlib, tempfile
+    >>> path = pathlib.Path(tempfile.mkdtemp()) / "keys.csv"
+    >>> _ = path.write_text("t,qw,qx,qy,qz\\n1700000000.000000001,1,0,0,0\\n1700000000.5,0.8,0,0,0.6\\n")
+    >>> keys = ori.read(path)
+    >>> keys.epoch, keys.times.tolist()
+    (Decimal('1700000000.000000001'), [0.0, 0.499999999])
+    >>> keys.curve("slerp").sample(count=3).write(path)
+    >>> len(ori.read(path))
+    3
+    """
+    named = {"input_format": input_format, "order": order, "input_orientation": input_orientation, "euler": euler,
+             "angle_unit": angle_unit, "time_scale": time_scale, "fps": fps, "epoch": epoch, "clip": clip, "joint": joint, "space": space, "signs": signs}
+    set_or_not = {"conjugate": conjugate, "ignore_recipe": ignore_recipe, "normalise": normalise,
+                  "drop_duplicates": drop_duplicates, "drop_invalid": drop_invalid, "sort": sort}
+    found = _core.read(path_text(path), stated(named) + flags(set_or_not), _names(columns))
+    tell(found["warnings"])
+    keys = Keys._of(found["keys"], Clock(), scalar_first=scalar_first)
+    keys._source = {"format": found["format"], "repairs": found["repairs"], "ignored_columns": found["ignored_columns"]}
+    return keys
+
+
+def _names(columns: Mapping[str, str] | None) -> dict[str, str]:
+    if columns is None:
+        return {}
+    if not isinstance(columns, Mapping) or not all(isinstance(x, str) for pair in columns.items() for x in pair):
+        raise TypeError(f"columns: found {columns!r}, wanted names of columns by their meanings, such as {{'t': 'time'}}")
+    return dict(columns)
+
+
+read.__doc__ = (read.__doc__ or "").replace("{options}", explained(_core.reading_options()))
