@@ -94,7 +94,7 @@ Expected<orispline::Tuning> tuned(Request request, const Method& method, const T
     request.tuning.reference = {reference.times, reference.orientations};
   }
   return orispline::tune(keys.track, method, request.tuning).map_error([&](Error error) {
-    return placed(keys.track, std::move(error));
+    return jobs::placed(keys.track, std::move(error));
   });
 }
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/tune/tune_report.hpp"
 
+#include <orispline/fields/field_json.hpp>
 #include <orispline/tune/tune_fields.hpp>
-
-#include "output/field_json.hpp"
 
 namespace orispline::cli {
 
