@@ -33,6 +33,7 @@ template <class Outcome>
   return summary_of(written.outcome) + formatted("{} written to {}\n", written.what, destination(written.output));
 }
 template <class Outcome>
+requires requires(const Outcome& outcome) { line_of(outcome); }
 [[nodiscard]] std::string line_of(const Written<Outcome>& written) {
   return formatted("{}: {}", printable(written.output), line_of(written.outcome));
 }

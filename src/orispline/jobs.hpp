@@ -4,4 +4,6 @@
 // The tasks as every face runs them: a request goes in, an outcome comes out with what there is to say of it
 // (ORISPLINE_OPTIMISE).
 
+#include <orispline/jobs/compare.hpp>
 #include <orispline/jobs/retime.hpp>
+#include <orispline/jobs/tune.hpp>

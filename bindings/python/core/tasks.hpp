@@ -40,17 +40,17 @@ inline Keys shared(Track track) { return {std::make_shared<const Track>(std::mov
 jobs::ChosenMethod method_chosen(const std::optional<std::string>& stated, const Track& keys,
                                  const jobs::UsualMethod& usual);
 
-/// The same keys at other times [s], where some are given.
-Track at_times(const Keys& keys, const std::optional<Numbers>& times);
+/// A recording, at other times [s] where some are given; null where there is none.
+std::shared_ptr<const Track> reference_in(const std::optional<Keys>& recording, const std::optional<Numbers>& times);
 
 /// Writes a page as a file, complete or not at all. Raises AccessError.
 void write_page(const std::string& path, const report::Page& page);
 
-/// What there is to say of an outcome of orispline::jobs.
-template <class Outcome>
+/// What there is to say of an outcome of orispline::jobs, whose document is a dict or a list.
+template <class Document = nanobind::dict, class Outcome>
 void add_words(nanobind::class_<Outcome>& outcome_class) {
   outcome_class.def_prop_ro("warnings", [](const Outcome& outcome) { return warnings_of(outcome.warnings); })
-      .def("members", [](const Outcome& outcome) { return nanobind::cast<nanobind::dict>(object_of(document_of(outcome))); })
+      .def("members", [](const Outcome& outcome) { return nanobind::cast<Document>(object_of(document_of(outcome))); })
       .def("summary", [](const Outcome& outcome) { return summary_of(outcome); });
 }
 
