@@ -15,9 +15,35 @@ FLOORS = {  # folder of src/orispline -> what it may include besides itself
     "batch/kernel": {"base"}, "batch": GROUND | {"families", "batch/kernel"}, "online": GROUND | {"families", "batch"},
     "analysis": GROUND | {"families", "batch"}, "smooth": GROUND | {"families", "analysis", "clip"}, "tune": GROUND | {"families", "analysis"},
     "reduce": GROUND | {"families", "batch", "analysis", "clip"}, "retime": GROUND | {"families", "batch", "analysis"},
-    "pages": GROUND | TASKS | {"families", "batch", "analysis", "report", "clip"}}
+    "pages": GROUND | TASKS | {"families", "batch", "analysis", "report", "clip"},
+    "jobs": GROUND | TASKS | {"families", "batch", "online", "analysis", "report", "clip", "pages"}}
 CLI_FLOORS = {"options": set(), "output": {"options"}, "papers": {"options", "output"},
               "commands": {"options", "output"}}  # folder of cli -> likewise; each folder of commands is one for itself
+FACES, FACE_FLOORS = ("cli/", "bindings/"), {"jobs", "io", "scenes"}  # who compose nothing, and what they include besides public headers
+BELOW_JOBS = {  # header or folder below -> why a face needs it still; the experiments in cli/papers are no face
+    "base/": "errors, texts, numbers and threads, which everything is said and done with",
+    "math/": "units and vectors",
+    "fields/": "options as the user states them, results as data",
+    "curve/": "what keys, methods and curves are",
+    "families/handles.hpp": "samples of streams, which are no job: keys come in and rows go out",
+    "families/measured.hpp": "inspect and sample are no jobs yet",
+    "families/method_text.hpp": "methods as the user types them",
+    "families/method_warnings.hpp": "inspect, plot and sample are no jobs yet",
+    "families/motion_band.hpp": "samples in bulk",
+    "families/recipe.hpp": "what a file says its keys are for",
+    "families/registry.hpp": "the list of methods",
+    "batch/": "samples in bulk, which go into files and arrays without a copy",
+    "online/track_sampler.hpp": "streams of keys, likewise",
+    "clip/": "difference and the samples of joints are no jobs yet",
+    "analysis/comparison_fields.hpp": "the options of compare",
+    "analysis/": "inspect is no job yet; measures of one curve in Python",
+    "smooth/": "not a job yet",
+    "reduce/": "not a job yet",
+    "retime/retime_fields.hpp": "its options",
+    "tune/tune_fields.hpp": "its options",
+    "report/": "pages and pictures as files",
+    "pages/": "pages of tasks that are no jobs yet; the head of pages, and those of one curve in Python",
+}
 GUESTS = {"fast_float/": "src/orispline/io/", "CLI/": "cli/options/command.cpp", "nlohmann/": ("cli/output/json_document.cpp", "src/orispline/scenes/gltf/"),
           "assimp/": "src/orispline/scenes/assimp.cpp", "benchmark/": "benchmarks/", "glm/": "benchmarks/",
           "smooth/so3": "benchmarks/", "smooth/spline/": "benchmarks/", "sophus/": "benchmarks/", "basalt/": "benchmarks/"}  # third party -> its only room
@@ -37,6 +63,18 @@ def floor_of(include):
     while "/" in folder and folder not in FLOORS:
         folder = folder.rpartition("/")[0]
     return folder
+
+
+def is_for_faces(name):
+    inside, floor = name.removeprefix("orispline/"), floor_of(name)
+    return not floor or floor.partition("/")[0] in FACE_FLOORS or any(inside.startswith(entry) for entry in BELOW_JOBS)
+
+
+def face_breaches(path, names):
+    """A face includes what is composed."""
+    if path.startswith(FACES) and not path.startswith("cli/papers/"):
+        yield from (f"{path}: a face must not include {name}, wanted jobs, io, scenes or a public header"
+                    for name in names if name.startswith("orispline/") and not is_for_faces(name))
 
 
 def cli_floor_of(path):
@@ -74,6 +112,7 @@ def include_breaches(sources):
         if path.startswith("cli/"):
             graph[path] |= {f"cli/{name}" for name in quoted}
             yield from cli_breaches(path, quoted)
+        yield from face_breaches(path, names)
         if path.startswith("examples/"):
             yield from (f"{path}: wanted a public header, <orispline/NAME.hpp>, found {name}" for name in names
                         if re.match(r"orispline/.+/", name))

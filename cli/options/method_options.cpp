@@ -135,22 +135,12 @@ Expected<std::optional<Method>> named_method(const std::optional<std::string>& t
   return method_request(*text, options).map([](Method method) { return std::optional(std::move(method)); });
 }
 
-Expected<ChosenMethod> chosen_method(const std::optional<Method>& named, const MethodOptions& options,
-                                     const io::KeyInput& keys, const OtherMethod& otherwise) {
-  const auto instead_of_recipe = [&](Method method) {
-    ChosenMethod chosen{.method = std::move(method)};
-    if (auto warning = recipe_set_aside(keys.recipe(), chosen.method, keys.path()))
-      chosen.warnings.push_back(std::move(*warning));
-    return chosen;
-  };
-  if (named) return instead_of_recipe(*named);
-  return method_of(keys.recipe(), keys.path()).and_then([&](std::optional<Method> stated) {
-    if (!stated || (otherwise.fits && !otherwise.fits(family_of(*stated))))
-      return method_request(otherwise.name, options).map(instead_of_recipe);
+Expected<jobs::ChosenMethod> chosen_method(const std::optional<Method>& named, const MethodOptions& options,
+                                           const io::KeyInput& keys, const jobs::UsualMethod& usual) {
+  return jobs::chosen_method(named, keys.recipe(), keys.path(), usual, [&](Method method, jobs::NamedBy by) {
+    if (by == jobs::NamedBy::nobody) return shaped(std::move(method), options, AskedBy::user);
     const AskedBy asked = options.ends ? AskedBy::user : AskedBy::file;
-    return shaped(silent_about(options, std::move(*stated)), options, asked).map([](Method method) {
-      return ChosenMethod{.method = std::move(method)};
-    });
+    return shaped(silent_about(options, std::move(method)), options, asked);
   });
 }
 
@@ -208,18 +198,13 @@ std::vector<std::string> known_end_rules() {
 Expected<PoseCurve> shaped_curve(const Method& method, const Track& track) {
   // The command line answers for itself first; what fails after that is the fault of the file's columns.
   const auto settled = settle(family_of(method), method.options, track.keys.size());
-  if (!settled) return tl::unexpected(blamed_on_recipe(method, track, placed(track, settled.error())));
+  if (!settled) return tl::unexpected(blamed_on_recipe(method, track, jobs::placed(track, settled.error())));
   const Method shaped = completed(method, track);
   const bool has_columns = shaped.options.parameters.size() > method.options.parameters.size();
   return make_pose_curve(shaped, track.keys).map_error([&](Error error) {
     if (has_columns) error.code = ErrorCode::bad_data;
-    return blamed_on_recipe(method, track, placed(track, std::move(error)));
+    return blamed_on_recipe(method, track, jobs::placed(track, std::move(error)));
   });
-}
-
-Error placed(const Track& track, Error error) {
-  const bool concerns_file = error.code != ErrorCode::bad_argument || error.where.key;
-  return concerns_file ? track.located(std::move(error)) : error;
 }
 
 }  // namespace orispline::cli

@@ -11,6 +11,7 @@
 #include <orispline/families/recipe.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/io/track_file.hpp>
+#include <orispline/jobs/chosen_method.hpp>
 
 namespace orispline::cli {
 
@@ -28,23 +29,11 @@ struct MethodOptions {
 /// `NAME` or `NAME:SETTING=VALUE:…`, shaped by the other options as well. Every error names its option.
 [[nodiscard]] Expected<Method> method_request(std::string_view method, const MethodOptions& options);
 
-/// The method whose curve the keys are for.
-struct ChosenMethod {
-  Method method{};
-  std::vector<Warning> warnings{};  ///< that the file names another one
-};
-
-/// The method where neither the user nor the file names one that fits.
-struct OtherMethod {
-  std::string_view name;
-  bool (*fits)(const FamilyInfo&) = nullptr;  ///< what the file may name; null: anything
-};
-
-/// The method that was named, already shaped; else the one that the file of the keys names, shaped by the options where
-/// they say something; else `otherwise`, with a warning where the one of the file does not fit. Errors: those of
-/// method_request(), and of a recipe that cannot be read.
-[[nodiscard]] Expected<ChosenMethod> chosen_method(const std::optional<Method>& named, const MethodOptions& options,
-                                                   const io::KeyInput& keys, const OtherMethod& otherwise);
+/// The method that was named, already shaped; else the one of jobs::chosen_method(), shaped by the options where they
+/// say something. Errors: those of method_request(), and of a recipe that cannot be read.
+[[nodiscard]] Expected<jobs::ChosenMethod> chosen_method(const std::optional<Method>& named,
+                                                         const MethodOptions& options, const io::KeyInput& keys,
+                                                         const jobs::UsualMethod& usual);
 
 /// Several methods, by names or lists of names with commas between them, all shaped alike.
 [[nodiscard]] Expected<std::vector<Method>> method_requests(const std::vector<std::string>& lists,
@@ -75,8 +64,5 @@ struct OtherMethod {
 ///
 /// A value that the file is to blame for is bad_data and names its line.
 [[nodiscard]] Expected<PoseCurve> shaped_curve(const Method& method, const Track& track);
-
-/// The error with its place in the file, unless the command line alone is at fault.
-[[nodiscard]] Error placed(const Track& track, Error error);
 
 }  // namespace orispline::cli

@@ -7,54 +7,30 @@ namespace orispline::cli {
 
 namespace {
 
-using Written = nlohmann::ordered_json;
+using Nlohmann = nlohmann::ordered_json;
 
-Written written(const Json& json);
+Nlohmann written(const Json& json);
 
 struct Writing {
-  Written operator()(const Json::Array& values) const {
-    Written list = Written::array();
+  Nlohmann operator()(const Json::Array& values) const {
+    Nlohmann list = Nlohmann::array();
     for (const Json& value : values) list.push_back(written(value));
     return list;
   }
-  Written operator()(const Json::Object& members) const {
-    Written object = Written::object();
+  Nlohmann operator()(const Json::Object& members) const {
+    Nlohmann object = Nlohmann::object();
     for (const auto& [name, value] : members) object[name] = written(value);
     return object;
   }
-  Written operator()(const auto& value) const { return value; }
+  Nlohmann operator()(const auto& value) const { return value; }
 };
 
-Written written(const Json& json) { return std::visit(Writing{}, json.value()); }
+Nlohmann written(const Json& json) { return std::visit(Writing{}, json.value()); }
 
 }  // namespace
 
-// Here and not in the header, where GCC 12 warns of the variant that they move.
-Json::Json(std::nullptr_t) {}
-Json::Json(const Json& other) = default;
-Json::Json(Json&& other) noexcept = default;
-Json& Json::operator=(const Json& other) = default;
-Json& Json::operator=(Json&& other) noexcept = default;
-Json::~Json() = default;
-
-Json::Json(std::initializer_list<Member> members) : value_(Object(members)) {}
-
-void Json::push_back(Json value) { std::get<Array>(value_).push_back(std::move(value)); }
-
-Json& Json::operator[](std::string_view name) {
-  if (std::holds_alternative<std::nullptr_t>(value_)) value_ = Object();
-  Object& members = std::get<Object>(value_);
-  for (Member& member : members)
-    if (member.first == name) return member.second;
-  return members.emplace_back(std::string(name), Json()).second;
-}
-
-void Json::update(Json other) {
-  for (Member& member : std::get<Object>(other.value_)) (*this)[member.first] = std::move(member.second);
-}
-
 std::string document(const Json& json) {
-  return written(json).dump(2, ' ', false, Written::error_handler_t::replace) + "\n";
+  return written(json).dump(2, ' ', false, Nlohmann::error_handler_t::replace) + "\n";
 }
 
 }  // namespace orispline::cli

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include <orispline/base/expected.hpp>
+#include <orispline/base/formatted.hpp>
+#include <orispline/base/quoted.hpp>
 
 #include "options/summary_options.hpp"
 #include "output/gathered_output.hpp"
@@ -16,6 +19,30 @@ namespace orispline::cli {
 
 /// Where an output goes, for people: its path, or `standard output`.
 [[nodiscard]] std::string destination(const std::string& output);
+
+/// What a task made of an input, and where it was written.
+template <class Outcome>
+struct Written {
+  std::string input, output;
+  std::string_view what;  ///< is in the output: `keys`
+  Outcome outcome;
+};
+
+template <class Outcome>
+[[nodiscard]] std::string text_of(const Written<Outcome>& written) {
+  return summary_of(written.outcome) + formatted("{} written to {}\n", written.what, destination(written.output));
+}
+template <class Outcome>
+requires requires(const Outcome& outcome) { line_of(outcome); }
+[[nodiscard]] std::string line_of(const Written<Outcome>& written) {
+  return formatted("{}: {}", printable(written.output), line_of(written.outcome));
+}
+template <class Outcome>
+[[nodiscard]] Json json_of(const Written<Outcome>& written) {
+  Json json{{"input", written.input}, {"output", written.output}};
+  json.update(document_of(written.outcome));
+  return json;
+}
 
 /// The warnings so far, of the input that this thread works on.
 [[nodiscard]] Json json_of_warnings();

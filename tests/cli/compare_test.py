@@ -261,7 +261,7 @@ class Refused(CommandTest):
                 ("--inertia=1,2,-1", "--inertia: found the principal moments -1, 1, 2, wanted all of them greater than 0"),
                 ("--sort torque", "--sort: found 'torque', wanted --inertia as well"),
                 ("--sort peak-torque", "--sort: found 'peak-torque', wanted --inertia as well"),
-                ("--keep-every 2 --sort rate", "--sort rate: wanted columns wx,wy,wz in keys.csv"),
+                ("--keep-every 2 --sort rate", "--sort: found 'rate', wanted angular velocities as columns wx,wy,wz in keys.csv"),
                 ("--keep-every 4 --reference keys.csv",
                  "found --reference and --keep-every, --jitter or --random, wanted a dense reference or samples of INPUT "
                  "for it")):

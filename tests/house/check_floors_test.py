@@ -78,6 +78,18 @@ class CheckFloors(unittest.TestCase):
         self.assert_breach("src/orispline/smooth/smooth.cpp", SPDX + "#include <orispline/pages/page.hpp>\n",
                            "floor smooth must not include orispline/pages/page.hpp")
 
+    def test_finds_a_job_that_opens_files(self):
+        self.assert_breach("src/orispline/jobs/retime.cpp", SPDX + "#include <orispline/io/csv.hpp>\n",
+                           "floor jobs must not include orispline/io/csv.hpp")
+
+    def test_finds_a_face_that_composes(self):
+        for path in ("cli/commands/retime/retime.cpp", "bindings/python/core/tasks_retime.cpp"):
+            for name in ("retime/retime.hpp", "online/online_curve.hpp"):
+                self.assert_breach(path, SPDX + f"#include <orispline/{name}>\n", f"{path}: a face must not include orispline/{name}")
+            for name in ("jobs/retime.hpp", "io/formats/csv.hpp", "retime.hpp", "base/formatted.hpp"):
+                self.assert_sound(path, SPDX + f"#include <orispline/{name}>\n")
+        self.assert_sound("cli/papers/table.cpp", SPDX + "#include <orispline/retime/retime.hpp>\n")
+
     def test_finds_includes_upwards_in_the_command(self):
         for path, name in (("options/text.hpp", "output/summary.hpp"), ("output/summary.hpp", "commands/smooth/smooth.hpp"),
                            ("options/text.hpp", "commands/smooth/smooth.hpp"), ("papers/table.cpp", "commands/smooth/smooth.hpp")):

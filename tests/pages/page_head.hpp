@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <orispline/pages/page_head.hpp>
+#include <orispline/pages/task_pages.hpp>
 
 namespace orispline {
 

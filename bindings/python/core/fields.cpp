@@ -99,6 +99,21 @@ struct Member {
   nb::object operator()(const auto& value) const { return Attribute()(value); }
 };
 
+struct FromJson {
+  nb::object operator()(std::nullptr_t) const { return nb::none(); }
+  nb::object operator()(const Json::Array& values) const {
+    nb::list list;
+    for (const Json& value : values) list.append(object_of(value));
+    return list;
+  }
+  nb::object operator()(const Json::Object& members) const {
+    nb::dict object;
+    for (const auto& [name, value] : members) object[text(name)] = object_of(value);
+    return object;
+  }
+  nb::object operator()(const auto& value) const { return nb::cast(value); }
+};
+
 nb::object bound(double number) { return std::isfinite(number) ? nb::cast(number) : nb::object(nb::none()); }
 
 nb::dict info_of(const FieldInfo& field) {
@@ -152,6 +167,8 @@ void put_members(nb::dict& members, std::span<const FieldInfo> fields, const voi
     members[text(name_with_unit(field))] = std::visit(Member{field, recording}, value);
   }
 }
+
+nb::object object_of(const Json& json) { return std::visit(FromJson(), json.value()); }
 
 nb::list warnings_of(std::span<const Warning> warnings) {
   nb::list list;

@@ -9,6 +9,7 @@
 #include <orispline/base/warning.hpp>
 #include <orispline/curve/track.hpp>
 #include <orispline/fields.hpp>
+#include <orispline/fields/json.hpp>
 
 // The fields of the library's options and results, as Python states and sees them.
 
@@ -42,6 +43,9 @@ template <class Result>
 void put_members(nanobind::dict& members, const Result& result, const Track& recording, Absent absent = Absent::none) {
   put_members(members, fields_of<Result>(), &result, recording, absent);
 }
+
+/// As Python has it: None, numbers, texts, lists and dicts.
+nanobind::object object_of(const Json& json);
 
 /// `(text, code, numbers)` of each.
 nanobind::list warnings_of(std::span<const Warning> warnings);

@@ -12,6 +12,7 @@
 #include <orispline/analysis/key_statistics.hpp>
 #include <orispline/families/method_text.hpp>
 #include <orispline/families/recipe.hpp>
+#include <orispline/jobs.hpp>
 
 #include "arrays.hpp"
 #include "errors.hpp"
@@ -105,12 +106,7 @@ std::string method_for(const Keys& keys, const std::vector<std::string>& names, 
 
 /// What is to be said where keys of one method's curve are used for another.
 nb::list set_aside(const Keys& keys, const std::string& method) {
-  const Track& track = *keys.track;
-  const Method used = value_of(method_from_text(method));
-  std::vector<Warning> warnings;
-  if (!track.recipe.is_empty() && recipe_for(used, track).method != track.recipe.method)  // whose settings are columns
-    if (const auto warning = recipe_set_aside(track.recipe, used, track.name)) warnings.push_back(*warning);
-  return told(warnings);
+  return told(value_of(jobs::chosen_method(value_of(method_from_text(method)), *keys.track, {})).warnings);
 }
 
 nb::object spread_of(const std::optional<Spread>& spread) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tasks.hpp"
 
-#include <orispline/families/recipe.hpp>
-#include <orispline/families/registry.hpp>
 #include <orispline/io/output_file.hpp>
 
 #include "errors.hpp"
@@ -11,18 +9,18 @@ namespace nb = nanobind;
 
 namespace orispline::python {
 
-Method method_for(const std::optional<std::string>& stated, const Track& track, std::string_view usual,
-                  bool (*fits)(const FamilyInfo&)) {
-  if (stated) return value_of(method_from_text(*stated));
-  std::optional<Method> own = value_of(method_of(track.recipe, track.name));
-  if (own && fits(*value_of(find_family(own->name)))) return std::move(*own);
-  return value_of(method_from_text(usual));
+jobs::ChosenMethod method_chosen(const std::optional<std::string>& stated, const Track& keys,
+                                 const jobs::UsualMethod& usual) {
+  std::optional<Method> named;
+  if (stated) named = value_of(method_from_text(*stated));
+  return value_of(jobs::chosen_method(named, keys, usual));
 }
 
-Track at_times(const Keys& keys, const std::optional<Numbers>& times) {
-  if (!times) return *keys.track;
+std::shared_ptr<const Track> reference_in(const std::optional<Keys>& recording, const std::optional<Numbers>& times) {
+  if (!recording) return nullptr;
+  if (!times) return recording->track;
   const auto seconds = span_of(*times);
-  return value_of(keys.track->with_times({seconds.begin(), seconds.end()}));
+  return shared(value_of(recording->track->with_times({seconds.begin(), seconds.end()}))).track;
 }
 
 void write_page(const std::string& path, const report::Page& page) {

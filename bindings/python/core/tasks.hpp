@@ -8,6 +8,7 @@
 #include <nanobind/nanobind.h>
 
 #include <orispline/families/method_text.hpp>
+#include <orispline/jobs.hpp>
 #include <orispline/pages.hpp>
 
 #include "arrays.hpp"
@@ -35,14 +36,31 @@ struct TaskResult {
 
 inline Keys shared(Track track) { return {std::make_shared<const Track>(std::move(track))}; }
 
-/// That of its text, else the one that the keys are for if it fits, else the usual one. Raises the library's errors.
-Method method_for(const std::optional<std::string>& stated, const Track& track, std::string_view usual,
-                  bool (*fits)(const FamilyInfo&));
+/// That of its text, else as jobs::chosen_method() chooses. Raises the library's errors.
+jobs::ChosenMethod method_chosen(const std::optional<std::string>& stated, const Track& keys,
+                                 const jobs::UsualMethod& usual);
 
-/// The same keys at other times [s], where some are given.
-Track at_times(const Keys& keys, const std::optional<Numbers>& times);
+/// A recording, at other times [s] where some are given; null where there is none.
+std::shared_ptr<const Track> reference_in(const std::optional<Keys>& recording, const std::optional<Numbers>& times);
 
 /// Writes a page as a file, complete or not at all. Raises AccessError.
 void write_page(const std::string& path, const report::Page& page);
+
+/// What there is to say of an outcome of orispline::jobs, whose document is a dict or a list.
+template <class Document = nanobind::dict, class Outcome>
+void add_words(nanobind::class_<Outcome>& outcome_class) {
+  outcome_class.def_prop_ro("warnings", [](const Outcome& outcome) { return warnings_of(outcome.warnings); })
+      .def("members", [](const Outcome& outcome) { return nanobind::cast<Document>(object_of(document_of(outcome))); })
+      .def("summary", [](const Outcome& outcome) { return summary_of(outcome); });
+}
+
+/// Its page.
+template <class Outcome>
+void add_report(nanobind::class_<Outcome>& outcome_class) {
+  const auto write = [](const Outcome& outcome, const std::string& path, const std::string& date) {
+    write_page(path, page_of(outcome, pages::PageHead{.date = date}));
+  };
+  outcome_class.def("report", write, nanobind::arg("path"), nanobind::arg("date"));
+}
 
 }  // namespace orispline::python

@@ -30,6 +30,7 @@ class Comparison:
     _arguments: tuple[Any, ...]
     _reference: Keys | None
     _rows: list[dict[str, Any]]
+    _summary: str
     _core: Any
 
     def table(self) -> list[dict[str, Any]]:
@@ -70,6 +71,9 @@ class Comparison:
 
     def __getstate__(self) -> dict[str, Any]:
         return {**self.__dict__, "_core": None}
+
+    def __str__(self) -> str:
+        return self._summary.rstrip("\n")
 
     def __repr__(self) -> str:
         best = f", best {self._rows[0]['method']!r}" if self._rows else ""
@@ -163,4 +167,4 @@ def compare(keys: Keys, methods: Sequence[str] | str | None = None, *, reference
                  plain({"inertia": inertia, "leave_out": leave_out, "least_energy": least_energy}), checked_threads(threads))
     core = _work(keys, reference, *arguments)
     tell(core.warnings)
-    return Comparison(tuple(core.measures()), keys, arguments, reference, core.rows(), core)
+    return Comparison(tuple(core.measures()), keys, arguments, reference, core.members(), core.summary(), core)

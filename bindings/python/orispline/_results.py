@@ -38,6 +38,7 @@ class Result:
     _given: Keys
     _arguments: tuple[Any, ...]
     _members: dict[str, Any]
+    _summary: str
     _core: Any
     _table: ClassVar[str]
 
@@ -66,10 +67,13 @@ class Result:
         values = {name + "_" * keyword.iskeyword(name): _as_python(kinds.get(name, ""), value, given)
                   for name, value in core.attributes().items() if name != "keys"}
         return cls(keys=new_keys(core.keys, given), method=core.method, _given=given, _arguments=arguments,
-                   _members=core.members(), _core=core, **values)
+                   _members=core.members(), _summary=core.summary() if hasattr(core, "summary") else "", _core=core, **values)
 
     def __getstate__(self) -> dict[str, Any]:
         return {name: None if name == "_core" else value for name, value in self.__dict__.items() if name != "curve"}
+
+    def __str__(self) -> str:
+        return self._summary.rstrip("\n") or repr(self)
 
     def __repr__(self) -> str:
         shown = ", ".join(f"{f.name}={getattr(self, f.name)!r}" for f in dataclasses.fields(self)

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/compare/compare.hpp"
 
+#include <utility>
+
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
-#include <orispline/pages/task_pages.hpp>
-#include <orispline/tune/tension_model.hpp>
-#include <orispline/tune/tune.hpp>
+#include <orispline/jobs/compare.hpp>
+#include <orispline/report/table.hpp>
 
-#include "commands/compare/compare_report.hpp"
+#include "commands/compare/compare_keys.hpp"
+#include "commands/compare/compare_request.hpp"
 #include "output/each_input.hpp"
 #include "output/gathered_output.hpp"
+#include "output/json_document.hpp"
 #include "output/progress.hpp"
+#include "output/repairs_text.hpp"
 #include "output/standard_output.hpp"
 #include "output/terminal_width.hpp"
 
@@ -18,125 +22,80 @@ namespace orispline::cli {
 
 namespace {
 
-/// Progress looks at the clock only once in so many steps.
-constexpr std::size_t steps_per_method = 4096;
+/// Progress looks at the clock only once in 4096 steps.
+constexpr double progress_steps = 4096 * 1000.0;
 
-/// The same with the tensions that make ∫|α|² least, or with the reason why there are none.
-ComparedMethod tuned(ComparedMethod method, const Track& track) {
-  Candidate& candidate = method.candidate;
-  method.label += ":tuned";
-  auto tuning = orispline::tune(track, candidate.method);
-  if (tuning) candidate.method = std::move(tuning->method);
-  else method.measures = tl::unexpected(track.located(std::move(tuning.error())));
-  return method;
-}
+/// What was found, and what was mended in INPUT.
+struct CompareReport {
+  jobs::CompareOutcome outcome;
+  io::RepairReport repairs{};
+};
 
-std::vector<ComparedMethod> methods_to_compare(const CompareRequest& request, const ComparedData& data) {
-  std::vector<ComparedMethod> methods;
-  for (std::size_t i = 0; i < data.key_sets.size(); ++i)
-    for (const NamedMethod& method : request.methods) {
-      const Track& track = data.key_sets[i].track;
-      methods.push_back(
-          {.label = method.label, .key_set = i, .candidate = {completed(method.method, track), track.keys}});
-      if (request.tune && !orispline::tunable_parameters(method.method.name).empty())
-        methods.push_back(tuned(methods.back(), track));
-    }
-  return methods;
-}
-
-void measure_all(CompareReport& report, const CompareRequest& request, Progress::Show show) {
-  std::vector<Candidate> candidates;
-  for (const ComparedMethod& method : report.methods) candidates.push_back(method.candidate);
-  Progress progress(steps_per_method * candidates.size(), show);
-  Comparison comparison = orispline::compare(candidates, report.data.recording(), request.measured,
-                                             static_cast<unsigned>(request.threads), {.show = [&](double share) {
-                                               progress.advance_to(static_cast<std::size_t>(std::lround(
-                                                   share * static_cast<double>(steps_per_method * candidates.size()))));
-                                             }});
-  warn(comparison.warnings);
-  for (std::size_t i = 0; i < report.methods.size(); ++i) {
-    ComparedMethod& method = report.methods[i];
-    if (!method.measures) continue;  // it could not be tuned
-    method.measures = std::move(comparison.measures[i]).map_error([&](Error error) {
-      return report.data.key_sets[method.key_set].track.located(std::move(error));
-    });
-  }
+Expected<CompareReport> compared(const CompareOptions& options, CompareRequest request) {
+  auto files = compared_files(request.input, options.reference);
+  if (!files) return tl::unexpected(std::move(files.error()));
+  request.job.keys = std::move(files->keys);
+  request.job.reference = std::move(files->reference);
+  Progress bar(static_cast<std::size_t>(progress_steps),
+               options.summary.quiet ? Progress::Show::never : Progress::Show::on_terminal);
+  const auto show = [&](double share) { bar.advance_to(static_cast<std::size_t>(progress_steps * share)); };
+  return jobs::compare(std::move(request.job), {.show = show}).map([&](jobs::CompareOutcome outcome) {
+    warn(outcome.warnings);
+    return CompareReport{std::move(outcome), files->repairs};
+  });
 }
 
 /// Exit code 0 wants one method that worked.
-Expected<void> any_worked(const CompareReport& report) {
-  for (const ComparedMethod& method : report.methods)
+Expected<void> any_worked(const jobs::CompareOutcome& outcome) {
+  for (const ComparedMethod& method : outcome.methods)
     if (method.measures) return {};
   return failure(ErrorCode::bad_data,
-                 formatted("none of the methods could be compared; {}: {}", report.methods.front().label,
-                           describe(report.methods.front().measures.error())));
+                 formatted("none of the methods could be compared; {}: {}", outcome.methods.front().label,
+                           describe(outcome.methods.front().measures.error())));
 }
 
-Expected<CompareReport> compared(const CompareOptions& options, const CompareRequest& request) {
-  auto files = compared_files(request, options.reference);
-  if (!files) return tl::unexpected(std::move(files.error()));
-  CompareReport report{
-      .data = std::move(files->data),
-      .repairs = files->repairs,
-      .methods = {},
-      .inertia = is_given(options.measured, "inertia") ? std::optional(request.measured.inertia) : std::nullopt,
-      .leave_out = request.measured.leave_out,
-      .sort = request.sort};
-  if (const auto sortable = sort(report); !sortable) return tl::unexpected(sortable.error());
-  report.methods = methods_to_compare(request, report.data);
-  measure_all(report, request, options.summary.quiet ? Progress::Show::never : Progress::Show::on_terminal);
-  return sort(report).map([&] { return std::move(report); });
-}
-
-/// As the page takes it.
-pages::ComparedCurves shown(const CompareReport& report, const std::vector<std::string>& named) {
-  pages::ComparedCurves curves{.methods = report.methods,
-                               .recording = report.data.recording(),
-                               .epoch = report.data.epoch,
-                               .named = named,
-                               .measures = measures_of(report),
-                               .sorted_by = report.sort,
-                               .inertia = report.inertia};
-  for (const ComparedKeys& keys : report.data.key_sets)
-    curves.key_sets.push_back(keys.decimation ? name_of(*keys.decimation) : "");
-  return curves;
+/// In lines of so many characters: what has no room is left out, and named.
+std::string tables_text(const CompareReport& report, std::optional<std::size_t> width) {
+  constexpr std::string_view not_shown = "The terminal is too narrow for these, which --csv and --json have too:";
+  std::string text;
+  if (const std::string repairs = text_of(report.repairs); !repairs.empty()) text += repairs + "\n";
+  for (const report::Table& table : tables_of(report.outcome))
+    text.append(text.empty() ? "" : "\n").append(width ? text_of(table, *width, not_shown) : text_of(table));
+  return text;
 }
 
 Expected<void> print(const CompareReport& report, const CompareOptions& options) {
-  return print_document(options.json  ? json_of(report)
-                        : options.csv ? csv_of(report)
-                                      : text_of(report, terminal_width()))
-      .and_then([&] { return any_worked(report); });
+  return print_document(options.json  ? document(document_of(report.outcome))
+                        : options.csv ? csv_of(report.outcome)
+                                      : tables_text(report, terminal_width()))
+      .and_then([&] { return any_worked(report.outcome); });
 }
 
 /// The table of one of several inputs, as a file of its own.
-Expected<void> write(const CompareReport& report, const CompareOptions& options) {
-  const auto worked = any_worked(report);
-  if (!worked) return worked;
-  return open_output(options.output.path)
+Expected<void> write(const jobs::CompareOutcome& outcome, const CompareOptions& options) {
+  return any_worked(outcome)
+      .and_then([&] { return open_output(options.output.path); })
       .and_then([&](Noted<io::OutputFile> output) {
-        return output.file.write(options.json ? json_of(report) : csv_of(report)).and_then([&] {
+        return output.file.write(options.json ? document(document_of(outcome)) : csv_of(outcome)).and_then([&] {
           return put_in_place(std::move(output));
         });
       })
       .map([&] {
-        if (!options.summary.quiet) tell(formatted("{}: {}\n", printable(options.output.path), line_of(report)));
+        if (!options.summary.quiet) tell(formatted("{}: {}\n", printable(options.output.path), line_of(outcome)));
       });
 }
 
 Expected<void> compare_one(const CompareOptions& options) {
-  const auto request = compare_request(options);
-  if (!request) return tl::unexpected(request.error());
+  auto request = compare_request(options);
+  if (!request) return tl::unexpected(std::move(request.error()));
   auto file = ReportFile::open(options.report);
   if (!file) return tl::unexpected(std::move(file.error()));
-  return compared(options, *request).and_then([&](const CompareReport& report) {
-    const auto make_page = [&](auto head) {
-      head.title = title_of(report, report.data.key_sets.front());
-      return pages::compare_page(shown(report, request->named), head, static_cast<unsigned>(request->threads));
-    };
-    // What was measured is shown even where the report cannot be written.
-    const auto written = file->write(make_page).and_then([&] { return file->finish(); });
-    const auto printed = options.inputs.folder ? write(report, options) : print(report, options);
+  return compared(options, std::move(*request)).and_then([&](const CompareReport& report) {
+    // What was measured is shown even where the page cannot be written.
+    const auto written = file->write([&](const auto& head) { return page_of(report.outcome, head); }).and_then([&] {
+      return file->finish();
+    });
+    const auto printed = options.inputs.folder ? write(report.outcome, options) : print(report, options);
     return written ? printed : written;
   });
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/compare/compare_keys.hpp"
 
+#include <utility>
+
 #include "output/standard_output.hpp"
 
 namespace orispline::cli {
@@ -21,17 +23,17 @@ Expected<io::TrackFile> warned_of(Expected<io::TrackFile> file) {
 
 }  // namespace
 
-Expected<ComparedFiles> compared_files(const CompareRequest& request, const std::optional<std::string>& reference) {
-  const auto input = warned_of(io::read_track(request.input.path, request.input.read, request.input.signs));
-  if (!input) return tl::unexpected(input.error());
-  const auto with_repairs = [&](ComparedData data) {
-    warn(data.warnings);
-    return ComparedFiles{std::move(data), input->repairs};
-  };
-  if (!reference) return beside_own_samples(input->track, request.decimations).map(with_repairs);
-  return warned_of(io::read_track_beside(*input, *reference, request.input.read)).and_then([&](const auto& truth) {
-    return beside_recording(input->track, truth.track).map(with_repairs);
-  });
+Expected<ComparedFiles> compared_files(const InputRequest& input, const std::optional<std::string>& reference) {
+  auto file = warned_of(io::read_track(input.path, input.read, input.signs));
+  if (!file) return tl::unexpected(std::move(file.error()));
+  ComparedFiles files{.repairs = file->repairs};
+  if (reference) {
+    auto recording = warned_of(io::read_track_beside(*file, *reference, input.read));
+    if (!recording) return tl::unexpected(std::move(recording.error()));
+    files.reference = std::make_shared<const Track>(std::move(recording->track));
+  }
+  files.keys = std::make_shared<const Track>(std::move(file->track));
+  return files;
 }
 
 }  // namespace orispline::cli

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <orispline/analysis/compared_keys.hpp>
+#include <memory>
+
 #include <orispline/io/track_file.hpp>
 
-#include "commands/compare/compare_request.hpp"
+#include "options/input_options.hpp"
 
 namespace orispline::cli {
 
-/// What is compared with what, and what was mended in INPUT.
+/// What is compared, and what was mended in INPUT.
 struct ComparedFiles {
-  ComparedData data;
+  std::shared_ptr<const Track> keys{}, reference{};
   io::RepairReport repairs;
 };
 
-/// Reads the recording and the keys. Errors: those of reading; bad_data for fewer than two keys and for a reference
-/// that does not overlap them.
-[[nodiscard]] Expected<ComparedFiles> compared_files(const CompareRequest& request,
+/// Reads the recording and the keys. Errors: those of reading.
+[[nodiscard]] Expected<ComparedFiles> compared_files(const InputRequest& input,
                                                      const std::optional<std::string>& reference);
 
 }  // namespace orispline::cli

@@ -2,8 +2,7 @@
 #include "commands/compare/compare_options.hpp"
 
 #include <orispline/analysis/comparison_fields.hpp>
-
-#include "commands/compare/compare_report.hpp"
+#include <orispline/analysis/measure_info.hpp>
 
 namespace orispline::cli {
 
@@ -22,6 +21,14 @@ through them are compared with all samples from the first to the last key. With 
 are compared too. Errors are full rotation angles. A method that fails stands in the table with the reason; the exit code
 is 0 if one worked. --leave-out is an estimate from the keys alone: it says how large the error is, not which method is
 the best (docs/compare.md).)";
+
+/// `rms|mean|…`
+std::string sort_words() {
+  std::string words;
+  for (const MeasureInfo& measure : measures_info())
+    if (!measure.word.empty()) words.append(words.empty() ? "" : "|").append(measure.word);
+  return words;
+}
 
 }  // namespace
 

@@ -8,7 +8,6 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/method_text.hpp>
 
-#include "commands/compare/compare_report.hpp"
 #include "options/threads.hpp"
 
 namespace orispline::cli {
@@ -16,22 +15,17 @@ namespace orispline::cli {
 namespace {
 
 constexpr std::size_t default_step = 8;
-constexpr std::string_view all_methods = "all", default_sort = "rms";
+constexpr std::string_view all_of_them = "all";
 
-Expected<NamedMethod> named_method(const std::string& text) {
+Expected<jobs::LabelledMethod> named_method(const std::string& text) {
   return method_from_text(text)
       .map([&](Method method) {
-        return NamedMethod{text, std::move(method)};
+        return jobs::LabelledMethod{text, std::move(method)};
       })
       .map_error([](Error error) {
         if (!std::exchange(error.option, {}).empty()) error.message = formatted("--methods: {}", error.message);
         return error;
       });
-}
-
-std::vector<std::string> with_all_methods(std::vector<std::string> names) {
-  for (const FamilyInfo& family : families_info()) names.emplace_back(family.name);
-  return names;
 }
 
 /// The names that were typed, each for itself; `all` among them.
@@ -42,21 +36,23 @@ std::vector<std::string> typed_names(const CompareOptions& options) {
   return names;
 }
 
-Expected<std::vector<NamedMethod>> methods_in(const CompareOptions& options) {
-  std::vector<std::string> names;
-  for (std::string& name : typed_names(options)) {
-    if (name == all_methods) names = with_all_methods(std::move(names));
-    else names.push_back(std::move(name));
-  }
-  if (names.empty()) names = with_all_methods({});
-  std::vector<NamedMethod> methods;
-  for (const std::string& name : names) {
-    auto method = named_method(name);
-    if (!method) return tl::unexpected(std::move(method.error()));
-    const auto known = std::ranges::find(methods, name, &NamedMethod::label);
-    if (known != methods.end())
-      return usage_failure(formatted("--methods: found '{}' twice, wanted each method once", name));
-    methods.push_back(std::move(*method));
+/// The methods of a name.
+Expected<std::vector<jobs::LabelledMethod>> methods_named(const std::string& name) {
+  if (name == all_of_them) return jobs::all_methods();
+  return named_method(name).map([](jobs::LabelledMethod method) { return std::vector{std::move(method)}; });
+}
+
+Expected<std::vector<jobs::LabelledMethod>> methods_in(const CompareOptions& options) {
+  if (options.methods.empty()) return jobs::all_methods();
+  std::vector<jobs::LabelledMethod> methods;
+  for (const std::string& name : typed_names(options)) {
+    auto named = methods_named(name);
+    if (!named) return tl::unexpected(std::move(named.error()));
+    for (jobs::LabelledMethod& method : *named) {
+      if (std::ranges::find(methods, method.label, &jobs::LabelledMethod::label) != methods.end())
+        return usage_failure(formatted("--methods: found '{}' twice, wanted each method once", method.label));
+      methods.push_back(std::move(method));
+    }
   }
   return methods;
 }
@@ -106,9 +102,7 @@ Expected<void> agree(const CompareOptions& options, const CompareRequest& reques
   if (auto fits = check_report(options.report, others); !fits) return fits;
   if (options.reference == io::standard_stream && options.input.path == io::standard_stream)
     return usage_failure("found '-' for INPUT and --reference, wanted it for one at most");
-  if (is_torque(request.sort) && !is_given(options.measured, "inertia"))
-    return wanted({"--sort", request.sort}, "--inertia as well");
-  return {};
+  return jobs::check(request.job);
 }
 
 }  // namespace
@@ -116,19 +110,20 @@ Expected<void> agree(const CompareOptions& options, const CompareRequest& reques
 Expected<CompareRequest> compare_request(const CompareOptions& options) {
   FirstError checked;
   CompareRequest request{.input = checked(input_request(options.input)),
-                         .decimations = checked(decimations_in(options)),
-                         .methods = checked(methods_in(options)),
-                         .named = typed_names(options),
-                         .measured = checked(measures_in(options)),
-                         .tune = options.tune,
-                         .sort = checked(sort_word_in({"--sort", options.sort.value_or(std::string(default_sort))})),
-                         .threads = checked(threads_in(options.inputs.threads))};
+                         .job = {.decimations = checked(decimations_in(options)),
+                                 .methods = checked(methods_in(options)),
+                                 .named = typed_names(options),
+                                 .tune = options.tune,
+                                 .measured = checked(measures_in(options)),
+                                 .has_inertia = is_given(options.measured, "inertia")}};
+  if (options.sort) request.job.sort = checked(measure_of_word(*options.sort)).word;
+  request.job.threads = static_cast<unsigned>(checked(threads_in(options.inputs.threads)));
   if (auto agreed = agree(options, request); !agreed) static_cast<void>(checked(agreed.map([] { return 0; })));
   auto read = std::move(checked).or_else(std::move(request));
   if (!read) return read;
   read->input.read.rate_orders = 1;
   read->input.read.world_rates = true;
-  for (const NamedMethod& method : read->methods) {
+  for (const jobs::LabelledMethod& method : read->job.methods) {
     read->input.read.rate_orders = std::max(read->input.read.rate_orders, family_of(method.method).rate_orders);
     if (!options.reference) continue;
     for (std::string& name : open_parameters(method.method)) {

@@ -4,11 +4,11 @@
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
+#include <orispline/fields/field_json.hpp>
 #include <orispline/math/degrees.hpp>
 #include <orispline/reduce/reduce_fields.hpp>
 #include <orispline/smooth/smooth_fields.hpp>
 
-#include "output/field_json.hpp"
 #include "output/repairs_text.hpp"
 #include "output/smoothing_text.hpp"
 #include "output/summary.hpp"
@@ -27,7 +27,9 @@ std::string line_of(const ReduceReport& report, const orispline::Reduction& redu
   return line + "\n";
 }
 
-Places places_of(const ReduceReport& report) { return {report.lines, report.times}; }
+Places places_of(const ReduceReport& report) {
+  return {report.lines, [&](std::size_t sample) { return report.times[sample]; }};
+}
 
 Json method_json(const ReduceReport& report, const orispline::Reduction& reduction) {
   Json json{{"method", reduction.method.name}};

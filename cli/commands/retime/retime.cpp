@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/retime/retime.hpp"
 
-#include <algorithm>
+#include <memory>
 #include <utility>
 
 #include <orispline/base/formatted.hpp>
-#include <orispline/families/registry.hpp>
-#include <orispline/pages/task_pages.hpp>
+#include <orispline/jobs/retime.hpp>
 #include <orispline/retime/retime_fields.hpp>
 
-#include "commands/retime/retime_report.hpp"
 #include "options/file_places.hpp"
 #include "output/each_input.hpp"
 #include "output/keys_file.hpp"
@@ -26,9 +24,6 @@ struct Request {
   io::SampleColumns columns;
   orispline::RetimeOptions retiming;
 };
-
-/// Rates at the keys would change with the times.
-bool takes_no_rates(const FamilyInfo& family) { return family.rate_orders == 0; }
 
 /// What the files ask of each other.
 Expected<void> agree(const RetimeOptions& options) {
@@ -65,35 +60,30 @@ Expected<void> retime_one(const RetimeOptions& options) {
   if (auto writable = check_output(options.output.path); !writable) return writable;
   auto input = io::KeyInput::open(request->input.path, request->input.read.recipe);
   if (!input) return tl::unexpected(std::move(input.error()));
-  const auto chosen = chosen_method(request->named, options.shape, *input, {default_method, takes_no_rates});
-  if (!chosen) return tl::unexpected(chosen.error());
-  warn(chosen->warnings);
+  auto chosen = chosen_method(request->named, options.shape, *input, jobs::usual_retimed);
+  if (!chosen) return tl::unexpected(std::move(chosen.error()));
+  warn(std::exchange(chosen->warnings, {}));
   request->input.read.parameters = open_parameters(chosen->method);
-  const auto file = io::read_track(std::move(*input), request->input.read, request->input.signs);
-  if (!file) return tl::unexpected(file.error());
+  auto file = io::read_track(std::move(*input), request->input.read, request->input.signs);
+  if (!file) return tl::unexpected(std::move(file.error()));
   warn(file->warnings);
-  const Track& track = file->track;
-  request->columns = columns_like(*file->format, request->columns, options.output);
+  const io::SampleColumns columns = columns_like(*file->format, request->columns, options.output);
   if (!file->ignored_columns.empty())
     warn(formatted("the output leaves out the columns {}", joined(file->ignored_columns, ", ")));
-  const orispline::MotionLimits& limits = request->retiming.limits;
-  const bool is_named = request->named || !track.recipe.is_empty();
-  const Method method = is_named ? chosen->method : holding_rests(chosen->method, track.keys);
-  auto retiming = orispline::retime(track, method, request->retiming);
-  if (!retiming) return tl::unexpected(placed(track, std::move(retiming.error())));
-  warn(retiming->warnings);
-  if (auto fit = check_settings_fit(retiming->track, request->columns, options.output.option, "the limits hold"); !fit)
-    return fit;
-  const RetimeReport report{.input = options.input.path,
-                            .output = options.output.path,
-                            .limits = limits,
-                            .slowing = request->retiming.slowing,
-                            .duration_before = track.keys.times().back() - track.keys.times().front(),
-                            .retiming = std::move(*retiming)};
-  return page->write([&](const auto& head) { return pages::retime_page(track, report.retiming, limits, head); })
-      .and_then([&] { return write_keys(options.output.path, report.retiming.track, request->columns); })
+  auto outcome = jobs::retime({.keys = std::make_shared<const Track>(std::move(file->track)),
+                               .method = std::move(*chosen),
+                               .options = request->retiming});
+  if (!outcome) return tl::unexpected(std::move(outcome.error()));
+  warn(outcome->warnings);
+  const Track& retimed = outcome->retiming.track;
+  if (auto fit = check_settings_fit(retimed, columns, options.output.option, "the limits hold"); !fit) return fit;
+  return page->write([&](const auto& head) { return page_of(*outcome, head); })
+      .and_then([&] { return write_keys(options.output.path, retimed, columns); })
       .and_then([&] { return page->finish(); })
-      .and_then([&] { return summarise(options.summary, report); });
+      .and_then([&] {
+        return summarise(options.summary,
+                         Written{options.input.path, options.output.path, "keys", std::move(*outcome)});
+      });
 }
 
 }  // namespace

@@ -172,7 +172,7 @@ io::SampleColumns columns_for(const SampleOptions& options, const io::FormatInfo
 }
 
 Expected<std::vector<Warning>> settle_method(SampleRequest& request, const io::KeyInput& keys) {
-  return chosen_method(request.named, request.shape, keys, {default_method}).map([&](ChosenMethod chosen) {
+  return chosen_method(request.named, request.shape, keys, {default_method}).map([&](jobs::ChosenMethod chosen) {
     request.method = std::move(chosen.method);
     request.input.read = read_for({&request.method, 1}, std::move(request.input.read));
     request.input.signs = request.input.signs.value_or(keys.recipe().signs);

@@ -135,7 +135,7 @@ Expected<void> smooth_one(const SmoothOptions& options) {
   if (auto fits = check_format(*request->columns.format, request->smoothing); !fits) return fits;
   auto smoothing = orispline::smooth(recording, request->smoothing);
   if (!smoothing)
-    return tl::unexpected(said_of_cutoff(options.smoothness, placed(recording, std::move(smoothing.error()))));
+    return tl::unexpected(said_of_cutoff(options.smoothness, jobs::placed(recording, std::move(smoothing.error()))));
   const auto remarks = remark_on(*smoothing, recording);
   warn(remarks);
   if (request->times && !request->columns.format->holds.rates)

@@ -3,7 +3,9 @@
 
 #include <cmath>
 
-#include "output/field_json.hpp"
+#include <orispline/fields/field_json.hpp>
+
+#include "output/json_document.hpp"
 
 namespace orispline::cli {
 

@@ -3,15 +3,15 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <utility>
 
-#include <orispline/base/formatted.hpp>
+#include <orispline/jobs/tune.hpp>
 #include <orispline/tune/tune_fields.hpp>
 
-#include "commands/tune/tune_report.hpp"
 #include "options/file_places.hpp"
 #include "output/keys_file.hpp"
-#include "output/standard_output.hpp"
+#include "output/summary.hpp"
 
 namespace orispline::cli {
 
@@ -44,8 +44,6 @@ Expected<void> agree(const TuneOptions& options) {
   return {};
 }
 
-bool has_tensions(const FamilyInfo& family) { return std::ranges::any_of(family.parameters, &Parameter::tunable); }
-
 /// Whether the columns of INPUT are understood without an option: only then can the output have them.
 bool reads_the_same_again(const InputOptions& o) {
   constexpr std::array about_rows{"signs", "ignore_recipe", "drop_duplicates", "drop_invalid", "sort"};
@@ -66,41 +64,20 @@ Expected<Request> request_in(const TuneOptions& options) {
   return read;
 }
 
-/// A recording in the times of the keys.
-struct Reference {
-  std::vector<double> times;
-  std::vector<Eigen::Quaterniond> orientations;
-};
-
-Expected<Reference> read_reference(const std::string& path, const io::TrackFile& keys, const io::ReadOptions& reading) {
-  const auto file = io::read_track_beside(keys, path, reading);
-  if (!file) return tl::unexpected(file.error());
-  warn(file->warnings);
-  const Track& samples = file->track;
-  const double shift = (samples.epoch - keys.track.epoch).to_double();
-  Reference reference{{samples.keys.times().begin(), samples.keys.times().end()},
-                      {samples.keys.orientations().begin(), samples.keys.orientations().end()}};
-  for (double& t : reference.times) t += shift;
-  return reference;
-}
-
-Expected<orispline::Tuning> tuned(Request request, const Method& method, const TuneOptions& options,
-                                  const io::TrackFile& keys) {
-  Reference reference;
-  if (const auto& path = reference_of(options)) {
-    auto read = read_reference(*path, keys, request.input.read);
-    if (!read) return tl::unexpected(std::move(read.error()));
-    reference = std::move(*read);
-    request.tuning.reference = {reference.times, reference.orientations};
-  }
-  return orispline::tune(keys.track, method, request.tuning).map_error([&](Error error) {
-    return placed(keys.track, std::move(error));
+Expected<std::shared_ptr<const Track>> read_reference(const TuneOptions& options, const io::TrackFile& keys,
+                                                      const io::ReadOptions& reading) {
+  const auto& path = reference_of(options);
+  if (!path) return nullptr;
+  return io::read_track_beside(keys, *path, reading).map([](io::TrackFile file) {
+    warn(file.warnings);
+    return std::make_shared<const Track>(std::move(file.track));
   });
 }
 
 /// The keys with the values that were found; what their table states itself keeps its text there.
-Track written_track(const orispline::Tuning& tuning, const Track& given) {
-  Track keys = tuning.track;
+Track written_track(const jobs::TuneOutcome& outcome) {
+  const Track& given = *outcome.request.keys;
+  Track keys = outcome.tuning.track;
   std::erase_if(keys.settings, [&](const auto& column) {
     const auto same = given.settings.find(column.first);
     return same != given.settings.end() && *same == column && !given.table.rows.empty();
@@ -115,25 +92,25 @@ Expected<void> tune(const TuneOptions& options) {
   if (!request) return tl::unexpected(std::move(request.error()));
   auto input = io::KeyInput::open(request->input.path, request->input.read.recipe);
   if (!input) return tl::unexpected(std::move(input.error()));
-  const auto chosen = chosen_method(request->named, options.shape, *input, {default_tuned_method, has_tensions});
-  if (!chosen) return tl::unexpected(chosen.error());
-  warn(chosen->warnings);
+  auto chosen = chosen_method(request->named, options.shape, *input, jobs::usual_tuned);
+  if (!chosen) return tl::unexpected(std::move(chosen.error()));
+  warn(std::exchange(chosen->warnings, {}));
   request->input.read.parameters = open_parameters(chosen->method);
   request->input.read.rate_orders = family_of(chosen->method).rate_orders;
-  const auto file = io::read_track(std::move(*input), request->input.read, request->input.signs);
-  if (!file) return tl::unexpected(file.error());
+  auto file = io::read_track(std::move(*input), request->input.read, request->input.signs);
+  if (!file) return tl::unexpected(std::move(file.error()));
   warn(file->warnings);
-  auto tuning = tuned(*request, chosen->method, options, *file);
-  if (!tuning) return tl::unexpected(std::move(tuning.error()));
-  warn(tuning->warnings);
-  TuneReport report{.input = options.input.path,
-                    .output = options.output,
-                    .objective = request->tuning.objective,
-                    .times = {file->track.keys.times().begin(), file->track.keys.times().end()},
-                    .tuning = std::move(*tuning)};
-  for (double& t : report.times) t += file->track.epoch.to_double();
-  return write_keys(options.output, written_track(report.tuning, file->track)).and_then([&] {
-    return summarise(options.summary, report);
+  auto reference = read_reference(options, *file, request->input.read);
+  if (!reference) return tl::unexpected(std::move(reference.error()));
+  auto outcome = jobs::tune({.keys = std::make_shared<const Track>(std::move(file->track)),
+                             .method = std::move(*chosen),
+                             .reference = std::move(*reference),
+                             .options = request->tuning});
+  if (!outcome) return tl::unexpected(std::move(outcome.error()));
+  warn(outcome->warnings);
+  return write_keys(options.output, written_track(*outcome)).and_then([&] {
+    return summarise(options.summary,
+                     Written{options.input.path, options.output, "keys with tensions", std::move(*outcome)});
   });
 }
 

@@ -8,8 +8,6 @@
 
 namespace orispline::cli {
 
-inline constexpr std::string_view default_tuned_method = "timed-c2";
-
 /// `orispline tune`, as typed.
 struct TuneOptions {
   InputOptions input;

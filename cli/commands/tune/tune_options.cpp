@@ -2,6 +2,7 @@
 #include "commands/tune/tune_options.hpp"
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/jobs/tune.hpp>
 #include <orispline/tune/tune_fields.hpp>
 
 namespace orispline::cli {
@@ -26,7 +27,7 @@ in it names the method and its ends, and 'sample' takes them from there. docs/tu
 void add_tune_options(Command& app, TuneOptions& o) {
   add_input_options(app, o.input);
   app.add_option("--method", o.method,
-                 formatted("Method whose tensions to find [as INPUT says, else {}]", default_tuned_method))
+                 formatted("Method whose tensions to find [as INPUT says, else {}]", jobs::usual_tuned.name))
       ->type_name(method_type)
       ->group("Shape of the curve");
   add_method_options(app, o.shape);

@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <initializer_list>
 #include <span>
 #include <string_view>
 
 #include <orispline/base/decimal.hpp>
 #include <orispline/fields/field_info.hpp>
-
-#include "output/json_document.hpp"
+#include <orispline/fields/json.hpp>
 
 // The fields of results as members of JSON documents.
 
-namespace orispline::cli {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// Where the samples of a recording are in its file.
 struct Places {
-  std::span<const std::uint32_t> lines{};  ///< empty where the file has none
-  std::span<const Decimal> times{};        ///< in the file's own time [s]
+  std::span<const std::uint32_t> lines{};             ///< empty where the file has none
+  std::function<Decimal(std::size_t sample)> time{};  ///< in the file's own time [s]
 
   [[nodiscard]] Json line_of(std::size_t sample) const { return lines.empty() ? Json(nullptr) : Json(lines[sample]); }
 };
@@ -44,4 +45,4 @@ void put(Json& json, const Result& result, std::initializer_list<std::string_vie
     put_fields(json, {&field_named(fields_of<Result>(), name), 1}, &result, places);
 }
 
-}  // namespace orispline::cli
+}}  // namespace orispline

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "output/field_json.hpp"
+#include <orispline/fields/field_json.hpp>
 
-namespace orispline::cli {
+namespace orispline { inline namespace ORISPLINE_ABI {
 
 namespace {
 
 Json place_json(std::size_t sample, const Places& places) {
-  return {{"key", sample}, {"line", places.line_of(sample)}, {"time_s", places.times[sample].to_string()}};
+  return {{"key", sample}, {"line", places.line_of(sample)}, {"time_s", places.time(sample).to_string()}};
 }
 
 /// A value of any type but the index of a sample.
@@ -48,8 +48,8 @@ void put_fields(Json& json, std::span<const FieldInfo> fields, const void* resul
     const std::size_t* sample = field.type == FieldType::sample ? std::get_if<std::size_t>(&value) : nullptr;
     if (absent == Absent::left_out && is_absent(value)) continue;
     json[name_with_unit(field)] =
-        sample ? Json(places.times[*sample].to_string()) : std::visit(ValueJson{field, places}, value);
+        sample ? Json(places.time(*sample).to_string()) : std::visit(ValueJson{field, places}, value);
   }
 }
 
-}  // namespace orispline::cli
+}}  // namespace orispline

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// The tasks as every face runs them: a request goes in, an outcome comes out with what there is to say of it
+// (ORISPLINE_OPTIMISE).
+
+#include <orispline/jobs/compare.hpp>
+#include <orispline/jobs/retime.hpp>
+#include <orispline/jobs/tune.hpp>

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/jobs/chosen_method.hpp>
+
+#include <utility>
+
+#include <orispline/families/method_text.hpp>
+#include <orispline/families/recipe.hpp>
+#include <orispline/families/registry.hpp>
+
+namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
+
+namespace {
+
+/// The one that the keys are for, where it fits, else the usual one.
+Expected<ChosenMethod> unnamed(const Recipe& recipe, std::string_view file, const UsualMethod& usual) {
+  return method_of(recipe, file).map([&](std::optional<Method> stated) -> ChosenMethod {
+    if (stated && (!usual.fits || usual.fits(**find_family(stated->name)))) return {std::move(*stated), NamedBy::keys};
+    return {usual.name, NamedBy::nobody};
+  });
+}
+
+}  // namespace
+
+Expected<ChosenMethod> chosen_method(const std::optional<Method>& named, const Recipe& recipe, std::string_view file,
+                                     const UsualMethod& usual, const Shaping& shaping) {
+  Expected<ChosenMethod> chosen = named ? ChosenMethod{*named, NamedBy::user} : unnamed(recipe, file, usual);
+  if (chosen && !named && shaping) {
+    auto shaped = shaping(std::move(chosen->method), chosen->by);
+    if (!shaped) return tl::unexpected(std::move(shaped.error()));
+    chosen->method = std::move(*shaped);
+  }
+  if (!chosen || chosen->by == NamedBy::keys) return chosen;
+  if (auto warning = recipe_set_aside(recipe, chosen->method, file)) chosen->warnings.push_back(std::move(*warning));
+  return chosen;
+}
+
+Expected<ChosenMethod> chosen_method(const std::optional<Method>& named, const Track& keys, const UsualMethod& usual) {
+  return chosen_method(named, keys.recipe, keys.name, usual).map([&](ChosenMethod chosen) {
+    if (recipe_for(chosen.method, keys).method == keys.recipe.method)
+      chosen.warnings.clear();  // the keys have the rest
+    return chosen;
+  });
+}
+
+Error placed(const Track& keys, Error error) {
+  const bool concerns_file = error.code != ErrorCode::bad_argument || error.where.key;
+  return concerns_file && !keys.name.empty() ? keys.located(std::move(error)) : error;
+}
+
+}}}  // namespace orispline::jobs

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/jobs/retime.hpp>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include <orispline/base/counted.hpp>
+#include <orispline/base/formatted.hpp>
+#include <orispline/families/method_text.hpp>
+#include <orispline/fields/field_json.hpp>
+#include <orispline/jobs/words.hpp>
+#include <orispline/retime/retime_fields.hpp>
+
+namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
+
+namespace {
+
+double duration_of(const Keyframes& keys) { return keys.times().back() - keys.times().front(); }
+
+std::string scale_text(double scale) {
+  return scale < 1.0 ? formatted("faster by {:.6g}", 1.0 / scale) : formatted("slowed by {:.6g}", scale);
+}
+
+/// `0.7 s before, 1.4 s after, slowed by 2`
+std::string durations_text(const RetimeOutcome& outcome) {
+  return formatted("{:.6g} s before, {:.6g} s after, {}", outcome.duration_before(),
+                   duration_of(outcome.retiming.track.keys), scale_text(outcome.retiming.time_scale));
+}
+
+std::string rests_line(const Retiming& retiming) {
+  if (retiming.rests.empty()) return "";
+  const auto t = retiming.track.keys.times();
+  double rested = 0.0;
+  for (const std::size_t i : retiming.rests) rested += t[i + 1] - t[i];
+  return formatted("{} between equal keys, {:.6g} s in all\n", counted(retiming.rests.size(), "rest"), rested);
+}
+
+}  // namespace
+
+bool takes_no_rates(const FamilyInfo& family) noexcept { return family.rate_orders == 0; }
+
+double RetimeOutcome::duration_before() const { return duration_of(request.keys->keys); }
+
+std::vector<Certificate> RetimeOutcome::certificates() const {
+  return certificates_of(request.options.limits, retiming.peaks);
+}
+
+Expected<RetimeOutcome> retime(RetimeRequest request, const Progress& progress) {
+  const Track& keys = *request.keys;
+  const bool is_named = request.method.by != NamedBy::nobody || !keys.recipe.is_empty();
+  const Method method = is_named ? request.method.method : holding_rests(request.method.method, keys.keys);
+  auto retiming = orispline::retime(keys, method, request.options, progress);
+  if (!retiming) return tl::unexpected(placed(keys, std::move(retiming.error())));
+  std::vector<Warning> warnings = request.method.warnings;
+  std::ranges::move(std::exchange(retiming->warnings, {}), std::back_inserter(warnings));
+  return RetimeOutcome{std::move(request), std::move(*retiming), std::move(warnings)};
+}
+
+Json document_of(const RetimeOutcome& outcome) {
+  const Retiming& retiming = outcome.retiming;
+  Json json{{"method", retiming.method.name}};
+  put(json, retiming, {"slowing"});
+  json["slowing_asked_for"] = word_of(outcome.request.options.slowing);
+  put(json, retiming, {"keys"});
+  json["duration_before_s"] = outcome.duration_before();
+  put(json, retiming, {"duration_after", "time_scale", "rests", "slack"});
+  for (const Certificate& c : outcome.certificates()) {
+    json[c.id_of("limit")] = c.limit / c.in_ids.size;
+    json[c.id_of("bound")] = c.bound / c.in_ids.size;
+    json[c.id_of("max")] = c.found / c.in_ids.size;
+    json[formatted("{}_max_after_s", c.id)] = c.time;
+    json[formatted("{}_bound_after_key", c.id)] = c.segment;
+  }
+  return json;
+}
+
+std::string summary_of(const RetimeOutcome& outcome) {
+  const Retiming& retiming = outcome.retiming;
+  std::string text = formatted(
+      "{}, {}: {}{}\n", keys_text(*outcome.request.keys), text_of(retiming.method), durations_text(outcome),
+      retiming.slowing == outcome.request.options.slowing ? "" : ", all intervals alike: each by itself saves no time");
+  for (const Certificate& c : outcome.certificates())
+    text += formatted("{}: nowhere above {} (limit {:.6g}), largest found {:.6g} at {:.6g} s after the start\n", c.name,
+                      c.text_of(c.bound), c.limit / c.shown.size, c.found / c.shown.size, c.time);
+  return text + rests_line(retiming);
+}
+
+std::string line_of(const RetimeOutcome& outcome) {
+  return formatted("{} for {}, {}", counted(outcome.retiming.track.keys.size(), "key"),
+                   text_of(outcome.retiming.method), durations_text(outcome));
+}
+
+}}}  // namespace orispline::jobs
