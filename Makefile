@@ -31,7 +31,7 @@ python_package = cmake --install build/release --prefix build/python/prefix > /d
 # One build of the library serves the command, the tests, the users' programs and the Python package, which comes last, where
 # Python's headers and the packages of its tests are to be had. Clang compiles the families, which are most templates.
 test: build
-	tools/setup.sh build test clang python spark
+	tools/setup.sh build test python spark
 	cmake --preset release -DORISPLINE_TESTS=ON
 	$(call timed,the tests' build) cmake --build build/release -j $(JOBS)
 	cmake --preset clang-families

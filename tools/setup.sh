@@ -8,6 +8,7 @@ set -eu
 # A name that ends in '?' is welcome but not needed.
 packages='
 build g++                c++
+build ccache?            ccache
 build cmake              cmake
 build ninja-build        ninja
 build libeigen3-dev      Eigen/Core
@@ -18,6 +19,7 @@ build libcli11-dev       CLI/CLI.hpp
 build nlohmann-json3-dev nlohmann/json.hpp
 test  libgtest-dev       gtest/gtest.h
 test  librapidcheck-dev  rapidcheck.h
+test  clang              clang++
 test  python3            python3
 test  pkg-config?        pkg-config
 test  clang-format-14?   clang-format-14

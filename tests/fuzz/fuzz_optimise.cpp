@@ -9,6 +9,7 @@
 #include <orispline/analysis/decimation.hpp>
 #include <orispline/reduce/reduce.hpp>
 #include <orispline/reduce/tolerance_check.hpp>
+#include <orispline/retime/motion_limits.hpp>
 #include <orispline/retime/retime.hpp>
 #include <orispline/smooth/smooth.hpp>
 #include <orispline/tune/tune.hpp>

@@ -91,10 +91,11 @@ class Setup(unittest.TestCase):
     def test_goes_on_without_what_is_only_welcome(self):
         for header in ("gtest/gtest.h", "rapidcheck.h"):
             self.machine.add_header(header)
-        self.machine.add_command("python3")
+        for command in ("clang++", "python3"):
+            self.machine.add_command(command)
         run = self.machine.setup("test")
         self.assertEqual((run.returncode, run.stderr),
-                         (0, "setup: not here (Debian's names of the packages): pkg-config clang-format-14 nodejs npm chromium\n"))
+                         (0, "setup: not here (Debian's names of the packages): pkg-config clang-format-14 universal-ctags nodejs npm chromium\n"))
 
     def test_asks_python_for_its_modules(self):
         self.machine.add_command("python3-config")

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <orispline/report/page_template.hpp>
 #include <orispline/report/page_json.hpp>
+#include <orispline/report/page_template.hpp>
 #include <support/counted.hpp>
 
 namespace orispline::report { namespace {

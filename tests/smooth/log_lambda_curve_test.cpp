@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include <orispline/smooth/varying_lambda.hpp>
 #include <orispline/smooth/smoothing_trace.hpp>
+#include <orispline/smooth/varying_lambda.hpp>
 
 namespace orispline { namespace {
 

@@ -16,11 +16,10 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {
 
 /// A page that says what it is about, with the keys; of very many some, and a note that says so.
 [[nodiscard]] report::Page begun_page(std::string title, const PageHead& head, const Decimal& epoch,
-                                                       const Keyframes& keys);
+                                      const Keyframes& keys);
 
 /// Orientations over time, all of them.
-[[nodiscard]] report::PagePath path_of(std::span<const double> times,
-                                                        std::span<const Eigen::Quaterniond> orientations);
+[[nodiscard]] report::PagePath path_of(std::span<const double> times, std::span<const Eigen::Quaterniond> orientations);
 [[nodiscard]] report::PagePath path_of(const Keyframes& keys);
 
 /// The columns of measures, the ones first that people look at first.
@@ -30,9 +29,8 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {
 [[nodiscard]] constexpr MeasureTimes on_page(std::span<const double> recording) noexcept { return {{}, recording}; }
 
 /// A curve as a page shows it, its torques too where the inertia [kg m²] is known.
-[[nodiscard]] report::PageSamples samples_of(const PoseCurve& curve,
-                                                              const std::optional<Eigen::Matrix3d>& inertia,
-                                                              std::size_t count);
+[[nodiscard]] report::PageSamples samples_of(const PoseCurve& curve, const std::optional<Eigen::Matrix3d>& inertia,
+                                             std::size_t count);
 
 /// `C2`
 [[nodiscard]] std::string continuity_of(const Measures& measures);
@@ -72,8 +70,7 @@ void extend(report::PageBand& band, double t, double low, double high);
 [[nodiscard]] std::vector<std::string> notes_on_samples(std::size_t samples);
 
 /// The method with the largest of these errors, and none over the gaps.
-[[nodiscard]] report::PageMethod with_errors(report::PageMethod method,
-                                                              const report::PageErrors& errors,
-                                                              const report::Covers& covers);
+[[nodiscard]] report::PageMethod with_errors(report::PageMethod method, const report::PageErrors& errors,
+                                             const report::Covers& covers);
 
 }}}  // namespace orispline::pages

@@ -8,7 +8,8 @@
 namespace orispline { inline namespace ORISPLINE_ABI {
 
 /// What a chain of eliminated nodes leaves for three unknowns that all of them share: `Rows` of `Sides` right-hand
-/// sides per node, the first of the data, the last three of a unit of each shared unknown. For 12 and 15 rows of 4 sides.
+/// sides per node, the first of the data, the last three of a unit of each shared unknown. For 12 and 15 rows of 4
+/// sides.
 template <int Rows, int Sides>
 class BiasRows {
  public:

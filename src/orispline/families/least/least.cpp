@@ -299,7 +299,7 @@ std::array<Eigen::Vector3d, 2> bends(const Eigen::Vector3d& chord, const Eigen::
 
 /// The cubics as quintics. Both segments beside a key bend alike there; that of the longer one is rounded less.
 std::vector<PathDerivatives> cubic_derivatives(const Knots& knots, std::span<const Eigen::Vector3d> positions,
-                                           const FamilySettings& settings) {
+                                               const FamilySettings& settings) {
   const auto velocities = least_derivatives<2>(knots, positions, settings);
   std::vector<PathDerivatives> derivatives;
   for (const auto& v : velocities) derivatives.push_back({v.row(0).transpose(), Eigen::Vector3d::Zero()});
