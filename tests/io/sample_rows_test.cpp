@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/io/sample_rows.hpp>
+#include <orispline/io/sample_writer.hpp>
 
 #include <limits>
 #include <string>
 
 #include <gtest/gtest.h>
-
-#include <orispline/io/sample_writer.hpp>
 
 #include "io/text_file.hpp"
 

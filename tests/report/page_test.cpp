@@ -33,7 +33,7 @@ TEST(Page, KeepsTheLicencesOfWhatItContains) {
 }
 
 TEST(Page, NoTextEndsTheScriptOrTheString) {
-  const std::string json = json_of({.title = "</script> \"a\\b\"\n\x01 ω"});
+  const std::string json = json_of(Page{.title = "</script> \"a\\b\"\n\x01 ω"});
   EXPECT_EQ(count_of("<", json), 0U);
   EXPECT_EQ(count_of(R"("title":"\u003c/script> \u0022a\u005cb\u0022\u000a\u0001 ω")", json), 1U);
 }

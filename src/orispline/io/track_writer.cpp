@@ -10,7 +10,7 @@
 #include <orispline/curve/free_rate.hpp>
 #include <orispline/io/key_table.hpp>
 #include <orispline/io/recipe_line.hpp>
-#include <orispline/io/sample_rows.hpp>
+#include <orispline/io/sample_writer.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
