@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include <orispline/clip/channel_curve.hpp>
 #include <orispline/clip/clip_motion.hpp>
 #include <orispline/clip/cubic_channel.hpp>
 #include <orispline/families/registry.hpp>

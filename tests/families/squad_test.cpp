@@ -4,7 +4,7 @@
 
 #include <families/key_steps.hpp>
 #include <orispline/families/registry.hpp>
-#include <orispline/math/slerp.hpp>
+#include <orispline/math/geodesic.hpp>
 #include <support/near.hpp>
 #include <support/specimens.hpp>
 #include <support/tolerance.hpp>

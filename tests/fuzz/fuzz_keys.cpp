@@ -9,6 +9,7 @@
 #include <fuzz/fuzz_input.hpp>
 #include <fuzz/temporary_file.hpp>
 #include <orispline/io/key_reader.hpp>
+#include <orispline/io/key_table.hpp>
 #include <orispline/io/track_file.hpp>
 
 namespace orispline::fuzz { namespace {

@@ -11,6 +11,7 @@
 #include <orispline/reduce/tolerance_check.hpp>
 #include <orispline/retime/motion_limits.hpp>
 #include <orispline/retime/retime.hpp>
+#include <orispline/retime/rate_bounds.hpp>
 #include <orispline/smooth/smooth.hpp>
 #include <orispline/tune/tune.hpp>
 #include <support/specimens.hpp>

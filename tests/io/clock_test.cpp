@@ -7,7 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include <orispline/io/iso_time.hpp>
 #include <orispline/io/key_file.hpp>
 #include <orispline/io/times_file.hpp>
 

@@ -50,7 +50,7 @@ TEST(ReadingOptions, AreTakenOver) {
                                    {"epoch", "1970-01-02"},
                                    {"signs", "as-given"}});
   EXPECT_EQ(reading.options.format, &tum_format);
-  EXPECT_EQ(reading.options.columns, (ColumnSearch::Names{{"t", "sclk"}, {"qw", "q0"}, {"qx", "q1"}}));
+  EXPECT_EQ(reading.options.columns, (ColumnNames{{"t", "sclk"}, {"qw", "q0"}, {"qx", "q1"}}));
   EXPECT_EQ(reading.options.order, QuaternionOrder::xyzw);
   EXPECT_EQ(reading.options.orientation.representation, Representation::rotation_vector);
   EXPECT_EQ(reading.options.orientation.angle_unit, AngleUnit::milliradians);

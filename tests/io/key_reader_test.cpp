@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // However a file is cut into pieces, its keys, repairs and errors are those of the file.
+#include <orispline/io/key_columns.hpp>
 #include <orispline/io/key_reader.hpp>
 
 #include <random>

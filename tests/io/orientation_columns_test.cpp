@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/io/orientation_columns.hpp>
+#include <orispline/io/key_columns.hpp>
 
 #include <numbers>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/io/sample_rows.hpp>
+#include <orispline/io/sample_writer.hpp>
 
 #include <limits>
 #include <string>

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include <orispline/io/sample_rows.hpp>
+#include <orispline/io/sample_writer.hpp>
 #include <orispline/io/track_file.hpp>
 
 #include "io/text_file.hpp"

@@ -10,6 +10,7 @@
 #include <orispline/families/handles.hpp>
 #include <orispline/families/method_text.hpp>
 #include <orispline/families/method_warnings.hpp>
+#include <orispline/io/key_columns.hpp>
 #include <orispline/online/track_sampler.hpp>
 
 #include "commands/sample/sample_buffer.hpp"

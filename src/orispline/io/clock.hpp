@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include <orispline/base/fraction.hpp>
+#include <orispline/base/decimal.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
@@ -20,5 +20,16 @@ struct Clock {
 ///
 /// Errors (bad_data): none of these; a frame where nobody says how many there are in a second.
 [[nodiscard]] ORISPLINE_EXPORT Expected<Decimal> time_in(std::string_view text, const Clock& clock);
+
+/// Whether a text begins as a date of ISO 8601 does, which no number does: four digits and a dash.
+[[nodiscard]] ORISPLINE_EXPORT bool looks_like_iso_time(std::string_view text) noexcept;
+
+/// Seconds since 1970-01-01T00:00:00 of a time of ISO 8601, with all of its decimals: `2024-02-29T12:30:00.25Z`, with
+/// the day of the year as in CCSDS files `2024-060T12:30:00.25`, a blank or `t` in place of `T`, without seconds, or
+/// the date alone. `Z`, an offset such as `+02:00`, or nothing, which is read as UTC.
+///
+/// UTC as it is written: every day has 86400 seconds, no leap seconds are counted, and 23:59:60 is the first instant of
+/// the next day. Error: bad_data.
+[[nodiscard]] ORISPLINE_EXPORT Expected<Decimal> parse_iso_time(std::string_view text);
 
 }}}  // namespace orispline::io

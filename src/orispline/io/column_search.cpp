@@ -27,7 +27,7 @@ std::string plain(std::string_view name) {
 
 }  // namespace
 
-ColumnSearch::ColumnSearch(std::span<const std::string_view> header, const Names& mapped)
+ColumnSearch::ColumnSearch(std::span<const std::string_view> header, const ColumnNames& mapped)
     : header_(header), mapped_(mapped) {
   for (const std::string_view name : header) plain_names_.push_back(plain(name));
 }

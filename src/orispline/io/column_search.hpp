@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include <orispline/base/expected.hpp>
+#include <orispline/io/key_file.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
@@ -54,11 +54,9 @@ struct ColumnGroup {
 };
 
 /// Looks for columns by their canonical names in the header of a table.
-class ORISPLINE_EXPORT ColumnSearch {
+class ColumnSearch {
  public:
-  using Names = std::map<std::string, std::string, std::less<>>;  ///< canonical name to name in the header
-
-  ColumnSearch(std::span<const std::string_view> header, const Names& mapped);
+  ColumnSearch(std::span<const std::string_view> header, const ColumnNames& mapped);
 
   [[nodiscard]] std::string_view name(std::size_t column) const noexcept { return header_[column]; }
   /// Whether a column of that plain name was mapped to another meaning.
@@ -109,7 +107,7 @@ class ORISPLINE_EXPORT ColumnSearch {
 
   std::span<const std::string_view> header_;
   std::vector<std::string> plain_names_;
-  const Names& mapped_;
+  const ColumnNames& mapped_;
 };
 
 }}}  // namespace orispline::io

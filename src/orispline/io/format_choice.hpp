@@ -4,16 +4,15 @@
 #include <string>
 #include <variant>
 
+#include <orispline/io/key_columns.hpp>
 #include <orispline/io/key_file.hpp>
 #include <orispline/io/key_input.hpp>
-#include <orispline/io/table_layout.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 /// The format that a row is most like, at least that much; of equals the first. Null: none.
-[[nodiscard]] ORISPLINE_EXPORT const FormatInfo* likest(std::span<const FormatInfo* const> formats,
-                                                        const TextTable& table, const ReadOptions& options,
-                                                        Likeness least);
+[[nodiscard]] const FormatInfo* likest(std::span<const FormatInfo* const> formats, const TextTable& table,
+                                       const ReadOptions& options, Likeness least);
 
 /// A table of keys that stands at its first row.
 struct KeyRowsSource {
@@ -30,7 +29,6 @@ struct TracksSource {
 
 /// Settles how an opened file is read: by the options, by its extension where only one format has it, else by what it
 /// is like. Errors: those of read_keys() before the first key.
-[[nodiscard]] ORISPLINE_EXPORT Expected<std::variant<KeyRowsSource, TracksSource>> open_keys(
-    KeyInput input, const ReadOptions& options);
+[[nodiscard]] Expected<std::variant<KeyRowsSource, TracksSource>> open_keys(KeyInput input, const ReadOptions& options);
 
 }}}  // namespace orispline::io

@@ -5,11 +5,164 @@
 #include <utility>
 
 #include <orispline/base/formatted.hpp>
+#include <orispline/base/quoted.hpp>
+#include <orispline/io/key_file.hpp>
+#include <orispline/io/orientation_form.hpp>
 #include <orispline/io/time_column.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 namespace {
+
+constexpr std::array plain_numbers{Unit{""}};
+constexpr auto angles = [] {
+  std::array<Unit, 1 + angle_units.size()> units{Unit{""}};
+  std::ranges::transform(angle_units, units.begin() + 1, [](const AngleUnitInfo& unit) {
+    return Unit{unit.suffix, unit.numerator, unit.denominator};
+  });
+  return units;
+}();
+
+std::span<const Unit> units_of(Representation representation) {
+  const bool is_angular = representation == Representation::euler || representation == Representation::rotation_vector;
+  return is_angular ? std::span<const Unit>(angles) : plain_numbers;
+}
+
+Expected<ColumnGroup> group_of(const ColumnSearch& search, std::span<const std::string_view> names,
+                               Representation representation) {
+  return search.group(names, units_of(representation), units_of(representation));
+}
+
+/// Columns of Euler angles, by number or by axis; where the caller states the order those by number come first.
+Expected<ColumnGroup> euler_group(const ColumnSearch& search, const std::optional<EulerOrder>& order) {
+  auto by_number = group_of(search, names_by_component(Representation::euler), Representation::euler);
+  if (!by_number || (order && order->is_proper())) return by_number;
+  auto by_axis = group_of(search, names_by_axis(order.value_or(EulerOrder{})), Representation::euler);
+  if (!by_axis) return by_axis;
+  const auto& first = order ? by_number : by_axis;
+  const auto& second = order ? by_axis : by_number;
+  return first->is_absent() && !second->is_absent() ? second : first;
+}
+
+Expected<ColumnGroup> any_group_of(const ColumnSearch& search, Representation representation) {
+  if (representation == Representation::euler) return euler_group(search, std::nullopt);
+  return group_of(search, names_by_component(representation), representation);
+}
+
+/// What the caller asks for, else quaternions if there are any, else the only one that is there.
+Expected<Representation> representation_in(const ColumnSearch& search, const OrientationReading& reading) {
+  if (reading.euler && reading.representation.value_or(Representation::euler) != Representation::euler)
+    return tl::unexpected(
+        Error{.code = ErrorCode::bad_argument,
+              .message = "found a second option that says where the orientation is, wanted one of them",
+              .option = "euler",
+              .remedy = "representation"});
+  if (reading.representation) return *reading.representation;
+  if (reading.euler) return Representation::euler;
+  std::vector<Representation> found;
+  std::vector<std::string_view> examples;
+  for (const Representation candidate :
+       {Representation::quaternion, Representation::euler, Representation::matrix, Representation::rotation_vector}) {
+    const auto group = any_group_of(search, candidate);
+    if (!group) return tl::unexpected(group.error());
+    if (group->is_absent()) continue;
+    if (candidate == Representation::quaternion) return candidate;
+    found.push_back(candidate);
+    examples.push_back(group->present.front());
+  }
+  if (found.size() > 1)
+    return mended_by("representation",
+                     formatted("{} could each be the orientation, wanted one form of it", joined(examples, ", ")));
+  return found.empty() ? Representation::quaternion : found.front();
+}
+
+/// Gives angles whose columns do not name a unit the one that the caller states.
+Expected<void> settle_units(ColumnGroup& group, const ColumnSearch& search, std::optional<AngleUnit> unit) {
+  for (std::size_t i = 0; i < group.columns.size(); ++i) {
+    NumberColumn& column = group.columns[i];
+    if (!unit_of<Unit>(search.plain_name(column.index), angles).suffix.empty()) continue;
+    const std::string_view name = group.present[i];
+    if (!unit)
+      return mended_by("angle_unit", formatted("{} has no unit, wanted a name such as {}_deg or {}_rad, or the unit",
+                                               in_quotes(search.name(column.index)), name, name));
+    column = {column.index, info_of(*unit).numerator, info_of(*unit).denominator};
+  }
+  return {};
+}
+
+Expected<OrientationColumns> euler_columns(const ColumnSearch& search, const OrientationReading& reading) {
+  auto group = euler_group(search, reading.euler);
+  if (!group) return tl::unexpected(std::move(group.error()));
+  const auto by_number = names_by_component(Representation::euler);
+  if (!reading.euler && !group->is_absent() && std::ranges::count(by_number, group->present.front()) > 0)
+    return mended_by("euler", formatted("found {}, wanted the order of these turns as well, such as ZYX, or zyx about "
+                                        "the axes of the world",
+                                        joined(group->present, ", ")));
+  if (auto settled = settle_units(*group, search, reading.angle_unit); !settled)
+    return tl::unexpected(std::move(settled.error()));
+  return OrientationColumns{{.representation = Representation::euler, .order = reading.euler.value_or(EulerOrder{})},
+                            std::move(*group)};
+}
+
+using Names = std::array<std::string_view, 3>;
+
+constexpr std::size_t units_of_a_rate = 5;
+
+/// The rates of one order as headers name them.
+struct RateOrder {
+  std::string_view plural;
+  Names in_body, in_world;
+  std::array<Unit, 2 * units_of_a_rate> body_units;
+  std::array<Unit, units_of_a_rate> world_units;
+};
+
+constexpr Unit in(AngleUnit unit, std::string_view suffix) {
+  return {suffix, info_of(unit).numerator, info_of(unit).denominator};
+}
+constexpr Unit degrees(std::string_view suffix) { return in(AngleUnit::degrees, suffix); }
+constexpr Unit milliradians(std::string_view suffix) { return in(AngleUnit::milliradians, suffix); }
+constexpr Unit arcseconds(std::string_view suffix) { return in(AngleUnit::arcseconds, suffix); }
+
+constexpr std::array<RateOrder, 3> orders{
+    RateOrder{"angular velocities",
+              {"wx", "wy", "wz"},
+              {"wx_world", "wy_world", "wz_world"},
+              {Unit{"_body"}, Unit{"_body_rad_s"}, degrees("_body_deg_s"), milliradians("_body_mrad_s"),
+               arcseconds("_body_arcsec_s"), Unit{""}, Unit{"_rad_s"}, degrees("_deg_s"), milliradians("_mrad_s"),
+               arcseconds("_arcsec_s")},
+              {Unit{""}, Unit{"_rad_s"}, degrees("_deg_s"), milliradians("_mrad_s"), arcseconds("_arcsec_s")}},
+    RateOrder{"angular accelerations",
+              {"ax", "ay", "az"},
+              {"ax_world", "ay_world", "az_world"},
+              {Unit{"_body"}, Unit{"_body_rad_s2"}, degrees("_body_deg_s2"), milliradians("_body_mrad_s2"),
+               arcseconds("_body_arcsec_s2"), Unit{""}, Unit{"_rad_s2"}, degrees("_deg_s2"), milliradians("_mrad_s2"),
+               arcseconds("_arcsec_s2")},
+              {Unit{""}, Unit{"_rad_s2"}, degrees("_deg_s2"), milliradians("_mrad_s2"), arcseconds("_arcsec_s2")}},
+    RateOrder{"angular jerks",
+              {"jx", "jy", "jz"},
+              {"jx_world", "jy_world", "jz_world"},
+              {Unit{"_body"}, Unit{"_body_rad_s3"}, degrees("_body_deg_s3"), milliradians("_body_mrad_s3"),
+               arcseconds("_body_arcsec_s3"), Unit{""}, Unit{"_rad_s3"}, degrees("_deg_s3"), milliradians("_mrad_s3"),
+               arcseconds("_arcsec_s3")},
+              {Unit{""}, Unit{"_rad_s3"}, degrees("_deg_s3"), milliradians("_mrad_s3"), arcseconds("_arcsec_s3")}}};
+
+Expected<std::optional<RateVector>> rate_vector(const ColumnSearch& search, const RateReading& reading,
+                                                const RateOrder& order) {
+  const auto in_frame = [](Frame frame) {
+    return [frame](const std::optional<VectorColumns>& columns) -> std::optional<RateVector> {
+      if (!columns) return std::nullopt;
+      return RateVector{*columns, frame};
+    };
+  };
+  const auto body = search.vector(order.in_body, order.body_units, order.body_units);
+  if (!body || *body || !reading.world) return body.map(in_frame(Frame::body));
+  return search.vector(order.in_world, order.world_units, order.world_units).map(in_frame(Frame::world));
+}
+
+std::string name_of(const ColumnSearch& search, const RateVector& rates) {
+  return formatted("{}, {}, {}", search.name(rates.columns[0].index), search.name(rates.columns[1].index),
+                   search.name(rates.columns[2].index));
+}
 
 constexpr std::array<std::string_view, 3> position_names{"px", "py", "pz"};
 /// What others call them, if all three are there.
@@ -103,6 +256,49 @@ bool begins_like_number(std::string_view cell) {
 
 }  // namespace
 
+std::vector<std::string_view> orientation_names() {
+  std::vector<std::string_view> names;
+  const auto append = [&names](const auto& more) { names.insert(names.end(), more.begin(), more.end()); };
+  append(names_by_component(Representation::quaternion));
+  append(names_by_axis({.turns = {0, 1, 2}}));
+  for (const Representation other : {Representation::euler, Representation::matrix, Representation::rotation_vector})
+    append(names_by_component(other));
+  return names;
+}
+
+Expected<OrientationColumns> orientation_columns(const ColumnSearch& search, const OrientationReading& reading) {
+  const auto representation = representation_in(search, reading);
+  if (!representation) return tl::unexpected(representation.error());
+  if (*representation == Representation::euler) return euler_columns(search, reading);
+  if (reading.angle_unit)
+    return bad_option("angle_unit", formatted("found an orientation in {}, wanted Euler angles",
+                                              joined(names_by_component(*representation), ", ")));
+  return group_of(search, names_by_component(*representation), *representation).map([&](ColumnGroup group) {
+    return OrientationColumns{{.representation = *representation}, std::move(group)};
+  });
+}
+
+std::vector<std::string_view> rate_names() {
+  std::vector<std::string_view> names;
+  for (const auto frame : {&RateOrder::in_body, &RateOrder::in_world})
+    for (const RateOrder& order : orders) names.insert(names.end(), (order.*frame).begin(), (order.*frame).end());
+  return names;
+}
+
+Expected<RateColumns> rate_columns(const ColumnSearch& search, const RateReading& reading) {
+  RateColumns columns;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(reading.orders); ++k) {
+    const auto found = rate_vector(search, reading, orders[k]);
+    if (!found) return tl::unexpected(found.error());
+    columns[k] = *found;
+    if (k > 0 && columns[k] && !columns[k - 1])
+      return failure(ErrorCode::bad_data,
+                     formatted("found {} without {}: {} want {} beside them", name_of(search, *columns[k]),
+                               joined(orders[k - 1].in_body, ", "), orders[k].plural, orders[k - 1].plural));
+  }
+  return columns;
+}
+
 bool is_header(std::span<const std::string_view> row) {
   const auto first = std::find_if(row.begin(), row.end(), [](std::string_view cell) { return !cell.empty(); });
   return first != row.end() && !begins_like_number(*first) && !number_of(*first);
@@ -147,6 +343,30 @@ Expected<KeyColumns> columns_of_order(std::size_t columns, QuaternionOrder order
   if (order == QuaternionOrder::xyzw) result.orientation = {{4}, {1}, {2}, {3}};
   if (columns == 8) result.position = three_columns_from(5);
   return result;
+}
+
+std::size_t width_of(std::span<const std::string_view> cells) noexcept {
+  while (!cells.empty() && cells.back().empty()) cells = cells.first(cells.size() - 1);
+  return cells.size();
+}
+
+std::optional<std::string_view> header_option(const ReadOptions& options) {
+  if (!options.columns.empty()) return "columns";
+  if (options.orientation.representation) return "representation";
+  if (options.orientation.euler) return "euler";
+  if (options.orientation.angle_unit) return "angle_unit";
+  return std::nullopt;
+}
+
+tl::unexpected<Error> misplaced(const TextTable& table, std::string_view option, std::string message) {
+  auto refused = bad_option(option, std::move(message));
+  refused.value().where = table.here();
+  return refused;
+}
+
+Expected<KeyColumns> located(const TextTable& table, Expected<KeyColumns> columns) {
+  if (!columns) columns.error().where = table.here();
+  return columns;
 }
 
 }}}  // namespace orispline::io

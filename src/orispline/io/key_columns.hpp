@@ -5,17 +5,57 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
-#include <orispline/base/fraction.hpp>
-#include <orispline/io/orientation_columns.hpp>
-#include <orispline/io/rate_columns.hpp>
+#include <orispline/base/decimal.hpp>
+#include <orispline/base/expected.hpp>
+#include <orispline/io/column_search.hpp>
+#include <orispline/io/orientation_form.hpp>
 #include <orispline/io/text_table.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
-/// Order of the quaternion columns of a table without a header.
-enum class QuaternionOrder { wxyz, xyzw };
+/// The columns that state the orientation.
+struct OrientationColumns {
+  OrientationForm form{};
+  ColumnGroup group{};  ///< in the order that `orientation_from` takes; incomplete where the header is
+};
+
+/// Every canonical name that an orientation column may have.
+[[nodiscard]] std::vector<std::string_view> orientation_names();
+
+/// Finds the columns of one representation.
+///
+/// Errors: bad_data for several representations to choose from, Euler angles without an order or a unit; bad_argument
+/// for options that contradict the header or each other.
+[[nodiscard]] Expected<OrientationColumns> orientation_columns(const ColumnSearch& search,
+                                                               const OrientationReading& reading);
+
+/// Which angular rates are read.
+struct RateReading {
+  int orders = 1;      ///< highest order: 0 none, 1 angular velocities, 2 and accelerations, 3 and jerks
+  bool world = false;  ///< those in the world frame too, for orders without any in the body frame
+};
+
+/// The columns of the rates of one order.
+struct RateVector {
+  VectorColumns columns;
+  Frame frame;
+};
+
+/// By order: angular velocity, acceleration, jerk; where there is none there is none of a higher order.
+using RateColumns = std::array<std::optional<RateVector>, 3>;
+
+/// Every canonical name that a column of rates may have.
+[[nodiscard]] std::vector<std::string_view> rate_names();
+
+/// `wx,wy,wz`, `ax,ay,az`, `jx,jy,jz` in their frames and units.
+///
+/// Errors (bad_data): one of three columns without the others; accelerations without velocities, jerks without
+/// accelerations.
+[[nodiscard]] Expected<RateColumns> rate_columns(const ColumnSearch& search, const RateReading& reading);
 
 /// A column of a parameter's values.
 struct ParameterColumn {
@@ -41,14 +81,14 @@ struct KeyColumns {
 
 /// What the names in a header may mean beside the canonical ones.
 struct HeaderReading {
-  ColumnSearch::Names names{};
+  ColumnNames names{};
   std::span<const std::string> parameters{};  ///< read where a column has the name
   RateReading rates{};
   OrientationReading orientation{};
 };
 
 /// Whether the first row of a table names columns: its first cell that is not empty is no number.
-[[nodiscard]] ORISPLINE_EXPORT bool is_header(std::span<const std::string_view> row);
+[[nodiscard]] bool is_header(std::span<const std::string_view> row);
 
 /// The columns that a header names, in any order: `t` (or `time`, `timestamp`, `stamp`; with a unit `t_s`, `t_ms`,
 /// `t_us`, `t_ns`), the orientation by one of its representations, and where present `px,py,pz` (or `tx,ty,tz`, or
@@ -61,15 +101,36 @@ struct HeaderReading {
 ///
 /// Errors: bad_data for a column that is missing or there twice; bad_argument for a mapping of an unknown name; those
 /// of `orientation_columns`.
-[[nodiscard]] ORISPLINE_EXPORT Expected<KeyColumns> columns_of_header(std::span<const std::string_view> header,
-                                                                      const HeaderReading& reading);
+[[nodiscard]] Expected<KeyColumns> columns_of_header(std::span<const std::string_view> header,
+                                                     const HeaderReading& reading);
 
 /// `t`, the quaternion, and with 8 columns the position. Error (bad_data): another number of columns.
-[[nodiscard]] ORISPLINE_EXPORT Expected<KeyColumns> columns_of_order(std::size_t columns, QuaternionOrder order);
+[[nodiscard]] Expected<KeyColumns> columns_of_order(std::size_t columns, QuaternionOrder order);
 
 /// Columns without units, side by side.
 [[nodiscard]] constexpr VectorColumns three_columns_from(std::size_t first) noexcept {
   return {NumberColumn{first}, NumberColumn{first + 1}, NumberColumn{first + 2}};
 }
+
+struct ReadOptions;
+
+/// How the rows of a table are to be read.
+struct TableLayout {
+  KeyColumns columns{};
+  std::vector<std::string> names{};  ///< of all columns: those of the header, else such as one could have
+  enum class FirstRow { header, key } first_row = FirstRow::key;
+};
+
+/// Cells of a row without the empty ones at its end.
+[[nodiscard]] std::size_t width_of(std::span<const std::string_view> cells) noexcept;
+
+/// The option that asks for something that only a header can give, if any.
+[[nodiscard]] std::optional<std::string_view> header_option(const ReadOptions& options);
+
+/// The error (bad_argument) of an option that contradicts the row of the table.
+[[nodiscard]] tl::unexpected<Error> misplaced(const TextTable& table, std::string_view option, std::string message);
+
+/// The columns, or what is wrong with them at the row of the table.
+[[nodiscard]] Expected<KeyColumns> located(const TextTable& table, Expected<KeyColumns> columns);
 
 }}}  // namespace orispline::io

@@ -9,12 +9,11 @@
 
 #include <orispline/base/warning.hpp>
 #include <orispline/curve/keyframe.hpp>
-#include <orispline/curve/recipe.hpp>
+#include <orispline/curve/track.hpp>
 #include <orispline/io/clock.hpp>
 #include <orispline/io/euler_turns.hpp>
 #include <orispline/io/formats/formats.hpp>
-#include <orispline/io/key_columns.hpp>
-#include <orispline/io/key_table.hpp>
+#include <orispline/io/orientation_form.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
@@ -47,13 +46,35 @@ struct SceneTrack {
   [[nodiscard]] bool is_given() const noexcept { return !clips.empty() || joint || space != Space::local; }
 };
 
+/// Columns by their canonical names: what the header calls them.
+using ColumnNames = std::map<std::string, std::string, std::less<>>;
+
+/// Order of the quaternion columns of a table without a header.
+enum class QuaternionOrder { wxyz, xyzw };
+
+/// What the caller says about the orientation columns of a table.
+struct OrientationReading {
+  /// Absent: quaternions where there are columns of them, else the only representation that there are columns of.
+  std::optional<Representation> representation{};
+  /// The order of Euler angles, which also asks for them. Absent: ZYX for `roll,pitch,yaw`.
+  std::optional<EulerOrder> euler{};
+  /// Of Euler angles whose column does not end in a unit.
+  std::optional<AngleUnit> angle_unit{};
+};
+
+/// What a rate without a number in its three cells is.
+enum class FreeRates {
+  allowed,  ///< left free: NaN
+  refused,  ///< not finite
+};
+
 /// How a file of keyframes is to be read.
 struct ReadOptions {
   /// Null: the one with the extension of the file; where several have it, or none has, by content: EuRoC by its header,
   /// TUM by 8 numbers separated by blanks, else CSV.
   const FormatInfo* format = nullptr;
   /// Canonical name to name in the header. A name here is believed: `wx` is taken as a body rate.
-  ColumnSearch::Names columns{};
+  ColumnNames columns{};
   /// For CSV without a header: t, the quaternion in this order, then px, py, pz where the rows have 8 cells.
   std::optional<QuaternionOrder> order{};
   /// For CSV with a header: which columns state the orientation, and how.
@@ -123,7 +144,7 @@ struct KeyFile {
 
 [[nodiscard]] ORISPLINE_EXPORT Expected<KeyFile> read_keys(KeyInput input, const ReadOptions& options);
 
-/// The same of every track in a file, one at least.
+/// Reads the keyframes of every track in a file, one at least.
 [[nodiscard]] ORISPLINE_EXPORT Expected<std::vector<KeyFile>> read_all_keys(const std::string& path,
                                                                             const ReadOptions& options = {});
 

@@ -2,15 +2,16 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <string>
-#include <variant>
-#include <vector>
 
-#include <orispline/io/format_choice.hpp>
+#include <orispline/io/key_file.hpp>
 #include <orispline/io/key_input.hpp>
-#include <orispline/io/key_rows.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
+
+struct KeyColumns;
+struct KeyRowsSource;
 
 /// Reads the keys of a file of one track, or of standard input for `-`, in pieces where they are rows of a table.
 class ORISPLINE_EXPORT KeyReader {
@@ -18,9 +19,12 @@ class ORISPLINE_EXPORT KeyReader {
   /// Reads as far as the first row, which decides how the others are read; keys of another kind all at once. Errors:
   /// those of read_keys().
   [[nodiscard]] static Expected<KeyReader> open(const std::string& path, const ReadOptions& options = {});
-  /// The same of a file that was opened before.
+  /// Likewise of a file that was opened before.
   [[nodiscard]] static Expected<KeyReader> open(KeyInput input, const ReadOptions& options);
   KeyReader(KeyRowsSource source, const ReadOptions& options);
+  KeyReader(KeyReader&& other) noexcept;
+  KeyReader& operator=(KeyReader&& other) noexcept;
+  ~KeyReader();
 
   /// Of the curve that the keys are for.
   [[nodiscard]] const Recipe& recipe() const noexcept { return recipe_; }
@@ -37,18 +41,11 @@ class ORISPLINE_EXPORT KeyReader {
   [[nodiscard]] std::size_t bytes_read() const noexcept;
 
  private:
-  struct Table {
-    TextTable cells;
-    KeyRows rows;
-    std::vector<std::string> names;  // of the columns, where the cells are kept
-    bool is_at_new_row;              // that was not added yet
-  };
+  struct Source;
 
-  explicit KeyReader(KeyFile file) : source_(std::move(file)), format_(std::get<KeyFile>(source_).format) {}
-  /// Adds rows until there are that many keys, or no more rows.
-  [[nodiscard]] Expected<void> fill(Table& table, std::size_t most);
+  explicit KeyReader(KeyFile file);
 
-  std::variant<Table, KeyFile> source_;
+  std::unique_ptr<Source> source_;
   Recipe recipe_;
   const FormatInfo* format_;
   bool is_at_end_ = false;

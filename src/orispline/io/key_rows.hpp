@@ -5,15 +5,16 @@
 #include <string_view>
 #include <vector>
 
+#include <orispline/io/key_columns.hpp>
 #include <orispline/io/key_file.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 
 /// Of a quaternion that is too far from a unit one to be read without being asked.
-[[nodiscard]] ORISPLINE_EXPORT Error norm_refused(double norm, Where where);
+[[nodiscard]] Error norm_refused(double norm, Where where);
 
 /// Gathers the keys of a table row by row, checks and repairs them. They may be taken out in pieces.
-class ORISPLINE_EXPORT KeyRows {
+class KeyRows {
  public:
   KeyRows(std::string path, const FormatInfo& format, KeyColumns columns, const ReadOptions& options);
 

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include <orispline/base/pieces.hpp>
+#include <orispline/io/clock.hpp>
 #include <orispline/io/file_option_words.hpp>
-#include <orispline/io/iso_time.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 

@@ -10,7 +10,6 @@
 #include <orispline/curve/motion.hpp>
 #include <orispline/curve/path.hpp>
 #include <orispline/io/formats/formats.hpp>
-#include <orispline/io/frame.hpp>
 #include <orispline/io/orientation_form.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {

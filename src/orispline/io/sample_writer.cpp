@@ -1,9 +1,86 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/io/sample_writer.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include <orispline/base/formatted.hpp>
+
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
+
+namespace {
+
+tl::unexpected<Error> not_finite(const Decimal& time) {
+  return failure(ErrorCode::bad_data,
+                 formatted("the sample at time {} has a number that is not finite", time.to_string()));
+}
+
+tl::unexpected<Error> same_time(const Decimal& time, const FormatInfo& format) {
+  return failure(ErrorCode::bad_data, formatted("two samples fall on the {} {}, wanted times that differ in {}",
+                                                format.writing.whole_times->unit, time.to_string(), format.title));
+}
+
+}  // namespace
+
+Expected<void> SampleRows::append(const Decimal& time, const Sample& sample) {
+  const FormatWriting& writing = columns_.format->writing;
+  const RowNumbers numbers = writing.numbers(sample, columns_);
+  if (!may_write(numbers, sample)) return not_finite(time);
+  if (writing.rounded_row) {
+    writing.rounded_row(bytes_, time.to_double(), numbers.values());
+  } else {
+    const auto written_time = writing.whole_times ? next_whole(time) : Expected<Decimal>(time);
+    if (!written_time) return tl::unexpected(written_time.error());
+    writing.row(bytes_, *written_time, numbers.values());
+  }
+  ++size_;
+  return {};
+}
+
+Expected<void> SampleRows::append(const TimeOrigin& origin, double offset, const Sample& sample) {
+  const FormatWriting& writing = columns_.format->writing;
+  if (!writing.rounded_row) return append(origin.plus(offset), sample);
+  const RowNumbers numbers = writing.numbers(sample, columns_);
+  if (!may_write(numbers, sample)) return not_finite(origin.plus(offset));
+  writing.rounded_row(bytes_, origin.nearest_plus(offset), numbers.values());
+  ++size_;
+  return {};
+}
+
+bool SampleRows::may_write(const RowNumbers& numbers, const Sample& sample) const noexcept {
+  if (numbers.are_finite()) return true;
+  const bool has_orientation = !sample.motion.orientation.coeffs().hasNaN();
+  if (missing_ == MissingSamples::written) return !has_orientation;
+  const auto is_infinite = [](double number) { return std::isinf(number); };
+  return missing_ == MissingSamples::free_rates && has_orientation &&
+         std::ranges::none_of(numbers.values(), is_infinite);
+}
+
+/// The time in whole units of the format, which no two neighbours may share.
+Expected<Decimal> SampleRows::next_whole(const Decimal& time) {
+  const Decimal whole = (time * Decimal::power_of_ten(columns_.format->writing.whole_times->per_second)).rounded();
+  if (whole == last_whole_) return same_time(whole, *columns_.format);
+  if (!first_whole_) first_whole_ = whole;
+  last_whole_ = whole;
+  return whole;
+}
+
+Expected<void> SampleRows::may_follow(const SampleRows& others) const {
+  if (first_whole_ && first_whole_ == others.last_whole_) return same_time(*first_whole_, *columns_.format);
+  return {};
+}
+
+void SampleRows::clear() noexcept {
+  bytes_.clear();
+  size_ = 0;
+  first_whole_.reset();
+}
+
+void SampleRows::continue_after(const SampleRows& others) noexcept {
+  clear();
+  if (others.last_whole_) last_whole_ = others.last_whole_;
+}
 
 Expected<SampleWriter> SampleWriter::open(const std::string& path, const SampleColumns& columns, std::size_t rows) {
   if (auto checked = check_columns(columns); !checked) return tl::unexpected(std::move(checked.error()));

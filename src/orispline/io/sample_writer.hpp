@@ -3,13 +3,58 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include <orispline/base/decimal.hpp>
 #include <orispline/io/output_file.hpp>
 #include <orispline/io/sample_columns.hpp>
-#include <orispline/io/sample_rows.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
+
+inline constexpr std::size_t written_block = std::size_t{256} << 10;  ///< [bytes] of rows, best written at a time
+
+/// What may be NaN in rows.
+enum class MissingSamples {
+  refused,
+  written,    ///< samples at times for which there are none
+  free_rates  ///< rates that keys leave free
+};
+
+/// Rows of samples as their file holds them, gathered in memory: several threads may each make some.
+class ORISPLINE_EXPORT SampleRows {
+ public:
+  /// The columns are those that `check_columns` accepts.
+  explicit SampleRows(const SampleColumns& columns, MissingSamples missing = MissingSamples::refused)
+      : columns_(columns), missing_(missing) {}
+
+  /// Appends the sample at a time [s]. Errors (bad_data), after which nothing is appended: a number that is not finite,
+  /// unless it is that of a sample or a rate which may be missing; two samples in succession that fall on the same
+  /// time, where the format rounds times.
+  [[nodiscard]] Expected<void> append(const Decimal& time, const Sample& sample);
+  /// Appends a sample at an offset [s] from an origin.
+  [[nodiscard]] Expected<void> append(const TimeOrigin& origin, double offset, const Sample& sample);
+
+  /// Whether these rows may follow the others. Error (bad_data): they begin with the time that the others end with,
+  /// where the format rounds times.
+  [[nodiscard]] Expected<void> may_follow(const SampleRows& others) const;
+
+  [[nodiscard]] std::string_view bytes() const noexcept { return bytes_; }
+  [[nodiscard]] std::size_t size() const noexcept { return size_; }
+  /// Takes the rows out; what is appended next is still behind them.
+  void clear() noexcept;
+  /// Takes the place behind the others, as if they had been appended here and taken out.
+  void continue_after(const SampleRows& others) noexcept;
+
+ private:
+  [[nodiscard]] bool may_write(const RowNumbers& numbers, const Sample& sample) const noexcept;
+  [[nodiscard]] Expected<Decimal> next_whole(const Decimal& time);
+
+  SampleColumns columns_;
+  MissingSamples missing_;
+  std::string bytes_;
+  std::size_t size_ = 0;
+  std::optional<Decimal> first_whole_, last_whole_;  // in units of the format, where it has some
+};
 
 /// Streams samples into a file, or to standard output for `-`.
 ///

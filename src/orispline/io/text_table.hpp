@@ -17,19 +17,19 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 enum class Delimiter { comma, semicolon, tab, blanks };
 
 /// The first of semicolon, comma, tab that occurs in the line outside of quotes; blanks if none does.
-[[nodiscard]] ORISPLINE_EXPORT Delimiter delimiter_of(std::string_view line);
+[[nodiscard]] Delimiter delimiter_of(std::string_view line);
 
 /// The number in a cell: `nan` and `inf` in any case of letters are not finite, an empty cell is NaN, numbers below the
 /// range of a double are 0.
 ///
 /// Errors (bad_data): not a number (hexadecimal, decimal comma, text after it), out of range.
-[[nodiscard]] ORISPLINE_EXPORT Expected<double> number_of(std::string_view cell);
+[[nodiscard]] Expected<double> number_of(std::string_view cell);
 
 /// The exact number in a cell; nothing where `number_of` is not finite.
-[[nodiscard]] ORISPLINE_EXPORT Expected<std::optional<Decimal>> decimal_of(std::string_view cell);
+[[nodiscard]] Expected<std::optional<Decimal>> decimal_of(std::string_view cell);
 
 /// Streams the rows of a text table: lines split into cells, without `#` comments and blank lines.
-class ORISPLINE_EXPORT TextTable {
+class TextTable {
  public:
   [[nodiscard]] static Expected<TextTable> open(const std::string& path);
   /// The table in the lines that were not read yet.

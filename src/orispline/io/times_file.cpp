@@ -6,8 +6,8 @@
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
+#include <orispline/io/clock.hpp>
 #include <orispline/io/format_choice.hpp>
-#include <orispline/io/iso_time.hpp>
 #include <orispline/io/key_columns.hpp>
 #include <orispline/io/text_table.hpp>
 #include <orispline/io/time_column.hpp>
@@ -34,7 +34,7 @@ Error located(const TextTable& table, Error error) {
 
 Expected<TimeColumn> column_of_header(const TextTable& table, const ReadOptions& options) {
   const auto header = table.cells().first(width_of(table.cells()));
-  const ColumnSearch::Names none;
+  const ColumnNames none;
   const auto mapped = options.columns.find(time_name);
   const bool is_there = mapped != options.columns.end() && std::ranges::find(header, mapped->second) != header.end();
   const ColumnSearch search(header, is_there ? options.columns : none);

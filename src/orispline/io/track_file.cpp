@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <utility>
 
+#include <orispline/io/key_columns.hpp>
+#include <orispline/io/key_input.hpp>
 #include <orispline/io/key_reader.hpp>
 #include <orispline/io/line_reader.hpp>
 

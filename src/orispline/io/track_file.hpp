@@ -30,7 +30,7 @@ struct TrackFile {
 /// The track of a file of one.
 [[nodiscard]] ORISPLINE_EXPORT Expected<TrackFile> read_track(const std::string& path, const ReadOptions& options = {},
                                                               std::optional<Signs> signs = {});
-/// The same of a file that was opened before.
+/// The track of a file of one that was opened before.
 [[nodiscard]] ORISPLINE_EXPORT Expected<TrackFile> read_track(KeyInput input, const ReadOptions& options,
                                                               std::optional<Signs> signs = {});
 

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include <orispline/families/method_text.hpp>
-#include <orispline/families/recipe.hpp>
 #include <orispline/families/registry.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include <orispline/analysis/compared_keys.hpp>
-#include <orispline/analysis/compared_method.hpp>
 #include <orispline/base/progress.hpp>
 #include <orispline/fields/json.hpp>
 

@@ -5,7 +5,7 @@
 
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
-#include <orispline/curve/free_rate.hpp>
+#include <orispline/curve/keyframe.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/jobs/compare.hpp>
 #include <orispline/jobs/compare_title.hpp>

@@ -4,7 +4,7 @@
 #include <Eigen/QR>
 #include <Eigen/SVD>
 
-#include <orispline/math/elementary.hpp>
+#include <orispline/math/number.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 

@@ -6,7 +6,7 @@
 #include <orispline/io/key_file.hpp>
 #include <orispline/io/key_table.hpp>
 #include <orispline/io/sample_columns.hpp>
-#include <orispline/io/table_layout.hpp>
+#include <orispline/io/key_columns.hpp>
 #include <orispline/io/text_row.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
