@@ -9,9 +9,7 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
-#include <orispline/analysis/angle_travelled.hpp>
-#include <orispline/analysis/comparison.hpp>
-#include <orispline/analysis/leave_out.hpp>
+#include <orispline/analysis.hpp>
 #include <orispline/curve/torque.hpp>
 #include <orispline/families/motion_band.hpp>
 #include <orispline/families/registry.hpp>
