@@ -98,18 +98,6 @@ Expected<Method> shaped(Method given, const MethodOptions& options, AskedBy aske
       .and_then([&](Method method) { return with_loop_options(std::move(method), options); });
 }
 
-/// What is wrong with a method that nobody but the file of the keys names is the fault of that line.
-Error blamed_on_recipe(const Method& method, const Track& track, Error error) {
-  const auto stated = method_of(track.recipe, track.name);
-  if (error.code != ErrorCode::bad_argument || !stated || !*stated || text_of(**stated) != text_of(method))
-    return error;
-  error.code = ErrorCode::bad_data;
-  error.where = {.file = track.name, .line = track.recipe.line};
-  error.option.clear();
-  error.remedy = "recipe";
-  return error;
-}
-
 }  // namespace
 
 std::string_view first_given(const MethodOptions& o) {
@@ -160,23 +148,19 @@ io::ReadOptions read_for(std::span<const Method> methods, io::ReadOptions read) 
   read.rate_orders = 0;
   for (const Method& method : methods) {
     for (std::string& name : open_parameters(method)) parameters.insert(std::move(name));
-    read.rate_orders = std::max(read.rate_orders, family_of(method).rate_orders);
+    read.rate_orders = std::max(read.rate_orders, jobs::family_of(method).rate_orders);
   }
   read.parameters = {parameters.begin(), parameters.end()};
   read.world_rates = true;
   return read;
 }
 
-const FamilyInfo& family_of(const Method& method) { return **find_family(method.name); }
-
 std::vector<std::string> open_parameters(const Method& method) {
   std::vector<std::string> names;
-  for (const Parameter& parameter : family_of(method).parameters)
+  for (const Parameter& parameter : jobs::family_of(method).parameters)
     if (!method.options.parameters.contains(parameter.name)) names.emplace_back(parameter.name);
   return names;
 }
-
-Method completed(const Method& method, const Track& track) { return completed(method, family_of(method), track); }
 
 std::vector<std::string> known_settings() {
   std::set<std::string> settings;
@@ -193,18 +177,6 @@ std::vector<std::string> known_end_rules() {
   for (const FamilyInfo& family : families_info())
     for (const EndRule rule : family.ends) rules.emplace(name_of(rule));
   return {rules.begin(), rules.end()};
-}
-
-Expected<PoseCurve> shaped_curve(const Method& method, const Track& track) {
-  // The command line answers for itself first; what fails after that is the fault of the file's columns.
-  const auto settled = settle(family_of(method), method.options, track.keys.size());
-  if (!settled) return tl::unexpected(blamed_on_recipe(method, track, jobs::placed(track, settled.error())));
-  const Method shaped = completed(method, track);
-  const bool has_columns = shaped.options.parameters.size() > method.options.parameters.size();
-  return make_pose_curve(shaped, track.keys).map_error([&](Error error) {
-    if (has_columns) error.code = ErrorCode::bad_data;
-    return blamed_on_recipe(method, track, jobs::placed(track, std::move(error)));
-  });
 }
 
 }  // namespace orispline::cli

@@ -39,9 +39,6 @@ struct MethodOptions {
 [[nodiscard]] Expected<std::vector<Method>> method_requests(const std::vector<std::string>& lists,
                                                             const MethodOptions& options);
 
-/// The family of a method that was understood.
-[[nodiscard]] const FamilyInfo& family_of(const Method& method);
-
 /// The method of that name, or absent.
 [[nodiscard]] Expected<std::optional<Method>> named_method(const std::optional<std::string>& text,
                                                            const MethodOptions& options);
@@ -52,17 +49,9 @@ struct MethodOptions {
 /// Parameters of the method that the command line leaves to the columns of the key file.
 [[nodiscard]] std::vector<std::string> open_parameters(const Method& method);
 
-/// What the command line says and, where it is silent, the columns of the file.
-[[nodiscard]] Method completed(const Method& method, const Track& track);
-
 /// Every `NAME=` or `NAME=WORD` that some method takes.
 [[nodiscard]] std::vector<std::string> known_settings();
 /// Every end rule that some method has.
 [[nodiscard]] std::vector<std::string> known_end_rules();
-
-/// The curve through the keys, shaped by the command line and, where that is silent, by the columns of the file.
-///
-/// A value that the file is to blame for is bad_data and names its line.
-[[nodiscard]] Expected<PoseCurve> shaped_curve(const Method& method, const Track& track);
 
 }  // namespace orispline::cli

@@ -5,5 +5,8 @@
 // (ORISPLINE_OPTIMISE).
 
 #include <orispline/jobs/compare.hpp>
+#include <orispline/jobs/curve_of_keys.hpp>
+#include <orispline/jobs/inspect.hpp>
 #include <orispline/jobs/retime.hpp>
+#include <orispline/jobs/sample.hpp>
 #include <orispline/jobs/tune.hpp>

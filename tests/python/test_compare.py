@@ -3,7 +3,7 @@
 import numpy as np
 import orispline as ori
 import pytest
-from task_files import EXAMPLES, json_of, keys_in
+from task_files import EXAMPLES, json_of, keys_in, run
 
 CLOCK = ("build_seconds", "seconds")
 TRUTH, KEYS = EXAMPLES / "flight_truth.csv", EXAMPLES / "flight_keys.csv"
@@ -50,6 +50,13 @@ def test_curves_of_rows_are_those_that_were_measured():
     assert {row["method"] for row in comparison.table()} == {"quintic", "quintic:tuned", "slerp"}
     with pytest.raises(IndexError, match="row: found 3"):
         comparison.curve(3)
+
+
+def test_it_prints_the_tables_of_the_command():
+    told = run("compare", TRUTH, *"--keep-every 50,90 --methods auto,slerp --quiet".split())[0]
+    printed = str(ori.compare(ori.read(TRUTH), ["auto", "slerp"], keep_every=[50, 90]))
+    assert [line.split()[:-1] for line in printed.splitlines()] == [line.split()[:-1] for line in told.splitlines()]  # but for the time
+    assert printed.startswith(f"{TRUTH.name}: every 50th sample kept, ")
 
 
 def test_measures_say_what_columns_are():

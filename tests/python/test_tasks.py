@@ -232,3 +232,24 @@ def test_tuning_to_a_reference_is_that_of_the_command(tmp_path):
     recording = keys_in(truth)
     dots = np.abs(np.sum(recording.rotations * tuning.curve(recording.times), axis=1))
     assert np.mean((2 * np.arccos(np.minimum(1, dots)))**2) == pytest.approx(tuning.energy_after, rel=1e-3)
+
+
+@pytest.mark.parametrize("task, words, options", [
+    ("retime", "--max-rate 30deg/s --max-acceleration 2rad/s2", {"max_rate": "30deg/s", "max_acceleration": "2rad/s2"}),
+    ("tune", "--method quintic", {"method": "quintic"})])
+def test_results_say_what_the_command_says(task, words, options, tmp_path):
+    given = EXAMPLES / "camera_keys.csv"
+    *told, _ = run(task, given, *words.split(), "-o", tmp_path / "out.csv")[1].splitlines()  # where they were written
+    assert str(getattr(ori, task)(ori.read(given), **options)).splitlines() == told
+    assert str(getattr(ori, task)(keys_in(given), **options)).splitlines() == [told[0].replace(f" from {given}", ""), *told[1:]]
+
+
+def test_keys_for_another_method_are_warned_of(tmp_path):
+    tuned = tmp_path / "tuned.csv"
+    run("tune", EXAMPLES / "flight_keys.csv", "--method", "quintic", "-o", tuned)
+    keys = ori.read(tuned)
+    with pytest.warns(ori.ShapeWarning, match="its keys are for quintic, and they are used for slerp") as found:
+        ori.retime(keys, max_rate="60deg/s", method="slerp")
+    assert found[0].message.code == "recipe_set_aside"
+    ori.retime(keys, max_rate="60deg/s")
+    ori.retime(keys, max_rate="60deg/s", method=keys.curve())

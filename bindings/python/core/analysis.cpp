@@ -13,6 +13,7 @@
 #include <orispline/analysis/comparison.hpp>
 #include <orispline/analysis/decimation.hpp>
 #include <orispline/curve/motion.hpp>
+#include <orispline/analysis.hpp>
 #include <orispline/families/motion_band.hpp>
 #include <orispline/families/registry.hpp>
 

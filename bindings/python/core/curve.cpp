@@ -7,7 +7,7 @@
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 
-#include <orispline/analysis/continuity.hpp>
+#include <orispline/analysis.hpp>
 #include <orispline/families/method_text.hpp>
 #include <orispline/families/registry.hpp>
 

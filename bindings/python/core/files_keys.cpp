@@ -9,7 +9,7 @@
 #include <nanobind/stl/string_view.h>
 #include <nanobind/stl/vector.h>
 
-#include <orispline/analysis/key_statistics.hpp>
+#include <orispline/analysis.hpp>
 #include <orispline/families/method_text.hpp>
 #include <orispline/jobs.hpp>
 
@@ -123,8 +123,7 @@ nb::tuple statistics_of(const Keys& keys) {
 
 Error placed(const Track& track, bool has_columns, Error error) {
   if (has_columns) error.code = ErrorCode::bad_data;
-  const bool concerns_file = error.code != ErrorCode::bad_argument || error.where.key;
-  return concerns_file && !track.name.empty() ? track.located(std::move(error)) : error;
+  return jobs::placed(track, std::move(error));
 }
 
 void add_key_origins(nb::module_& module) {

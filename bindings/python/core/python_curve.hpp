@@ -7,7 +7,7 @@
 
 #include <nanobind/nanobind.h>
 
-#include <orispline/analysis/angle_travelled.hpp>
+#include <orispline/analysis.hpp>
 #include <orispline/batch/compiled_curve.hpp>
 #include <orispline/curve/method.hpp>
 #include <orispline/curve/path.hpp>

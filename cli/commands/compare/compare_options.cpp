@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/compare/compare_options.hpp"
 
+#include <orispline/analysis.hpp>
 #include <orispline/analysis/comparison_fields.hpp>
-#include <orispline/analysis/measure_info.hpp>
 
 namespace orispline::cli {
 

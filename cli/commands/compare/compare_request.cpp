@@ -124,7 +124,7 @@ Expected<CompareRequest> compare_request(const CompareOptions& options) {
   read->input.read.rate_orders = 1;
   read->input.read.world_rates = true;
   for (const jobs::LabelledMethod& method : read->job.methods) {
-    read->input.read.rate_orders = std::max(read->input.read.rate_orders, family_of(method.method).rate_orders);
+    read->input.read.rate_orders = std::max(read->input.read.rate_orders, jobs::family_of(method.method).rate_orders);
     if (!options.reference) continue;
     for (std::string& name : open_parameters(method.method)) {
       auto& parameters = read->input.read.parameters;

@@ -32,8 +32,8 @@ Expected<io::TrackFile> open_source(InputRequest request, const io::OrientationF
   if (!method) return tl::unexpected(method.error());
   if (*method) {
     request.read.parameters = open_parameters(**method);
-    request.read.rate_orders = std::max(request.read.rate_orders, family_of(**method).rate_orders);
-    request.read.world_rates = family_of(**method).rate_orders > 0;
+    request.read.rate_orders = std::max(request.read.rate_orders, jobs::family_of(**method).rate_orders);
+    request.read.world_rates = jobs::family_of(**method).rate_orders > 0;
   }
   recipe.signs = request.signs.value_or(recipe.signs);
   return io::read_track(std::move(*input), request.read, request.signs.value_or(Signs::as_given))

@@ -4,15 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <memory>
 #include <utility>
 
-#include <orispline/families/method_warnings.hpp>
 #include <orispline/io/key_rows.hpp>
+#include <orispline/jobs/inspect.hpp>
 
-#include "commands/inspect/inspect_report.hpp"
 #include "commands/inspect/inspect_scene.hpp"
 #include "options/reading_flags.hpp"
-#include "output/findings_text.hpp"
+#include "output/json_document.hpp"
 #include "output/standard_output.hpp"
 
 namespace orispline::cli {
@@ -59,35 +59,46 @@ ScaledKeys scaled_to_unit(KeyframeData data) {
   return scaled;
 }
 
-Expected<InspectReport> inspected(const InputRequest& input, const std::vector<Method>& methods) {
+/// The keys of a file, made sound, and its faults.
+struct InspectedFile {
+  const io::FormatInfo* format;
+  jobs::InspectRequest request;
+  std::vector<Warning> warnings;
+};
+
+Expected<InspectedFile> inspected_file(const InputRequest& input) {
   auto file = read_leniently(input);
   if (!file) return tl::unexpected(std::move(file.error()));
   if (input.signs) file->recipe.signs = *input.signs;
   auto scaled = scaled_to_unit(std::exchange(file->data, {}));
   auto keys = Keyframes::make(std::move(scaled.data), file->recipe.signs);
   if (!keys) return tl::unexpected(located(*file, keys.error()));
-  InspectReport report{.file = io::track_file(std::move(*file), *keys),
-                       .statistics = key_statistics(*keys),
-                       .keyframes = keys->report(),
-                       .wrong_norms = scaled.wrong_norms};
-  const Track& track = report.file.track;
-  report.defect = defect_in(input, report.file.repairs, scaled.wrong_norms);
-  report.keyframes.non_unit_keys += scaled.wrong_norms;
-  report.keyframes.largest_norm_error = std::max(report.keyframes.largest_norm_error, scaled.largest_norm_error);
-  if (!report.defect && scaled.first_error) report.defect = describe(track.located(*scaled.first_error));
-  std::vector<Warning> warnings = report.file.warnings;
-  for (const Method& method : methods) {
-    const auto findings = findings_by(method, track);
-    // Positions say something of their own.
-    const auto curve = shaped_curve(track.keys.positions().empty() ? with_found(method, findings) : method, track);
-    if (!curve) return tl::unexpected(curve.error());
-    const Seam seam = method.options.loop ? Seam::closed : Seam::open;
-    report.methods.push_back({method.name, continuity_at_keys(curve->orientation, seam),
-                              shape_continuity_at_keys(curve->orientation, seam), findings});
-    std::ranges::move(warnings_of(method, track), std::back_inserter(warnings));
-  }
-  warn(warnings);
-  return report;
+  io::TrackFile read = io::track_file(std::move(*file), std::move(*keys));
+  jobs::KeyFaults faults{.duplicate_times = read.repairs.duplicates_dropped,
+                         .out_of_order_rows = read.repairs.rows_moved,
+                         .invalid_rows = read.repairs.invalid_dropped,
+                         .wrong_norms = scaled.wrong_norms,
+                         .largest_norm_error = scaled.largest_norm_error,
+                         .defect = defect_in(input, read.repairs, scaled.wrong_norms)};
+  if (!faults.defect && scaled.first_error) faults.defect = describe(read.track.located(*scaled.first_error));
+  return InspectedFile{
+      .format = read.format,
+      .request = {.keys = std::make_shared<const Track>(std::move(read.track)), .faults = std::move(faults)},
+      .warnings = std::move(read.warnings)};
+}
+
+Expected<void> inspect_keys(const InspectOptions& options, const InputRequest& input, std::vector<Method> methods) {
+  auto file = inspected_file(input);
+  if (!file) return tl::unexpected(std::move(file.error()));
+  file->request.methods = std::move(methods);
+  return jobs::inspect(std::move(file->request)).and_then([&](const jobs::InspectOutcome& outcome) {
+    std::ranges::copy(outcome.warnings, std::back_inserter(file->warnings));
+    warn(file->warnings);
+    if (!options.json) return print_document(summary_of(outcome));
+    Json json{{"file", outcome.request.keys->name}, {"format", file->format->id}};
+    json.update(document_of(outcome));
+    return print_document(document(json));
+  });
 }
 
 }  // namespace
@@ -101,9 +112,7 @@ Expected<void> inspect(const InspectOptions& options) {
   const auto methods = method_requests(options.methods, options.shape);
   if (!methods) return tl::unexpected(methods.error());
   input->read = read_for(*methods, std::move(input->read));
-  return inspected(*input, *methods).and_then([&](const InspectReport& report) {
-    return print_document(options.json ? json_of(report) : text_of(report));
-  });
+  return inspect_keys(options, *input, *methods);
 }
 
 }  // namespace orispline::cli

@@ -9,6 +9,7 @@
 #include <orispline/base/quoted.hpp>
 #include <orispline/families/method_warnings.hpp>
 #include <orispline/io/output_file.hpp>
+#include <orispline/jobs/curve_of_keys.hpp>
 #include <orispline/report/motion_drawing.hpp>
 #include <orispline/report/page_samples.hpp>
 
@@ -87,7 +88,7 @@ Expected<report::MotionPicture> picture_of(Request request) {
                                 .ghosts = request.ghosts};
   std::vector<Warning> warnings = file->warnings;
   for (const Method& method : request.methods) {
-    const auto curve = shaped_curve(method, track);
+    const auto curve = jobs::shaped_curve(method, track);
     if (!curve) return tl::unexpected(curve.error());
     std::ranges::move(warnings_of(method, track), std::back_inserter(warnings));
     picture.methods.push_back({.name = method.name, .samples = report::sampled(*curve, report::samples_to_draw)});

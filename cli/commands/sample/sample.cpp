@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <orispline/families/method_text.hpp>
-#include <orispline/families/method_warnings.hpp>
+#include <orispline/jobs/sample.hpp>
 
 #include "commands/sample/sample_curve_scene.hpp"
 #include "commands/sample/sample_joints.hpp"
@@ -16,7 +15,6 @@
 #include "commands/sample/sampling.hpp"
 #include "options/scene_input.hpp"
 #include "output/each_input.hpp"
-#include "output/findings_text.hpp"
 #include "output/gathered_output.hpp"
 #include "output/noted_output.hpp"
 #include "output/standard_output.hpp"
@@ -28,16 +26,10 @@ namespace {
 /// The keys, read and turned into a curve.
 struct Source {
   io::TrackFile file;
-  PoseCurve curve;
+  jobs::CurveOfKeys shaped;
   SampleTimes times;
   std::optional<MotionBand> band;
-  std::optional<KeyFindings> findings;
 };
-
-std::size_t rate_orders_of(const Keyframes& keys) {
-  const std::array rates{keys.angular_velocities(), keys.angular_accelerations(), keys.angular_jerks()};
-  return static_cast<std::size_t>(std::ranges::count_if(rates, [](const auto& values) { return !values.empty(); }));
-}
 
 Expected<io::TrackFile> track_of(io::KeyReader reader, Signs signs) {
   auto file = reader.next();
@@ -52,14 +44,11 @@ Expected<Source> open_source(const SampleRequest& request, io::KeyReader keys) {
   auto file = track_of(std::move(keys), *request.input.signs);
   if (!file) return tl::unexpected(std::move(file.error()));
   const Track& track = file->track;
-  auto findings = findings_by(request.method, track);
-  const Method method = with_found(request.method, findings);
-  // Positions say something of their own.
-  auto curve = shaped_curve(track.keys.positions().empty() ? method : request.method, track);
-  if (!curve) return tl::unexpected(std::move(curve.error()));
+  auto shaped = jobs::curve_of_keys(request.method, track);
+  if (!shaped) return tl::unexpected(std::move(shaped.error()));
   warn(file->warnings);
-  warn(warnings_of(method, track));
-  const Domain domain = curve->orientation.domain();
+  warn(shaped->warnings);
+  const Domain domain = shaped->curve.orientation.domain();
   const TimeRequest wanted = anchored(request.times, track.epoch);
   auto times = SampleTimes::make(wanted, track.epoch, domain);
   if (!times) return tl::unexpected(std::move(times.error()));
@@ -67,67 +56,42 @@ Expected<Source> open_source(const SampleRequest& request, io::KeyReader keys) {
   if (request.extrapolation == Extrapolation::hold) warn(range_warnings(wanted, track.epoch, domain));
   if (request.extrapolation == Extrapolation::error)
     if (auto stray = times->outside(domain)) return tl::unexpected(std::move(*stray));
-  Source source{std::move(*file), std::move(*curve), std::move(*times), {}, std::move(findings)};
+  Source source{std::move(*file), std::move(*shaped), std::move(*times), {}};
   if (request.band) {
-    auto band = MotionBand::make(method, source.file.track.keys, *request.band);
+    auto band = MotionBand::make(source.shaped.method, source.file.track.keys, *request.band);
     if (!band) return bad_option("band", band.error().message);
     source.band = std::move(*band);
   }
   return source;
 }
 
-Expected<TruthReport> truth_report(const std::string& path, const Source& source, const io::ReadOptions& options) {
-  const auto file = io::read_track_beside(source.file, path, options);
-  if (!file) return tl::unexpected(file.error());
-  warn(file->warnings);
-  const Track& truth = file->track;
-  const double shift = (truth.epoch - source.file.track.epoch).to_double();
-  std::vector<double> times(truth.keys.times().begin(), truth.keys.times().end());
-  for (double& t : times) t += shift;
-  const auto keys = source.file.track.keys.times();
-  const auto distance =
-      distance_to_reference(source.curve.orientation, {times, truth.keys.orientations()}, {keys.front(), keys.back()});
-  return TruthReport{path, distance, truth.time_of(distance.largest_at)};
-}
-
-SampleReport report_on(const Source& source, const SampleRequest& request, const io::SampleColumns& columns) {
-  const Domain domain = source.curve.orientation.domain();
-  const Track& track = source.file.track;
-  return {.input = request.input.path,
-          .output = request.output,
-          .method = request.method.name,
-          .method_text = text_of(request.method),
-          .keys = track.keys.size(),
-          .repairs = source.file.repairs,
-          .keyframes = track.keys.report(),
-          .columns = columns,
-          .samples = source.times.size(),
-          .extrapolation = request.extrapolation,
-          .rate_orders = rate_orders_of(track.keys),
-          .start = track.epoch + Decimal::from_double(domain.start),
-          .end = track.epoch + Decimal::from_double(domain.end),
-          .findings = source.findings,
-          .band = request.band,
-          .keys_held = true};
-}
-
 /// Samples the curve through all keys, which are in memory.
 Expected<SampleReport> sample_whole(const SampleRequest& request, io::KeyReader keys) {
   const auto source = open_source(request, std::move(keys));
   if (!source) return tl::unexpected(source.error());
-  const io::SampleColumns columns = with_positions(request.columns, source->curve.position.has_value());
-  SampleReport report = report_on(*source, request, columns);
+  const auto& [file, shaped, times, band] = *source;
+  const io::SampleColumns columns = with_positions(request.columns, shaped.curve.position.has_value());
+  SampleReport report{.outcome = outcome_of(file.track, request.method, shaped),
+                      .input = request.input.path,
+                      .output = request.output,
+                      .repairs = file.repairs,
+                      .columns = columns,
+                      .keys_held = true};
+  report.outcome.samples = times.size();
+  report.outcome.extrapolation = request.extrapolation;
+  report.outcome.band = request.band;
   if (request.truth) {
-    auto truth = truth_report(*request.truth, *source, request.input.read);
-    if (!truth) return tl::unexpected(std::move(truth.error()));
-    report.truth = std::move(*truth);
+    const auto truth = io::read_track_beside(file, *request.truth, request.input.read);
+    if (!truth) return tl::unexpected(truth.error());
+    warn(truth->warnings);
+    report.outcome.truth = jobs::distance_to_truth(shaped.curve, file.track, truth->track);
   }
-  const Sampling sampling{source->curve,         source->times,   columns,
-                          request.extrapolation, request.threads, source->band ? &*source->band : nullptr};
-  return open_samples(request.output, columns, source->times.size())
+  const Sampling sampling{shaped.curve,          times,           columns,
+                          request.extrapolation, request.threads, band ? &*band : nullptr};
+  return open_samples(request.output, columns, times.size())
       .and_then([&](Noted<io::SampleWriter> output) {
         return write_samples(output.file, sampling, request.progress).and_then([&](std::size_t held) {
-          report.held_samples = held;
+          report.outcome.held_samples = held;
           return put_in_place(std::move(output));
         });
       })
@@ -137,7 +101,7 @@ Expected<SampleReport> sample_whole(const SampleRequest& request, io::KeyReader 
 /// The curve through all keys as cubics, or its samples, in a file of skeletons.
 Expected<void> sample_into_scene(const SampleOptions& options, const SampleRequest& request, io::KeyReader keys) {
   return open_source(request, std::move(keys)).and_then([&](const Source& source) {
-    return write_curve_scene(options, request, {source.file.track.keys.size(), source.curve, source.times});
+    return write_curve_scene(options, request, {source.file.track.keys.size(), source.shaped.curve, source.times});
   });
 }
 

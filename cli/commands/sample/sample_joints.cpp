@@ -139,7 +139,7 @@ Expected<void> sample_joints(const SampleOptions& options) {
           return write_joint(*request, samples);
         });
     if (!sampled) return tl::unexpected(sampled.error());
-    report.samples += sampled->samples;
+    report.samples += sampled->outcome.samples;
   }
   return summarise(options.summary, report);
 }

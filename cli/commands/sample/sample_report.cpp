@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/sample/sample_report.hpp"
 
-#include <algorithm>
-#include <array>
-#include <span>
-#include <vector>
-
-#include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
-#include <orispline/math/degrees.hpp>
 
-#include "output/findings_text.hpp"
+#include "options/input_options.hpp"
+#include "options/output_options.hpp"
+#include "output/repairs_json.hpp"
 #include "output/repairs_text.hpp"
 #include "output/summary.hpp"
 
@@ -21,67 +16,47 @@ namespace {
 
 constexpr std::size_t many_keys = 1'000'000;  // some hundred megabytes, worth a word
 
-std::string keys_line(const SampleReport& report) {
-  std::string line = formatted("{} from {}, {} to {} s", counted(report.keys, "key"), printable(report.input),
-                               report.start.to_string(), report.end.to_string());
-  const KeyframeReport& keyframes = report.keyframes;
-  if (keyframes.sign_flips > 0) line += formatted("; sign flips in the file: {}", keyframes.sign_flips);
-  if (keyframes.non_unit_keys > 0) line += formatted("; {} normalised", keyframes.non_unit_keys);
-  return line + "\n";
+jobs::SampleOutcome in_words(const SampleReport& report) {
+  jobs::SampleOutcome outcome = report.outcome;
+  outcome.mended = cli::text_of(report.repairs);
+  outcome.written_to = destination(report.output);
+  return outcome;
 }
 
-std::string rates_lines(const SampleReport& report) {
-  constexpr std::array names{"angular velocities", "accelerations", "jerks"};
-  std::string lines;
-  if (report.rate_orders > 0)
-    lines += formatted("rates taken from the keys: {}\n", joined(std::span(names).first(report.rate_orders), ", "));
-  return lines;
-}
-
-std::string truth_line(const TruthReport& truth) {
-  const DistanceStatistics& d = truth.distance;
-  if (d.count == 0)
-    return formatted("distance to {}: none of its times lies between the keys\n", printable(truth.path));
-  return formatted("distance to {}: RMS {:.4g}°, mean {:.4g}°, largest {:.4g}° at {} s; {} compared\n",
-                   printable(truth.path), d.rms * degrees, d.mean * degrees, d.largest * degrees,
-                   truth.largest_time.to_string(), counted(d.count, "orientation"));
-}
-
-std::string outside_text(const SampleReport& report) {
-  const auto how = std::ranges::find(words<Extrapolation>, static_cast<int>(report.extrapolation), &Word::value);
-  return formatted("{} outside the curve {}", counted(report.held_samples, "sample"), how->sentence);
+/// The names of the columns, where they may be many.
+Json names_of(const io::SampleColumns& columns) {
+  return columns.format->holds.rates ? Json(io::column_names(columns)) : Json(nullptr);
 }
 
 }  // namespace
 
 std::string text_of(const SampleReport& report) {
-  std::string text = keys_line(report);
-  if (const std::string repairs = text_of(report.repairs); !repairs.empty()) text += repairs + "\n";
-  text += rates_lines(report);
-  text += formatted("{} with {} written to {}\n", counted(report.samples, "sample"), report.method_text,
-                    destination(report.output));
-  if (report.findings) text += "the keys say: " + text_of(*report.findings) + "\n";
-  if (report.method == default_method && report.keys >= families::least_weighed)
+  std::string text = summary_of(in_words(report));
+  if (could_be_measured(report.outcome))
     text +=
         "if the keys are a recording, --method measured finds how noisy they are, and --band 0.9 how far off it may "
         "be\n";
-  if (report.band) text += formatted("the band is meant to hold {:.4g} % of the true motion\n", 100.0 * *report.band);
-  if (report.held_samples > 0) text += outside_text(report) + "\n";
-  if (report.truth) text += truth_line(*report.truth);
-  if (report.keys_held && report.keys >= many_keys)
+  if (report.keys_held && report.outcome.keys >= many_keys)
     text += "all keys were held in memory; 'orispline sample --help' says what goes through in pieces\n";
   return text;
 }
 
 std::string line_of(const SampleReport& report) {
-  std::string line = formatted("{}: {} with {} from {}", printable(report.output), counted(report.samples, "sample"),
-                               report.method_text, counted(report.keys, "key"));
-  line += clauses_of(report.repairs);
-  if (report.held_samples > 0) line += "; " + outside_text(report);
-  if (report.truth && report.truth->distance.count > 0)
-    line += formatted("; RMS {:.4g}° and at most {:.4g}° from {}", report.truth->distance.rms * degrees,
-                      report.truth->distance.largest * degrees, printable(report.truth->path));
-  return line;
+  return formatted("{}: {}", printable(report.output), line_of(in_words(report)));
+}
+
+Json json_of(const SampleReport& report) {
+  Json json{{"input", report.input},
+            {"output", report.output},
+            {"output_format", report.columns.format->id},
+            {"output_orientation", word_of(orientation_choices, report.columns.form.representation)}};
+  Json columns{{"columns", names_of(report.columns)},
+               {"derivatives", report.columns.derivatives},
+               {"frame", word_of(frame_choices, report.columns.frame)}};
+  Json repairs;
+  add_repairs(repairs, report.repairs);
+  json.update(document_of(report.outcome, std::move(columns), std::move(repairs)));
+  return json;
 }
 
 }  // namespace orispline::cli

@@ -76,22 +76,23 @@ Expected<JointSamples> joint_samples(const SampleRequest& request, const scenes:
 Expected<SampleReport> write_joint(const SampleRequest& request, const JointSamples& samples) {
   const auto& [curve, times, warnings] = samples;
   const Domain domain = curve.orientation.domain();
-  SampleReport report{.input = request.input.path,
+  SampleReport report{.outcome = {.source = request.input.path,
+                                  .method = std::string(stored_method),
+                                  .method_text = "the motion that is stored",
+                                  .keys = curve.orientation.knots().times().size(),
+                                  .start = Decimal::from_double(domain.start),
+                                  .end = Decimal::from_double(domain.end),
+                                  .samples = times.size(),
+                                  .extrapolation = request.extrapolation},
+                      .input = request.input.path,
                       .output = request.output,
-                      .method = std::string(stored_method),
-                      .method_text = "the motion that is stored",
-                      .keys = curve.orientation.knots().times().size(),
                       .columns = with_positions(request.columns, curve.position.has_value()),
-                      .samples = times.size(),
-                      .extrapolation = request.extrapolation,
-                      .start = Decimal::from_double(domain.start),
-                      .end = Decimal::from_double(domain.end),
                       .keys_held = true};
   const Sampling sampling{curve, times, report.columns, request.extrapolation, request.threads, nullptr};
   return open_samples(request.output, report.columns, times.size())
       .and_then([&](Noted<io::SampleWriter> output) {
         return write_samples(output.file, sampling, request.progress).and_then([&](std::size_t held) {
-          report.held_samples = held;
+          report.outcome.held_samples = held;
           return put_in_place(std::move(output));
         });
       })

@@ -207,19 +207,20 @@ class PiecewiseSampling {
 
   [[nodiscard]] SampleReport report() const {
     const auto has = [](const auto& columns) { return columns.has_value(); };
-    return {.input = request_.input.path,
+    return {.outcome = {.source = request_.input.path,
+                        .method = request_.method.name,
+                        .method_text = text_of(request_.method),
+                        .keys = static_cast<std::size_t>(sampler_->keys()),
+                        .keyframes = sampler_->report(),
+                        .rate_orders = static_cast<std::size_t>(std::ranges::count_if(keys_.columns()->rates, has)),
+                        .start = epoch_ + Decimal::from_double(domain().start),
+                        .end = epoch_ + Decimal::from_double(domain().end),
+                        .samples = samples_,
+                        .held_samples = held_},
+            .input = request_.input.path,
             .output = request_.output,
-            .method = request_.method.name,
-            .method_text = text_of(request_.method),
-            .keys = static_cast<std::size_t>(sampler_->keys()),
             .repairs = repairs_,
-            .keyframes = sampler_->report(),
-            .columns = columns_,
-            .samples = samples_,
-            .held_samples = held_,
-            .rate_orders = static_cast<std::size_t>(std::ranges::count_if(keys_.columns()->rates, has)),
-            .start = epoch_ + Decimal::from_double(domain().start),
-            .end = epoch_ + Decimal::from_double(domain().end)};
+            .columns = columns_};
   }
 
   const SampleRequest& request_;

@@ -96,7 +96,7 @@ Expected<void> tune(const TuneOptions& options) {
   if (!chosen) return tl::unexpected(std::move(chosen.error()));
   warn(std::exchange(chosen->warnings, {}));
   request->input.read.parameters = open_parameters(chosen->method);
-  request->input.read.rate_orders = family_of(chosen->method).rate_orders;
+  request->input.read.rate_orders = jobs::family_of(chosen->method).rate_orders;
   auto file = io::read_track(std::move(*input), request->input.read, request->input.signs);
   if (!file) return tl::unexpected(std::move(file.error()));
   warn(file->warnings);

@@ -13,7 +13,7 @@ namespace {
 /// The one that the keys are for, where it fits, else the usual one.
 Expected<ChosenMethod> unnamed(const Recipe& recipe, std::string_view file, const UsualMethod& usual) {
   return method_of(recipe, file).map([&](std::optional<Method> stated) -> ChosenMethod {
-    if (stated && (!usual.fits || usual.fits(**find_family(stated->name)))) return {std::move(*stated), NamedBy::keys};
+    if (stated && (!usual.fits || usual.fits(family_of(*stated)))) return {std::move(*stated), NamedBy::keys};
     return {usual.name, NamedBy::nobody};
   });
 }
@@ -40,6 +40,8 @@ Expected<ChosenMethod> chosen_method(const std::optional<Method>& named, const T
     return chosen;
   });
 }
+
+const FamilyInfo& family_of(const Method& method) { return **find_family(method.name); }
 
 Error placed(const Track& keys, Error error) {
   const bool concerns_file = error.code != ErrorCode::bad_argument || error.where.key;

@@ -38,6 +38,9 @@ using Shaping = std::function<Expected<Method>(Method method, NamedBy by)>;
 [[nodiscard]] ORISPLINE_EXPORT Expected<ChosenMethod> chosen_method(const std::optional<Method>& named,
                                                                     const Track& keys, const UsualMethod& usual);
 
+/// The family of a method that was understood.
+[[nodiscard]] ORISPLINE_EXPORT const FamilyInfo& family_of(const Method& method);
+
 /// The error with its place in the file of the keys, unless the user alone is at fault.
 [[nodiscard]] ORISPLINE_EXPORT Error placed(const Track& keys, Error error);
 

@@ -29,7 +29,7 @@ Expected<std::vector<ComparedMethod>> methods_to_compare(const CompareRequest& r
   for (std::size_t i = 0; i < data.key_sets.size(); ++i)
     for (const LabelledMethod& stated : request.methods) {
       const Track& keys = data.key_sets[i].track;
-      const FamilyInfo& family = **find_family(stated.method.name);
+      const FamilyInfo& family = family_of(stated.method);
       methods.push_back(
           {.label = stated.label, .key_set = i, .candidate = {completed(stated.method, family, keys), keys.keys}});
       if (request.tune && has_tensions(family)) methods.push_back(tuned(methods.back(), keys, progress));

@@ -7,6 +7,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/families/registry.hpp>
+#include <orispline/jobs/chosen_method.hpp>
 #include <orispline/jobs/compare.hpp>
 #include <orispline/jobs/compare_title.hpp>
 #include <orispline/jobs/words.hpp>
@@ -36,8 +37,7 @@ std::vector<std::string> methods_with_rates(const CompareOutcome& outcome, std::
   std::vector<std::string> names;
   if (!any_given(outcome.data.key_sets[key_set].track.keys.angular_velocities())) return names;
   for (const ComparedMethod& method : outcome.methods)
-    if (is_on(method, key_set) && (*find_family(method.candidate.method.name))->rate_orders > 0)
-      names.push_back(method.label);
+    if (is_on(method, key_set) && family_of(method.candidate.method).rate_orders > 0) names.push_back(method.label);
   return names;
 }
 

@@ -17,12 +17,6 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
 
 namespace {
 
-std::vector<double> shifted(std::span<const double> times, double shift) {
-  std::vector<double> moved(times.begin(), times.end());
-  for (double& t : moved) t += shift;
-  return moved;
-}
-
 std::string energy_line(const TuneOutcome& outcome) {
   const Objective objective = outcome.request.options.objective;
   const auto [before, after] = std::pair(outcome.tuning.energy_before, outcome.tuning.energy_after);

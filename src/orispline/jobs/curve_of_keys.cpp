@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/jobs/curve_of_keys.hpp>
+
+#include <utility>
+
+#include <orispline/families/measured.hpp>
+#include <orispline/families/method_text.hpp>
+#include <orispline/families/method_warnings.hpp>
+#include <orispline/families/registry.hpp>
+#include <orispline/jobs/chosen_method.hpp>
+
+namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
+
+namespace {
+
+/// What is wrong with a method that nobody but the file of the keys names is the fault of that line.
+Error blamed_on_recipe(const Method& method, const Track& keys, Error error) {
+  const auto stated = method_of(keys.recipe, keys.name);
+  if (error.code != ErrorCode::bad_argument || !stated || !*stated || text_of(**stated) != text_of(method))
+    return error;
+  error.code = ErrorCode::bad_data;
+  error.where = {.file = keys.name, .line = keys.recipe.line};
+  error.option.clear();
+  error.remedy = "recipe";
+  return error;
+}
+
+std::optional<KeyFindings> findings_by(const Method& method, const Track& keys) {
+  if (method.name != families::Measured::info.name || keys.keys.size() < 2) return std::nullopt;
+  return key_findings(completed(method, families::Measured::info, keys), keys.keys).value_or(std::nullopt);
+}
+
+}  // namespace
+
+Expected<PoseCurve> shaped_curve(const Method& method, const Track& keys) {
+  // The user answers for his words first; what fails after that is the fault of the file's columns.
+  const FamilyInfo& family = family_of(method);
+  const auto settled = settle(family, method.options, keys.keys.size());
+  if (!settled) return tl::unexpected(blamed_on_recipe(method, keys, placed(keys, settled.error())));
+  const Method shaped = completed(method, family, keys);
+  const bool has_columns = shaped.options.parameters.size() > method.options.parameters.size();
+  return make_pose_curve(shaped, keys.keys).map_error([&](Error error) {
+    if (has_columns) error.code = ErrorCode::bad_data;
+    return blamed_on_recipe(method, keys, placed(keys, std::move(error)));
+  });
+}
+
+Expected<CurveOfKeys> curve_of_keys(const Method& method, const Track& keys) {
+  auto findings = findings_by(method, keys);
+  Method found = findings ? with_findings(method, *findings) : method;
+  // Positions say something of their own.
+  return shaped_curve(keys.keys.positions().empty() ? found : method, keys).map([&](PoseCurve curve) {
+    auto warnings = warnings_of(found, keys);
+    return CurveOfKeys{std::move(curve), std::move(found), std::move(findings), std::move(warnings)};
+  });
+}
+
+}}}  // namespace orispline::jobs

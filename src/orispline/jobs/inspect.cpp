@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/jobs/inspect.hpp>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include <orispline/jobs/curve_of_keys.hpp>
+
+namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
+
+Expected<InspectOutcome> inspect(InspectRequest request) {
+  const Track& keys = *request.keys;
+  InspectOutcome outcome{
+      .request = std::move(request), .statistics = key_statistics(keys.keys), .keyframes = keys.keys.report()};
+  const KeyFaults& faults = outcome.request.faults;
+  outcome.keyframes.non_unit_keys += faults.wrong_norms;
+  outcome.keyframes.largest_norm_error = std::max(outcome.keyframes.largest_norm_error, faults.largest_norm_error);
+  for (const Method& method : outcome.request.methods) {
+    auto shaped = curve_of_keys(method, keys);
+    if (!shaped) return tl::unexpected(std::move(shaped.error()));
+    const AnyCurve& curve = shaped->curve.orientation;
+    const Seam seam = method.options.loop ? Seam::closed : Seam::open;
+    outcome.methods.push_back({method.name, continuity_at_keys(curve, seam), shape_continuity_at_keys(curve, seam),
+                               std::move(shaped->findings)});
+    std::ranges::move(shaped->warnings, std::back_inserter(outcome.warnings));
+  }
+  return outcome;
+}
+
+}}}  // namespace orispline::jobs

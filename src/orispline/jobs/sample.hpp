@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <orispline/analysis/distance.hpp>
+#include <orispline/curve/extrapolation.hpp>
+#include <orispline/fields/json.hpp>
+#include <orispline/jobs/curve_of_keys.hpp>
+
+namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
+
+/// How far a curve is from a recording of the true motion, between the first key and the last.
+struct TruthDistance {
+  std::string recording;
+  DistanceStatistics distance;
+  Decimal largest_time;  ///< in the recording's own time [s]
+};
+[[nodiscard]] ORISPLINE_EXPORT TruthDistance distance_to_truth(const PoseCurve& curve, const Track& keys,
+                                                               const Track& truth);
+
+/// What was sampled, of keys in memory, of keys that came in pieces, or of a joint; the samples are elsewhere.
+struct SampleOutcome {
+  std::string source{};  ///< name of the keys' file
+  std::string method{}, method_text{};
+  std::size_t keys = 0;
+  KeyframeReport keyframes{};
+  std::size_t rate_orders = 0;                ///< of the keys' own rates that the curve has
+  Decimal start{}, end{};                     ///< of the curve, in the file's own time [s]
+  std::size_t samples = 0, held_samples = 0;  ///< in all, and outside the curve
+  Extrapolation extrapolation = Extrapolation::hold;
+  std::optional<KeyFindings> findings{};  ///< by the method `measured`
+  std::optional<double> band{};           ///< the share of the true motion that it is meant to hold
+  std::optional<TruthDistance> truth{};
+  std::string mended{};      ///< what was mended in the keys, in words
+  std::string written_to{};  ///< where the samples are, in words; empty: in memory
+};
+
+/// Whether the method `measured` could say how noisy the keys are, which are sampled with the usual one.
+[[nodiscard]] ORISPLINE_EXPORT bool could_be_measured(const SampleOutcome& outcome);
+
+/// All but the samples.
+[[nodiscard]] ORISPLINE_EXPORT SampleOutcome outcome_of(const Track& keys, const Method& method,
+                                                        const CurveOfKeys& shaped);
+
+/// Described in docs/inspect-json.md, but for the names of files and the warnings. Members that only a face knows go to
+/// their places: those of the columns that samples have, and of what was mended.
+[[nodiscard]] ORISPLINE_EXPORT Json document_of(const SampleOutcome& outcome, Json of_columns, Json of_repairs);
+/// A few lines for people.
+[[nodiscard]] ORISPLINE_EXPORT std::string summary_of(const SampleOutcome& outcome);
+/// The same in one, without an end.
+[[nodiscard]] ORISPLINE_EXPORT std::string line_of(const SampleOutcome& outcome);
+
+}}}  // namespace orispline::jobs

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/jobs/inspect.hpp>
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "jobs/turns.hpp"
+
+namespace orispline::jobs { namespace {
+
+std::vector<double> swing(std::size_t samples) {
+  std::vector<double> angles;
+  for (std::size_t i = 0; i < samples; ++i) angles.push_back(std::sin(0.3 * static_cast<double>(i)));
+  return angles;
+}
+
+TEST(InspectJob, SaysHowContinuousEachMethodIsOnTheKeys) {
+  const auto outcome = inspect({.keys = turns(swing(9)), .methods = {Method("slerp"), Method("timed-c2")}});
+  ASSERT_TRUE(outcome);
+  ASSERT_EQ(outcome->methods.size(), 2u);
+  EXPECT_EQ(outcome->methods[0].continuity.order(), 0);
+  EXPECT_EQ(outcome->methods[1].continuity.order(), 2);
+  const Json document = document_of(*outcome);
+  const Json methods = member(document, "methods");
+  EXPECT_EQ(std::get<std::int64_t>(member(std::get<Json::Array>(methods.value())[1], "continuity_order").value()), 2);
+  EXPECT_NE(summary_of(*outcome).find("\ntimed-c2               C2  "), std::string::npos) << summary_of(*outcome);
+}
+
+TEST(InspectJob, CountsKeysOfAWrongNormAmongThoseThatAreNotUnit) {
+  const auto outcome = inspect(
+      {.keys = turns(swing(5)), .faults = {.wrong_norms = 2, .largest_norm_error = 0.5, .defect = "key 2: no"}});
+  ASSERT_TRUE(outcome);
+  EXPECT_EQ(outcome->keyframes.non_unit_keys, 2u);
+  EXPECT_EQ(outcome->keyframes.largest_norm_error, 0.5);
+  EXPECT_NE(summary_of(*outcome).find("\ndefect        key 2: no\n"), std::string::npos);
+  EXPECT_EQ(std::get<std::string>(member(document_of(*outcome), "defect").value()), "key 2: no");
+}
+
+TEST(InspectJob, TellsWhatTheKeysSayToTheMethodMeasured) {
+  const auto outcome = inspect({.keys = turns(swing(40)), .methods = {Method("measured"), Method("auto")}});
+  ASSERT_TRUE(outcome);
+  EXPECT_TRUE(outcome->methods[0].findings);
+  EXPECT_FALSE(outcome->methods[1].findings);
+  EXPECT_NE(summary_of(*outcome).find("\nThe keys say to measured: "), std::string::npos);
+}
+
+TEST(InspectJob, SaysWhereTheKeysAre) {
+  Track track = turns_of({0.0, 0.1, 0.9});
+  track.lines = {2, 3, 5};
+  track.recipe = {.method = "auto", .line = 1};
+  const auto outcome = inspect({.keys = std::make_shared<const Track>(std::move(track))});
+  ASSERT_TRUE(outcome);
+  const std::string summary = summary_of(*outcome);
+  EXPECT_TRUE(summary.starts_with("data/arm.csv\nkeys          3, 0 to 2 s, span 2 s\n")) << summary;
+  EXPECT_NE(summary.find("after key 1 (line 3, 1 s)"), std::string::npos) << summary;
+  EXPECT_NE(summary.find("keys for      auto, as line 1 says\n"), std::string::npos) << summary;
+}
+
+}  // namespace
+}  // namespace orispline::jobs
