@@ -25,12 +25,12 @@ using testing_support::near;
 constexpr double pi = std::numbers::pi;
 
 Expected<KeyFile> oriented_file(const std::string& content, const OrientationReading& orientation = {},
-                                const ColumnSearch::Names& columns = {}) {
+                                const ColumnNames& columns = {}) {
   return read_keys(TextFile(content).path(), {.columns = columns, .orientation = orientation});
 }
 
 Eigen::Quaterniond orientation_in(const std::string& content, const OrientationReading& reading = {},
-                                  const ColumnSearch::Names& columns = {}) {
+                                  const ColumnNames& columns = {}) {
   const auto file = oriented_file(content, reading, columns);
   if (file) return file->data.orientations[0];
   ADD_FAILURE() << describe(file.error());

@@ -9,14 +9,14 @@
 
 namespace orispline::jobs { namespace {
 
-std::vector<double> swing(std::size_t samples) {
+std::vector<double> wide_swing(std::size_t samples) {
   std::vector<double> angles;
   for (std::size_t i = 0; i < samples; ++i) angles.push_back(std::sin(0.3 * static_cast<double>(i)));
   return angles;
 }
 
 TEST(InspectJob, SaysHowContinuousEachMethodIsOnTheKeys) {
-  const auto outcome = inspect({.keys = turns(swing(9)), .methods = {Method("slerp"), Method("timed-c2")}});
+  const auto outcome = inspect({.keys = turns(wide_swing(9)), .methods = {Method("slerp"), Method("timed-c2")}});
   ASSERT_TRUE(outcome);
   ASSERT_EQ(outcome->methods.size(), 2u);
   EXPECT_EQ(outcome->methods[0].continuity.order(), 0);
@@ -29,7 +29,7 @@ TEST(InspectJob, SaysHowContinuousEachMethodIsOnTheKeys) {
 
 TEST(InspectJob, CountsKeysOfAWrongNormAmongThoseThatAreNotUnit) {
   const auto outcome = inspect(
-      {.keys = turns(swing(5)), .faults = {.wrong_norms = 2, .largest_norm_error = 0.5, .defect = "key 2: no"}});
+      {.keys = turns(wide_swing(5)), .faults = {.wrong_norms = 2, .largest_norm_error = 0.5, .defect = "key 2: no"}});
   ASSERT_TRUE(outcome);
   EXPECT_EQ(outcome->keyframes.non_unit_keys, 2u);
   EXPECT_EQ(outcome->keyframes.largest_norm_error, 0.5);
@@ -38,7 +38,7 @@ TEST(InspectJob, CountsKeysOfAWrongNormAmongThoseThatAreNotUnit) {
 }
 
 TEST(InspectJob, TellsWhatTheKeysSayToTheMethodMeasured) {
-  const auto outcome = inspect({.keys = turns(swing(40)), .methods = {Method("measured"), Method("auto")}});
+  const auto outcome = inspect({.keys = turns(wide_swing(40)), .methods = {Method("measured"), Method("auto")}});
   ASSERT_TRUE(outcome);
   EXPECT_TRUE(outcome->methods[0].findings);
   EXPECT_FALSE(outcome->methods[1].findings);

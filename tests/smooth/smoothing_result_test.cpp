@@ -72,7 +72,7 @@ TEST(SmoothingResult, SaysHowFarTheSamplesAre) {
 }
 
 TEST(SmoothingResult, WarnsOfTheChoiceBeforeWhatFollowsFromIt) {
-  const auto warnings = warnings_of({.edge = LambdaChoice::Edge::longest, .last_step = 1e-3});
+  const auto warnings = warnings_of(Smoothing{.edge = LambdaChoice::Edge::longest, .last_step = 1e-3});
   ASSERT_EQ(warnings.size(), 2u);
   EXPECT_EQ(warnings[0].code, "most_smoothing");
   EXPECT_EQ(warnings[1].code, "unfinished");

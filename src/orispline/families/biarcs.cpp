@@ -147,7 +147,8 @@ Expected<BiarcCurve<P>> Biarcs::curve(const Keyframes& keys, const FamilySetting
         {path_between(points[i], directions[i], points[i + 1], directions[i + 1], displacements[i]), 0.0, 0.0});
   set_speeds(pieces, directions, steps, settings);
   const auto begin = pieces.begin() + static_cast<std::ptrdiff_t>(first);
-  return BiarcCurve<P>(std::move(knots), {begin, begin + static_cast<std::ptrdiff_t>(knots.segments())});
+  const auto end = begin + static_cast<std::ptrdiff_t>(knots.segments());
+  return BiarcCurve<P>(std::move(knots), {begin, end});
 }
 
 template Expected<BiarcCurve<Eigen::Quaterniond>> Biarcs::curve<Eigen::Quaterniond>(const Keyframes&,

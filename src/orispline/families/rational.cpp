@@ -176,9 +176,9 @@ Expected<RationalCurve> Rational::curve(const Keyframes& keys, const FamilySetti
   Knots knots = four_key_knots(keys, settings);
   const std::vector<Eigen::Quaterniond> joints = joint_orientations(keys, settings);
   const Spline spline(knots, joints);
-  const EndDerivatives ends =
+  const EndDerivatives outer =
       settings.closure ? around(spline, settings.closure->sign) : open_ends(spline, joints, settings);
-  std::vector<RationalPiece> pieces = pieces_of(spline, joints, ends);
+  std::vector<RationalPiece> pieces = pieces_of(spline, joints, outer);
   for (std::size_t i = 0; i < pieces.size(); ++i)
     if (const auto norm = vanishing_norm(pieces[i].controls())) return tl::unexpected(too_near_to_zero(i, *norm));
   return RationalCurve(std::move(knots), std::move(pieces));

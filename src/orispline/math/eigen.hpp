@@ -35,6 +35,32 @@ struct NumTraits<orispline::Jet<T, N>> : NumTraits<T> {
   };
 };
 
+template <std::size_t N>
+struct NumTraits<orispline::Dual<N>> : NumTraits<double> {
+  using Real = orispline::Dual<N>;
+  using NonInteger = orispline::Dual<N>;
+  using Nested = orispline::Dual<N>;
+  enum {
+    IsComplex = 0,
+    IsInteger = 0,
+    IsSigned = 1,
+    RequireInitialization = 1,
+    ReadCost = static_cast<int>(N) + 1,
+    AddCost = static_cast<int>(N) + 1,
+    MulCost = 3 * static_cast<int>(N) + 1
+  };
+};
+
+// Plain matrices and vectors with those of duals: a constant scales a dual without a product of duals.
+template <std::size_t N, class Operation>
+struct ScalarBinaryOpTraits<orispline::Dual<N>, double, Operation> {
+  using ReturnType = orispline::Dual<N>;
+};
+template <std::size_t N, class Operation>
+struct ScalarBinaryOpTraits<double, orispline::Dual<N>, Operation> {
+  using ReturnType = orispline::Dual<N>;
+};
+
 }  // namespace Eigen
 
 namespace orispline { inline namespace ORISPLINE_ABI {

@@ -18,7 +18,7 @@ struct Part {
   const char *name, *one;
   std::optional<Error> (*check)(std::size_t, const char*, const Eigen::Vector3d&);
 };
-constexpr std::array parts{
+constexpr std::array known_parts{
     Part{&StreamKey::position, &KeyParts::position, "position", "a position", check_vector},
     Part{&StreamKey::angular_velocity, &KeyParts::angular_velocity, "angular velocity", "an angular velocity",
          check_rate},
@@ -77,7 +77,7 @@ Eigen::Quaterniond unit_orientation(const Eigen::Quaterniond& orientation) {
 
 KeyParts parts_of(const StreamKey& key) noexcept {
   KeyParts found;
-  for (const Part& part : parts) found.*part.wanted = (key.*part.value).has_value();
+  for (const Part& part : known_parts) found.*part.wanted = (key.*part.value).has_value();
   return found;
 }
 
@@ -85,7 +85,7 @@ Expected<Eigen::Quaterniond> checked_orientation(std::uint64_t index, const Stre
                                                  std::span<const double> before, const KeyParts& wanted) {
   const auto place = static_cast<std::size_t>(index);
   if (auto error = check_time(place, key.time, before)) return tl::unexpected(std::move(*error));
-  for (const Part& part : parts) {
+  for (const Part& part : known_parts) {
     const auto& value = key.*part.value;
     if (!before.empty() && value.has_value() != wanted.*part.wanted)
       return failure(ErrorCode::bad_data,
