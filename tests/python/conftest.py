@@ -9,6 +9,8 @@ import pytest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 DATA = ROOT / "tests/data"
+# The jobs of Spark take seconds here: less than it takes to make Java's own code fast.
+os.environ.setdefault("JDK_JAVA_OPTIONS", "-XX:TieredStopAtLevel=1 -XX:+UseSerialGC")
 
 
 def wheel():
@@ -23,12 +25,26 @@ def rows_of(name):
         return list(csv.DictReader(line for line in file if not line.startswith("#")))
 
 
+def row_of(file):
+    """Side by side the tests of a file stay in one row, and all with Spark, which share its session."""
+    return "spark" if file.startswith("test_spark") or file == "test_documents" else file
+
+
 def pytest_collection_modifyitems(items):
-    """Side by side the tests of a file stay together, and those with a Spark of their own in one row."""
-    for item in items:
-        file = item.path.stem
-        group = "spark" if file.startswith("test_spark") or file == "test_documents" else file
-        item.add_marker(pytest.mark.xdist_group(group))
+    """Those with Spark first, since they take longest."""
+    items.sort(key=lambda item: row_of(item.path.stem) != "spark")
+
+
+@pytest.hookimpl(optionalhook=True)  # of pytest-xdist
+def pytest_xdist_make_scheduler(config, log):
+    from xdist.scheduler import LoadScopeScheduling
+
+    class Rows(LoadScopeScheduling):
+        def _split_scope(self, nodeid):
+            return row_of(pathlib.PurePath(nodeid.partition("::")[0]).stem)
+
+    config.option.loadscopereorder = False  # by their numbers of tests
+    return Rows(config, log)
 
 
 @pytest.fixture(scope="session")

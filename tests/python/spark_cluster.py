@@ -12,14 +12,14 @@ HERE = "127.0.0.1"
 MEMORY = 2048  # MB of a worker
 
 
-def started(**settings):
-    """A session on a cluster, or the test is skipped, which says so."""
+def started(master=f"local-cluster[2,1,{MEMORY}]", **settings):
+    """A session on a cluster of processes, or what else the master is. The test is skipped where there is none, which says so."""
     pytest.importorskip("pyspark", reason="Spark: found no pyspark, wanted the dependency group 'spark'")
     if not shutil.which("java"):
         pytest.skip("Spark: found no Java, wanted 17 or later (Debian's openjdk-17-jre-headless)")
     os.environ |= {"SPARK_LOCAL_IP": HERE, "PYSPARK_PYTHON": sys.executable, "PYSPARK_DRIVER_PYTHON": sys.executable}
     from pyspark.sql import SparkSession
-    builder = SparkSession.builder.master(f"local-cluster[2,1,{MEMORY}]")
+    builder = SparkSession.builder.master(master)
     chosen = {"spark.driver.host": HERE, "spark.driver.bindAddress": HERE, "spark.ui.enabled": "false",
               "spark.sql.shuffle.partitions": "8", "spark.sql.adaptive.coalescePartitions.enabled": "false",
               "spark.sql.session.timeZone": "America/New_York", "spark.log.level": "ERROR",

@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
 """Bad files, places and options have one line each, and an old file stays as it is."""
+import contextlib
 import os
 import pathlib
 import subprocess
+import tempfile
 
 import numpy as np
 import orispline as ori
 import pytest
 
+NOBODY = 65534
 Q = "t,qw,qx,qy,qz\n"
 KEYS = ori.Keys([0, 1], [[0, 0, 0, 1], [0, 0, 0.6, 0.8]])
 CURVE = KEYS.curve("slerp")
@@ -104,17 +107,31 @@ def test_places_where_no_file_can_be(tmp_path):
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.skipif(os.geteuid() == 0, reason="root may write everywhere")
-def test_a_folder_that_may_not_be_written_to(tmp_path):
-    old = tmp_path / "motion.csv"
-    old.write_text("old")
-    tmp_path.chmod(0o500)
+@contextlib.contextmanager
+def no_root():
+    """Root may write everywhere: meanwhile it is nobody."""
+    own = os.geteuid()
+    if own == 0:
+        os.seteuid(NOBODY)
     try:
-        with pytest.raises(ori.AccessError, match=str(old)):
-            CURVE.sample(count=3).write(old)
+        yield
     finally:
-        tmp_path.chmod(0o700)
-    assert old.read_text() == "old"
+        os.seteuid(own)
+
+
+def test_a_folder_that_may_not_be_written_to():
+    with tempfile.TemporaryDirectory() as place:  # whose folders, unlike those of tmp_path, everybody may enter
+        folder = pathlib.Path(place)
+        old, samples = folder / "motion.csv", CURVE.sample(count=3)
+        samples.write(folder / "new.csv")
+        old.write_text("old")
+        folder.chmod(0o555)
+        try:
+            with no_root(), pytest.raises(ori.AccessError, match=f"{old}.*ermission"):
+                samples.write(old)
+        finally:
+            folder.chmod(0o700)
+        assert old.read_text() == "old"
 
 
 @pytest.fixture

@@ -25,13 +25,13 @@ def keys(count):
     return np.arange(float(count)), quaternions / np.linalg.norm(quaternions, axis=1, keepdims=True)
 """
 KEPT = """
-times, rotations = keys(500_000)
+times, rotations = keys(250_000)
 def taken(count):
     before = resident()
     curve = ori.Curve(times[:count], rotations[:count], "{method}")
     return resident() - before
 taken(100)  # what is made once
-print((taken(500_000) - taken(100_000)) / (400_000 * 5 * 8))
+print((taken(250_000) - taken(50_000)) / (200_000 * 5 * 8))
 """
 DROPPED = """
 times, rotations = keys(12)
@@ -50,8 +50,8 @@ def left(curves):
         pass
     return resident() - before
 left(work(2000))
-dropped = left(work(20_000))
-print(dropped / (10 * taken(work(2000))))
+dropped = left(work(10_000))
+print(dropped / (5 * taken(work(2000))))
 """
 only_on_linux = pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
 

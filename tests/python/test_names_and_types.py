@@ -117,26 +117,34 @@ def use(curve: ori.Curve, stack: ori.CurveStack, online: ori.OnlineCurve, spline
 """
 
 
-def revealed(path, code):
-    """What mypy says of the code, with short names and without lines."""
-    path.write_text(USE + "".join(f"    {line}\n" for line in code), "utf-8")
-    code, text = mypy(path)
-    return code, text.replace("numpy.", "").replace("builtins.", "").splitlines()
+MISTAKES = {"curve.sampel(rate=1)": '"Curve" has no attribute "sampel"', "curve.motion(0.5, 'before')": 'Argument 2 to "motion"',
+            "curve.angular_velocity(0.5, frame='camera')": 'No overload variant of "__call__" of "Rate"',
+            "ori.tune(1, 'quintic')": 'Argument 1 to "tune"', "spline(t, 4)": 'No overload variant of "__call__"'}
 
 
-def test_times_of_one_kind_give_results_of_one_kind(tmp_path):
-    _, lines = revealed(tmp_path / "use.py", [f"reveal_type({expression})" for expression in TYPES])
-    told = [line.partition("Revealed type is ")[2].strip('"') for line in lines if "Revealed" in line]
-    assert dict(zip(TYPES, told)) == TYPES
+@pytest.fixture(scope="module")
+def told(tmp_path_factory):
+    """What mypy says of the expressions and of the mistakes, of each in a line of its own, with short names; then of all."""
+    path = tmp_path_factory.mktemp("types") / "use.py"
+    lines = [*(f"reveal_type({expression})" for expression in TYPES), *MISTAKES]
+    path.write_text(USE + "".join(f"    {line}\n" for line in lines), "utf-8")
+    _, text = mypy("--hide-error-context", path)
+    said = text.replace("numpy.", "").replace("builtins.", "").splitlines()
+    first = USE.count("\n") + 1
+    return {line: [each for each in said if f"use.py:{first + k}: " in each] for k, line in enumerate(lines)}, said[-1]
 
 
-@pytest.mark.parametrize("mistake, told", [
-    ("curve.sampel(rate=1)", '"Curve" has no attribute "sampel"'), ("curve.motion(0.5, 'before')", 'Argument 2 to "motion"'),
-    ("curve.angular_velocity(0.5, frame='camera')", 'No overload variant of "__call__" of "Rate"'),
-    ("ori.tune(1, 'quintic')", 'Argument 1 to "tune"'), ("spline(t, 4)", 'No overload variant of "__call__"')])
-def test_a_users_mistakes_are_seen_by_the_types(mistake, told, tmp_path):
-    code, lines = revealed(tmp_path / "use.py", [mistake])
-    assert code == 1 and told in lines[0] and "Found 1 error" in lines[-1], lines
+@pytest.mark.parametrize("expression", TYPES)
+def test_times_of_one_kind_give_results_of_one_kind(expression, told):
+    line, = told[0][f"reveal_type({expression})"]
+    assert line.partition("Revealed type is ")[2].strip('"') == TYPES[expression]
+
+
+@pytest.mark.parametrize("mistake", MISTAKES)
+def test_a_users_mistakes_are_seen_by_the_types(mistake, told):
+    lines, last = told
+    assert "error: " in lines[mistake][0] and MISTAKES[mistake] in lines[mistake][0]
+    assert f"Found {len(MISTAKES)} errors" in last
 
 
 if __name__ == "__main__":

@@ -160,7 +160,7 @@ KILLED = """
 import os, sys
 sys.path.insert(0, {tests!r})
 from spark_cluster import killing_in_the_sixth_task, started
-spark = started()
+spark = started("local[2]")
 from orispline.spark import _rounds
 
 resample, calls = _rounds.resample, []
