@@ -11,8 +11,8 @@
 #include <orispline/analysis/key_statistics.hpp>
 #include <orispline/families/motion_band.hpp>
 #include <orispline/families/registry.hpp>
-#include <support/specimens.hpp>
 #include <orispline/math/geodesic.hpp>
+#include <support/specimens.hpp>
 
 namespace orispline { namespace {
 

@@ -10,8 +10,8 @@
 #include <orispline/reduce/reduce.hpp>
 #include <orispline/reduce/tolerance_check.hpp>
 #include <orispline/retime/motion_limits.hpp>
-#include <orispline/retime/retime.hpp>
 #include <orispline/retime/rate_bounds.hpp>
+#include <orispline/retime/retime.hpp>
 #include <orispline/smooth/smooth.hpp>
 #include <orispline/tune/tune.hpp>
 #include <support/specimens.hpp>

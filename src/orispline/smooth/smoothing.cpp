@@ -11,8 +11,8 @@
 
 #include <orispline/base/expect.hpp>
 #include <orispline/math/chain_covariance.hpp>
-#include <orispline/smooth/bias_rows.hpp>
 #include <orispline/math/number.hpp>
+#include <orispline/smooth/bias_rows.hpp>
 #include <orispline/smooth/smoothing_element.hpp>
 #include <orispline/smooth/smoothing_loss.hpp>
 

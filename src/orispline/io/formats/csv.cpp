@@ -3,10 +3,10 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/io/format_choice.hpp>
 #include <orispline/io/formats/formats.hpp>
+#include <orispline/io/key_columns.hpp>
 #include <orispline/io/key_file.hpp>
 #include <orispline/io/key_table.hpp>
 #include <orispline/io/sample_columns.hpp>
-#include <orispline/io/key_columns.hpp>
 #include <orispline/io/text_row.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
