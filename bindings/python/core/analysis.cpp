@@ -9,9 +9,6 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
-#include <orispline/analysis/angle_travelled.hpp>
-#include <orispline/analysis/comparison.hpp>
-#include <orispline/analysis/decimation.hpp>
 #include <orispline/curve/motion.hpp>
 #include <orispline/analysis.hpp>
 #include <orispline/families/motion_band.hpp>
