@@ -27,6 +27,8 @@ struct Written {
   std::string_view what;  ///< is in the output: `keys`
   Outcome outcome;
 };
+template <class Outcome>
+Written(std::string, std::string, std::string_view, Outcome) -> Written<Outcome>;
 
 template <class Outcome>
 [[nodiscard]] std::string text_of(const Written<Outcome>& written) {

@@ -4,8 +4,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
 
-#include "options/input_options.hpp"
-#include "options/output_options.hpp"
+#include "commands/sample/sample.hpp"
 #include "output/repairs_json.hpp"
 #include "output/repairs_text.hpp"
 #include "output/summary.hpp"
