@@ -7,8 +7,8 @@
 #include <vector>
 
 #include <orispline/curve/method.hpp>
-#include <orispline/curve/pose_curve.hpp>
-#include <orispline/families/recipe.hpp>
+#include <orispline/curve/path.hpp>
+#include <orispline/families/method_text.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/io/track_file.hpp>
 

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include <orispline/base/decimal.hpp>
 #include <orispline/base/expected.hpp>
-#include <orispline/base/fraction.hpp>
 #include <orispline/base/warning.hpp>
 #include <orispline/fields/words.hpp>
 #include <orispline/math/eigen.hpp>

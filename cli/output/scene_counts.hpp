@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include <orispline/scenes/scene.hpp>
+#include <orispline/scenes/scene_format.hpp>
 
 #include "output/json_document.hpp"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include <orispline/curve/motion.hpp>
-#include <orispline/math/slerp.hpp>
+#include <orispline/math/geodesic.hpp>
 #include <orispline/report/chart.hpp>
 
 namespace orispline::cli {

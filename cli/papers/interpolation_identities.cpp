@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include <orispline/math/slerp.hpp>
+#include <orispline/math/geodesic.hpp>
 
 #include "papers/papers_algebra.hpp"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include <orispline/base/formatted.hpp>
-#include <orispline/math/slerp.hpp>
+#include <orispline/math/geodesic.hpp>
 
 #include "papers/identities.hpp"
 #include "papers/papers_algebra.hpp"

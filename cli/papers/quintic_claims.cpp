@@ -5,9 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include <orispline/analysis/continuity.hpp>
 #include <orispline/analysis/energy.hpp>
 #include <orispline/analysis/quadrature.hpp>
-#include <orispline/analysis/shape_continuity.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/math/degrees.hpp>
 

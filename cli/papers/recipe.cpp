@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include <orispline/analysis/continuity.hpp>
-#include <orispline/analysis/shape_continuity.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/method_text.hpp>
 

@@ -5,12 +5,9 @@
 
 #include <orispline/analysis/angle_travelled.hpp>
 #include <orispline/analysis/compared_keys.hpp>
-#include <orispline/analysis/compared_method.hpp>
 #include <orispline/analysis/comparison.hpp>
 #include <orispline/analysis/decimation.hpp>
+#include <orispline/analysis/energy.hpp>
 #include <orispline/analysis/key_statistics.hpp>
-#include <orispline/analysis/least_energy.hpp>
-#include <orispline/analysis/leave_out.hpp>
 #include <orispline/analysis/measure_info.hpp>
-#include <orispline/analysis/spread.hpp>
-#include <orispline/curve/torque.hpp>
+#include <orispline/curve/motion.hpp>

@@ -5,14 +5,12 @@
 
 #include <orispline/base/version.hpp>
 #include <orispline/curve/extrapolation.hpp>
-#include <orispline/curve/free_rate.hpp>
 #include <orispline/curve/keyframe.hpp>
-#include <orispline/curve/pose_curve.hpp>
+#include <orispline/curve/path.hpp>
 #include <orispline/curve/track.hpp>
 #include <orispline/families/key_findings.hpp>
 #include <orispline/families/method_text.hpp>
 #include <orispline/families/method_warnings.hpp>
 #include <orispline/families/motion_band.hpp>
-#include <orispline/families/recipe.hpp>
 #include <orispline/families/registry.hpp>
-#include <orispline/math/slerp.hpp>
+#include <orispline/math/geodesic.hpp>

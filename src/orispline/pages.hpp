@@ -3,5 +3,4 @@
 
 // Results as pages to look at in a browser (ORISPLINE_PAGE).
 
-#include <orispline/pages/skeleton_page.hpp>
 #include <orispline/pages/task_pages.hpp>

@@ -5,6 +5,6 @@
 
 #include <orispline/math/degrees.hpp>
 #include <orispline/math/euler.hpp>
+#include <orispline/math/geodesic.hpp>
 #include <orispline/math/rotation_matrix.hpp>
-#include <orispline/math/slerp.hpp>
 #include <orispline/math/so3.hpp>

@@ -7,6 +7,5 @@
 #include <orispline/batch/baked_curve.hpp>
 #include <orispline/batch/compiled_curve.hpp>
 #include <orispline/batch/curve_bundle.hpp>
-#include <orispline/batch/extrapolate.hpp>
 #include <orispline/batch/kernel/dispatch.hpp>
 #include <orispline/batch/sample.hpp>

@@ -6,12 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include <orispline/analysis/decimation.hpp>
+#include <orispline/analysis/energy.hpp>
 #include <orispline/analysis/key_statistics.hpp>
-#include <orispline/analysis/least_energy.hpp>
-#include <orispline/analysis/leave_out.hpp>
 #include <orispline/families/motion_band.hpp>
 #include <orispline/families/registry.hpp>
-#include <orispline/math/slerp.hpp>
+#include <orispline/math/geodesic.hpp>
 
 namespace orispline { namespace {
 

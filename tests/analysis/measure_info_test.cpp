@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include <orispline/analysis/compared_method.hpp>
+#include <orispline/analysis/compared_keys.hpp>
 #include <orispline/math/degrees.hpp>
 
 namespace orispline { namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <orispline/curve/torque.hpp>
+#include <orispline/curve/motion.hpp>
 #include <orispline/families/registry.hpp>
 
 namespace orispline { namespace {

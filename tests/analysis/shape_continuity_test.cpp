@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/analysis/shape_continuity.hpp>
+#include <orispline/analysis/continuity.hpp>
 
 #include <gtest/gtest.h>
 

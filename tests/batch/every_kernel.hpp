@@ -5,8 +5,8 @@
 #include <variant>
 #include <vector>
 
+#include <orispline/batch/compiled_curve.hpp>
 #include <orispline/batch/kernel/dispatch.hpp>
-#include <orispline/batch/segment_record.hpp>
 
 // The kernels of every instruction set that this processor has, one by one, where the library takes the best.
 

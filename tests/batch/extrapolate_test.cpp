@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Samples outside a curve, written over those that were held.
-#include <orispline/batch/extrapolate.hpp>
+#include <orispline/batch/sample.hpp>
 
 #include <limits>
 #include <vector>

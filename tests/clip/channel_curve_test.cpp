@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include <orispline/clip/channel_curve.hpp>
 #include <orispline/clip/clip.hpp>
+#include <orispline/clip/clip_motion.hpp>
 
 namespace orispline { namespace {
 

@@ -3,9 +3,8 @@
 
 #include <algorithm>
 
-#include <orispline/clip/channel_curve.hpp>
-#include <orispline/clip/cubic_channel.hpp>
 #include <orispline/clip/clip_motion.hpp>
+#include <orispline/clip/cubic_channel.hpp>
 #include <orispline/families/registry.hpp>
 #include <support/data_table.hpp>
 #include <support/tracks.hpp>

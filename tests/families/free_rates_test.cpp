@@ -4,7 +4,7 @@
 
 #include <orispline/analysis/distance.hpp>
 #include <orispline/analysis/energy.hpp>
-#include <orispline/curve/free_rate.hpp>
+#include <orispline/curve/keyframe.hpp>
 #include <orispline/families/method_warnings.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/smooth/smooth.hpp>

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/families/recipe.hpp>
+#include <orispline/families/method_text.hpp>
 
 #include <gtest/gtest.h>
-
-#include <orispline/families/method_text.hpp>
 
 namespace orispline { namespace {
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <orispline/families/registry.hpp>
-#include <orispline/math/slerp.hpp>
+#include <orispline/math/geodesic.hpp>
 #include <support/near.hpp>
 #include <support/specimens.hpp>
 #include <support/tolerance.hpp>

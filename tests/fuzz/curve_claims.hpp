@@ -2,7 +2,7 @@
 #pragma once
 
 #include <orispline/curve/method.hpp>
-#include <orispline/curve/pose_curve.hpp>
+#include <orispline/curve/path.hpp>
 
 #include <fuzz/fuzzed_keys.hpp>
 

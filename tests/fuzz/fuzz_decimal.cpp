@@ -8,7 +8,6 @@
 #include <fuzz/fuzz_input.hpp>
 #include <orispline/base/decimal.hpp>
 #include <orispline/base/number_text.hpp>
-#include <orispline/base/time_origin.hpp>
 #include <orispline/io/text_table.hpp>
 
 namespace orispline::fuzz { namespace {

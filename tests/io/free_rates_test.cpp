@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <orispline/curve/free_rate.hpp>
+#include <orispline/curve/keyframe.hpp>
 #include <orispline/io/track_file.hpp>
 #include <orispline/io/track_writer.hpp>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Duals against jets: every direction has the derivative that a jet along it has.
-#include <orispline/math/dual.hpp>
+#include <orispline/math/jet.hpp>
 
 #include <gtest/gtest.h>
 
-#include <orispline/math/slerp.hpp>
+#include <orispline/math/geodesic.hpp>
 #include <support/near.hpp>
 #include <support/specimens.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sine, cosine, arc tangent and logarithm: within 1 ulp of true values, symmetric, and with the same bits everywhere.
-#include <orispline/math/elementary.hpp>
+#include <orispline/math/number.hpp>
 
 #include <bit>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The same templates over float: accurate to a few of its own ulp.
-#include <orispline/math/slerp.hpp>
+#include <orispline/math/geodesic.hpp>
 
 #include <limits>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // slerp and squad with their derivatives, equation by equation of Eberly's text (corrected).
-#include <orispline/math/slerp.hpp>
+#include <orispline/math/geodesic.hpp>
 
 #include <gtest/gtest.h>
 

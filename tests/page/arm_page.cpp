@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include <orispline/io/output_file.hpp>
-#include <orispline/pages/skeleton_page.hpp>
+#include <orispline/pages/task_pages.hpp>
 
 namespace orispline { namespace {
 

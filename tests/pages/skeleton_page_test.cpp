@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pages of skeletons from plain clips: a bone of length 1 that turns about z, and a tip at its end.
-#include <orispline/pages/skeleton_page.hpp>
+#include <orispline/pages/task_pages.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,6 @@
 
 #include <orispline/analysis/distance.hpp>
 #include <orispline/families/method_text.hpp>
-#include <orispline/families/recipe.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/io/track_file.hpp>
 #include <orispline/io/track_writer.hpp>

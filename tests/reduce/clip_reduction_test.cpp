@@ -3,7 +3,7 @@
 #include <limits>
 #include <numeric>
 
-#include <orispline/clip/channel_curve.hpp>
+#include <orispline/clip/clip_motion.hpp>
 #include <orispline/reduce/clip_reduction.hpp>
 #include <reduce/recorded_walk.hpp>
 #include <support/specimens.hpp>

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <vector>
 
-#include <orispline/clip/channel_curve.hpp>
+#include <orispline/clip/clip_motion.hpp>
 #include <orispline/reduce/clip_reduction.hpp>
 #include <reduce/recorded_walk.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
-#include <orispline/clip/channel_curve.hpp>
+#include <orispline/clip/clip_motion.hpp>
 #include <orispline/reduce/cubic_keys.hpp>
 #include <reduce/recorded_walk.hpp>
 #include <support/specimens.hpp>

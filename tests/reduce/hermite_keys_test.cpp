@@ -2,7 +2,7 @@
 #include <cmath>
 #include <random>
 
-#include <orispline/clip/channel_curve.hpp>
+#include <orispline/clip/clip_motion.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/reduce/cubic_keys.hpp>
 #include <orispline/reduce/hermite_keys.hpp>

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <orispline/clip/channel_curve.hpp>
+#include <orispline/clip/clip_motion.hpp>
 #include <orispline/reduce/clip_reduction.hpp>
 
 namespace orispline { namespace {

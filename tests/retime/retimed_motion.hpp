@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include <orispline/curve/torque.hpp>
+#include <orispline/curve/motion.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/retime/rate_bounds.hpp>
 #include <orispline/retime/retime.hpp>

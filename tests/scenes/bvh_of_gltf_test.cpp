@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <orispline/clip/channel_curve.hpp>
+#include <orispline/clip/clip_motion.hpp>
 #include <orispline/math/so3.hpp>
 #include <orispline/scenes/scene_file.hpp>
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include <orispline/curve/curve.hpp>
-#include <orispline/math/slerp.hpp>
+#include <orispline/math/geodesic.hpp>
 #include <support/specimens.hpp>
 
 namespace orispline::testing_support {

@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <orispline/analysis/continuity.hpp>
 #include <orispline/analysis/energy.hpp>
-#include <orispline/analysis/shape_continuity.hpp>
-#include <orispline/curve/torque.hpp>
+#include <orispline/curve/motion.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/math/gauss_legendre.hpp>
 #include <support/data_table.hpp>

@@ -11,8 +11,8 @@
 
 #include <orispline/analysis/angle_travelled.hpp>
 #include <orispline/analysis/comparison.hpp>
-#include <orispline/analysis/leave_out.hpp>
-#include <orispline/curve/torque.hpp>
+#include <orispline/analysis/decimation.hpp>
+#include <orispline/curve/motion.hpp>
 #include <orispline/families/motion_band.hpp>
 #include <orispline/families/registry.hpp>
 
@@ -143,10 +143,9 @@ void torques(const Rows3& angular_velocities, const Rows3& angular_accelerations
     return Eigen::Map<const Eigen::Vector3d>(array.data() + 3 * i);
   };
   for (std::size_t i = 0; i < out.shape(0); ++i)
-    Eigen::Map<Eigen::Vector3d>(out.data() + 3 * i) =
-        torque(Motion{.angular_velocity = row(angular_velocities, i),
-                      .angular_acceleration = row(angular_accelerations, i)},
-               matrix);
+    Eigen::Map<Eigen::Vector3d>(out.data() + 3 * i) = torque(
+        Motion{.angular_velocity = row(angular_velocities, i), .angular_acceleration = row(angular_accelerations, i)},
+        matrix);
 }
 
 /// What shapes the curve: numbers, one or one per key, and words.
@@ -181,8 +180,7 @@ void bands_at(const PythonCurve& curve, double share, const Numbers& times, cons
 
 void add_analysis(nb::module_& module, nb::class_<PythonCurve>& curve_class) {
   module.def("check_inertia", &check_inertia, "inertia"_a);
-  module.def("torques", &torques, "angular_velocities"_a, "angular_accelerations"_a, "inertia"_a,
-             "out"_a.noconvert());
+  module.def("torques", &torques, "angular_velocities"_a, "angular_accelerations"_a, "inertia"_a, "out"_a.noconvert());
   curve_class.def_prop_ro("settings", &settings_of)
       .def("energies", &energies_of, "inertia"_a.none())
       .def("peaks", &peaks_of, "inertia"_a.none())

@@ -11,7 +11,6 @@
 
 #include <orispline/analysis/key_statistics.hpp>
 #include <orispline/families/method_text.hpp>
-#include <orispline/families/recipe.hpp>
 
 #include "arrays.hpp"
 #include "errors.hpp"
@@ -58,8 +57,8 @@ nb::tuple origin_of(const Keys& keys) {
   for (const Decimal& time : track.exact_times) exact_times += time.to_string() + "\n";
   const auto* const as_read = track.as_read.empty() ? nullptr : track.as_read.front().coeffs().data();
   return nb::make_tuple(track.name, track.epoch.to_string(), track.lines, exact_times,
-                        as_read ? nb::object(array_of(as_read, track.as_read.size(), 4)) : nb::object(nb::none()), track.recipe.method,
-                        track.recipe.signs == Signs::as_given, track.recipe.line);
+                        as_read ? nb::object(array_of(as_read, track.as_read.size(), 4)) : nb::object(nb::none()),
+                        track.recipe.method, track.recipe.signs == Signs::as_given, track.recipe.line);
 }
 
 std::vector<Decimal> decimals_in(std::string_view lines) {

@@ -12,7 +12,7 @@
 #include <nanobind/stl/string_view.h>
 #include <nanobind/stl/vector.h>
 
-#include <orispline/families/recipe.hpp>
+#include <orispline/families/method_text.hpp>
 #include <orispline/families/registry.hpp>
 
 #include "errors.hpp"

@@ -11,7 +11,6 @@
 #include <nanobind/stl/vector.h>
 
 #include <orispline/families/method_text.hpp>
-#include <orispline/families/recipe.hpp>
 #include <orispline/families/registry.hpp>
 
 #include "errors.hpp"

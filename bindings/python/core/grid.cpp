@@ -5,7 +5,7 @@
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 
-#include <orispline/base/fraction.hpp>
+#include <orispline/base/decimal.hpp>
 #include <orispline/batch/sample_grid.hpp>
 
 #include "arrays.hpp"
@@ -60,7 +60,9 @@ void add_grids(nb::module_& module, nb::class_<PythonCurve>& curve_class) {
       .def("__len__", [](const SampleGrid& grid) { return *grid.size(); })
       .def(
           "fill",
-          [](const SampleGrid& grid, const WritableNumbers& times) { grid.fill(0, {times.data(), times.size()}); },
+          [](const SampleGrid& grid, const WritableNumbers& times) {
+            grid.fill(0, {times.data(), times.size()});
+          },
           "times"_a.noconvert());
   curve_class.def("grid", &grid, "rate"_a.none(), "count"_a.none(), "start"_a.none(), "end"_a.none(), "include_end"_a);
 }

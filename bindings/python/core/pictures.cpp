@@ -8,7 +8,7 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
-#include <orispline/curve/torque.hpp>
+#include <orispline/curve/motion.hpp>
 #include <orispline/families/method_text.hpp>
 #include <orispline/io/output_file.hpp>
 #include <orispline/math/degrees.hpp>

@@ -10,7 +10,7 @@
 #include <orispline/analysis/angle_travelled.hpp>
 #include <orispline/batch/compiled_curve.hpp>
 #include <orispline/curve/method.hpp>
-#include <orispline/curve/pose_curve.hpp>
+#include <orispline/curve/path.hpp>
 
 #include "keys.hpp"
 

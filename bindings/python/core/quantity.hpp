@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include <orispline/batch/extrapolate.hpp>
+#include <orispline/batch/sample.hpp>
 
 #include "python_curve.hpp"
 
@@ -13,8 +13,8 @@ namespace orispline::python {
 /// What is asked of a curve at a time, in the order that the face numbers it.
 enum class What { orientation, angular_velocity, angular_acceleration, angular_jerk, position, velocity, acceleration };
 
-/// Samples that are made together: so many as are still in the cache of a thread when they are looked at again, or as keep
-/// all threads busy. 0 threads: one per core.
+/// Samples that are made together: so many as are still in the cache of a thread when they are looked at again, or as
+/// keep all threads busy. 0 threads: one per core.
 [[nodiscard]] std::size_t samples_at_a_time(unsigned threads);
 
 /// Samples at times in any order; outside the curve as asked for.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tasks.hpp"
 
-#include <orispline/families/recipe.hpp>
+#include <orispline/families/method_text.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/io/output_file.hpp>
 

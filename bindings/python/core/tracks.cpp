@@ -9,7 +9,7 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
-#include <orispline/base/fraction.hpp>
+#include <orispline/base/decimal.hpp>
 #include <orispline/families/method_text.hpp>
 #include <orispline/streams.hpp>
 
@@ -41,10 +41,11 @@ struct KeyColumns {
   [[nodiscard]] bool has_positions() const { return columns.size() == 8; }
   /// Raises ArgumentError where they are not the columns above.
   void check() const {
-    const bool as_long = std::ranges::all_of(
-        columns, [&](const Numbers& column) { return column.size() == columns.front().size(); });
+    const bool as_long =
+        std::ranges::all_of(columns, [&](const Numbers& column) { return column.size() == columns.front().size(); });
     if ((columns.size() != 5 && columns.size() != 8) || !as_long)
-      raise({ErrorCode::bad_argument, "found other columns, wanted t, qx, qy, qz, qw, or these and x, y, z, as long as t",
+      raise({ErrorCode::bad_argument,
+             "found other columns, wanted t, qx, qy, qz, qw, or these and x, y, z, as long as t",
              {}});
   }
 };
@@ -117,7 +118,8 @@ void turn_columns(const TrackSampleColumns& columns) {
   }
 }
 
-/// What is taken, in columns of its own: t, qx … qw, x … z, then rate by rate those of the rotation and of the position.
+/// What is taken, in columns of its own: t, qx … qw, x … z, then rate by rate those of the rotation and of the
+/// position.
 struct Wanted {
   std::size_t count;
   unsigned derivatives;
@@ -197,9 +199,10 @@ void append(TrackSampler& sampler, const std::vector<Numbers>& columns) {
 
 nb::list take_of_sampler(TrackSampler& sampler, std::size_t count, unsigned derivatives, bool positions, bool world,
                          unsigned threads) {
-  return Wanted{count, derivatives, positions, world}.from([&](const TrackSampleColumns& out, const Progress& progress) {
-    return take_columns(sampler, out, {.threads = threads}, progress);
-  });
+  return Wanted{count, derivatives, positions, world}.from(
+      [&](const TrackSampleColumns& out, const Progress& progress) {
+        return take_columns(sampler, out, {.threads = threads}, progress);
+      });
 }
 
 nb::bytes state_of(const TrackSampler& sampler) {

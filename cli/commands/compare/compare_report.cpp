@@ -8,7 +8,7 @@
 #include <orispline/base/file_name.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
-#include <orispline/curve/free_rate.hpp>
+#include <orispline/curve/keyframe.hpp>
 #include <orispline/report/table.hpp>
 
 #include "output/repairs_text.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <orispline/analysis/compared_method.hpp>
+#include <orispline/analysis/compared_keys.hpp>
 
 #include "commands/compare/compare_keys.hpp"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <orispline/families/recipe.hpp>
+#include <orispline/families/method_text.hpp>
 #include <orispline/io/track_file.hpp>
 
 #include "commands/convert/convert_report.hpp"

@@ -11,7 +11,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/parallel.hpp>
 #include <orispline/base/quoted.hpp>
-#include <orispline/pages/skeleton_page.hpp>
+#include <orispline/pages/task_pages.hpp>
 #include <orispline/reduce/reduce_fields.hpp>
 #include <orispline/scenes/scene_file.hpp>
 #include <orispline/scenes/scene_tracks.hpp>

@@ -7,7 +7,6 @@
 
 #include <orispline/analysis/continuity.hpp>
 #include <orispline/analysis/key_statistics.hpp>
-#include <orispline/analysis/shape_continuity.hpp>
 #include <orispline/families/measured.hpp>
 #include <orispline/io/track_file.hpp>
 

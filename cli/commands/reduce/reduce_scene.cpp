@@ -9,7 +9,7 @@
 #include <orispline/base/quoted.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/math/degrees.hpp>
-#include <orispline/pages/skeleton_page.hpp>
+#include <orispline/pages/task_pages.hpp>
 #include <orispline/reduce/reduce_fields.hpp>
 #include <orispline/scenes/scene_file.hpp>
 

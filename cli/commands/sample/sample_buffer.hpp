@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include <orispline/base/time_origin.hpp>
+#include <orispline/base/decimal.hpp>
 #include <orispline/batch/sample.hpp>
 #include <orispline/io/sample_writer.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <orispline/curve/pose_curve.hpp>
+#include <orispline/curve/path.hpp>
 
 #include "commands/sample/sample_request.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <orispline/curve/pose_curve.hpp>
-#include <orispline/scenes/scene.hpp>
+#include <orispline/curve/path.hpp>
+#include <orispline/scenes/scene_format.hpp>
 
 #include "commands/sample/sample_report.hpp"
 #include "commands/sample/sample_request.hpp"

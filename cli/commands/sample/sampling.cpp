@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <orispline/base/parallel.hpp>
-#include <orispline/batch/extrapolate.hpp>
+#include <orispline/batch/sample.hpp>
 
 #include "commands/sample/sample_buffer.hpp"
 

@@ -2,14 +2,23 @@
 #include <orispline/analysis/compared_keys.hpp>
 
 #include <algorithm>
+#include <limits>
 
 #include <orispline/analysis/sampled.hpp>
 #include <orispline/base/formatted.hpp>
-#include <orispline/curve/free_rate.hpp>
+#include <orispline/curve/keyframe.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
 namespace {
+
+/// Rising from the best; infinite where nothing can be said.
+double rank_of(const ComparedMethod& method, const MeasureInfo& measure, const MeasureTimes& times) {
+  constexpr double last = std::numeric_limits<double>::infinity();
+  if (!method.measures || !measure.is_finite(*method.measures)) return last;
+  const double value = measure.value(*method.measures, times).value_or(last);
+  return measure.better == Better::more ? -value : value;
+}
 
 Expected<void> check_two_keys(const Track& track) {
   if (track.keys.size() >= 2) return {};
@@ -59,6 +68,14 @@ Warning not_denser(const Track& recording) {
 }
 
 }  // namespace
+
+void sort_by(const MeasureInfo& measure, std::vector<ComparedMethod>& methods, const MeasureTimes& times) {
+  std::ranges::stable_sort(methods, [&](const ComparedMethod& a, const ComparedMethod& b) {
+    if (a.key_set != b.key_set) return a.key_set < b.key_set;
+    if (a.measures.has_value() != b.measures.has_value()) return a.measures.has_value();
+    return rank_of(a, measure, times) < rank_of(b, measure, times);
+  });
+}
 
 std::vector<MeasureInfo> ComparedData::measures(LeaveOut leave_out,
                                                 const std::optional<Eigen::Matrix3d>& inertia) const {

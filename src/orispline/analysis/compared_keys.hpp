@@ -12,6 +12,18 @@
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
+/// A method by the name that its user gives it, on one of several sets of keys.
+struct ComparedMethod {
+  std::string label;
+  std::size_t key_set = 0;
+  Candidate candidate;
+  Expected<Measures> measures{};  ///< or why there are none
+};
+
+/// Puts the best method first in each set of keys, what failed last; those of which nothing can be said before them.
+ORISPLINE_EXPORT void sort_by(const MeasureInfo& measure, std::vector<ComparedMethod>& methods,
+                              const MeasureTimes& times);
+
 /// One set of keys that every method is given.
 struct ComparedKeys {
   std::optional<Decimation> decimation{};  ///< absent: nothing was left out

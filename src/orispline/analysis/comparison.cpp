@@ -5,15 +5,15 @@
 #include <chrono>
 
 #include <orispline/analysis/angle_travelled.hpp>
-#include <orispline/analysis/least_energy.hpp>
-#include <orispline/analysis/leave_out.hpp>
+#include <orispline/analysis/decimation.hpp>
+#include <orispline/analysis/energy.hpp>
 #include <orispline/analysis/sampled.hpp>
 #include <orispline/base/counted_work.hpp>
 #include <orispline/base/expect.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/parallel.hpp>
-#include <orispline/curve/free_rate.hpp>
-#include <orispline/curve/torque.hpp>
+#include <orispline/curve/keyframe.hpp>
+#include <orispline/curve/motion.hpp>
 #include <orispline/families/motion_band.hpp>
 #include <orispline/families/registry.hpp>
 

@@ -10,7 +10,6 @@
 #include <orispline/analysis/distance.hpp>
 #include <orispline/analysis/energy.hpp>
 #include <orispline/analysis/peaks.hpp>
-#include <orispline/analysis/shape_continuity.hpp>
 #include <orispline/base/progress.hpp>
 #include <orispline/base/warning.hpp>
 #include <orispline/curve/keyframe.hpp>

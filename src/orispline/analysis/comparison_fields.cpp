@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include <orispline/curve/torque.hpp>
+#include <orispline/curve/motion.hpp>
 #include <orispline/fields/field_codec.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {

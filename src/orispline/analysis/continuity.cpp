@@ -36,6 +36,38 @@ void compare_sides(Jumps& jumps, const Joint& joint) {
   }
 }
 
+/// What the rounding of the rates makes of each quantity of the shape, to first order.
+struct Rounding {
+  double direction, curvature, curvature_rate;
+};
+
+Rounding rounding_of(const Joint& joint) {
+  const auto larger = [&](auto rate) { return std::max((joint.left.*rate).norm(), (joint.right.*rate).norm()); };
+  const double v = std::min(joint.left.angular_velocity.norm(), joint.right.angular_velocity.norm());
+  const double bend = larger(&Motion::angular_acceleration) / (v * v),
+               twist = larger(&Motion::angular_jerk) / (v * v * v);
+  const double of_rate = rounding_of_rates(joint.spacing, 1) / v;
+  const double of_acceleration = rounding_of_rates(joint.spacing, 2) / (v * v);
+  const double of_jerk = rounding_of_rates(joint.spacing, 3) / (v * v * v);
+  return {2.0 * of_rate, of_acceleration + 4.0 * bend * of_rate,
+          of_jerk + 6.0 * bend * of_acceleration + (8.0 * twist + 16.0 * bend * bend) * of_rate};
+}
+
+void compare_sides(ShapeJump& jump, std::size_t key, const Eigen::Vector3d& left, const Eigen::Vector3d& right,
+                   double rounding) {
+  const double found = (right - left).norm();
+  if (found > jump.largest) {
+    jump.largest = found;
+    jump.key = key;
+  }
+  if (found > rounding) jump.relative = std::max(jump.relative, found / std::max({1.0, left.norm(), right.norm()}));
+}
+
+bool rests(const Joint& joint, double fastest) {
+  const double slowest = std::min(joint.left.angular_velocity.norm(), joint.right.angular_velocity.norm());
+  return slowest <= std::max(continuity_tolerance * fastest, rounding_of_rates(joint.spacing, 1));
+}
+
 }  // namespace
 
 int Continuity::order() const noexcept {
@@ -51,6 +83,44 @@ Continuity continuity_at_keys(const AnyCurve& curve, Seam seam) {
   for (RateJump& jump : jumps)
     if (jump.relative > 0.0) jump.relative /= jump.magnitude;
   return {jumps[0], jumps[1], jumps[2]};
+}
+
+PathShape path_shape(const Motion& motion) noexcept {
+  const double v = motion.angular_velocity.norm();
+  const Eigen::Vector3d e = motion.angular_velocity / v;
+  const auto across = [&](const Eigen::Vector3d& x) -> Eigen::Vector3d { return x - x.dot(e) * e; };
+  const Eigen::Vector3d bend = across(motion.angular_acceleration) / v;  // de/dt
+  const double along = motion.angular_acceleration.dot(e);
+  return {e, bend / v, ((across(motion.angular_jerk) - 3.0 * along * bend) / v - bend.squaredNorm() * e) / (v * v)};
+}
+
+std::optional<int> ShapeContinuity::order_in_motion() const noexcept {
+  if (joints > 0 && rests == joints) return std::nullopt;
+  if (direction.relative > continuity_tolerance) return 0;
+  if (curvature.relative > continuity_tolerance) return 1;
+  return curvature_rate.relative > continuity_tolerance ? 2 : 3;
+}
+
+std::optional<int> ShapeContinuity::order() const noexcept { return rests > 0 ? std::nullopt : order_in_motion(); }
+
+ShapeContinuity shape_continuity_at_keys(const AnyCurve& curve, Seam seam) {
+  double fastest = 0.0;
+  const auto widen = [&](const Motion& motion) { fastest = std::max(fastest, motion.angular_velocity.norm()); };
+  for_each_probe(curve, widen);
+  ShapeContinuity found;
+  for_each_joint(curve, seam, [&](const Joint& joint) {
+    ++found.joints;
+    if (rests(joint, fastest)) {
+      if (found.rests++ == 0) found.first_rest = joint.key;
+      return;
+    }
+    const PathShape left = path_shape(joint.left), right = path_shape(joint.right);
+    const Rounding rounding = rounding_of(joint);
+    compare_sides(found.direction, joint.key, left.direction, right.direction, rounding.direction);
+    compare_sides(found.curvature, joint.key, left.curvature, right.curvature, rounding.curvature);
+    compare_sides(found.curvature_rate, joint.key, left.curvature_rate, right.curvature_rate, rounding.curvature_rate);
+  });
+  return found;
 }
 
 }}  // namespace orispline

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+
 #include <orispline/curve/curve.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -32,5 +34,45 @@ enum class Seam { open, closed };
 /// One-sided rates compared at every interior key and, of a loop, where its end meets its beginning (key 0). A jump of
 /// a rate of order k within 256 ε/h^k, h [s] being the smaller spacing beside the key, is rounding.
 [[nodiscard]] ORISPLINE_EXPORT Continuity continuity_at_keys(const AnyCurve& curve, Seam seam = Seam::open);
+
+/// Where a path goes at a moment, and how it bends by the angle travelled, whatever its speed.
+struct PathShape {
+  Eigen::Vector3d direction;       ///< e = ω/‖ω‖ [1], body frame
+  Eigen::Vector3d curvature;       ///< κ = de/ds [1/rad]
+  Eigen::Vector3d curvature_rate;  ///< dκ/ds [1/rad²]
+};
+
+/// With body rates ω, α, j and v = ‖ω‖, s [rad] the angle travelled:
+///   e = ω/v,   κ = α⊥/v²,   dκ/ds = (j⊥ - ‖α⊥‖² e/v - 3 (α·e) α⊥/v)/v³   with x⊥ = x - (x·e) e.
+/// Not finite where the body rests. Source: the chain rule, d/ds = (d/dt)/v.
+[[nodiscard]] ORISPLINE_EXPORT PathShape path_shape(const Motion& motion) noexcept;
+
+/// How far a quantity of a curve's shape jumps where its segments meet.
+struct ShapeJump {
+  double largest = 0.0;   ///< largest ‖right - left‖ at a key, in the unit of the quantity
+  std::size_t key = 0;    ///< where
+  double relative = 0.0;  ///< the largest over max(1, ‖left‖, ‖right‖); 0 where every jump is rounding
+};
+
+/// The geometric continuity G^k that a curve really has on its keys: that of its PathShape, which does not depend on
+/// the time scale of a segment. Where the body rests it is not defined.
+struct ORISPLINE_EXPORT ShapeContinuity {
+  ShapeJump direction{};       ///< of e [1]
+  ShapeJump curvature{};       ///< of κ [1/rad]
+  ShapeJump curvature_rate{};  ///< of dκ/ds [1/rad²]
+  std::size_t joints = 0;      ///< keys that were looked at
+  std::size_t rests = 0;       ///< of them those at which the body rests
+  std::size_t first_rest = 0;  ///< the first of these, if there is one
+
+  /// The largest k up to 3 for which nothing of order k or lower jumps by more than `continuity_tolerance` at the keys
+  /// at which the body moves; absent where it rests at all of them.
+  [[nodiscard]] std::optional<int> order_in_motion() const noexcept;
+  /// The largest such k of all keys; absent where the body rests at one of them, since it is undefined there.
+  [[nodiscard]] std::optional<int> order() const noexcept;
+};
+
+/// One-sided shapes compared at every interior key and, of a loop, at its seam (key 0). A body rests where its rate is
+/// at most `continuity_tolerance` times the largest one. Jumps that the rounding of the rates explains are rounding.
+[[nodiscard]] ORISPLINE_EXPORT ShapeContinuity shape_continuity_at_keys(const AnyCurve& curve, Seam seam = Seam::open);
 
 }}  // namespace orispline

@@ -6,7 +6,7 @@
 
 #include <orispline/analysis/sampled.hpp>
 #include <orispline/base/expect.hpp>
-#include <orispline/curve/free_rate.hpp>
+#include <orispline/curve/keyframe.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 

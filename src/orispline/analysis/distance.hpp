@@ -40,8 +40,8 @@ struct OrientationSeries {
 /// angle of the rotation from one to the other [rad].
 [[nodiscard]] ORISPLINE_EXPORT DistanceStatistics distance_to_reference(const AnyCurve& curve,
                                                                         OrientationSeries reference);
-/// The same on another stretch, such as from the first key to the last: methods that begin later or end earlier hold
-/// their end orientation there, as their samples do. That is what compare() measures.
+/// How far the curve is from the reference on another stretch, such as from the first key to the last: methods that
+/// begin later or end earlier hold their end orientation there, as their samples do. That is what compare() measures.
 [[nodiscard]] ORISPLINE_EXPORT DistanceStatistics distance_to_reference(const AnyCurve& curve,
                                                                         OrientationSeries reference, Domain stretch);
 

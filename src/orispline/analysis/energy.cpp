@@ -3,7 +3,8 @@
 
 #include <orispline/analysis/quadrature.hpp>
 #include <orispline/analysis/rounding.hpp>
-#include <orispline/curve/torque.hpp>
+#include <orispline/curve/motion.hpp>
+#include <orispline/families/registry.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -30,6 +31,16 @@ Energies energies(const AnyCurve& curve, const Eigen::Matrix3d& inertia) {
     sum += adaptive_integral<3>(integrands, start, end, rounding_of(end - start, inertia.norm()));
   }
   return {.acceleration = sum[0], .jerk = sum[1], .torque = sum[2]};
+}
+
+std::optional<double> least_energy(const Keyframes& keys) {
+  if (keys.size() < 2 || keys.size() > most_keys_for_least_energy) return std::nullopt;
+  const auto of_orientations =
+      Keyframes::make({.times = {keys.times().begin(), keys.times().end()},
+                       .orientations = {keys.orientations().begin(), keys.orientations().end()}});
+  if (!of_orientations) return std::nullopt;
+  const auto curve = make_curve("least", *of_orientations);
+  return curve ? std::optional(energies(*curve).acceleration) : std::nullopt;
 }
 
 }}  // namespace orispline

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <orispline/analysis/peaks.hpp>
 
-#include <orispline/curve/torque.hpp>
+#include <orispline/curve/motion.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/base/fraction.hpp>
+#include <orispline/base/decimal.hpp>
 
 #include <orispline/base/expect.hpp>
 #include <orispline/base/formatted.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/base/time_origin.hpp>
+#include <orispline/base/decimal.hpp>
 
 #include <cmath>
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <orispline/base/progress.hpp>
-#include <orispline/batch/kernel/polynomial_record.hpp>
+#include <orispline/batch/kernel/record.hpp>
 #include <orispline/curve/curve.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/method.hpp>
@@ -80,7 +80,7 @@ template <class T = double>
                                                             const BakeOptions& options = {},
                                                             const Progress& progress = {});
 
-/// The same of the method's curve through the keys. Errors: those of make_curve() too.
+/// Bakes the method's curve through the keys, likewise. Errors: those of make_curve() too.
 template <class T = double>
 [[nodiscard]] ORISPLINE_EXPORT Expected<BakedCurve<T>> bake(const Method& method, const Keyframes& keys,
                                                             double tolerance, const BakeOptions& options = {},

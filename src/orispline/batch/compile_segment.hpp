@@ -3,9 +3,9 @@
 
 #include <array>
 
-#include <orispline/batch/kernel/polynomial_record.hpp>
+#include <orispline/batch/kernel/record.hpp>
+#include <orispline/curve/curve_through.hpp>
 #include <orispline/curve/knots.hpp>
-#include <orispline/curve/segment_form.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace batch {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/batch/extrapolate.hpp>
+#include <orispline/batch/sample.hpp>
 
 #include <algorithm>
 

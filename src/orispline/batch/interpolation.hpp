@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include <orispline/math/eigen.hpp>
-#include <orispline/math/elementary.hpp>
+#include <orispline/math/number.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace batch {
 

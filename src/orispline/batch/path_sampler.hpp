@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include <orispline/batch/kernel/polynomial_record.hpp>
+#include <orispline/batch/kernel/record.hpp>
 #include <orispline/batch/sample.hpp>
 #include <orispline/batch/segment_runs.hpp>
 #include <orispline/curve/path.hpp>

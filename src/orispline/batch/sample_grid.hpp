@@ -6,7 +6,7 @@
 #include <span>
 #include <variant>
 
-#include <orispline/base/time_origin.hpp>
+#include <orispline/base/decimal.hpp>
 #include <orispline/batch/kernel/record.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {

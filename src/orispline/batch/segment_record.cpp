@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/batch/segment_record.hpp>
+#include <orispline/batch/compiled_curve.hpp>
 
 #include <orispline/batch/compile_segment.hpp>
 #include <orispline/batch/kernel/dispatch.hpp>

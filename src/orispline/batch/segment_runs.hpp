@@ -66,7 +66,8 @@ template <class Belongs>
   return end - k;
 }
 
-/// The same of times in order, of which none belongs behind one that does not: in steps that double, then halve.
+/// How many belong together of times in order, of which none belongs behind one that does not: in steps that double,
+/// then halve.
 template <class Belongs>
 [[nodiscard]] std::size_t run_in_order(std::span<const double> times, std::size_t k, Belongs belongs) {
   const std::size_t size = times.size();

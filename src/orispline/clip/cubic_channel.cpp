@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
-#include <orispline/clip/channel_curve.hpp>
-#include <orispline/curve/key_alignment.hpp>
+#include <orispline/clip/clip_motion.hpp>
+#include <orispline/curve/key_check.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 

@@ -44,8 +44,8 @@ template <Number T>
   return shape;
 }
 
-/// The same. Errors: bad_argument with the index of the point where β₂ ≤ -2β₁(1+β₁), for there the construction has a
-/// pole or folds back.
+/// The shape by values that are checked. Errors: bad_argument with the index of the point where β₂ ≤ -2β₁(1+β₁), for
+/// there the construction has a pole or folds back.
 [[nodiscard]] Expected<BetaShape> beta_shape(std::string_view method, const std::vector<double>& beta1,
                                              const std::vector<double>& beta2);
 

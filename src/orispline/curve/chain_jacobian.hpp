@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
-#include <orispline/math/dual.hpp>
 #include <orispline/math/eigen.hpp>
+#include <orispline/math/jet.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace chain {
 

@@ -55,7 +55,7 @@ template <Number T>
 template <int P>
 using ChartEnd = Eigen::Matrix<double, 3 * (P - 1), 1>;
 
-/// The same with their derivatives by φ and by the rates of the end.
+/// What the rates at an end make of the path in the chart, with their derivatives by φ and by the rates of the end.
 template <int P>
 struct ChartEndSlopes {
   ChartEnd<P> values;

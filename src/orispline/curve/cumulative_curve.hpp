@@ -6,9 +6,9 @@
 #include <vector>
 
 #include <orispline/curve/cumulative_basis.hpp>
+#include <orispline/curve/curve_through.hpp>
 #include <orispline/curve/increments.hpp>
 #include <orispline/curve/motion.hpp>
-#include <orispline/curve/segment_form.hpp>
 #include <orispline/curve/two_point_blending.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {

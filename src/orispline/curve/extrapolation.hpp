@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include <orispline/curve/pose_curve.hpp>
+#include <orispline/curve/path.hpp>
 #include <orispline/fields/words.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -30,7 +30,7 @@ inline constexpr std::array words<Extrapolation>{
 /// `segment` far times may give numbers that are not finite.
 [[nodiscard]] ORISPLINE_EXPORT Motion extrapolated(const AnyCurve& curve, double t, Extrapolation how) noexcept;
 
-/// The same of a position, which goes on in a straight line with `rate`.
+/// The position at time t [s], inside the path its own; outside it goes on in a straight line with `rate`.
 [[nodiscard]] ORISPLINE_EXPORT LinearMotion extrapolated(const AnyPath& path, double t, Extrapolation how) noexcept;
 
 }}  // namespace orispline

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include <orispline/base/formatted.hpp>
-#include <orispline/curve/free_rate.hpp>
+#include <orispline/curve/keyframe.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 

@@ -6,7 +6,6 @@
 
 #include <orispline/base/expect.hpp>
 #include <orispline/base/formatted.hpp>
-#include <orispline/curve/key_alignment.hpp>
 #include <orispline/curve/key_check.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {

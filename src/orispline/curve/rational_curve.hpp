@@ -4,9 +4,9 @@
 #include <array>
 #include <vector>
 
+#include <orispline/curve/curve_through.hpp>
 #include <orispline/curve/knots.hpp>
 #include <orispline/curve/motion.hpp>
-#include <orispline/curve/segment_form.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 

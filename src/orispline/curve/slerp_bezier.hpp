@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <orispline/curve/knots.hpp>
-#include <orispline/math/slerp.hpp>
+#include <orispline/math/geodesic.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 

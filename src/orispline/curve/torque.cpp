@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/curve/torque.hpp>
+#include <orispline/curve/motion.hpp>
 
 #include <Eigen/Eigenvalues>
 

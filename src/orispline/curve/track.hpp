@@ -1,20 +1,35 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <span>
 #include <string>
 #include <vector>
 
+#include <orispline/base/abi.hpp>
 #include <orispline/base/decimal.hpp>
 #include <orispline/base/warning.hpp>
-#include <orispline/curve/key_table.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/method.hpp>
-#include <orispline/curve/recipe.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
+
+/// The text of a table of keys, column by column as it was read.
+struct KeyTable {
+  std::vector<std::string> names{};
+  std::vector<std::vector<std::string>> rows{};  ///< one cell per name, one row per key
+};
+
+/// What keys say about the curve that they are for: with it a file of keys carries its meaning.
+struct Recipe {
+  std::string method{};           ///< the method's text form, read by method_from_text(); empty: none is named
+  Signs signs = Signs::shortest;  ///< how the signs of the keys are to be read
+  std::size_t line = 0;           ///< of the file, from 1; 0: not from a file
+
+  [[nodiscard]] bool is_empty() const noexcept { return method.empty(); }
+};
 
 /// Keyframes with where they come from: what tasks take and give back, and what files hold.
 ///

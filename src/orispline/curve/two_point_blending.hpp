@@ -4,8 +4,8 @@
 #include <array>
 #include <cstddef>
 
+#include <orispline/curve/curve_through.hpp>
 #include <orispline/curve/knots.hpp>
-#include <orispline/curve/segment_form.hpp>
 #include <orispline/math/bernstein.hpp>
 #include <orispline/math/jet.hpp>
 

@@ -7,7 +7,7 @@
 
 #include <orispline/curve/key_knots.hpp>
 #include <orispline/curve/left_out.hpp>
-#include <orispline/math/elementary.hpp>
+#include <orispline/math/number.hpp>
 
 // The steps are numbered as on docs/families/auto.md, which also says where the constants come from.
 

@@ -3,7 +3,7 @@
 
 #include <orispline/curve/family.hpp>
 #include <orispline/curve/keyframe.hpp>
-#include <orispline/curve/pose_curve.hpp>
+#include <orispline/curve/path.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include <orispline/base/formatted.hpp>
-#include <orispline/curve/free_rate.hpp>
 #include <orispline/curve/key_knots.hpp>
+#include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/window.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace families {

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include <orispline/curve/free_rate.hpp>
 #include <orispline/curve/increments.hpp>
 #include <orispline/curve/key_knots.hpp>
+#include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/three_key_rates.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace families {

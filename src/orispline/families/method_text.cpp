@@ -2,6 +2,7 @@
 #include <orispline/families/method_text.hpp>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include <orispline/base/formatted.hpp>
@@ -193,6 +194,33 @@ Method without(Method method, std::span<const std::string> names) {
     if (name == "closed" || name == "period") stated.loop.reset();
   }
   return method;
+}
+
+Recipe recipe_for(const Method& method, const Track& track) {
+  Method shared = method;
+  for (const auto& [name, values] : track.settings) shared.options.parameters.erase(name);
+  return {.method = text_of(shared), .signs = track.recipe.signs};
+}
+
+Expected<std::optional<Method>> method_of(const Recipe& recipe, std::string_view file) {
+  if (recipe.method.empty()) return std::nullopt;
+  auto method = method_from_text(recipe.method);
+  if (method) return std::optional(std::move(*method));
+  const std::string& option = method.error().option;
+  return mended_by("recipe",
+                   formatted("the file says that its keys are for '{}': {}{}", recipe.method,
+                             option.empty() ? "" : formatted("{}: ", option), method.error().message),
+                   {.file = std::string(file), .line = recipe.line});
+}
+
+std::optional<Warning> recipe_set_aside(const Recipe& recipe, const Method& used, std::string_view file) {
+  const auto stated = recipe.method.empty() ? Expected<Method>(used) : method_from_text(recipe.method);
+  if (stated && text_of(*stated) == text_of(used)) return std::nullopt;
+  const bool is_from_file = recipe.line > 0;
+  return Warning{.code = "recipe_set_aside",
+                 .message = formatted("{} keys are for {}, and they are used for {}",
+                                      is_from_file ? "the file says that its" : "these", recipe.method, text_of(used)),
+                 .where = is_from_file ? Where{.file = std::string(file), .line = recipe.line} : Where{}};
 }
 
 }}  // namespace orispline

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include <orispline/base/expected.hpp>
+#include <orispline/base/warning.hpp>
 #include <orispline/curve/method.hpp>
+#include <orispline/curve/track.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -42,5 +45,17 @@ enum class CurveEnd { start, end };
 /// The method as far as these do not speak of it, which are names of settings, `ends`, `start_rate`, `end_rate`,
 /// `closed` or `period`: what others say of them can then be added. With other `ends` a rate that is stated stays.
 [[nodiscard]] ORISPLINE_EXPORT Method without(Method method, std::span<const std::string> names);
+
+/// The recipe of keys whose curve is this method's, but for the settings that the track states key by key; their signs
+/// are those of the track's own recipe.
+[[nodiscard]] ORISPLINE_EXPORT Recipe recipe_for(const Method& method, const Track& track);
+
+/// The method that the keys are for; absent where the recipe names none. Error (bad_data): a method or a setting that
+/// there is not, with the line of `file`.
+[[nodiscard]] ORISPLINE_EXPORT Expected<std::optional<Method>> method_of(const Recipe& recipe, std::string_view file);
+
+/// `recipe_set_aside`: the keys are for the curve of another method than this one, which was asked for.
+[[nodiscard]] ORISPLINE_EXPORT std::optional<Warning> recipe_set_aside(const Recipe& recipe, const Method& used,
+                                                                       std::string_view file);
 
 }}  // namespace orispline

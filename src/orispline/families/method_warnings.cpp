@@ -7,8 +7,8 @@
 
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
-#include <orispline/curve/free_rate.hpp>
 #include <orispline/curve/increments.hpp>
+#include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/rate_comparison.hpp>
 #include <orispline/curve/three_key_rates.hpp>
 #include <orispline/families/registry.hpp>

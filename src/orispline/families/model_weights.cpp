@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include <orispline/math/elementary.hpp>
+#include <orispline/math/number.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 

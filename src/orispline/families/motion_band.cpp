@@ -9,7 +9,7 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/key_windows.hpp>
 #include <orispline/families/measured.hpp>
-#include <orispline/math/elementary.hpp>
+#include <orispline/math/number.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 

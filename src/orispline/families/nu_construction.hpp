@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <orispline/curve/family.hpp>
-#include <orispline/math/slerp.hpp>
+#include <orispline/math/geodesic.hpp>
 
 // Nielson's construction over numbers that may know how they change with ν. The names γ, λ, μ, δ are his; steps and
 // ratios are indexed by key here: docs/families/nu.md.

@@ -10,7 +10,7 @@
 #include <orispline/curve/handle_rates.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/method.hpp>
-#include <orispline/curve/pose_curve.hpp>
+#include <orispline/curve/path.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 

@@ -5,7 +5,7 @@
 #include <orispline/curve/family.hpp>
 #include <orispline/curve/handle_rates.hpp>
 #include <orispline/curve/keyframe.hpp>
-#include <orispline/math/slerp.hpp>
+#include <orispline/math/geodesic.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace families {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include <orispline/curve/four_key_curve.hpp>
-#include <orispline/curve/pose_curve.hpp>
+#include <orispline/curve/path.hpp>
 #include <orispline/curve/two_point_blending.hpp>
 #include <orispline/math/bernstein.hpp>
 

@@ -5,8 +5,8 @@
 #include <charconv>
 #include <string>
 
+#include <orispline/base/decimal.hpp>
 #include <orispline/base/formatted.hpp>
-#include <orispline/base/fraction.hpp>
 #include <orispline/base/number_text.hpp>
 #include <orispline/base/pieces.hpp>
 

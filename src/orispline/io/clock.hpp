@@ -5,7 +5,6 @@
 #include <string_view>
 
 #include <orispline/base/decimal.hpp>
-#include <orispline/base/fraction.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 

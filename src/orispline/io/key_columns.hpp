@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include <orispline/base/decimal.hpp>
 #include <orispline/base/expected.hpp>
-#include <orispline/base/fraction.hpp>
 #include <orispline/io/column_search.hpp>
 #include <orispline/io/orientation_form.hpp>
 #include <orispline/io/text_table.hpp>

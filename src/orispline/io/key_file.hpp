@@ -8,9 +8,8 @@
 #include <vector>
 
 #include <orispline/base/warning.hpp>
-#include <orispline/curve/key_table.hpp>
 #include <orispline/curve/keyframe.hpp>
-#include <orispline/curve/recipe.hpp>
+#include <orispline/curve/track.hpp>
 #include <orispline/io/clock.hpp>
 #include <orispline/io/euler_turns.hpp>
 #include <orispline/io/formats/formats.hpp>

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include <orispline/curve/recipe.hpp>
+#include <orispline/curve/track.hpp>
 #include <orispline/io/key_file.hpp>
 #include <orispline/io/line_reader.hpp>
 

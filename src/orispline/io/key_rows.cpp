@@ -9,7 +9,7 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
-#include <orispline/curve/free_rate.hpp>
+#include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/motion.hpp>
 #include <orispline/io/clock.hpp>
 #include <orispline/io/row_reader.hpp>

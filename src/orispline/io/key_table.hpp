@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include <orispline/curve/key_table.hpp>
+#include <orispline/curve/track.hpp>
 #include <orispline/io/file_format.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/io/part_lock.hpp>
+#include <orispline/io/output_file.hpp>
 
 #include <atomic>
 #include <cerrno>

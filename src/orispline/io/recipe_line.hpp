@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include <orispline/base/expected.hpp>
-#include <orispline/curve/recipe.hpp>
+#include <orispline/curve/track.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
 

@@ -6,7 +6,7 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
-#include <orispline/curve/free_rate.hpp>
+#include <orispline/curve/keyframe.hpp>
 #include <orispline/io/clock.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {

@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include <orispline/base/decimal.hpp>
-#include <orispline/base/time_origin.hpp>
 #include <orispline/io/output_file.hpp>
 #include <orispline/io/sample_columns.hpp>
 

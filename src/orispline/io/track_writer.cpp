@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <orispline/base/formatted.hpp>
-#include <orispline/curve/free_rate.hpp>
+#include <orispline/curve/keyframe.hpp>
 #include <orispline/io/key_table.hpp>
 #include <orispline/io/recipe_line.hpp>
 #include <orispline/io/sample_writer.hpp>

@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include <orispline/math/elementary.hpp>
+#include <orispline/math/number.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 

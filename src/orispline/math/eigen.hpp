@@ -54,7 +54,7 @@ template <Number T>
 [[nodiscard]] Quaternion<T> quaternion_wxyz(T w, T x, T y, T z) {
   return Quaternion<T>(w, x, y, z);
 }
-/// The same of any mixture of plain numbers, as in `quaternion_wxyz(1, 0, 0, 0)`.
+/// Quaternion from scalar-first components, of any mixture of plain numbers, as in `quaternion_wxyz(1, 0, 0, 0)`.
 [[nodiscard]] inline Quaternion<double> quaternion_wxyz(double w, double x, double y, double z) { return {w, x, y, z}; }
 
 /// Quaternion from scalar-last components (the order of TUM, ROS, glTF, SciPy).
@@ -62,7 +62,7 @@ template <Number T>
 [[nodiscard]] Quaternion<T> quaternion_xyzw(T x, T y, T z, T w) {
   return Quaternion<T>(w, x, y, z);
 }
-/// The same of any mixture of plain numbers.
+/// Quaternion from scalar-last components, of any mixture of plain numbers.
 [[nodiscard]] inline Quaternion<double> quaternion_xyzw(double x, double y, double z, double w) { return {w, x, y, z}; }
 
 /// A constant over another number type: every derivative is zero.

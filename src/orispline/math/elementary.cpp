@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/math/elementary.hpp>
+#include <orispline/math/number.hpp>
 
 #include <bit>
 #include <cmath>

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <utility>
 
-#include <orispline/math/dual.hpp>
 #include <orispline/math/jet.hpp>
 
 // Functions that are smooth through zero angle: what exp, log and the Jacobians are made of.

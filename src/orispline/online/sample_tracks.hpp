@@ -36,7 +36,7 @@ struct SampledTracks {
   std::vector<Error> errors;  ///< of the tracks that have no samples for it: `where.curve` says of which, in order
 };
 
-/// The same in columns of the caller, each as long as there are samples; empty ones are not wanted.
+/// Samples of one track in columns of the caller, each as long as there are samples; empty ones are not wanted.
 struct TrackSampleColumns {
   std::span<double> times{};
   std::array<std::span<double>, 4> orientations;
@@ -85,7 +85,7 @@ class ORISPLINE_EXPORT TrackBatch {
 [[nodiscard]] ORISPLINE_EXPORT Expected<void> take_columns(TrackSampler& sampler, const TrackSampleColumns& out,
                                                            Work work = {}, const Progress& progress = {});
 
-/// The same as a TrackBatch with columns of its own, in one call. Errors: those of TrackBatch.
+/// All samples that a TrackBatch gives, with columns of its own, in one call. Errors: those of TrackBatch.
 [[nodiscard]] ORISPLINE_EXPORT Expected<SampledTracks> sample_tracks(const Method& method, const TrackColumns& keys,
                                                                      const TrackGrid& grid,
                                                                      const WantedSamples& wanted = {},

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <orispline/curve/keyframe.hpp>
-#include <orispline/curve/pose_curve.hpp>
+#include <orispline/curve/path.hpp>
 #include <orispline/online/stream_method.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <orispline/batch/sample.hpp>
-#include <orispline/curve/key_alignment.hpp>
+#include <orispline/curve/key_check.hpp>
 #include <orispline/curve/method.hpp>
 #include <orispline/online/track_stretch.hpp>
 

@@ -4,7 +4,7 @@
 
 #include <orispline/batch/path_sampler.hpp>
 #include <orispline/batch/segment_sampler.hpp>
-#include <orispline/online/online_segments.hpp>
+#include <orispline/online/online_curve.hpp>
 #include <orispline/online/stream_keys.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {

@@ -7,7 +7,7 @@
 #include <orispline/analysis/sampled.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/version.hpp>
-#include <orispline/curve/torque.hpp>
+#include <orispline/curve/motion.hpp>
 #include <orispline/math/degrees.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace pages {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <orispline/pages/skeleton_page.hpp>
+#include <orispline/pages/task_pages.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -6,10 +6,10 @@
 #include <optional>
 #include <utility>
 
-#include <orispline/clip/channel_curve.hpp>
+#include <orispline/clip/clip_motion.hpp>
 #include <orispline/clip/cubic_channel.hpp>
 #include <orispline/clip/single_precision.hpp>
-#include <orispline/curve/key_alignment.hpp>
+#include <orispline/curve/key_check.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/reduce/cubic_keys.hpp>
 #include <orispline/reduce/hermite_keys.hpp>

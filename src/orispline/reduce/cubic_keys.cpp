@@ -5,7 +5,7 @@
 #include <functional>
 #include <optional>
 
-#include <orispline/clip/channel_curve.hpp>
+#include <orispline/clip/clip_motion.hpp>
 #include <orispline/families/registry.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <orispline/curve/key_alignment.hpp>
+#include <orispline/curve/key_check.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include <orispline/clip/cubic_channel.hpp>
-#include <orispline/curve/key_alignment.hpp>
+#include <orispline/curve/key_check.hpp>
 #include <orispline/families/hermite.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/reduce/hermite_span.hpp>

@@ -8,7 +8,7 @@
 #include <orispline/base/counted_work.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/parallel.hpp>
-#include <orispline/families/recipe.hpp>
+#include <orispline/families/method_text.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/families/slerp.hpp>
 #include <orispline/reduce/cubic_keys.hpp>

@@ -7,7 +7,7 @@
 
 #include <orispline/analysis/sampled.hpp>
 #include <orispline/families/registry.hpp>
-#include <orispline/math/elementary.hpp>
+#include <orispline/math/number.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 

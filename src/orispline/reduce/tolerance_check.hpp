@@ -7,7 +7,7 @@
 #include <orispline/base/progress.hpp>
 #include <orispline/curve/keyframe.hpp>
 #include <orispline/curve/method.hpp>
-#include <orispline/curve/pose_curve.hpp>
+#include <orispline/curve/path.hpp>
 #include <orispline/math/so3.hpp>
 #include <orispline/reduce/reduce.hpp>
 

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include <orispline/math/degrees.hpp>
-#include <orispline/math/slerp.hpp>
+#include <orispline/math/geodesic.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace report {
 

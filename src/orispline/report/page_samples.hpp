@@ -4,7 +4,7 @@
 #include <functional>
 
 #include <orispline/curve/keyframe.hpp>
-#include <orispline/curve/pose_curve.hpp>
+#include <orispline/curve/path.hpp>
 #include <orispline/report/page.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace report {

@@ -34,8 +34,8 @@ struct Table {
 /// The table for people: words to the left, numbers to the right, notes below.
 [[nodiscard]] ORISPLINE_EXPORT std::string text_of(const Table& table);
 
-/// The same in lines of so many characters at most: units below the names, remarks below their rows, and no column for
-/// which there is no room. A note begins with `left_out` and names those. What fits as it is stays so.
+/// The table for people in lines of so many characters at most: units below the names, remarks below their rows, and no
+/// column for which there is no room. A note begins with `left_out` and names those. What fits as it is stays so.
 [[nodiscard]] ORISPLINE_EXPORT std::string text_of(Table table, std::size_t longest, std::string_view left_out);
 
 }}}  // namespace orispline::report

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include <orispline/curve/family.hpp>
-#include <orispline/math/elementary.hpp>
+#include <orispline/math/number.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 

@@ -6,8 +6,8 @@
 #include <span>
 
 #include <orispline/base/parallel.hpp>
-#include <orispline/curve/pose_curve.hpp>
-#include <orispline/curve/torque.hpp>
+#include <orispline/curve/motion.hpp>
+#include <orispline/curve/path.hpp>
 #include <orispline/retime/segment_hull.hpp>
 
 // What a motion is at a time, and what it is nowhere above around that time: for orientations and for positions.

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include <orispline/curve/pose_curve.hpp>
+#include <orispline/curve/path.hpp>
 #include <orispline/retime/motion_limits.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {

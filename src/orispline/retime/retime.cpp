@@ -10,9 +10,9 @@
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/curve/family.hpp>
-#include <orispline/curve/torque.hpp>
+#include <orispline/curve/motion.hpp>
+#include <orispline/families/method_text.hpp>
 #include <orispline/families/method_warnings.hpp>
-#include <orispline/families/recipe.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/retime/interval_times.hpp>
 #include <orispline/retime/retime_fields.hpp>

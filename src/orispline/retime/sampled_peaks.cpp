@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include <orispline/batch/sample.hpp>
-#include <orispline/curve/torque.hpp>
+#include <orispline/curve/motion.hpp>
 #include <orispline/retime/rate_bounds.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {

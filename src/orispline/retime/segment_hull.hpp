@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <optional>
 
+#include <orispline/curve/curve_through.hpp>
 #include <orispline/curve/path.hpp>
-#include <orispline/curve/segment_form.hpp>
 #include <orispline/retime/motion_limits.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
@@ -22,7 +22,7 @@ using HullVector = std::array<HullPolynomial, 3>;       ///< components, of one 
 /// `duration` [s], of u from 0 to 1.
 [[nodiscard]] HullDerivatives derivatives_of(const BernsteinForm& form, std::size_t degree, double duration);
 
-/// The same polynomial over a part of [0, 1], by de Casteljau's algorithm.
+/// The polynomial over a part of [0, 1], by de Casteljau's algorithm.
 [[nodiscard]] HullPolynomial restricted(HullPolynomial p, double start, double end);
 
 /// The size that no value exceeds.

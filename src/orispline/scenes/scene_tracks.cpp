@@ -8,7 +8,6 @@
 #include <orispline/base/file_name.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
-#include <orispline/clip/channel_curve.hpp>
 #include <orispline/clip/clip_motion.hpp>
 #include <orispline/io/line_reader.hpp>
 #include <orispline/scenes/scene_file.hpp>

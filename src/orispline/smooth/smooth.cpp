@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include <orispline/base/formatted.hpp>
-#include <orispline/curve/free_rate.hpp>
-#include <orispline/families/recipe.hpp>
+#include <orispline/curve/keyframe.hpp>
+#include <orispline/families/method_text.hpp>
 #include <orispline/math/degrees.hpp>
 #include <orispline/math/median.hpp>
 #include <orispline/smooth/smooth_fields.hpp>

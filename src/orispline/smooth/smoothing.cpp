@@ -13,7 +13,7 @@
 
 #include <orispline/base/expect.hpp>
 #include <orispline/math/chain_covariance.hpp>
-#include <orispline/math/elementary.hpp>
+#include <orispline/math/number.hpp>
 #include <orispline/smooth/smoothing_element.hpp>
 #include <orispline/smooth/smoothing_loss.hpp>
 

@@ -7,7 +7,7 @@
 #include <map>
 #include <numeric>
 
-#include <orispline/math/elementary.hpp>
+#include <orispline/math/number.hpp>
 #include <orispline/smooth/smoothing_trace.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {

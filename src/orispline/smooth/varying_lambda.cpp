@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include <orispline/math/elementary.hpp>
+#include <orispline/math/number.hpp>
 #include <orispline/smooth/smooth.hpp>
 #include <orispline/smooth/smoothing_trace.hpp>
 

@@ -6,8 +6,8 @@
 
 #include <orispline/analysis/rounding.hpp>
 #include <orispline/curve/cumulative_bezier.hpp>
+#include <orispline/curve/motion.hpp>
 #include <orispline/curve/slerp_bezier.hpp>
-#include <orispline/curve/torque.hpp>
 #include <orispline/math/bernstein.hpp>
 #include <orispline/math/gauss_legendre.hpp>
 #include <orispline/math/so3.hpp>

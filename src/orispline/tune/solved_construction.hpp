@@ -7,7 +7,7 @@
 
 #include <orispline/curve/chain_jacobian.hpp>
 #include <orispline/math/banded_lu.hpp>
-#include <orispline/math/slerp.hpp>
+#include <orispline/math/geodesic.hpp>
 #include <orispline/tune/construction.hpp>
 
 // Control orientations, one per key, that a rule places so that the curve passes through the keys, and how they move

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include <orispline/base/progress.hpp>
+#include <orispline/curve/curve_through.hpp>
 #include <orispline/curve/family.hpp>
 #include <orispline/curve/keyframe.hpp>
-#include <orispline/curve/segment_form.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI {
 
@@ -52,7 +52,7 @@ struct TensionModel {
   [[nodiscard]] CurveOptions with(const std::vector<double>& values) const;
 };
 
-/// The same polynomial with coefficients of degree `form_degree`.
+/// A polynomial of lower degree with coefficients of degree `form_degree`.
 [[nodiscard]] BernsteinForm elevated(BernsteinForm form, std::size_t degree);
 
 /// A cubic between two keys with the given handles [rad] on leaving and on arriving, without variables.

@@ -6,9 +6,9 @@
 
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
-#include <orispline/curve/torque.hpp>
+#include <orispline/curve/motion.hpp>
+#include <orispline/families/method_text.hpp>
 #include <orispline/families/method_warnings.hpp>
-#include <orispline/families/recipe.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/tune/objective_sums.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compiled once per instruction set, as kernel.cpp: ORISPLINE_POLYNOMIAL_KERNELS names what this one defines.
 #include <orispline/batch/kernel/block.hpp>
-#include <orispline/batch/kernel/polynomial_record.hpp>
+#include <orispline/batch/kernel/record.hpp>
 #include <orispline/batch/kernel/vector.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace batch {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include <orispline/curve/chart_curve.hpp>
-#include <orispline/curve/torque.hpp>
+#include <orispline/curve/motion.hpp>
 #include <orispline/families/least/expansion.hpp>
 #include <orispline/math/gauss_legendre.hpp>
 

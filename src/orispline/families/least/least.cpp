@@ -13,8 +13,8 @@
 #include <orispline/base/formatted.hpp>
 #include <orispline/curve/curve.hpp>
 #include <orispline/curve/key_knots.hpp>
+#include <orispline/curve/motion.hpp>
 #include <orispline/curve/refined_chart_curve.hpp>
-#include <orispline/curve/torque.hpp>
 #include <orispline/families/auto.hpp>
 #include <orispline/families/global_c2.hpp>
 #include <orispline/families/least/element.hpp>

@@ -4,9 +4,9 @@
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/io/formats/formats.hpp>
+#include <orispline/io/key_columns.hpp>
 #include <orispline/io/key_file.hpp>
 #include <orispline/io/sample_columns.hpp>
-#include <orispline/io/key_columns.hpp>
 #include <orispline/io/text_row.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace io {
@@ -17,7 +17,7 @@ constexpr std::array<std::string_view, 1> extensions{".csv"};
 constexpr int nanoseconds = 9;  // per second, as a power of ten
 
 constexpr std::array<std::string_view, 8> names{"t_ns", "px", "py", "pz", "qw", "qx", "qy", "qz"};
-/// The same as the data sets have them, without their units.
+/// The names as the data sets have them, without their units.
 constexpr std::array<std::string_view, names.size()> names_there{"timestamp", "p_RS_R_x", "p_RS_R_y", "p_RS_R_z",
                                                                  "q_RS_w",    "q_RS_x",   "q_RS_y",   "q_RS_z"};
 
@@ -37,7 +37,7 @@ bool names_them(std::span<const std::string_view> cells) {
                     [](std::string_view name, std::string_view cell) { return plain_name(cell) == name; });
 }
 
-/// The same of a comment.
+/// Whether a comment names the columns in their order.
 bool names_them(std::string_view comment) {
   comment.remove_prefix(std::min(comment.find_first_not_of("# \t"), comment.size()));
   std::array<std::string_view, names_there.size()> cells;

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include <orispline/base/formatted.hpp>
-#include <orispline/clip/channel_curve.hpp>
+#include <orispline/clip/clip_motion.hpp>
 #include <orispline/math/degrees.hpp>
 #include <orispline/math/eigen.hpp>
 #include <orispline/math/euler.hpp>
