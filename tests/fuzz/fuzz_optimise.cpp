@@ -7,8 +7,8 @@
 #include <fuzz/segment_scale.hpp>
 #include <orispline/analysis/comparison.hpp>
 #include <orispline/analysis/decimation.hpp>
-#include <orispline/reduce/reduce.hpp>
-#include <orispline/retime/retime.hpp>
+#include <orispline/reduce/tolerance_check.hpp>
+#include <orispline/retime/rate_bounds.hpp>
 #include <orispline/smooth/smooth.hpp>
 #include <orispline/tune/tune.hpp>
 #include <support/specimens.hpp>
