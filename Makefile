@@ -147,7 +147,7 @@ format:
 tidy:
 	tools/setup.sh build test tidy
 	cmake --preset clang
-	run-clang-tidy -quiet -j $(JOBS) -p build/clang '/(src|cli|tests)/.*\.cpp$$'
+	run-clang-tidy -quiet -j $(JOBS) -p build/clang '/(src|cli|papers|tests)/.*\.cpp$$'
 
 clean:
 	rm -rf build

@@ -20,7 +20,7 @@ FLOORS = {  # folder of src/orispline -> what it may include besides itself
 CLI_FLOORS = {"options": set(), "output": {"options"}, "papers": {"options", "output"},
               "commands": {"options", "output"}}  # folder of cli -> likewise; each folder of commands is one for itself
 FACES, FACE_FLOORS = ("cli/", "bindings/"), {"jobs", "io", "scenes"}  # who compose nothing, and what they include besides public headers
-BELOW_JOBS = {  # header or folder below -> why a face needs it still; the experiments in cli/papers are no face
+BELOW_JOBS = {  # header or folder below -> why a face needs it still; the experiments of papers are no face
     "base/": "errors, texts, numbers and threads, which everything is said and done with",
     "math/": "units and vectors",
     "fields/": "options as the user states them, results as data",
@@ -45,7 +45,7 @@ BELOW_JOBS = {  # header or folder below -> why a face needs it still; the exper
 GUESTS = {"fast_float/": "src/orispline/io/", "CLI/": "cli/options/command.cpp", "nlohmann/": ("cli/output/json_document.cpp", "src/orispline/scenes/gltf/"),
           "assimp/": "src/orispline/scenes/assimp.cpp", "benchmark/": "benchmarks/", "glm/": "benchmarks/",
           "smooth/so3": "benchmarks/", "smooth/spline/": "benchmarks/", "sophus/": "benchmarks/", "basalt/": "benchmarks/"}  # third party -> its only room
-ROOMS = ("src", "cli", "tests", "examples", "tools", "bindings", "benchmarks")
+ROOMS = ("src", "cli", "papers", "tests", "examples", "tools", "bindings", "benchmarks")
 FILE_LINES, FUNCTION_LINES, MEDIAN_LINES = 600, 60, 200
 EXCEPTIONS = {}  # path -> the reason why it may be larger
 SPDX = re.compile(r"(#!.*\n# |# |// )SPDX-License-Identifier: Apache-2\.0\n")
@@ -70,7 +70,7 @@ def is_for_faces(name):
 
 def face_breaches(path, names):
     """A face includes what is composed."""
-    if path.startswith(FACES) and not path.startswith("cli/papers/"):
+    if path.startswith(FACES):
         yield from (f"{path}: a face must not include {name}, wanted jobs, io, scenes or a public header"
                     for name in names if name.startswith("orispline/") and not is_for_faces(name))
 
@@ -89,12 +89,12 @@ def library_breaches(path, names):
 
 
 def cli_breaches(path, names):
-    """In cli, names in quotes begin with a folder of cli."""
+    """In cli, names in quotes begin with a folder of cli; `papers`, which lies beside it, is a floor of the same program."""
     floor = cli_floor_of(path.removeprefix("cli/"))
     allowed = CLI_FLOORS.get(floor and floor.partition("/")[0], set()) | {floor}
     for name in names:
         if floor and cli_floor_of(name) not in allowed:
-            yield f"{path}: floor cli/{floor} must not include {name}"
+            yield f"{path}: floor {floor} of the command must not include {name}"
 
 
 def include_breaches(sources):
@@ -107,8 +107,8 @@ def include_breaches(sources):
             yield from library_breaches(path, names)
             if quoted:
                 yield f"{path}: wanted #include <orispline/...>, found one with quotes"
-        if path.startswith("cli/"):
-            graph[path] |= {f"cli/{name}" for name in quoted}
+        if path.startswith(("cli/", "papers/")):
+            graph[path] |= {name if name.startswith("papers/") else f"cli/{name}" for name in quoted}
             yield from cli_breaches(path, quoted)
         yield from face_breaches(path, names)
         if path.startswith("examples/"):
