@@ -2,7 +2,6 @@
 #include "options/option_text.hpp"
 
 #include <orispline/base/formatted.hpp>
-#include <orispline/base/pieces.hpp>
 #include <orispline/fields/typed_numbers.hpp>
 
 namespace orispline::cli {
@@ -84,10 +83,6 @@ Expected<std::pair<std::string_view, std::string_view>> assignment_in(OptionText
   if (equals == 0 || equals == std::string_view::npos || equals + 1 == option.text.size())
     return wanted(option, "NAME=VALUE");
   return std::pair{option.text.substr(0, equals), option.text.substr(equals + 1)};
-}
-
-std::vector<std::string_view> pieces_of(std::string_view text, char separator) {
-  return orispline::pieces_of(text, separator);
 }
 
 }  // namespace orispline::cli

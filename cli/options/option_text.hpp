@@ -13,6 +13,7 @@
 
 #include <orispline/base/decimal.hpp>
 #include <orispline/base/expected.hpp>
+#include <orispline/base/pieces.hpp>
 #include <orispline/base/warning.hpp>
 #include <orispline/fields/words.hpp>
 #include <orispline/math/eigen.hpp>
@@ -54,9 +55,6 @@ struct OptionText {
 [[nodiscard]] Expected<Fraction> fraction_in(OptionText option, std::string_view what = {});
 /// The two sides of `NAME=VALUE`, neither empty.
 [[nodiscard]] Expected<std::pair<std::string_view, std::string_view>> assignment_in(OptionText option);
-
-/// The pieces between the separators; one empty piece for an empty text.
-[[nodiscard]] std::vector<std::string_view> pieces_of(std::string_view text, char separator);
 
 /// One word of an option's vocabulary and what it stands for.
 template <class T>
