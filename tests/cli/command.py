@@ -53,7 +53,7 @@ class CommandTest(unittest.TestCase):
         """`arguments` as one line of words, or as a list where a word holds blanks."""
         words = arguments.split() if isinstance(arguments, str) else arguments
         return subprocess.run([COMMAND, *words], cwd=self.folder, capture_output=True, text=True, encoding="utf-8",
-                              timeout=120, check=False, **options)
+                              check=False, **options)
 
     def output_of(self, arguments, **options):
         """Standard output of a run that has to succeed."""

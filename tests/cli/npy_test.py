@@ -60,7 +60,7 @@ class Arrays(CommandTest):
 
     def test_a_pipe_gets_the_same_bytes(self):
         piped = subprocess.run([COMMAND, *"sample keys.csv --count 5 --output-format npy".split()], cwd=self.folder,
-                               capture_output=True, check=True, timeout=60).stdout
+                               capture_output=True, check=True).stdout
         self.assertEqual(piped, self.bytes_of("sample keys.csv --count 5", "motion.npy"))
 
     @unittest.skipUnless(numpy, "no numpy")

@@ -74,7 +74,7 @@ class Animations(CommandTest):
     def test_the_validator_of_Khronos_finds_no_more_than_in_the_input(self):
         self.output_of(["reduce", str(self.MAGE), "--tolerance", "0.21deg", "-o", "small.glb"])
         done = subprocess.run(["node", ROOT / "tests/scenes/validate.mjs", self.MAGE, "small.glb"], cwd=self.folder,
-                              capture_output=True, text=True, timeout=120, check=False)
+                              capture_output=True, text=True, check=False)
         if done.returncode == 2:
             self.skipTest(done.stderr.strip())
         self.assertEqual(done.returncode, SUCCESS, done.stdout)

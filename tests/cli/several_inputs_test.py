@@ -1,14 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Commands that take several inputs: files, folders and lists, each with an output of its own."""
 import json
-import os
-import pathlib
 import resource
-import signal
-import subprocess
-import time
 
-from command import BAD_ACCESS, BAD_DATA, BAD_USAGE, COMMAND, KEYS, SUCCESS, CommandTest, main
+from command import BAD_ACCESS, BAD_DATA, BAD_USAGE, KEYS, SUCCESS, CommandTest, main
 
 BAD = "t,qw,qx,qy,qz\n0,1,0,0,0\n1,nan,0,0,0\n"
 NAN = "key 1: found 'nan', wanted a finite number (--drop-invalid drops such rows)"
@@ -160,20 +155,6 @@ class SeveralInputs(CommandTest):
         self.assertTrue(warnings[0].startswith("orispline: warning: a.csv: "), warnings)
         self.assertTrue(warnings[1].startswith("orispline: warning: 2 more inputs: "), warnings)
         self.assertEqual(warnings[0].split(": ", 3)[3], warnings[1].split(": ", 3)[3])
-
-    def test_interrupted_work_leaves_complete_files_only(self):
-        (self.folder / "many").mkdir()
-        for k in range(400):
-            self.write(f"many/{k}.csv", KEYS)
-        whole = self.output_of("sample keys.csv --rate 500")
-        words = "sample many --rate 500 --threads 4 --output-folder out --quiet".split()
-        for wait in (0.05, 0.1, 0.2):
-            with subprocess.Popen([COMMAND, *words], cwd=self.folder, stderr=subprocess.DEVNULL) as run:
-                time.sleep(wait)
-                run.send_signal(signal.SIGTERM)
-            for path in pathlib.Path(self.folder / "out").glob("*"):
-                self.assertTrue(path.name.endswith(".csv"), path)
-                self.assertEqual(path.read_text("utf-8"), whole)
 
 
 if __name__ == "__main__":

@@ -1,12 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """However a run ends, an output is the old file whole or the new file whole."""
-import concurrent.futures
+import contextlib
 import fcntl
 import itertools
 import os
 import pathlib
-import random
 import resource
 import signal
 import subprocess
@@ -14,11 +13,8 @@ import tempfile
 import time
 import unittest
 
-from command import BAD_ACCESS, COMMAND, SUCCESS, CommandTest, main, with_pages
+from command import BAD_ACCESS, COMMAND, CommandTest, main, with_pages
 
-RUNS = 100
-SEED = 20
-SIGNALS = (signal.SIGKILL, signal.SIGINT, signal.SIGTERM)
 COMMANDS = ("sample keys.csv --count 40000 --derivatives 3", "convert many.csv", "smooth some.csv",
             "reduce some.csv --tolerance 1e-3deg")
 OLD = "precious\n"
@@ -34,36 +30,42 @@ class TornOutput(CommandTest):
         self.write("many.csv", keys(20000))
         self.write("some.csv", keys(500))
 
-    def started(self, command, output):
-        return subprocess.Popen([COMMAND, *command.split(), "-o", output], cwd=self.folder, stderr=subprocess.DEVNULL)
+    @contextlib.contextmanager
+    def waiting(self, output):
+        """A run that has written a part of its output, and waits for more keys, which do not come."""
+        part = self.folder / f"{output}.part"
+        with subprocess.Popen([COMMAND, *"sample - --rate 2 -o".split(), output], cwd=self.folder, stdin=subprocess.PIPE,
+                              stderr=subprocess.DEVNULL) as process:
+            process.stdin.write(keys(40000).encode())
+            process.stdin.flush()
+            while process.poll() is None and not (part.exists() and part.stat().st_size > 0):
+                time.sleep(0.01)
+            yield process, part
 
-    def whole_runs(self):
-        """The complete output and the duration [s] of each command."""
-        for i, command in enumerate(COMMANDS):
-            begun = time.monotonic()
-            self.assertEqual(self.started(command, f"whole{i}.csv").wait(60), SUCCESS)
-            yield self.read(f"whole{i}.csv"), time.monotonic() - begun
+    def test_a_signal_leaves_the_old_file_and_the_next_run_removes_the_part_of_a_killed_one(self):
+        for sent in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGKILL):
+            with self.subTest(sent.name):
+                self.write("out.csv", OLD)
+                with self.waiting("out.csv") as (process, part):
+                    process.send_signal(sent)
+                    self.assertEqual(process.wait(), -sent)
+                self.assertEqual(self.read("out.csv"), OLD)
+                self.assertEqual(part.exists(), sent == signal.SIGKILL)
+        self.output_of("convert keys.csv -o out.csv --quiet")
+        self.assertFalse(part.exists())
 
-    def test_a_signal_at_any_moment_tears_nothing(self):
-        whole = list(self.whole_runs())
-        dice = random.Random(SEED)
-
-        def ended(i):
-            """What the file holds after a signal, what it may hold, and the signal."""
-            which, sent, moment = i % len(COMMANDS), SIGNALS[i % len(SIGNALS)], dice.random()
-            output = self.folder / f"out{i}.csv"
-            output.write_text(OLD, "utf-8")
-            process = self.started(COMMANDS[which], output.name)
-            time.sleep(moment * whole[which][1])
-            process.send_signal(sent)
-            code = process.wait(60)
-            return output, {-sent: {OLD, whole[which][0]}, SUCCESS: {whole[which][0]}}.get(code, set()), sent
-
-        with concurrent.futures.ThreadPoolExecutor(2) as pool:
-            for output, allowed, sent in pool.map(ended, range(RUNS)):
-                self.assertIn(output.read_text("utf-8"), allowed, f"{output.name} after signal {sent}")
-                if sent != signal.SIGKILL:
-                    self.assertFalse(output.with_name(output.name + ".part").exists(), output.name)
+    def test_a_signal_leaves_the_outputs_that_are_complete(self):
+        os.mkfifo(self.folder / "waits.csv")
+        words = "sample keys.csv some.csv waits.csv --rate 2 --threads 4 --output-folder out --quiet".split()
+        whole = {name: self.output_of(f"sample {name} --rate 2") for name in ("keys.csv", "some.csv")}
+        done = [self.folder / "out" / name for name in whole]
+        with subprocess.Popen([COMMAND, *words], cwd=self.folder, stderr=subprocess.DEVNULL) as process:
+            with open(self.folder / "waits.csv", "w", encoding="utf-8"):  # opened as soon as it is read
+                while process.poll() is None and not all(path.exists() for path in done):
+                    time.sleep(0.01)
+                process.send_signal(signal.SIGTERM)
+                self.assertEqual(process.wait(), -signal.SIGTERM)
+        self.assertEqual({path.name: path.read_text("utf-8") for path in (self.folder / "out").iterdir()}, whole)
 
     def test_a_file_that_may_not_grow_leaves_the_old_one(self):
         def limited(handler):
@@ -79,22 +81,12 @@ class TornOutput(CommandTest):
                 self.assertEqual(self.read("out.csv"), OLD)
                 self.assertFalse((self.folder / "out.csv.part").exists())
 
-    def test_what_a_killed_run_leaves_the_next_one_removes(self):
-        for i, command in enumerate(COMMANDS):
+    def test_every_command_removes_the_part_that_a_killed_run_left(self):
+        for command in COMMANDS:
             with self.subTest(command):
-                output = self.folder / f"next{i}.csv"
-                part = output.with_name(output.name + ".part")
-                process = self.started(command, output.name)
-                deadline = time.monotonic() + 60
-                while not part.exists() and process.poll() is None and time.monotonic() < deadline:
-                    time.sleep(1e-4)
-                process.kill()
-                process.wait(60)
-                if not part.exists():
-                    part.write_text("torn", "utf-8")  # it was done before it could be killed
-                done = self.run_command(command.split() + ["-o", output.name])
-                self.assertEqual(done.returncode, SUCCESS)
-                self.assertFalse(part.exists())
+                self.write("out.csv.part", "torn")
+                self.output_of(f"{command} -o out.csv --quiet")
+                self.assertFalse((self.folder / "out.csv.part").exists())
 
     def test_a_run_leaves_the_part_of_another_that_lives(self):
         self.output_of("convert keys.csv -o out.csv --quiet")

@@ -36,7 +36,7 @@ TrackSamples of_grid(const PoseCurve& curve, const SampleGrid& grid) {
 }
 
 TEST_P(EveryMethodOfRequests, HasAllSamplesOfARequestHeldAtTheEndsWhereThereIsNoCurve) {
-  const KeyframeData data = walk(830, GetParam().is_global() ? 30 : 90);
+  const KeyframeData data = walk(830, GetParam().is_global() ? 16 : 90);
   const PoseCurve whole = make_pose_curve(GetParam().name, keyframes(data, Signs::shortest)).value();
   const Domain domain = whole.orientation.domain();
   const auto at = [&](double share) {

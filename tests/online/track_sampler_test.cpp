@@ -33,7 +33,7 @@ INSTANTIATE_TEST_SUITE_P(Methods, EveryMethodOfTracks, testing::ValuesIn(familie
 });
 
 TEST_P(EveryMethodOfTracks, HasTheSamplesOfTheWholeCurveHoweverItsKeysAreCut) {
-  const std::size_t count = GetParam().is_global() ? 40 : 150;
+  const std::size_t count = GetParam().is_global() ? 24 : 150;
   for (const std::uint64_t seed : {801u, 802u, 803u}) {
     const KeyframeData data = walk(seed, count);
     const PoseCurve whole = make_pose_curve(GetParam().name, keyframes(data, Signs::shortest)).value();

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <chrono>
 #include <filesystem>
 
 #include <gtest/gtest.h>
@@ -219,13 +218,9 @@ Eigen::Quaterniond turn(double degrees, const Eigen::Vector3d& axis) {
   return Eigen::Quaterniond(Eigen::AngleAxisd(degrees * 3.14159265358979323846 / 180.0, axis));
 }
 
-TEST_F(CmuFile, HasTheProductsOfItsTurnsAndIsReadQuickly) {
-  const auto begin = std::chrono::steady_clock::now();
+TEST_F(CmuFile, HasTheProductsOfItsTurns) {
   const auto scene = read_scene(path);
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
   ASSERT_TRUE(scene) << describe(scene.error());
-  RecordProperty("seconds", std::to_string(took.count()));
-  EXPECT_LT(took.count(), 5.0);  // under sanitizers too
   const Clip& clip = scene->clips[0];
   ASSERT_EQ(clip.rotations.size(), 31u);
   ASSERT_EQ(clip.rotations[0].size(), 2752u);
