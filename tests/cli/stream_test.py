@@ -4,6 +4,7 @@
 
 With --sort all keys are held; sorting those that are in order changes nothing.
 """
+import functools
 import itertools
 import json
 import math
@@ -32,6 +33,7 @@ def keys(count, seed=1):
         yield round(t, 6), [scale * c for c in q], [10 * math.sin(0.3 * t), 0.1 * i, 1e4 - t]
 
 
+@functools.cache
 def csv(count, seed=1):
     rows = ["t,qw,qx,qy,qz,px,py,pz"]
     rows += [",".join(map(repr, (t, *q, *p))) for t, q, p in keys(count, seed)]

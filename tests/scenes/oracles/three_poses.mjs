@@ -1,25 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where three.js has the joints of a file in the world: node three_poses.mjs FILE CLIP TIME...
 // One line for each joint and time: name, time, px py pz, qw qx qy qz, separated by tabs. FILE is .glb or .bvh.
-import { createRequire } from 'node:module';
 import { readFileSync } from 'node:fs';
-import { pathToFileURL } from 'node:url';
-import path from 'node:path';
-
-function modules() {
-  const require = createRequire(import.meta.url);
-  for (const folder of [...(process.env.NODE_PATH ?? '').split(path.delimiter), 'node_modules'].filter(Boolean)) {
-    try {
-      return path.dirname(require.resolve(path.join(folder, 'three/package.json')));
-    } catch {}
-  }
-  console.error('no three: `npm install three` anywhere, and name its node_modules in NODE_PATH');
-  process.exit(77);
-}
-
-const folder = modules();
-const load = (file) => import(pathToFileURL(path.join(folder, file)));
-const THREE = await load('build/three.module.js');
+import * as THREE from 'three';
 
 /** A glTF file without what needs a screen to be loaded. */
 function bare(bytes) {
@@ -39,14 +22,14 @@ function bare(bytes) {
 async function opened(file) {
   const bytes = readFileSync(file);
   if (file.toLowerCase().endsWith('.bvh')) {
-    const { BVHLoader } = await load('examples/jsm/loaders/BVHLoader.js');
+    const { BVHLoader } = await import('three/addons/loaders/BVHLoader.js');
     const { skeleton, clip } = new BVHLoader().parse(bytes.toString('utf8'));
     const root = new THREE.Group();
     root.add(skeleton.bones[0]);
     return { root, clips: [clip] };
   }
   globalThis.self ??= globalThis;
-  const { GLTFLoader } = await load('examples/jsm/loaders/GLTFLoader.js');
+  const { GLTFLoader } = await import('three/addons/loaders/GLTFLoader.js');
   const { scene, animations } = await new GLTFLoader().parseAsync(bare(bytes), '');
   return { root: scene, clips: animations };
 }
