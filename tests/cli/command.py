@@ -10,6 +10,7 @@ import re
 import signal
 import struct
 import subprocess
+import sys
 import tempfile
 import termios
 import unittest
@@ -133,4 +134,7 @@ def table_of(text):
 def main():
     # Shells let programs in the background ignore Ctrl-C, and children inherit that; here the command is to hear it.
     signal.signal(signal.SIGINT, signal.default_int_handler)
-    unittest.main()
+    result = unittest.main(exit=False).result
+    for test, reason in result.skipped:
+        print(f"skipped: {test.id().partition('.')[2]}: {reason}")
+    sys.exit(not result.wasSuccessful())

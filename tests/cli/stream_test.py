@@ -62,7 +62,7 @@ class Streamed(CommandTest):
         self.assertGreaterEqual(len(methods), 28)
         for method in methods:
             with self.subTest(method["name"]):
-                self.assert_same(f"keys.csv --method {method['name']} --rate 70 --derivatives 3")
+                self.assert_same(f"keys.csv --method {method['name']} --rate 25 --derivatives 3")
 
     def test_rates_far_above_and_far_below_that_of_the_keys(self):
         self.write("keys.csv", csv(self.COUNT))
@@ -88,8 +88,8 @@ class Streamed(CommandTest):
         for name, text in texts.items():
             self.write(name, text)
             for suffix in ("csv", "tum", "npy"):
-                self.assert_same(f"{name} --rate 100", suffix)
-            self.assert_same(f"{name} --rate 100 --output-format euroc")
+                self.assert_same(f"{name} --rate 25", suffix)
+            self.assert_same(f"{name} --rate 25 --output-format euroc")
 
     def test_options_of_reading_and_of_writing(self):
         self.write("keys.csv", csv(20000))

@@ -30,9 +30,16 @@ export const tooWide = (page) =>
 
 export const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 
+/** Waits for frames instead of time: one for the sizes, one for what is drawn in them, one for what that changes. */
+export const drawn = (page) =>
+  page.evaluate(async () => {
+    for (let frame = 0; frame < 3; ++frame) await new Promise(requestAnimationFrame);
+  });
+
 /** Opens a file; the page's complaints and what it asks of the network are collected in it. */
 export async function open(browser, file, options = {}) {
   const page = await browser.newPage({ viewport: { width: 1400, height: 1000 }, ...options });
+  page.setDefaultTimeout(0); // other work may be beside it
   const complaints = [];
   const requests = [];
   page.on('console', (message) => message.type() === 'error' && complaints.push(message.text()));

@@ -5,7 +5,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { faultsOf, launch, open, phone, tooWide } from './browser.mjs';
+import { drawn, faultsOf, launch, open, phone, tooWide } from './browser.mjs';
 
 const template = readFileSync(new URL('../dist/index.html', import.meta.url), 'utf8');
 const folder = mkdtempSync(join(tmpdir(), 'orispline-page-'));
@@ -45,7 +45,7 @@ const reportWith = (name, changes, steps, options = {}) =>
     const file = join(folder, 'report.html');
     writeFileSync(file, template.replace('__ORISPLINE_REPORT_DATA__', () => JSON.stringify({ ...empty, ...changes })));
     const page = await open(browser, file, options);
-    await page.waitForTimeout(200);
+    await drawn(page);
     await steps(page);
     await page.finish();
   });
@@ -88,7 +88,7 @@ const crowd = { t: times, q: times.flatMap((t) => [Math.cos(t), 0, Math.sin(t), 
 const lasting = { ...samples, t: [0, times.at(-1)] };
 reportWith('of very many keys opens and plays', { keys: crowd, methods: [method('a', { samples: lasting })] }, async (page) => {
   await page.getByRole('button', { name: 'Play' }).click();
-  await page.waitForFunction(() => Number.parseFloat(document.querySelector('output').textContent) > 0.5, null, { timeout: 5000 });
+  await page.waitForFunction(() => Number.parseFloat(document.querySelector('output').textContent) > 0.5);
 });
 
 const later = { ...samples, t: [0.25, 0.75], error_deg: [1, null] };
@@ -163,7 +163,7 @@ reportWith('with a gap shows nothing in it', { methods: [method('a', { samples: 
   assert.match(await said('w'), /a 1\.000/);
   const before = await scene.screenshot();
   await page.locator('input[type=range]').fill('0.5');
-  await page.waitForTimeout(100);
+  await drawn(page);
   for (const quantity of ['angle', 'w', 'a', 'j']) assert.match(await said(quantity), /a –/);
   assert.match(await said('angle'), /reference –/);
   assert.ok((await pixels(page, 'angle', grey, [0.1, 0.3])) > 20);

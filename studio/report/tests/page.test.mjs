@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { faultsOf, launch, open, phone, tooWide } from './browser.mjs';
+import { drawn, faultsOf, launch, open, phone, tooWide } from './browser.mjs';
 
 const file = process.env.FLIGHT_PAGE;
 const data = JSON.parse(/id="report-data">(.*?)<\/script>/s.exec(readFileSync(file, 'utf8'))[1]);
@@ -107,13 +107,13 @@ onPage('switches the methods from the table and from the menus', {}, async (page
 onPage('plays, pauses and goes on', {}, async (page) => {
   const scene = page.locator('.stages figure.first');
   await moveTo(page, timeStart + 15);
-  await page.waitForTimeout(300);
+  await drawn(page);
   const before = await scene.screenshot();
   await page.getByRole('button', { name: 'Play' }).click();
   await page.waitForFunction((from) => Number.parseFloat(document.querySelector('output').textContent) > from + 0.5, timeStart + 15);
   await page.getByRole('button', { name: 'Pause' }).click();
   const paused = await clock(page);
-  await page.waitForTimeout(300);
+  await drawn(page);
   assert.equal(await clock(page), paused);
   assert.notDeepEqual(await scene.screenshot(), before);
   await page.keyboard.press('Tab');
@@ -131,7 +131,7 @@ onPage('begins again at the end', {}, async (page) => {
 onPage('has one cursor in all plots and in the bar', {}, async (page) => {
   const { x, y } = await placeIn(page, 'w', 0.4);
   await page.mouse.move(x, y);
-  await page.waitForTimeout(100);
+  await drawn(page);
   assert.ok(Math.abs((await clock(page)) - (timeStart + 0.4 * (timeEnd - timeStart))) < 0.1);
   const places = await cursors(page);
   assert.equal(places.length, 6);
@@ -157,14 +157,14 @@ onPage('shows a stretch of time in all plots, and all of it after a double click
   await page.mouse.up();
   const elsewhere = await placeIn(page, 'a', 0.5);
   await page.mouse.move(elsewhere.x, elsewhere.y);
-  await page.waitForTimeout(100);
+  await drawn(page);
   const middle = timeStart + 0.375 * (timeEnd - timeStart);
   assert.ok(Math.abs((await clock(page)) - middle) < 0.2, `${await clock(page)}`);
   await page.mouse.dblclick(elsewhere.x, elsewhere.y);
-  await page.waitForTimeout(500);
+  await drawn(page);
   const again = await placeIn(page, 'angle', 0.25);
   await page.mouse.move(again.x, again.y);
-  await page.waitForTimeout(100);
+  await drawn(page);
   assert.ok(Math.abs((await clock(page)) - (timeStart + 0.25 * (timeEnd - timeStart))) < 0.2);
 });
 
@@ -174,7 +174,7 @@ onPage('draws other bodies, other axes and other places', {}, async (page) => {
   const pictures = [];
   for (const [label, choice] of [['Body', 'aircraft'], ['Body', 'box'], ['Body', 'axes'], ['Seen', 'path'], ['Seen', 'fixed'], ['Axis', 'y'], ['Axis', 'z']]) {
     await page.locator(`.controls label:has-text("${label}") select`).selectOption(choice);
-    await page.waitForTimeout(300);
+    await drawn(page);
     pictures.push((await scenes.screenshot()).toString('base64'));
   }
   assert.equal(new Set(pictures).size, pictures.length);
@@ -203,7 +203,7 @@ onPage('fits on a phone, and follows a finger', phone, async (page) => {
   assert.deepEqual(await tooWide(page), []);
   const { x, y } = await placeIn(page, 'angle', 0.6);
   await page.touchscreen.tap(x, y);
-  await page.waitForTimeout(100);
+  await drawn(page);
   assert.ok(Math.abs((await clock(page)) - (timeStart + 0.6 * (timeEnd - timeStart))) < 0.3);
 });
 
@@ -247,7 +247,7 @@ test('has its picture taken', { skip: !process.env.PICTURES }, async () => {
   for (const [name, { width = 1400, height, colorScheme }] of Object.entries(pictures)) {
     const page = await open(browser, file, { viewport: { width, height }, colorScheme });
     await moveTo(page, 16);
-    await page.waitForTimeout(600);
+    await drawn(page);
     await page.screenshot({ path: join(process.env.PICTURES, `${name}.png`) });
     await page.finish();
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A picture of a report: node tests/picture.mjs PAGE PICTURE.png [METHOD BESIDE SECONDS]
-import { launch, open } from './browser.mjs';
+import { drawn, launch, open } from './browser.mjs';
 
 const [file, picture, method, beside, seconds] = process.argv.slice(2);
 const browser = await launch();
@@ -12,7 +12,7 @@ if (seconds)
     input.value = time;
     input.dispatchEvent(new Event('input'));
   }, seconds);
-await page.waitForTimeout(600);
+await drawn(page);
 await page.screenshot({ path: picture });
 await page.finish();
 await browser.close();

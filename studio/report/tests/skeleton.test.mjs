@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { faultsOf, launch, open, phone, tooWide } from './browser.mjs';
+import { drawn, faultsOf, launch, open, phone, tooWide } from './browser.mjs';
 
 const file = process.env.ARM_PAGE;
 const data = JSON.parse(/id="report-data">(.*?)<\/script>/s.exec(readFileSync(file, 'utf8'))[1]);
@@ -19,7 +19,7 @@ after(() => browser.close());
 const onPage = (name, options, steps) =>
   test(`of a skeleton ${name}`, async () => {
     const page = await open(browser, file, options);
-    await page.waitForTimeout(100);
+    await drawn(page);
     await steps(page);
     await page.finish();
   });
@@ -91,7 +91,7 @@ onPage('plots both tolerances, and the errors of the chosen joint', {}, async (p
   const plot = page.locator('[data-quantity=angle] .frame');
   const picture = await plot.screenshot();
   await choice(page, 'Joint').selectOption({ label: 'elbow' });
-  await page.waitForTimeout(100);
+  await drawn(page);
   assert.notDeepEqual(await plot.screenshot(), picture);
 });
 
@@ -110,7 +110,7 @@ onPage('has one cursor, at the time that is shown', {}, async (page) => {
 onPage('moves, by the button and by the space bar, and begins again at the end of the clip', {}, async (page) => {
   await page.locator('tr[data-clip="swing 6"] th').click();
   const scene = page.locator('.skeleton .frame');
-  await page.waitForTimeout(300);
+  await drawn(page);
   const still = await scene.screenshot();
   await page.getByRole('button', { name: 'Play' }).click();
   await page.waitForFunction(() => Number.parseFloat(document.querySelector('output').textContent) > 0.8);
@@ -129,7 +129,7 @@ onPage('is seen from all sides, on its path, and with its differences magnified'
   const scene = page.locator('.skeleton .frame');
   const pictures = [];
   const take = async () => {
-    await page.waitForTimeout(300);
+    await drawn(page);
     pictures.push((await scene.screenshot()).toString('base64'));
   };
   for (const name of ['Front', 'Side', 'Back', 'Above']) {
@@ -166,7 +166,7 @@ onPage('fits on a phone, and follows a finger', phone, async (page) => {
   await over.scrollIntoViewIfNeeded();
   const { x, y, width, height } = await over.boundingBox();
   await page.touchscreen.tap(x + 0.6 * width, y + height / 2);
-  await page.waitForTimeout(100);
+  await drawn(page);
   const { start, end } = clips[0];
   assert.ok(Math.abs((await clock(page)) - (start + 0.6 * (end - start))) < 0.1);
 });
@@ -194,7 +194,7 @@ const pictures = { light: { height: 1500 }, dark: { height: 1500, colorScheme: '
 test('of a skeleton has its picture taken', { skip: !process.env.PICTURES }, async () => {
   for (const [name, { width = 1400, height, colorScheme }] of Object.entries(pictures)) {
     const page = await open(browser, file, { viewport: { width, height }, colorScheme });
-    await page.waitForTimeout(600);
+    await drawn(page);
     await page.screenshot({ path: join(process.env.PICTURES, `skeleton-${name}.png`) });
     await page.finish();
   }
