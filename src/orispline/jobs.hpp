@@ -7,6 +7,7 @@
 #include <orispline/jobs/compare.hpp>
 #include <orispline/jobs/curve_of_keys.hpp>
 #include <orispline/jobs/inspect.hpp>
+#include <orispline/jobs/reduce.hpp>
 #include <orispline/jobs/retime.hpp>
 #include <orispline/jobs/sample.hpp>
 #include <orispline/jobs/tune.hpp>

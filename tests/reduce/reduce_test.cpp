@@ -203,7 +203,7 @@ TEST(Reduce, SaysWhatItCannotDo) {
   for (const auto& [position, shown] : {std::pair(0.0, "0"), {-1.0, "-1"}, {std::nan(""), "nan"}})
     EXPECT_EQ(error("auto", recording, {.angle = 0.1, .position = position}),
               std::string("position_tolerance: found ") + shown + " m, wanted more than 0");
-  EXPECT_EQ(error("slerp", about_an_axis({0.0}), {.angle = 0.1}), "found 1 sample, wanted at least 2");
+  EXPECT_EQ(error("slerp", about_an_axis({0.0}), {.angle = 0.1}), "found 1 sample, wanted 2 or more");
   EXPECT_EQ(
       error("rotation-spline", recording, {.angle = 0.1}),
       "rotation-spline: found a method that depends on all keys, wanted a local one through its keys, such as auto");

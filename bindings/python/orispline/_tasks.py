@@ -84,7 +84,7 @@ def _reduced(tracks: Sequence[Keys], tolerance: Any, method: Any, smooth: bool, 
     arguments = (methods, stated, smoothing, checked_threads(threads))
     cores = _core.reduce([keys._core for keys in tracks], *arguments)
     for core in cores:
-        tell(core.smoothing.warnings if core.smoothing else [])
+        tell(core.warnings)
     return [Reduction._of(core, keys, arguments) for core, keys in zip(cores, tracks)]
 
 
@@ -120,6 +120,11 @@ def reduce(keys: Keys, tolerance: Any, *, method: Any = None, smooth: bool = Fal
         Fewer than two samples, or a position tolerance for a recording without positions.
     ConvergenceError
         No smooth motion was found.
+
+    Warns
+    -----
+    ShapeWarning
+        Positions without a tolerance, and what `orispline.smooth` warns of.
 
     Examples
     --------

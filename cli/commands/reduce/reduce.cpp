@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/reduce/reduce.hpp"
 
+#include <memory>
 #include <utility>
 
+#include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
-#include <orispline/pages/task_pages.hpp>
-#include <orispline/reduce/clip_reduction.hpp>
+#include <orispline/io/track_file.hpp>
+#include <orispline/jobs/reduce.hpp>
 #include <orispline/reduce/reduce_fields.hpp>
 
-#include "commands/reduce/reduce_report.hpp"
 #include "commands/reduce/reduce_scene.hpp"
-#include "commands/reduce/reduce_track.hpp"
 #include "options/file_places.hpp"
 #include "options/scene_input.hpp"
 #include "options/threads.hpp"
 #include "output/each_input.hpp"
 #include "output/keys_file.hpp"
 #include "output/noted_output.hpp"
-#include "output/smoothing_text.hpp"
+#include "output/repairs_text.hpp"
 #include "output/standard_output.hpp"
 
 namespace orispline::cli {
@@ -28,10 +28,7 @@ namespace {
 struct Request {
   InputRequest input;
   io::SampleColumns columns;
-  std::vector<Method> methods;
-  orispline::ReduceOptions reduction;
-  std::optional<orispline::SmoothOptions> smoothing;
-  unsigned threads = 1;
+  jobs::ReduceRequest job;
 };
 
 /// What the files ask of each other.
@@ -48,6 +45,7 @@ Expected<InputRequest> input_in(const ReduceOptions& options) {
   return input_request(options.input).map([](InputRequest request) {
     request.read.rate_orders = 0;
     request.read.keep_exact_times = true;
+    request.read.keep_as_read = true;
     return request;
   });
 }
@@ -66,7 +64,7 @@ Expected<std::vector<Method>> methods_in(const ReduceOptions& options) {
     });
   if (any_given(options.shape))
     return usage_failure("options that shape a curve want --method with one method as well");
-  return std::vector<Method>(orispline::reducing_methods.begin(), orispline::reducing_methods.end());
+  return jobs::ReduceRequest().methods;
 }
 
 Expected<io::SampleColumns> columns_in(const ReduceOptions& options) {
@@ -97,73 +95,49 @@ Expected<Request> request_in(const ReduceOptions& options) {
   FirstError checked;
   Request request{.input = checked(input_in(options)),
                   .columns = checked(columns_in(options)),
-                  .methods = checked(methods_in(options)),
-                  .reduction = checked(options_in<orispline::ReduceOptions>(options.reduction)),
-                  .smoothing = checked(smoothing_wanted(options)),
-                  .threads = static_cast<unsigned>(checked(threads_in(options.inputs.threads)))};
-  if (request.methods.size() == 1)  // the settings of one method may stand in columns
-    request.input.read.parameters = open_parameters(request.methods.front());
+                  .job = {.recordings = {},
+                          .methods = checked(methods_in(options)),
+                          .options = checked(options_in<orispline::ReduceOptions>(options.reduction)),
+                          .smoothing = checked(smoothing_wanted(options)),
+                          .threads = static_cast<unsigned>(checked(threads_in(options.inputs.threads)))}};
+  if (request.job.methods.size() == 1)  // the settings of one method may stand in columns
+    request.input.read.parameters = open_parameters(request.job.methods.front());
   auto read = std::move(checked).or_else(std::move(request));
   if (!read) return read;
   return agree(options).map([&] { return std::move(*read); });
 }
 
-Expected<void> check_positions(const ReducedTrack& track, const orispline::Tolerance& tolerance) {
-  if (!track.samples().positions().empty()) {
-    if (!tolerance.bounds_positions())
-      warn("positions are kept but not checked; add --position-tolerance LENGTH to bound them");
-    return {};
+/// What is wrong in the words of files and of the command.
+Error in_words(const ReduceOptions& options, Error error) {
+  if (error.code == ErrorCode::bad_data && error.option == "position_tolerance") {
+    error.message = "found no positions, wanted columns px,py,pz for `position_tolerance`";
+    error.option.clear();
   }
-  if (!tolerance.bounds_positions()) return {};
-  return failure(ErrorCode::bad_data, "found no positions, wanted columns px,py,pz for --position-tolerance",
-                 {.file = track.recording.track.name});
+  return said_of_cutoff(options.smoothness, std::move(error));
 }
 
-Expected<std::vector<orispline::Reduction>> reductions_of(const Request& request, const ReducedTrack& track) {
-  auto found = orispline::reduce_tracks({&track.reduced, 1}, request.methods, request.reduction, request.threads);
-  return std::move(found.front());
+Expected<jobs::ReduceOutcome> reduced(const ReduceOptions& options, jobs::ReduceRequest request, io::TrackFile file) {
+  request.recordings = {std::make_shared<const Track>(std::move(file.track))};
+  auto outcome = std::move(jobs::reduce(request).front());
+  if (!outcome) return tl::unexpected(in_words(options, std::move(outcome.error())));
+  outcome->mended = cli::text_of(file.repairs);
+  return outcome;
 }
 
-Expected<ReduceReport> report_of(const Request& request, const ReducedTrack& track,
-                                 std::vector<orispline::Reduction> reductions) {
-  const std::size_t chosen = orispline::smallest(reductions);
-  ReduceReport report{.input = request.input.path,
-                      .output = {},
-                      .samples = track.samples().size(),
-                      .repairs = track.recording.repairs,
-                      .options = request.reduction,
-                      .reductions = std::move(reductions),
-                      .chosen = chosen,
-                      .times = track.recording.track.exact_times,
-                      .lines = track.recording.track.lines,
-                      .smoothed = {}};
-  if (!track.smoothing) return report;
-  const orispline::Reduction& reduction = report.reductions[chosen];
-  const Keyframes& raw = track.recording.track.keys;
-  const auto distance = orispline::distance_of(reduction, raw, track.smoothing->rejected);
-  if (!distance) return tl::unexpected(distance.error());
-  SmoothedFirst smoothed{.smoothing = *track.smoothing, .raw = *distance};
-  if (const auto& positions = track.smoothing->positions) {
-    const auto of_positions = orispline::position_distance_of(reduction, raw, positions->rejected);
-    if (!of_positions) return tl::unexpected(of_positions.error());
-    smoothed.raw_positions = *of_positions;
-  }
-  report.smoothed = std::move(smoothed);
-  return report;
+/// The keys of the best curve, and where they were written.
+struct ReducedKeys : Written<jobs::ReduceOutcome> {};
+
+std::string text_of(const ReducedKeys& written) {
+  const Reduction& chosen = written.outcome.chosen();
+  return summary_of(written.outcome) + formatted("{} written to {}; they are for --method {}\n",
+                                                 counted(chosen.samples.size(), "key"), destination(written.output),
+                                                 chosen.method.name);
 }
 
-Expected<ReduceReport> reduced(const Request& request, const ReducedTrack& track) {
-  return reductions_of(request, track).and_then([&](std::vector<orispline::Reduction> reductions) {
-    return report_of(request, track, std::move(reductions));
-  });
-}
-
-Expected<void> write(const ReduceReport& report, const io::SampleColumns& columns) {
-  const Track& keys = report.reductions[report.chosen].track;
-  return check_settings_fit(keys, columns, report.output, "the tolerance holds").and_then([&] {
-    io::SampleColumns filled = columns;
-    filled.derivatives = keys.keys.angular_velocities().empty() ? 0 : 1;
-    return write_keys(report.output, keys, filled);
+Expected<void> write(const Track& keys, const std::string& path, io::SampleColumns columns) {
+  columns.derivatives = keys.keys.angular_velocities().empty() ? 0 : 1;
+  return check_settings_fit(keys, columns, path, "the tolerance holds").and_then([&] {
+    return write_keys(path, keys, columns);
   });
 }
 
@@ -174,25 +148,20 @@ Expected<void> reduce_one(const ReduceOptions& options) {
   auto page = ReportFile::open(options.report);
   if (!page) return tl::unexpected(std::move(page.error()));
   if (auto able = check_output(options.output.path); !able) return able;
-  const auto track = open_track(request->input, request->smoothing);
-  if (!track)
-    return tl::unexpected(
-        or_all_of_them(said_of_cutoff(options.smoothness, track.error()), "an output such as all.glb"));
-  warn(track->recording.warnings);
-  if (auto checked = check_positions(*track, request->reduction.tolerance); !checked) return checked;
-  if (track->smoothing) warn(remark_on(*track->smoothing, track->recording.track));
-  request->columns = columns_like(*track->recording.format, request->columns, options.output);
-  auto report = reduced(*request, *track);
-  if (!report) return tl::unexpected(std::move(report.error()));
-  report->output = options.output.path;
-  const auto make_page = [&](const auto& head) {
-    const auto smoothing_time = track->smoothing ? std::optional(track->smoothing->smoothing_time) : std::nullopt;
-    return pages::reduce_page(track->reduced, report->reductions, request->reduction, head, smoothing_time);
-  };
-  return page->write(make_page)
-      .and_then([&] { return write(*report, request->columns); })
+  auto file = io::read_track(request->input.path, request->input.read, request->input.signs);
+  if (!file) return tl::unexpected(or_all_of_them(std::move(file.error()), "an output such as all.glb"));
+  warn(file->warnings);
+  const io::SampleColumns columns = columns_like(*file->format, request->columns, options.output);
+  auto outcome = reduced(options, std::move(request->job), std::move(*file));
+  if (!outcome) return tl::unexpected(std::move(outcome.error()));
+  warn(outcome->warnings);
+  return page->write([&](const auto& head) { return page_of(*outcome, head); })
+      .and_then([&] { return write(outcome->chosen().track, options.output.path, columns); })
       .and_then([&] { return page->finish(); })
-      .and_then([&] { return summarise(options.summary, *report); });
+      .and_then([&] {
+        return summarise(options.summary,
+                         ReducedKeys{{options.input.path, options.output.path, "keys", std::move(*outcome)}});
+      });
 }
 
 }  // namespace

@@ -27,8 +27,8 @@ std::string name_of_model(std::size_t model) {
 
 }  // namespace
 
-std::string keys_text(const Track& keys) {
-  const std::string count = counted(keys.keys.size(), "key");
+std::string keys_text(const Track& keys, std::string_view one) {
+  const std::string count = counted(keys.keys.size(), one);
   return keys.name.empty() ? count : formatted("{} from {}", count, printable(keys.name));
 }
 

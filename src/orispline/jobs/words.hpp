@@ -15,8 +15,8 @@
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
 
-/// `5 keys from keys.csv`, without a file `5 keys`.
-[[nodiscard]] std::string keys_text(const Track& keys);
+/// `5 keys from keys.csv`, without a file `5 keys`; or what else they are.
+[[nodiscard]] std::string keys_text(const Track& keys, std::string_view one = "key");
 
 /// Times counted from elsewhere.
 [[nodiscard]] std::vector<double> shifted(std::span<const double> times, double shift);

@@ -64,7 +64,7 @@ Expected<void> check(const Keyframes& recording, const Tolerance& tolerance) {
     return bad_option("position_tolerance", formatted("found {:.6g} m, wanted {:.1e} m at least: the rounding of these "
                                                       "positions is not much smaller",
                                                       tolerance.position, smallest));
-  if (recording.size() < 2) return failure(ErrorCode::bad_data, "found 1 sample, wanted at least 2");
+  if (recording.size() < 2) return failure(ErrorCode::bad_data, "found 1 sample, wanted 2 or more");
   return {};
 }
 

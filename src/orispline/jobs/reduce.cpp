@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/jobs/reduce.hpp>
+
+#include <utility>
+
+#include <orispline/base/parallel.hpp>
+#include <orispline/jobs/chosen_method.hpp>
+#include <orispline/jobs/smoothing_words.hpp>
+
+namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
+
+namespace {
+
+Expected<void> check_positions(const Track& recording, const Tolerance& tolerance) {
+  if (!tolerance.bounds_positions() || !recording.keys.positions().empty()) return {};
+  return tl::unexpected(
+      placed(recording, {ErrorCode::bad_data, "found no positions, wanted some", {}, "position_tolerance"}));
+}
+
+std::vector<Warning> unchecked_positions(const Track& recording, const Tolerance& tolerance) {
+  if (tolerance.bounds_positions() || recording.keys.positions().empty()) return {};
+  return {{.code = "positions_unchecked",
+           .message = "positions are kept but not checked; add `position_tolerance` LENGTH to bound them"}};
+}
+
+Expected<ReduceOutcome> smoothed_first(ReduceOutcome outcome, const SmoothOptions& options, const Progress& progress) {
+  const Track& recording = *outcome.recording;
+  auto smoothing = orispline::smooth(recording, options, {.stop = progress.stop});
+  if (!smoothing) return tl::unexpected(recording.located(std::move(smoothing.error())));
+  for (Warning& warning : remark_on(*smoothing, recording)) outcome.warnings.push_back(std::move(warning));
+  outcome.smoothed = SmoothedFirst{.smoothing = std::move(*smoothing)};
+  return outcome;
+}
+
+/// The recording as it is to be reduced.
+Expected<ReduceOutcome> begun(const ReduceRequest& request, std::shared_ptr<const Track> recording,
+                              const Progress& progress) {
+  if (auto fits = check_positions(*recording, request.options.tolerance); !fits)
+    return tl::unexpected(std::move(fits.error()));
+  ReduceOutcome outcome{.recording = std::move(recording), .options = request.options};
+  outcome.warnings = unchecked_positions(*outcome.recording, request.options.tolerance);
+  return request.smoothing ? smoothed_first(std::move(outcome), *request.smoothing, progress) : std::move(outcome);
+}
+
+/// With the distances from the recording as it was.
+Expected<ReduceOutcome> measured_raw(ReduceOutcome outcome) {
+  SmoothedFirst& smoothed = *outcome.smoothed;
+  const Keyframes& raw = outcome.recording->keys;
+  const auto distance = distance_of(outcome.chosen(), raw, smoothed.smoothing.rejected);
+  if (!distance) return tl::unexpected(distance.error());
+  smoothed.raw = *distance;
+  if (const auto& positions = smoothed.smoothing.positions) {
+    const auto of_positions = position_distance_of(outcome.chosen(), raw, positions->rejected);
+    if (!of_positions) return tl::unexpected(of_positions.error());
+    smoothed.raw_positions = *of_positions;
+  }
+  return outcome;
+}
+
+Expected<ReduceOutcome> finished(ReduceOutcome outcome, Expected<std::vector<Reduction>> reductions) {
+  if (!reductions) return tl::unexpected(placed(*outcome.recording, std::move(reductions.error())));
+  outcome.reductions = std::move(*reductions);
+  return outcome.smoothed ? measured_raw(std::move(outcome)) : std::move(outcome);
+}
+
+}  // namespace
+
+const Reduction& ReduceOutcome::chosen() const { return reductions[smallest(reductions)]; }
+
+const Track& ReduceOutcome::reduced() const { return smoothed ? smoothed->smoothing.track : *recording; }
+
+std::vector<Expected<ReduceOutcome>> reduce(const ReduceRequest& request, const Progress& progress) {
+  std::vector<Expected<ReduceOutcome>> outcomes(request.recordings.size());
+  parallel_for(outcomes.size(), request.threads,
+               [&](std::size_t i) { outcomes[i] = begun(request, request.recordings[i], progress); });
+  std::vector<Track> tracks;
+  for (const auto& outcome : outcomes)
+    if (outcome) tracks.push_back(outcome->reduced());
+  auto reductions = reduce_tracks(tracks, request.methods, request.options, request.threads, progress);
+  auto next = reductions.begin();
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    if (outcomes[i]) outcomes[i] = finished(std::move(*outcomes[i]), std::move(*next++));
+    if (!outcomes[i] && outcomes.size() > 1) outcomes[i].error().where.curve = i;
+  }
+  return outcomes;
+}
+
+}}}  // namespace orispline::jobs

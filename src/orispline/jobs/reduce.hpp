@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <orispline/fields/json.hpp>
+#include <orispline/reduce/reduce.hpp>
+#include <orispline/smooth/smooth.hpp>
+
+namespace orispline { inline namespace ORISPLINE_ABI {
+
+namespace report {
+struct Page;
+}
+namespace pages {
+struct PageHead;
+}
+
+namespace jobs {
+
+struct ReduceRequest {
+  std::vector<std::shared_ptr<const Track>> recordings;
+  std::vector<Method> methods{reducing_methods.begin(), reducing_methods.end()};  ///< of which the best is taken
+  ReduceOptions options{};
+  std::optional<SmoothOptions> smoothing{};  ///< of every recording before; absent: they are reduced as they are
+  unsigned threads = 0;                      ///< at most so many at work; 0: one per core
+};
+
+/// What was done to a recording before, and how far the chosen curve is from it as it was [rad] and its path [m],
+/// samples that were rejected apart.
+struct SmoothedFirst {
+  Smoothing smoothing;
+  DistanceStatistics raw{};
+  std::optional<DistanceStatistics> raw_positions{};  ///< where there are positions
+};
+
+/// A recording with the reductions by each of the methods.
+struct ORISPLINE_EXPORT ReduceOutcome {
+  std::shared_ptr<const Track> recording;
+  ReduceOptions options{};
+  std::vector<Reduction> reductions{};
+  std::optional<SmoothedFirst> smoothed{};
+  std::vector<Warning> warnings{};
+  std::string mended{};  ///< what reading mended, as clauses: only the reader knows
+
+  /// The one with the fewest keys.
+  [[nodiscard]] const Reduction& chosen() const;
+  /// The recording that was reduced: the smoothed one, where that was asked for.
+  [[nodiscard]] const Track& reduced() const;
+};
+
+/// Of each recording. Errors: those of orispline::smooth() and orispline::reduce(), with their places, the recording's
+/// number among several in `curve`; bad_data for a tolerance of positions without any.
+[[nodiscard]] ORISPLINE_EXPORT std::vector<Expected<ReduceOutcome>> reduce(const ReduceRequest& request,
+                                                                           const Progress& progress = {});
+
+/// Described in docs/inspect-json.md, but for the names of files and the warnings.
+[[nodiscard]] ORISPLINE_EXPORT Json document_of(const ReduceOutcome& outcome);
+/// A few lines for people.
+[[nodiscard]] ORISPLINE_EXPORT std::string summary_of(const ReduceOutcome& outcome);
+/// The same in one, without an end.
+[[nodiscard]] ORISPLINE_EXPORT std::string line_of(const ReduceOutcome& outcome);
+/// With ORISPLINE_PAGE.
+[[nodiscard]] ORISPLINE_EXPORT report::Page page_of(const ReduceOutcome& outcome, const pages::PageHead& head);
+
+}  // namespace jobs
+
+}}  // namespace orispline
