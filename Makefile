@@ -37,7 +37,7 @@ test: build
 	cmake --preset clang-families
 	$(call timed,the families by Clang) cmake --build --preset clang-families -j $(JOBS)
 	$(call timed,tests of the families by Clang) ctest --preset clang-families -j $(JOBS)
-	$(call timed,the tests) ctest --preset release -j $(JOBS) --output-junit junit.xml
+	$(call timed,the tests) ctest --preset release -j $(JOBS) --output-junit junit.xml --test-output-size-passed 100000
 	$(call timed,the Python package) sh -c '$(call python_package,--test --or-skip)'
 	@tests/summary.py build/release/junit.xml
 	@tools/timed.py $(times) --table
