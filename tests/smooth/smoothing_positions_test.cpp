@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Positions are smoothed as orientations are: known truths, outliers, gaps, exact recordings, uneven and large times.
 #include <algorithm>
+#include <cstdlib>
 #include <ctime>
 
 #include <gtest/gtest.h>
@@ -272,6 +273,7 @@ TEST(SmoothPositions, ManyThatAreRejectedAreToldApart) {
 
 // Processor time in relation: ten times as many take some ten times as long, in quadratic time a hundred times.
 TEST(SmoothPositions, TakeLinearTime) {
+  if (!std::getenv("ORISPLINE_TIMING")) GTEST_SKIP() << "by the clock, which wants a machine that does nothing else";
   const auto seconds = [](std::size_t count) {
     const auto recording = on_path(even_times(count), 0.02);
     const SmoothingProblem problem{.times = recording.noisy.times,
