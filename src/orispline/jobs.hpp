@@ -9,4 +9,6 @@
 #include <orispline/jobs/inspect.hpp>
 #include <orispline/jobs/retime.hpp>
 #include <orispline/jobs/sample.hpp>
+#include <orispline/jobs/smooth.hpp>
+#include <orispline/jobs/smooth_clips.hpp>
 #include <orispline/jobs/tune.hpp>

@@ -157,9 +157,9 @@ nb::dict attributes_of_reduction(const ReduceTask& task) {
   return attributes;
 }
 
-std::optional<TaskResult<Smoothing>> smoothing_of(const ReduceTask& task) {
+std::optional<jobs::SmoothOutcome> smoothing_of(const ReduceTask& task) {
   if (!task.smoothed) return std::nullopt;
-  return TaskResult<Smoothing>{task.given, task.smoothed->smoothing};
+  return jobs::SmoothOutcome{{task.given.track}, task.smoothed->smoothing, task.smoothed->smoothing.warnings};
 }
 
 void write_report(const ReduceTask& task, const std::string& path, const std::string& date) {

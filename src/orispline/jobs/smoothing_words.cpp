@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "output/smoothing_text.hpp"
+#include <orispline/jobs/smoothing_words.hpp>
 
 #include <algorithm>
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/smooth/smooth_fields.hpp>
 
-namespace orispline::cli {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
 
 namespace {
 
-using orispline::Smoothing;
-using orispline::SmoothingCriterion;
-
-constexpr std::size_t places_shown = 10;
+constexpr std::size_t most_samples_shown = 10;
 
 /// `0.1 s (cut-off 1.59 Hz), by …`
 std::string choice_text(double smoothing_time, double cutoff, std::optional<SmoothingCriterion> criterion,
@@ -26,7 +23,7 @@ std::string choice_text(double smoothing_time, double cutoff, std::optional<Smoo
 }
 
 std::string choice_of_positions(const Smoothing& smoothing) {
-  const orispline::PositionSmoothing& found = *smoothing.positions;
+  const PositionSmoothing& found = *smoothing.positions;
   if (!found.smoothing_time) return "as they were, for hardly any noise was found beside their motion";
   return "smoothing time " +
          choice_text(*found.smoothing_time, *found.cutoff(), found.criterion, found.chosen_on, smoothing.keys.size());
@@ -34,14 +31,14 @@ std::string choice_of_positions(const Smoothing& smoothing) {
 
 }  // namespace
 
-std::string places_text(const std::vector<std::size_t>& samples, const std::vector<std::uint32_t>& lines,
-                        const std::vector<Decimal>& times) {
+std::string places_text(const std::vector<std::size_t>& samples, const Places& places) {
   std::string text;
-  for (std::size_t i = 0; i < std::min(samples.size(), places_shown); ++i)
-    text += formatted("{}{} ({} s)", i == 0 ? ": " : ", ",
-                      lines.empty() ? formatted("key {}", samples[i]) : formatted("line {}", lines[samples[i]]),
-                      times[samples[i]].to_string());
-  return text + (samples.size() > places_shown ? ", …" : "");
+  for (std::size_t i = 0; i < std::min(samples.size(), most_samples_shown); ++i)
+    text += formatted(
+        "{}{} ({} s)", i == 0 ? ": " : ", ",
+        places.lines.empty() ? formatted("key {}", samples[i]) : formatted("line {}", places.lines[samples[i]]),
+        places.time(samples[i]).to_string());
+  return text + (samples.size() > most_samples_shown ? ", …" : "");
 }
 
 std::string choice_line(const Smoothing& smoothing) {
@@ -63,4 +60,4 @@ std::vector<Warning> remark_on(const Smoothing& smoothing, const Track& recordin
   return remarks;
 }
 
-}  // namespace orispline::cli
+}}}  // namespace orispline::jobs
