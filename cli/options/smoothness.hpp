@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include <orispline/smooth/smooth.hpp>
+#include <orispline/smooth.hpp>
 
 #include "options/field_options.hpp"
 

@@ -5,21 +5,20 @@
 #include <string>
 #include <vector>
 
-#include <orispline/smooth/smooth.hpp>
+#include <orispline/jobs/smoothing_words.hpp>
+
+// For `reduce`, while it is no job.
 
 namespace orispline::cli {
 
-/// `: line 6 (5.2 s), line 9 (5.8 s)`, some of the samples, with their lines and times in the file.
-[[nodiscard]] std::string places_text(const std::vector<std::size_t>& samples, const std::vector<std::uint32_t>& lines,
-                                      const std::vector<Decimal>& times);
+using jobs::choice_line;
+using jobs::position_choice_line;
+using jobs::remark_on;
 
-/// `smoothing time  0.1 s (cut-off 1.59 Hz), by …`
-[[nodiscard]] std::string choice_line(const orispline::Smoothing& smoothing);
-
-/// `positions       smoothing time 0.1 s (cut-off 1.59 Hz), by …`, or that they are as they were; empty without any.
-[[nodiscard]] std::string position_choice_line(const orispline::Smoothing& smoothing);
-
-/// Its warnings, the likely cause of the others first, with their places in the recording.
-[[nodiscard]] std::vector<Warning> remark_on(const orispline::Smoothing& smoothing, const Track& recording);
+[[nodiscard]] inline std::string places_text(const std::vector<std::size_t>& samples,
+                                             const std::vector<std::uint32_t>& lines,
+                                             const std::vector<Decimal>& times) {
+  return jobs::places_text(samples, {lines, [&times](std::size_t sample) { return times[sample]; }});
+}
 
 }  // namespace orispline::cli

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include <orispline/base/expected.hpp>
 #include <orispline/base/formatted.hpp>
@@ -24,7 +23,7 @@ namespace orispline::cli {
 template <class Outcome>
 struct Written {
   std::string input, output;
-  std::string_view what;  ///< is in the output: `keys`
+  std::string what;  ///< is in the output: `keys`; empty: what the summary is about
   Outcome outcome;
 };
 template <class Outcome>
@@ -32,7 +31,8 @@ Written(std::string, std::string, std::string_view, Outcome) -> Written<Outcome>
 
 template <class Outcome>
 [[nodiscard]] std::string text_of(const Written<Outcome>& written) {
-  return summary_of(written.outcome) + formatted("{} written to {}\n", written.what, destination(written.output));
+  return summary_of(written.outcome) + written.what + (written.what.empty() ? "" : " ") +
+         formatted("written to {}\n", destination(written.output));
 }
 template <class Outcome>
 requires requires(const Outcome& outcome) { line_of(outcome); }

@@ -10,4 +10,6 @@
 #include <orispline/jobs/reduce.hpp>
 #include <orispline/jobs/retime.hpp>
 #include <orispline/jobs/sample.hpp>
+#include <orispline/jobs/smooth.hpp>
+#include <orispline/jobs/smooth_clips.hpp>
 #include <orispline/jobs/tune.hpp>

@@ -25,15 +25,6 @@ void add_tune(nanobind::module_& module);
 void add_compare(nanobind::module_& module);
 void add_scenes(nanobind::module_& module);
 
-/// What a task made of keys.
-template <class Result>
-struct TaskResult {
-  Keys given;
-  Result result;
-
-  [[nodiscard]] const Track& track() const { return *given.track; }
-};
-
 inline Keys shared(Track track) { return {std::make_shared<const Track>(std::move(track))}; }
 
 /// That of its text, else as jobs::chosen_method() chooses. Raises the library's errors.

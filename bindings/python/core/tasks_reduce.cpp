@@ -50,9 +50,10 @@ nb::dict attributes_of_reduction(const ReduceOutcome& outcome) {
   return attributes;
 }
 
-std::optional<TaskResult<Smoothing>> smoothing_of(const ReduceOutcome& outcome) {
+std::optional<jobs::SmoothOutcome> smoothing_of(const ReduceOutcome& outcome) {
   if (!outcome.smoothed) return std::nullopt;
-  return TaskResult<Smoothing>{{outcome.recording}, outcome.smoothed->smoothing};
+  const Smoothing& smoothing = outcome.smoothed->smoothing;
+  return jobs::SmoothOutcome{{outcome.recording}, smoothing, smoothing.warnings};
 }
 
 }  // namespace

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/smooth/smooth.hpp"
 
+#include <memory>
 #include <utility>
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/families/registry.hpp>
 #include <orispline/io/track_file.hpp>
-#include <orispline/pages/task_pages.hpp>
+#include <orispline/jobs/smooth.hpp>
 
-#include "commands/smooth/smooth_report.hpp"
 #include "commands/smooth/smooth_scene.hpp"
 #include "options/file_places.hpp"
 #include "options/method_options.hpp"
@@ -18,7 +18,7 @@
 #include "output/gathered_output.hpp"
 #include "output/keys_file.hpp"
 #include "output/noted_output.hpp"
-#include "output/smoothing_text.hpp"
+#include "output/repairs_text.hpp"
 #include "output/standard_output.hpp"
 
 namespace orispline::cli {
@@ -108,15 +108,17 @@ Expected<void> check_format(const io::FormatInfo& format, const orispline::Smoot
   return bad_option("sigma", formatted("{} has no columns for standard deviations, wanted a CSV file", format.file));
 }
 
-Expected<std::size_t> write(const std::string& path, const Request& request, const orispline::Smoothing& smoothed) {
+/// The keys, or samples of the curve through them.
+Expected<void> write(const std::string& path, const Request& request, jobs::SmoothOutcome& outcome) {
+  const orispline::Smoothing& smoothed = outcome.smoothing;
   io::SampleColumns columns = request.columns;
   columns.derivatives = columns.format->holds.rates ? 2 : 0;
   columns.positions = !smoothed.track.keys.positions().empty();
-  if (!request.times)
-    return write_keys(path, written_keys(smoothed), columns).map([&] { return smoothed.track.keys.size(); });
+  if (!request.times) return write_keys(path, written_keys(smoothed), columns);
   return open_samples(path, columns, smoothed.track.keys.size()).and_then([&](Noted<io::SampleWriter> output) {
     return write_samples(output.file, smoothed, *request.times).and_then([&](std::size_t count) {
-      return put_in_place(std::move(output)).map([count] { return count; });
+      outcome.samples = count;
+      return put_in_place(std::move(output));
     });
   });
 }
@@ -127,35 +129,26 @@ Expected<void> smooth_one(const SmoothOptions& options) {
   if (!request) return tl::unexpected(std::move(request.error()));
   auto page = ReportFile::open(options.report);
   if (!page) return tl::unexpected(std::move(page.error()));
-  const auto file = io::read_track(request->input.path, request->input.read, request->input.signs);
+  auto file = io::read_track(request->input.path, request->input.read, request->input.signs);
   if (!file) return tl::unexpected(or_all_of_them(file.error(), "an output such as all.glb"));
   warn(file->warnings);
-  const Track& recording = file->track;
   request->columns = columns_like(*file->format, request->columns, options.output);
   if (auto fits = check_format(*request->columns.format, request->smoothing); !fits) return fits;
-  auto smoothing = orispline::smooth(recording, request->smoothing);
-  if (!smoothing)
-    return tl::unexpected(said_of_cutoff(options.smoothness, jobs::placed(recording, std::move(smoothing.error()))));
-  const auto remarks = remark_on(*smoothing, recording);
-  warn(remarks);
+  auto outcome =
+      jobs::smooth({.recording = std::make_shared<const Track>(std::move(file->track)), .options = request->smoothing});
+  if (!outcome) return tl::unexpected(said_of_cutoff(options.smoothness, std::move(outcome.error())));
+  outcome->mended = text_of(file->repairs);
+  for (Warning& warning : outcome->warnings) warning = with_flags(std::move(warning));
+  warn(outcome->warnings);
   if (request->times && !request->columns.format->holds.rates)
     warn("this format holds no rates: wx,wy,wz,ax,ay,az are not written, wanted a CSV file for them");
-  SmoothReport report{.recording = recording,
-                      .repairs = file->repairs,
-                      .output = options.output.path,
-                      .penalty = request->smoothing.penalty,
-                      .loss = request->smoothing.loss,
-                      .samples = request->times.has_value(),
-                      .smoothing = std::move(*smoothing)};
-  const auto make_page = [&](auto head) {
-    for (const Warning& remark : remarks) head.notes.push_back(formatted("Warning: {}.", with_flags(remark).message));
-    return pages::smooth_page(recording, report.smoothing, head);
-  };
-  return page->write(make_page)
-      .and_then([&] { return write(options.output.path, *request, report.smoothing); })
-      .map([&](std::size_t rows) { report.rows = rows; })
+  return page->write([&](const auto& head) { return page_of(*outcome, head); })
+      .and_then([&] { return write(options.output.path, *request, *outcome); })
       .and_then([&] { return page->finish(); })
-      .and_then([&] { return summarise(options.summary, report); });
+      .and_then([&] {
+        const std::string recording = outcome->request.recording->name, written = outcome->result();
+        return summarise(options.summary, Written{recording, options.output.path, written, std::move(*outcome)});
+      });
 }
 
 }  // namespace

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/jobs/smooth.hpp>
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include <orispline/base/counted.hpp>
+#include <orispline/base/formatted.hpp>
+#include <orispline/base/quoted.hpp>
+#include <orispline/fields/field_json.hpp>
+#include <orispline/jobs/chosen_method.hpp>
+#include <orispline/jobs/smoothing_words.hpp>
+#include <orispline/jobs/words.hpp>
+#include <orispline/math/degrees.hpp>
+#include <orispline/smooth/smooth_fields.hpp>
+
+namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
+
+namespace {
+
+constexpr std::size_t most_stretches_shown = 10;
+
+const Track& recording_of(const SmoothOutcome& outcome) { return *outcome.request.recording; }
+
+std::string samples_text(const SmoothOutcome& outcome) { return counted(recording_of(outcome).keys.size(), "sample"); }
+
+/// `2: line 6 (5.2 s), line 9 (5.8 s)`
+std::string counted_places(const SmoothOutcome& outcome, const std::vector<std::size_t>& samples) {
+  return formatted("{}{}", samples.size(), places_text(samples, recording_of(outcome)));
+}
+
+std::string source_line(const SmoothOutcome& outcome) {
+  std::string line = samples_text(outcome);
+  if (const std::string& name = recording_of(outcome).name; !name.empty()) line += " from " + printable(name);
+  if (!outcome.mended.empty()) line += "; " + outcome.mended;
+  return line + "\n";
+}
+
+std::string noise_line(const Smoothing& smoothing) {
+  return formatted("noise           {:.4g}° per axis in the residuals; {:.4g}° between neighbours\n",
+                   smoothing.noise * degrees, smoothing.local_noise * degrees);
+}
+
+std::string distance_line(const Smoothing& smoothing) {
+  const auto& [all, accepted] = std::tie(smoothing.distances, smoothing.accepted_distances);
+  std::string text = formatted("distance        RMS {:.4g}°, largest {:.4g}° from the samples", all.rms * degrees,
+                               all.largest * degrees);
+  if (!smoothing.rejected.empty())
+    text += formatted("; {:.4g}° and {:.4g}° without the rejected ones", accepted.rms * degrees,
+                      accepted.largest * degrees);
+  return text + "\n";
+}
+
+std::string freedom_line(const Smoothing& smoothing) {
+  if (!smoothing.degrees_of_freedom) return "";
+  return formatted("freedom         {:.4g} effective parameters of {}\n", *smoothing.degrees_of_freedom,
+                   3 * smoothing.nodes.orientations.size());
+}
+
+std::string sigma_line(const Smoothing& smoothing) {
+  if (!smoothing.sigmas) return "";
+  return formatted("deviations      RMS {:.4g}° and {:.4g} °/s per axis\n", *smoothing.rms_sigma() * degrees,
+                   *smoothing.rms_sigma_of_rates() * degrees);
+}
+
+std::string gyro_line(const Smoothing& smoothing) {
+  if (!smoothing.gyro_noise) return "";
+  const Eigen::Vector3d bias = smoothing.nodes.gyro_correction * degrees;
+  return formatted("gyro            noise {:.4g} °/s per axis, correction {:.4g}, {:.4g}, {:.4g} °/s\n",
+                   *smoothing.gyro_noise * degrees, bias.x(), bias.y(), bias.z());
+}
+
+/// Whether the loss leaves outliers out.
+bool rejects(Loss loss) { return loss == Loss::robust || loss == Loss::tukey; }
+
+std::string outlier_lines(const SmoothOutcome& outcome) {
+  const Smoothing& smoothing = outcome.smoothing;
+  std::string text;
+  if (rejects(outcome.request.options.loss))
+    text += formatted("rejected        {}\n", counted_places(outcome, smoothing.rejected));
+  if (!smoothing.rejected_gyro.empty())
+    text += formatted("gyro rejected   {}\n", counted_places(outcome, smoothing.rejected_gyro));
+  if (const auto& kept = smoothing.retained_outlier_runs; !kept.empty())
+    text += formatted("far, but kept   {}; the samples beside them are far too, which is rather motion than outliers\n",
+                      counted_places(outcome, kept));
+  return text;
+}
+
+std::string position_lines(const SmoothOutcome& outcome) {
+  if (!outcome.smoothing.positions) return "";
+  const PositionSmoothing& found = *outcome.smoothing.positions;
+  const auto& [all, accepted] = std::tie(found.distances, found.accepted_distances);
+  std::string text = position_choice_line(outcome.smoothing);
+  if (found.smoothing_time || !found.rejected.empty()) {
+    text += formatted("  noise         {:.4g} m per axis in the residuals; {:.4g} m between neighbours\n", found.noise,
+                      found.local_noise);
+    text += formatted("  distance      RMS {:.4g} m, largest {:.4g} m from the samples", all.rms, all.largest);
+    if (!found.rejected.empty())
+      text += formatted("; {:.4g} m and {:.4g} m without the rejected ones", accepted.rms, accepted.largest);
+    text += "\n";
+  }
+  if (rejects(outcome.request.options.loss))
+    text += formatted("  rejected      {}\n", counted_places(outcome, found.rejected));
+  if (const auto& kept = found.retained_outlier_runs; !kept.empty())
+    text += formatted("  far, but kept {}\n", counted_places(outcome, kept));
+  return text;
+}
+
+std::string stretch_lines(const SmoothOutcome& outcome) {
+  const auto& stretches = outcome.smoothing.stretches;
+  std::string text;
+  if (const auto& few = outcome.smoothing.samples_in_short_stretches; !few.empty())
+    text += formatted("left out        {}; too few between two gaps\n", counted_places(outcome, few));
+  if (stretches.size() == 1) return text;
+  text += formatted("stretches       {}, begun at", stretches.size());
+  for (std::size_t i = 0; i < std::min(stretches.size(), most_stretches_shown); ++i)
+    text += formatted("{} {} s", i == 0 ? "" : ",", recording_of(outcome).time_of(stretches[i].first).to_string());
+  return text + (stretches.size() > most_stretches_shown ? ", …\n" : "\n");
+}
+
+}  // namespace
+
+std::string SmoothOutcome::result() const {
+  return samples ? counted(*samples, "sample") : counted(smoothing.track.keys.size(), "key");
+}
+
+Expected<SmoothOutcome> smooth(SmoothRequest request, const Progress& progress) {
+  const Track& recording = *request.recording;
+  auto smoothing = orispline::smooth(recording, request.options, progress);
+  if (!smoothing) return tl::unexpected(placed(recording, std::move(smoothing.error())));
+  std::vector<Warning> warnings = remark_on(*smoothing, recording);
+  return SmoothOutcome{std::move(request), std::move(*smoothing), std::move(warnings)};
+}
+
+Json document_of(const SmoothOutcome& outcome) {
+  const Track& recording = recording_of(outcome);
+  Json json{{"samples", recording.keys.size()},
+            {"rows_written", outcome.samples.value_or(outcome.smoothing.track.keys.size())},
+            {"penalty", word_of(outcome.request.options.penalty)},
+            {"loss", word_of(outcome.request.options.loss)}};
+  put(json, outcome.smoothing, places_of(recording));
+  return json;
+}
+
+std::string summary_of(const SmoothOutcome& outcome) {
+  const Smoothing& smoothing = outcome.smoothing;
+  return source_line(outcome) + choice_line(smoothing) + noise_line(smoothing) + distance_line(smoothing) +
+         freedom_line(smoothing) + sigma_line(smoothing) + gyro_line(smoothing) + outlier_lines(outcome) +
+         position_lines(outcome) + stretch_lines(outcome);
+}
+
+std::string line_of(const SmoothOutcome& outcome) {
+  const SampleDistances& distances = outcome.smoothing.distances;
+  std::string line = formatted("{} from {}, RMS {:.4g}° and at most {:.4g}° from them", outcome.result(),
+                               samples_text(outcome), distances.rms * degrees, distances.largest * degrees);
+  if (const auto& rejected = outcome.smoothing.rejected; !rejected.empty())
+    line += formatted("; {} rejected", rejected.size());
+  if (!outcome.mended.empty()) line += "; " + outcome.mended;
+  return line;
+}
+
+}}}  // namespace orispline::jobs

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/jobs/smooth_clips.hpp>
+
+#include <utility>
+
+#include <orispline/base/counted.hpp>
+#include <orispline/base/formatted.hpp>
+#include <orispline/base/quoted.hpp>
+#include <orispline/math/degrees.hpp>
+
+namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
+
+namespace {
+
+/// One for all rotations that cannot be smoothed.
+std::vector<Warning> warnings_of_refused(const std::vector<ClipSmoothing>& clips) {
+  std::size_t refused = 0;
+  const Error* first = nullptr;
+  for (const ClipSmoothing& clip : clips) {
+    refused += clip.refused.size();
+    if (!first && !clip.refused.empty()) first = &clip.refused.front();
+  }
+  if (!first) return {};
+  return {{.message = formatted("left as it is what cannot be smoothed: {}; {}", counted(refused, "rotation"),
+                                describe(*first))}};
+}
+
+/// Where a rotation was changed most: motion that counts as an outlier is seen there.
+std::string largest_change_line(const SmoothClipsOutcome& outcome) {
+  const ClipSmoothing* clip = nullptr;
+  const ClipSmoothing::OfJoint* worst = nullptr;
+  for (const ClipSmoothing& other : outcome.clips)
+    for (const ClipSmoothing::OfJoint& joint : other.joints)
+      if (!worst || joint.largest_change > worst->largest_change) clip = &other, worst = &joint;
+  if (!worst) return "";
+  return formatted("largest change  {:.4g}° at {:.6g} s, {}\n", worst->largest_change * degrees, worst->change_at,
+                   place_of(outcome.request.skeleton, clip->clip, worst->joint));
+}
+
+std::string joints_table(const Skeleton& skeleton, const std::vector<ClipSmoothing::OfJoint>& joints) {
+  if (joints.empty()) return "";
+  std::string table =
+      formatted("  {:<24}{:>14}{:>13}{:>10}{:>15}\n", "joint", "smoothing time", "noise", "rejected", "largest change");
+  for (const auto& [joint, found, change, at] : joints)
+    table += formatted("  {:<24}{:>12.4g} s{:>12.4g}°{:>10}{:>14.4g}°\n", printable(skeleton[joint].name),
+                       found.smoothing_time, found.noise * degrees, found.rejected.size(), change * degrees);
+  return table;
+}
+
+Json json_of(const Skeleton& skeleton, const ClipSmoothing& clip) {
+  Json joints = Json::array();
+  for (const auto& [joint, found, change, at] : clip.joints)
+    joints.push_back({{"joint", skeleton[joint].name},
+                      {"smoothing_time_s", found.smoothing_time},
+                      {"noise_deg", found.noise * degrees},
+                      {"rejected", found.rejected.size()},
+                      {"change_max_deg", change * degrees},
+                      {"change_max_time_s", at}});
+  Json json{{"clip", clip.clip.name}, {"left", clip.left}, {"refused", clip.refused.size()}};
+  json["joints"] = std::move(joints);
+  return json;
+}
+
+}  // namespace
+
+Expected<SmoothClipsOutcome> smooth_clips(SmoothClipsRequest request) {
+  auto clips = orispline::smooth_clips(request.skeleton, request.clips, request.options, request.threads);
+  if (!clips) {
+    clips.error().where.file = request.name;
+    return tl::unexpected(std::move(clips.error()));
+  }
+  std::vector<Warning> warnings = warnings_of_refused(*clips);
+  return SmoothClipsOutcome{std::move(request), std::move(*clips), std::move(warnings)};
+}
+
+Json document_of(const SmoothClipsOutcome& outcome) {
+  Json clips = Json::array();
+  for (const ClipSmoothing& clip : outcome.clips) clips.push_back(json_of(outcome.request.skeleton, clip));
+  Json json;
+  json["clips"] = std::move(clips);
+  return json;
+}
+
+std::string summary_of(const SmoothClipsOutcome& outcome) {
+  std::size_t joints = 0, left = 0;
+  for (const ClipSmoothing& clip : outcome.clips) joints += clip.joints.size(), left += clip.left;
+  const std::string& name = outcome.request.name;
+  std::string text = formatted("{} of {}{} smoothed; {} left as they are: they rest or have too few keys\n",
+                               counted(joints, "rotation"), counted(outcome.clips.size(), "clip"),
+                               name.empty() ? "" : " from " + printable(name), left);
+  if (outcome.clips.size() == 1) text += joints_table(outcome.request.skeleton, outcome.clips.front().joints);
+  return text + largest_change_line(outcome);
+}
+
+}}}  // namespace orispline::jobs

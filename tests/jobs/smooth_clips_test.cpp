@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/jobs/smooth_clips.hpp>
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "jobs/turns.hpp"
+
+namespace orispline::jobs { namespace {
+
+/// A slow swing of a joint with a jitter, one key per second.
+RotationChannel swing(std::size_t joint, int keys = 40) {
+  RotationChannel channel{.joint = joint};
+  for (int i = 0; i < keys; ++i) {
+    const double angle = std::sin(0.1 * i) + (i % 2 == 0 ? 0.01 : -0.01);
+    channel.times.push_back(i);
+    channel.values.emplace_back(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()));
+  }
+  return channel;
+}
+
+/// Of an arm whose hand has too few keys.
+SmoothClipsRequest wave(std::size_t clips = 1) {
+  SmoothClipsRequest request{.name = "data/arm.glb",
+                             .skeleton = *Skeleton::make({{.name = "arm"}, {.name = "hand", .parent = 0}}),
+                             .options = {.smoothing_time = 2.0}};
+  for (std::size_t i = 0; i < clips; ++i)
+    request.clips.push_back({.name = "wave", .rotations = {swing(0), swing(1, 5)}});
+  return request;
+}
+
+TEST(SmoothClipsJob, SaysTheSameInItsDocumentAndItsSummary) {
+  const auto outcome = smooth_clips(wave());
+  ASSERT_TRUE(outcome);
+  EXPECT_TRUE(outcome->warnings.empty());
+  const Json clip = std::get<Json::Array>(member(document_of(*outcome), "clips").value()).front();
+  EXPECT_EQ(std::get<std::string>(member(clip, "clip").value()), "wave");
+  const Json joint = std::get<Json::Array>(member(clip, "joints").value()).front();
+  EXPECT_EQ(std::get<std::string>(member(joint, "joint").value()), "arm");
+  EXPECT_EQ(number(joint, "smoothing_time_s"), 2.0);
+  const std::string summary = summary_of(*outcome);
+  EXPECT_TRUE(
+      summary.starts_with("1 rotation of 1 clip from data/arm.glb smoothed; 1 left as they are: they rest or "
+                          "have too few keys\n  joint "))
+      << summary;
+  EXPECT_NE(summary.find("\n  arm "), std::string::npos) << summary;
+  EXPECT_NE(summary.find("\nlargest change  "), std::string::npos) << summary;
+}
+
+TEST(SmoothClipsJob, AddsUpSeveralClipsAndNamesNoFileWhereThereIsNone) {
+  SmoothClipsRequest request = wave(2);
+  request.name.clear();
+  const std::string summary = summary_of(*smooth_clips(std::move(request)));
+  EXPECT_TRUE(summary.starts_with("2 rotations of 2 clips smoothed; 2 left as they are")) << summary;
+  EXPECT_EQ(summary.find("\n  arm "), std::string::npos) << summary;
+}
+
+TEST(SmoothClipsJob, WarnsOnceOfAllThatCannotBeSmoothed) {
+  SmoothClipsRequest request = wave(2);
+  request.options.gap = 1.5;
+  for (Clip& clip : request.clips)
+    for (std::size_t i = 0; i < clip.rotations.front().size(); ++i) clip.rotations.front().times[i] += 1.0 * (i / 2);
+  const auto outcome = smooth_clips(std::move(request));
+  ASSERT_TRUE(outcome) << outcome.error().message;
+  ASSERT_EQ(outcome->warnings.size(), 1u);
+  EXPECT_TRUE(outcome->warnings.front().message.starts_with("left as it is what cannot be smoothed: 2 rotations; "))
+      << outcome->warnings.front().message;
+}
+
+TEST(SmoothClipsJob, NamesTheFileInItsErrors) {
+  SmoothClipsRequest request = wave();
+  request.options.gyro = true;
+  const auto outcome = smooth_clips(std::move(request));
+  ASSERT_FALSE(outcome);
+  EXPECT_EQ(outcome.error().where.file, "data/arm.glb");
+}
+
+}  // namespace
+}  // namespace orispline::jobs
