@@ -36,7 +36,7 @@ BELOW_JOBS = {  # header or folder below -> why a face needs it still; the exper
     "clip/": "difference and the samples of joints are no jobs yet",
     "analysis/comparison_fields.hpp": "the options of compare",
     "smooth/": "not a job yet",
-    "reduce/": "not a job yet",
+    "reduce/reduce_fields.hpp": "its options",
     "retime/retime_fields.hpp": "its options",
     "tune/tune_fields.hpp": "its options",
     "report/": "pages and pictures as files",
