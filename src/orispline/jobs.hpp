@@ -8,6 +8,7 @@
 #include <orispline/jobs/curve_of_keys.hpp>
 #include <orispline/jobs/inspect.hpp>
 #include <orispline/jobs/reduce.hpp>
+#include <orispline/jobs/reduce_scene.hpp>
 #include <orispline/jobs/retime.hpp>
 #include <orispline/jobs/sample.hpp>
 #include <orispline/jobs/smooth.hpp>

@@ -5,6 +5,7 @@ import math
 import numpy as np
 import orispline as ori
 import pytest
+from task_files import json_of, run
 
 HALF = math.radians(10)
 
@@ -80,12 +81,44 @@ def test_methods_and_threads(arm):
 
 
 def test_the_world_tolerance_holds_the_shell_distance(arm):
-    small, report = ori.reduce_scene(arm, world_tolerance=0.002, shell=0.05)
+    small, report = ori.reduce_scene(arm, world_tolerance=0.002, shell=0.05, position_scale=1)
     distances = ori.shell_distance(arm, small, shell=0.05)
     clip, = distances
     assert set(distances[clip]) >= {"shoulder", "elbow"}
     assert max(distances[clip].values()) == pytest.approx(report.distance.value) and report.distance.value <= 0.002
     assert report.rotation_keys < 60
+
+
+def test_lengths_of_a_file_without_a_unit_want_a_scale(arm):
+    for name in ("world_tolerance", "position_tolerance"):
+        with pytest.raises(ori.ArgumentError, match=f"^{name}: found a BVH file, which has no unit of length, wanted `position_scale`"):
+            ori.reduce_scene(arm, "1deg", **{name: "2mm"})
+    with pytest.raises(ori.ArgumentError, match="position_scale: found 0"):
+        ori.reduce_scene(arm, "1deg", position_scale=0)
+    in_metres, report = ori.reduce_scene(arm, world_tolerance="2mm", shell=0.005, position_scale=0.1)
+    in_units, other = ori.reduce_scene(arm, world_tolerance=0.02, shell=0.05, position_scale=1)
+    assert report.rotation_keys == other.rotation_keys and report.as_dict()["world_tolerance_m"] == pytest.approx(0.002)
+    assert report.distance.value == pytest.approx(0.1 * other.distance.value) and report.distance.joint == other.distance.joint
+    assert np.array_equal(channel(in_metres, "elbow").values, channel(in_units, "elbow").values)
+
+
+def test_single_precision_that_cannot_hold_the_tolerance_is_warned_of(arm):
+    with pytest.warns(ori.ShapeWarning, match="^tolerance: found .*single precision") as caught:
+        ori.reduce_scene(arm, 1e-9)
+    assert caught[0].message.code == "single_precision" and caught[0].filename == __file__
+
+
+def test_what_was_done_is_said_as_by_the_command(arm, tmp_path):
+    source, out = tmp_path / "arm.bvh", tmp_path / "small.glb"
+    words = ["reduce", source, "--tolerance", "0.1deg", "--world-tolerance", "2mm", "--position-scale", "0.1", "-o", out]
+    *told, _ = run(*words)[1].splitlines()  # where it was written
+    _, report = ori.reduce_scene(arm, "0.1deg", world_tolerance="2mm", position_scale=0.1)
+    assert str(report).splitlines() == told
+    document = json_of(*words)
+    assert report.as_dict() == {name: document[name] for name in report.as_dict()}
+    assert set(document) - set(report.as_dict()) == {"input", "output", "bytes_before", "bytes", "warnings"}
+    assert document["shell_distance_m"] == {"largest": report.distance.value, "clip": report.distance.clip,
+                                            "joint": report.distance.joint, "time_s": report.distance.time}
 
 
 def test_shell_distance_is_the_chord_of_the_farthest_point(tmp_path):

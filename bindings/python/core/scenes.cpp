@@ -8,7 +8,7 @@
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 
-#include <orispline/reduce.hpp>
+#include <orispline/jobs.hpp>
 #include <orispline/scenes.hpp>
 
 #include "arrays.hpp"
@@ -124,42 +124,53 @@ nb::list clips_of(const SharedScene& shared) {
   return all;
 }
 
-/// Of each clip what the reduction counted and measured; largest distances with their times and joints.
-nb::dict members_of(const ClipReduction& reduction) {
-  const auto worst = [](const ClipReduction::Worst& found) {
-    return nb::make_tuple(found.largest.value, found.largest.time, found.joint);
-  };
-  nb::dict members;
-  members["rotation_keys"] = reduction.rotation_keys;
-  members["rotation_keys_before"] = reduction.rotation_keys_before;
-  members["rotation_tracks"] = reduction.rotation_tracks;
-  members["open_tracks"] = reduction.open_tracks;
-  members["translation_keys"] = reduction.translation_keys;
-  members["translation_keys_before"] = reduction.translation_keys_before;
-  members["angle"] = worst(reduction.angle);
-  members["distance"] = worst(reduction.distance);
-  members["from_smooth"] = worst(reduction.from_smooth);
-  members["from_stored"] = worst(reduction.from_stored);
-  return members;
+/// Value, clip, joint and time of what is largest; without names where all is 0.
+nb::tuple worst_of(const jobs::ReduceSceneOutcome& outcome, const ClipReduction* reduction,
+                   ClipReduction::Worst ClipReduction::* which, double unit = 1.0) {
+  if (!reduction || (reduction->*which).largest.value == 0.0) return nb::make_tuple(0.0, "", "", 0.0);
+  const ClipReduction::Worst& worst = reduction->*which;
+  return nb::make_tuple(worst.largest.value * unit, text(reduction->clip.name),
+                        text(outcome.request.skeleton[worst.joint].name), worst.largest.time);
+}
+
+nb::dict attributes_of_reduction(const jobs::ReduceSceneOutcome& outcome) {
+  const ClipTotals totals = outcome.totals();
+  nb::dict attributes;
+  attributes["rotation_keys"] = totals.rotation_keys;
+  attributes["rotation_keys_before"] = totals.rotation_keys_before;
+  attributes["rotation_tracks"] = totals.rotation_tracks;
+  attributes["open_tracks"] = totals.open_tracks;
+  attributes["translation_keys"] = totals.translation_keys;
+  attributes["translation_keys_before"] = totals.translation_keys_before;
+  attributes["angle"] = worst_of(outcome, totals.angle, &ClipReduction::angle);
+  attributes["distance"] = worst_of(outcome, totals.distance, &ClipReduction::distance, outcome.metres());
+  attributes["from_smooth"] = worst_of(outcome, totals.from_smooth, &ClipReduction::from_smooth);
+  attributes["from_stored"] = worst_of(outcome, totals.from_stored, &ClipReduction::from_stored);
+  return attributes;
+}
+
+jobs::ClipFile file_of(const scenes::Scene& scene) {
+  if (!scene.format) return {.name = scene.name};
+  return {.name = scene.name,
+          .format = scene.format->file,
+          .has_no_unit = scene.format->has_no_unit,
+          .is_single_precise = scene.format->holds_floats};
 }
 
 nb::tuple reduce_scene(const SharedScene& shared, const std::string& method, const nb::dict& stated, bool closed,
-                       unsigned threads) {
-  auto options = options_in<ClipReduceOptions>(stated);
-  options.method = method == cubicspline_method ? Method{method} : value_of(method_from_text(method));
-  options.closed = closed;
-  options.precision = KeyPrecision::float32;  // whatever the format that the scene will be written in
-  const scenes::Scene& before = *shared.scene;
-  if (before.format && before.format->holds_floats) options.precision_before = KeyPrecision::float32;
-  auto reductions =
-      interruptible([&](const Progress&) { return reduce_clips(before.skeleton, before.clips, options, threads); });
-  scenes::Scene after = before;
-  nb::list members;
-  for (ClipReduction& reduction : value_of(std::move(reductions))) {
-    members.append(members_of(reduction));
-    after.clips[nb::len(members) - 1] = std::move(reduction.clip);
-  }
-  return nb::make_tuple(SharedScene(std::move(after)), members);
+                       std::optional<double> position_scale, unsigned threads) {
+  scenes::Scene scene = *shared.scene;
+  jobs::ReduceSceneRequest request{.file = file_of(scene),
+                                   .skeleton = scene.skeleton,
+                                   .clips = std::exchange(scene.clips, {}),
+                                   .options = options_in<ClipReduceOptions>(stated),
+                                   .position_scale = position_scale,
+                                   .threads = threads};
+  request.options.method = method == cubicspline_method ? Method{method} : value_of(method_from_text(method));
+  request.options.closed = closed;
+  auto outcome = value_of(interruptible([&](const Progress&) { return jobs::reduce_scene(std::move(request)); }));
+  scene.clips = outcome.clips();
+  return nb::make_tuple(SharedScene(std::move(scene)), std::move(outcome));
 }
 
 /// Of every joint of a clip the largest distance from the same joint in the clip of another scene, and when; None where
@@ -192,8 +203,11 @@ void add_scenes(nb::module_& module) {
       .def_prop_ro("clips", &clips_of)
       .def("channels", &channels_of, "clip"_a)
       .def("distances", &distances_of, "clip"_a, "second"_a, "other"_a, "shell"_a)
-      .def("reduced", &reduce_scene, "method"_a, "options"_a, "closed"_a, "threads"_a)
+      .def("reduced", &reduce_scene, "method"_a, "options"_a, "closed"_a, "position_scale"_a.none(), "threads"_a)
       .def("write", &write_scene, "path"_a, "euler"_a.none(), "rate"_a.none(), "bones"_a);
+  auto outcome_class = nb::class_<jobs::ReduceSceneOutcome>(module, "SceneReduction");
+  outcome_class.def("attributes", &attributes_of_reduction);
+  add_words(outcome_class);
   module.def("read_scene", &read_scene, "path"_a, "drop_duplicates"_a);
 }
 

@@ -2,6 +2,7 @@
 """A skeleton with its clips, and what was done to it."""
 from __future__ import annotations
 
+import copy
 import dataclasses
 import functools
 from typing import Any
@@ -228,7 +229,7 @@ class SceneReduction:
     angle
         The largest angle between a joint and its key before, in the frame of its parent [rad].
     distance
-        The largest shell distance in the world, at the same times.
+        The largest shell distance in the world, at the same times [m]; in the unit of the file where nobody says what it is.
     from_smooth, from_stored
         The largest angles between the keys before, from the curve `auto` through them and from what the file says [rad].
     """
@@ -243,6 +244,20 @@ class SceneReduction:
     distance: Worst
     from_smooth: Worst
     from_stored: Worst
+    _members: dict[str, Any] = dataclasses.field(repr=False, compare=False)
+    _summary: str = dataclasses.field(repr=False, compare=False)
+
+    def as_dict(self) -> dict[str, Any]:
+        """By name with unit, as the JSON of the command has it."""
+        return copy.deepcopy(self._members)
+
+    @classmethod
+    def _of(cls, core: Any) -> SceneReduction:
+        found = {name: Worst(*value) if isinstance(value, tuple) else value for name, value in core.attributes().items()}
+        return cls(**found, _members=core.members(), _summary=core.summary())
+
+    def __str__(self) -> str:
+        return self._summary.rstrip("\n")
 
 
 def _ordered(rows: Array | None, scalar_first: bool) -> Any:

@@ -2,7 +2,6 @@
 """Files of skeletons read, reduced and compared."""
 from __future__ import annotations
 
-import dataclasses
 from typing import Any
 
 from . import _core
@@ -10,7 +9,7 @@ from ._checks import flag
 from ._errors import ArgumentError, DataError, tell
 from ._files import Path, path_text
 from ._options import checked_threads, method_words, plain, takes
-from ._scene import Scene, SceneReduction, Worst, positive
+from ._scene import Scene, SceneReduction, positive
 
 TOLERANCES = ("tolerance", "position_tolerance", "world_tolerance")
 
@@ -57,12 +56,12 @@ def read_scene(path: Path, *, drop_duplicates: bool = False, scalar_first: bool 
 
 
 @takes("ClipReduceOptions")
-def reduce_scene(scene: Scene, tolerance: Any = None, *, method: Any = "cubicspline", closed: bool = False, threads: int = 0,
-                 **options: Any) -> tuple[Scene, SceneReduction]:
+def reduce_scene(scene: Scene, tolerance: Any = None, *, method: Any = "cubicspline", closed: bool = False,
+                 position_scale: float | None = None, threads: int = 0, **options: Any) -> tuple[Scene, SceneReduction]:
     """A scene with the fewest keys found that look the same, and what was done to it.
 
-    One of `tolerance`, `position_tolerance` and `world_tolerance` is required. Angles are in radians and lengths in the
-    unit of the file; texts have their unit, such as "0.1deg", and lengths "2mm" where the file has metres.
+    One of `tolerance`, `position_tolerance` and `world_tolerance` is required. Angles are in radians and lengths in
+    metres; texts have their unit, such as "0.1deg" and "2mm".
 
     Parameters
     ----------
@@ -72,6 +71,9 @@ def reduce_scene(scene: Scene, tolerance: Any = None, *, method: Any = "cubicspl
         another one that `reduce` takes, written as cubics within the tolerance.
     closed : bool
         With "cubicspline" and "hermite-c1", channels that end as they begin have the same tangents at both ends.
+    position_scale : float, optional
+        Metres in one unit of length of the file, such as 0.01 [1 for glTF]. A BVH file has no unit: tolerances of lengths
+        want it.
     threads : int
         At most so many at work, 0 means one for each core. The result is the same on any.
     {options}
@@ -84,7 +86,12 @@ def reduce_scene(scene: Scene, tolerance: Any = None, *, method: Any = "cubicspl
     Raises
     ------
     ArgumentError
-        No tolerance, an option out of its range, or a method that does not suit.
+        No tolerance, an option out of its range, a method that does not suit, or a length for a file without a unit.
+
+    Warns
+    -----
+    ShapeWarning
+        Keys that single precision does not hold within the tolerance.
 
     Examples
     --------
@@ -98,8 +105,10 @@ def reduce_scene(scene: Scene, tolerance: Any = None, *, method: Any = "cubicspl
     if all(stated.get(name) is None for name in TOLERANCES):
         raise ArgumentError(f"tolerance: found none, wanted one of {', '.join(TOLERANCES)}")
     words = method_words(method)
-    reduced, clips = core.reduced(words, stated, flag("closed", closed), checked_threads(threads))
-    return Scene._of(reduced, scene._scalar_first), _report(scene, clips)
+    scale = None if position_scale is None else positive("position_scale", position_scale)
+    reduced, found = core.reduced(words, stated, flag("closed", closed), scale, checked_threads(threads))
+    tell(found.warnings)
+    return Scene._of(reduced, scene._scalar_first), SceneReduction._of(found)
 
 
 def shell_distance(a: Scene, b: Scene, shell: float = 0.03) -> dict[str, dict[str, float]]:
@@ -139,21 +148,6 @@ def shell_distance(a: Scene, b: Scene, shell: float = 0.03) -> dict[str, dict[st
             if distance is not None:
                 joints[joint] = max(distance, joints.get(joint, 0.0))
     return found
-
-
-def _report(scene: Scene, clips: list[dict[str, Any]]) -> SceneReduction:
-    """Of all clips together."""
-    found: dict[str, Any] = {}
-    for field in dataclasses.fields(SceneReduction):
-        is_count = "keys" in field.name or "tracks" in field.name
-        found[field.name] = sum(clip[field.name] for clip in clips) if is_count else _worst(scene, field.name, clips)
-    return SceneReduction(**found)
-
-
-def _worst(scene: Scene, name: str, clips: list[dict[str, Any]]) -> Worst:
-    i, (value, time, joint) = max(((i, clip[name]) for i, clip in enumerate(clips)), key=lambda pair: pair[1][0],
-                                  default=(0, (0.0, 0.0, 0)))
-    return Worst(value, scene.clips[i].name, scene.skeleton.names[joint], time) if value > 0 else Worst(0.0, "", "", 0.0)
 
 
 def _checked(scene: Any, name: str = "scene") -> Scene:

@@ -31,16 +31,6 @@ struct Request {
   jobs::ReduceRequest job;
 };
 
-/// What the files ask of each other.
-Expected<void> agree(const ReduceOptions& options) {
-  const OutputOptions& output = options.output;
-  if (auto apart = check_output_apart(output.option, output.path, {{"INPUT", options.input.path}}); !apart)
-    return apart;
-  return check_summary(options.summary, output.path, "keys").and_then([&] {
-    return check_report(options.report, {{place_of_output(output), output.path}, {"INPUT", options.input.path}});
-  });
-}
-
 Expected<InputRequest> input_in(const ReduceOptions& options) {
   return input_request(options.input).map([](InputRequest request) {
     request.read.rate_orders = 0;
@@ -104,7 +94,7 @@ Expected<Request> request_in(const ReduceOptions& options) {
     request.input.read.parameters = open_parameters(request.job.methods.front());
   auto read = std::move(checked).or_else(std::move(request));
   if (!read) return read;
-  return agree(options).map([&] { return std::move(*read); });
+  return check_files(options).map([&] { return std::move(*read); });
 }
 
 /// What is wrong in the words of files and of the command.
@@ -165,6 +155,15 @@ Expected<void> reduce_one(const ReduceOptions& options) {
 }
 
 }  // namespace
+
+Expected<void> check_files(const ReduceOptions& options) {
+  const OutputOptions& output = options.output;
+  return check_output_apart(output.option, output.path, {{"INPUT", options.input.path}})
+      .and_then([&] { return check_summary(options.summary, output.path, "keys"); })
+      .and_then([&] {
+        return check_report(options.report, {{place_of_output(output), output.path}, {"INPUT", options.input.path}});
+      });
+}
 
 Expected<void> reduce(const ReduceOptions& options) {
   const auto check = [](const ReduceOptions& one) {

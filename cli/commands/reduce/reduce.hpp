@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <orispline/reduce/reduce.hpp>
-
 #include "options/field_options.hpp"
 #include "options/input_options.hpp"
 #include "options/method_options.hpp"
@@ -33,6 +31,9 @@ struct ReduceOptions {
   bool smooth = false;
   SummaryOptions summary;
 };
+
+/// What the files ask of each other. Error: bad_argument.
+[[nodiscard]] Expected<void> check_files(const ReduceOptions& options);
 
 /// Dense recordings in, for each the fewest keys whose curve is within the tolerance out.
 [[nodiscard]] Expected<void> reduce(const ReduceOptions& options);

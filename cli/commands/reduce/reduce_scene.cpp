@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/reduce/reduce_scene.hpp"
 
-#include <algorithm>
 #include <filesystem>
 #include <utility>
 
 #include <orispline/base/formatted.hpp>
 #include <orispline/base/quoted.hpp>
-#include <orispline/families/registry.hpp>
-#include <orispline/math/degrees.hpp>
-#include <orispline/pages/task_pages.hpp>
+#include <orispline/jobs/reduce_scene.hpp>
 #include <orispline/reduce/reduce_fields.hpp>
 #include <orispline/scenes/scene_file.hpp>
 
-#include "commands/reduce/reduce_scene_report.hpp"
 #include "options/file_places.hpp"
 #include "options/scene_input.hpp"
 #include "options/threads.hpp"
@@ -29,9 +25,7 @@ namespace {
 struct SceneRequest {
   InputRequest input{};
   scenes::SceneWriting writing{};
-  double metres = 1.0;  ///< in a unit of length of the file
-  orispline::ClipReduceOptions reduction{};
-  unsigned threads = 1;
+  jobs::ReduceSceneRequest job{};
 };
 
 Expected<Method> scene_method_in(const ReduceOptions& options) {
@@ -61,28 +55,30 @@ Expected<void> check_clips(const ReduceOptions& options) {
       "reduce: --tolerance or --world-tolerance is missing; 'orispline help reduce' shows what to type");
 }
 
-Expected<orispline::ClipReduceOptions> clip_reduction_in(const ReduceOptions& options, double metres) {
+Expected<orispline::ClipReduceOptions> clip_reduction_in(const ReduceOptions& options) {
   TypedFields typed = options.scene;
   for (const std::string_view name : {"tolerance", "position_tolerance"})
     if (const auto found = options.reduction.find(name); found != options.reduction.end()) typed[name] = found->second;
-  return options_in<orispline::ClipReduceOptions>(typed).map([&](orispline::ClipReduceOptions found) {
-    for (double* const length : {&found.position_tolerance, &found.world_tolerance, &found.shell}) *length /= metres;
-    found.precision = orispline::KeyPrecision::float32;
-    found.closed = options.closed;
-    return found;
+  FirstError checked;
+  auto reduction = checked(options_in<orispline::ClipReduceOptions>(typed));
+  reduction.method = checked(scene_method_in(options));
+  reduction.closed = options.closed;
+  return std::move(checked).or_else(std::move(reduction));
+}
+
+Expected<std::optional<double>> position_scale_in(const ReduceOptions& options) {
+  if (!options.position_scale) return std::optional<double>();
+  return positive_in({"--position-scale", *options.position_scale}).map([](double found) {
+    return std::optional(found);
   });
 }
 
-Expected<double> metres_in(const ReduceOptions& options, const InputRequest& input) {
-  if (options.position_scale) return positive_in({"--position-scale", *options.position_scale});
-  const scenes::SceneFormat* const format = scene_format_of(input);
-  const bool bounds_world = is_given(options.scene, "world_tolerance");
-  if (!format || !format->has_no_unit || !(bounds_world || is_given(options.reduction, "position_tolerance")))
-    return 1.0;
-  return usage_failure(
-      formatted("{}: found {}, which has no unit of length, wanted --position-scale as well, "
-                "such as 0.01 for centimetres",
-                bounds_world ? "--world-tolerance" : "--position-tolerance", format->file));
+jobs::ClipFile file_of(const ReduceOptions& options, const scenes::SceneFormat* format) {
+  if (!format) return {.name = options.input.path};  // keys of a table
+  return {.name = options.input.path,
+          .format = format->file,
+          .has_no_unit = format->has_no_unit,
+          .is_single_precise = format->holds_floats};
 }
 
 Expected<SceneRequest> scene_request_in(const ReduceOptions& options) {
@@ -90,23 +86,14 @@ Expected<SceneRequest> scene_request_in(const ReduceOptions& options) {
   FirstError checked;
   SceneRequest request{.input = checked(input_request(options.input)),
                        .writing = checked(scene_writing(options.output)),
-                       .reduction = {},
-                       .threads = static_cast<unsigned>(checked(threads_in(options.inputs.threads)))};
-  request.metres = checked(metres_in(options, request.input));
-  request.reduction = checked(clip_reduction_in(options, request.metres > 0.0 ? request.metres : 1.0));
-  request.reduction.method = checked(scene_method_in(options));
-  return std::move(checked).or_else(std::move(request)).and_then([&](SceneRequest read) -> Expected<SceneRequest> {
-    if (auto apart = check_output_apart(options.output.option, options.output.path, {{"INPUT", options.input.path}});
-        !apart)
-      return tl::unexpected(std::move(apart.error()));
-    return check(read.reduction)
-        .and_then([&] { return check_summary(options.summary, options.output.path, "keys"); })
-        .and_then([&] {
-          return check_report(options.report,
-                              {{place_of_output(options.output), options.output.path}, {"INPUT", options.input.path}});
-        })
-        .map([&] { return std::move(read); });
-  });
+                       .job = {.file = {},
+                               .options = checked(clip_reduction_in(options)),
+                               .position_scale = checked(position_scale_in(options)),
+                               .threads = static_cast<unsigned>(checked(threads_in(options.inputs.threads)))}};
+  request.job.file = file_of(options, scene_format_of(request.input));
+  auto read = std::move(checked).or_else(std::move(request));
+  if (!read) return read;
+  return check(read->job).and_then([&] { return check_files(options); }).map([&] { return std::move(*read); });
 }
 
 /// 0 where it is not known.
@@ -116,28 +103,28 @@ std::size_t bytes_of(const std::string& path) {
   return none ? 0 : static_cast<std::size_t>(bytes);
 }
 
-/// Where keys stay that single precision cannot hold within the tolerance.
-void warn_of_precision(const SceneRequest& request, const std::vector<ClipReduction>& reductions) {
-  double angle = 0.0, distance = 0.0;
-  for (const ClipReduction& reduction : reductions) {
-    angle = std::max(angle, reduction.angle.largest.value);
-    distance = std::max(distance, reduction.distance.largest.value);
-  }
-  const auto say = [](std::string_view option, double found, double tolerance, std::string_view unit) {
-    if (found > tolerance)
-      warn(
-          formatted("{}: found {:.4g}{} in the file, more than {:.4g}{}: glTF holds times and numbers in single "
-                    "precision, and keys that were to be nearer stay as they are",
-                    option, found, unit, tolerance, unit));
-  };
-  say("--tolerance", angle * degrees, request.reduction.tolerance * degrees, "°");
-  say("--world-tolerance", distance * request.metres, request.reduction.world_tolerance * request.metres, " m");
+std::string size_text(std::size_t bytes) {
+  const bool is_large = bytes >= 1'000'000;
+  return formatted("{:.3g} {}", static_cast<double>(bytes) * (is_large ? 1e-6 : 1e-3), is_large ? "MB" : "kB");
 }
 
-std::vector<Clip> clips_of(const std::vector<ClipReduction>& reductions) {
-  std::vector<Clip> clips;
-  for (const ClipReduction& reduction : reductions) clips.push_back(reduction.clip);
-  return clips;
+/// The clips with fewer keys, and the sizes of the files that they were read from and written to.
+struct ReducedScene : Written<jobs::ReduceSceneOutcome> {
+  std::size_t bytes_before = 0, bytes_after = 0;  ///< 0 where that is not known
+};
+
+std::string text_of(const ReducedScene& written) {
+  const std::string sizes = written.bytes_before == 0 ? ""
+                                                      : formatted(": {} of {}", size_text(written.bytes_after),
+                                                                  size_text(written.bytes_before));
+  return summary_of(written.outcome) + formatted("written to {}{}\n", destination(written.output), sizes);
+}
+
+Json json_of(const ReducedScene& written) {
+  Json json = cli::json_of<jobs::ReduceSceneOutcome>(written);
+  if (written.bytes_before > 0) json["bytes_before"] = written.bytes_before;
+  json["bytes"] = written.bytes_after;
+  return json;
 }
 
 }  // namespace
@@ -155,33 +142,19 @@ Expected<void> reduce_scene(const ReduceOptions& options) {
   auto scene = open_scene(request->input);
   if (!scene) return tl::unexpected(std::move(scene.error()));
   warn(scene->warnings);
-  const scenes::SceneFormat* const format = scene->format;  // null for keys of a table
-  if (format && format->holds_floats) request->reduction.precision_before = orispline::KeyPrecision::float32;
-  auto reductions = orispline::reduce_clips(scene->skeleton, scene->clips, request->reduction, request->threads);
-  if (!reductions) {
-    reductions.error().where.file = options.input.path;
-    return tl::unexpected(std::move(reductions.error()));
-  }
-  warn_of_precision(*request, *reductions);
-  const std::vector<Clip> before = std::exchange(scene->clips, clips_of(*reductions));
-  ReduceSceneReport report{.input = options.input.path,
-                           .output = options.output.path,
-                           .skeleton = scene->skeleton,
-                           .options = request->reduction,
-                           .metres = request->metres,
-                           .unit = format && format->has_no_unit && !options.position_scale ? "" : " m",
-                           .reductions = *std::move(reductions),
-                           .bytes_before = bytes_of(options.input.path)};
-  const auto make_page = [&](const auto& head) {
-    return pages::reduced_clips_page(
-        {report.input, scene->skeleton, before}, report.output, report.reductions, report.options,
-        {.metres = report.metres, .are_known = !report.unit.empty(), .shell = report.options.shell}, head,
-        request->threads);
-  };
-  return page->write(make_page)
+  request->job.file = file_of(options, scene->format);
+  request->job.skeleton = scene->skeleton;
+  request->job.clips = std::exchange(scene->clips, {});
+  ReducedScene report{{options.input.path, options.output.path, "keys", {}}, bytes_of(options.input.path)};
+  auto outcome = jobs::reduce_scene(std::move(request->job));
+  if (!outcome) return tl::unexpected(std::move(outcome.error()));
+  warn(outcome->warnings);
+  scene->clips = outcome->clips();
+  return page->write([&](const auto& head) { return page_of(*outcome, options.output.path, head); })
       .and_then([&] { return write_scene(options.output.path, *scene, request->writing); })
       .and_then([&] { return page->finish(); })
       .and_then([&] {
+        report.outcome = std::move(*outcome);
         report.bytes_after = bytes_of(options.output.path);
         return summarise(options.summary, report);
       });

@@ -13,6 +13,7 @@
 #include <orispline/base/version.hpp>
 #include <orispline/clip/clip_difference.hpp>
 #include <orispline/math/degrees.hpp>
+#include <orispline/reduce/clip_totals.hpp>
 #include <orispline/reduce/reduce_fields.hpp>
 #include <orispline/report/page.hpp>
 
@@ -257,12 +258,8 @@ report::SkeletonPage unscaled_page(const NamedClips& before, const NamedClips& a
 
 /// `8377 of 55868 keys of rotations`
 std::string keys_text(std::span<const ClipReduction> reductions) {
-  std::size_t after = 0, before = 0;
-  for (const ClipReduction& reduction : reductions) {
-    after += reduction.rotation_keys;
-    before += reduction.rotation_keys_before;
-  }
-  return formatted("{} of {} of rotations", after, counted(before, "key"));
+  const ClipTotals totals = totals_of(reductions);
+  return formatted("{} of {} of rotations", totals.rotation_keys, counted(totals.rotation_keys_before, "key"));
 }
 
 }  // namespace

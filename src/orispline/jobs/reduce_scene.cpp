@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/jobs/reduce_scene.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <orispline/base/formatted.hpp>
+#include <orispline/math/degrees.hpp>
+
+namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
+
+namespace {
+
+/// With lengths in the unit of the file.
+ClipReduceOptions options_for(const ReduceSceneRequest& request) {
+  ClipReduceOptions options = request.options;
+  for (double* const length : {&options.position_tolerance, &options.world_tolerance, &options.shell})
+    *length /= request.position_scale.value_or(1.0);
+  options.precision = KeyPrecision::float32;  // that of glTF
+  options.precision_before = request.file.is_single_precise ? KeyPrecision::float32 : KeyPrecision::float64;
+  return options;
+}
+
+Expected<void> check_unit(const ReduceSceneRequest& request) {
+  const bool bounds_world = std::isfinite(request.options.world_tolerance);
+  const bool bounds_lengths = bounds_world || std::isfinite(request.options.position_tolerance);
+  if (!request.file.has_no_unit || request.position_scale || !bounds_lengths) return {};
+  return bad_option(
+      bounds_world ? "world_tolerance" : "position_tolerance",
+      formatted("found {}, which has no unit of length, wanted `position_scale` as well, such as 0.01 for "
+                "centimetres",
+                request.file.format));
+}
+
+Warning missed(std::string_view option, double found, double tolerance, std::string_view unit) {
+  return {.code = "single_precision",
+          .message = formatted("found {:.4g}{} in the file, more than {:.4g}{}: glTF holds times and numbers in single "
+                               "precision, and keys that were to be nearer stay as they are",
+                               found, unit, tolerance, unit),
+          .option = std::string(option)};
+}
+
+/// Where keys stay that single precision cannot hold within the tolerance.
+std::vector<Warning> warnings_of_precision(const ReduceSceneOutcome& outcome) {
+  const ClipTotals totals = outcome.totals();
+  const ClipReduceOptions& options = outcome.options;
+  std::vector<Warning> warnings;
+  if (totals.angle && totals.angle->angle.largest.value > options.tolerance)
+    warnings.push_back(
+        missed("tolerance", totals.angle->angle.largest.value * degrees, options.tolerance * degrees, "°"));
+  if (totals.distance && totals.distance->distance.largest.value > options.world_tolerance)
+    warnings.push_back(missed("world_tolerance", totals.distance->distance.largest.value * outcome.metres(),
+                              options.world_tolerance * outcome.metres(), " m"));
+  return warnings;
+}
+
+}  // namespace
+
+ClipTotals ReduceSceneOutcome::totals() const { return totals_of(reductions); }
+
+std::vector<Clip> ReduceSceneOutcome::clips() const {
+  std::vector<Clip> clips;
+  for (const ClipReduction& reduction : reductions) clips.push_back(reduction.clip);
+  return clips;
+}
+
+double ReduceSceneOutcome::metres() const { return request.position_scale.value_or(1.0); }
+
+bool ReduceSceneOutcome::knows_metres() const { return !request.file.has_no_unit || request.position_scale; }
+
+Expected<void> check(const ReduceSceneRequest& request) {
+  return check_unit(request).and_then([&] { return orispline::check(options_for(request)); });
+}
+
+Expected<ReduceSceneOutcome> reduce_scene(ReduceSceneRequest request) {
+  if (auto checked = check(request); !checked) return tl::unexpected(std::move(checked.error()));
+  const ClipReduceOptions options = options_for(request);
+  auto reductions = reduce_clips(request.skeleton, request.clips, options, request.threads);
+  if (!reductions) {
+    reductions.error().where.file = request.file.name;
+    return tl::unexpected(std::move(reductions.error()));
+  }
+  ReduceSceneOutcome outcome{.request = std::move(request), .options = options, .reductions = *std::move(reductions)};
+  outcome.warnings = warnings_of_precision(outcome);
+  return outcome;
+}
+
+}}}  // namespace orispline::jobs

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include <orispline/base/counted.hpp>
+#include <orispline/base/formatted.hpp>
+#include <orispline/base/quoted.hpp>
+#include <orispline/jobs/reduce_scene.hpp>
+#include <orispline/math/degrees.hpp>
+#include <orispline/reduce/reduce_fields.hpp>
+
+namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
+
+namespace {
+
+std::string_view length_unit(const ReduceSceneOutcome& outcome) { return outcome.knows_metres() ? " m" : ""; }
+
+std::string worst_place(const ReduceSceneOutcome& outcome, const ClipReduction& reduction,
+                        const ClipReduction::Worst& worst) {
+  return formatted("{}, at {:.6g} s", orispline::place_of(outcome.request.skeleton, reduction.clip, worst.joint),
+                   worst.largest.time);
+}
+
+std::string counts_lines(const ReduceSceneOutcome& outcome, const ClipTotals& totals) {
+  std::string text;
+  if (totals.rotation_tracks > 0)
+    text +=
+        formatted("rotations       {} of {} in {} of three keys and more ({:.1f} %)\n", totals.rotation_keys,
+                  counted(totals.rotation_keys_before, "key"), counted(totals.rotation_tracks, "track"),
+                  100.0 * static_cast<double>(totals.rotation_keys) / static_cast<double>(totals.rotation_keys_before));
+  if (totals.translation_keys < totals.translation_keys_before)
+    text += formatted("translations    {} of {}\n", totals.translation_keys,
+                      counted(totals.translation_keys_before, "key"));
+  if (outcome.options.closed)
+    text += formatted("closed          {} of {}: those that end as they begin\n",
+                      totals.rotation_tracks - totals.open_tracks, counted(totals.rotation_tracks, "track"));
+  return text;
+}
+
+std::string errors_lines(const ReduceSceneOutcome& outcome, const ClipTotals& totals) {
+  std::string text;
+  if (totals.angle)
+    text += formatted("largest angle   {:.6g}° at every key of the input, {}\n",
+                      totals.angle->angle.largest.value * degrees,
+                      worst_place(outcome, *totals.angle, totals.angle->angle));
+  if (totals.rotation_tracks > 0)
+    text +=
+        formatted("between keys    {:.6g}° from the curve auto through them, {:.6g}° from what the input has there\n",
+                  totals.from_smooth->from_smooth.largest.value * degrees,
+                  totals.from_stored->from_stored.largest.value * degrees);
+  if (totals.distance)
+    text += formatted("shell distance  {:.6g}{} in the world, {}; shell {:g}{}\n",
+                      totals.distance->distance.largest.value * outcome.metres(), length_unit(outcome),
+                      worst_place(outcome, *totals.distance, totals.distance->distance),
+                      outcome.options.shell * outcome.metres(), length_unit(outcome));
+  return text;
+}
+
+Json worst_json(const ReduceSceneOutcome& outcome, const ClipReduction& reduction, const ClipReduction::Worst& worst,
+                double unit) {
+  return {{"largest", worst.largest.value * unit},
+          {"clip", reduction.clip.name},
+          {"joint", outcome.request.skeleton[worst.joint].name},
+          {"time_s", worst.largest.time}};
+}
+
+}  // namespace
+
+std::string summary_of(const ReduceSceneOutcome& outcome) {
+  const ClipTotals totals = outcome.totals();
+  return formatted("{} from {}, tolerance {}, method {}\n", counted(outcome.reductions.size(), "clip"),
+                   printable(outcome.request.file.name),
+                   tolerance_text(outcome.options, outcome.metres(), length_unit(outcome)),
+                   outcome.options.method.name) +
+         counts_lines(outcome, totals) + errors_lines(outcome, totals);
+}
+
+std::string line_of(const ReduceSceneOutcome& outcome) {
+  const ClipTotals totals = outcome.totals();
+  return formatted(
+      "{} of {}, {:.6g}° and {:.6g}{} in the world off at most", totals.rotation_keys,
+      counted(totals.rotation_keys_before, "key"), totals.angle ? totals.angle->angle.largest.value * degrees : 0.0,
+      totals.distance ? totals.distance->distance.largest.value * outcome.metres() : 0.0, length_unit(outcome));
+}
+
+Json document_of(const ReduceSceneOutcome& outcome) {
+  const ClipTotals totals = outcome.totals();
+  const ClipReduceOptions& options = outcome.options;
+  const double metres = outcome.metres();
+  Json json{{"method", options.method.name}};
+  if (std::isfinite(options.tolerance)) json["tolerance_deg"] = options.tolerance * degrees;
+  if (std::isfinite(options.position_tolerance)) json["position_tolerance_m"] = options.position_tolerance * metres;
+  if (std::isfinite(options.world_tolerance)) json["world_tolerance_m"] = options.world_tolerance * metres;
+  json["shell_m"] = options.shell * metres;
+  json["clips"] = outcome.reductions.size();
+  json["rotation_tracks"] = totals.rotation_tracks;
+  json["rotation_keys_before"] = totals.rotation_keys_before;
+  json["rotation_keys"] = totals.rotation_keys;
+  json["translation_keys_before"] = totals.translation_keys_before;
+  json["translation_keys"] = totals.translation_keys;
+  if (options.closed) json["open_tracks"] = totals.open_tracks;
+  if (totals.angle) json["angle_deg"] = worst_json(outcome, *totals.angle, totals.angle->angle, degrees);
+  if (totals.distance)
+    json["shell_distance_m"] = worst_json(outcome, *totals.distance, totals.distance->distance, metres);
+  if (totals.rotation_tracks > 0) {
+    json["from_smooth_deg"] = worst_json(outcome, *totals.from_smooth, totals.from_smooth->from_smooth, degrees);
+    json["from_stored_deg"] = worst_json(outcome, *totals.from_stored, totals.from_stored->from_stored, degrees);
+  }
+  return json;
+}
+
+}}}  // namespace orispline::jobs

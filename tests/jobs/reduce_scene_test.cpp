@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/jobs/reduce_scene.hpp>
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include <orispline/math/degrees.hpp>
+
+#include "jobs/turns.hpp"
+
+namespace orispline::jobs { namespace {
+
+constexpr double clip_tolerance = 0.01;  // [rad]
+
+/// A shoulder with an elbow 0.3 above it.
+Skeleton arm() {
+  JointPose elbow;
+  elbow.translation = {0.0, 0.3, 0.0};
+  return Skeleton::make({{.name = "shoulder"}, {.name = "elbow", .parent = 0, .rest = elbow}}).value();
+}
+
+/// Both joints turn at 30 Hz, as far as this at most [rad].
+Clip swing(std::string name, double widest) {
+  Clip clip{.name = std::move(name)};
+  for (const std::size_t joint : {0u, 1u}) {
+    RotationChannel channel{.joint = joint};
+    for (int i = 0; i < 90; ++i) {
+      channel.times.push_back(i / 30.0);
+      channel.values.emplace_back(
+          Eigen::AngleAxisd(widest * std::sin(0.07 * i + static_cast<double>(joint)), Eigen::Vector3d::UnitZ()));
+    }
+    clip.rotations.push_back(std::move(channel));
+  }
+  return clip;
+}
+
+ReduceSceneRequest request_of(ClipFile file) {
+  return {.file = std::move(file),
+          .skeleton = arm(),
+          .clips = {swing("nod", 0.3), swing("wave", 1.0)},
+          .options = {.tolerance = clip_tolerance}};
+}
+
+const ClipFile glb{.name = "arm.glb", .format = "a glTF file", .is_single_precise = true};
+const ClipFile bvh{.name = "arm.bvh", .format = "a BVH file", .has_no_unit = true};
+
+ReduceSceneOutcome reduced(ReduceSceneRequest request) { return reduce_scene(std::move(request)).value(); }
+
+TEST(ReduceSceneJob, AddsUpTheClipsOnce) {
+  const ReduceSceneOutcome outcome = reduced(request_of(glb));
+  ASSERT_EQ(outcome.reductions.size(), 2u);
+  const ClipTotals totals = outcome.totals();
+  EXPECT_EQ(totals.rotation_tracks, 4u);
+  EXPECT_EQ(totals.rotation_keys_before, 360u);
+  EXPECT_EQ(totals.rotation_keys, outcome.reductions[0].rotation_keys + outcome.reductions[1].rotation_keys);
+  for (const ClipReduction& reduction : outcome.reductions)
+    EXPECT_GE(totals.angle->angle.largest.value, reduction.angle.largest.value);
+  EXPECT_EQ(outcome.clips().back().name, "wave");
+  EXPECT_TRUE(outcome.warnings.empty());
+}
+
+TEST(ReduceSceneJob, AddsUpNoClips) {
+  ReduceSceneRequest request = request_of(glb);
+  request.clips.clear();
+  const ReduceSceneOutcome outcome = reduced(std::move(request));
+  EXPECT_EQ(outcome.totals().angle, nullptr);
+  EXPECT_TRUE(summary_of(outcome).starts_with("0 clips from arm.glb, tolerance 0.572958°")) << summary_of(outcome);
+}
+
+TEST(ReduceSceneJob, WarnsOfSinglePrecision) {
+  ReduceSceneRequest request = request_of({.name = "arm.csv"});
+  request.options.tolerance = 1e-9;
+  request.options.world_tolerance = 1e-9;
+  const auto warnings = reduced(std::move(request)).warnings;
+  ASSERT_EQ(warnings.size(), 2u);
+  EXPECT_EQ(warnings[0].code, "single_precision");
+  EXPECT_EQ(warnings[0].option, "tolerance");
+  EXPECT_EQ(warnings[1].option, "world_tolerance");
+}
+
+TEST(ReduceSceneJob, WantsAScaleForLengthsWithoutAUnit) {
+  ReduceSceneRequest request = request_of(bvh);
+  EXPECT_TRUE(check(request)) << "angles want none";
+  request.options.world_tolerance = 0.02;
+  const auto refused = reduce_scene(request);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::bad_argument);
+  EXPECT_EQ(describe(refused.error()),
+            "world_tolerance: found a BVH file, which has no unit of length, wanted `position_scale` as well, such as "
+            "0.01 for centimetres");
+  request.options.world_tolerance = std::numeric_limits<double>::infinity();
+  request.options.position_tolerance = 0.02;
+  EXPECT_EQ(reduce_scene(request).error().option, "position_tolerance");
+  request.position_scale = 0.01;
+  EXPECT_TRUE(reduce_scene(request));
+  EXPECT_TRUE(check(request));
+}
+
+TEST(ReduceSceneJob, TakesAndShowsLengthsInMetres) {
+  ReduceSceneRequest request = request_of(bvh);
+  request.options = {.world_tolerance = 0.001, .shell = 0.02};
+  request.position_scale = 0.1;
+  const ReduceSceneOutcome outcome = reduced(std::move(request));
+  EXPECT_DOUBLE_EQ(outcome.options.world_tolerance, 0.01);
+  EXPECT_LE(outcome.totals().distance->distance.largest.value, 0.01);
+  const Json document = document_of(outcome);
+  EXPECT_DOUBLE_EQ(number(document, "world_tolerance_m"), 0.001);
+  EXPECT_DOUBLE_EQ(number(document, "shell_m"), 0.02);
+  EXPECT_LE(number(member(document, "shell_distance_m"), "largest"), 0.001);
+  EXPECT_NE(summary_of(outcome).find("; shell 0.02 m\n"), std::string::npos) << summary_of(outcome);
+}
+
+TEST(ReduceSceneJob, ShowsNoUnitThatIsNotKnown) {
+  const ReduceSceneOutcome outcome = reduced(request_of(bvh));
+  EXPECT_NE(summary_of(outcome).find("; shell 0.03\n"), std::string::npos) << summary_of(outcome);
+  EXPECT_TRUE(line_of(outcome).ends_with(" in the world off at most")) << line_of(outcome);
+  EXPECT_EQ(line_of(outcome).find(" m "), std::string::npos) << line_of(outcome);
+}
+
+TEST(ReduceSceneJob, NamesTheFileOfWhatItCannotReduce) {
+  ReduceSceneRequest request = request_of(glb);
+  request.options.method = Method("bspline");
+  EXPECT_EQ(reduce_scene(request).error().where.file, "arm.glb");
+}
+
+}  // namespace
+}  // namespace orispline::jobs
