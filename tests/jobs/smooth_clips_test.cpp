@@ -10,7 +10,7 @@
 namespace orispline::jobs { namespace {
 
 /// A slow swing of a joint with a jitter, one key per second.
-RotationChannel swing(std::size_t joint, int keys = 40) {
+RotationChannel swinging(std::size_t joint, int keys = 40) {
   RotationChannel channel{.joint = joint};
   for (int i = 0; i < keys; ++i) {
     const double angle = std::sin(0.1 * i) + (i % 2 == 0 ? 0.01 : -0.01);
@@ -26,7 +26,7 @@ SmoothClipsRequest wave(std::size_t clips = 1) {
                              .skeleton = *Skeleton::make({{.name = "arm"}, {.name = "hand", .parent = 0}}),
                              .options = {.smoothing_time = 2.0}};
   for (std::size_t i = 0; i < clips; ++i)
-    request.clips.push_back({.name = "wave", .rotations = {swing(0), swing(1, 5)}});
+    request.clips.push_back({.name = "wave", .rotations = {swinging(0), swinging(1, 5)}});
   return request;
 }
 
@@ -60,7 +60,8 @@ TEST(SmoothClipsJob, WarnsOnceOfAllThatCannotBeSmoothed) {
   SmoothClipsRequest request = wave(2);
   request.options.gap = 1.5;
   for (Clip& clip : request.clips)
-    for (std::size_t i = 0; i < clip.rotations.front().size(); ++i) clip.rotations.front().times[i] += 1.0 * (i / 2);
+    for (std::size_t i = 0; i < clip.rotations.front().size(); ++i)
+      clip.rotations.front().times[i] += static_cast<double>(i / 2);
   const auto outcome = smooth_clips(std::move(request));
   ASSERT_TRUE(outcome) << outcome.error().message;
   ASSERT_EQ(outcome->warnings.size(), 1u);
