@@ -243,6 +243,7 @@ def test_tuning_to_a_reference_is_that_of_the_command(tmp_path):
 def test_results_say_what_the_command_says(task, words, options, tmp_path):
     given = EXAMPLES / "camera_keys.csv"
     *told, _ = run(task, given, *words.split(), "-o", tmp_path / "out.csv")[1].splitlines()  # where they were written
+    told = [line for line in told if not line.startswith("orispline: warning: ")]  # of which Python warns
     assert str(getattr(ori, task)(ori.read(given), **options)).splitlines() == told
     assert str(getattr(ori, task)(keys_in(given), **options)).splitlines() == [told[0].replace(f" from {given}", ""), *told[1:]]
 

@@ -253,7 +253,8 @@ class SceneReduction:
 
     @classmethod
     def _of(cls, core: Any) -> SceneReduction:
-        found = {name: Worst(*value) if isinstance(value, tuple) else value for name, value in core.attributes().items()}
+        found: dict[str, Any] = {name: Worst(*value) if isinstance(value, tuple) else value
+                                 for name, value in core.attributes().items()}
         return cls(**found, _members=core.members(), _summary=core.summary())
 
     def __str__(self) -> str:
