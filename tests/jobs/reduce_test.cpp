@@ -49,6 +49,16 @@ TEST(ReduceJob, TakesTheFewestKeysOfTheUsualMethods) {
   EXPECT_TRUE(outcome.warnings.empty());
 }
 
+TEST(ReduceJob, HoldsWhatItsSmoothingWasAskedFor) {
+  ReduceRequest request = request_of({turns(noisy_angles())});
+  request.smoothing = SmoothOptions{.loss = Loss::tukey};
+  const ReduceOutcome outcome = reduced(request);
+  ASSERT_TRUE(outcome.smoothed);
+  EXPECT_EQ(
+      std::get<std::string>(member(document_of(static_cast<const SmoothOutcome&>(*outcome.smoothed)), "loss").value()),
+      "tukey");
+}
+
 TEST(ReduceJob, SmoothsFirstAndSaysHowFarTheRecordingIs) {
   ReduceRequest request = request_of({turns(noisy_angles())});
   request.smoothing = SmoothOptions{};

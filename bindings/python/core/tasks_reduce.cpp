@@ -51,9 +51,7 @@ nb::dict attributes_of_reduction(const ReduceOutcome& outcome) {
 }
 
 std::optional<jobs::SmoothOutcome> smoothing_of(const ReduceOutcome& outcome) {
-  if (!outcome.smoothed) return std::nullopt;
-  const Smoothing& smoothing = outcome.smoothed->smoothing;
-  return jobs::SmoothOutcome{{outcome.recording}, smoothing, smoothing.warnings};
+  return outcome.smoothed ? std::optional<jobs::SmoothOutcome>(*outcome.smoothed) : std::nullopt;
 }
 
 }  // namespace

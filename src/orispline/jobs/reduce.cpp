@@ -5,7 +5,6 @@
 
 #include <orispline/base/parallel.hpp>
 #include <orispline/jobs/chosen_method.hpp>
-#include <orispline/jobs/smoothing_words.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
 
@@ -24,11 +23,10 @@ std::vector<Warning> unchecked_positions(const Track& recording, const Tolerance
 }
 
 Expected<ReduceOutcome> smoothed_first(ReduceOutcome outcome, const SmoothOptions& options, const Progress& progress) {
-  const Track& recording = *outcome.recording;
-  auto smoothing = orispline::smooth(recording, options, {.stop = progress.stop});
-  if (!smoothing) return tl::unexpected(recording.located(std::move(smoothing.error())));
-  for (Warning& warning : remark_on(*smoothing, recording)) outcome.warnings.push_back(std::move(warning));
-  outcome.smoothed = SmoothedFirst{.smoothing = std::move(*smoothing)};
+  auto smoothed = smooth({outcome.recording, options}, {.stop = progress.stop});
+  if (!smoothed) return tl::unexpected(outcome.recording->located(std::move(smoothed.error())));
+  outcome.warnings.insert(outcome.warnings.end(), smoothed->warnings.begin(), smoothed->warnings.end());
+  outcome.smoothed = SmoothedFirst{std::move(*smoothed)};
   return outcome;
 }
 

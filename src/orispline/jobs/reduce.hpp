@@ -7,19 +7,10 @@
 #include <vector>
 
 #include <orispline/fields/json.hpp>
+#include <orispline/jobs/smooth.hpp>
 #include <orispline/reduce/reduce.hpp>
-#include <orispline/smooth/smooth.hpp>
 
-namespace orispline { inline namespace ORISPLINE_ABI {
-
-namespace report {
-struct Page;
-}
-namespace pages {
-struct PageHead;
-}
-
-namespace jobs {
+namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
 
 struct ReduceRequest {
   std::vector<std::shared_ptr<const Track>> recordings;
@@ -31,8 +22,7 @@ struct ReduceRequest {
 
 /// What was done to a recording before, and how far the chosen curve is from it as it was [rad] and its path [m],
 /// samples that were rejected apart.
-struct SmoothedFirst {
-  Smoothing smoothing;
+struct SmoothedFirst : SmoothOutcome {
   DistanceStatistics raw{};
   std::optional<DistanceStatistics> raw_positions{};  ///< where there are positions
 };

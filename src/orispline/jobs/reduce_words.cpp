@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tuple>
+
 #include <orispline/base/counted.hpp>
 #include <orispline/base/formatted.hpp>
 #include <orispline/fields/field_json.hpp>
@@ -34,7 +36,8 @@ Json method_json(const ReduceOutcome& outcome, const Reduction& reduction) {
 }
 
 Json smoothed_json(const ReduceOutcome& outcome) {
-  const auto& [smoothing, raw, raw_positions] = *outcome.smoothed;
+  const SmoothedFirst& smoothed = *outcome.smoothed;
+  const auto& [smoothing, raw, raw_positions] = std::tie(smoothed.smoothing, smoothed.raw, smoothed.raw_positions);
   const Places places = places_of(*outcome.recording);
   Json json;
   put(json, smoothing, {"smoothing_time", "cutoff", "criterion", "noise", "rejected"}, places);
@@ -51,7 +54,8 @@ Json smoothed_json(const ReduceOutcome& outcome) {
 }
 
 std::string smoothed_lines(const ReduceOutcome& outcome) {
-  const auto& [smoothing, raw, raw_positions] = *outcome.smoothed;
+  const SmoothedFirst& smoothed = *outcome.smoothed;
+  const auto& [smoothing, raw, raw_positions] = std::tie(smoothed.smoothing, smoothed.raw, smoothed.raw_positions);
   const auto rejected_line = [&](const std::vector<std::size_t>& rejected) {
     return formatted("  rejected        {}{}\n", rejected.size(), places_text(rejected, *outcome.recording));
   };

@@ -129,7 +129,8 @@ Expected<SmoothOutcome> smooth(SmoothRequest request, const Progress& progress) 
   const Track& recording = *request.recording;
   auto smoothing = orispline::smooth(recording, request.options, progress);
   if (!smoothing) return tl::unexpected(placed(recording, std::move(smoothing.error())));
-  std::vector<Warning> warnings = remark_on(*smoothing, recording);
+  std::vector<Warning> warnings;
+  for (const Warning& warning : smoothing->warnings) warnings.push_back(recording.located(warning));
   return SmoothOutcome{std::move(request), std::move(*smoothing), std::move(warnings)};
 }
 

@@ -54,10 +54,4 @@ std::string position_choice_line(const Smoothing& smoothing) {
   return smoothing.positions ? formatted("positions       {}\n", choice_of_positions(smoothing)) : "";
 }
 
-std::vector<Warning> remark_on(const Smoothing& smoothing, const Track& recording) {
-  std::vector<Warning> remarks;
-  for (const Warning& warning : smoothing.warnings) remarks.push_back(recording.located(warning));
-  return remarks;
-}
-
 }}}  // namespace orispline::jobs

@@ -19,7 +19,4 @@ namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
 /// `positions       smoothing time 0.1 s (cut-off 1.59 Hz), by …`, or that they are as they were; empty without any.
 [[nodiscard]] std::string position_choice_line(const Smoothing& smoothing);
 
-/// Its warnings, the likely cause of the others first, with their places in the recording.
-[[nodiscard]] std::vector<Warning> remark_on(const Smoothing& smoothing, const Track& recording);
-
 }}}  // namespace orispline::jobs
