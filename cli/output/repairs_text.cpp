@@ -23,9 +23,4 @@ std::string text_of(const io::RepairReport& repairs) {
   return joined(clauses, "; ");
 }
 
-std::string clauses_of(const io::RepairReport& repairs) {
-  const std::string text = text_of(repairs);
-  return text.empty() ? text : "; " + text;
-}
-
 }  // namespace orispline::cli

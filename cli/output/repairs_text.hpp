@@ -9,7 +9,5 @@ namespace orispline::cli {
 
 /// What reading touched, one clause each: `dropped 2 rows of duplicate times`; empty when nothing.
 [[nodiscard]] std::string text_of(const io::RepairReport& repairs);
-/// The same, to go on a line with: `; dropped 2 rows of duplicate times`.
-[[nodiscard]] std::string clauses_of(const io::RepairReport& repairs);
 
 }  // namespace orispline::cli

@@ -62,43 +62,6 @@ struct Attribute {
   nb::object operator()(const auto& value) const { return nb::cast(value); }
 };
 
-/// A sample in its file: what has no lines has none here.
-nb::dict place_of(std::size_t sample, const Track& recording) {
-  nb::dict place;
-  place["key"] = sample;
-  place["line"] = recording.lines.empty() ? nb::object(nb::none()) : nb::cast(recording.lines[sample]);
-  return place;
-}
-
-struct Member {
-  const FieldInfo& field;
-  const Track& recording;
-
-  nb::object operator()(double number) const { return nb::cast(field.quantity ? number * field.quantity->shown : number); }
-  nb::object operator()(std::size_t number) const {
-    return field.type == FieldType::sample ? text(recording.time_of(number).to_string()) : nb::cast(number);
-  }
-  nb::object operator()(const std::vector<std::size_t>& samples) const {
-    nb::list list;
-    for (const std::size_t sample : samples) {
-      nb::dict place = place_of(sample, recording);
-      place["time_s"] = text(recording.time_of(sample).to_string());
-      list.append(place);
-    }
-    return list;
-  }
-  nb::object operator()(const std::vector<SampleRun>& runs) const {
-    nb::list list;
-    for (const auto& [first, count] : runs) {
-      nb::dict place = place_of(first, recording);
-      place["samples"] = count;
-      list.append(place);
-    }
-    return list;
-  }
-  nb::object operator()(const auto& value) const { return Attribute()(value); }
-};
-
 struct FromJson {
   nb::object operator()(std::nullptr_t) const { return nb::none(); }
   nb::object operator()(const Json::Array& values) const {
@@ -157,15 +120,6 @@ nb::dict attributes_of(std::span<const FieldInfo> fields, const void* result) {
   nb::dict attributes;
   for (const FieldInfo& field : fields) attributes[text(field.name)] = std::visit(Attribute(), field.get(result));
   return attributes;
-}
-
-void put_members(nb::dict& members, std::span<const FieldInfo> fields, const void* result, const Track& recording,
-                 Absent absent) {
-  for (const FieldInfo& field : fields) {
-    const FieldValue value = field.get(result);
-    if (absent == Absent::left_out && is_absent(value)) continue;
-    members[text(name_with_unit(field))] = std::visit(Member{field, recording}, value);
-  }
 }
 
 nb::object object_of(const Json& json) { return std::visit(FromJson(), json.value()); }

@@ -7,7 +7,6 @@
 #include <nanobind/nanobind.h>
 
 #include <orispline/base/warning.hpp>
-#include <orispline/curve/track.hpp>
 #include <orispline/fields.hpp>
 #include <orispline/fields/json.hpp>
 
@@ -31,17 +30,6 @@ nanobind::dict attributes_of(std::span<const FieldInfo> fields, const void* resu
 template <class Result>
 nanobind::dict attributes_of(const Result& result) {
   return attributes_of(fields_of<Result>(), &result);
-}
-
-/// What becomes of members without a value.
-enum class Absent { none, left_out };
-
-/// Values by name with unit, as the command's JSON has them. Samples are told with their places in the recording.
-void put_members(nanobind::dict& members, std::span<const FieldInfo> fields, const void* result, const Track& recording,
-                 Absent absent = Absent::none);
-template <class Result>
-void put_members(nanobind::dict& members, const Result& result, const Track& recording, Absent absent = Absent::none) {
-  put_members(members, fields_of<Result>(), &result, recording, absent);
 }
 
 /// As Python has it: None, numbers, texts, lists and dicts.

@@ -67,7 +67,7 @@ class Result:
         values = {name + "_" * keyword.iskeyword(name): _as_python(kinds.get(name, ""), value, given)
                   for name, value in core.attributes().items() if name != "keys"}
         return cls(keys=new_keys(core.keys, given), method=core.method, _given=given, _arguments=arguments,
-                   _members=core.members(), _summary=core.summary() if hasattr(core, "summary") else "", _core=core, **values)
+                   _members=core.members(), _summary=core.summary(), _core=core, **values)
 
     def __getstate__(self) -> dict[str, Any]:
         return {name: None if name == "_core" else value for name, value in self.__dict__.items() if name != "curve"}

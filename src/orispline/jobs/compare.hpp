@@ -72,6 +72,9 @@ struct ORISPLINE_EXPORT CompareOutcome {
 [[nodiscard]] ORISPLINE_EXPORT Json document_of(const CompareOutcome& outcome);
 /// One table for programs, with a header.
 [[nodiscard]] ORISPLINE_EXPORT std::string csv_of(const CompareOutcome& outcome);
+/// `flight.csv: every 8th sample kept, 11 keys, 81 samples compared`, `keys.csv against truth.csv, …`, with the names
+/// of the files and not their folders.
+[[nodiscard]] ORISPLINE_EXPORT std::string title_of(const CompareOutcome& outcome, std::size_t key_set);
 /// One for each set of keys, for people.
 [[nodiscard]] ORISPLINE_EXPORT std::vector<report::Table> tables_of(const CompareOutcome& outcome);
 /// The same as text, in lines as long as they are.

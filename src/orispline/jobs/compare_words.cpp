@@ -9,7 +9,6 @@
 #include <orispline/families/registry.hpp>
 #include <orispline/jobs/chosen_method.hpp>
 #include <orispline/jobs/compare.hpp>
-#include <orispline/jobs/compare_title.hpp>
 #include <orispline/jobs/words.hpp>
 #include <orispline/report/table.hpp>
 
