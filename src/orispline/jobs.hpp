@@ -6,6 +6,7 @@
 
 #include <orispline/jobs/compare.hpp>
 #include <orispline/jobs/curve_of_keys.hpp>
+#include <orispline/jobs/difference.hpp>
 #include <orispline/jobs/inspect.hpp>
 #include <orispline/jobs/reduce.hpp>
 #include <orispline/jobs/reduce_scene.hpp>

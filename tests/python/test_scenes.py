@@ -129,6 +129,11 @@ def test_shell_distance_is_the_chord_of_the_farthest_point(tmp_path):
     assert found["shoulder"] == pytest.approx(2 * 0.1 * math.sin(HALF))
 
 
+def test_the_only_clips_are_compared_whatever_their_names(tmp_path):
+    a, b = (ori.read_scene(bvh(tmp_path / f"{name}.bvh", [0, 20, 0])) for name in "ab")
+    assert set(ori.shell_distance(a, b)) == {a.clips[0].name} != {b.clips[0].name}
+
+
 def test_keys_of_a_joint_are_read_as_those_of_a_table(arm, tmp_path):
     arm.write(tmp_path / "arm.glb")
     for name in ("arm.bvh", "arm.glb"):

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -173,24 +174,31 @@ nb::tuple reduce_scene(const SharedScene& shared, const std::string& method, con
   return nb::make_tuple(SharedScene(std::move(scene)), std::move(outcome));
 }
 
-/// Of every joint of a clip the largest distance from the same joint in the clip of another scene, and when; None where
-/// it is not there.
-nb::list distances_of(const SharedScene& first, std::size_t clip, const SharedScene& second, std::size_t other,
-                      double shell) {
-  const Skeleton &a = first.scene->skeleton, &b = second.scene->skeleton;
-  const auto counterparts = counterparts_of(a, b);
-  std::vector<double> times = key_times(clip_of(first, clip));
-  if (times.empty()) times.push_back(0.0);
-  const auto found = [&] {
-    const nb::gil_scoped_release release;
-    return differences(ClipMotion(a, clip_of(first, clip)), ClipMotion(b, clip_of(second, other)), counterparts, times,
-                       shell);
-  }();
-  nb::list list;
-  for (std::size_t i = 0; i < found.size(); ++i)
-    list.append(counterparts[i] == no_parent ? nb::object(nb::none())
-                                             : nb::object(nb::float_(found[i].distance.value)));
-  return list;
+jobs::MotionFile motion_of(const SharedScene& shared) {
+  return {.name = shared.scene->name, .skeleton = shared.scene->skeleton, .clips = shared.scene->clips};
+}
+
+/// By the names of clips and joints of the first scene, all of whose clips are compared; of equal names the largest.
+nb::dict shell_distances(const SharedScene& first, const SharedScene& second, double shell) {
+  nb::dict distances;
+  if (first.scene->clips.empty()) return distances;
+  const auto outcome = value_of(interruptible([&](const Progress&) {
+    return jobs::difference({.first = motion_of(first), .second = motion_of(second), .shell = shell});
+  }));
+  if (!outcome.only_in_first.empty())
+    raise({ErrorCode::bad_data,
+           "found no clip '" + outcome.only_in_first.front() + "', wanted every clip of a", {}, "b"});
+  for (const jobs::ClipDifference& clip : outcome.clips) {
+    const nb::str name = text(outcome.name_of(clip));
+    if (!distances.contains(name)) distances[name] = nb::dict();
+    nb::dict joints = nb::borrow<nb::dict>(distances[name]);
+    for (std::size_t i = 0; i < clip.joints.size(); ++i) {
+      const nb::str joint = text(outcome.name_of_joint(clip.joints[i]));
+      const double before = joints.contains(joint) ? nb::cast<double>(joints[joint]) : 0.0;
+      joints[joint] = std::max(before, clip.worst[i].distance.value);
+    }
+  }
+  return distances;
 }
 
 }  // namespace
@@ -202,7 +210,7 @@ void add_scenes(nb::module_& module) {
       .def_prop_ro("skeleton", &skeleton_of)
       .def_prop_ro("clips", &clips_of)
       .def("channels", &channels_of, "clip"_a)
-      .def("distances", &distances_of, "clip"_a, "second"_a, "other"_a, "shell"_a)
+      .def("shell_distances", &shell_distances, "second"_a, "shell"_a)
       .def("reduced", &reduce_scene, "method"_a, "options"_a, "closed"_a, "position_scale"_a.none(), "threads"_a)
       .def("write", &write_scene, "path"_a, "euler"_a.none(), "rate"_a.none(), "bones"_a);
   auto outcome_class = nb::class_<jobs::ReduceSceneOutcome>(module, "SceneReduction");

@@ -6,7 +6,7 @@ from typing import Any
 
 from . import _core
 from ._checks import flag
-from ._errors import ArgumentError, DataError, tell
+from ._errors import ArgumentError, tell
 from ._files import Path, path_text
 from ._options import checked_threads, method_words, plain, takes
 from ._scene import Scene, SceneReduction, positive
@@ -120,7 +120,8 @@ def shell_distance(a: Scene, b: Scene, shell: float = 0.03) -> dict[str, dict[st
     Parameters
     ----------
     a, b : Scene
-        Clips and joints that have the same names are the same. All of `a` are compared, at the times of its keys.
+        Clips and joints that have the same names are the same, and so is the only clip of both. All of `a` are compared, at
+        the times of its keys.
     shell : float
         In the unit of the file: 3 cm where that is the metre.
 
@@ -136,17 +137,7 @@ def shell_distance(a: Scene, b: Scene, shell: float = 0.03) -> dict[str, dict[st
     """
     first, second = _checked(a, "a"), _checked(b, "b")
     length = positive("shell", shell)
-    left = list(enumerate(clip.name for clip in second.clips))
-    found: dict[str, dict[str, float]] = {}
-    for i, clip in enumerate(first.clips):
-        other = next((pair for pair in left if pair[1] == clip.name), None)
-        if other is None:
-            raise DataError(f"b: found no clip {clip.name!r}, wanted every clip of a")
-        left.remove(other)
-        joints = found.setdefault(clip.name, {})
-        for joint, distance in zip(first.skeleton.names, first._core.distances(i, second._core, other[0], length)):
-            if distance is not None:
-                joints[joint] = max(distance, joints.get(joint, 0.0))
+    found: dict[str, dict[str, float]] = first._core.shell_distances(second._core, length)
     return found
 
 

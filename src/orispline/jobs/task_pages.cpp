@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Outcomes as pages, where pages are built (ORISPLINE_PAGE).
+#include <algorithm>
+#include <iterator>
 #include <optional>
 #include <utility>
 
+#include <orispline/base/counted.hpp>
+#include <orispline/base/file_name.hpp>
 #include <orispline/base/formatted.hpp>
+#include <orispline/base/quoted.hpp>
 #include <orispline/jobs/compare.hpp>
+#include <orispline/jobs/difference.hpp>
 #include <orispline/jobs/reduce.hpp>
 #include <orispline/jobs/reduce_scene.hpp>
 #include <orispline/jobs/retime.hpp>
@@ -12,6 +18,23 @@
 #include <orispline/pages/task_pages.hpp>
 
 namespace orispline { inline namespace ORISPLINE_ABI { namespace jobs {
+
+namespace {
+
+std::vector<std::string> notes_on(const DifferenceOutcome& outcome) {
+  const DifferenceRequest& request = outcome.request;
+  std::vector<std::string> notes{
+      formatted("Both motions are compared at every key of {}{}.", file_name_of(request.first.name),
+                request.rate ? formatted(", and {:g} times per second as well", *request.rate) : "")};
+  for (const auto& [file, clips] :
+       {std::pair{&request.first, &outcome.only_in_first}, {&request.second, &outcome.only_in_second}})
+    if (!clips->empty())
+      notes.push_back(formatted("Only {} has {}, such as {}; not compared.", file_name_of(file->name),
+                                counted(clips->size(), "more clip"), in_quotes(clips->front())));
+  return notes;
+}
+
+}  // namespace
 
 report::Page page_of(const CompareOutcome& outcome, const pages::PageHead& head) {
   pages::ComparedCurves curves{.methods = outcome.methods,
@@ -52,6 +75,17 @@ report::Page page_of(const SmoothOutcome& outcome, pages::PageHead head) {
     head.notes.push_back(formatted("Warning: {}.", describe(warning)));
   }
   return pages::smooth_page(*outcome.request.recording, outcome.smoothing, head);
+}
+
+report::SkeletonPage page_of(const DifferenceOutcome& outcome, const pages::PageHead& head) {
+  const auto& [first, second, shell, rate, threads] = outcome.request;
+  pages::PageHead with_notes = head;
+  std::ranges::move(notes_on(outcome), std::back_inserter(with_notes.notes));
+  std::vector<pages::ClipPair> pairs;
+  for (const ClipDifference& clip : outcome.clips) pairs.push_back({clip.first, clip.second, clip.times});
+  return pages::skeleton_page({first.name, first.skeleton, first.clips}, {second.name, second.skeleton, second.clips},
+                              pairs, {.are_known = !first.has_no_unit && !second.has_no_unit, .shell = shell},
+                              with_notes, threads);
 }
 
 }}}  // namespace orispline::jobs

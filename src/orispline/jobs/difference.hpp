@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <orispline/clip/clip_difference.hpp>
+#include <orispline/fields/json.hpp>
+
+namespace orispline { inline namespace ORISPLINE_ABI {
+
+namespace report {
+struct SkeletonPage;
+}
+namespace pages {
+struct PageHead;
+}
+
+namespace jobs {
+
+/// The clips of a skeleton, and the file that they are from.
+struct MotionFile {
+  std::string name{};  ///< for people
+  Skeleton skeleton{};
+  std::vector<Clip> clips{};
+  bool has_no_unit = false;  ///< of length; else it is the metre
+};
+
+/// Clips and joints that have the same names are the same; so is the only clip of both files.
+struct DifferenceRequest {
+  MotionFile first{}, second{};
+  double shell = default_shell;  ///< in the unit of the files
+  std::optional<double>
+      rate{};            ///< compare at so many times per second too [Hz]; absent: at the keys of the first only
+  unsigned threads = 0;  ///< at most so many at work; 0: one per core
+};
+
+/// How far two motions of a clip are from each other.
+struct ClipDifference {
+  std::size_t first = 0, second = 0;     ///< which of the clips of each file
+  std::vector<double> times{};           ///< at which they were compared [s]
+  std::vector<std::size_t> joints{};     ///< of the first skeleton, those that are in both files
+  std::vector<JointDifference> worst{};  ///< of each of them
+};
+
+/// How far the motions of two files are from each other, and what was asked for.
+struct ORISPLINE_EXPORT DifferenceOutcome {
+  DifferenceRequest request;
+  std::vector<ClipDifference> clips{};
+  std::vector<std::string> only_in_first{}, only_in_second{};  ///< names of clips
+  std::size_t joints_only_in_first = 0;
+
+  [[nodiscard]] const std::string& name_of(const ClipDifference& clip) const;
+  [[nodiscard]] const std::string& name_of_joint(std::size_t joint) const;
+};
+
+/// Errors: bad_data where no clip is in both files, bad_argument for a rate with too many times.
+[[nodiscard]] ORISPLINE_EXPORT Expected<DifferenceOutcome> difference(DifferenceRequest request);
+
+/// Described in docs/skeletons.md.
+[[nodiscard]] ORISPLINE_EXPORT Json document_of(const DifferenceOutcome& outcome);
+/// A few lines for people.
+[[nodiscard]] ORISPLINE_EXPORT std::string summary_of(const DifferenceOutcome& outcome);
+/// With ORISPLINE_PAGE. Notes of the head stand before those of the page.
+[[nodiscard]] ORISPLINE_EXPORT report::SkeletonPage page_of(const DifferenceOutcome& outcome,
+                                                            const pages::PageHead& head);
+
+}  // namespace jobs
+
+}}  // namespace orispline

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <orispline/jobs/difference.hpp>
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include <orispline/math/degrees.hpp>
+
+#include "jobs/turns.hpp"
+
+namespace orispline::jobs { namespace {
+
+/// One joint that turns about z by this angle in two seconds [rad].
+Clip turned(std::string name, double angle) {
+  RotationChannel channel{.joint = 0, .times = {0.0, 1.0, 2.0}};
+  for (const double part : {0.0, 0.5, 1.0})
+    channel.values.emplace_back(Eigen::AngleAxisd(part * angle, Eigen::Vector3d::UnitZ()));
+  return {.name = std::move(name), .rotations = {std::move(channel)}};
+}
+
+MotionFile motion(std::string name, std::vector<Clip> clips) {
+  return {.name = std::move(name), .skeleton = Skeleton::make({{.name = "head"}}).value(), .clips = std::move(clips)};
+}
+
+TEST(DifferenceJob, ComparesClipsOfTheSameNameAtTheirKeys) {
+  const auto outcome = difference({.first = motion("a.glb", {turned("nod", 0.1), turned("wave", 0.2)}),
+                                   .second = motion("b.glb", {turned("wave", 0.25), turned("walk", 0.1)})})
+                           .value();
+  ASSERT_EQ(outcome.clips.size(), 1u);
+  EXPECT_EQ(outcome.name_of(outcome.clips[0]), "wave");
+  EXPECT_EQ(outcome.clips[0].times, (std::vector<double>{0.0, 1.0, 2.0}));
+  EXPECT_NEAR(outcome.clips[0].worst[0].angle.value, 0.05, 1e-12);
+  EXPECT_EQ(outcome.only_in_first, std::vector<std::string>{"nod"});
+  EXPECT_EQ(outcome.only_in_second, std::vector<std::string>{"walk"});
+}
+
+TEST(DifferenceJob, ComparesTheOnlyClipsWhateverTheirNames) {
+  EXPECT_TRUE(
+      difference({.first = motion("a.glb", {turned("nod", 0.1)}), .second = motion("b.glb", {turned("x", 0.1)})}));
+  const auto none = difference({.first = motion("a.glb", {turned("nod", 0.1), turned("wave", 0.2)}),
+                                .second = motion("b.glb", {turned("x", 0.1)})});
+  ASSERT_FALSE(none);
+  EXPECT_EQ(describe(none.error()), "b.glb: found no clip of the same name, wanted one at least");
+}
+
+TEST(DifferenceJob, ComparesBetweenTheKeysToo) {
+  DifferenceRequest request{
+      .first = motion("a.glb", {turned("nod", 0.1)}), .second = motion("b.glb", {turned("nod", 0.1)}), .rate = 4.0};
+  EXPECT_EQ(difference(request).value().clips[0].times.size(), 9u);
+  request.rate = 1e9;
+  EXPECT_EQ(difference(request).error().option, "rate");
+}
+
+TEST(DifferenceJob, SaysTheSameInItsDocumentAndItsSummary) {
+  const auto outcome =
+      difference({.first = motion("a.glb", {turned("nod", 0.1)}), .second = motion("b.glb", {turned("nod", 0.3)})})
+          .value();
+  EXPECT_NEAR(number(document_of(outcome), "angle_max_deg"), 0.2 * degrees, 1e-9);
+  const std::string summary = summary_of(outcome);
+  EXPECT_TRUE(
+      summary.starts_with("a.glb and b.glb: 1 clip compared\nlargest angle        11.4592°, clip 'nod', joint 'head', "
+                          "at 2 s\n"))
+      << summary;
+}
+
+}  // namespace
+}  // namespace orispline::jobs
