@@ -259,9 +259,7 @@ class CommandLine {
   std::optional<std::string> helped_;
 };
 
-}  // namespace
-
-}  // namespace orispline::cli
+}}  // namespace orispline::cli
 
 int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_DFL);  // a reader that has seen enough ends the command without a word

@@ -1,6 +1,6 @@
 # orispline_units(TARGET ROOT [KILOBYTES SIZE] [ALONE FOLDERS AND FILES...]): the sources of each folder that have the same
-# options are compiled in units of about this size (64), since reading the headers takes longer than translating the code
-# behind them. Twice the size takes less time in all, but more memory: a compiler of a unit of 64 kB takes up to 1 GB.
+# options are compiled in units of about this size (52), since reading the headers takes longer than translating the code
+# behind them. Twice the size takes less time in all, but more memory: a compiler of a unit of 52 kB takes up to 1.1 GB.
 #
 # A unit names its files from ROOT, which is in the target's include path. So its text is the same wherever the tree lies,
 # and ccache knows it again.
@@ -14,7 +14,7 @@ function(orispline_units target root)
   endif()
   cmake_parse_arguments(PARSE_ARGV 2 arg "" "KILOBYTES" "ALONE")
   if(NOT arg_KILOBYTES)
-    set(arg_KILOBYTES 64)
+    set(arg_KILOBYTES 52)
   endif()
   set_target_properties(${target} PROPERTIES UNITY_BUILD OFF) # what CMake would make of these units is too large
   get_target_property(sources ${target} SOURCES)

@@ -57,6 +57,4 @@ TEST(AngleTravelled, OfOneKeyIsNone) {
   EXPECT_EQ(travelled.time_at(1.0), 4.0);
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

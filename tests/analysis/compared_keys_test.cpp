@@ -65,6 +65,4 @@ TEST(ComparedKeys, AreWarnedOfWhereTheRecordingIsNoDenser) {
   EXPECT_EQ(apart.error().message, "none of the 2 times, 5 to 6 s, lies between the keys of turn.csv, 0 to 2 s");
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -205,6 +205,4 @@ TEST(LeaveOut, WantsThreeKeys) {
   EXPECT_EQ(leave_out_error(keys, "slerp").error().message, "found 2 keys, wanted 3 to leave one out");
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -82,6 +82,4 @@ TEST(Continuity, OfOneKeyIsComplete) {
   EXPECT_EQ(continuity_at_keys(make_curve("timed-c2", key).value()).order(), 3);
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

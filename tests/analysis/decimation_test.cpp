@@ -80,6 +80,4 @@ TEST(Decimation, HasAName) {
   EXPECT_EQ(name_of({.keep_every = 8, .spacing = Spacing::jittered, .seed = 5}), "every 8th, jittered (seed 5)");
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -91,6 +91,4 @@ TEST(Distance, OfNothingIsZero) {
   EXPECT_TRUE(none.orientations.empty() && none.angular_velocities.empty());
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

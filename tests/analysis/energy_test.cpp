@@ -135,6 +135,4 @@ TEST(Energies, OfOneKeyAreNone) {
   EXPECT_EQ(energies(make_curve("auto", key).value()).acceleration, 0.0);
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

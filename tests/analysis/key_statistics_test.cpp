@@ -55,6 +55,4 @@ TEST(KeyStatistics, HasNeitherSpacingNorStepsForOneKey) {
   EXPECT_FALSE(s.step);
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

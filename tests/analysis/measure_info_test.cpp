@@ -90,6 +90,4 @@ TEST(ComparedMethods, AreSortedInEachSetOfKeysWithTheFailedOnesLast) {
   EXPECT_EQ(methods[2].label, "jumps");
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

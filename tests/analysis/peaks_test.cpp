@@ -81,6 +81,4 @@ TEST(Torque, ChangesAtItsRate) {
   EXPECT_LT((torque_rate(curve.motion(t), inertia) - slope).norm(), 1e-5 * slope.norm());
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -60,6 +60,4 @@ TEST(Quadrature, TakesAPieceOfAFewRoundingsOfTimeAsItIs) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -97,6 +97,4 @@ TEST(ShapeContinuity, OfALoopIncludesItsSeam) {
   EXPECT_GE(*shape_continuity_at_keys(*curve, Seam::closed).order(), 2);
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -121,6 +121,4 @@ TEST(Batch, GoesThroughTheKernelForPolynomialFamilies) {
   for (const char* family : {"squad", "barry-goldman"}) EXPECT_FALSE(is_compiled(family)) << family;
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

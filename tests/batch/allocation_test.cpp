@@ -45,6 +45,4 @@ TEST(BatchAllocation, DoesNotHappenOnOneThread) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -267,6 +267,4 @@ TEST(BakedCurve, IsFollowedAndStopped) {
   expect_to_be_followed_and_stopped([&](const Progress& progress) { return bake(curve, 1e-9, {}, progress); });
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -85,6 +85,4 @@ TEST(CurveBundle, RefusesRoomForAnotherNumberAndRates) {
   EXPECT_FALSE(bundle.sample(0.5, Samples<double>{q, rates}));
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

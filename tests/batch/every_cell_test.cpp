@@ -247,6 +247,4 @@ TYPED_TEST(BatchTable, GivesAllOutputsAtOnceAsTheScalarEvaluatorDoes) {
   for (const PoseCurve& pose : this->curves()) expect_all_outputs_at_once<TypeParam>(pose);
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

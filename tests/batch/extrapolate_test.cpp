@@ -124,6 +124,4 @@ TEST(Extrapolate, RefusesRoomThatDoesNotFit) {
   EXPECT_EQ(without.error().message, "found room for positions, wanted none: the keys of the curve have no positions");
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

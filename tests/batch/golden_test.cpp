@@ -58,6 +58,4 @@ TEST(BatchOnGoldenCases, AgreesWithTheScalarEvaluatorForAuto) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

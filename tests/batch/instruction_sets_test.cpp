@@ -163,6 +163,4 @@ TEST(InstructionSets, AndCompilersGiveTheBitsThatAreWrittenHere) {
   EXPECT_EQ(solved.jerks.value(), solved_jerks) << std::hex << "0x" << solved.jerks.value();
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -167,6 +167,4 @@ TEST(BatchPlanes, ThatDoNotBelongTogetherAreAnError) {
   EXPECT_TRUE(sample<double>(curve, {}, {.orientations = {}, .layout = Layout::planar, .plane = 10}));
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -146,6 +146,4 @@ TEST(PolynomialKernels, AndCompilersGiveTheBitsThatAreWrittenHere) {
   EXPECT_EQ(rates.value(), hash_of_all_rates) << std::hex << "0x" << rates.value();
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -221,6 +221,4 @@ TEST(BatchPositions, ThatAreNotThereAreAnError) {
                       "found room for 11 numbers of velocities, wanted 12 numbers for 4 samples");
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -46,6 +46,4 @@ TEST(BakedCurve, IsNotRestoredFromWhatIsNone) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -122,6 +122,4 @@ TEST(BatchDoors, ManyCurvesGiveEachItsOwnSample) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

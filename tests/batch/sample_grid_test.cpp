@@ -227,6 +227,4 @@ TEST(SampleGrid, LivesWithRatesOfAnySize) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -146,6 +146,4 @@ TEST(BatchSpans, AreLeftAloneWhenTheStepIsNone) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

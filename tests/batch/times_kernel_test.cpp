@@ -95,6 +95,4 @@ TEST(TimesKernel, BlocksInOrderAndOthersGiveTheSamplesOfSingleTimes) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

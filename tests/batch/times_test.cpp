@@ -143,6 +143,4 @@ TEST(BatchTimesOfOneKey, AreAllAnsweredByIt) {
   EXPECT_EQ(compiled(t).coeffs(), data.orientations.front().coeffs());
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

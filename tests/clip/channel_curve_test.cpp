@@ -118,6 +118,4 @@ TEST(ChannelCurve, OfOneKeyStandsStill) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -56,6 +56,4 @@ TEST(KeyTimes, AreThoseOfAllChannelsEachOnce) {
   EXPECT_EQ(key_times(clip), (std::vector<double>{0.0, 1.0, 2.0}));
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

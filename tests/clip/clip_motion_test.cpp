@@ -60,6 +60,4 @@ TEST(ClipMotion, TakesTheRestPoseWhereThereIsNoChannel) {
   EXPECT_EQ(none.domain().end, 0.0);
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

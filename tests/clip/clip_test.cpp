@@ -58,6 +58,4 @@ TEST(Skeleton, WantsParentsFirst) {
   EXPECT_EQ(describe(skeleton.error()), "joint 'a': found joint 1 as its parent, wanted a parent that comes before it");
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

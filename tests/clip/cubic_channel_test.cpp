@@ -151,6 +151,4 @@ TEST(CubicChannel, OfStepsFollowsThemOutsideOfAShortTimeAndSaysHowFarItIs) {
     EXPECT_LT(angular_distance(cubic.at(t), curve(t)), 0.1 * degree) << t;
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -191,6 +191,4 @@ TEST(JointCurve, BearsEvenScalesAboveAndAnyOfItsOwn) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

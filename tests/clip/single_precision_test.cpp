@@ -46,6 +46,4 @@ TEST(SinglePrecision, LeavesAChannelWhoseTimesItCannotTellApart) {
   EXPECT_EQ(in_single_precision(channel).values, channel.values);
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

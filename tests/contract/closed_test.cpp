@@ -231,6 +231,4 @@ TEST_P(RefusesToClose, UnlessItIsDeclaredToClose) {
 
 ORISPLINE_FOR_EVERY_FAMILY(RefusesToClose);
 
-}  // namespace
-
-}  // namespace orispline::contract
+}}  // namespace orispline::contract

@@ -112,6 +112,4 @@ TEST_P(MotionContinuity, OfBodyRatesIsTheDeclaredOrder) {
 
 ORISPLINE_FOR_EVERY_FAMILY(MotionContinuity);
 
-}  // namespace
-
-}  // namespace orispline::contract
+}}  // namespace orispline::contract

@@ -63,6 +63,4 @@ TYPED_TEST(JetOracle, EvaluatorAgreesWithJetsOfTheWholeQuaternion) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline::contract
+}}  // namespace orispline::contract

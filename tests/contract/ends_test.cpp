@@ -86,6 +86,4 @@ TEST_P(EndContract, EachRuleActsAtItsOwnEndOfASolvedCurve) {
 
 ORISPLINE_FOR_EVERY_FAMILY(EndContract);
 
-}  // namespace
-
-}  // namespace orispline::contract
+}}  // namespace orispline::contract

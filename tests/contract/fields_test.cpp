@@ -89,6 +89,4 @@ TEST(Fields, HoldOptionsToTheirRanges) {
   EXPECT_EQ(describe(check_ranges(Decimation{.keep_every = 0}).error()), "keep_every: found 0, wanted 1 or more");
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

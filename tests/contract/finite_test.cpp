@@ -161,6 +161,4 @@ TEST_P(FiniteContract, OnEvenStepsOfEveryLengthThatIsAdmitted) {
 
 ORISPLINE_FOR_EVERY_FAMILY(FiniteContract);
 
-}  // namespace
-
-}  // namespace orispline::contract
+}}  // namespace orispline::contract

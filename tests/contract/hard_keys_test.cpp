@@ -100,6 +100,4 @@ TEST_P(HardKeyContract, SpacingFromMicrosecondsToHours) {
 
 ORISPLINE_FOR_EVERY_FAMILY(HardKeyContract);
 
-}  // namespace
-
-}  // namespace orispline::contract
+}}  // namespace orispline::contract

@@ -122,6 +122,4 @@ TEST_P(KeyContract, FewestKeysOnAGreatArcGiveACurveOnIt) {
 
 ORISPLINE_FOR_EVERY_FAMILY(KeyContract);
 
-}  // namespace
-
-}  // namespace orispline::contract
+}}  // namespace orispline::contract

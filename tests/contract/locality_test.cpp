@@ -162,6 +162,4 @@ std::vector<FamilyInfo> solved_families() {
 
 INSTANTIATE_TEST_SUITE_P(Family, InfluenceContract, testing::ValuesIn(solved_families()), test_name);
 
-}  // namespace
-
-}  // namespace orispline::contract
+}}  // namespace orispline::contract

@@ -71,6 +71,4 @@ TYPED_TEST(PathContinuity, IsThatOfThePathThatTheRegistryGives) {
   EXPECT_EQ(pose.orientation.domain().end, typed.knots().back());
 }
 
-}  // namespace
-
-}  // namespace orispline::contract
+}}  // namespace orispline::contract

@@ -53,6 +53,4 @@ TEST_P(SteadyMotionContract, ConstantRateOnUnevenTimesIsKeptAsDeclared) {
 
 ORISPLINE_FOR_EVERY_FAMILY(SteadyMotionContract);
 
-}  // namespace
-
-}  // namespace orispline::contract
+}}  // namespace orispline::contract

@@ -92,6 +92,4 @@ TEST_P(SymmetryContract, EpochOfUnixTimeChangesNothing) {
 
 ORISPLINE_FOR_EVERY_FAMILY(SymmetryContract);
 
-}  // namespace
-
-}  // namespace orispline::contract
+}}  // namespace orispline::contract

@@ -46,6 +46,4 @@ TEST(TypedField, IsRefusedInWords) {
   EXPECT_EQ(typed<SmoothOptions>("penalty", "snap").error().option, "penalty");
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -52,6 +52,4 @@ TEST(Allocation, DoesNotHappenDuringEvaluation) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

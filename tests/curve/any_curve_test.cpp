@@ -156,6 +156,4 @@ TEST(ConstantCurve, HoldsItsOnlyKeyForEver) {
   EXPECT_FALSE(curve.checked_motion(3.1));
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -207,6 +207,4 @@ TEST(Chain, ToldNotANumberIsNotSolved) {
   EXPECT_FALSE(chain::solve(chain).solved());
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

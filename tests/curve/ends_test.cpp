@@ -113,6 +113,4 @@ TEST(Ghost, PolygonHoldsItsIncrementsEvenBeyondAFullTurn) {
     EXPECT_TRUE(near(polygon.bases[i] * exp<double>(polygon.increments[i]), keys.orientations()[i], tolerance::series));
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -30,6 +30,4 @@ TEST(Error, TravelsAsTheFailureOfAnExpected) {
   EXPECT_EQ(describe(nothing.error()), "x: cannot open");
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

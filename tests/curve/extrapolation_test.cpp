@@ -151,6 +151,4 @@ TEST(Extrapolation, ThroughOneKeyNothingMovesAndNotANumberStaysOne) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -260,6 +260,4 @@ TEST(Keyframes, PositionsAndRatesAreOptional) {
   EXPECT_TRUE(keys.angular_velocities().empty());
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -56,6 +56,4 @@ TEST(KnotSpan, NormalisesExactlyAtItsEndsAndScalesTheRate) {
   EXPECT_EQ(u.c[2], 0.0);
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -169,6 +169,4 @@ TEST(ClosedKnots, WrapTheirStepsAround) {
   EXPECT_EQ(knots.span(2).next_step(), 1.0);
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

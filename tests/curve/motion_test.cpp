@@ -49,6 +49,4 @@ TEST(Motion, HasWorldRatesOnRequest) {
       near(angular_jerk_world(m), Eigen::Vector3d(0, -1.6 * c + b * b * s, -1.6 * s - b * b * c), tolerance::algebra));
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -159,6 +159,4 @@ TEST(PerKey, GivesOneValueToAllOrEachItsOwn) {
   EXPECT_EQ(PerKey({0.1, 0.2, 0.3})[2], 0.3);
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

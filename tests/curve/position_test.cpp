@@ -200,6 +200,4 @@ TEST(Position, OfSquadsIsCatmullRomInTime) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -72,6 +72,4 @@ TEST(ChartAcceleration, IsTheDerivativeOfTheBodyRate) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

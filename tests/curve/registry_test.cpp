@@ -80,6 +80,4 @@ TEST(Registry, RefusesAPoseCurveAsItRefusesACurve) {
   EXPECT_FALSE(make_pose_curve({"quintic", {.parameters = {{"tension", {1e9}}}}}, keys));
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -103,6 +103,4 @@ TEST(Method, TakesSettingsOfItsOwnFromATrackWhereItIsSilent) {
   EXPECT_TRUE(completed("slerp", slerp, track).options.parameters.empty());
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

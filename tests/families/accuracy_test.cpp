@@ -93,6 +93,4 @@ TEST(EndAccuracy, OfTheFirstSegmentDependsOnTheEndRule) {
   EXPECT_NEAR(order(EndRule::cubic), 3.0, 0.5);
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -75,6 +75,4 @@ TEST(Atbi, AboutOneAxisHasTheRatesOfItsBasisAtAKey) {
     }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

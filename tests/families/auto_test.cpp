@@ -140,6 +140,4 @@ TEST(Auto, IsDefinedForTwoThreeAndFourKeysAndForLargeSteps) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -224,6 +224,4 @@ TEST(Averages, OfControlPointsAllAroundAreRefusedRatherThanJump) {
   EXPECT_NE(c.error().message.find("the average jumps by "), std::string::npos) << c.error().message;
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

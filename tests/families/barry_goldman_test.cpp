@@ -66,6 +66,4 @@ TEST(BarryGoldman, IsTheSameCurveWhenKeysAndTimeAreReversed) {
   for (const double t : sample_times(data.times)) EXPECT_TRUE(near(back(-t), forth(t), tolerance::series)) << t;
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -111,6 +111,4 @@ TEST(BetaExample2, ChangesShapeWithBeta2OfPoint1) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -157,6 +157,4 @@ TEST(BetaG2Global, TellsWhereItsEquationsHaveNoSolution) {
   EXPECT_LT(c.error().where.key.value(), 6u);
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -162,6 +162,4 @@ TEST(Beta, StaysFiniteOverItsWholeRange) {
     }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

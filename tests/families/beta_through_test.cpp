@@ -154,6 +154,4 @@ TEST(BetaThrough, TellsWhereItsEquationsHaveNoSolution) {
   EXPECT_LT(c.error().where.key.value(), 6u);
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

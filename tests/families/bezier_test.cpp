@@ -75,6 +75,4 @@ TEST(Bezier, InSpaceIsTheBezierCurve) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -175,6 +175,4 @@ TEST(Biarcs, MovePositionsOnCirclesAndStraightLines) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

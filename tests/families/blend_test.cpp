@@ -157,6 +157,4 @@ TEST(Circular, IsLogParabolaWhereKeysAreTooCloseToTellACircle) {
   for (const double t : sample_times(keys.times())) EXPECT_EQ(circular(t).coeffs(), parabola(t).coeffs());
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

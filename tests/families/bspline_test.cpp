@@ -165,6 +165,4 @@ TEST(BSpline, RefusesADegreeThatItHasNot) {
   for (const double degree : {2.0, 3.0, 4.0, 5.0}) EXPECT_EQ(message(degree), "");
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

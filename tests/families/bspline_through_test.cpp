@@ -215,6 +215,4 @@ TEST(BSplineThrough, SaysWhereAndHowFarItDoesNotConverge) {
   EXPECT_GE(refused, 1u);
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

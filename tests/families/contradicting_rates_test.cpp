@@ -99,6 +99,4 @@ TEST(ContradictingAccelerations, AreNeitherTrueOnesNorNoisyOnes) {
   EXPECT_TRUE(warnings_of(Method{"hermite-c2"}, noisy).empty());
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -112,6 +112,4 @@ TEST(FreeRates, AreNoneOfAGyro) {
   EXPECT_EQ(refused.error().where.key, 1u);
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -271,6 +271,4 @@ TEST(GlobalC2, SolvesThreeHundredKeysWithWideTurns) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -123,6 +123,4 @@ INSTANTIATE_TEST_SUITE_P(InR4, Golden,
                                          with_table("biarcs", 16, 292, "golden/biarcs_cases.csv")),
                          name_of_test);
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -93,6 +93,4 @@ TEST(HermiteCumulative, OfTwoKeysIsTheGreatArcAtConstantRate) {
     EXPECT_TRUE(near(c.motion(t).angular_velocity, secant(keys, 0), tolerance::series)) << t;
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -273,6 +273,4 @@ TEST(Hermite, RefusesRatesThatTurnFartherWithinAStepThanItsJerkCanHold) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

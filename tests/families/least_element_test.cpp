@@ -51,6 +51,4 @@ TEST(LeastElement, HasExactSecondDerivatives) {
     }
 }
 
-}  // namespace
-
-}  // namespace orispline::families
+}}  // namespace orispline::families

@@ -166,6 +166,4 @@ TEST(Least, RefusesNodesThatAreNoWholeNumber) {
   EXPECT_EQ(curve.error().message, "least: nodes is 2.5, wanted a whole number");
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

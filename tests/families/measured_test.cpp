@@ -254,6 +254,4 @@ TEST(Measured, MovesPositionsByTheirOwnModels) {
   EXPECT_GT(moved, 1e-4);  // of the noisy orientations it makes another curve
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -91,6 +91,4 @@ TEST(MethodText, IsSilentAboutWhatOthersSay) {
   EXPECT_EQ(left("timed-c2:closed", {}), "timed-c2:closed");
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

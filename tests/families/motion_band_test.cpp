@@ -93,6 +93,4 @@ TEST(MotionBand, RefusesSharesAndMethodsWithoutABand) {
   EXPECT_EQ(band.error().message, "method 'auto' has no band, wanted 'measured'");
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -51,6 +51,4 @@ TEST(NotConverged, KeySetsWithoutAKnownInterpolatingBSplineAreRefusedOrSolvedInE
 
 TEST(NotConverged, EveryCaseOfTheTableIsOneOfThese) { EXPECT_EQ(DataTable("golden/not_converged.csv").size(), 10u); }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

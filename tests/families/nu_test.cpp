@@ -232,6 +232,4 @@ TEST(Nu, RefusesAnEndRateWhoseHandleWouldWindRound) {
   EXPECT_NEAR(below->motion(data.times[4]).angular_velocity.y(), 0.3 * largest, tolerance::rates * largest);
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -81,6 +81,4 @@ TEST(WoundHandle, OfASingleKeyIsNone) {
     EXPECT_FALSE(overwound_tangent(family, keyframes(one)).value());
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

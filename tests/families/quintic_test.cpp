@@ -144,6 +144,4 @@ TEST(Quintic, IsNotTheSameRunBackwards) {
   EXPECT_GT(largest, tolerance::visible_jump);
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -155,6 +155,4 @@ TEST(Rational, CarriesPositionsOnTheCubicSpline) {
                      spline.derivative(0, t, pose.orientation.knots().segment_at(t)), tolerance::series));
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -45,6 +45,4 @@ TEST(Recipe, SaysWhereTheCurveOfAnotherMethodIsAskedFor) {
   EXPECT_FALSE(recipe_set_aside({}, "slerp", "keys.csv"));
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -56,6 +56,4 @@ TEST_P(RotationSplineOfSciPy, HasTheSameOrientationsRatesAndAccelerations) {
 INSTANTIATE_TEST_SUITE_P(Tracks, RotationSplineOfSciPy, testing::Values("smooth", "uneven", "large_steps"),
                          [](const auto& test) { return std::string(test.param); });
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

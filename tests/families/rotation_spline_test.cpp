@@ -125,6 +125,4 @@ TEST(RotationSpline, CarriesPositionsOnTheCubicSplineWithTheSameEnds) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -117,6 +117,4 @@ TEST(Sextic, RepeatedEndKeyHasTheStatedRates) {
   EXPECT_TRUE(near(m.angular_jerk, (30 - 360 * sextic_tensions[0]) * b / (h * h * h), tolerance::series));
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

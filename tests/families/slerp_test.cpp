@@ -36,6 +36,4 @@ TEST(SlerpFamily, GoesTheLongWayWithSignsAsGiven) {
   EXPECT_TRUE(near(shortest.motion(0.5).angular_velocity, Eigen::Vector3d(0, 0, 0.5), tolerance::algebra));
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

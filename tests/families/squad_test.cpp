@@ -126,6 +126,4 @@ TEST(SquadTimed, GoesThroughAFullTurnWithContinuousRates) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -152,6 +152,4 @@ TEST(Tcb, LosesC1WhereAHandleIsLongerThanAFullTurn) {
   EXPECT_GT((left.angular_velocity - right.angular_velocity).norm(), 1.0);
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -193,6 +193,4 @@ INSTANTIATE_TEST_SUITE_P(Each, TimedFamily, testing::ValuesIn(timed_names), [](c
   return name;
 });
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -91,6 +91,4 @@ TEST(XingQuintic, RipplesOnASteadyRotation) {
   EXPECT_GT(c.motion(1.5).angular_velocity.norm(), rate.norm());
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

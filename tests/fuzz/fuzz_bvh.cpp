@@ -72,9 +72,7 @@ void claim_same_motion_from_elsewhere(Scene scene) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline::fuzz
+}}  // namespace orispline::fuzz
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace orispline;

@@ -156,9 +156,7 @@ void try_command(const Words& words, std::string_view keys) {
     claim(JsonText::is_whole(out), "this is no JSON");
 }
 
-}  // namespace
-
-}  // namespace orispline::fuzz
+}}  // namespace orispline::fuzz
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace orispline::fuzz;

@@ -21,9 +21,7 @@ void try_method(const FamilyInfo& family, const Method& method, const FuzzedKeys
   claim_symmetries(specimen);
 }
 
-}  // namespace
-
-}  // namespace orispline::fuzz
+}}  // namespace orispline::fuzz
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace orispline;

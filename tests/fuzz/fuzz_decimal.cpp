@@ -57,9 +57,7 @@ void claim_origin(const Decimal& time, double offset) {
   claim(found == wanted, "nearest_plus() gives {}, wanted {}", found, wanted);
 }
 
-}  // namespace
-
-}  // namespace orispline::fuzz
+}}  // namespace orispline::fuzz
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace orispline;

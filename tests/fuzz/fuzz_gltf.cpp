@@ -69,9 +69,7 @@ void claim_same_when_written(const Scene& scene, const std::string& path) {
   claim(twice.has_value() && twice->bytes.size() <= written->bytes.size() + 512, "the file grows when written again");
 }
 
-}  // namespace
-
-}  // namespace orispline::fuzz
+}}  // namespace orispline::fuzz
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace orispline;

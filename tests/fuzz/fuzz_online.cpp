@@ -110,9 +110,7 @@ void try_stream(const Method& method, const FuzzedKeys& fuzzed, FuzzInput& input
   claim(online->keys() == 0 && !online->available(), "reset() keeps keys");
 }
 
-}  // namespace
-
-}  // namespace orispline::fuzz
+}}  // namespace orispline::fuzz
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace orispline;

@@ -25,9 +25,7 @@ void claim_read_back(const TemporaryFolder& folder, const io::TimesList& list) {
   claim(again.has_value() && again->times == list.times, "the times are not read back");
 }
 
-}  // namespace
-
-}  // namespace orispline::fuzz
+}}  // namespace orispline::fuzz
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace orispline;

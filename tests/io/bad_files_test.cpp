@@ -255,6 +255,4 @@ TEST(BadFile, ThatCannotBeReadIsBadAccess) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline::io
+}}  // namespace orispline::io

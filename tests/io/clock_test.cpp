@@ -162,6 +162,4 @@ TEST(Clock, OfAFileOfTimes) {
   EXPECT_EQ(times("frame\n48\n", {}), std::vector<double>());
 }
 
-}  // namespace
-
-}  // namespace orispline::io
+}}  // namespace orispline::io

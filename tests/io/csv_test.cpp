@@ -242,6 +242,4 @@ TEST(Csv, PlacesTheErrorsOfKeys) {
   EXPECT_EQ(text_of(located(file, {ErrorCode::bad_argument, "too few", {}})), "keys.csv: too few");
 }
 
-}  // namespace
-
-}  // namespace orispline::io
+}}  // namespace orispline::io

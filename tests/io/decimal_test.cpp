@@ -200,6 +200,4 @@ TEST(Decimal, RoundsToTheNearestWholeNumber) {
   EXPECT_FALSE(Decimal::parse("1.05e1")->is_whole());
 }
 
-}  // namespace
-
-}  // namespace orispline::io
+}}  // namespace orispline::io

@@ -144,6 +144,4 @@ TEST(EuRoC, RefusesTwoSamplesOnOneNanosecond) {
             "two samples fall on the nanosecond 1000000000, wanted times that differ in EuRoC");
 }
 
-}  // namespace
-
-}  // namespace orispline::io
+}}  // namespace orispline::io

@@ -123,6 +123,4 @@ TEST(WritingOptions, AskForAnglesByTheirOrderOrTheirUnitAlone) {
   EXPECT_EQ(columns_of_output("a.csv", {{"output_conjugate", ""}})->turning, Turning::world_to_body);
 }
 
-}  // namespace
-
-}  // namespace orispline::io
+}}  // namespace orispline::io

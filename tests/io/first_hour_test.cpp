@@ -248,6 +248,4 @@ TEST(FileBesideAnother, IsRefusedForWhatItsOwnReaderSays) {
   EXPECT_EQ(refused.error().remedy, "angle_unit");
 }
 
-}  // namespace
-
-}  // namespace orispline::io
+}}  // namespace orispline::io

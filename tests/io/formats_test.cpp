@@ -126,6 +126,4 @@ TEST(Formats, MayBeACallersOwnAndHoldSeveralTracks) {
   EXPECT_EQ(writer.error().message, "Names files are not written, wanted " + any_of(formats_written()));
 }
 
-}  // namespace
-
-}  // namespace orispline::io
+}}  // namespace orispline::io

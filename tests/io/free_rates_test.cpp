@@ -93,6 +93,4 @@ TEST(FreeRates, AreWrittenSoThatTheyAreReadAgain) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline::io
+}}  // namespace orispline::io

@@ -138,6 +138,4 @@ TEST(KeyReader, CountsTheBytesThatItReads) {
   EXPECT_EQ(reader.bytes_read(), faulty_rows(full_header, 53).size());
 }
 
-}  // namespace
-
-}  // namespace orispline::io
+}}  // namespace orispline::io

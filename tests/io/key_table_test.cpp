@@ -44,6 +44,4 @@ TEST(KeyTable, IsReadAsItWasWritten) {
   EXPECT_EQ(keys->table.rows, table.rows);
 }
 
-}  // namespace
-
-}  // namespace orispline::io
+}}  // namespace orispline::io

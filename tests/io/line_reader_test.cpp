@@ -99,6 +99,4 @@ TEST(LineReader, SaysWhyAFileCannotBeRead) {
   EXPECT_EQ(LineReader::open(directory.file("absent.csv")).error().code, ErrorCode::bad_access);
 }
 
-}  // namespace
-
-}  // namespace orispline::io
+}}  // namespace orispline::io

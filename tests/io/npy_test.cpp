@@ -153,6 +153,4 @@ TEST(Npy, IsNoFileOfKeys) {
             "keys.npy: keys are not read from NumPy files, wanted " + any_of(formats_read()));
 }
 
-}  // namespace
-
-}  // namespace orispline::io
+}}  // namespace orispline::io

@@ -66,6 +66,4 @@ TEST(Number, IsReadExactlyAsADecimal) {
   EXPECT_EQ(decimal_of("abc").error().message, "found 'abc', wanted a number such as -1.5e-3");
 }
 
-}  // namespace
-
-}  // namespace orispline::io
+}}  // namespace orispline::io

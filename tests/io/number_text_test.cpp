@@ -83,6 +83,4 @@ TEST(ShortestDecimal, DoesNotEndInAZero) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline::io
+}}  // namespace orispline::io

@@ -208,6 +208,4 @@ TEST(OrientationForm, IsReadBackAsItWasWritten) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline::io
+}}  // namespace orispline::io

@@ -103,6 +103,4 @@ TEST(Parts, HoldsItsPartUntilItIsInItsPlace) {
   EXPECT_EQ(directory.entries(), 1u);
 }
 
-}  // namespace
-
-}  // namespace orispline::io
+}}  // namespace orispline::io

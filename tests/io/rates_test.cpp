@@ -153,6 +153,4 @@ TEST(Rates, OfAnyNameAreThoseOfTheWorldWhereTheyAreMapped) {
   EXPECT_TRUE(near(data.angular_velocities[0], Eigen::Vector3d(1, -2, -3), tolerance::algebra));
 }
 
-}  // namespace
-
-}  // namespace orispline::io
+}}  // namespace orispline::io

@@ -89,6 +89,4 @@ TEST_F(RealFile, SpacecraftAttitudeInTicksAndConjugate) {
   EXPECT_TRUE(Keyframes::make(file->data));
 }
 
-}  // namespace
-
-}  // namespace orispline::io
+}}  // namespace orispline::io

@@ -140,6 +140,4 @@ TEST(WriteTracks, StatesNoRecipeWhoseCurveTheFileCannotGive) {
   EXPECT_FALSE(recipe_not_stated(track, {.format = &npy_format}, "k.npy"));
 }
 
-}  // namespace
-
-}  // namespace orispline::io
+}}  // namespace orispline::io

@@ -134,6 +134,4 @@ TEST(Repairs, TouchNothingInAGoodFile) {
   EXPECT_EQ(file->repairs.duplicates_dropped + file->repairs.invalid_dropped + file->repairs.rows_moved, 0u);
 }
 
-}  // namespace
-
-}  // namespace orispline::io
+}}  // namespace orispline::io

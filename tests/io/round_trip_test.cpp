@@ -125,6 +125,4 @@ TEST(RoundTrip, AsksForLittleMoreMemoryThanTheKeysTake) {
   EXPECT_LE(asked, 5 * taken);  // a list that grows asks for twice its size in all, at least
 }
 
-}  // namespace
-
-}  // namespace orispline::io
+}}  // namespace orispline::io

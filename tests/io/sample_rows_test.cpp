@@ -58,6 +58,4 @@ TEST(SampleRows, MayNotRepeatTheLastNanosecondOfThoseBefore) {
   EXPECT_TRUE(writer->write(decimal("8e-9"), {}));
 }
 
-}  // namespace
-
-}  // namespace orispline::io
+}}  // namespace orispline::io

@@ -281,6 +281,4 @@ TEST(OutputFile, WritesDevicesDirectly) {
   EXPECT_FALSE(std::filesystem::exists("/dev/null.part"));
 }
 
-}  // namespace
-
-}  // namespace orispline::io
+}}  // namespace orispline::io

@@ -37,6 +37,4 @@ TEST(Suggestion, IsSaidInOneSentence) {
             "unknown method 'x?', wanted one of auto, squad, timed-c2, timed-c3, hermite-c1, --rate");
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -30,6 +30,4 @@ TEST(TimeOrigin, RoundsOnceWhereTheSumIsHalfwayBetweenDoubles) {
   EXPECT_EQ(even.nearest_plus(-half), even.plus(-half).to_double());
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -98,6 +98,4 @@ TEST(TimesFile, MustExist) {
   EXPECT_EQ(text_of(times.error()), "absent.txt: cannot open: No such file or directory");
 }
 
-}  // namespace
-
-}  // namespace orispline::io
+}}  // namespace orispline::io

@@ -129,6 +129,4 @@ TEST(WriteTracks, WritesSeveralWhereTheFormatHoldsThem) {
   EXPECT_EQ(written(tracks, {.format = &written_names_format}), "hand\nfoot\n");
 }
 
-}  // namespace
-
-}  // namespace orispline::io
+}}  // namespace orispline::io

@@ -35,6 +35,4 @@ TEST(Tum, IsScaledAndConjugatedLikeCsv) {
   EXPECT_EQ(file->data.orientations[0], quaternion_wxyz(0.5, -0.5, 0.5, -0.5));
 }
 
-}  // namespace
-
-}  // namespace orispline::io
+}}  // namespace orispline::io

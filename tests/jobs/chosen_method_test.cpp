@@ -77,5 +77,4 @@ TEST(Placed, SaysTheFileUnlessTheUserIsAtFault) {
   EXPECT_EQ(placed(keys, {.code = ErrorCode::bad_data, .message = "", .where = {.key = 1}}).where.line, std::nullopt);
 }
 
-}  // namespace
-}  // namespace orispline::jobs
+}}  // namespace orispline::jobs

@@ -114,5 +114,4 @@ TEST(CompareJob, StopsWhereItIsAskedTo) {
   EXPECT_EQ(outcome.error().code, ErrorCode::cancelled);
 }
 
-}  // namespace
-}  // namespace orispline::jobs
+}}  // namespace orispline::jobs

@@ -64,5 +64,4 @@ TEST(DifferenceJob, SaysTheSameInItsDocumentAndItsSummary) {
       << summary;
 }
 
-}  // namespace
-}  // namespace orispline::jobs
+}}  // namespace orispline::jobs

@@ -57,5 +57,4 @@ TEST(InspectJob, SaysWhereTheKeysAre) {
   EXPECT_NE(summary.find("keys for      auto, as line 1 says\n"), std::string::npos) << summary;
 }
 
-}  // namespace
-}  // namespace orispline::jobs
+}}  // namespace orispline::jobs

@@ -124,5 +124,4 @@ TEST(ReduceSceneJob, NamesTheFileOfWhatItCannotReduce) {
   EXPECT_EQ(reduce_scene(request).error().where.file, "arm.glb");
 }
 
-}  // namespace
-}  // namespace orispline::jobs
+}}  // namespace orispline::jobs

@@ -138,5 +138,4 @@ TEST(ReduceJob, StopsWhereItIsAskedTo) {
   EXPECT_EQ(reduce(request, {.stop = source.get_token()}).front().error().code, ErrorCode::cancelled);
 }
 
-}  // namespace
-}  // namespace orispline::jobs
+}}  // namespace orispline::jobs

@@ -68,5 +68,4 @@ TEST(RetimeJob, StopsWhereItIsAskedTo) {
   EXPECT_EQ(outcome.error().code, ErrorCode::cancelled);
 }
 
-}  // namespace
-}  // namespace orispline::jobs
+}}  // namespace orispline::jobs

@@ -74,5 +74,4 @@ TEST(CurveOfKeys, BlamesTheColumnsForTheirSettings) {
   EXPECT_EQ(curve.error().where.file, "data/arm.csv");
 }
 
-}  // namespace
-}  // namespace orispline::jobs
+}}  // namespace orispline::jobs

@@ -77,5 +77,4 @@ TEST(SmoothClipsJob, NamesTheFileInItsErrors) {
   EXPECT_EQ(outcome.error().where.file, "data/arm.glb");
 }
 
-}  // namespace
-}  // namespace orispline::jobs
+}}  // namespace orispline::jobs

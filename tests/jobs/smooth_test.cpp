@@ -85,5 +85,4 @@ TEST(SmoothJob, StopsWhereItIsAskedTo) {
   EXPECT_EQ(outcome.error().code, ErrorCode::cancelled);
 }
 
-}  // namespace
-}  // namespace orispline::jobs
+}}  // namespace orispline::jobs

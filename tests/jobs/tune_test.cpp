@@ -50,5 +50,4 @@ TEST(TuneJob, KnowsWhichMethodsHaveTensions) {
   EXPECT_FALSE(has_tensions(**find_family("auto")));
 }
 
-}  // namespace
-}  // namespace orispline::jobs
+}}  // namespace orispline::jobs

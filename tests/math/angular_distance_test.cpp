@@ -35,6 +35,4 @@ TEST(AngularDistance, IsSymmetricAndBlindToTheSign) {
   EXPECT_EQ(angular_distance(Eigen::Quaterniond::Identity(), quaternion_wxyz(-1.0, 0.0, 0.0, 0.0)), 0.0);
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -92,6 +92,4 @@ TEST(BandedMatrix, AddsBlocks) {
   EXPECT_EQ(Eigen::Matrix3d(dense(a).topRightCorner<3, 3>()), Eigen::Matrix3d(2.0 * block));
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -38,6 +38,4 @@ TEST(Bernstein, EndDerivativesAreDegreeTimesTheFirstDifference) {
   EXPECT_DOUBLE_EQ(at(1.0).c[1], 3.0 * (0.7 + 3.0));
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

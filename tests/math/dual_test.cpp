@@ -77,6 +77,4 @@ TEST(Dual, PlainMatricesAndVectorsMixWithDuals) {
     for (Eigen::Index k = 0; k < 3; ++k) EXPECT_EQ(product[i].slope[static_cast<std::size_t>(k)], m(i, k));
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

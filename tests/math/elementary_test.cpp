@@ -158,6 +158,4 @@ TEST(Elementary, HasTheCommittedBits) {
   EXPECT_EQ(hash, 0xfe800621c9a9eb03);
 }
 
-}  // namespace
-
-}  // namespace orispline::elementary
+}}  // namespace orispline::elementary

@@ -168,6 +168,4 @@ TEST(Euler, StaysAccurateHoweverNearAGimbalLock) {
       }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -59,6 +59,4 @@ TEST(Float, JetsOfFloatDifferentiate) {
   EXPECT_NEAR(static_cast<double>(q.w().c[1]), -0.5 * std::sin(0.25), few_ulp);
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

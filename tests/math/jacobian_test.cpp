@@ -68,6 +68,4 @@ TEST(Jacobian, HasTheDerivativesOfTheAngularVelocity) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -107,6 +107,4 @@ TEST(Jet, OfOrderZeroIsThePlainNumber) {
   EXPECT_EQ((x * x + 1).c[0], 5.0);
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -68,6 +68,4 @@ TEST(OrthonormalityError, MeasuresTheColumns) {
   EXPECT_NEAR(orthonormality_error(sheared), 0.001, 1e-12);
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

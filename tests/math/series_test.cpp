@@ -68,6 +68,4 @@ INSTANTIATE_TEST_SUITE_P(
                                    series::cotangent_defect_ratio<Jet3>}),
     [](const auto& test) { return std::string(test.param.name); });
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -107,6 +107,4 @@ TEST_F(Squad, WithTheKeysAsInnerPointsIsSlerp) {
     EXPECT_TRUE(near(squad<double>(p, p, q, q, s), slerp<double>(p, q, s), tolerance::algebra));
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -193,6 +193,4 @@ TEST(LogOfJets, HasTheDerivativesOnBothSidesOfEveryThreshold) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -62,6 +62,4 @@ TEST(OnlineCurve, AllocatesNothingWhenItIsEvaluated) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

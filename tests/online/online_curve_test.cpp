@@ -170,6 +170,4 @@ TEST(OnlineCurve, IsAsSmoothInTimeAsItsFamilyAcrossEveryAppend) {
   EXPECT_GT(jerk, 1.0);
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

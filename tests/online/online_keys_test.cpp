@@ -205,6 +205,4 @@ TEST(OnlineCurve, EndsOnceAndBeginsAnewAfterReset) {
   EXPECT_EQ(curve.keys(), 6u);
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -95,6 +95,4 @@ TEST(OnlineSamples, RefuseRoomThatDoesNotFit) {
   EXPECT_EQ(without.error().message, "found room for positions, wanted none: the keys have no positions");
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -129,6 +129,4 @@ TEST(OnlineCurve, RefusesAKeyWhoseSettingsMakeNoCurve) {
   EXPECT_EQ(curve.available()->end, data.times[5]);
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -212,6 +212,4 @@ TEST(SampleTracks, RefusesColumnsThatDoNotBelongTogether) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -168,6 +168,4 @@ TEST(TrackSampler, LivesWithStatesThatAreForged) {
     }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -125,6 +125,4 @@ TEST(TrackSampler, FillsPlanesOnAnyNumberOfThreads) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

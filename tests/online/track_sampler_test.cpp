@@ -198,6 +198,4 @@ TEST(TrackSampler, BeginsANewCurveAfterAGap) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

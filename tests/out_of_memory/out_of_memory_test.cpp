@@ -90,6 +90,4 @@ TEST(OutOfMemory, EndsReading) {
 }
 #endif
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

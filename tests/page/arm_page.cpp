@@ -56,9 +56,7 @@ Expected<report::SkeletonPage> arm_page() {
   });
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline
 
 int main(int argc, char** argv) {
   if (argc != 2) return std::fputs("usage: arm_page HTML\n", stderr), 2;

@@ -69,9 +69,7 @@ Expected<report::Page> flight_page(const char* keys_path, const char* truth_path
   return page;
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline
 
 int main(int argc, char** argv) {
   if (argc != 4) return std::fputs("usage: flight_page KEYS TRUTH HTML\n", stderr), 2;

@@ -267,6 +267,4 @@ TEST(Page, OfVeryManyKeysShowsSomeAndSaysSo) {
   EXPECT_EQ(page.notes.front(), "Of the 2500 keys 2000 are shown, evenly picked.");
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -134,6 +134,4 @@ TEST(ReducedClipsPage, HasTheTolerancesAndTheClipThatIsFarthestOffFirst) {
   EXPECT_EQ(page.notes.front(), "Both motions are compared at every key of the input.");
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -114,6 +114,4 @@ TEST(WrittenKeys, KeepSignsThatMeanTurns) {
   expect_curve_of_file(*slow);
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -286,6 +286,4 @@ TEST(ReduceClips, NamesWhatIsWrong) {
             "clip 'swing', joint 'elbow': key 7: found time 0.2 after 0.2, wanted increasing times");
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

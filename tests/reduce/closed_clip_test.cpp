@@ -141,6 +141,4 @@ TEST(ClosedClip, OtherMethodsHaveNoTangentsToClose) {
             "found the method slerp, wanted cubicspline, or hermite-c1 in its form chart: their tangents are free");
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -199,6 +199,4 @@ TEST(CubicSamples, LieOnTheCurveThatIsAskedFor) {
   EXPECT_LT(farthest(cubic_samples(one_cubic(), BetweenSamples::smooth).targets, one_cubic()), 1e-14);
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -204,6 +204,4 @@ TEST(Reduce, StopsWhileItSeeksRates) {
   EXPECT_EQ(found.error().code, ErrorCode::cancelled);
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

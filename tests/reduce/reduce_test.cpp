@@ -268,6 +268,4 @@ TEST(Reduce, IsFollowedAndStopped) {
     }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -58,6 +58,4 @@ TEST(ReduceClips, StandsStillBetweenEqualKeysAndIsJudgedAtTheKeysOfEachJoint) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -92,6 +92,4 @@ TEST(SpanReach, EndsAtWhatNoSpanPasses) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

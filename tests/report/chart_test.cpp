@@ -107,6 +107,4 @@ TEST(Chart, LegendNamesEveryLabelOnce) {
   EXPECT_EQ(count_of("<text x=\"124.0\"", svg), 1U);  // 10 + 50 + 7.2 for each of 5 characters + 28
 }
 
-}  // namespace
-
-}  // namespace orispline::report
+}}  // namespace orispline::report

@@ -105,6 +105,4 @@ TEST(MotionDrawing, SaysWhatItsChartsShow) {
   EXPECT_DOUBLE_EQ(drawn_quantities()[1].values(method.samples)[3], 0.5);
 }
 
-}  // namespace
-
-}  // namespace orispline::report
+}}  // namespace orispline::report

@@ -167,6 +167,4 @@ TEST(PageSamples, KeysAreTakenAsTheyAre) {
   EXPECT_EQ(keys.positions[2].x(), 3.0);
 }
 
-}  // namespace
-
-}  // namespace orispline::report
+}}  // namespace orispline::report

@@ -99,6 +99,4 @@ TEST(Page, NamesColumnsBodiesAndFailures) {
             1U);
 }
 
-}  // namespace
-
-}  // namespace orispline::report
+}}  // namespace orispline::report

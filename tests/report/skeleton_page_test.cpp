@@ -89,6 +89,4 @@ TEST(SkeletonPage, OfAClipThatStandsStillAtOnePlaceHasStepsOfOne) {
             1U);
 }
 
-}  // namespace
-
-}  // namespace orispline::report
+}}  // namespace orispline::report

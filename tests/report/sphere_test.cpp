@@ -88,6 +88,4 @@ TEST(Sphere, HasAViewWhereThereIsNoMiddle) {
     EXPECT_GT(facing(directions).depth(Vector3d::UnitX()), 0.9);
 }
 
-}  // namespace
-
-}  // namespace orispline::report
+}}  // namespace orispline::report

@@ -71,6 +71,4 @@ TEST(Drawing, WritesWordsThatXmlWouldMisunderstand) {
             1U);
 }
 
-}  // namespace
-
-}  // namespace orispline::report
+}}  // namespace orispline::report

@@ -82,6 +82,4 @@ TEST(Characters, AreCountedAsTheyAreSeen) {
   EXPECT_EQ(characters("R(v\u0302)"), 4U);  // v with a hat above it
 }
 
-}  // namespace
-
-}  // namespace orispline::report
+}}  // namespace orispline::report

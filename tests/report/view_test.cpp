@@ -70,6 +70,4 @@ TEST(View, ShowsAFaceOfASolidFromOutsideOnly) {
   EXPECT_EQ(faces_from({0.3, 0.2, -1.0}), 0U);
 }
 
-}  // namespace
-
-}  // namespace orispline::report
+}}  // namespace orispline::report

@@ -38,6 +38,4 @@ TEST(Certificate, OfComponentsIsOneForEachAxisInTheUnitThatWasStated) {
   EXPECT_EQ(certificates[3].id_of("bound"), "linear_acceleration_bound_m_s2");
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -97,6 +97,4 @@ TEST(Retime, StatesTheSlackThatItsBoundsLeave) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

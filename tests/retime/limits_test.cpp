@@ -69,6 +69,4 @@ TEST(Retime, LimitsThePosition) {
             "max_speed: the keys have no positions, wanted px,py,pz as well");
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

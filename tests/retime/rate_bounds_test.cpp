@@ -238,6 +238,4 @@ TEST(RateBounds, AreUnknownWithoutPolynomials) {
     EXPECT_FALSE(certified(make_curve("squad", random_keys(1, {keys, 1.0})).value(), {}, low_floors)) << keys;
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -113,6 +113,4 @@ TEST(Retime, MeetsADuration) {
             "duration: it scales all intervals alike, wanted uniform slowing");
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -186,6 +186,4 @@ TEST(Retime, IsFollowedAndStopped) {
     });
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -143,6 +143,4 @@ TEST(SegmentHull, IsNearToTheRateWhereTheBodyWhirlsAboutTheSecondIncrement) {
 
 TEST(SegmentHull, IsNothingWithoutPolynomials) { EXPECT_FALSE(SegmentHull::of({}, segment_duration)); }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -41,6 +41,4 @@ TEST(Assimp, DoesNotWrite) {
   EXPECT_EQ(describe(written.error()), "a.fbx: FBX files are read only, wanted another format, such as glTF");
 }
 
-}  // namespace
-
-}  // namespace orispline::scenes
+}}  // namespace orispline::scenes

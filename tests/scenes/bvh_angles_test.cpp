@@ -66,6 +66,4 @@ TEST(BvhAngles, AnglesAreContinuousThroughManyTurnsAndThroughGimbalLock) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline::scenes
+}}  // namespace orispline::scenes

@@ -46,6 +46,4 @@ TEST(BvhOfGltf, EveryClipHasItsRotationsAndTranslationsInTheFrames) {
   EXPECT_LT(moved, 1e-5);
 }
 
-}  // namespace
-
-}  // namespace orispline::scenes
+}}  // namespace orispline::scenes

@@ -245,6 +245,4 @@ TEST_F(CmuFile, HasTheProductsOfItsTurns) {
   EXPECT_EQ(clip.rotations[0].times[2751], 22.9249083);
 }
 
-}  // namespace
-
-}  // namespace orispline::scenes
+}}  // namespace orispline::scenes

@@ -263,6 +263,4 @@ TEST_F(CmuRoundTrip, KeepsTheFrameTimeAndTheMotionThroughFloats) {
   EXPECT_LT(worst, 3e-7);
 }
 
-}  // namespace
-
-}  // namespace orispline::scenes
+}}  // namespace orispline::scenes

@@ -229,6 +229,4 @@ TEST(GltfHostile, FewBytesThatStandForManyKeys) {
   EXPECT_EQ(scene->clips[0].scales[0].size(), 1u);
 }
 
-}  // namespace
-
-}  // namespace orispline::scenes
+}}  // namespace orispline::scenes

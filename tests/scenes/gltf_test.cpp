@@ -198,6 +198,4 @@ TEST(Gltf, ReadsTheRecordingsBesideTheProject) {
   EXPECT_EQ(channel.times, (std::vector<double>{0, 1, 2}));
 }
 
-}  // namespace
-
-}  // namespace orispline::scenes
+}}  // namespace orispline::scenes

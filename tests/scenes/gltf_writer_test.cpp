@@ -276,6 +276,4 @@ TEST(GltfWriter, WritesTheRecordingBesideTheProjectAsItWas) {
   EXPECT_EQ(before.json, after.json);
 }
 
-}  // namespace
-
-}  // namespace orispline::scenes
+}}  // namespace orispline::scenes

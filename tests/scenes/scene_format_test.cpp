@@ -20,6 +20,4 @@ TEST(SceneFormat, OfAnotherExtensionIsAnErrorThatNamesThoseThereAre) {
             "keys.csv: found a file of no format that holds a skeleton, wanted one of .bvh, .glb, .gltf");
 }
 
-}  // namespace
-
-}  // namespace orispline::scenes
+}}  // namespace orispline::scenes

@@ -181,6 +181,4 @@ TEST(Adaptation, IsNotWhereOneTimeIsStatedOrAGyroIsUsed) {
   EXPECT_TRUE(smooth(keys, {.gyro = true}).value().smoothing_times.empty());
 }
 
-}  // namespace
-
-}  // namespace orispline::known_truth
+}}  // namespace orispline::known_truth

@@ -72,6 +72,4 @@ TEST(LogLambdaCurve, RisesNoHigherThanItMay) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -102,6 +102,4 @@ TEST(NeverWorse, OfRecordings) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline::known_truth
+}}  // namespace orispline::known_truth

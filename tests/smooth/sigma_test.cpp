@@ -175,6 +175,4 @@ TEST(NodeSigmas, KnowWhatAGyroTellsAndThatItsBiasIsEstimated) {
   EXPECT_GT(coverage.of_rates(), 0.85);
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -243,6 +243,4 @@ TEST(Smooth, IsFollowedAndStopped) {
           [&](const Progress& progress) { return smooth(keys, {.penalty = penalty, .loss = loss}, progress); }, 3);
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

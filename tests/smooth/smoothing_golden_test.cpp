@@ -86,6 +86,4 @@ TEST(SmoothingGolden, PositionsAreThoseOfExactSplines) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -69,6 +69,4 @@ TEST(SmoothingVerdict, AsksTheNeighboursThatCount) {
   EXPECT_EQ(verdict({9, 1, 1, 1, 1, 1, 1, 9}, {10, 17}).in_runs, (Indices{10, 17}));  // of one side only
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

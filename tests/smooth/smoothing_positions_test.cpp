@@ -290,6 +290,4 @@ TEST(SmoothPositions, TakeLinearTime) {
   EXPECT_LT(seconds(10000), 30.0 * seconds(1000));
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

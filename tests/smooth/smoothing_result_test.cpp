@@ -97,6 +97,4 @@ TEST(SmoothingResult, BringsItsWarnings) {
   EXPECT_FALSE(is_rejected(*warning.where.key + count));
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

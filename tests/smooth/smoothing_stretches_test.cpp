@@ -120,6 +120,4 @@ TEST(RepresentativeParts, AreSpreadEvenlyAndNoMoreThanAskedFor) {
   EXPECT_EQ(parts.back().times.back(), recording.times().back());
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -151,6 +151,4 @@ TEST(SmoothingTrace, IsThatOfTheSplineFilter) {
   EXPECT_NEAR(trace / 4000.0, 1.0 / (20.0 * std::sqrt(2.0)), 0.001);
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

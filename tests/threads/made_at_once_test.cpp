@@ -67,6 +67,4 @@ TEST(Compare, MeasuresEveryMethodOnManyThreads) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -34,6 +34,4 @@ TEST(ReduceTracks, FindsTheSameKeysOnManyThreads) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

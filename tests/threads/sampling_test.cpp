@@ -54,6 +54,4 @@ TEST(BatchThreads, ChangeNoBit) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

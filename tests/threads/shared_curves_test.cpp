@@ -37,6 +37,4 @@ TEST(Threads, ShareACurveAndItsCopies) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

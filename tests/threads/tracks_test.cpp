@@ -46,6 +46,4 @@ TEST(TracksOnThreads, AreThoseOfOneWithItsErrors) {
   for (std::size_t i = 0; i < alone.errors.size(); ++i) EXPECT_EQ(describe(many.errors[i]), describe(alone.errors[i]));
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -109,6 +109,4 @@ TEST(Construction, FitsTheParametersThatMadeTheReference) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

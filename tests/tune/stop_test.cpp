@@ -34,6 +34,4 @@ TEST(Tune, IsStoppedAtAnyShareThatItShows) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -257,6 +257,4 @@ TEST(Tune, IsFollowedAndStopped) {
         [&](const Progress& progress) { return tune(q, method, {.objective = Objective::jerk}, progress); });
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline

@@ -50,6 +50,4 @@ TEST(TunedGolden, EnergiesAreThoseOfTheReference) {
   }
 }
 
-}  // namespace
-
-}  // namespace orispline
+}}  // namespace orispline
